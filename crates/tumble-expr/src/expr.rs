@@ -1,0 +1,307 @@
+//! A formula: an immutable, shared tree whose every node knows its dimension.
+
+use std::fmt;
+use std::sync::Arc;
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use crate::typing::{self, Kind, TypeError};
+use crate::{Dimension, Exponent};
+
+/// A named leaf: a parameter, a state, the time. Two symbols are one if their names are.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Symbol {
+    /// Name as the user writes it, such as `rod.tip.vx`.
+    pub name: Arc<str>,
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+impl Symbol {
+    /// A symbol of that name and dimension.
+    pub fn new(name: impl Into<Arc<str>>, dimension: Dimension) -> Self {
+        Self { name: name.into(), dimension }
+    }
+}
+
+/// Functions of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Unary {
+    Neg,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Log,
+    Sqrt,
+    Abs,
+    /// -1, 0 or 1.
+    Sign,
+    /// 0 below zero, 1 from zero on.
+    Step,
+}
+
+/// Functions of two arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Binary {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Pow,
+    /// `atan2(y, x)`
+    Atan2,
+    Min,
+    Max,
+}
+
+/// Comparisons; `a > b` is written `b < a`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Relation {
+    Less,
+    LessEqual,
+}
+
+/// What a formula is made of.
+#[derive(Clone, Debug)]
+pub enum Node {
+    /// An exact number, in SI units.
+    Number(BigRational),
+    /// The ratio of a circle's circumference to its diameter, as exact as the evaluator's number.
+    Pi,
+    /// A named leaf.
+    Symbol(Symbol),
+    /// A function of one formula.
+    Unary(Unary, Expr),
+    /// A function of two formulas.
+    Binary(Binary, Expr, Expr),
+    /// A comparison; its kind is [`Kind::Truth`].
+    Compare(Relation, Expr, Expr),
+    /// `if(condition, then, otherwise)`
+    Select(Expr, Expr, Expr),
+    /// Euclidean length of the components.
+    Norm(Vec<Expr>),
+}
+
+/// A formula with its dimension; cheap to clone.
+///
+/// The operators never fail: a formula that adds a length to a mass carries that error, and
+/// [`Expr::kind`] and everything that compiles formulas report it.
+#[derive(Clone)]
+pub struct Expr(pub(crate) Arc<Inner>);
+
+pub(crate) struct Inner {
+    pub(crate) node: Node,
+    pub(crate) kind: Result<Kind, Arc<TypeError>>,
+}
+
+impl Expr {
+    /// A number in SI units with its dimension. A bare zero has every dimension.
+    pub fn quantity(value: BigRational, dimension: Dimension) -> Self {
+        let kind = if value.is_zero() { Kind::Zero } else { Kind::Quantity(dimension) };
+        Self::make(Node::Number(value), Ok(kind))
+    }
+
+    /// A pure number.
+    pub fn number(value: BigRational) -> Self {
+        Self::quantity(value, Dimension::NONE)
+    }
+
+    /// The pure number 0, of every dimension.
+    pub fn zero() -> Self {
+        Self::number(BigRational::zero())
+    }
+
+    /// The pure number 1.
+    pub fn one() -> Self {
+        Self::number(BigRational::one())
+    }
+
+    /// pi
+    pub fn pi() -> Self {
+        Self::make(Node::Pi, Ok(Kind::Quantity(Dimension::NONE)))
+    }
+
+    /// A named leaf.
+    pub fn symbol(name: impl Into<Arc<str>>, dimension: Dimension) -> Self {
+        Self::from(Symbol::new(name, dimension))
+    }
+
+    /// A function of one argument.
+    pub fn unary(op: Unary, a: Self) -> Self {
+        let kind = a.kind().and_then(|a| typing::unary(op, a));
+        Self::checked(Node::Unary(op, a), kind)
+    }
+
+    /// A function of two arguments.
+    pub fn binary(op: Binary, a: Self, b: Self) -> Self {
+        let kind = match op {
+            Binary::Pow => typing::power(&a, &b),
+            _ => a.kind().and_then(|a| typing::binary(op, a, b.kind()?)),
+        };
+        Self::checked(Node::Binary(op, a, b), kind)
+    }
+
+    /// `a < b` or `a <= b`.
+    pub fn compare(relation: Relation, a: Self, b: Self) -> Self {
+        let kind = a.kind().and_then(|a| typing::same("compares", a, b.kind()?)).map(|_| Kind::Truth);
+        Self::checked(Node::Compare(relation, a, b), kind)
+    }
+
+    /// `then` where `condition` holds, else `otherwise`; both must have one dimension.
+    pub fn select(condition: Self, then: Self, otherwise: Self) -> Self {
+        let kind = typing::select(&condition, &then, &otherwise);
+        Self::checked(Node::Select(condition, then, otherwise), kind)
+    }
+
+    /// Euclidean length of the components, which must have one dimension.
+    pub fn norm(components: Vec<Self>) -> Self {
+        let kind = typing::norm(&components);
+        Self::checked(Node::Norm(components), kind)
+    }
+
+    /// `1` from `from` on and before `to`, else `0`.
+    pub fn pulse(t: &Self, from: &Self, to: &Self) -> Self {
+        (t - from).step() - (t - to).step()
+    }
+
+    /// What this formula measures, or the first mistake in it.
+    pub fn kind(&self) -> Result<Kind, TypeError> {
+        self.0.kind.clone().map_err(|e| (*e).clone())
+    }
+
+    /// Dimension of the value; a bare zero counts as a pure number here.
+    pub fn dimension(&self) -> Result<Dimension, TypeError> {
+        self.kind()?.dimension()
+    }
+
+    /// This formula, if its value may stand where `expected` is asked for.
+    pub fn expect(&self, expected: Dimension) -> Result<&Self, TypeError> {
+        match self.kind()? {
+            Kind::Zero => Ok(self),
+            Kind::Quantity(found) if found == expected => Ok(self),
+            found => Err(TypeError::Expected { expected, found }),
+        }
+    }
+
+    /// The node at the root.
+    pub fn node(&self) -> &Node {
+        &self.0.node
+    }
+
+    /// The exact number, where this formula is one.
+    pub fn as_number(&self) -> Option<&BigRational> {
+        match self.node() {
+            Node::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether this is the literal zero.
+    pub fn is_zero(&self) -> bool {
+        self.as_number().is_some_and(Zero::is_zero)
+    }
+
+    /// The formulas this one is made of, left to right.
+    pub fn children(&self) -> Vec<&Self> {
+        match self.node() {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => vec![],
+            Node::Unary(_, a) => vec![a],
+            Node::Binary(_, a, b) | Node::Compare(_, a, b) => vec![a, b],
+            Node::Select(a, b, c) => vec![a, b, c],
+            Node::Norm(parts) => parts.iter().collect(),
+        }
+    }
+
+    /// Raises to a rational power.
+    pub fn powr(&self, exponent: Exponent) -> Self {
+        let exponent = BigRational::new((*exponent.numer()).into(), (*exponent.denom()).into());
+        Self::binary(Binary::Pow, self.clone(), Self::number(exponent))
+    }
+
+    /// Raises to an integer power.
+    pub fn powi(&self, exponent: i32) -> Self {
+        self.powr(Exponent::from_integer(exponent))
+    }
+
+    pub(crate) fn make(node: Node, kind: Result<Kind, Arc<TypeError>>) -> Self {
+        Self(Arc::new(Inner { node, kind }))
+    }
+
+    fn checked(node: Node, kind: Result<Kind, TypeError>) -> Self {
+        Self::make(node, kind.map_err(Arc::new))
+    }
+}
+
+macro_rules! functions {
+    ($($(#[$doc:meta])* $name:ident => $op:ident;)*) => {
+        impl Expr {
+            $($(#[$doc])* pub fn $name(&self) -> Self { Self::unary(Unary::$op, self.clone()) })*
+        }
+    };
+}
+
+functions! {
+    /// Sine of an angle in radians.
+    sin => Sin;
+    /// Cosine of an angle in radians.
+    cos => Cos;
+    /// Tangent of an angle in radians.
+    tan => Tan;
+    /// Exponential.
+    exp => Exp;
+    /// Natural logarithm.
+    log => Log;
+    /// Square root, of any dimension.
+    sqrt => Sqrt;
+    /// Absolute value.
+    abs => Abs;
+    /// -1, 0 or 1.
+    sign => Sign;
+    /// 0 below zero, 1 from zero on.
+    step => Step;
+}
+
+impl From<Symbol> for Expr {
+    fn from(symbol: Symbol) -> Self {
+        let dimension = symbol.dimension;
+        Self::make(Node::Symbol(symbol), Ok(Kind::Quantity(dimension)))
+    }
+}
+
+impl From<i32> for Expr {
+    fn from(value: i32) -> Self {
+        Self::number(BigRational::from_integer(value.into()))
+    }
+}
+
+/// The shortest decimal that reads back as this number; a number that is not finite is a mistake the formula carries.
+impl From<f64> for Expr {
+    fn from(value: f64) -> Self {
+        match crate::unit::decimal(value) {
+            Some(exact) => Self::number(exact),
+            None => Self::make(Node::Pi, Err(Arc::new(TypeError::NotFinite { value }))),
+        }
+    }
+}
+
+impl fmt::Debug for Expr {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.node() {
+            Node::Number(value) => write!(f, "{value}"),
+            Node::Pi => write!(f, "pi"),
+            Node::Symbol(symbol) => write!(f, "{}", symbol.name),
+            _ => write!(f, "Expr(..)"),
+        }
+    }
+}
