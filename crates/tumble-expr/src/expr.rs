@@ -72,9 +72,9 @@ pub enum Relation {
     LessEqual,
 }
 
-/// What a formula is made of.
-#[derive(Clone, Debug)]
-pub enum Node {
+/// What a formula is made of, over whatever stands for its parts: [`Expr`] in a tree, an index in a graph.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node<Part = Expr> {
     /// An exact number, in SI units.
     Number(BigRational),
     /// The ratio of a circle's circumference to its diameter, as exact as the evaluator's number.
@@ -82,15 +82,42 @@ pub enum Node {
     /// A named leaf.
     Symbol(Symbol),
     /// A function of one formula.
-    Unary(Unary, Expr),
+    Unary(Unary, Part),
     /// A function of two formulas.
-    Binary(Binary, Expr, Expr),
+    Binary(Binary, Part, Part),
     /// A comparison; its kind is [`Kind::Truth`].
-    Compare(Relation, Expr, Expr),
+    Compare(Relation, Part, Part),
     /// `if(condition, then, otherwise)`
-    Select(Expr, Expr, Expr),
+    Select(Part, Part, Part),
     /// Euclidean length of the components.
-    Norm(Vec<Expr>),
+    Norm(Vec<Part>),
+}
+
+impl<Part> Node<Part> {
+    /// The parts this node is made of, left to right.
+    pub fn parts(&self) -> Vec<&Part> {
+        match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => vec![],
+            Self::Unary(_, a) => vec![a],
+            Self::Binary(_, a, b) | Self::Compare(_, a, b) => vec![a, b],
+            Self::Select(a, b, c) => vec![a, b, c],
+            Self::Norm(parts) => parts.iter().collect(),
+        }
+    }
+
+    /// The same node over other parts.
+    pub fn map<Other>(&self, mut f: impl FnMut(&Part) -> Other) -> Node<Other> {
+        match self {
+            Self::Number(value) => Node::Number(value.clone()),
+            Self::Pi => Node::Pi,
+            Self::Symbol(symbol) => Node::Symbol(symbol.clone()),
+            Self::Unary(op, a) => Node::Unary(*op, f(a)),
+            Self::Binary(op, a, b) => Node::Binary(*op, f(a), f(b)),
+            Self::Compare(relation, a, b) => Node::Compare(*relation, f(a), f(b)),
+            Self::Select(a, b, c) => Node::Select(f(a), f(b), f(c)),
+            Self::Norm(parts) => Node::Norm(parts.iter().map(f).collect()),
+        }
+    }
 }
 
 /// A formula with its dimension; cheap to clone.
@@ -214,13 +241,7 @@ impl Expr {
 
     /// The formulas this one is made of, left to right.
     pub fn children(&self) -> Vec<&Self> {
-        match self.node() {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => vec![],
-            Node::Unary(_, a) => vec![a],
-            Node::Binary(_, a, b) | Node::Compare(_, a, b) => vec![a, b],
-            Node::Select(a, b, c) => vec![a, b, c],
-            Node::Norm(parts) => parts.iter().collect(),
-        }
+        self.node().parts()
     }
 
     /// Raises to a rational power.

@@ -5,16 +5,30 @@
 //! [`Values`] (one value each) or [`Jets`] (Taylor coefficients each), on one number or on lanes of them.
 //! It knows nothing of mechanics.
 
+mod degree;
 mod dimension;
 mod drops;
 mod expr;
+mod graph;
+mod jets;
+mod lower;
 mod operators;
+mod ops;
+mod scalar;
+mod simplify;
+mod tape;
 mod typing;
 mod unit;
 mod vector;
 
+pub use degree::Degree;
 pub use dimension::{Dimension, Exponent};
 pub use expr::{Binary, Expr, Node, Relation, Symbol, Unary};
+pub use graph::{Graph, NodeId};
+pub use jets::{Branches, Jets, Values};
+pub use ops::{Op, Slot};
+pub use scalar::{Lanes, Scalar, nearest};
+pub use tape::{CompileError, Layout, Stage, Tape};
 pub use typing::{Kind, TypeError};
 pub use unit::{Unit, units};
 pub use vector::Vector;

@@ -1,0 +1,119 @@
+//! Formulas as one directed graph in which equal sub-formulas are one node.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::expr::{Expr, Inner, Node};
+use crate::simplify;
+
+/// A node of a [`Graph`]. Parts always have smaller indices than the node made of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(pub(crate) u32);
+
+impl NodeId {
+    /// Position in [`Graph::nodes`].
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A deduplicated graph of formulas, simplified as it grows.
+///
+/// Only what is exact is simplified: sums and products with 0 and 1, signs, functions at 0 and 1, and arithmetic
+/// between rational numbers. Parameters are never folded, whatever their values.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node<NodeId>>,
+    known: HashMap<Node<NodeId>, NodeId>,
+}
+
+impl Graph {
+    /// Nodes in an order in which parts come first.
+    pub fn nodes(&self) -> &[Node<NodeId>] {
+        &self.nodes
+    }
+
+    /// One node.
+    pub fn node(&self, id: NodeId) -> &Node<NodeId> {
+        &self.nodes[id.index()]
+    }
+
+    /// Adds formulas; shared parts are visited once, and the depth of a formula is not bounded by the stack.
+    pub fn import(&mut self, formulas: &[Expr]) -> Vec<NodeId> {
+        let mut seen: HashMap<*const Inner, NodeId> = HashMap::new();
+        let mut pending: Vec<&Expr> = Vec::new();
+        for formula in formulas {
+            pending.push(formula);
+            while let Some(next) = pending.last().copied() {
+                let missing = |part: &&Expr| !seen.contains_key(&Arc::as_ptr(&part.0));
+                let parts: Vec<&Expr> = next.children().into_iter().filter(missing).collect();
+                if parts.is_empty() {
+                    let node = next.node().map(|part| seen[&Arc::as_ptr(&part.0)]);
+                    let id = self.add(node);
+                    seen.insert(Arc::as_ptr(&next.0), id);
+                    pending.pop();
+                } else {
+                    pending.extend(parts);
+                }
+            }
+        }
+        formulas.iter().map(|formula| seen[&Arc::as_ptr(&formula.0)]).collect()
+    }
+
+    /// Adds one node over nodes of this graph, or finds the equal one that is there.
+    pub fn add(&mut self, node: Node<NodeId>) -> NodeId {
+        match simplify::simplify(self, node) {
+            simplify::Simplified::Known(id) => id,
+            simplify::Simplified::Node(node) => self.intern(node),
+        }
+    }
+
+    fn intern(&mut self, node: Node<NodeId>) -> NodeId {
+        if let Some(&id) = self.known.get(&node) {
+            return id;
+        }
+        let id = NodeId(u32::try_from(self.nodes.len()).expect("fewer than 2^32 nodes fit in memory"));
+        self.nodes.push(node.clone());
+        self.known.insert(node, id);
+        id
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Dimension;
+
+    fn size(formula: &Expr) -> usize {
+        let mut graph = Graph::default();
+        graph.import(std::slice::from_ref(formula));
+        graph.nodes().len()
+    }
+
+    #[test]
+    fn equal_parts_are_one_node() {
+        let x = Expr::symbol("x", Dimension::LENGTH);
+        let y = Expr::symbol("y", Dimension::LENGTH);
+        // x, y, x*y, and the sum: y*x is the same node as x*y.
+        assert_eq!(size(&((&x * &y) + (&y * &x))), 4);
+    }
+
+    #[test]
+    fn doubling_a_hundred_times_is_linear() {
+        let mut sum = Expr::symbol("a", Dimension::LENGTH);
+        for _ in 0..100 {
+            sum = &sum + &sum;
+        }
+        assert_eq!(size(&sum), 101);
+    }
+
+    #[test]
+    fn a_deep_chain_imports() {
+        let x = Expr::symbol("x", Dimension::NONE);
+        let mut chain = x.clone();
+        for _ in 0..200_000 {
+            chain = (chain + &x).sin();
+        }
+        assert_eq!(size(&chain), 400_001);
+    }
+}

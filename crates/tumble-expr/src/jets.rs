@@ -1,0 +1,155 @@
+//! Evaluators: a tape on values, and on Taylor coefficients.
+
+use std::sync::Arc;
+
+use crate::ops::{Op, Series, Slot};
+use crate::{Scalar, Stage, Tape};
+
+/// How branches (abs, sign, step, min, max, if) take their sides at order 0.
+#[derive(Clone, Copy, Debug)]
+pub enum Branches<'a, S> {
+    /// By the sign of their guard, zero counting as positive.
+    Free,
+    /// As given, +1 or -1 a branch, whatever the guard says: the side that a step is on.
+    Frozen(&'a [S]),
+}
+
+/// Runs a tape on Taylor coefficients up to a highest order; with highest order 0, on values.
+///
+/// First [`Jets::start`], then for `k = 1, 2, ...` the leaves' coefficients of order k by [`Jets::set`] and
+/// [`Jets::extend`]. That order lets the coefficients of a state be found from those of its derivative.
+#[derive(Clone, Debug)]
+pub struct Jets<S> {
+    tape: Arc<Tape>,
+    stride: usize,
+    /// `[slot][order]`
+    data: Vec<S>,
+    signs: Vec<S>,
+}
+
+/// Runs a tape on values.
+pub type Values<S> = Jets<S>;
+
+impl<S: Scalar> Jets<S> {
+    /// An evaluator of `tape` up to `order`, for one set of inputs.
+    ///
+    /// # Panics
+    /// If there are not as many inputs as the tape's layout has.
+    pub fn new(tape: Arc<Tape>, order: usize, inputs: &[S]) -> Self {
+        let stride = order + 1;
+        let data = vec![S::zero(); tape.len() * stride];
+        let signs = vec![S::one(); tape.guards().len()];
+        let mut jets = Self { tape, stride, data, signs };
+        jets.bind(inputs);
+        jets
+    }
+
+    /// Gives the inputs new values.
+    ///
+    /// # Panics
+    /// If there are not as many inputs as the tape's layout has.
+    pub fn bind(&mut self, inputs: &[S]) {
+        assert_eq!(inputs.len(), self.tape.inputs(), "one value an input");
+        let tape = Arc::clone(&self.tape);
+        let first = tape.states() + 1;
+        for (index, value) in inputs.iter().enumerate() {
+            self.data[(first + index) * self.stride] = *value;
+        }
+        for (slot, op) in tape.prologue() {
+            let value = match op {
+                Op::Number(index) => S::exact(&tape.numbers[index as usize]),
+                Op::Pi => S::pi(),
+                _ => self.value(op, true),
+            };
+            self.data[slot as usize * self.stride] = value;
+        }
+    }
+
+    /// Evaluates everything at one instant.
+    ///
+    /// # Panics
+    /// If there are not as many states, or frozen branches, as the tape has.
+    pub fn start(&mut self, time: S, states: &[S], branches: Branches<'_, S>) {
+        let tape = Arc::clone(&self.tape);
+        assert_eq!(states.len(), tape.states(), "one value a state");
+        for (index, value) in states.iter().chain([&time]).enumerate() {
+            self.data[index * self.stride] = *value;
+        }
+        let free = matches!(branches, Branches::Free);
+        if let Branches::Frozen(signs) = branches {
+            self.freeze(signs);
+        }
+        for (slot, op) in tape.varying() {
+            self.data[slot as usize * self.stride] = self.value(op, free);
+        }
+    }
+
+    /// Sets a leaf's coefficient: a state's by its index, the time's by the number of states.
+    pub fn set(&mut self, leaf: usize, order: usize, value: S) {
+        self.data[leaf * self.stride + order] = value;
+    }
+
+    /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
+    pub fn extend(&mut self, k: usize) {
+        let tape = Arc::clone(&self.tape);
+        for (slot, op) in tape.varying() {
+            let value = self.series().coefficient(op, slot, k);
+            self.data[slot as usize * self.stride + k] = value;
+        }
+    }
+
+    /// Coefficients in a slot.
+    pub fn slot(&self, slot: Slot) -> &[S] {
+        &self.data[slot as usize * self.stride..][..self.stride]
+    }
+
+    /// Coefficients of an output.
+    pub fn output(&self, index: usize) -> &[S] {
+        self.slot(self.tape.outputs()[index])
+    }
+
+    /// Value of an output at the instant of the last start.
+    pub fn value_of(&self, index: usize) -> S {
+        self.output(index)[0]
+    }
+
+    /// The sides that the branches took, +1 or -1.
+    pub fn signs(&self) -> &[S] {
+        &self.signs
+    }
+
+    /// The tape that runs.
+    pub fn tape(&self) -> &Arc<Tape> {
+        &self.tape
+    }
+
+    /// Sides of branches that depend on inputs alone stay as the inputs say.
+    fn freeze(&mut self, signs: &[S]) {
+        assert_eq!(signs.len(), self.signs.len(), "one side a branch");
+        for (branch, guard) in self.tape.guards().iter().enumerate() {
+            if self.tape.stage(*guard) == Stage::Varying {
+                self.signs[branch] = signs[branch];
+            }
+        }
+    }
+
+    fn value(&mut self, op: Op, free: bool) -> S {
+        if free && let Some(branch) = op.branch() {
+            let guard = self.tape.guards()[branch as usize];
+            self.signs[branch as usize] = self.slot(guard)[0].choose(S::one(), -S::one());
+        }
+        match op {
+            // A free sign has three values; a frozen one is its side.
+            Op::Sign { of, .. } if free => self.slot(of)[0].map(sign),
+            _ => self.series().value(op),
+        }
+    }
+
+    fn series(&self) -> Series<'_, S> {
+        Series { data: &self.data, stride: self.stride, signs: &self.signs, norms: &self.tape.norms }
+    }
+}
+
+fn sign(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.signum() }
+}

@@ -1,0 +1,246 @@
+//! The operations of a tape, and what each does to values and to Taylor coefficients.
+//!
+//! Coefficients are normalised: the series of `a` is `a_0 + a_1 s + a_2 s^2 + ...`. Each family of operations has a
+//! file with its recurrences: the coefficient of order `k >= 1` from all lower ones of the result and those up to `k` of
+//! its parts. In every sum the terms of lowest order of the result come first and order 0 is split off.
+
+pub(crate) mod arithmetic;
+pub(crate) mod branch;
+pub(crate) mod integral;
+pub(crate) mod norm;
+pub(crate) mod power;
+
+use crate::Scalar;
+
+/// Where an operation's result stands: its index on the tape.
+pub type Slot = u32;
+
+/// One operation of a tape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Op {
+    /// A state, by its index.
+    State(u32),
+    Time,
+    /// A parameter, by its index.
+    Input(u32),
+    /// An exact number, by its index in the tape's list.
+    Number(u32),
+    Pi,
+    Neg(Slot),
+    Add(Slot, Slot),
+    Sub(Slot, Slot),
+    Mul(Slot, Slot),
+    /// `of` times something that does not change with time.
+    Scale {
+        of: Slot,
+        by: Slot,
+    },
+    Div(Slot, Slot),
+    /// `of` divided by something that does not change with time.
+    Shrink {
+        of: Slot,
+        by: Slot,
+    },
+    Square(Slot),
+    Sqrt(Slot),
+    Pow {
+        of: Slot,
+        exponent: Slot,
+    },
+    Exp(Slot),
+    Log(Slot),
+    Sin {
+        of: Slot,
+        cos: Slot,
+    },
+    Cos {
+        of: Slot,
+        sin: Slot,
+    },
+    Sinh {
+        of: Slot,
+        cosh: Slot,
+    },
+    Cosh {
+        of: Slot,
+        sinh: Slot,
+    },
+    /// With the slot of 1 + tan^2.
+    Tan {
+        of: Slot,
+        slope: Slot,
+    },
+    /// With the slot of 1 - tanh^2.
+    Tanh {
+        of: Slot,
+        slope: Slot,
+    },
+    /// With the slot of sqrt(1 - of^2).
+    Asin {
+        of: Slot,
+        root: Slot,
+    },
+    /// With the slot of sqrt(1 - of^2).
+    Acos {
+        of: Slot,
+        root: Slot,
+    },
+    /// With the slot of 1 + of^2.
+    Atan {
+        of: Slot,
+        square: Slot,
+    },
+    /// With the slot of x^2 + y^2.
+    Atan2 {
+        y: Slot,
+        x: Slot,
+        square: Slot,
+    },
+    /// Sign of the branch times `of`.
+    Abs {
+        of: Slot,
+        branch: u32,
+    },
+    Sign {
+        of: Slot,
+        branch: u32,
+    },
+    Step {
+        branch: u32,
+    },
+    Choose {
+        branch: u32,
+        positive: Slot,
+        negative: Slot,
+    },
+    /// Length of the vector whose components are in the tape's list.
+    Norm(u32),
+}
+
+/// Series of every slot, as far as they are known.
+pub(crate) struct Series<'a, S> {
+    pub(crate) data: &'a [S],
+    pub(crate) stride: usize,
+    /// +1 or -1 a branch.
+    pub(crate) signs: &'a [S],
+    pub(crate) norms: &'a [Vec<Slot>],
+}
+
+impl<'a, S: Scalar> Series<'a, S> {
+    pub(crate) fn of(&self, slot: Slot) -> &'a [S] {
+        &self.data[slot as usize * self.stride..][..self.stride]
+    }
+
+    pub(crate) fn first(&self, slot: Slot) -> S {
+        self.data[slot as usize * self.stride]
+    }
+
+    /// Value of an operation whose parts are evaluated. Leaves and numbers are set by the evaluator.
+    pub(crate) fn value(&self, op: Op) -> S {
+        let at = |slot| self.first(slot);
+        match op {
+            Op::State(_) | Op::Time | Op::Input(_) | Op::Number(_) | Op::Pi => {
+                unreachable!("the evaluator sets leaves and numbers itself")
+            }
+            Op::Neg(a) => -at(a),
+            Op::Add(a, b) => at(a) + at(b),
+            Op::Sub(a, b) => at(a) - at(b),
+            Op::Mul(a, b) | Op::Scale { of: a, by: b } => at(a) * at(b),
+            Op::Div(a, b) | Op::Shrink { of: a, by: b } => at(a) / at(b),
+            Op::Square(a) => at(a) * at(a),
+            Op::Sqrt(a) => at(a).sqrt(),
+            Op::Pow { of, exponent } => at(of).pow(at(exponent)),
+            Op::Exp(a) => at(a).exp(),
+            Op::Log(a) => at(a).log(),
+            Op::Sin { of, .. } => at(of).sin(),
+            Op::Cos { of, .. } => at(of).cos(),
+            Op::Sinh { of, .. } => at(of).sinh(),
+            Op::Cosh { of, .. } => at(of).cosh(),
+            Op::Tan { of, .. } => at(of).tan(),
+            Op::Tanh { of, .. } => at(of).tanh(),
+            Op::Asin { of, .. } => at(of).asin(),
+            Op::Acos { of, .. } => at(of).acos(),
+            Op::Atan { of, .. } => at(of).atan(),
+            Op::Atan2 { y, x, .. } => at(y).atan2(at(x)),
+            Op::Abs { of, branch } => self.sign(branch) * at(of),
+            Op::Sign { branch, .. } => self.sign(branch),
+            Op::Step { branch } => branch::step(self.sign(branch)),
+            Op::Choose { branch, positive, negative } => self.sign(branch).choose(at(positive), at(negative)),
+            Op::Norm(parts) => norm::value(self, parts),
+        }
+    }
+
+    /// Coefficient of order `k >= 1` of the operation whose result stands in `slot`.
+    pub(crate) fn coefficient(&self, op: Op, slot: Slot, k: usize) -> S {
+        let a = |slot| self.of(slot);
+        let c = self.of(slot);
+        match op {
+            Op::State(_) | Op::Time => c[k],
+            Op::Input(_) | Op::Number(_) | Op::Pi => S::zero(),
+            Op::Neg(x) => -a(x)[k],
+            Op::Add(x, y) => a(x)[k] + a(y)[k],
+            Op::Sub(x, y) => a(x)[k] - a(y)[k],
+            Op::Mul(x, y) => arithmetic::product(a(x), a(y), k),
+            Op::Scale { of, by } => a(of)[k] * self.first(by),
+            Op::Div(x, y) => arithmetic::quotient(a(x), a(y), c, k),
+            Op::Shrink { of, by } => a(of)[k] / self.first(by),
+            Op::Square(x) => arithmetic::square(a(x), k),
+            Op::Sqrt(x) => power::root(a(x), c, k),
+            Op::Pow { of, exponent } => power::power(a(of), self.first(exponent), c, k),
+            Op::Exp(x) => integral::along(a(x), c, k),
+            Op::Log(x) => integral::against(a(x)[k], a(x), c, k),
+            Op::Sin { of, cos } => integral::along(a(of), a(cos), k),
+            Op::Cos { of, sin } => -integral::along(a(of), a(sin), k),
+            Op::Sinh { of, cosh } => integral::along(a(of), a(cosh), k),
+            Op::Cosh { of, sinh } => integral::along(a(of), a(sinh), k),
+            Op::Tan { of, slope } | Op::Tanh { of, slope } => integral::along(a(of), a(slope), k),
+            Op::Asin { of, root } => integral::against(a(of)[k], a(root), c, k),
+            Op::Acos { of, root } => integral::against(-a(of)[k], a(root), c, k),
+            Op::Atan { of, square } => integral::against(a(of)[k], a(square), c, k),
+            Op::Atan2 { y, x, square } => integral::against(integral::sweep(a(x), a(y), k), a(square), c, k),
+            Op::Abs { of, branch } => self.sign(branch) * a(of)[k],
+            Op::Sign { .. } | Op::Step { .. } => S::zero(),
+            Op::Choose { branch, positive, negative } => {
+                self.sign(branch).choose(a(positive)[k], a(negative)[k])
+            }
+            Op::Norm(parts) => norm::coefficient(self, parts, c, k),
+        }
+    }
+
+    fn sign(&self, branch: u32) -> S {
+        self.signs[branch as usize]
+    }
+}
+
+impl Op {
+    /// The branch this operation takes its side from.
+    pub(crate) fn branch(self) -> Option<u32> {
+        match self {
+            Self::Abs { branch, .. } | Self::Sign { branch, .. } => Some(branch),
+            Self::Step { branch } | Self::Choose { branch, .. } => Some(branch),
+            _ => None,
+        }
+    }
+
+    /// The slots this operation must come after.
+    pub(crate) fn parts(self, norms: &[Vec<Slot>], guards: &[Slot]) -> Vec<Slot> {
+        match self {
+            Self::State(_) | Self::Time | Self::Input(_) | Self::Number(_) | Self::Pi => vec![],
+            Self::Neg(a) | Self::Square(a) | Self::Sqrt(a) | Self::Exp(a) | Self::Log(a) => vec![a],
+            Self::Sin { of, .. } | Self::Cos { of, .. } | Self::Sinh { of, .. } | Self::Cosh { of, .. } => {
+                vec![of]
+            }
+            Self::Tan { of, .. } | Self::Tanh { of, .. } => vec![of],
+            Self::Asin { of: a, root: b } | Self::Acos { of: a, root: b } => vec![a, b],
+            Self::Atan { of: a, square: b } | Self::Pow { of: a, exponent: b } => vec![a, b],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::Scale { of: a, by: b } | Self::Shrink { of: a, by: b } => vec![a, b],
+            Self::Atan2 { y, x, square } => vec![y, x, square],
+            Self::Abs { of, .. } | Self::Sign { of, .. } => vec![of],
+            Self::Step { branch } => vec![guards[branch as usize]],
+            Self::Choose { branch, positive, negative } => vec![guards[branch as usize], positive, negative],
+            Self::Norm(parts) => norms[parts as usize].clone(),
+        }
+    }
+}

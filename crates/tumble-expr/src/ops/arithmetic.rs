@@ -1,0 +1,30 @@
+//! Products and quotients.
+
+use crate::Scalar;
+
+/// `c = a b`: Cauchy's product, `c_k = sum over i of a_i b_(k-i)`.
+pub(crate) fn product<S: Scalar>(a: &[S], b: &[S], k: usize) -> S {
+    convolution(&a[1..k], &b[1..k]) + a[k] * b[0] + a[0] * b[k]
+}
+
+/// `c = a^2`: the product's terms in equal pairs, and the middle one where k is even.
+pub(crate) fn square<S: Scalar>(a: &[S], k: usize) -> S {
+    half_square(a, k) + S::splat(2.0) * (a[0] * a[k])
+}
+
+/// Terms of `a^2` at order k that hold neither `a_0` nor `a_k`.
+pub(crate) fn half_square<S: Scalar>(a: &[S], k: usize) -> S {
+    let pairs = (1..k.div_ceil(2)).fold(S::zero(), |sum, i| sum + a[i] * a[k - i]);
+    let twice = S::splat(2.0) * pairs;
+    if k.is_multiple_of(2) && k > 0 { twice + a[k / 2] * a[k / 2] } else { twice }
+}
+
+/// `c = a / b`, from `c b = a`: `c_k b_0 = a_k - sum over i < k of c_i b_(k-i)`.
+pub(crate) fn quotient<S: Scalar>(a: &[S], b: &[S], c: &[S], k: usize) -> S {
+    (a[k] - (convolution(&c[1..k], &b[1..k]) + c[0] * b[k])) / b[0]
+}
+
+/// Sum of `a_i b_(n-1-i)` over two slices of one length n.
+pub(crate) fn convolution<S: Scalar>(a: &[S], b: &[S]) -> S {
+    a.iter().zip(b.iter().rev()).fold(S::zero(), |sum, (x, y)| sum + *x * *y)
+}

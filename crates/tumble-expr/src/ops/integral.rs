@@ -1,0 +1,31 @@
+//! Functions known by their derivative: every elementary function but powers.
+//!
+//! Two shapes cover them all. `c' = a' g` with a companion series g: exp (g = c), sin (g = cos), cos (g = -sin), sinh,
+//! cosh, tan (g = 1 + c^2), tanh (g = 1 - c^2). `c' g = n'` with a denominator g: log (g = a), asin and acos
+//! (g = sqrt(1 - a^2)), atan (g = 1 + a^2), atan2 (g = x^2 + y^2).
+
+use crate::Scalar;
+
+/// `c' = a' g`: comparing orders, `k c_k = sum over i from 1 to k of i a_i g_(k-i)`.
+pub(crate) fn along<S: Scalar>(a: &[S], g: &[S], k: usize) -> S {
+    weighted(a, g, 1..=k, k) / order(k)
+}
+
+/// `c' g = n'` for given `n_k`: `k c_k g_0 = k n_k - sum over i from 1 to k-1 of i c_i g_(k-i)`.
+pub(crate) fn against<S: Scalar>(n: S, g: &[S], c: &[S], k: usize) -> S {
+    (n - weighted(c, g, 1..=k - 1, k) / order(k)) / g[0]
+}
+
+/// `n' = x y' - y x'`, the numerator of the angle of (x, y).
+pub(crate) fn sweep<S: Scalar>(x: &[S], y: &[S], k: usize) -> S {
+    (weighted(y, x, 1..=k, k) - weighted(x, y, 1..=k, k)) / order(k)
+}
+
+/// Sum of `i a_i g_(k-i)` over a range of i.
+fn weighted<S: Scalar>(a: &[S], g: &[S], range: std::ops::RangeInclusive<usize>, k: usize) -> S {
+    range.fold(S::zero(), |sum, i| sum + order::<S>(i) * a[i] * g[k - i])
+}
+
+fn order<S: Scalar>(k: usize) -> S {
+    S::splat(k as f64)
+}

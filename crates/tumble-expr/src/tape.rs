@@ -1,0 +1,134 @@
+//! A straight line of operations: what evaluators run.
+
+use thiserror::Error;
+
+use crate::expr::Symbol;
+use crate::lower::Lowering;
+use crate::ops::{Op, Slot};
+use crate::{Expr, Kind, TypeError};
+use num_rational::BigRational;
+
+/// Which symbols are leaves, and in which order their values are given.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    /// What changes with time and has a derivative.
+    pub states: Vec<Symbol>,
+    /// The independent variable.
+    pub time: Symbol,
+    /// Parameters: fixed during a run, never folded into the tape.
+    pub inputs: Vec<Symbol>,
+}
+
+/// Why formulas cannot become a tape.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum CompileError {
+    /// A formula's parts do not fit together.
+    #[error(transparent)]
+    Type(#[from] TypeError),
+    /// A symbol is neither a state, nor the time, nor an input.
+    #[error("`{0}` has no value here")]
+    UnknownSymbol(String),
+    /// A comparison where a number is asked for.
+    #[error("a comparison cannot be an output: use if(condition, 1, 0)")]
+    TruthAsOutput,
+}
+
+/// When the result of an operation changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Never.
+    Constant,
+    /// From run to run, with the inputs.
+    Uniform,
+    /// With time.
+    Varying,
+}
+
+/// Formulas as a straight line of operations, each using results that come before it.
+///
+/// The first slots are the leaves: all states in the layout's order, then the time, then all inputs.
+#[derive(Clone, Debug)]
+pub struct Tape {
+    pub(crate) ops: Vec<Op>,
+    pub(crate) stages: Vec<Stage>,
+    pub(crate) numbers: Vec<BigRational>,
+    pub(crate) norms: Vec<Vec<Slot>>,
+    /// Guard slot of each branch.
+    pub(crate) guards: Vec<Slot>,
+    pub(crate) outputs: Vec<Slot>,
+    pub(crate) states: usize,
+    pub(crate) inputs: usize,
+}
+
+impl Tape {
+    /// Compiles formulas that share a layout; the order of `outputs` is kept.
+    pub fn compile(layout: &Layout, outputs: &[Expr]) -> Result<Self, CompileError> {
+        for output in outputs {
+            if output.kind()? == Kind::Truth {
+                return Err(CompileError::TruthAsOutput);
+            }
+        }
+        Lowering::new(layout).lower(outputs)
+    }
+
+    /// How many operations there are, leaves included.
+    pub fn len(&self) -> usize {
+        self.ops.len()
+    }
+
+    /// Whether nothing is computed.
+    pub fn is_empty(&self) -> bool {
+        self.ops.is_empty()
+    }
+
+    /// The operations in order.
+    pub fn ops(&self) -> &[Op] {
+        &self.ops
+    }
+
+    /// How many states the layout has.
+    pub fn states(&self) -> usize {
+        self.states
+    }
+
+    /// How many inputs the layout has.
+    pub fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    /// Where the outputs stand.
+    pub fn outputs(&self) -> &[Slot] {
+        &self.outputs
+    }
+
+    /// Slot of the time.
+    pub fn time_slot(&self) -> Slot {
+        self.states as Slot
+    }
+
+    /// Slots whose signs choose branches (abs, sign, step, min, max, if).
+    pub fn guards(&self) -> &[Slot] {
+        &self.guards
+    }
+
+    /// When the result in a slot changes.
+    pub fn stage(&self, slot: Slot) -> Stage {
+        self.stages[slot as usize]
+    }
+
+    /// Operations that change with time, in order, leaves excluded.
+    pub(crate) fn varying(&self) -> impl Iterator<Item = (Slot, Op)> {
+        self.at_stage(|stage| stage == Stage::Varying)
+    }
+
+    /// Operations that do not change with time, in order, leaves excluded.
+    pub(crate) fn prologue(&self) -> impl Iterator<Item = (Slot, Op)> {
+        self.at_stage(|stage| stage < Stage::Varying)
+    }
+
+    fn at_stage(&self, keep: impl Fn(Stage) -> bool) -> impl Iterator<Item = (Slot, Op)> {
+        let leaves = self.states + 1 + self.inputs;
+        let inner = self.ops.iter().zip(&self.stages).enumerate().skip(leaves);
+        inner.filter(move |(_, (_, stage))| keep(**stage)).map(|(slot, (op, _))| (slot as Slot, *op))
+    }
+}
