@@ -7,6 +7,7 @@ use crate::lower::Lowering;
 use crate::ops::{Op, Slot};
 use crate::{Expr, Kind, TypeError};
 use num_rational::BigRational;
+use num_traits::Zero;
 
 /// Which symbols are leaves, and in which order their values are given.
 #[derive(Clone, Debug)]
@@ -109,6 +110,14 @@ impl Tape {
     /// Slots whose signs choose branches (abs, sign, step, min, max, if).
     pub fn guards(&self) -> &[Slot] {
         &self.guards
+    }
+
+    /// Whether a slot holds the literal zero.
+    pub fn is_zero(&self, slot: Slot) -> bool {
+        match self.ops[slot as usize] {
+            Op::Number(index) => self.numbers[index as usize].is_zero(),
+            _ => false,
+        }
     }
 
     /// When the result in a slot changes.

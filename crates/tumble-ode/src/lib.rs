@@ -1,1 +1,25 @@
-//! Placeholder.
+//! Initial value problems with events, solved by Taylor steps whose every result is a polynomial.
+//!
+//! The way through this crate is [`Hybrid`] (what moves, by mode) → `Compiled` (one tape a mode) → [`Solver`] (step by
+//! step) → [`Trajectory`] (polynomial pieces and events). The only knob is the [`Accuracy`]. It knows no body.
+
+mod accuracy;
+mod check;
+mod compiled;
+mod expansion;
+mod hybrid;
+mod order;
+mod polynomial;
+mod radius;
+mod refusal;
+mod scale;
+mod solver;
+mod trajectory;
+mod work;
+
+pub use accuracy::{Accuracy, AccuracyError};
+pub use hybrid::{Cause, Crossing, Flow, Hybrid, Jump, ScaleGroup, StateVariable};
+pub use refusal::{Reason, Refusal};
+pub use solver::{Solver, Start, Stopped, solve};
+pub use trajectory::{Event, Piece, Side, Trajectory};
+pub use work::Work;

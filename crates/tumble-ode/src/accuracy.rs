@@ -1,0 +1,61 @@
+//! The accuracy a user asks for, and what a single step is held to for it.
+
+use thiserror::Error;
+
+/// Largest error that a run may have, relative to the scales of its states.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy(f64);
+
+/// An accuracy that cannot be asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("an accuracy of {0:e} cannot be asked for: it lies between {min:e} and {max:e}", min = Accuracy::FINEST, max = Accuracy::COARSEST)]
+pub struct AccuracyError(pub f64);
+
+impl Accuracy {
+    /// Finer than this, rounding in doubles leaves nothing to control.
+    pub const FINEST: f64 = 1e-14;
+    /// Coarser than this, a result is not worth its name.
+    pub const COARSEST: f64 = 1e-3;
+    /// What is asked for when nobody asks.
+    pub const DEFAULT: Self = Self(1e-9);
+
+    /// Errors of many steps add up and grow: each is held to this much of the whole.
+    const LOCAL_MARGIN: f64 = 1e-3;
+    /// Half a unit in the last place: no step can be held to less.
+    const LOCAL_FLOOR: f64 = f64::EPSILON / 2.0;
+
+    /// An accuracy between [`Accuracy::FINEST`] and [`Accuracy::COARSEST`].
+    pub fn new(value: f64) -> Result<Self, AccuracyError> {
+        let allowed = Self::FINEST..=Self::COARSEST;
+        if allowed.contains(&value) { Ok(Self(value)) } else { Err(AccuracyError(value)) }
+    }
+
+    /// The number.
+    pub fn value(self) -> f64 {
+        self.0
+    }
+
+    /// Error that one step may add, relative to the scales.
+    pub fn local_tolerance(self) -> f64 {
+        (self.0 * Self::LOCAL_MARGIN).max(Self::LOCAL_FLOOR)
+    }
+}
+
+impl Default for Accuracy {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_can_be_reached_can_be_asked_for() {
+        assert!(Accuracy::new(1e-9).is_ok());
+        for bad in [0.0, -1e-9, 1e-15, 1.0, f64::NAN, f64::INFINITY] {
+            assert!(Accuracy::new(bad).is_err(), "{bad}");
+        }
+    }
+}

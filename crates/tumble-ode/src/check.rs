@@ -1,0 +1,78 @@
+//! The independent check of a step: does the polynomial satisfy the equations?
+//!
+//! The polynomial is put into the rates, evaluated as values and not as series. The defect `x'(s) - f(x(s))` at the end
+//! and inside, times the step over the order, estimates the step's error: a term of order p+1 left out adds
+//! `c h^(p+1)` to the state and `(p+1) c h^p` to the defect.
+
+use tumble_expr::{Branches, Jets};
+
+use crate::compiled::Compiled;
+use crate::expansion::Expansion;
+use crate::polynomial::{slope, slope_terms, value};
+use crate::scale::Scales;
+use crate::work::Work;
+
+/// Where in the step the defect is looked at.
+const USUAL_PLACES: &[f64] = &[0.618, 1.0];
+/// Where nothing in the coefficients limits the step, features may hide inside it: look closer.
+const BLIND_PLACES: &[f64] = &[0.057, 0.171, 0.286, 0.402, 0.519, 0.637, 0.756, 0.878, 1.0];
+/// The estimate may exceed the tolerance by this before the step is rejected: the order's rule aims at 1.
+const SLACK: f64 = 4.0;
+/// Rounding errors of an evaluation of the defect, in units of its largest term's last place.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// What a check found.
+pub(crate) struct Verdict {
+    /// Largest error found, in units of what is allowed: at most 1 in a step to accept.
+    pub(crate) excess: f64,
+    /// The state it was found in.
+    pub(crate) state: usize,
+}
+
+pub(crate) struct Check<'a> {
+    pub(crate) system: &'a Compiled,
+    pub(crate) values: &'a mut Jets<f64>,
+    pub(crate) scales: &'a Scales,
+    pub(crate) tolerance: f64,
+    pub(crate) time: f64,
+}
+
+impl Check<'_> {
+    pub(crate) fn step(&mut self, expansion: &Expansion, h: f64, blind: bool, work: &mut Work) -> Verdict {
+        let mut worst = Verdict { excess: 0.0, state: 0 };
+        for place in if blind { BLIND_PLACES } else { USUAL_PLACES } {
+            work.checks += 1;
+            let found = self.at(expansion, place * h, h);
+            if !(found.excess <= worst.excess) {
+                worst = found;
+            }
+            if worst.excess.is_nan() {
+                break;
+            }
+        }
+        worst
+    }
+
+    fn at(&mut self, expansion: &Expansion, s: f64, h: f64) -> Verdict {
+        let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
+        let time = expansion.time.as_ref().map_or(self.time + s, |series| value(series, s));
+        self.values.start(time, &states, Branches::Free);
+        let mut worst = Verdict { excess: 0.0, state: 0 };
+        for (state, series) in expansion.states.iter().enumerate() {
+            let excess = self.excess(state, series, states[state], s, h);
+            if !(excess <= worst.excess) {
+                worst = Verdict { excess, state };
+            }
+        }
+        worst
+    }
+
+    fn excess(&self, state: usize, series: &[f64], here: f64, s: f64, h: f64) -> f64 {
+        let defect = (slope(series, s) - self.values.value_of(state)).abs();
+        let order = series.len() as f64;
+        let scale = self.scales.of(self.system.group(state)).max(here.abs()).max(series[0].abs());
+        let allowed = SLACK * self.tolerance * scale + ROUNDING * slope_terms(series, s) * h;
+        let error = defect * h / order;
+        if error == 0.0 { 0.0 } else { error / allowed }
+    }
+}

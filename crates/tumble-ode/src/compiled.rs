@@ -1,0 +1,153 @@
+//! A flow compiled for the integrator: one tape, and what is known of it before any step.
+
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Stage, Tape};
+
+use crate::{Flow, Reason};
+
+/// A polynomial solution of higher degree than this is left to ordinary steps: its coefficients would overflow first.
+const LARGEST_EXACT_DEGREE: u32 = 48;
+
+/// The tape's outputs are the rates of all states with respect to the clock, then dt/ds where the clock is not the time.
+pub(crate) struct Compiled {
+    pub(crate) tape: Arc<Tape>,
+    pub(crate) names: Vec<String>,
+    groups: Vec<usize>,
+    pub(crate) floors: Vec<f64>,
+    /// Scheduled times, each with its index.
+    pub(crate) schedule: Vec<f64>,
+    /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
+    pub(crate) exact_degree: Option<usize>,
+    pub(crate) own_clock: bool,
+}
+
+impl Compiled {
+    pub(crate) fn new(flow: &Flow, inputs: &[f64]) -> Result<Self, Reason> {
+        let layout = Layout {
+            states: flow.states.iter().map(|state| state.symbol.clone()).collect(),
+            time: flow.time.clone(),
+            inputs: flow.inputs.clone(),
+        };
+        let tape = Tape::compile(&layout, &rates(flow))?;
+        let schedule = fixed(&layout, &flow.schedule, inputs)?;
+        if let Some(&value) = schedule.iter().find(|time| !time.is_finite()) {
+            return Err(Reason::BadSchedule { value });
+        }
+        let floors: Vec<Expr> = flow.groups.iter().map(|group| group.floor.clone()).collect();
+        let own_clock = flow.clock.is_some();
+        let exact_degree = if own_clock { None } else { polynomial_degree(&tape) };
+        if tape.guards().iter().any(|guard| tape.stage(*guard) == Stage::Varying) {
+            return Err(Reason::Branch);
+        }
+        Ok(Self {
+            names: layout.states.iter().map(|state| state.name.to_string()).collect(),
+            groups: flow.states.iter().map(|state| state.group).collect(),
+            floors: fixed(&layout, &floors, inputs)?,
+            tape: Arc::new(tape),
+            schedule,
+            exact_degree,
+            own_clock,
+        })
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.names.len()
+    }
+
+    pub(crate) fn group(&self, state: usize) -> usize {
+        self.groups[state]
+    }
+
+    /// The first scheduled time after `time`.
+    pub(crate) fn next_scheduled(&self, time: f64) -> Option<f64> {
+        self.schedule.iter().copied().filter(|scheduled| *scheduled > time).reduce(f64::min)
+    }
+}
+
+/// Rates with respect to the clock.
+fn rates(flow: &Flow) -> Vec<Expr> {
+    let states = flow.states.iter().map(|state| &state.rate);
+    match &flow.clock {
+        None => states.cloned().collect(),
+        Some(clock) => states.map(|rate| rate * clock).chain([clock.clone()]).collect(),
+    }
+}
+
+/// Values of formulas of the inputs.
+fn fixed(layout: &Layout, formulas: &[Expr], inputs: &[f64]) -> Result<Vec<f64>, Reason> {
+    let layout = Layout { states: vec![], ..layout.clone() };
+    let mut values = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, inputs);
+    values.start(f64::NAN, &[], Branches::Free);
+    Ok((0..formulas.len()).map(|index| values.value_of(index)).collect())
+}
+
+/// Degree of the solution, found state by state: one whose rate is a polynomial of states already known is one itself.
+///
+/// Each pass settles at least one more state or ends, so there are at most as many passes as states.
+fn polynomial_degree(tape: &Tape) -> Option<usize> {
+    let mut known: Vec<Degree> = vec![None; tape.states()];
+    loop {
+        let rates = tape.degrees(&known);
+        let next: Vec<Degree> =
+            rates.iter().zip(0..).map(|(rate, state)| integral(tape, *rate, state)).collect();
+        if next == known {
+            break;
+        }
+        known = next;
+    }
+    let degree = known.into_iter().try_fold(0, |largest, degree| Some(degree?.max(largest)))?;
+    (degree <= LARGEST_EXACT_DEGREE).then_some(degree as usize)
+}
+
+fn integral(tape: &Tape, rate: Degree, state: usize) -> Degree {
+    let slot = tape.outputs()[state];
+    // A rate that is literally zero leaves the state constant.
+    if tape.is_zero(slot) { Some(0) } else { rate?.checked_add(1) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ScaleGroup, StateVariable};
+    use tumble_expr::{Dimension, Symbol};
+
+    fn degree(rates: &[Expr]) -> Option<usize> {
+        let symbol = |name: String| Symbol::new(name, Dimension::NONE);
+        let states = rates.iter().enumerate().map(|(i, rate)| StateVariable {
+            symbol: symbol(format!("x{i}")),
+            rate: rate.clone(),
+            group: 0,
+        });
+        let flow = Flow {
+            states: states.collect(),
+            time: symbol("t".into()),
+            inputs: vec![symbol("p".into())],
+            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one() }],
+            schedule: vec![],
+            clock: None,
+        };
+        Compiled::new(&flow, &[1.0]).expect("pure numbers").exact_degree
+    }
+
+    fn leaf(name: &str) -> Expr {
+        Expr::symbol(name, Dimension::NONE)
+    }
+
+    #[test]
+    fn chains_of_polynomials_are_found() {
+        // x0' = x1, x1' = p, x2' = x0^2: degrees 2, 1, 5.
+        assert_eq!(degree(&[leaf("x1"), leaf("p"), leaf("x0").powi(2)]), Some(5));
+        assert_eq!(degree(&[Expr::zero()]), Some(0));
+        assert_eq!(degree(&[leaf("t").powi(3)]), Some(4));
+    }
+
+    #[test]
+    fn loops_and_functions_are_not() {
+        assert_eq!(degree(&[leaf("x1"), leaf("x0")]), None);
+        assert_eq!(degree(&[leaf("t").sin()]), None);
+        // A parameter may make it polynomial, but the tape must hold for every value.
+        assert_eq!(degree(&[leaf("p") * leaf("x0")]), None);
+        assert_eq!(degree(&[leaf("t").powi(60)]), None);
+    }
+}

@@ -1,0 +1,92 @@
+//! The seam between a model and the integrator: what moves, by mode, and what happens between modes.
+
+use std::fmt::Debug;
+use std::hash::Hash;
+
+use tumble_expr::{Expr, Symbol};
+
+use crate::Reason;
+
+/// A system that flows by one set of equations at a time and jumps between them.
+pub trait Hybrid {
+    /// Which equations hold.
+    type Mode: Clone + Eq + Hash + Debug;
+
+    /// The equations of a mode. Asked for once a mode, when the motion first enters it.
+    fn flow(&self, mode: &Self::Mode) -> Result<Flow, Reason>;
+
+    /// What happens at an instant that ends a flow; all that happens then is given at once.
+    fn jump(&self, at: &Crossing<'_, Self::Mode>) -> Result<Jump<Self::Mode>, Reason>;
+}
+
+/// Equations of one mode, as formulas of the states, the time and the inputs.
+#[derive(Clone, Debug)]
+pub struct Flow {
+    /// What changes, each with its rate.
+    pub states: Vec<StateVariable>,
+    /// The time, s.
+    pub time: Symbol,
+    /// Parameters, fixed during a run.
+    pub inputs: Vec<Symbol>,
+    /// Groups of states that share a scale.
+    pub groups: Vec<ScaleGroup>,
+    /// Times, as formulas of the inputs, at which a step must end and the system is asked to jump.
+    pub schedule: Vec<Expr>,
+    /// `dt/ds` of the clock the pieces run on, where it is not the time itself. Must be positive.
+    pub clock: Option<Expr>,
+}
+
+/// A state and its rate of change.
+#[derive(Clone, Debug)]
+pub struct StateVariable {
+    /// Name and dimension.
+    pub symbol: Symbol,
+    /// Derivative with respect to time.
+    pub rate: Expr,
+    /// Index of its [`ScaleGroup`].
+    pub group: usize,
+}
+
+/// States whose errors are measured against one scale.
+///
+/// The scale is the largest absolute value that any of them has had, and at least the floor.
+#[derive(Clone, Debug)]
+pub struct ScaleGroup {
+    /// What it measures: "length of the rod", ...
+    pub name: String,
+    /// The least scale, a formula of the inputs.
+    pub floor: Expr,
+}
+
+/// An instant at which a flow ends.
+#[derive(Clone, Debug)]
+pub struct Crossing<'a, Mode> {
+    /// When, s.
+    pub time: f64,
+    /// The mode that ends.
+    pub mode: &'a Mode,
+    /// The states just before.
+    pub states: &'a [f64],
+    /// Values of the inputs.
+    pub inputs: &'a [f64],
+    /// All that happens at this instant.
+    pub causes: &'a [Cause],
+}
+
+/// What ends a flow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The scheduled time of that index.
+    Scheduled(usize),
+}
+
+/// How the motion goes on after a crossing.
+#[derive(Clone, Debug)]
+pub struct Jump<Mode> {
+    /// The mode that begins.
+    pub mode: Mode,
+    /// The states just after; another mode may have another number of them.
+    pub states: Vec<f64>,
+    /// What happened, in the model's words.
+    pub tags: Vec<String>,
+}

@@ -1,0 +1,38 @@
+//! Polynomials by their coefficients, lowest order first.
+
+/// Value at `s`, by Horner's rule.
+pub(crate) fn value(coefficients: &[f64], s: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c)
+}
+
+/// Value at `s` less the value at 0.
+pub(crate) fn increment(coefficients: &[f64], s: f64) -> f64 {
+    value(coefficients.get(1..).unwrap_or_default(), s) * s
+}
+
+/// Derivative at `s`.
+pub(crate) fn slope(coefficients: &[f64], s: f64) -> f64 {
+    let terms = coefficients.iter().enumerate().skip(1).rev();
+    terms.fold(0.0, |sum, (k, c)| sum * s + k as f64 * c)
+}
+
+/// Sum of the absolute values of the derivative's terms at `s`: what its rounding error is relative to.
+pub(crate) fn slope_terms(coefficients: &[f64], s: f64) -> f64 {
+    let terms = coefficients.iter().enumerate().skip(1).rev();
+    terms.fold(0.0, |sum, (k, c)| sum * s.abs() + k as f64 * c.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn value_increment_and_slope() {
+        let p = [1.0, -2.0, 0.5, 3.0];
+        assert_eq!(value(&p, 2.0), 23.0);
+        assert_eq!(increment(&p, 2.0), 22.0);
+        assert_eq!(slope(&p, 2.0), -2.0 + 2.0 + 36.0);
+        assert_eq!(slope_terms(&p, -2.0), 2.0 + 2.0 + 36.0);
+        assert_eq!((value(&[], 2.0), increment(&[], 2.0), slope(&[7.0], 2.0)), (0.0, 0.0, 0.0));
+    }
+}

@@ -1,0 +1,65 @@
+//! How far a Taylor expansion reaches, read from many of its coefficients.
+//!
+//! With S the scale of a series, `(S / |c_k|)^(1/k)` tends to the radius of convergence along the coefficients that
+//! matter. Reading only the last two fails where series have gaps (a pendulum released at a right angle has only every
+//! fourth coefficient), so the smallest value over the upper half of the orders is taken. Coefficients that are zero
+//! say nothing.
+
+use crate::compiled::Compiled;
+use crate::expansion::Expansion;
+use crate::scale::Scales;
+
+/// Radius in units of the clock; infinite where all the coefficients read are zero.
+pub(crate) fn radius(system: &Compiled, expansion: &Expansion, scales: &Scales) -> f64 {
+    let series = expansion.states.iter().enumerate();
+    let states = series.map(|(state, series)| of_series(series, scales.of(system.group(state))));
+    let clock = expansion.time.iter().map(|series| of_series(series, series[0].abs()));
+    states.chain(clock).fold(f64::INFINITY, f64::min)
+}
+
+/// Radius of one series of that scale; a scale of zero stands for the series' own size.
+fn of_series(series: &[f64], scale: f64) -> f64 {
+    let last = series.len() - 1;
+    let (scale, lowest) = if scale > 0.0 { (scale, 0) } else { own_size(series) };
+    let upper = (last.div_ceil(2)).max(lowest + 1)..=last;
+    upper.map(|k| root(scale / series[k].abs(), k - lowest)).fold(f64::INFINITY, f64::min)
+}
+
+/// For a state that starts from zero and has no other scale: its lowest nonzero coefficient, with its order.
+///
+/// `|c_j| r^j` is the state's size at the radius r, and `(|c_j| / |c_k|)^(1/(k-j))` estimates r without knowing it.
+fn own_size(series: &[f64]) -> (f64, usize) {
+    series.iter().position(|c| *c != 0.0).map_or((0.0, 0), |j| (series[j].abs(), j))
+}
+
+fn root(ratio: f64, k: usize) -> f64 {
+    // A zero coefficient makes the ratio infinite, and 0/0 happens where the whole series is zero: neither says anything.
+    if ratio.is_nan() { f64::INFINITY } else { libm::pow(ratio, 1.0 / k as f64) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_geometric_series_has_its_radius() {
+        let series: Vec<f64> = (0..20).map(|k| 3.0 * 0.5_f64.powi(k)).collect();
+        assert!((of_series(&series, 3.0) - 2.0).abs() < 1e-12);
+        assert!((of_series(&series, 0.0) - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn gaps_do_not_hide_the_radius() {
+        let gap = |k: i32| if k % 4 == 2 { 0.5_f64.powi(k) } else { 0.0 };
+        for length in 18..24 {
+            let series: Vec<f64> = (0..length).map(gap).collect();
+            assert!((of_series(&series, 1.0) - 2.0).abs() < 1e-12, "{length} coefficients");
+        }
+    }
+
+    #[test]
+    fn nothing_to_read_is_infinite() {
+        assert_eq!(of_series(&[1.0, 2.0, 0.0, 0.0, 0.0, 0.0], 1.0), f64::INFINITY);
+        assert_eq!(of_series(&[0.0; 6], 0.0), f64::INFINITY);
+    }
+}

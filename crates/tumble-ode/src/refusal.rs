@@ -1,0 +1,69 @@
+//! Why a motion is not integrated, or no further.
+
+use thiserror::Error;
+use tumble_expr::CompileError;
+
+/// A motion that cannot be integrated, with the time it is stopped at.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("stopped at t = {time} s: {reason}")]
+pub struct Refusal {
+    /// Time up to which the trajectory stands.
+    pub time: f64,
+    /// What stands in the way.
+    #[source]
+    pub reason: Reason,
+}
+
+/// What stands in the way of a motion.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Reason {
+    /// A formula that cannot be evaluated.
+    #[error(transparent)]
+    Compile(#[from] CompileError),
+    /// A derivative that is infinite or not a number.
+    #[error("the rate of change of {state} is not a finite number")]
+    NotFinite {
+        /// Name of the state.
+        state: String,
+    },
+    /// A value to start from, or to go on with after an event, that is infinite or not a number.
+    #[error("{state} starts as {value}, which is not a finite number")]
+    BadStart {
+        /// Name of the state.
+        state: String,
+        /// Its value.
+        value: f64,
+    },
+    /// Steps that shrink without end: the motion has a singularity here.
+    #[error("steps became as small as {step:e} s without meeting the accuracy: {state} changes too fast")]
+    Stalled {
+        /// Length of the last step tried, s.
+        step: f64,
+        /// Name of the state whose error was largest.
+        state: String,
+    },
+    /// Too many steps.
+    #[error("{steps} steps were taken and the end is not reached")]
+    TooManySteps {
+        /// How many.
+        steps: u64,
+    },
+    /// A scheduled time that is not a number.
+    #[error("a scheduled time is {value}, which is not a finite number")]
+    BadSchedule {
+        /// The time.
+        value: f64,
+    },
+    /// A time to run to that is not a number after the start.
+    #[error("the end, {until} s, is not a finite time after the start")]
+    BadEnd {
+        /// The end asked for.
+        until: f64,
+    },
+    /// A formula with a branch that depends on the motion.
+    #[error("a formula switches sides (abs, sign, min, max, step or if) as the motion goes on")]
+    Branch,
+    /// The model's own reason.
+    #[error("{0}")]
+    Model(String),
+}

@@ -1,0 +1,344 @@
+//! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
+
+use std::collections::HashMap;
+
+use thiserror::Error;
+use tumble_expr::Jets;
+
+use crate::check::Check;
+use crate::compiled::Compiled;
+use crate::expansion::{Expansion, expand};
+use crate::hybrid::{Cause, Crossing, Hybrid};
+use crate::order::{order, reach};
+use crate::polynomial;
+use crate::radius::radius;
+use crate::scale::Scales;
+use crate::trajectory::{Event, Piece, Trajectory, invert};
+use crate::{Accuracy, Reason, Refusal, Work};
+
+/// Where no coefficient limits a step, it is at most this part of the run, and looked at closely.
+const BLIND_PART: f64 = 1.0 / 8.0;
+/// Steps longer than this part of the run are looked at closely, whatever the coefficients say.
+const CLOSE_LOOK_PART: f64 = 1.0 / 32.0;
+/// A rejected step is shortened at least to this part and at most to that.
+const SHRINK: (f64, f64) = (0.1, 0.8);
+/// Shorter than this many units in the last place of the time, a step is stuck.
+const SHORTEST_STEP_ULPS: f64 = 4.0;
+/// Scheduled times closer than this many units in the last place are one instant.
+const SIMULTANEOUS_ULPS: f64 = 4.0;
+/// A run of more steps is refused: at some microseconds each, this is minutes of work and gigabytes of pieces.
+const MOST_STEPS: u64 = 20_000_000;
+
+/// What a motion starts from.
+#[derive(Clone, Debug)]
+pub struct Start<Mode> {
+    /// Time of the start, s.
+    pub time: f64,
+    /// The mode at the start.
+    pub mode: Mode,
+    /// States in the mode's order.
+    pub states: Vec<f64>,
+    /// Values of the inputs in the flows' order.
+    pub inputs: Vec<f64>,
+}
+
+/// A motion that was refused, with what was found before.
+#[derive(Clone, Debug, Error)]
+#[error("{refusal}")]
+pub struct Stopped<Mode: std::fmt::Debug> {
+    /// Why, and when.
+    pub refusal: Refusal,
+    /// The motion up to there.
+    pub trajectory: Box<Trajectory<Mode>>,
+}
+
+/// Integrates a motion to its end.
+pub fn solve<H: Hybrid>(
+    system: &H,
+    start: Start<H::Mode>,
+    until: f64,
+    accuracy: Accuracy,
+) -> Result<Trajectory<H::Mode>, Stopped<H::Mode>> {
+    let mut solver = Solver::new(system, start, until, accuracy);
+    while !solver.is_done() {
+        if let Err(refusal) = solver.advance() {
+            return Err(Stopped { refusal, trajectory: Box::new(solver.finish()) });
+        }
+    }
+    Ok(solver.finish())
+}
+
+/// One mode's equations with their evaluators.
+struct Engine {
+    system: Compiled,
+    jets: Jets<f64>,
+    values: Jets<f64>,
+}
+
+/// Integrates a motion step by step.
+pub struct Solver<'a, H: Hybrid> {
+    system: &'a H,
+    inputs: Vec<f64>,
+    until: f64,
+    span: f64,
+    tolerance: f64,
+    time: f64,
+    states: Vec<f64>,
+    /// What rounding left out of the states so far: added back with the next step.
+    carry: Vec<f64>,
+    mode: Option<usize>,
+    first_mode: H::Mode,
+    known: HashMap<H::Mode, usize>,
+    engines: Vec<Engine>,
+    scales: Scales,
+    trajectory: Trajectory<H::Mode>,
+}
+
+impl<'a, H: Hybrid> Solver<'a, H> {
+    /// A motion about to start. Nothing is evaluated yet.
+    pub fn new(system: &'a H, start: Start<H::Mode>, until: f64, accuracy: Accuracy) -> Self {
+        let tolerance = accuracy.local_tolerance();
+        Self {
+            system,
+            until,
+            span: until - start.time,
+            tolerance,
+            time: start.time,
+            carry: vec![0.0; start.states.len()],
+            states: start.states,
+            inputs: start.inputs,
+            mode: None,
+            first_mode: start.mode,
+            known: HashMap::new(),
+            engines: vec![],
+            scales: Scales::new(&[]),
+            trajectory: Trajectory {
+                modes: vec![],
+                pieces: vec![],
+                events: vec![],
+                work: Work::default(),
+                order: order(tolerance),
+                scales: vec![],
+            },
+        }
+    }
+
+    /// Whether the end is reached.
+    pub fn is_done(&self) -> bool {
+        self.mode.is_some() && self.time >= self.until
+    }
+
+    /// Time reached, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The motion as far as it is found.
+    pub fn finish(mut self) -> Trajectory<H::Mode> {
+        self.trajectory.scales = self.scales.all().to_vec();
+        self.trajectory
+    }
+
+    /// Takes one step, and the jump at its end if there is one.
+    pub fn advance(&mut self) -> Result<(), Refusal> {
+        self.try_advance().map_err(|reason| Refusal { time: self.time, reason })
+    }
+
+    fn try_advance(&mut self) -> Result<(), Reason> {
+        let mode = self.current_mode()?;
+        let expansion = self.expand(mode)?;
+        let end =
+            self.engines[mode].system.next_scheduled(self.just_after()).unwrap_or(self.until).min(self.until);
+        let step = self.accepted_step(mode, &expansion, end)?;
+        self.accept(mode, expansion, step)?;
+        if step.end == end {
+            self.jump_if_scheduled(mode)?;
+        }
+        Ok(())
+    }
+
+    /// Index of the mode that holds, entered if need be.
+    fn current_mode(&mut self) -> Result<usize, Reason> {
+        match self.mode {
+            Some(mode) => Ok(mode),
+            None => {
+                if !(self.until.is_finite() && self.span > 0.0) {
+                    return Err(Reason::BadEnd { until: self.until });
+                }
+                self.enter(self.first_mode.clone(), self.states.clone())
+            }
+        }
+    }
+
+    fn enter(&mut self, mode: H::Mode, states: Vec<f64>) -> Result<usize, Reason> {
+        let index = match self.known.get(&mode) {
+            Some(&index) => index,
+            None => self.compile(mode)?,
+        };
+        let system = &self.engines[index].system;
+        assert_eq!(states.len(), system.len(), "a model gives a mode as many states as its flow has");
+        if let Some(bad) = states.iter().position(|value| !value.is_finite()) {
+            return Err(Reason::BadStart { state: system.names[bad].clone(), value: states[bad] });
+        }
+        self.scales.raise(&system.floors);
+        self.scales.watch(system, &states);
+        self.carry = vec![0.0; states.len()];
+        self.states = states;
+        self.mode = Some(index);
+        Ok(index)
+    }
+
+    fn compile(&mut self, mode: H::Mode) -> Result<usize, Reason> {
+        let system = Compiled::new(&self.system.flow(&mode)?, &self.inputs)?;
+        let order = system.exact_degree.unwrap_or(self.trajectory.order).max(1);
+        let jets = Jets::new(system.tape.clone(), order, &self.inputs);
+        let values = Jets::new(system.tape.clone(), 0, &self.inputs);
+        self.engines.push(Engine { system, jets, values });
+        self.trajectory.modes.push(mode.clone());
+        self.trajectory.work.modes += 1;
+        self.known.insert(mode, self.engines.len() - 1);
+        Ok(self.engines.len() - 1)
+    }
+
+    fn expand(&mut self, mode: usize) -> Result<Expansion, Reason> {
+        let work = &mut self.trajectory.work;
+        if work.steps >= MOST_STEPS {
+            return Err(Reason::TooManySteps { steps: work.steps });
+        }
+        work.expansions += 1;
+        let Engine { system, jets, .. } = &mut self.engines[mode];
+        let order = system.exact_degree.unwrap_or(self.trajectory.order).max(1);
+        expand(system, jets, order, self.time, &self.states)
+    }
+
+    /// The longest step up to `end` that passes the check.
+    fn accepted_step(&mut self, mode: usize, expansion: &Expansion, end: f64) -> Result<Step, Reason> {
+        if self.engines[mode].system.exact_degree.is_some() {
+            self.trajectory.work.exact_steps += 1;
+            return Ok(Step { length: end - self.time, end });
+        }
+        let mut length = self.proposal(mode, expansion);
+        loop {
+            let step = self.fit(expansion, length, end);
+            let verdict = self.check(mode, expansion, step);
+            if verdict.excess <= 1.0 {
+                return Ok(step);
+            }
+            self.trajectory.work.rejected += 1;
+            let shrink = libm::pow(verdict.excess, -1.0 / expansion.order() as f64);
+            // An excess that is not a number means the step ran into a singularity: shrink hard.
+            length = step.length * if shrink.is_nan() { SHRINK.0 } else { shrink.clamp(SHRINK.0, SHRINK.1) };
+            if self.is_stuck(expansion, length) {
+                let state = self.engines[mode].system.names[verdict.state].clone();
+                return Err(Reason::Stalled { step: length, state });
+            }
+        }
+    }
+
+    fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
+        let radius = radius(&self.engines[mode].system, expansion, &self.scales);
+        if radius.is_finite() {
+            radius * reach(self.tolerance, expansion.order())
+        } else {
+            self.span * BLIND_PART
+        }
+    }
+
+    /// Cuts a step to end at `end` at the latest, and makes its times exact: `start + length` is `end`, to the bit.
+    fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
+        match &expansion.time {
+            None if self.time + length >= end => Step { length: end - self.time, end },
+            None => Step { length: (self.time + length) - self.time, end: self.time + length },
+            Some(clock) => {
+                let reached = self.time + polynomial::increment(clock, length);
+                if reached >= end {
+                    Step { length: invert(clock, end - self.time, length), end }
+                } else {
+                    Step { length, end: reached }
+                }
+            }
+        }
+    }
+
+    fn check(&mut self, mode: usize, expansion: &Expansion, step: Step) -> crate::check::Verdict {
+        let blind = step.end - self.time > self.span * CLOSE_LOOK_PART;
+        let Engine { system, values, .. } = &mut self.engines[mode];
+        let mut check =
+            Check { system, values, scales: &self.scales, tolerance: self.tolerance, time: self.time };
+        check.step(expansion, step.length, blind, &mut self.trajectory.work)
+    }
+
+    fn is_stuck(&self, expansion: &Expansion, length: f64) -> bool {
+        let advance = expansion.time.as_ref().map_or(length, |clock| polynomial::increment(clock, length));
+        advance <= SHORTEST_STEP_ULPS * f64::EPSILON * self.time.abs().max(f64::MIN_POSITIVE)
+    }
+
+    fn accept(&mut self, mode: usize, expansion: Expansion, step: Step) -> Result<(), Reason> {
+        for (state, series) in expansion.states.iter().enumerate() {
+            let (before, change) = (self.states[state], polynomial::increment(series, step.length));
+            let change = change + self.carry[state];
+            let after = before + change;
+            if !after.is_finite() {
+                return Err(Reason::NotFinite { state: self.engines[mode].system.names[state].clone() });
+            }
+            self.carry[state] = change - (after - before);
+            self.states[state] = after;
+        }
+        self.scales.watch(&self.engines[mode].system, &self.states);
+        self.trajectory.work.steps += 1;
+        self.trajectory.pieces.push(Piece {
+            start: self.time,
+            end: step.end,
+            mode,
+            length: step.length,
+            states: expansion.states,
+            clock: expansion.time,
+        });
+        self.time = step.end;
+        Ok(())
+    }
+
+    fn jump_if_scheduled(&mut self, mode: usize) -> Result<(), Reason> {
+        let latest = self.just_after();
+        let schedule = self.engines[mode].system.schedule.iter().enumerate();
+        let due = schedule.filter(|(_, time)| self.time <= **time && **time <= latest);
+        let causes: Vec<Cause> = due.map(|(index, _)| Cause::Scheduled(index)).collect();
+        if causes.is_empty() { Ok(()) } else { self.jump(mode, causes) }
+    }
+
+    fn jump(&mut self, mode: usize, causes: Vec<Cause>) -> Result<(), Reason> {
+        let jump = self.system.jump(&Crossing {
+            time: self.time,
+            mode: &self.trajectory.modes[mode],
+            states: &self.states,
+            inputs: &self.inputs,
+            causes: &causes,
+        })?;
+        let before = std::mem::take(&mut self.states);
+        let mode_after = self.enter(jump.mode, jump.states)?;
+        self.trajectory.events.push(Event {
+            time: self.time,
+            causes,
+            tags: jump.tags,
+            before,
+            after: self.states.clone(),
+            mode_before: mode,
+            mode_after,
+        });
+        Ok(())
+    }
+
+    /// The latest time that is the same instant as now.
+    fn just_after(&self) -> f64 {
+        self.time + SIMULTANEOUS_ULPS * f64::EPSILON * self.time.abs()
+    }
+}
+
+/// A step from now.
+#[derive(Clone, Copy)]
+struct Step {
+    /// In units of the clock.
+    length: f64,
+    /// Time at its end, s.
+    end: f64,
+}

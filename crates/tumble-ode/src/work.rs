@@ -1,0 +1,18 @@
+//! What a run cost, in counts that do not depend on the machine.
+
+/// Counts of work.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Steps accepted.
+    pub steps: u64,
+    /// Steps tried and found too long.
+    pub rejected: u64,
+    /// Taylor expansions, one for each step (a rejected step is shortened, not expanded again).
+    pub expansions: u64,
+    /// Evaluations of the rates by the independent check.
+    pub checks: u64,
+    /// Steps that are exact because the solution is a polynomial in time.
+    pub exact_steps: u64,
+    /// Tapes built, one a mode.
+    pub modes: u64,
+}

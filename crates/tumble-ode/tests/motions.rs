@@ -1,0 +1,209 @@
+//! Motions with known answers, and what they cost.
+
+use tumble_expr::{Dimension, Expr, Symbol};
+use tumble_ode::{
+    Accuracy, Cause, Crossing, Flow, Hybrid, Jump, Reason, ScaleGroup, Side, Start, StateVariable, Stopped,
+    Trajectory, solve,
+};
+
+fn leaf(name: &str) -> Expr {
+    Expr::symbol(name, Dimension::NONE)
+}
+
+/// A system of pure numbers. Each scheduled time adds one to the mode, and the mode's rates are shifted by mode * on.
+#[derive(Default)]
+struct Toy {
+    rates: Vec<(&'static str, Expr)>,
+    schedule: Vec<Expr>,
+    clock: Option<Expr>,
+}
+
+impl Hybrid for Toy {
+    /// How many scheduled times have passed, modulo two.
+    type Mode = i32;
+
+    fn flow(&self, mode: &i32) -> Result<Flow, Reason> {
+        let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
+        let states = self.rates.iter().map(|(name, rate)| StateVariable {
+            symbol: symbol(name),
+            rate: if *mode == 0 { rate.clone() } else { rate + leaf("on") },
+            group: 0,
+        });
+        Ok(Flow {
+            states: states.collect(),
+            time: symbol("t"),
+            inputs: vec![symbol("p"), symbol("on")],
+            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one() }],
+            schedule: self.schedule.clone(),
+            clock: self.clock.clone(),
+        })
+    }
+
+    fn jump(&self, at: &Crossing<'_, i32>) -> Result<Jump<i32>, Reason> {
+        let passed = at.causes.iter().filter(|cause| matches!(cause, Cause::Scheduled(_))).count() as i32;
+        Ok(Jump {
+            mode: (at.mode + passed) % 2,
+            states: at.states.to_vec(),
+            tags: vec![format!("{passed} passed")],
+        })
+    }
+}
+
+fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory<i32>, Box<Stopped<i32>>> {
+    let start = Start { time: 0.0, mode: 0, states: start.to_vec(), inputs: vec![2.0, 1.0] };
+    solve(toy, start, until, Accuracy::new(accuracy).expect("allowed")).map_err(Box::new)
+}
+
+fn oscillator() -> Toy {
+    Toy { rates: vec![("x", leaf("v")), ("v", -leaf("x"))], ..Toy::default() }
+}
+
+/// Point mass on a massless rod of 1 m, g = 9.81 m/s^2, from the lowest point counter-clockwise.
+fn pendulum() -> Toy {
+    Toy { rates: vec![("theta", leaf("omega")), ("omega", -9.81 * leaf("theta").sin())], ..Toy::default() }
+}
+
+#[test]
+fn the_oscillator_is_a_cosine() {
+    let motion = run(&oscillator(), &[1.0, 0.0], 100.0, 1e-12).expect("smooth");
+    for t in [0.0, 0.1, 12.345, 77.7, 100.0] {
+        let states = motion.states_at(t, Side::After).expect("inside");
+        assert!((states[0] - t.cos()).abs() < 1e-13, "x({t}) = {}", states[0]);
+        assert!((states[1] + t.sin()).abs() < 1e-13, "v({t}) = {}", states[1]);
+    }
+    assert_eq!(motion.states_at(100.1, Side::After), None);
+}
+
+#[test]
+fn the_error_follows_the_accuracy() {
+    for accuracy in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+        let motion = run(&oscillator(), &[1.0, 0.0], 50.0, accuracy).expect("smooth");
+        let error = (motion.last_states().expect("ran")[0] - 50.0_f64.cos()).abs();
+        assert!(error < accuracy, "{error:e} at {accuracy:e}");
+    }
+}
+
+/// Released from exactly 90 degrees only every fourth coefficient is nonzero: a rule that reads two of them reads zeros.
+#[test]
+fn release_at_a_right_angle() {
+    let motion = run(&pendulum(), &[std::f64::consts::FRAC_PI_2, 0.0], 10.0, 1e-12).expect("smooth");
+    let theta = motion.last_states().expect("ran")[0];
+    assert!((theta.sin().abs() - 0.275_087_462_576_116_86).abs() < 1e-13, "x = {}", theta.sin());
+    assert!((-theta.cos() + 0.961_419_205_099_125_1).abs() < 1e-13, "y = {}", -theta.cos());
+}
+
+#[test]
+fn there_and_back() {
+    let there = run(&pendulum(), &[2.5, 1.0], 7.0, 1e-13).expect("smooth").last_states().expect("ran");
+    let back =
+        run(&pendulum(), &[there[0], -there[1]], 7.0, 1e-13).expect("smooth").last_states().expect("ran");
+    assert!((back[0] - 2.5).abs() < 1e-12 && (back[1] + 1.0).abs() < 1e-12, "{back:?}");
+}
+
+#[test]
+fn a_polynomial_takes_one_exact_step_a_phase() {
+    // x'' = t, plus the constant 1 on both rates from t = 1/2 to t = 3/4.
+    let toy = Toy {
+        rates: vec![("x", leaf("v")), ("v", leaf("t"))],
+        schedule: vec![Expr::from(0.5), leaf("p") * 0.375],
+        clock: None,
+    };
+    let motion = run(&toy, &[0.0, 0.0], 2.0, 1e-9).expect("polynomials");
+    assert_eq!((motion.work.steps, motion.work.exact_steps, motion.work.rejected), (3, 3, 0));
+    let times: Vec<f64> = motion.events.iter().map(|event| event.time).collect();
+    assert_eq!(times, [0.5, 0.75]);
+    // v gains 1/4; x gains 1/4 from its own rate, 1/32 within the window from v's and 1/4 for each of 5/4 s after it.
+    let end = motion.last_states().expect("ran");
+    assert!((end[1] - (2.0 + 0.25)).abs() < 1e-15);
+    assert!((end[0] - (8.0 / 6.0 + 0.25 + 1.0 / 32.0 + 1.25 * 0.25)).abs() < 1e-15, "{}", end[0]);
+}
+
+#[test]
+fn both_sides_of_an_event_are_kept() {
+    let toy = Toy { schedule: vec![Expr::one()], ..oscillator() };
+    let motion = run(&toy, &[1.0, 0.0], 2.0, 1e-9).expect("smooth");
+    let event = &motion.events[0];
+    assert_eq!((event.time, event.mode_before, event.mode_after), (1.0, 0, 1));
+    assert_eq!(event.before, event.after);
+    assert_eq!(event.tags, ["1 passed"]);
+    let before = motion.piece_at(1.0, Side::Before).expect("inside");
+    let after = motion.piece_at(1.0, Side::After).expect("inside");
+    assert_eq!((before.end, after.start), (1.0, 1.0));
+    assert_eq!((motion.modes[before.mode], motion.modes[after.mode]), (0, 1));
+}
+
+#[test]
+fn an_event_at_the_very_end_happens() {
+    let toy = Toy { schedule: vec![Expr::from(2)], ..oscillator() };
+    let motion = run(&toy, &[1.0, 0.0], 2.0, 1e-9).expect("smooth");
+    assert_eq!(motion.events.len(), 1);
+}
+
+/// None is stepped over, however short the window; and times an ulp apart (0.1 + 0.2 and 0.3) are one instant.
+#[test]
+fn short_windows_and_simultaneous_times() {
+    let short = Toy { schedule: vec![Expr::from(0.7), Expr::from(0.7 + 1e-9)], ..oscillator() };
+    let motion = run(&short, &[1.0, 0.0], 2.0, 1e-6).expect("smooth");
+    assert_eq!(motion.events.len(), 2);
+    let p = leaf("p");
+    let one_ulp_apart = vec![&p * 0.15, &p * 0.05 + &p * 0.1];
+    let simultaneous = Toy { schedule: one_ulp_apart, ..oscillator() };
+    let motion = run(&simultaneous, &[1.0, 0.0], 2.0, 1e-6).expect("smooth");
+    assert_eq!(motion.events.len(), 1);
+    assert_eq!(motion.events[0].causes, [Cause::Scheduled(0), Cause::Scheduled(1)]);
+}
+
+#[test]
+fn a_piece_runs_on_its_own_clock() {
+    // dt = x ds along x' = 1/x: in s, x' = 1, so t = s + s^2/2 from x(0) = 1.
+    let toy = Toy { rates: vec![("x", 1 / leaf("x"))], clock: Some(leaf("x")), ..Toy::default() };
+    let motion = run(&toy, &[1.0], 10.0, 1e-12).expect("smooth");
+    for t in [0.5_f64, 3.0, 10.0] {
+        let x = motion.states_at(t, Side::After).expect("inside")[0];
+        assert!((x - (1.0 + 2.0 * t).sqrt()).abs() < 1e-13, "x({t}) = {x}");
+    }
+    assert_eq!(motion.end(), Some(10.0));
+}
+
+#[test]
+fn a_hidden_bump_is_seen() {
+    // exp(-((t-5)/0.2)^2) and all its coefficients underflow to zero at t = 0.
+    let bump = (-(((leaf("t") - 5) / 0.2).powi(2))).exp();
+    let toy = Toy { rates: vec![("x", bump)], ..Toy::default() };
+    let x = run(&toy, &[0.0], 20.0, 1e-10).expect("smooth").last_states().expect("ran")[0];
+    assert!((x - 0.2 * std::f64::consts::PI.sqrt()).abs() < 1e-10, "{x}");
+}
+
+#[test]
+fn a_singularity_is_refused_with_its_time() {
+    let toy = Toy { rates: vec![("x", leaf("x").powi(2))], ..Toy::default() };
+    let stopped = run(&toy, &[1.0], 2.0, 1e-9).expect_err("1/(1-t) ends at 1");
+    assert!((stopped.refusal.time - 1.0).abs() < 1e-6, "{}", stopped.refusal);
+    assert!(stopped.trajectory.pieces.len() > 3);
+}
+
+#[test]
+fn bad_starts_and_ends_are_refused() {
+    let refusal =
+        |start: &[f64], until| run(&oscillator(), start, until, 1e-9).expect_err("bad").refusal.reason;
+    assert!(matches!(refusal(&[1.0, f64::NAN], 1.0), Reason::BadStart { .. }));
+    assert_eq!(refusal(&[1.0, 0.0], 0.0), Reason::BadEnd { until: 0.0 });
+    assert!(matches!(refusal(&[1.0, 0.0], f64::INFINITY), Reason::BadEnd { .. }));
+    let divides = Toy { rates: vec![("x", 1 / leaf("x"))], ..Toy::default() };
+    let stopped = run(&divides, &[0.0], 1.0, 1e-9).expect_err("divides by zero");
+    assert_eq!(stopped.refusal.reason, Reason::NotFinite { state: "x".into() });
+}
+
+/// Counts of work, so that a change that makes steps shorter or longer is seen.
+#[test]
+fn work_counts() {
+    let mut report = String::new();
+    for (name, toy, start) in [("oscillator", oscillator(), [1.0, 0.0]), ("pendulum", pendulum(), [1.5, 0.0])]
+    {
+        for accuracy in [1e-6, 1e-9, 1e-12] {
+            let motion = run(&toy, &start, 100.0, accuracy).expect("smooth");
+            report += &format!("{name} {accuracy:e}: order {}, {:?}\n", motion.order, motion.work);
+        }
+    }
+    insta::assert_snapshot!(report);
+}
