@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use num_traits::Zero;
+
 use crate::expr::{Expr, Inner, Node};
 use crate::simplify;
 
@@ -77,6 +79,13 @@ impl Graph {
         self.known.insert(node, id);
         id
     }
+}
+
+/// Whether a formula is zero whatever its symbols are, as far as exact simplification shows.
+pub fn is_identically_zero(formula: &Expr) -> bool {
+    let mut graph = Graph::default();
+    let id = graph.import(std::slice::from_ref(formula))[0];
+    matches!(graph.node(id), Node::Number(value) if value.is_zero())
 }
 
 #[cfg(test)]

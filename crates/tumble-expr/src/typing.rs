@@ -147,18 +147,22 @@ pub(crate) fn power(base: &Expr, exponent: &Expr) -> Result<Kind, TypeError> {
     if kind.dimension()? == Dimension::NONE {
         return Ok(Kind::Quantity(Dimension::NONE));
     }
-    let exact = plain(exponent).ok_or(TypeError::VariableExponent { base: kind })?;
+    let exact = plain(exponent, PLAIN_DEPTH).ok_or(TypeError::VariableExponent { base: kind })?;
     power_of(kind, exact)
 }
 
+/// Plain exponents are looked for this deep, so that no formula can overflow the stack.
+const PLAIN_DEPTH: usize = 16;
+
 /// The exponent, where the formula is a (negated) plain number or a quotient of such.
-fn plain(exponent: &Expr) -> Option<Exponent> {
+fn plain(exponent: &Expr, depth: usize) -> Option<Exponent> {
     use crate::expr::Node;
+    let deeper = depth.checked_sub(1)?;
     match exponent.node() {
         Node::Number(value) => Some(Exponent::new(value.numer().to_i32()?, value.denom().to_i32()?)),
-        Node::Unary(Unary::Neg, a) => Some(-plain(a)?),
+        Node::Unary(Unary::Neg, a) => Some(-plain(a, deeper)?),
         Node::Binary(Binary::Div, a, b) if !b.is_zero() => {
-            num_traits::CheckedDiv::checked_div(&plain(a)?, &plain(b)?)
+            num_traits::CheckedDiv::checked_div(&plain(a, deeper)?, &plain(b, deeper)?)
         }
         _ => None,
     }

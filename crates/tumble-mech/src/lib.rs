@@ -1,1 +1,39 @@
-//! Placeholder.
+//! Rigid bodies under forces: from a [`Model`] to [`Equations`] whose every term knows its law, body and point.
+//!
+//! The way through this crate is [`Body`], joints and [`Load`]s → [`Model`] → [`Equations`] (a hybrid system for the
+//! integrator) → [`Observer`] (quantities along a trajectory). One law a file, in `laws`. It reads no scene and draws
+//! no figure.
+
+mod body;
+mod coordinates;
+mod equations;
+mod error;
+mod initial;
+mod kinematics;
+mod laws;
+mod load;
+mod mass;
+mod mode;
+mod model;
+mod observer;
+mod parameters;
+mod place;
+mod shape;
+mod start;
+mod term;
+
+pub use body::{Body, Part};
+pub use coordinates::Pivot;
+pub use equations::Equations;
+pub use error::{ModelError, ModelErrors};
+pub use kinematics::{Kinematics, PointRef, rotated, time};
+pub use load::{Application, Frame, Load};
+pub use mass::MassProperties;
+pub use mode::Mode;
+pub use model::{Gravity, Model};
+pub use observer::Observer;
+pub use parameters::Parameters;
+pub use place::Place;
+pub use shape::Shape;
+pub use start::Start;
+pub use term::{Law, Term};

@@ -1,1 +1,40 @@
-//! Placeholder.
+//! Figures of a mechanics laboratory, from plain data: curves, stroboscopic
+//! pictures, and the page that shows them.
+//!
+//! Nothing here integrates or knows a law. Drawings are SVG written by
+//! [`svg`]; [`png`](mod@png) turns them into pictures with embedded fonts.
+
+pub mod axes;
+pub mod curves;
+pub mod font;
+pub mod heading;
+pub mod legend;
+pub mod numeral;
+pub mod outline;
+pub mod page;
+pub mod place;
+#[cfg(feature = "png")]
+pub mod png;
+pub mod rect;
+pub mod retrace;
+pub mod scale;
+pub mod scale_bar;
+pub mod stroboscope;
+pub mod svg;
+pub mod symbol;
+pub mod text;
+pub mod theme;
+pub mod thin;
+pub mod ticks;
+
+pub use axes::Axis;
+pub use curves::{CurveFigure, Mark, Series};
+pub use outline::{Outline, Pose};
+pub use page::{Entry, Figure, IndexPage, Link};
+#[cfg(feature = "png")]
+pub use png::{PngError, png};
+pub use scale::Range;
+pub use stroboscope::{Instants, Reference, Stroboscope, Track};
+pub use svg::Svg;
+pub use text::Label;
+pub use ticks::Ticking;

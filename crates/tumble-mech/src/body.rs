@@ -1,0 +1,166 @@
+//! A rigid body: parts or stated mass properties, and named points.
+
+use tumble_expr::{Dimension, Expr, Vector};
+
+use crate::error::ModelError;
+use crate::kinematics::{Kinematics, PointRef};
+use crate::mass::MassProperties;
+use crate::shape::Shape;
+
+/// A shape with its mass; a hole is a part of negative mass.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What it looks like.
+    pub shape: Shape,
+    /// kg
+    pub mass: Expr,
+}
+
+/// A rigid body in the plane, described in its own coordinates at angle zero, with any origin.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// What it is made of, or, with stated mass properties, what it looks like.
+    pub parts: Vec<Part>,
+    /// Named points in body coordinates; `cm`, the centre of mass, is always there.
+    pub points: Vec<(String, Vector)>,
+    /// Mass properties that are given and not computed from the parts.
+    pub stated: Option<MassProperties>,
+}
+
+impl Body {
+    /// A body of several parts joined rigidly.
+    pub fn from_parts(name: impl Into<String>, parts: Vec<Part>) -> Self {
+        Self { name: name.into(), parts, points: vec![], stated: None }
+    }
+
+    /// A body of one shape; its mass is set by [`Body::mass`].
+    pub fn of_shape(name: impl Into<String>, shape: Shape) -> Self {
+        Self::from_parts(name, vec![Part { shape, mass: Expr::zero() }])
+    }
+
+    /// A thin uniform rod between two points, m.
+    pub fn rod(name: impl Into<String>, from: [Expr; 2], to: [Expr; 2]) -> Self {
+        Self::of_shape(name, Shape::Rod { from: vector(from), to: vector(to) })
+    }
+
+    /// A solid ball of that radius, m, about the origin.
+    pub fn ball(name: impl Into<String>, radius: Expr) -> Self {
+        Self::of_shape(name, Shape::Ball { centre: origin(), radius })
+    }
+
+    /// A thin spherical shell of that radius, m, about the origin.
+    pub fn shell(name: impl Into<String>, radius: Expr) -> Self {
+        Self::of_shape(name, Shape::Shell { centre: origin(), radius })
+    }
+
+    /// A mass without extent at the origin.
+    pub fn point(name: impl Into<String>) -> Self {
+        Self::of_shape(name, Shape::Point { at: origin() })
+    }
+
+    /// The same body with its first part's mass, kg.
+    #[must_use]
+    pub fn mass(mut self, mass: Expr) -> Self {
+        if let Some(part) = self.parts.first_mut() {
+            part.mass = mass;
+        }
+        self
+    }
+
+    /// The same body with a named point, m, body coordinates.
+    #[must_use]
+    pub fn with_point(mut self, name: impl Into<String>, at: [Expr; 2]) -> Self {
+        self.points.push((name.into(), vector(at)));
+        self
+    }
+
+    /// Mass, centre of mass and moment of inertia.
+    pub fn mass_properties(&self) -> MassProperties {
+        match &self.stated {
+            Some(stated) => stated.clone(),
+            None => {
+                let parts: Vec<MassProperties> = self.parts.iter().map(MassProperties::of_part).collect();
+                MassProperties::joined(&parts)
+            }
+        }
+    }
+
+    /// Position, velocity and angle of this body as formulas.
+    pub fn kinematics(&self) -> Kinematics {
+        Kinematics::new(&self.name)
+    }
+
+    /// The centre of mass as a point of the body.
+    pub fn cm(&self) -> PointRef {
+        PointRef { body: self.kinematics(), arm: Vector::planar(Expr::zero(), Expr::zero()) }
+    }
+
+    /// A point of the body given in body coordinates, m.
+    pub fn at(&self, local: &Vector) -> PointRef {
+        PointRef { body: self.kinematics(), arm: local - self.mass_properties().centre }
+    }
+
+    /// A named point; `None` where there is none of that name.
+    pub fn named_point(&self, name: &str) -> Option<PointRef> {
+        if name == "cm" {
+            return Some(self.cm());
+        }
+        self.points.iter().find(|(known, _)| known == name).map(|(_, local)| self.at(local))
+    }
+
+    /// Largest distance of its matter from its centre of mass, m.
+    pub fn reach(&self) -> Expr {
+        let centre = self.mass_properties().centre;
+        let reaches =
+            self.parts.iter().map(|part| (part.shape.centre() - &centre).norm() + part.shape.reach());
+        reaches
+            .reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next))
+            .unwrap_or_else(Expr::zero)
+    }
+
+    /// Mistakes that show before any number is known.
+    pub(crate) fn mistakes(&self) -> Vec<ModelError> {
+        let mut mistakes = vec![];
+        let mut expect = |what: String, formula: &Expr, dimension| {
+            if let Err(mistake) = formula.expect(dimension) {
+                mistakes.push(ModelError::Type { what, mistake });
+            }
+        };
+        for part in &self.parts {
+            for place in part.shape.places().into_iter().flat_map(Vector::components) {
+                expect(format!("shape of `{}`", self.name), place, Dimension::LENGTH);
+            }
+            for (name, size) in part.shape.sizes() {
+                expect(format!("{name} of `{}`", self.name), &size, Dimension::LENGTH);
+            }
+            expect(format!("mass of `{}`", self.name), &part.mass, Dimension::MASS);
+        }
+        for (name, at) in &self.points {
+            for place in at.components() {
+                expect(format!("point `{}.{name}`", self.name), place, Dimension::LENGTH);
+            }
+        }
+        if let Some(stated) = &self.stated {
+            expect(format!("mass of `{}`", self.name), &stated.mass, Dimension::MASS);
+            expect(format!("moment of inertia of `{}`", self.name), &stated.inertia, Dimension::INERTIA);
+            for place in stated.centre.components() {
+                expect(format!("centre of mass of `{}`", self.name), place, Dimension::LENGTH);
+            }
+        }
+        if self.parts.is_empty() && self.stated.is_none() {
+            let problem = "has neither a shape nor a stated mass".into();
+            mistakes.push(ModelError::Start { body: self.name.clone(), problem });
+        }
+        mistakes
+    }
+}
+
+fn vector([x, y]: [Expr; 2]) -> Vector {
+    Vector::planar(x, y)
+}
+
+fn origin() -> Vector {
+    Vector::planar(Expr::zero(), Expr::zero())
+}

@@ -1,0 +1,169 @@
+//! # Law
+//! A free body: `M a = sum F` for its centre of mass and `I alpha = sum tau` about it. A body on a fixed pivot P: about
+//! the fixed axis `I_P alpha = sum tau_P` with `I_P = I + M |c - P|^2`, and the centre goes round P:
+//! `v = omega x r`, `a = alpha x r - omega^2 r` with r from P to c. The pivot's reaction is `R = M a - sum F`.
+//! # Symbols and units
+//! M (kg), I (kg m^2), F and R (N), tau (N m), a (m/s^2), alpha (rad/s^2), r (m).
+//! # Sign and frame
+//! World axes, torques and angles counter-clockwise.
+//! # Validity
+//! Plane motion; the pivot is fixed in the world and frictionless.
+//! # Source
+//! Newton's and Euler's laws of motion; the theorem of the fixed axis.
+//! # Checked by
+//! `tests/free_flight.rs`, `tests/kicked_ball.rs`, `tests/pendulum.rs` (elliptic functions; the reaction closes
+//! both laws).
+
+use tumble_expr::{Expr, Substitution, Symbol, Vector};
+
+use crate::kinematics::{Kinematics, PointRef};
+use crate::mass::MassProperties;
+use crate::term::{Law, Term};
+
+/// A fixed point of the world that a point of the body is held at.
+#[derive(Clone, Debug)]
+pub struct Pivot {
+    /// Its name.
+    pub name: String,
+    /// Name of the body.
+    pub body: String,
+    /// The body's point, m, body coordinates.
+    pub point: Vector,
+    /// Where it is held, m, world axes.
+    pub world: Vector,
+}
+
+/// The coordinates of one body: which of its kinematic symbols are states, and what the others are.
+#[derive(Clone, Debug)]
+pub(crate) enum Coordinates {
+    Free,
+    Pivoted {
+        joint: String,
+        /// From the pivot to the centre of mass, m, body axes.
+        arm: Vector,
+        /// m, world axes
+        world: Vector,
+    },
+}
+
+/// What a state measures, and so which scale its error is relative to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Measure {
+    Length,
+    Angle,
+    Speed,
+    AngularRate,
+}
+
+/// A state with its rate, in the body's kinematic symbols.
+pub(crate) struct StateRate {
+    pub(crate) symbol: Symbol,
+    pub(crate) rate: Expr,
+    pub(crate) measure: Measure,
+}
+
+impl Coordinates {
+    pub(crate) fn of(pivot: Option<&Pivot>, mass: &MassProperties) -> Self {
+        match pivot {
+            None => Self::Free,
+            Some(pivot) => Self::Pivoted {
+                joint: pivot.name.clone(),
+                arm: &mass.centre - &pivot.point,
+                world: pivot.world.clone(),
+            },
+        }
+    }
+
+    /// The states in order, each with its rate of change; accelerations are left as symbols.
+    pub(crate) fn states(&self, body: &Kinematics) -> Vec<StateRate> {
+        let state = |symbol: Symbol, rate: Expr, measure| StateRate { symbol, rate, measure };
+        let [x, y] = body.position_symbols();
+        let [vx, vy] = body.velocity_symbols();
+        let [ax, ay] = body.acceleration_symbols();
+        let turning = [
+            state(body.angle_symbol(), body.omega(), Measure::Angle),
+            state(body.omega_symbol(), body.alpha(), Measure::AngularRate),
+        ];
+        let moving = [
+            state(x, vx.clone().into(), Measure::Length),
+            state(y, vy.clone().into(), Measure::Length),
+            state(vx, ax.into(), Measure::Speed),
+            state(vy, ay.into(), Measure::Speed),
+        ];
+        match self {
+            Self::Free => moving.into_iter().chain(turning).collect(),
+            Self::Pivoted { .. } => turning.into(),
+        }
+    }
+
+    /// What the kinematic symbols that are not states are, in those that are.
+    pub(crate) fn define(&self, body: &Kinematics, definitions: &mut Substitution) {
+        let Self::Pivoted { arm, world, .. } = self else { return };
+        let arm = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+        let velocity = body.omega() * arm.perpendicular();
+        for (symbol, formula) in body.position_symbols().into_iter().zip((world + &arm).components()) {
+            definitions.insert(symbol, formula.clone());
+        }
+        for (symbol, formula) in body.velocity_symbols().into_iter().zip(velocity.components()) {
+            definitions.insert(symbol, formula.clone());
+        }
+    }
+
+    /// Acceleration of the centre and angular acceleration under these terms.
+    pub(crate) fn accelerations(
+        &self,
+        body: &Kinematics,
+        mass: &MassProperties,
+        terms: &[&Term],
+    ) -> (Vector, Expr) {
+        match self {
+            Self::Free => {
+                let sum = total_force(terms);
+                let torque = total(terms.iter().map(|term| term.torque()));
+                let alpha = if tumble_expr::is_identically_zero(&mass.inertia) { Expr::zero() } else { torque / &mass.inertia };
+                (sum.map(|component| component / &mass.mass), alpha)
+            }
+            Self::Pivoted { arm, .. } => {
+                let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+                let about_pivot = |term: &&Term| term.torque_about(&(&from_pivot + &term.arm));
+                let torque = total(terms.iter().map(about_pivot));
+                let origin = Vector::planar(Expr::zero(), Expr::zero());
+                let about = MassProperties { centre: arm.clone(), ..mass.clone() };
+                let alpha = torque / about.inertia_about(&origin);
+                let omega = body.omega();
+                let centripetal = (&omega * &omega) * &from_pivot;
+                (&alpha * from_pivot.perpendicular() - centripetal, alpha)
+            }
+        }
+    }
+
+    /// The pivot's force on the body, given all other terms and the acceleration.
+    pub(crate) fn reaction(
+        &self,
+        index: usize,
+        body: &Kinematics,
+        mass: &MassProperties,
+        terms: &[&Term],
+    ) -> Option<Term> {
+        let Self::Pivoted { joint, arm, .. } = self else { return None };
+        let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+        Some(Term {
+            load: joint.clone(),
+            law: Law::Reaction,
+            body: index,
+            arm: -&from_pivot,
+            force: &mass.mass * body.acceleration() - total_force(terms),
+            couple: Expr::zero(),
+            window: None,
+        })
+    }
+}
+
+fn total_force(terms: &[&Term]) -> Vector {
+    let nothing = Vector::planar(Expr::zero(), Expr::zero());
+    terms.iter().fold(nothing, |sum, term| sum + &term.force)
+}
+
+fn total(torques: impl Iterator<Item = Expr>) -> Expr {
+    torques.fold(Expr::zero(), |sum, torque| sum + torque)
+}

@@ -1,0 +1,217 @@
+//! From a model to equations of motion: a hybrid system whose terms are known by law, body and point.
+
+use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
+use tumble_ode::{Cause, Crossing, Flow, Hybrid, Jump, Reason, ScaleGroup, StateVariable};
+
+use crate::coordinates::{Coordinates, Measure, StateRate};
+use crate::error::{ModelError, ModelErrors};
+use crate::kinematics::Kinematics;
+use crate::laws;
+use crate::load::Load;
+use crate::mass::MassProperties;
+use crate::mode::Mode;
+use crate::model::Model;
+use crate::parameters::time_symbol;
+use crate::term::Term;
+
+/// The equations of motion of a model, for every mode and every value of the parameters.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    model: Model,
+    bodies: Vec<BodyEquations>,
+    terms: Vec<Term>,
+    /// Start and end of each window, with the load it belongs to.
+    windows: Vec<(String, [Expr; 2])>,
+    /// Kinematic symbols that are not states, in those that are.
+    definitions: Substitution,
+}
+
+#[derive(Clone, Debug)]
+struct BodyEquations {
+    kinematics: Kinematics,
+    mass: MassProperties,
+    coordinates: Coordinates,
+}
+
+impl Equations {
+    /// The equations of a model whose names and dimensions are in order.
+    pub fn new(model: Model) -> Result<Self, ModelErrors> {
+        model.check()?;
+        let bodies: Vec<BodyEquations> = (0..model.bodies.len()).map(|body| of_body(&model, body)).collect();
+        let mut definitions = Substitution::default();
+        for body in &bodies {
+            body.coordinates.define(&body.kinematics, &mut definitions);
+        }
+        let (windows, terms) = terms(&model, &bodies);
+        let equations = Self { model, bodies, terms, windows, definitions };
+        equations.check_points_turn()?;
+        Ok(equations)
+    }
+
+    /// The model these are the equations of.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Start and end of each window of action, with the load it belongs to.
+    pub fn windows(&self) -> &[(String, [Expr; 2])] {
+        &self.windows
+    }
+
+    /// Mass properties of a body, by its index.
+    pub fn mass_properties(&self, body: usize) -> &MassProperties {
+        &self.bodies[body].mass
+    }
+
+    /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
+    pub fn terms(&self, mode: &Mode) -> Vec<Term> {
+        let (acting, all) = (self.acting(mode), self.definitions_in(mode));
+        let reactions = self.bodies.iter().enumerate().filter_map(|(index, body)| {
+            let terms = on_body(&acting, index);
+            body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
+        });
+        let terms = acting.iter().map(|term| (*term).clone()).chain(reactions);
+        let vector = |v: &Vector| v.map(|component| all.apply(component));
+        let in_states = terms.map(|term| Term {
+            arm: vector(&term.arm),
+            force: vector(&term.force),
+            couple: all.apply(&term.couple),
+            ..term
+        });
+        in_states.collect()
+    }
+
+    /// The states of a mode in order.
+    pub fn states(&self, _: &Mode) -> Vec<Symbol> {
+        self.state_rates().into_iter().map(|state| state.symbol).collect()
+    }
+
+    /// A formula of any kinematic symbols, accelerations included, in the states of a mode.
+    pub fn in_states(&self, mode: &Mode, formula: &Expr) -> Expr {
+        self.definitions_in(mode).apply(formula)
+    }
+
+    /// Formulas for all kinematic symbols that are not states.
+    ///
+    /// Positions and velocities are found first: an acceleration's formula holds them.
+    pub(crate) fn definitions_in(&self, mode: &Mode) -> Substitution {
+        let acting = self.acting(mode);
+        let mut all = self.definitions.clone();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let terms = on_body(&acting, index);
+            let (a, alpha) = body.coordinates.accelerations(&body.kinematics, &body.mass, &terms);
+            for (symbol, formula) in body.kinematics.acceleration_symbols().into_iter().zip(a.components()) {
+                all.insert(symbol, self.definitions.apply(formula));
+            }
+            all.insert(body.kinematics.alpha_symbol(), self.definitions.apply(&alpha));
+        }
+        all
+    }
+
+    fn acting(&self, mode: &Mode) -> Vec<&Term> {
+        self.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window])).collect()
+    }
+
+    fn state_rates(&self) -> Vec<StateRate> {
+        self.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics)).collect()
+    }
+
+    /// What each kind of state is measured against; the order is [`Measure`]'s.
+    fn groups(&self) -> Vec<ScaleGroup> {
+        let reaches = self.model.bodies.iter().map(|body| body.reach() * 2);
+        let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
+        let group = |name: &str, floor: Expr| ScaleGroup { name: name.to_owned(), floor };
+        vec![
+            group("length", size.unwrap_or_else(Expr::zero)),
+            group("angle", Expr::one()),
+            group("speed", Expr::zero()),
+            group("angular rate", Expr::zero()),
+        ]
+    }
+
+    fn check_points_turn(&self) -> Result<(), ModelError> {
+        let is_point = |body: &BodyEquations| {
+            matches!(body.coordinates, Coordinates::Free) && is_identically_zero(&body.mass.inertia)
+        };
+        let turned = |term: &&Term| is_point(&self.bodies[term.body]) && !is_identically_zero(&term.torque());
+        if let Some(term) = self.terms.iter().find(turned) {
+            let body = self.model.bodies[term.body].name.clone();
+            return Err(ModelError::PointTurned { body, load: term.load.clone() });
+        }
+        Ok(())
+    }
+}
+
+fn of_body(model: &Model, index: usize) -> BodyEquations {
+    let body = &model.bodies[index];
+    let mass = body.mass_properties();
+    let coordinates = Coordinates::of(model.pivot_of(&body.name), &mass);
+    BodyEquations { kinematics: body.kinematics(), mass, coordinates }
+}
+
+type Windows = Vec<(String, [Expr; 2])>;
+
+/// Every term of the model, and the windows that some of them act in.
+fn terms(model: &Model, bodies: &[BodyEquations]) -> (Windows, Vec<Term>) {
+    let mut windows: Windows = vec![];
+    let mut terms = vec![];
+    if let Some(gravity) = model.gravity.in_plane() {
+        let weights = bodies.iter().enumerate();
+        terms.extend(weights.map(|(index, body)| laws::weight::term(index, &body.mass, &gravity)));
+    }
+    for load in &model.loads {
+        let body = model.body_index(&load.body).expect("the model was checked");
+        let window = window(load, &mut windows);
+        terms.push(laws::applied::term(load, body, &bodies[body].kinematics, window));
+    }
+    (windows, terms)
+}
+
+fn window(load: &Load, windows: &mut Windows) -> Option<usize> {
+    let during = load.during.clone()?;
+    windows.push((load.name.clone(), during));
+    Some(windows.len() - 1)
+}
+
+fn on_body<'a>(terms: &[&'a Term], body: usize) -> Vec<&'a Term> {
+    terms.iter().copied().filter(|term| term.body == body).collect()
+}
+
+impl Hybrid for Equations {
+    type Mode = Mode;
+
+    fn flow(&self, mode: &Mode) -> Result<Flow, Reason> {
+        let definitions = self.definitions_in(mode);
+        let states = self.state_rates().into_iter().map(|state| StateVariable {
+            rate: definitions.apply(&state.rate),
+            symbol: state.symbol,
+            group: match state.measure {
+                Measure::Length => 0,
+                Measure::Angle => 1,
+                Measure::Speed => 2,
+                Measure::AngularRate => 3,
+            },
+        });
+        Ok(Flow {
+            states: states.collect(),
+            time: time_symbol(),
+            inputs: self.model.parameters.symbols(),
+            groups: self.groups(),
+            schedule: self.windows.iter().flat_map(|(_, times)| times.clone()).collect(),
+            clock: None,
+        })
+    }
+
+    /// Scheduled times come in pairs, the start and the end of each window; where both are now, nothing acts.
+    fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
+        let mut mode = at.mode.clone();
+        let mut tags = vec![];
+        for Cause::Scheduled(index) in at.causes {
+            let (window, ends) = (index / 2, index % 2 == 1);
+            mode.windows[window] = !ends;
+            let name = &self.windows[window].0;
+            tags.push(format!("{name}.{}", if ends { "end" } else { "start" }));
+        }
+        Ok(Jump { mode, states: at.states.to_vec(), tags })
+    }
+}

@@ -1,0 +1,125 @@
+//! What is wrong with a model.
+
+use thiserror::Error;
+use tumble_expr::{CompileError, TypeError};
+
+/// One mistake in a model.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ModelError {
+    /// A formula whose dimension does not fit its place.
+    #[error("{what}: {mistake}")]
+    Type {
+        /// The place, such as "mass of `rod`".
+        what: String,
+        /// What does not fit.
+        mistake: TypeError,
+    },
+    /// A formula that cannot be evaluated.
+    #[error("{what}: {mistake}")]
+    Compile {
+        /// The place.
+        what: String,
+        /// Why.
+        mistake: CompileError,
+    },
+    /// Two things of one name.
+    #[error("there are two of the name `{name}`")]
+    Duplicate {
+        /// The name.
+        name: String,
+    },
+    /// A name that nothing has.
+    #[error("there is no {kind} `{name}`")]
+    Unknown {
+        /// "body", "point", ...
+        kind: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A number that must be positive is not.
+    #[error("{what} is {value} {unit}: it must be positive")]
+    NotPositive {
+        /// The place.
+        what: String,
+        /// Its value.
+        value: f64,
+        /// SI unit.
+        unit: &'static str,
+    },
+    /// A number that must not be negative is.
+    #[error("{what} is {value} {unit}: it must not be negative")]
+    Negative {
+        /// The place.
+        what: String,
+        /// Its value.
+        value: f64,
+        /// SI unit.
+        unit: &'static str,
+    },
+    /// A value that is infinite or not a number.
+    #[error("{what} is {value}: it must be a finite number")]
+    NotFinite {
+        /// The place.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A force window that ends before it begins.
+    #[error("`{load}` acts from {from} s to {to} s: it must not end before it begins")]
+    Window {
+        /// Name of the load.
+        load: String,
+        /// Start, s.
+        from: f64,
+        /// End, s.
+        to: f64,
+    },
+    /// A body without moment of inertia that something turns.
+    #[error("`{body}` is a point and has no moment of inertia, but `{load}` turns it")]
+    PointTurned {
+        /// Name of the body.
+        body: String,
+        /// Name of the load.
+        load: String,
+    },
+    /// A body that is held twice.
+    #[error("`{body}` is held by `{first}` and by `{second}`: one pivot is all a body in the plane can have")]
+    HeldTwice {
+        /// Name of the body.
+        body: String,
+        /// Name of one pivot.
+        first: String,
+        /// Name of the other.
+        second: String,
+    },
+    /// A body without start, or a start that does not fit the body.
+    #[error("start of `{body}`: {problem}")]
+    Start {
+        /// Name of the body.
+        body: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A polygon with fewer than three corners, without area, or that crosses itself.
+    #[error("the polygon of `{body}` {problem}")]
+    Polygon {
+        /// Name of the body.
+        body: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// Nothing to move.
+    #[error("there is no body")]
+    Empty,
+}
+
+/// All mistakes of a model.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
+pub struct ModelErrors(pub Vec<ModelError>);
+
+impl From<ModelError> for ModelErrors {
+    fn from(error: ModelError) -> Self {
+        Self(vec![error])
+    }
+}

@@ -1,0 +1,63 @@
+//! What a user says acts on a body.
+
+use tumble_expr::{Expr, Vector};
+
+use crate::place::Place;
+
+/// A force or torque on one body, as formulas of the time, the parameters and any body's state.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Its name.
+    pub name: String,
+    /// Name of the body it acts on.
+    pub body: String,
+    /// What it does.
+    pub application: Application,
+    /// Start and end of its action, s: it acts from the start on and before the end. `None` is always.
+    pub during: Option<[Expr; 2]>,
+}
+
+/// A force at a place, or a couple.
+#[derive(Clone, Debug)]
+pub enum Application {
+    /// A force, N.
+    Force {
+        /// Where it acts.
+        at: Place,
+        /// Its components.
+        force: Vector,
+        /// What the components refer to.
+        frame: Frame,
+    },
+    /// A torque without a force, N m, counter-clockwise positive.
+    Torque(Expr),
+}
+
+/// Axes that components refer to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// x to the right, y up.
+    World,
+    /// The axes in which the body is described; they turn with it.
+    Body,
+}
+
+impl Load {
+    /// A force in world axes, N, that always acts.
+    pub fn force(name: impl Into<String>, body: impl Into<String>, at: Place, force: Vector) -> Self {
+        let application = Application::Force { at, force, frame: Frame::World };
+        Self { name: name.into(), body: body.into(), application, during: None }
+    }
+
+    /// A torque, N m, that always acts.
+    pub fn torque(name: impl Into<String>, body: impl Into<String>, torque: Expr) -> Self {
+        Self { name: name.into(), body: body.into(), application: Application::Torque(torque), during: None }
+    }
+
+    /// The same load from one time on and before another, s.
+    #[must_use]
+    pub fn during(mut self, from: Expr, to: Expr) -> Self {
+        self.during = Some([from, to]);
+        self
+    }
+}

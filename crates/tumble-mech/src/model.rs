@@ -1,0 +1,185 @@
+//! A model: bodies, what holds them and what acts on them.
+
+use tumble_expr::{Dimension, Expr, Vector};
+
+use crate::body::Body;
+use crate::coordinates::Pivot;
+use crate::error::{ModelError, ModelErrors};
+use crate::load::{Application, Load};
+use crate::parameters::Parameters;
+use crate::place::Place;
+use crate::start::Start;
+
+/// Gravity, and how the plane of motion lies in it.
+#[derive(Clone, Debug)]
+pub enum Gravity {
+    /// None.
+    None,
+    /// The plane is vertical: the weight is along -y. m/s^2, positive downwards.
+    Vertical(Expr),
+    /// The plane is horizontal and seen from above: weight and support cancel out of the plane. m/s^2.
+    Horizontal(Expr),
+}
+
+impl Gravity {
+    /// Within the plane of motion, m/s^2, world axes; `None` where it has no part in the motion.
+    pub(crate) fn in_plane(&self) -> Option<Vector> {
+        match self {
+            Self::Vertical(g) => Some(Vector::planar(Expr::zero(), -g)),
+            Self::None | Self::Horizontal(_) => None,
+        }
+    }
+}
+
+/// Bodies, what holds them, what acts on them and what they start from.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Parameters of all formulas.
+    pub parameters: Parameters,
+    /// Gravity on every body.
+    pub gravity: Gravity,
+    /// The bodies, in the order of their states.
+    pub bodies: Vec<Body>,
+    /// At most one a body.
+    pub pivots: Vec<Pivot>,
+    /// Forces and torques.
+    pub loads: Vec<Load>,
+    /// Initial values by body; a body without an entry starts at rest at angle zero, its drawing where it is drawn.
+    pub starts: Vec<(String, Start)>,
+}
+
+impl Default for Model {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Model {
+    /// An empty world without gravity.
+    pub fn new() -> Self {
+        Self {
+            parameters: Parameters::default(),
+            gravity: Gravity::None,
+            bodies: vec![],
+            pivots: vec![],
+            loads: vec![],
+            starts: vec![],
+        }
+    }
+
+    /// Index of a body.
+    pub fn body_index(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|body| body.name == name)
+    }
+
+    /// The pivot of a body.
+    pub fn pivot_of(&self, body: &str) -> Option<&Pivot> {
+        self.pivots.iter().find(|pivot| pivot.body == body)
+    }
+
+    /// What a body starts from.
+    pub fn start_of(&self, body: &str) -> Start {
+        self.starts.iter().find(|(name, _)| name == body).map(|(_, start)| start.clone()).unwrap_or_default()
+    }
+
+    /// All mistakes that show before any number is known: names and dimensions.
+    pub fn check(&self) -> Result<(), ModelErrors> {
+        let mut mistakes: Vec<ModelError> = self.bodies.iter().flat_map(Body::mistakes).collect();
+        if self.bodies.is_empty() {
+            mistakes.push(ModelError::Empty);
+        }
+        mistakes.extend(self.name_mistakes());
+        mistakes.extend(self.gravity_mistake());
+        mistakes.extend(self.pivots.iter().flat_map(|pivot| self.pivot_mistakes(pivot)));
+        mistakes.extend(self.loads.iter().flat_map(|load| self.load_mistakes(load)));
+        mistakes.extend(self.starts.iter().flat_map(|(body, start)| self.start_mistakes(body, start)));
+        if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
+    }
+
+    fn name_mistakes(&self) -> Vec<ModelError> {
+        let parameters = self.parameters.symbols();
+        let bodies = self.bodies.iter().map(|body| body.name.as_str());
+        let loads = self.loads.iter().map(|load| load.name.as_str());
+        let pivots = self.pivots.iter().map(|pivot| pivot.name.as_str());
+        let mut names: Vec<&str> = parameters.iter().map(|symbol| &*symbol.name).collect();
+        names.extend(bodies.chain(loads).chain(pivots));
+        names.sort_unstable();
+        let twice = names.windows(2).filter(|pair| pair[0] == pair[1]);
+        twice.map(|pair| ModelError::Duplicate { name: pair[0].to_owned() }).collect()
+    }
+
+    fn gravity_mistake(&self) -> Option<ModelError> {
+        match &self.gravity {
+            Gravity::None => None,
+            Gravity::Vertical(g) | Gravity::Horizontal(g) => {
+                mistake("gravity", [g], Dimension::ACCELERATION).pop()
+            }
+        }
+    }
+
+    fn pivot_mistakes(&self, pivot: &Pivot) -> Vec<ModelError> {
+        let what = format!("pivot `{}`", pivot.name);
+        let places = pivot.point.components().iter().chain(pivot.world.components());
+        let mut mistakes = mistake(&what, places, Dimension::LENGTH);
+        mistakes.extend(self.unknown_body(&pivot.body));
+        if let Some(first) = self.pivot_of(&pivot.body)
+            && !std::ptr::eq(first, pivot)
+        {
+            mistakes.push(ModelError::HeldTwice {
+                body: pivot.body.clone(),
+                first: first.name.clone(),
+                second: pivot.name.clone(),
+            });
+        }
+        mistakes
+    }
+
+    fn load_mistakes(&self, load: &Load) -> Vec<ModelError> {
+        let what = format!("`{}`", load.name);
+        let mut mistakes: Vec<ModelError> = self.unknown_body(&load.body).into_iter().collect();
+        match &load.application {
+            Application::Torque(torque) => mistakes.extend(mistake(&what, [torque], Dimension::TORQUE)),
+            Application::Force { at, force, .. } => {
+                mistakes.extend(mistake(&what, force.components(), Dimension::FORCE));
+                let place = match at {
+                    Place::Material(point) => &point.arm,
+                    Place::World(place) | Place::FromCentre(place) => place,
+                };
+                mistakes.extend(mistake(&format!("place of {what}"), place.components(), Dimension::LENGTH));
+            }
+        }
+        let times = load.during.iter().flatten();
+        mistakes.extend(mistake(&format!("times of {what}"), times, Dimension::TIME));
+        mistakes
+    }
+
+    fn start_mistakes(&self, body: &str, start: &Start) -> Vec<ModelError> {
+        let what = format!("start of `{body}`");
+        let at = start.at.iter().flat_map(Vector::components);
+        let velocity = start.velocity.iter().flat_map(Vector::components);
+        let mut mistakes = mistake(&what, at, Dimension::LENGTH);
+        mistakes.extend(mistake(&what, velocity, Dimension::SPEED));
+        mistakes.extend(mistake(&what, start.angle.iter(), Dimension::NONE));
+        mistakes.extend(mistake(&what, start.omega.iter(), Dimension::ANGULAR_RATE));
+        mistakes.extend(self.unknown_body(body));
+        if self.pivot_of(body).is_some() && (start.at.is_some() || start.velocity.is_some()) {
+            let problem = "its pivot says where it is: give the angle and omega only".into();
+            mistakes.push(ModelError::Start { body: body.to_owned(), problem });
+        }
+        mistakes
+    }
+
+    fn unknown_body(&self, name: &str) -> Option<ModelError> {
+        let unknown = || ModelError::Unknown { kind: "body", name: name.to_owned() };
+        self.body_index(name).is_none().then(unknown)
+    }
+}
+
+fn mistake<'a>(
+    what: &str,
+    formulas: impl IntoIterator<Item = &'a Expr>,
+    expected: Dimension,
+) -> Vec<ModelError> {
+    let wrong = formulas.into_iter().filter_map(|formula| formula.expect(expected).err());
+    wrong.map(|mistake| ModelError::Type { what: what.to_owned(), mistake }).collect()
+}

@@ -1,0 +1,61 @@
+//! Quantities along a trajectory: any formula of the bodies' motion, accelerations included.
+
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_ode::{Reason, Side, Trajectory};
+
+use crate::equations::Equations;
+use crate::mode::Mode;
+use crate::parameters::time_symbol;
+
+/// Evaluates formulas at any time of one trajectory.
+pub struct Observer<'a> {
+    trajectory: &'a Trajectory<Mode>,
+    /// By mode of the trajectory.
+    tapes: Vec<Jets<f64>>,
+}
+
+impl<'a> Observer<'a> {
+    /// Prepares `formulas` for every mode of the trajectory; `inputs` are the values it was found with.
+    pub fn new(
+        equations: &Equations,
+        trajectory: &'a Trajectory<Mode>,
+        inputs: &[f64],
+        formulas: &[Expr],
+    ) -> Result<Self, Reason> {
+        let tape = |mode: &Mode| -> Result<Jets<f64>, Reason> {
+            let layout = Layout {
+                states: equations.states(mode),
+                time: time_symbol(),
+                inputs: equations.model().parameters.symbols(),
+            };
+            let formulas: Vec<Expr> =
+                formulas.iter().map(|formula| equations.in_states(mode, formula)).collect();
+            Ok(Jets::new(Arc::new(Tape::compile(&layout, &formulas)?), 0, inputs))
+        };
+        let tapes = trajectory.modes.iter().map(tape).collect::<Result<_, _>>()?;
+        Ok(Self { trajectory, tapes })
+    }
+
+    /// Values of the formulas at `time`, in their order; `None` outside the trajectory.
+    pub fn at(&mut self, time: f64, side: Side) -> Option<Vec<f64>> {
+        let piece = self.trajectory.piece_at(time, side)?;
+        let states = piece.states_at(time);
+        Some(self.values(piece.mode, time, &states))
+    }
+
+    /// Values of the formulas just before and just after an event, by its index.
+    pub fn at_event(&mut self, event: usize) -> Option<[Vec<f64>; 2]> {
+        let event = self.trajectory.events.get(event)?;
+        let before = self.values(event.mode_before, event.time, &event.before);
+        let after = self.values(event.mode_after, event.time, &event.after);
+        Some([before, after])
+    }
+
+    fn values(&mut self, mode: usize, time: f64, states: &[f64]) -> Vec<f64> {
+        let tape = &mut self.tapes[mode];
+        tape.start(time, states, Branches::Free);
+        (0..tape.tape().outputs().len()).map(|index| tape.value_of(index)).collect()
+    }
+}

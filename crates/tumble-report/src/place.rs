@@ -1,0 +1,143 @@
+//! Finding room for labels among things already drawn.
+
+use crate::rect::Rect;
+
+/// Directions tried around an anchor, in order of preference: unit steps
+/// (y down) along the diagonals, then along the axes, then between.
+const DIRECTIONS: [[f64; 2]; 12] = [
+    [1.0, -1.0],
+    [-1.0, -1.0],
+    [1.0, 1.0],
+    [-1.0, 1.0],
+    [0.0, -1.0],
+    [0.0, 1.0],
+    [1.0, 0.0],
+    [-1.0, 0.0],
+    [1.0, -0.5],
+    [-1.0, -0.5],
+    [1.0, 0.5],
+    [-1.0, 0.5],
+];
+
+/// Rings tried around an anchor.
+const RINGS: usize = 6;
+/// Distance between rings in pixels.
+const RING_STEP: f64 = 9.0;
+/// Room kept between a label and anything else, in pixels.
+const CLEARANCE: f64 = 3.0;
+
+/// What a line under a label costs, compared with a pixel of overlap with another label.
+const LINE_COST: f64 = 60.0;
+/// What being nearer to something else than to its own anchor costs.
+const RIVAL_COST: f64 = 150.0;
+/// What one further ring costs.
+const RING_COST: f64 = 8.0;
+/// What leaving the area costs.
+const OUTSIDE_COST: f64 = 1e6;
+
+/// The occupied part of a page.
+#[derive(Clone, Debug)]
+pub struct Occupancy {
+    area: Rect,
+    boxes: Vec<Rect>,
+    lines: Vec<Vec<[f64; 2]>>,
+    anchors: Vec<[f64; 2]>,
+}
+
+impl Occupancy {
+    /// Nothing drawn yet; labels must stay in `area`.
+    pub fn new(area: Rect) -> Self {
+        Self { area, boxes: Vec::new(), lines: Vec::new(), anchors: Vec::new() }
+    }
+
+    /// Marks a rectangle as taken.
+    pub fn add_box(&mut self, taken: Rect) {
+        self.boxes.push(taken);
+    }
+
+    /// Marks a polyline as taken.
+    pub fn add_line(&mut self, line: Vec<[f64; 2]>) {
+        self.lines.push(line);
+    }
+
+    /// Marks a point that a label could be taken to belong to.
+    pub fn add_anchor(&mut self, anchor: [f64; 2]) {
+        self.anchors.push(anchor);
+    }
+
+    /// Whether nothing drawn so far touches the rectangle.
+    pub fn is_free(&self, place: &Rect) -> bool {
+        self.boxes.iter().all(|taken| taken.overlap(place) == 0.0) && self.crossings(place) == 0
+    }
+
+    /// Line pieces that meet the rectangle.
+    fn crossings(&self, place: &Rect) -> usize {
+        let pieces = self.lines.iter().flat_map(|line| line.windows(2));
+        let points = self.lines.iter().filter(|line| line.len() == 1).map(|line| line[0]);
+        pieces.filter(|w| place.meets_line(w[0], w[1])).count()
+            + points.filter(|p| place.contains(*p)).count()
+    }
+
+    fn cost(&self, place: &Rect, anchor: [f64; 2]) -> f64 {
+        let own = place.distance(anchor);
+        let rivals = self.anchors.iter().filter(|rival| place.distance(**rival) < own).count();
+        let place = place.grown(CLEARANCE);
+        let overlap: f64 = self.boxes.iter().map(|taken| taken.overlap(&place)).sum();
+        let outside = if self.area.encloses(&place) { 0.0 } else { OUTSIDE_COST };
+        let lines = LINE_COST * self.crossings(&place) as f64;
+        outside + overlap + lines + RIVAL_COST * rivals as f64
+    }
+
+    /// The best place for a label of the given size near `anchor`, at least
+    /// `distance` pixels away from it; the place is then taken.
+    pub fn place(&mut self, anchor: [f64; 2], distance: f64, width: f64, height: f64) -> Rect {
+        let mut best = (f64::INFINITY, Rect::centred(anchor, width, height));
+        for ring in 0..RINGS {
+            let reach = distance + RING_STEP * ring as f64;
+            for direction in DIRECTIONS {
+                let place = beside(anchor, direction, reach, width, height);
+                let cost = self.cost(&place, anchor) + RING_COST * ring as f64;
+                if cost < best.0 {
+                    best = (cost, place);
+                }
+            }
+        }
+        self.boxes.push(best.1);
+        best.1
+    }
+}
+
+/// A rectangle whose nearest point lies `reach` from the anchor in `direction`.
+fn beside(anchor: [f64; 2], direction: [f64; 2], reach: f64, width: f64, height: f64) -> Rect {
+    let reach = reach / direction[0].hypot(direction[1]);
+    let x = anchor[0] + direction[0] * (reach + width / 2.0);
+    let y = anchor[1] + direction[1] * (reach + height / 2.0);
+    Rect::centred([x, y], width, height)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn page() -> Occupancy {
+        Occupancy::new(Rect::new(0.0, 0.0, 200.0, 200.0))
+    }
+
+    #[test]
+    fn labels_do_not_cover_each_other() {
+        let mut page = page();
+        let places: Vec<_> = (0..6).map(|_| page.place([100.0, 100.0], 5.0, 40.0, 15.0)).collect();
+        for (i, a) in places.iter().enumerate() {
+            assert!(places[..i].iter().all(|b| a.overlap(b) == 0.0));
+        }
+    }
+
+    #[test]
+    fn labels_stay_on_the_page_and_off_lines() {
+        let mut page = page();
+        page.add_line(vec![[0.0, 190.0], [200.0, 0.0]]);
+        let place = page.place([190.0, 30.0], 4.0, 40.0, 15.0);
+        assert!(page.area.encloses(&place));
+        assert_eq!(page.crossings(&place), 0);
+    }
+}

@@ -1,0 +1,102 @@
+//! Colours, line styles and sizes shared by all figures, in pixels at scale 1.
+
+/// A colour of the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rgb(pub u8, pub u8, pub u8);
+
+impl Rgb {
+    /// The colour as `#rrggbb`.
+    pub fn hex(self) -> String {
+        format!("#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
+    }
+
+    /// A paler colour: 1 keeps it, 0 gives white. Opaque, so that overlaps do not darken.
+    pub fn strength(self, strength: f64) -> Self {
+        let keep = strength.clamp(0.0, 1.0);
+        let mix = |c: u8| (255.0 - keep * (255.0 - f64::from(c))).round() as u8;
+        Self(mix(self.0), mix(self.1), mix(self.2))
+    }
+}
+
+impl From<Rgb> for crate::svg::Value {
+    fn from(colour: Rgb) -> Self {
+        colour.hex().into()
+    }
+}
+
+/// Text and frames.
+pub const INK: Rgb = Rgb(0x1a, 0x1a, 0x1a);
+/// Secondary lines: event marks, ground hatching.
+pub const GREY: Rgb = Rgb(0x80, 0x80, 0x80);
+/// The page.
+pub const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
+
+/// Okabe and Ito's palette, told apart by colour-blind readers, without its
+/// yellow, which is too pale for thin lines on white.
+const PALETTE: [Rgb; 7] = [
+    Rgb(0x00, 0x72, 0xb2),
+    Rgb(0xd5, 0x5e, 0x00),
+    Rgb(0x00, 0x9e, 0x73),
+    Rgb(0xcc, 0x79, 0xa7),
+    Rgb(0x00, 0x00, 0x00),
+    Rgb(0xe6, 0x9f, 0x00),
+    Rgb(0x56, 0xb4, 0xe9),
+];
+
+/// Dash patterns in pixels; the first is a full line. Their number and the
+/// palette's have no common factor, so 42 series differ.
+const DASHES: [&str; 6] = ["", "7 3", "7 2.5 1.5 2.5", "2 2", "12 3", "7 2.5 1.5 2.5 1.5 2.5"];
+
+/// Colour and dashes of one series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineStyle {
+    /// Colour of the line.
+    pub colour: Rgb,
+    /// `stroke-dasharray`; empty for a full line.
+    pub dashes: &'static str,
+}
+
+impl LineStyle {
+    /// The style of series number `index`, counted from 0.
+    pub fn of(index: usize) -> Self {
+        Self { colour: PALETTE[index % PALETTE.len()], dashes: DASHES[index % DASHES.len()] }
+    }
+}
+
+/// Size of tick labels and legends.
+pub const SMALL: f64 = 15.0;
+/// Size of axis labels.
+pub const NORMAL: f64 = 17.0;
+/// Size of titles.
+pub const LARGE: f64 = 18.0;
+
+/// Thickness of frames and ticks.
+pub const HAIRLINE: f64 = 0.8;
+/// Thickness of curves.
+pub const CURVE: f64 = 1.6;
+
+/// Distance between a figure's content and the edge of the picture.
+pub const MARGIN: f64 = 12.0;
+/// Distance between neighbouring things, such as ticks and their labels.
+pub const GAP: f64 = 6.0;
+/// Baseline to baseline, in units of the text size.
+pub const LEADING: f64 = 1.3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn styles_of_twenty_series_differ() {
+        let styles: Vec<_> = (0..42).map(LineStyle::of).collect();
+        for (i, a) in styles.iter().enumerate() {
+            assert!(styles[..i].iter().all(|b| b != a));
+        }
+    }
+
+    #[test]
+    fn strength_fades_to_white() {
+        assert_eq!(INK.strength(1.0), INK);
+        assert_eq!(INK.strength(0.0), PAPER);
+    }
+}

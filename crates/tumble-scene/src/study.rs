@@ -1,0 +1,95 @@
+//! A study: a model and what to do with it. This is what the rest of the pipeline sees of a scene.
+
+use std::collections::BTreeMap;
+
+use tumble_expr::{Dimension, Expr};
+use tumble_mech::Model;
+use tumble_ode::Accuracy;
+
+/// A model and what to do with it, as formulas of its parameters.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// One line, as the user wrote it.
+    pub title: String,
+    /// Bodies, loads, starts and parameters.
+    pub model: Model,
+    /// Every name that a figure, a check or an output may use, with its formula.
+    pub quantities: BTreeMap<String, Quantity>,
+    /// End of the run, s; it starts at 0.
+    pub until: Expr,
+    /// What the motion is held to.
+    pub accuracy: Accuracy,
+    /// Time between samples of the tables, s; `None` is a thousandth of the run.
+    pub output_every: Option<Expr>,
+    /// Curves, in the order of the scene.
+    pub plots: Vec<Plot>,
+    /// Stroboscopic pictures.
+    pub stroboscopes: Vec<Stroboscope>,
+    /// What must hold.
+    pub checks: Vec<Check>,
+    /// How names are written in figures and equations: `rod.angle` as `theta`.
+    pub symbols: BTreeMap<String, String>,
+}
+
+/// Something that can be shown: a named formula of the motion.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// The formula; it may hold any kinematic symbol, accelerations included.
+    pub formula: Expr,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Whether it is an angle, to be labelled in radians.
+    pub angle: bool,
+}
+
+/// A figure of curves against the time or another quantity.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// Its name: the file's stem.
+    pub name: String,
+    /// One line above the figure.
+    pub title: Option<String>,
+    /// Horizontal axis; `None` is the time.
+    pub x: Option<Curve>,
+    /// Vertical axis: one curve each, of one dimension.
+    pub y: Vec<Curve>,
+}
+
+/// One quantity of a figure, as the user wrote it.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// The formula's text.
+    pub text: String,
+    /// What to show.
+    pub quantity: Quantity,
+}
+
+/// The bodies at equal time steps, and the paths of their centres.
+#[derive(Clone, Debug)]
+pub struct Stroboscope {
+    /// Its name: the file's stem.
+    pub name: String,
+    /// One line above the picture.
+    pub title: Option<String>,
+    /// Indices of the bodies shown.
+    pub bodies: Vec<usize>,
+    /// Time between two instants, s.
+    pub every: Expr,
+    /// Whether the path of each centre of mass is drawn.
+    pub trace: bool,
+}
+
+/// A claim about the motion at one time.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// Its name.
+    pub name: String,
+    /// What is looked at.
+    pub that: Curve,
+    /// What it must be.
+    pub equals: Expr,
+    /// When, s; `None` is the end of the run.
+    pub at: Option<Expr>,
+    /// Largest difference allowed, in the quantity's unit.
+    pub within: Expr,
+}

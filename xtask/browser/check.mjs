@@ -1,0 +1,87 @@
+// Opens pages in headless Chromium and says what is wrong with them.
+//
+//     node check.mjs <chromium> <folder for screenshots> <page>...
+//
+// A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
+// machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
+// Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
+
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { basename, dirname, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const FLAGS = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+const LOCAL = /^(file|data|blob|about):/;
+
+function watch(page, faults) {
+  page.on("console", (message) => {
+    if (message.type() === "error") faults.push(`console error: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => faults.push(`uncaught: ${error.message}`));
+  page.on("request", (request) => {
+    if (!LOCAL.test(request.url())) faults.push(`network request: ${request.url()}`);
+  });
+  page.on("requestfailed", (request) => {
+    if (LOCAL.test(request.url())) faults.push(`cannot load: ${request.url()}`);
+  });
+}
+
+async function open(browser, path, screenshot) {
+  const faults = [];
+  const page = await browser.newPage();
+  watch(page, faults);
+  await page.goto(pathToFileURL(path).href, { waitUntil: "load", timeout: 60_000 });
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: screenshot, fullPage: true });
+  await page.close();
+  return faults;
+}
+
+function screenshotName(path) {
+  return `${basename(dirname(path))}-${basename(path, ".html")}.png`;
+}
+
+async function checkAll(browser, screenshots, pages) {
+  await browser.route(/.*/, (route) => (LOCAL.test(route.request().url()) ? route.continue() : route.abort()));
+  let bad = 0;
+  for (const path of pages) {
+    const name = screenshotName(path);
+    const faults = await open(browser, path, join(screenshots, name));
+    console.log(`${faults.length === 0 ? "good " : "FAULT"} ${name}`);
+    for (const fault of faults) console.log(`      ${fault}`);
+    if (faults.length > 0) bad += 1;
+  }
+  return bad;
+}
+
+async function main([executablePath, screenshots, ...pages]) {
+  if (pages.length === 0) throw new Error("usage: node check.mjs <chromium> <folder for screenshots> <page>...");
+  const profile = await mkdtemp(join(tmpdir(), "tumble-pages-"));
+  const options = { executablePath, args: FLAGS, headless: true, viewport: { width: 1280, height: 900 } };
+  try {
+    const browser = await chromium.launchPersistentContext(profile, options);
+    const bad = await checkAll(browser, screenshots, pages);
+    await browser.close();
+    return bad === 0 ? 0 : 1;
+  } finally {
+    await rm(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
+  }
+}
+
+main(process.argv.slice(2)).then(
+  (status) => process.exit(status),
+  (error) => {
+    console.error(error);
+    process.exit(2);
+  },
+);

@@ -1,0 +1,65 @@
+//! `cargo xtask bless`: regenerates what is committed but computed.
+
+use anyhow::Result;
+use clap::ValueEnum;
+
+use crate::references;
+use crate::steps::Step;
+use crate::workspace::{Workspace, copy};
+
+/// What can be regenerated.
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum Part {
+    /// The snapshots of the tests.
+    Snapshots,
+    /// The figures in docs/images.
+    Figures,
+    /// The reference numbers of the scripts in references/.
+    References,
+}
+
+/// Figures that documents show: the name below the gallery, the name in docs/images.
+const FIGURES: &[(&str, &str)] = &[];
+
+/// The steps for the parts named, or for all of them.
+pub(crate) fn steps(parts: &[Part]) -> Vec<Step> {
+    let chosen = if parts.is_empty() { Part::value_variants() } else { parts };
+    chosen.iter().map(|&part| step(part)).collect()
+}
+
+fn step(part: Part) -> Step {
+    match part {
+        Part::Snapshots => Step { name: "snapshots", run: snapshots },
+        Part::Figures => Step { name: "figures", run: figures },
+        Part::References => Step { name: "references", run: references::write },
+    }
+}
+
+fn snapshots(workspace: &Workspace) -> Result<()> {
+    let tests = workspace.cargo(["test", "--workspace", "--locked", "--no-fail-fast"]);
+    tests.env("INSTA_UPDATE", "always").run()
+}
+
+fn figures(workspace: &Workspace) -> Result<()> {
+    if FIGURES.is_empty() {
+        println!("no document shows a generated figure");
+        return Ok(());
+    }
+    let gallery = workspace.empty_scratch("figures")?;
+    let tumble = ["run", "--release", "--locked", "--package", "tumble", "--", "gallery", "--out"];
+    workspace.cargo(tumble).arg(&gallery).run()?;
+    FIGURES
+        .iter()
+        .try_for_each(|(from, to)| copy(&gallery.join(from), &workspace.path("docs/images").join(to)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_when_nothing_is_named() {
+        assert_eq!(steps(&[]).len(), 3);
+        assert_eq!(steps(&[Part::Figures])[0].name, "figures");
+    }
+}
