@@ -120,7 +120,11 @@ impl Coordinates {
             Self::Free => {
                 let sum = total_force(terms);
                 let torque = total(terms.iter().map(|term| term.torque()));
-                let alpha = if tumble_expr::is_identically_zero(&mass.inertia) { Expr::zero() } else { torque / &mass.inertia };
+                let alpha = if tumble_expr::is_identically_zero(&mass.inertia) {
+                    Expr::zero()
+                } else {
+                    torque / &mass.inertia
+                };
                 (sum.map(|component| component / &mass.mass), alpha)
             }
             Self::Pivoted { arm, .. } => {
