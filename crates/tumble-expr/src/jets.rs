@@ -25,6 +25,8 @@ pub struct Jets<S> {
     /// `[slot][order]`
     data: Vec<S>,
     signs: Vec<S>,
+    /// By norm.
+    vanishing: Vec<bool>,
 }
 
 /// Runs a tape on values.
@@ -39,7 +41,8 @@ impl<S: Scalar> Jets<S> {
         let stride = order + 1;
         let data = vec![S::zero(); tape.len() * stride];
         let signs = vec![S::one(); tape.guards().len()];
-        let mut jets = Self { tape, stride, data, signs };
+        let vanishing = vec![false; tape.norms.len()];
+        let mut jets = Self { tape, stride, data, signs, vanishing };
         jets.bind(inputs);
         jets
     }
@@ -98,6 +101,14 @@ impl<S: Scalar> Jets<S> {
         }
     }
 
+    /// Says which norms (in the order of [`Tape::turnings`]) are zero at the next start, whatever rounding has left.
+    ///
+    /// # Panics
+    /// If there is not one entry a norm.
+    pub fn set_vanishing(&mut self, norms: &[bool]) {
+        self.vanishing.copy_from_slice(norms);
+    }
+
     /// Coefficients in a slot.
     pub fn slot(&self, slot: Slot) -> &[S] {
         &self.data[slot as usize * self.stride..][..self.stride]
@@ -146,7 +157,13 @@ impl<S: Scalar> Jets<S> {
     }
 
     fn series(&self) -> Series<'_, S> {
-        Series { data: &self.data, stride: self.stride, signs: &self.signs, norms: &self.tape.norms }
+        Series {
+            data: &self.data,
+            stride: self.stride,
+            signs: &self.signs,
+            norms: &self.tape.norms,
+            vanishing: &self.vanishing,
+        }
     }
 }
 

@@ -31,7 +31,7 @@ pub use jets::{Branches, Jets, Values};
 pub use ops::{Op, Slot};
 pub use scalar::{Lanes, Scalar, nearest};
 pub use substitute::Substitution;
-pub use tape::{CompileError, Layout, Stage, Tape};
+pub use tape::{CompileError, Layout, Stage, Tape, Turning};
 pub use typing::{Kind, TypeError};
 pub use unit::{Unit, units};
 pub use vector::Vector;

@@ -125,6 +125,8 @@ pub(crate) struct Series<'a, S> {
     /// +1 or -1 a branch.
     pub(crate) signs: &'a [S],
     pub(crate) norms: &'a [Vec<Slot>],
+    /// Norms whose vector is zero at the point of expansion, whatever rounding has left of it.
+    pub(crate) vanishing: &'a [bool],
 }
 
 impl<'a, S: Scalar> Series<'a, S> {

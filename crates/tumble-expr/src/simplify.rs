@@ -58,6 +58,11 @@ fn of_binary(graph: &mut Graph, op: Binary, a: NodeId, b: NodeId) -> Option<Simp
 }
 
 fn unary(graph: &mut Graph, op: Unary, a: NodeId) -> Option<Simplified> {
+    if op == Unary::Sqrt
+        && let Some(parts) = squares(graph, a)
+    {
+        return Some(Known(graph.add(Node::Norm(parts))));
+    }
     if let Some(inner) = negated(graph, a) {
         match op {
             Unary::Neg => return Some(Known(inner)),
@@ -76,6 +81,24 @@ fn unary(graph: &mut Graph, op: Unary, a: NodeId) -> Option<Simplified> {
         Unary::Log | Unary::Acos => None,
         Unary::Sqrt if value.is_one() => exact(BigRational::one()),
         _ if value.is_zero() => exact(BigRational::zero()),
+        _ => None,
+    }
+}
+
+/// The roots of a sum's terms, where all of them are squares: the root of the sum is a length, which evaluators know how
+/// to handle near zero.
+fn squares(graph: &Graph, sum: NodeId) -> Option<Vec<NodeId>> {
+    match graph.node(sum) {
+        Node::Binary(Binary::Add, a, b) => {
+            let (mut left, right) = (squares(graph, *a)?, squares(graph, *b)?);
+            left.extend(right);
+            Some(left)
+        }
+        Node::Binary(Binary::Mul, a, b) if a == b => Some(vec![*a]),
+        Node::Binary(Binary::Pow, a, b) => {
+            let two = number(graph, *b)?.to_f64()? == 2.0;
+            two.then(|| vec![*a])
+        }
         _ => None,
     }
 }
@@ -210,12 +233,14 @@ fn select(graph: &mut Graph, condition: NodeId, a: NodeId, b: NodeId) -> Option<
 }
 
 fn norm(graph: &mut Graph, parts: &[NodeId]) -> Option<Simplified> {
-    let nonzero: Vec<NodeId> =
+    // In one order, so that equal lengths are one node.
+    let mut nonzero: Vec<NodeId> =
         parts.iter().copied().filter(|part| !number(graph, *part).is_some_and(Zero::is_zero)).collect();
+    nonzero.sort_unstable();
     match nonzero.as_slice() {
         [] => exact(BigRational::zero()),
         [only] => of_unary(graph, Unary::Abs, *only),
-        _ if nonzero.len() < parts.len() => Some(Simplified::Node(Node::Norm(nonzero))),
+        _ if nonzero != parts => Some(Simplified::Node(Node::Norm(nonzero))),
         _ => None,
     }
 }
@@ -248,6 +273,14 @@ mod tests {
         for zero in [&x * 0, &x - &x, Expr::zero() / &x, (&x * 0).sin(), Expr::norm(vec![&x * 0])] {
             assert_eq!(simplified(&zero).1, simplified(&Expr::zero()).1);
         }
+    }
+
+    #[test]
+    fn the_root_of_a_sum_of_squares_is_a_length() {
+        let (x, y) = (Expr::symbol("x", Dimension::LENGTH), Expr::symbol("y", Dimension::LENGTH));
+        let written = (x.powi(2) + &y * &y).sqrt();
+        let ids = Graph::default().import(&[written, Expr::norm(vec![y, x])]);
+        assert_eq!(ids[0], ids[1]);
     }
 
     #[test]

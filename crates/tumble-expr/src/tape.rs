@@ -61,6 +61,23 @@ pub struct Tape {
     pub(crate) inputs: usize,
 }
 
+/// A function that is not smooth where its argument is zero but may pass close by: its series does not show how close.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Turning {
+    /// Length of a vector whose components are in these slots: near zero its square turns.
+    Norm {
+        /// Slots of the components.
+        parts: Vec<Slot>,
+        /// Index for [`crate::Jets::set_vanishing`].
+        index: usize,
+    },
+    /// A root or power of a slot.
+    Power {
+        /// Its slot.
+        of: Slot,
+    },
+}
+
 impl Tape {
     /// Compiles formulas that share a layout; the order of `outputs` is kept.
     pub fn compile(layout: &Layout, outputs: &[Expr]) -> Result<Self, CompileError> {
@@ -118,6 +135,23 @@ impl Tape {
             Op::Number(index) => self.numbers[index as usize].is_zero(),
             _ => false,
         }
+    }
+
+    /// Lengths, roots and powers of what changes with time.
+    pub fn turnings(&self) -> Vec<Turning> {
+        let turning = |op: Op| match op {
+            Op::Norm(index) => {
+                Some(Turning::Norm { parts: self.norms[index as usize].clone(), index: index as usize })
+            }
+            Op::Sqrt(of) | Op::Pow { of, .. } => Some(Turning::Power { of }),
+            _ => None,
+        };
+        self.varying().filter_map(|(_, op)| turning(op)).collect()
+    }
+
+    /// How many norms there are, those of inputs included.
+    pub fn norms(&self) -> usize {
+        self.norms.len()
     }
 
     /// When the result in a slot changes.

@@ -29,6 +29,13 @@ pub(crate) struct Verdict {
     pub(crate) state: usize,
 }
 
+impl Verdict {
+    /// The worse of two; one that is not a number is worst of all.
+    fn or(self, other: Self) -> Self {
+        if self.excess.is_nan() || other.excess <= self.excess { self } else { other }
+    }
+}
+
 pub(crate) struct Check<'a> {
     pub(crate) system: &'a Compiled,
     pub(crate) values: &'a mut Jets<f64>,
@@ -43,12 +50,7 @@ impl Check<'_> {
         for place in if blind { BLIND_PLACES } else { USUAL_PLACES } {
             work.checks += 1;
             let found = self.at(expansion, place * h, h);
-            if !(found.excess <= worst.excess) {
-                worst = found;
-            }
-            if worst.excess.is_nan() {
-                break;
-            }
+            worst = worst.or(found);
         }
         worst
     }
@@ -60,9 +62,7 @@ impl Check<'_> {
         let mut worst = Verdict { excess: 0.0, state: 0 };
         for (state, series) in expansion.states.iter().enumerate() {
             let excess = self.excess(state, series, states[state], s, h);
-            if !(excess <= worst.excess) {
-                worst = Verdict { excess, state };
-            }
+            worst = worst.or(Verdict { excess, state });
         }
         worst
     }

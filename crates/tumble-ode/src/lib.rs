@@ -4,6 +4,7 @@
 //! step) → [`Trajectory`] (polynomial pieces and events). The only knob is the [`Accuracy`]. It knows no body.
 
 mod accuracy;
+mod bernstein;
 mod check;
 mod compiled;
 mod expansion;
@@ -12,6 +13,7 @@ mod order;
 mod polynomial;
 mod radius;
 mod refusal;
+mod roots;
 mod scale;
 mod solver;
 mod trajectory;
