@@ -16,6 +16,16 @@ impl Tape {
         self.outputs().iter().map(|slot| slots[*slot as usize]).collect()
     }
 
+    /// Degrees of the outputs beyond the states' rates, and of the guards of branches.
+    ///
+    /// # Panics
+    /// If there are not as many degrees as states.
+    pub fn watched_degrees(&self, states: &[Degree]) -> Vec<Degree> {
+        let slots = self.slot_degrees(states);
+        let further = self.outputs().iter().skip(self.states());
+        further.chain(self.guards()).map(|slot| slots[*slot as usize]).collect()
+    }
+
     fn slot_degrees(&self, states: &[Degree]) -> Vec<Degree> {
         assert_eq!(states.len(), self.states(), "one degree a state");
         let mut degrees: Vec<Degree> = Vec::with_capacity(self.len());

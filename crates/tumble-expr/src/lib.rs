@@ -6,6 +6,7 @@
 //! It knows nothing of mechanics.
 
 mod degree;
+mod describe;
 mod dimension;
 mod drops;
 mod expr;

@@ -39,6 +39,7 @@ impl Lowering {
                 norms: vec![],
                 guards: vec![],
                 outputs: vec![],
+                names: vec![],
                 states: layout.states.len(),
                 inputs: layout.inputs.len(),
             },
@@ -49,6 +50,7 @@ impl Lowering {
         let inputs = layout.inputs.iter().enumerate().map(|(i, s)| (s, Op::Input(i as u32)));
         for (symbol, op) in states.chain([(&layout.time, Op::Time)]).chain(inputs) {
             let slot = lowering.push(op);
+            lowering.tape.names.push(symbol.name.to_string());
             lowering.leaves.insert(symbol.clone(), slot);
         }
         lowering

@@ -57,6 +57,8 @@ pub struct Tape {
     /// Guard slot of each branch.
     pub(crate) guards: Vec<Slot>,
     pub(crate) outputs: Vec<Slot>,
+    /// Names of the leaves.
+    pub(crate) names: Vec<String>,
     pub(crate) states: usize,
     pub(crate) inputs: usize,
 }

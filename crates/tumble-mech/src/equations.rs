@@ -198,6 +198,7 @@ impl Hybrid for Equations {
             inputs: self.model.parameters.symbols(),
             groups: self.groups(),
             schedule: self.windows.iter().flat_map(|(_, times)| times.clone()).collect(),
+            guards: vec![],
             clock: None,
         })
     }
@@ -206,7 +207,8 @@ impl Hybrid for Equations {
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
         let mut mode = at.mode.clone();
         let mut tags = vec![];
-        for Cause::Scheduled(index) in at.causes {
+        for cause in at.causes {
+            let Cause::Scheduled(index) = cause else { continue };
             let (window, ends) = (index / 2, index % 2 == 1);
             mode.windows[window] = !ends;
             let name = &self.windows[window].0;

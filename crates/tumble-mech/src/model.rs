@@ -5,6 +5,7 @@ use tumble_expr::{Dimension, Expr, Vector};
 use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
+use crate::kinematics::PointRef;
 use crate::load::{Application, Load};
 use crate::parameters::Parameters;
 use crate::place::Place;
@@ -65,6 +66,34 @@ impl Model {
             loads: vec![],
             starts: vec![],
         }
+    }
+
+    /// Adds a body, and hands it back for naming its points in formulas.
+    pub fn add(&mut self, body: Body) -> Body {
+        self.bodies.push(body.clone());
+        body
+    }
+
+    /// Holds the point of a body that its drawing has at `point`, m, at that place of the world.
+    pub fn pivot(&mut self, body: &Body, point: [Expr; 2]) {
+        self.pivot_at(format!("{}.pivot", body.name), body, point.clone(), point);
+    }
+
+    /// Holds a point of a body, m in body coordinates, at a place of the world, m.
+    pub fn pivot_at(&mut self, name: impl Into<String>, body: &Body, point: [Expr; 2], world: [Expr; 2]) {
+        let [point, world] = [point, world].map(|[x, y]| Vector::planar(x, y));
+        self.pivots.push(Pivot { name: name.into(), body: body.name.clone(), point, world });
+    }
+
+    /// A force on a material point of a body, N, in world axes.
+    pub fn force(&mut self, name: impl Into<String>, at: &PointRef, force: Vector) {
+        let body = at.body.body.clone();
+        self.loads.push(Load::force(name, body, Place::Material(at.clone()), force));
+    }
+
+    /// A torque on a body, N m.
+    pub fn torque(&mut self, name: impl Into<String>, body: &Body, torque: Expr) {
+        self.loads.push(Load::torque(name, &body.name, torque));
     }
 
     /// Index of a body.

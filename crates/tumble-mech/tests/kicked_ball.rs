@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{close, run};
+use common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Gravity, Load, Model, Place};
@@ -30,14 +30,14 @@ fn a_fixed_offset_gives_the_formulas() {
     let inertia = 2.0 / 3.0 * mass * 0.11 * 0.11;
     // During the kick X = F t^2 / (2 M), theta = -y F t^2 / (2 I).
     for t in [0.0, 0.003, 0.009] {
-        let [x, v, theta, omega] = run.at(t, quantities());
+        let [x, v, theta, omega] = at(&run, t, quantities());
         close(x, force * t * t / (2.0 * mass), 1e-15);
         close(v, force * t / mass, 1e-15);
         close(theta, -y * force * t * t / (2.0 * inertia), 1e-15);
         close(omega, -y * force * t / inertia, 1e-15);
     }
     // Then V = F dt / M and omega = -y F dt / I stay.
-    let [x, v, theta, omega] = run.at(1.0, quantities());
+    let [x, v, theta, omega] = at(&run, 1.0, quantities());
     close(v, 4.651162790697675, 1e-15);
     close(omega, -28.829521429944272, 1e-15);
     close(x, 4.627906976744186, 1e-15);
@@ -51,7 +51,7 @@ fn a_fixed_offset_gives_the_formulas() {
 fn a_point_that_turns_with_the_ball_gives_another_rate() {
     let run = run(kicked(|ball, offset| Place::Material(ball.at(&offset))), 1.0, 1e-12);
     let ball = run.equations.model().bodies[0].kinematics();
-    let [v, omega] = run.at(1.0, [ball.velocity()[0].clone(), ball.omega()]);
+    let [v, omega] = at(&run, 1.0, [ball.velocity()[0].clone(), ball.omega()]);
     close(v, 4.651162790697675, 1e-14);
     // The point climbs as the ball turns, and its arm with it.
     assert_eq!(format!("{omega:.2}"), "-31.55");

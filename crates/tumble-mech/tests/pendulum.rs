@@ -2,9 +2,10 @@
 
 mod common;
 
-use common::{Run, close, run};
+use common::{at, close, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
+use tumble_mech::Run;
 use tumble_mech::{Body, Gravity, Law, Model, Pivot, Place, Start};
 
 /// A uniform rod, 1 kg and 1 m, held at its end and hanging down at angle zero.
@@ -34,7 +35,7 @@ fn samples(release: usize) -> Vec<[f64; 3]> {
 
 fn state(run: &Run, t: f64) -> [f64; 2] {
     let rod = run.equations.model().bodies[0].kinematics();
-    run.at(t, [rod.angle(), rod.omega()])
+    at(run, t, [rod.angle(), rod.omega()])
 }
 
 /// From exactly 90 degrees only every fourth coefficient of the angle's series is not zero: the known trap.
@@ -79,7 +80,7 @@ fn a_thousand_periods_drift_no_more_than_rounding() {
         close(found[1], omega, growth);
     }
     let energy = |t: f64| {
-        let [omega, y] = run.at(t, [rod.omega(), rod.position()[1].clone()]);
+        let [omega, y] = at(&run, t, [rod.omega(), rod.position()[1].clone()]);
         omega * omega / 6.0 + 9.81 * y
     };
     let drift = (energy(1940.0) - energy(0.0)).abs();
@@ -99,7 +100,8 @@ fn the_reaction_closes_both_laws() {
         terms.iter().map(part).reduce(|a, b| a + b).expect("terms")
     };
     for t in [0.0, 0.7, 2.9] {
-        let [fx, fy, tau] = run.at(
+        let [fx, fy, tau] = at(
+            &run,
             t,
             [
                 sum(&|term| term.force[0].clone()),
@@ -108,14 +110,14 @@ fn the_reaction_closes_both_laws() {
             ],
         );
         let [ax, ay, alpha] =
-            run.at(t, [rod.acceleration()[0].clone(), rod.acceleration()[1].clone(), rod.alpha()]);
+            at(&run, t, [rod.acceleration()[0].clone(), rod.acceleration()[1].clone(), rod.alpha()]);
         close(fx, ax, 1e-14);
         close(fy, ay, 1e-14);
         close(tau, alpha / 12.0, 1e-14);
     }
     // Hanging still, the reaction would be the weight; at the turning point it is along the rod and gravity's part.
     let hinge = terms.iter().find(|term| term.law == Law::Reaction).expect("present");
-    let [at] = run.at(0.5, [(hinge.arm.clone() + rod.position()).norm()]);
+    let [at] = at(&run, 0.5, [(hinge.arm.clone() + rod.position()).norm()]);
     close(at, 0.0, 1e-15);
 }
 
@@ -149,7 +151,10 @@ fn forces_may_follow_another_body() {
     let run = run(model, 1.0, 1e-12);
     let ball = run.equations.model().bodies[1].kinematics();
     let rod = run.equations.model().bodies[0].kinematics();
-    let [ax, x, rx] =
-        run.at(0.6, [ball.acceleration()[0].clone(), ball.position()[0].clone(), rod.position()[0].clone()]);
+    let [ax, x, rx] = at(
+        &run,
+        0.6,
+        [ball.acceleration()[0].clone(), ball.position()[0].clone(), rod.position()[0].clone()],
+    );
     close(ax, 1.5 * (rx - x), 1e-15);
 }

@@ -41,7 +41,8 @@ pub(crate) struct Check<'a> {
     pub(crate) values: &'a mut Jets<f64>,
     pub(crate) scales: &'a Scales,
     pub(crate) tolerance: f64,
-    pub(crate) time: f64,
+    /// The sides that hold in the step.
+    pub(crate) signs: &'a [f64],
 }
 
 impl Check<'_> {
@@ -57,8 +58,8 @@ impl Check<'_> {
 
     fn at(&mut self, expansion: &Expansion, s: f64, h: f64) -> Verdict {
         let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
-        let time = expansion.time.as_ref().map_or(self.time + s, |series| value(series, s));
-        self.values.start(time, &states, Branches::Free);
+        let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
+        self.values.start(time, &states, Branches::Frozen(self.signs));
         let mut worst = Verdict { excess: 0.0, state: 0 };
         for (state, series) in expansion.states.iter().enumerate() {
             let excess = self.excess(state, series, states[state], s, h);

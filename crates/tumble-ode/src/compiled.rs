@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Stage, Tape};
+use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Tape};
 
+use crate::hybrid::Direction;
 use crate::{Flow, Reason};
 
 /// A polynomial solution of higher degree than this is left to ordinary steps: its coefficients would overflow first.
 const LARGEST_EXACT_DEGREE: u32 = 48;
 
-/// The tape's outputs are the rates of all states with respect to the clock, then dt/ds where the clock is not the time.
+/// The tape's outputs are the rates of all states with respect to the clock, then dt/ds where the clock is not the time,
+/// then the model's guards.
 pub(crate) struct Compiled {
     pub(crate) tape: Arc<Tape>,
     pub(crate) names: Vec<String>,
@@ -20,6 +22,10 @@ pub(crate) struct Compiled {
     /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
     pub(crate) exact_degree: Option<usize>,
     pub(crate) own_clock: bool,
+    pub(crate) guard_names: Vec<String>,
+    pub(crate) guard_directions: Vec<Direction>,
+    /// Whether there is anything to watch along a step.
+    pub(crate) is_watched: bool,
 }
 
 impl Compiled {
@@ -29,7 +35,9 @@ impl Compiled {
             time: flow.time.clone(),
             inputs: flow.inputs.clone(),
         };
-        let tape = Tape::compile(&layout, &rates(flow))?;
+        let guards = flow.guards.iter().map(|guard| guard.formula.clone());
+        let outputs: Vec<Expr> = rates(flow).into_iter().chain(guards).collect();
+        let tape = Tape::compile(&layout, &outputs)?;
         let schedule = fixed(&layout, &flow.schedule, inputs)?;
         if let Some(&value) = schedule.iter().find(|time| !time.is_finite()) {
             return Err(Reason::BadSchedule { value });
@@ -37,9 +45,7 @@ impl Compiled {
         let floors: Vec<Expr> = flow.groups.iter().map(|group| group.floor.clone()).collect();
         let own_clock = flow.clock.is_some();
         let exact_degree = if own_clock { None } else { polynomial_degree(&tape) };
-        if tape.guards().iter().any(|guard| tape.stage(*guard) == Stage::Varying) {
-            return Err(Reason::Branch);
-        }
+        let is_watched = !(flow.guards.is_empty() && tape.guards().is_empty() && tape.turnings().is_empty());
         Ok(Self {
             names: layout.states.iter().map(|state| state.name.to_string()).collect(),
             groups: flow.states.iter().map(|state| state.group).collect(),
@@ -48,6 +54,9 @@ impl Compiled {
             schedule,
             exact_degree,
             own_clock,
+            guard_names: flow.guards.iter().map(|guard| guard.name.clone()).collect(),
+            guard_directions: flow.guards.iter().map(|guard| guard.direction).collect(),
+            is_watched,
         })
     }
 
@@ -83,20 +92,27 @@ fn fixed(layout: &Layout, formulas: &[Expr], inputs: &[f64]) -> Result<Vec<f64>,
 }
 
 /// Degree of the solution, found state by state: one whose rate is a polynomial of states already known is one itself.
+/// What is watched along it must be polynomial too, or its zeros could be missed.
 ///
 /// Each pass settles at least one more state or ends, so there are at most as many passes as states.
 fn polynomial_degree(tape: &Tape) -> Option<usize> {
     let mut known: Vec<Degree> = vec![None; tape.states()];
     loop {
-        let rates = tape.degrees(&known);
-        let next: Vec<Degree> =
-            rates.iter().zip(0..).map(|(rate, state)| integral(tape, *rate, state)).collect();
+        let outputs = tape.degrees(&known);
+        let next: Vec<Degree> = outputs
+            .iter()
+            .take(known.len())
+            .zip(0..)
+            .map(|(rate, state)| integral(tape, *rate, state))
+            .collect();
         if next == known {
             break;
         }
         known = next;
     }
-    let degree = known.into_iter().try_fold(0, |largest, degree| Some(degree?.max(largest)))?;
+    let watched = tape.watched_degrees(&known);
+    let degree =
+        known.into_iter().chain(watched).try_fold(0, |largest, degree| Some(degree?.max(largest)))?;
     (degree <= LARGEST_EXACT_DEGREE).then_some(degree as usize)
 }
 
@@ -125,6 +141,7 @@ mod tests {
             inputs: vec![symbol("p".into())],
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one() }],
             schedule: vec![],
+            guards: vec![],
             clock: None,
         };
         Compiled::new(&flow, &[1.0]).expect("pure numbers").exact_degree

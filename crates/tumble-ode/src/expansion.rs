@@ -1,17 +1,45 @@
-//! The Taylor expansion of a solution at one instant.
+//! The Taylor expansion of a solution at one instant, with all functions that are watched along it.
 
-use tumble_expr::{Branches, Jets};
+use tumble_expr::{Branches, Jets, Turning};
 
 use crate::Reason;
 use crate::compiled::Compiled;
+use crate::polynomial::value;
 
-/// Series of every state, and of the time where the clock is not the time, at one instant.
+/// Series at one instant, in the clock that starts there.
 #[derive(Clone, Debug)]
 pub(crate) struct Expansion {
+    /// Time of the instant, s.
+    pub(crate) start: f64,
     /// `[state][order]`, orders 0 to `order`.
     pub(crate) states: Vec<Vec<f64>>,
     /// Series of the time in the clock, where they differ.
     pub(crate) time: Option<Vec<f64>>,
+    /// Guards of the tape's branches.
+    pub(crate) branches: Vec<Vec<f64>>,
+    /// What turns, in the tape's order.
+    pub(crate) turnings: Vec<Turn>,
+    /// Guards of the model.
+    pub(crate) guards: Vec<Vec<f64>>,
+}
+
+/// A length, root or power along a step.
+#[derive(Clone, Debug)]
+pub(crate) struct Turn {
+    /// Series of the square of a length, or of the argument of a root or power: smooth where the function is not.
+    pub(crate) square: Vec<f64>,
+    /// Components of a length. At its least value their squares cancel, so it is found from them and not from the square.
+    pub(crate) components: Vec<Vec<f64>>,
+}
+
+impl Turn {
+    /// The length at s; the root of the argument's size for a root or power.
+    pub(crate) fn length(&self, s: f64) -> f64 {
+        if self.components.is_empty() {
+            return value(&self.square, s).abs().sqrt();
+        }
+        self.components.iter().map(|component| value(component, s)).fold(0.0, libm::hypot)
+    }
 }
 
 impl Expansion {
@@ -21,16 +49,25 @@ impl Expansion {
     }
 }
 
+/// Sides that hold along an expansion.
+#[derive(Clone, Copy)]
+pub(crate) struct Frozen<'a> {
+    pub(crate) signs: &'a [f64],
+    pub(crate) vanishing: &'a [bool],
+}
+
 /// Expands the solution through `states` at `time`: `(k + 1) x_(k+1)` is the rate's coefficient of order k.
 pub(crate) fn expand(
     system: &Compiled,
     jets: &mut Jets<f64>,
     order: usize,
+    frozen: Frozen<'_>,
     time: f64,
     states: &[f64],
 ) -> Result<Expansion, Reason> {
     let count = system.len();
-    jets.start(time, states, Branches::Free);
+    jets.set_vanishing(frozen.vanishing);
+    jets.start(time, states, Branches::Frozen(frozen.signs));
     for k in 0..order {
         let next = (k + 1) as f64;
         for state in 0..count {
@@ -42,10 +79,36 @@ pub(crate) fn expand(
         }
         let clock = if system.own_clock { jets.output(count)[k] } else { f64::from(k == 0) };
         jets.set(count, k + 1, clock / next);
-        if k + 1 < order {
+        if k + 1 < order || system.is_watched {
             jets.extend(k + 1);
         }
     }
-    let series = |slot: usize| jets.slot(slot as u32)[..=order].to_vec();
-    Ok(Expansion { states: (0..count).map(series).collect(), time: system.own_clock.then(|| series(count)) })
+    Ok(collect(system, jets, time))
+}
+
+fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
+    let tape = &system.tape;
+    let slot = |slot: &u32| jets.slot(*slot).to_vec();
+    let first_guard = system.len() + usize::from(system.own_clock);
+    let guards = first_guard..first_guard + system.guard_names.len();
+    Expansion {
+        start,
+        states: (0..system.len() as u32).map(|state| slot(&state)).collect(),
+        time: system.own_clock.then(|| slot(&tape.time_slot())),
+        branches: tape.guards().iter().map(slot).collect(),
+        turnings: tape.turnings().iter().map(|turning| turn(turning, jets)).collect(),
+        guards: guards.map(|output| jets.output(output).to_vec()).collect(),
+    }
+}
+
+fn turn(turning: &Turning, jets: &Jets<f64>) -> Turn {
+    match turning {
+        Turning::Power { of } => Turn { square: jets.slot(*of).to_vec(), components: vec![] },
+        Turning::Norm { parts, .. } => {
+            let components: Vec<Vec<f64>> = parts.iter().map(|part| jets.slot(*part).to_vec()).collect();
+            let order =
+                |k: usize| (0..=k).map(|i| components.iter().map(|a| a[i] * a[k - i]).sum::<f64>()).sum();
+            Turn { square: (0..components[0].len()).map(order).collect(), components }
+        }
+    }
 }

@@ -32,8 +32,32 @@ pub struct Flow {
     pub groups: Vec<ScaleGroup>,
     /// Times, as formulas of the inputs, at which a step must end and the system is asked to jump.
     pub schedule: Vec<Expr>,
+    /// Functions whose zeros end a step and make the system jump.
+    pub guards: Vec<Guard>,
     /// `dt/ds` of the clock the pieces run on, where it is not the time itself. Must be positive.
     pub clock: Option<Expr>,
+}
+
+/// A function whose zero is an event.
+#[derive(Clone, Debug)]
+pub struct Guard {
+    /// Its name, by which it is known in every mode.
+    pub name: String,
+    /// The function.
+    pub formula: Expr,
+    /// Which crossings count.
+    pub direction: Direction,
+}
+
+/// Direction of a crossing of zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Either.
+    Both,
 }
 
 /// A state and its rate of change.
@@ -78,6 +102,8 @@ pub struct Crossing<'a, Mode> {
 pub enum Cause {
     /// The scheduled time of that index.
     Scheduled(usize),
+    /// The guard of that index crosses zero.
+    Guard(usize),
 }
 
 /// How the motion goes on after a crossing.

@@ -7,6 +7,7 @@ mod accuracy;
 mod bernstein;
 mod check;
 mod compiled;
+mod engine;
 mod expansion;
 mod hybrid;
 mod order;
@@ -20,7 +21,7 @@ mod trajectory;
 mod work;
 
 pub use accuracy::{Accuracy, AccuracyError};
-pub use hybrid::{Cause, Crossing, Flow, Hybrid, Jump, ScaleGroup, StateVariable};
+pub use hybrid::{Cause, Crossing, Direction, Flow, Guard, Hybrid, Jump, ScaleGroup, StateVariable};
 pub use refusal::{Reason, Refusal};
 pub use solver::{Solver, Start, Stopped, solve};
 pub use trajectory::{Event, Piece, Side, Trajectory};

@@ -5,20 +5,8 @@
 //! fourth coefficient), so the smallest value over the upper half of the orders is taken. Coefficients that are zero
 //! say nothing.
 
-use crate::compiled::Compiled;
-use crate::expansion::Expansion;
-use crate::scale::Scales;
-
-/// Radius in units of the clock; infinite where all the coefficients read are zero.
-pub(crate) fn radius(system: &Compiled, expansion: &Expansion, scales: &Scales) -> f64 {
-    let series = expansion.states.iter().enumerate();
-    let states = series.map(|(state, series)| of_series(series, scales.of(system.group(state))));
-    let clock = expansion.time.iter().map(|series| of_series(series, series[0].abs()));
-    states.chain(clock).fold(f64::INFINITY, f64::min)
-}
-
-/// Radius of one series of that scale; a scale of zero stands for the series' own size.
-fn of_series(series: &[f64], scale: f64) -> f64 {
+/// Radius of one series of that scale, infinite where all the coefficients read are zero; a scale of zero stands for the series' own size.
+pub(crate) fn of_series(series: &[f64], scale: f64) -> f64 {
     let last = series.len() - 1;
     let (scale, lowest) = if scale > 0.0 { (scale, 0) } else { own_size(series) };
     let upper = (last.div_ceil(2)).max(lowest + 1)..=last;

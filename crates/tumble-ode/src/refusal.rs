@@ -60,9 +60,21 @@ pub enum Reason {
         /// The end asked for.
         until: f64,
     },
-    /// A formula with a branch that depends on the motion.
-    #[error("a formula switches sides (abs, sign, min, max, step or if) as the motion goes on")]
-    Branch,
+    /// A branch both of whose sides lead to the other.
+    #[error(
+        "`{guard}` is zero and stays there: with its sign positive the motion makes it negative, with its sign \
+         negative positive, so neither side of the formula that depends on it holds"
+    )]
+    Sliding {
+        /// The guard.
+        guard: String,
+    },
+    /// Events that follow each other without time passing.
+    #[error("{events} events follow each other without time passing")]
+    Chatter {
+        /// How many.
+        events: u64,
+    },
     /// The model's own reason.
     #[error("{0}")]
     Model(String),

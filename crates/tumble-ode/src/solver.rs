@@ -3,15 +3,13 @@
 use std::collections::HashMap;
 
 use thiserror::Error;
-use tumble_expr::Jets;
 
-use crate::check::Check;
 use crate::compiled::Compiled;
-use crate::expansion::{Expansion, expand};
+use crate::engine::{Engine, Hit};
+use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::order::{order, reach};
 use crate::polynomial;
-use crate::radius::radius;
 use crate::scale::Scales;
 use crate::trajectory::{Event, Piece, Trajectory, invert};
 use crate::{Accuracy, Reason, Refusal, Work};
@@ -26,6 +24,8 @@ const SHRINK: (f64, f64) = (0.1, 0.8);
 const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
+/// More events than this without time passing are not going to end.
+const MOST_AT_ONCE: u64 = 1000;
 /// A run of more steps is refused: at some microseconds each, this is minutes of work and gigabytes of pieces.
 const MOST_STEPS: u64 = 20_000_000;
 
@@ -68,13 +68,6 @@ pub fn solve<H: Hybrid>(
     Ok(solver.finish())
 }
 
-/// One mode's equations with their evaluators.
-struct Engine {
-    system: Compiled,
-    jets: Jets<f64>,
-    values: Jets<f64>,
-}
-
 /// Integrates a motion step by step.
 pub struct Solver<'a, H: Hybrid> {
     system: &'a H,
@@ -91,6 +84,8 @@ pub struct Solver<'a, H: Hybrid> {
     known: HashMap<H::Mode, usize>,
     engines: Vec<Engine>,
     scales: Scales,
+    /// Events since time last passed.
+    at_once: u64,
     trajectory: Trajectory<H::Mode>,
 }
 
@@ -112,6 +107,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             known: HashMap::new(),
             engines: vec![],
             scales: Scales::new(&[]),
+            at_once: 0,
             trajectory: Trajectory {
                 modes: vec![],
                 pieces: vec![],
@@ -150,11 +146,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let end =
             self.engines[mode].system.next_scheduled(self.just_after()).unwrap_or(self.until).min(self.until);
         let step = self.accepted_step(mode, &expansion, end)?;
-        self.accept(mode, expansion, step)?;
-        if step.end == end {
-            self.jump_if_scheduled(mode)?;
-        }
-        Ok(())
+        let ends_flow = self.pass(mode, &step, &expansion)?;
+        self.accept(mode, expansion, &step)?;
+        self.jump_if_due(mode, ends_flow, step.end == end)
     }
 
     /// Index of the mode that holds, entered if need be.
@@ -165,23 +159,26 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 if !(self.until.is_finite() && self.span > 0.0) {
                     return Err(Reason::BadEnd { until: self.until });
                 }
-                self.enter(self.first_mode.clone(), self.states.clone())
+                self.enter(self.first_mode.clone(), self.states.clone(), &[])
             }
         }
     }
 
-    fn enter(&mut self, mode: H::Mode, states: Vec<f64>) -> Result<usize, Reason> {
+    /// Begins a mode; `fired` are the guards that led to it.
+    fn enter(&mut self, mode: H::Mode, states: Vec<f64>, fired: &[String]) -> Result<usize, Reason> {
         let index = match self.known.get(&mode) {
             Some(&index) => index,
             None => self.compile(mode)?,
         };
-        let system = &self.engines[index].system;
+        let engine = &mut self.engines[index];
+        let system = &engine.system;
         assert_eq!(states.len(), system.len(), "a model gives a mode as many states as its flow has");
         if let Some(bad) = states.iter().position(|value| !value.is_finite()) {
             return Err(Reason::BadStart { state: system.names[bad].clone(), value: states[bad] });
         }
         self.scales.raise(&system.floors);
         self.scales.watch(system, &states);
+        engine.enter(self.time, &states, fired);
         self.carry = vec![0.0; states.len()];
         self.states = states;
         self.mode = Some(index);
@@ -190,10 +187,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     fn compile(&mut self, mode: H::Mode) -> Result<usize, Reason> {
         let system = Compiled::new(&self.system.flow(&mode)?, &self.inputs)?;
-        let order = system.exact_degree.unwrap_or(self.trajectory.order).max(1);
-        let jets = Jets::new(system.tape.clone(), order, &self.inputs);
-        let values = Jets::new(system.tape.clone(), 0, &self.inputs);
-        self.engines.push(Engine { system, jets, values });
+        self.engines.push(Engine::new(system, self.trajectory.order, &self.inputs));
         self.trajectory.modes.push(mode.clone());
         self.trajectory.work.modes += 1;
         self.known.insert(mode, self.engines.len() - 1);
@@ -205,22 +199,20 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if work.steps >= MOST_STEPS {
             return Err(Reason::TooManySteps { steps: work.steps });
         }
-        work.expansions += 1;
-        let Engine { system, jets, .. } = &mut self.engines[mode];
-        let order = system.exact_degree.unwrap_or(self.trajectory.order).max(1);
-        expand(system, jets, order, self.time, &self.states)
+        self.engines[mode].expand(self.time, &self.states, work)
     }
 
-    /// The longest step up to `end` that passes the check.
+    /// The longest step up to `end` that passes the check, cut where something happens.
     fn accepted_step(&mut self, mode: usize, expansion: &Expansion, end: f64) -> Result<Step, Reason> {
-        if self.engines[mode].system.exact_degree.is_some() {
-            self.trajectory.work.exact_steps += 1;
-            return Ok(Step { length: end - self.time, end });
-        }
-        let mut length = self.proposal(mode, expansion);
+        let exact = self.engines[mode].system.exact_degree.is_some();
+        let mut length = if exact { end - self.time } else { self.proposal(mode, expansion) };
         loop {
-            let step = self.fit(expansion, length, end);
-            let verdict = self.check(mode, expansion, step);
+            let step = self.cut(mode, expansion, self.fit(expansion, length, end));
+            if exact || step.length == 0.0 {
+                self.trajectory.work.exact_steps += u64::from(exact);
+                return Ok(step);
+            }
+            let verdict = self.check(mode, expansion, &step);
             if verdict.excess <= 1.0 {
                 return Ok(step);
             }
@@ -236,7 +228,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
-        let radius = radius(&self.engines[mode].system, expansion, &self.scales);
+        let radius = self.engines[mode].radius(expansion, &self.scales);
         if radius.is_finite() {
             radius * reach(self.tolerance, expansion.order())
         } else {
@@ -244,28 +236,31 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
     }
 
-    /// Cuts a step to end at `end` at the latest, and makes its times exact: `start + length` is `end`, to the bit.
+    /// Ends a step at `end` at the latest, and makes its times exact: `start + length` is its end, to the bit.
     fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
-        match &expansion.time {
-            None if self.time + length >= end => Step { length: end - self.time, end },
-            None => Step { length: (self.time + length) - self.time, end: self.time + length },
+        let (length, end) = match &expansion.time {
+            None if self.time + length >= end => (end - self.time, end),
+            None => ((self.time + length) - self.time, self.time + length),
             Some(clock) => {
                 let reached = self.time + polynomial::increment(clock, length);
-                if reached >= end {
-                    Step { length: invert(clock, end - self.time, length), end }
-                } else {
-                    Step { length, end: reached }
-                }
+                if reached >= end { (invert(clock, end - self.time, length), end) } else { (length, reached) }
             }
+        };
+        Step { length, end, hits: vec![] }
+    }
+
+    /// Cuts a step where the first of the watched functions crosses zero.
+    fn cut(&self, mode: usize, expansion: &Expansion, step: Step) -> Step {
+        match self.engines[mode].first_hits(expansion, step.length) {
+            None => step,
+            Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), step.end) },
         }
     }
 
-    fn check(&mut self, mode: usize, expansion: &Expansion, step: Step) -> crate::check::Verdict {
+    fn check(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> crate::check::Verdict {
         let blind = step.end - self.time > self.span * CLOSE_LOOK_PART;
-        let Engine { system, values, .. } = &mut self.engines[mode];
-        let mut check =
-            Check { system, values, scales: &self.scales, tolerance: self.tolerance, time: self.time };
-        check.step(expansion, step.length, blind, &mut self.trajectory.work)
+        let (scales, work) = (&self.scales, &mut self.trajectory.work);
+        self.engines[mode].check(expansion, step.length, blind, (scales, self.tolerance), work)
     }
 
     fn is_stuck(&self, expansion: &Expansion, length: f64) -> bool {
@@ -273,7 +268,30 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         advance <= SHORTEST_STEP_ULPS * f64::EPSILON * self.time.abs().max(f64::MIN_POSITIVE)
     }
 
-    fn accept(&mut self, mode: usize, expansion: Expansion, step: Step) -> Result<(), Reason> {
+    /// Changes sides at the end of a step, and returns the guards of the model that end the flow there.
+    fn pass(&mut self, mode: usize, step: &Step, expansion: &Expansion) -> Result<Vec<usize>, Reason> {
+        let work = &mut self.trajectory.work;
+        let engine = &mut self.engines[mode];
+        if step.length > 0.0 {
+            self.at_once = 0;
+            engine.leave_start();
+        }
+        self.at_once += step.hits.len() as u64;
+        if self.at_once > MOST_AT_ONCE {
+            return Err(Reason::Chatter { events: self.at_once });
+        }
+        engine.pass(&step.hits, expansion, step.length, work);
+        let guard = |hit: &Hit| match hit {
+            Hit::Guard(guard) => Some(*guard),
+            Hit::Branch(..) | Hit::Turning(_) => None,
+        };
+        Ok(step.hits.iter().filter_map(guard).collect())
+    }
+
+    fn accept(&mut self, mode: usize, expansion: Expansion, step: &Step) -> Result<(), Reason> {
+        if step.length == 0.0 {
+            return Ok(());
+        }
         for (state, series) in expansion.states.iter().enumerate() {
             let (before, change) = (self.states[state], polynomial::increment(series, step.length));
             let change = change + self.carry[state];
@@ -298,11 +316,12 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(())
     }
 
-    fn jump_if_scheduled(&mut self, mode: usize) -> Result<(), Reason> {
+    fn jump_if_due(&mut self, mode: usize, guards: Vec<usize>, at_end: bool) -> Result<(), Reason> {
         let latest = self.just_after();
         let schedule = self.engines[mode].system.schedule.iter().enumerate();
-        let due = schedule.filter(|(_, time)| self.time <= **time && **time <= latest);
-        let causes: Vec<Cause> = due.map(|(index, _)| Cause::Scheduled(index)).collect();
+        let due = schedule.filter(|(_, time)| at_end && self.time <= **time && **time <= latest);
+        let scheduled = due.map(|(index, _)| Cause::Scheduled(index));
+        let causes: Vec<Cause> = scheduled.chain(guards.into_iter().map(Cause::Guard)).collect();
         if causes.is_empty() { Ok(()) } else { self.jump(mode, causes) }
     }
 
@@ -314,8 +333,16 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             inputs: &self.inputs,
             causes: &causes,
         })?;
-        let before = std::mem::take(&mut self.states);
-        let mode_after = self.enter(jump.mode, jump.states)?;
+        let names = &self.engines[mode].system.guard_names;
+        let guard = |cause: &Cause| match cause {
+            Cause::Guard(guard) => Some(names[*guard].clone()),
+            Cause::Scheduled(_) => None,
+        };
+        let fired: Vec<String> = causes.iter().filter_map(guard).collect();
+        let before = self.states.clone();
+        // An event that changes nothing does not disturb the sides that the motion is on.
+        let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
+        let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &fired)? };
         self.trajectory.events.push(Event {
             time: self.time,
             causes,
@@ -335,10 +362,12 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 }
 
 /// A step from now.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Step {
-    /// In units of the clock.
+    /// In units of the clock; zero where something happens at once.
     length: f64,
     /// Time at its end, s.
     end: f64,
+    /// What ends it, where it is not the check or the schedule.
+    hits: Vec<Hit>,
 }

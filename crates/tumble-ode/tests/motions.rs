@@ -35,6 +35,7 @@ impl Hybrid for Toy {
             inputs: vec![symbol("p"), symbol("on")],
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one() }],
             schedule: self.schedule.clone(),
+            guards: vec![],
             clock: self.clock.clone(),
         })
     }

@@ -1,0 +1,72 @@
+//! Formulas of a tape as text, for messages.
+
+use crate::ops::{Op, Slot};
+use crate::{Tape, nearest};
+
+/// Parts nested deeper than this are left out: a message must fit a line.
+const DEEPEST: usize = 6;
+
+impl Tape {
+    /// The formula in a slot, in the names of the layout; long formulas are cut with `...`.
+    pub fn describe(&self, slot: Slot) -> String {
+        self.text(slot, DEEPEST)
+    }
+
+    fn text(&self, slot: Slot, depth: usize) -> String {
+        if depth == 0 {
+            return "...".to_owned();
+        }
+        let of = |slot: Slot| self.text(slot, depth - 1);
+        let call = |name: &str, slot: Slot| format!("{name}({})", self.text(slot, depth - 1));
+        match self.ops[slot as usize] {
+            Op::State(_) | Op::Time | Op::Input(_) => self.names[slot as usize].clone(),
+            Op::Number(index) => nearest(&self.numbers[index as usize]).to_string(),
+            Op::Pi => "pi".to_owned(),
+            Op::Neg(a) => format!("-{}", of(a)),
+            Op::Add(a, b) => format!("({} + {})", of(a), of(b)),
+            Op::Sub(a, b) => format!("({} - {})", of(a), of(b)),
+            Op::Mul(a, b) | Op::Scale { of: a, by: b } => format!("{}*{}", of(a), of(b)),
+            Op::Div(a, b) | Op::Shrink { of: a, by: b } => format!("{}/{}", of(a), of(b)),
+            Op::Square(a) => format!("{}^2", of(a)),
+            Op::Pow { of: a, exponent } => format!("{}^{}", of(a), of(exponent)),
+            Op::Sqrt(a) => call("sqrt", a),
+            Op::Exp(a) => call("exp", a),
+            Op::Log(a) => call("log", a),
+            Op::Sin { of, .. } => call("sin", of),
+            Op::Cos { of, .. } => call("cos", of),
+            Op::Sinh { of, .. } => call("sinh", of),
+            Op::Cosh { of, .. } => call("cosh", of),
+            Op::Tan { of, .. } => call("tan", of),
+            Op::Tanh { of, .. } => call("tanh", of),
+            Op::Asin { of, .. } => call("asin", of),
+            Op::Acos { of, .. } => call("acos", of),
+            Op::Atan { of, .. } => call("atan", of),
+            Op::Atan2 { y, x, .. } => format!("atan2({}, {})", of(y), of(x)),
+            Op::Abs { of, .. } => call("abs", of),
+            Op::Sign { of, .. } => call("sign", of),
+            Op::Step { branch } => call("step", self.guards[branch as usize]),
+            Op::Choose { branch, positive, negative } => {
+                format!("if({} >= 0, {}, {})", of(self.guards[branch as usize]), of(positive), of(negative))
+            }
+            Op::Norm(parts) => {
+                let parts: Vec<String> = self.norms[parts as usize].iter().map(|part| of(*part)).collect();
+                format!("norm([{}])", parts.join(", "))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Dimension, Expr, Layout, Symbol, Tape};
+
+    #[test]
+    fn a_formula_reads_as_it_was_written() {
+        let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
+        let leaf = |name: &str| Expr::from(symbol(name));
+        let layout = Layout { states: vec![symbol("rod.vx")], time: symbol("t"), inputs: vec![symbol("L")] };
+        let formula = (leaf("t") / 2 - leaf("rod.vx")).abs() * leaf("L").sin();
+        let tape = Tape::compile(&layout, &[formula]).expect("typed");
+        assert_eq!(tape.describe(tape.outputs()[0]), "abs((t/2 - rod.vx))*sin(L)");
+    }
+}

@@ -1,0 +1,164 @@
+//! A motion that was found, with the equations and values it was found from.
+
+use thiserror::Error;
+use tumble_expr::{Expr, Vector};
+use tumble_ode::{Accuracy, Reason, Refusal, Side, Solver, Trajectory};
+
+use crate::body::Body;
+use crate::equations::Equations;
+use crate::error::ModelErrors;
+use crate::kinematics::PointRef;
+use crate::mode::Mode;
+use crate::model::Model;
+use crate::observer::Observer;
+use crate::parameters::Parameters;
+use crate::start::Start;
+
+/// A motion with what it was found from.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The equations of motion.
+    pub equations: Equations,
+    /// The motion.
+    pub trajectory: Trajectory<Mode>,
+    /// Values of the parameters, in the equations' order.
+    pub inputs: Vec<f64>,
+}
+
+/// Why there is no motion, or not all of it.
+#[derive(Clone, Debug, Error)]
+pub enum RunError {
+    /// The model does not fit together.
+    #[error(transparent)]
+    Model(#[from] ModelErrors),
+    /// The motion was refused; what was found before stands.
+    #[error("{refusal}")]
+    Refused {
+        /// Why, and when.
+        refusal: Refusal,
+        /// The motion up to there.
+        partial: Box<Run>,
+    },
+    /// A time outside the motion.
+    #[error("{time} s is outside the motion, which ends at {end} s")]
+    Outside {
+        /// The time asked for, s.
+        time: f64,
+        /// End of the motion, s.
+        end: f64,
+    },
+    /// A formula that has no value along this motion.
+    #[error(transparent)]
+    Formula(#[from] Reason),
+}
+
+impl Model {
+    /// Integrates from time 0 with the model's parameters and the default accuracy.
+    ///
+    /// Bodies that `start` does not name start as the model says. `until` is a time, a formula of the parameters.
+    pub fn simulate(&self, start: &[(&Body, Start)], until: Expr) -> Result<Run, RunError> {
+        self.simulate_to(start, until, Accuracy::DEFAULT)
+    }
+
+    /// Integrates from time 0 to an accuracy.
+    pub fn simulate_to(
+        &self,
+        start: &[(&Body, Start)],
+        until: Expr,
+        accuracy: Accuracy,
+    ) -> Result<Run, RunError> {
+        let mut model = self.clone();
+        for (body, start) in start {
+            model.starts.retain(|(name, _)| *name != body.name);
+            model.starts.push((body.name.clone(), start.clone()));
+        }
+        let equations = Equations::new(model)?;
+        let parameters = self.parameters.clone();
+        let until = parameters.evaluate(&[until]).map_err(ModelErrors::from)?[0];
+        Run::new(equations, &parameters, until, accuracy, |_| ())
+    }
+}
+
+impl Run {
+    /// Integrates from time 0 to `until`, s. `progress` is told the time reached after each step.
+    pub fn new(
+        equations: Equations,
+        parameters: &Parameters,
+        until: f64,
+        accuracy: Accuracy,
+        mut progress: impl FnMut(f64),
+    ) -> Result<Self, RunError> {
+        let start = equations.start(parameters)?;
+        let inputs = start.inputs.clone();
+        let mut solver = Solver::new(&equations, start, until, accuracy);
+        let mut refusal = None;
+        while refusal.is_none() && !solver.is_done() {
+            refusal = solver.advance().err();
+            progress(solver.time());
+        }
+        let trajectory = solver.finish();
+        let run = Self { equations, trajectory, inputs };
+        match refusal {
+            None => Ok(run),
+            Some(refusal) => Err(RunError::Refused { refusal, partial: Box::new(run) }),
+        }
+    }
+
+    /// Prepares formulas of the motion, accelerations included, to be evaluated at any time.
+    pub fn observe(&self, formulas: &[Expr]) -> Result<Observer<'_>, RunError> {
+        Ok(Observer::new(&self.equations, &self.trajectory, &self.inputs, formulas)?)
+    }
+
+    /// The motion at one time, s; at an event, just after it.
+    pub fn at(&self, time: f64) -> Result<Instant<'_>, RunError> {
+        match self.trajectory.piece_at(time, Side::After) {
+            Some(_) => Ok(Instant { run: self, time }),
+            None => Err(RunError::Outside { time, end: self.trajectory.end().unwrap_or(0.0) }),
+        }
+    }
+}
+
+/// The motion at one time.
+#[derive(Clone, Copy, Debug)]
+pub struct Instant<'a> {
+    run: &'a Run,
+    time: f64,
+}
+
+impl Instant<'_> {
+    /// Values of any formulas of the motion, SI units.
+    pub fn values<const N: usize>(&self, formulas: [Expr; N]) -> Result<[f64; N], RunError> {
+        let outside = || RunError::Outside { time: self.time, end: self.time };
+        let values = self.run.observe(&formulas)?.at(self.time, Side::After).ok_or_else(outside)?;
+        Ok(std::array::from_fn(|index| values[index]))
+    }
+
+    /// Value of any formula of the motion, SI units.
+    pub fn value(&self, formula: Expr) -> Result<f64, RunError> {
+        self.values([formula]).map(|[value]| value)
+    }
+
+    /// Angle of a body, rad, not wrapped.
+    pub fn angle(&self, body: &Body) -> Result<f64, RunError> {
+        self.value(body.kinematics().angle())
+    }
+
+    /// Angular rate of a body, rad/s.
+    pub fn omega(&self, body: &Body) -> Result<f64, RunError> {
+        self.value(body.kinematics().omega())
+    }
+
+    /// Place of a point, m, world axes.
+    pub fn position(&self, point: &PointRef) -> Result<[f64; 2], RunError> {
+        self.vector(&point.position())
+    }
+
+    /// Velocity of a point, m/s, world axes.
+    pub fn velocity(&self, point: &PointRef) -> Result<[f64; 2], RunError> {
+        self.vector(&point.velocity())
+    }
+
+    fn vector(&self, vector: &Vector) -> Result<[f64; 2], RunError> {
+        self.values([vector.x().clone(), vector.y().clone()])
+    }
+}

@@ -1,0 +1,267 @@
+//! One mode's equations with their evaluators, and the sides its branches are on.
+
+use tumble_expr::{Branches, Jets, Turning};
+
+use crate::Reason;
+use crate::check::{Check, Verdict};
+use crate::compiled::Compiled;
+use crate::expansion::{Expansion, Frozen, Turn, expand};
+use crate::hybrid::Direction;
+use crate::polynomial;
+use crate::radius::of_series;
+use crate::roots::roots;
+use crate::scale::Scales;
+use crate::work::Work;
+
+/// A coefficient below this part of the largest, each times its power of the reach, is rounding.
+const SIGNIFICANT: f64 = 64.0 * f64::EPSILON;
+/// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
+const VANISHING: f64 = 1024.0 * f64::EPSILON;
+/// A length that turns slower than this many steps has its singularity far enough for the coefficients to show it.
+const CLOSE_TURN_STEPS: f64 = 4.0;
+/// Roots closer than this part of a step are one instant.
+const SIMULTANEOUS_PART: f64 = 4.0 * f64::EPSILON;
+
+/// Something that ends a step before its length does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Hit {
+    /// A branch of the tape changes to this side.
+    Branch(usize, f64),
+    /// A length, root or power has its least value.
+    Turning(usize),
+    /// A guard of the model crosses zero.
+    Guard(usize),
+}
+
+/// What is known of the watched functions at the start of a step.
+#[derive(Clone, Debug, Default)]
+struct Sides {
+    /// Side of each branch, +1 or -1.
+    signs: Vec<f64>,
+    /// Which functions are zero now, whatever rounding has left of them: branches, turnings, guards.
+    zero_branches: Vec<bool>,
+    zero_turnings: Vec<bool>,
+    zero_guards: Vec<bool>,
+    /// Which norms are zero vectors now.
+    vanishing: Vec<bool>,
+    /// Largest absolute values that branches and guards, and lengths, have had.
+    branch_scales: Vec<f64>,
+    guard_scales: Vec<f64>,
+    turning_scales: Vec<f64>,
+}
+
+pub(crate) struct Engine {
+    pub(crate) system: Compiled,
+    jets: Jets<f64>,
+    values: Jets<f64>,
+    turnings: Vec<Turning>,
+    sides: Sides,
+    order: usize,
+}
+
+impl Engine {
+    pub(crate) fn new(system: Compiled, order: usize, inputs: &[f64]) -> Self {
+        let order = system.exact_degree.unwrap_or(order).max(1);
+        let jets = Jets::new(system.tape.clone(), order, inputs);
+        let values = Jets::new(system.tape.clone(), 0, inputs);
+        let turnings = system.tape.turnings();
+        Self { system, jets, values, turnings, sides: Sides::default(), order }
+    }
+
+    /// Takes sides at the start of the mode. `fired` are guards, by name, that are zero because they brought us here.
+    pub(crate) fn enter(&mut self, time: f64, states: &[f64], fired: &[String]) {
+        let tape = self.system.tape.clone();
+        self.values.start(time, states, Branches::Free);
+        let branches = tape.guards().len();
+        let is_zero = |slot: u32| self.values.slot(slot)[0] == 0.0;
+        let names = &self.system.guard_names;
+        self.sides = Sides {
+            signs: self.values.signs().to_vec(),
+            zero_branches: tape.guards().iter().map(|slot| is_zero(*slot)).collect(),
+            zero_turnings: vec![false; self.turnings.len()],
+            zero_guards: names.iter().map(|name| fired.contains(name)).collect(),
+            vanishing: vec![false; tape.norms()],
+            branch_scales: vec![0.0; branches],
+            guard_scales: vec![0.0; names.len()],
+            turning_scales: vec![0.0; self.turnings.len()],
+        };
+    }
+
+    /// Expands the solution, on the sides that its own first coefficients ask for.
+    ///
+    /// A function that is zero now has the sign of its first coefficient that matters. If each side's motion leads to
+    /// the other, there is no motion on either.
+    pub(crate) fn expand(&mut self, time: f64, states: &[f64], work: &mut Work) -> Result<Expansion, Reason> {
+        let mut turned = vec![false; self.sides.signs.len()];
+        loop {
+            work.expansions += 1;
+            let frozen = Frozen { signs: &self.sides.signs, vanishing: &self.sides.vanishing };
+            let expansion = expand(&self.system, &mut self.jets, self.order, frozen, time, states)?;
+            self.watch_scales(&expansion);
+            let Some(branch) = self.wrong_side(&expansion, time) else { return Ok(expansion) };
+            if turned[branch] {
+                let slot = self.system.tape.guards()[branch];
+                return Err(Reason::Sliding { guard: self.system.tape.describe(slot) });
+            }
+            turned[branch] = true;
+            self.sides.signs[branch] = -self.sides.signs[branch];
+        }
+    }
+
+    fn watch_scales(&mut self, expansion: &Expansion) {
+        let raise = |scale: &mut f64, value: f64| *scale = scale.max(value.abs());
+        let Sides { branch_scales, guard_scales, turning_scales, .. } = &mut self.sides;
+        for (scale, series) in branch_scales.iter_mut().zip(&expansion.branches) {
+            raise(scale, series[0]);
+        }
+        for (scale, series) in guard_scales.iter_mut().zip(&expansion.guards) {
+            raise(scale, series[0]);
+        }
+        for (scale, turn) in turning_scales.iter_mut().zip(&expansion.turnings) {
+            raise(scale, turn.length(0.0));
+        }
+    }
+
+    /// A branch whose guard does not have the sign it was given.
+    fn wrong_side(&self, expansion: &Expansion, time: f64) -> Option<usize> {
+        let wrong = |branch: &usize| {
+            let series = &expansion.branches[*branch];
+            let instant = SIMULTANEOUS_PART * time.abs().max(1.0);
+            let slope = series.get(1).map_or(0.0, |slope| slope.abs());
+            let zero = self.sides.zero_branches[*branch] || series[0].abs() <= 2.0 * instant * slope;
+            let sign = if zero { leading_sign(&series[1..]) } else { leading_sign(series) };
+            sign * self.sides.signs[*branch] < 0.0
+        };
+        (0..expansion.branches.len()).find(wrong)
+    }
+
+    /// How far the expansion reaches, guards included: infinite where nothing in the coefficients limits it.
+    pub(crate) fn radius(&self, expansion: &Expansion, scales: &Scales) -> f64 {
+        let of = |(series, scale): (&Vec<f64>, f64)| of_series(series, scale);
+        let states = expansion.states.iter().enumerate();
+        let states = states.map(|(state, series)| (series, scales.of(self.system.group(state))));
+        let clock = expansion.time.iter().map(|series| (series, series[0].abs()));
+        let branches = expansion.branches.iter().zip(self.sides.branch_scales.iter().copied());
+        let guards = expansion.guards.iter().zip(self.sides.guard_scales.iter().copied());
+        states.chain(clock).chain(branches).chain(guards).map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// What happens first within a length of the clock, and when; all that happens at that instant.
+    pub(crate) fn first_hits(&self, expansion: &Expansion, length: f64) -> Option<(f64, Vec<Hit>)> {
+        let mut hits = self.hits(expansion, length);
+        hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let first = hits.first()?.0;
+        let instant = first + SIMULTANEOUS_PART * length.max(expansion.start.abs());
+        let same = hits.into_iter().take_while(|(at, _)| *at <= instant);
+        Some((first, same.map(|(_, hit)| hit).collect()))
+    }
+
+    fn hits(&self, expansion: &Expansion, length: f64) -> Vec<(f64, Hit)> {
+        let crossings = |series: &[f64], zero: bool| {
+            roots(ahead(series, zero), length)
+                .into_iter()
+                .filter_map(|root| Some((root.at, root.crosses_to?)))
+        };
+        let mut hits = vec![];
+        for (branch, series) in expansion.branches.iter().enumerate() {
+            let found = crossings(series, self.sides.zero_branches[branch]);
+            hits.extend(found.take(1).map(|(at, to)| (at, Hit::Branch(branch, to))));
+        }
+        for (turning, turn) in expansion.turnings.iter().enumerate() {
+            let slope = derivative(&turn.square);
+            let least = crossings(&slope, self.sides.zero_turnings[turning]).filter(|(_, to)| *to > 0.0);
+            let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
+            hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
+        }
+        for (guard, series) in expansion.guards.iter().enumerate() {
+            let direction = self.system.guard_directions[guard];
+            let found =
+                crossings(series, self.sides.zero_guards[guard]).filter(|(_, to)| direction.allows(*to));
+            hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
+        }
+        hits
+    }
+
+    /// The step's independent check; see [`Check`].
+    pub(crate) fn check(
+        &mut self,
+        expansion: &Expansion,
+        length: f64,
+        blind: bool,
+        (scales, tolerance): (&Scales, f64),
+        work: &mut Work,
+    ) -> Verdict {
+        let Self { system, values, sides, .. } = self;
+        let mut check = Check { system, values, scales, tolerance, signs: &sides.signs };
+        check.step(expansion, length, blind, work)
+    }
+
+    /// A step was taken: what was zero at its start is so no more.
+    pub(crate) fn leave_start(&mut self) {
+        let Sides { zero_branches, zero_turnings, zero_guards, vanishing, .. } = &mut self.sides;
+        for flags in [zero_branches, zero_turnings, zero_guards, vanishing] {
+            flags.fill(false);
+        }
+    }
+
+    /// Changes sides at the end of a step; `expansion` is that of the step.
+    pub(crate) fn pass(&mut self, hits: &[Hit], expansion: &Expansion, length: f64, work: &mut Work) {
+        for hit in hits {
+            match *hit {
+                Hit::Branch(branch, to) => {
+                    work.flips += 1;
+                    self.sides.zero_branches[branch] = true;
+                    self.sides.signs[branch] = to;
+                }
+                Hit::Turning(turning) => {
+                    work.turns += 1;
+                    self.sides.zero_turnings[turning] = true;
+                    if let Turning::Norm { index, .. } = self.turnings[turning] {
+                        let least = expansion.turnings[turning].length(length);
+                        self.sides.vanishing[index] = least <= VANISHING * self.sides.turning_scales[turning];
+                    }
+                }
+                Hit::Guard(guard) => self.sides.zero_guards[guard] = true,
+            }
+        }
+    }
+}
+
+/// The series without what is zero now: its roots are those ahead.
+fn ahead(series: &[f64], zero: bool) -> &[f64] {
+    let series = if zero { &series[1..] } else { series };
+    let first = series.iter().position(|c| *c != 0.0).unwrap_or(series.len());
+    &series[first..]
+}
+
+/// Sign of the first coefficient that is more than rounding, on a stretch where the series is a few times its first term.
+fn leading_sign(series: &[f64]) -> f64 {
+    let Some(first) = series.iter().position(|c| *c != 0.0) else { return 0.0 };
+    let reach = of_series(series, 0.0).min(1.0);
+    let term = |k: usize| (series[k] * libm::pow(reach, k as f64)).abs();
+    let largest = (first..series.len()).map(term).fold(0.0, f64::max);
+    (first..series.len()).find(|k| term(*k) > SIGNIFICANT * largest).map_or(0.0, |k| series[k].signum())
+}
+
+fn derivative(series: &[f64]) -> Vec<f64> {
+    series.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect()
+}
+
+/// Whether a square turns so sharply at its least value that a step would not see it in its coefficients.
+///
+/// Near the turn the square is `least + curvature s^2`, with zeros at a distance `sqrt(least / curvature)` off the real line.
+fn is_close_turn(turn: &Turn, slope: &[f64], at: f64, length: f64) -> bool {
+    let least = turn.length(at);
+    let curvature = 0.5 * polynomial::slope(slope, at);
+    least * least < curvature * (CLOSE_TURN_STEPS * length) * (CLOSE_TURN_STEPS * length)
+}
+
+impl Direction {
+    fn allows(self, to: f64) -> bool {
+        match self {
+            Self::Rising => to > 0.0,
+            Self::Falling => to < 0.0,
+            Self::Both => true,
+        }
+    }
+}
