@@ -48,6 +48,7 @@ impl Tape {
             Op::Choose { branch, positive, negative } => {
                 format!("if({} >= 0, {}, {})", of(self.guards[branch as usize]), of(positive), of(negative))
             }
+            Op::SquareOver { of: a, by, .. } => format!("{}^2/{}", of(a), of(by)),
             Op::Norm(parts) => {
                 let parts: Vec<String> = self.norms[parts as usize].iter().map(|part| of(*part)).collect();
                 format!("norm([{}])", parts.join(", "))

@@ -62,6 +62,8 @@ pub enum Binary {
     Atan2,
     Min,
     Max,
+    /// `a^2 / b`, with its limit where both vanish together and a at least as fast as b.
+    SquareOver,
 }
 
 /// Comparisons; `a > b` is written `b < a`.

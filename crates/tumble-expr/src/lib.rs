@@ -7,6 +7,7 @@
 
 mod degree;
 mod describe;
+mod differentiate;
 mod dimension;
 mod drops;
 mod expr;

@@ -152,6 +152,7 @@ impl Lowering {
             }
             Binary::Min => self.choose(a, b, b, a),
             Binary::Max => self.choose(a, b, a, b),
+            Binary::SquareOver => self.square_over(a, b),
             Binary::Pow => unreachable!("powers are lowered by `power`, which sees the exponent's value"),
         }
     }
@@ -222,6 +223,11 @@ impl Lowering {
     fn norm(&mut self, parts: Vec<Slot>) -> Slot {
         self.tape.norms.push(parts);
         self.emit(Op::Norm(self.tape.norms.len() as u32 - 1))
+    }
+
+    fn square_over(&mut self, of: Slot, by: Slot) -> Slot {
+        self.tape.norms.push(vec![by]);
+        self.emit(Op::SquareOver { of, by, vanishing: self.tape.norms.len() as u32 - 1 })
     }
 
     fn one(&mut self) -> Slot {

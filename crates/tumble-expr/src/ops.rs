@@ -9,6 +9,7 @@ pub(crate) mod branch;
 pub(crate) mod integral;
 pub(crate) mod norm;
 pub(crate) mod power;
+pub(crate) mod square_over;
 
 use crate::Scalar;
 
@@ -116,6 +117,12 @@ pub enum Op {
     },
     /// Length of the vector whose components are in the tape's list.
     Norm(u32),
+    /// `of^2 / by`; the last is its index in the tape's list of functions that vanish.
+    SquareOver {
+        of: Slot,
+        by: Slot,
+        vanishing: u32,
+    },
 }
 
 /// Series of every slot, as far as they are known.
@@ -125,7 +132,7 @@ pub(crate) struct Series<'a, S> {
     /// +1 or -1 a branch.
     pub(crate) signs: &'a [S],
     pub(crate) norms: &'a [Vec<Slot>],
-    /// Norms whose vector is zero at the point of expansion, whatever rounding has left of it.
+    /// Which lengths and quotients have an argument that is zero at the point of expansion, whatever rounding has left.
     pub(crate) vanishing: &'a [bool],
 }
 
@@ -170,6 +177,7 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Step { branch } => branch::step(self.sign(branch)),
             Op::Choose { branch, positive, negative } => self.sign(branch).choose(at(positive), at(negative)),
             Op::Norm(parts) => norm::value(self, parts),
+            Op::SquareOver { of, by, vanishing } => square_over::value(self, of, by, vanishing),
         }
     }
 
@@ -207,6 +215,7 @@ impl<'a, S: Scalar> Series<'a, S> {
                 self.sign(branch).choose(a(positive)[k], a(negative)[k])
             }
             Op::Norm(parts) => norm::coefficient(self, parts, c, k),
+            Op::SquareOver { of, by, vanishing } => square_over::coefficient(self, (of, by, vanishing), c, k),
         }
     }
 
@@ -238,6 +247,7 @@ impl Op {
             Self::Atan { of: a, square: b } | Self::Pow { of: a, exponent: b } => vec![a, b],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
             Self::Scale { of: a, by: b } | Self::Shrink { of: a, by: b } => vec![a, b],
+            Self::SquareOver { of, by, .. } => vec![of, by],
             Self::Atan2 { y, x, square } => vec![y, x, square],
             Self::Abs { of, .. } | Self::Sign { of, .. } => vec![of],
             Self::Step { branch } => vec![guards[branch as usize]],

@@ -116,7 +116,8 @@ fn binary(graph: &mut Graph, op: Binary, a: NodeId, b: NodeId) -> Option<Simplif
         Binary::Div => quotient(graph, a, b),
         Binary::Pow => power(graph, a, b),
         Binary::Min | Binary::Max if a == b => Some(Known(a)),
-        Binary::Atan2 | Binary::Min | Binary::Max => None,
+        Binary::SquareOver if number(graph, a).is_some_and(Zero::is_zero) => Some(Known(a)),
+        Binary::Atan2 | Binary::Min | Binary::Max | Binary::SquareOver => None,
     }
 }
 

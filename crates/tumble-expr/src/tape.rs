@@ -53,6 +53,7 @@ pub struct Tape {
     pub(crate) ops: Vec<Op>,
     pub(crate) stages: Vec<Stage>,
     pub(crate) numbers: Vec<BigRational>,
+    /// Vectors whose lengths are taken, and denominators that may vanish with their numerators.
     pub(crate) norms: Vec<Vec<Slot>>,
     /// Guard slot of each branch.
     pub(crate) guards: Vec<Slot>,
@@ -145,6 +146,10 @@ impl Tape {
             Op::Norm(index) => {
                 Some(Turning::Norm { parts: self.norms[index as usize].clone(), index: index as usize })
             }
+            Op::SquareOver { vanishing, .. } => Some(Turning::Norm {
+                parts: self.norms[vanishing as usize].clone(),
+                index: vanishing as usize,
+            }),
             Op::Sqrt(of) | Op::Pow { of, .. } => Some(Turning::Power { of }),
             _ => None,
         };

@@ -125,6 +125,11 @@ pub(crate) fn binary(op: Binary, a: Kind, b: Kind) -> Result<Kind, TypeError> {
         Binary::Mul => left.times(right).map(Kind::Quantity).ok_or(overflow),
         Binary::Div if a == Kind::Zero => Ok(Kind::Zero),
         Binary::Div => left.over(right).map(Kind::Quantity).ok_or(overflow),
+        Binary::SquareOver if a == Kind::Zero => Ok(Kind::Zero),
+        Binary::SquareOver => {
+            let square = left.times(left).ok_or(overflow.clone())?;
+            square.over(right).map(Kind::Quantity).ok_or(overflow)
+        }
         Binary::Pow => unreachable!("powers are typed by `power`, which sees the exponent's value"),
     }
 }

@@ -71,6 +71,7 @@ fn cases() -> Vec<Case> {
         case("acos", Expr::unary(Unary::Acos, inner.clone()), 0.7, 0.8),
         case("atan", Expr::unary(Unary::Atan, inner.clone()), 0.7, 0.8),
         case("atan2", binary(Binary::Atan2, t().sin() + 0.2, t().cos() + 0.3), 0.7, 0.4),
+        case("square over", binary(Binary::SquareOver, t().sin(), t() + 2), 0.7, 1.5),
         case("abs, positive", unary(Unary::Abs), 0.7, 0.3),
         case("abs, negative", Expr::unary(Unary::Abs, t().sin() - 3), 0.7, 0.5),
         case("sign", unary(Unary::Sign) * t(), 0.7, 0.3),
@@ -149,6 +150,7 @@ fn complex(formula: &Expr, z: Complex64, at: f64) -> Complex64 {
                 let i = Complex64::i();
                 (((value(b) + i * value(a)) / (value(b) - i * value(a))).ln()) / (2.0 * i)
             }
+            Binary::SquareOver => value(a) * value(a) / value(b),
             Binary::Min => {
                 if here(a) < here(b) {
                     value(a)
@@ -249,6 +251,18 @@ fn norm_factors_out_the_common_power() {
     for k in 1..=ORDER {
         let error = (ours[k] - reference[k - 1]).abs() * case.radius.powi(k as i32);
         assert!(error < TOLERANCE, "order {k}: {} not {}", ours[k], reference[k - 1]);
+    }
+}
+
+/// Numerator and denominator that vanish together leave a series.
+#[test]
+fn square_over_factors_out_the_common_power() {
+    let (a, b) = (t().sin() * t(), t() * 3 + t().powi(2));
+    let ours = series(&Expr::binary(Binary::SquareOver, a, b), 0.0);
+    let formula = t().sin() * t() * t().sin() / (t() + 3);
+    let reference = cauchy(&Case { name: "quotient", formula, at: 0.0, radius: 1.0 });
+    for k in 0..=ORDER {
+        assert!((ours[k] - reference[k]).abs() < TOLERANCE, "order {k}: {} not {}", ours[k], reference[k]);
     }
 }
 

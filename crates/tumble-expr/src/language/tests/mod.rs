@@ -91,6 +91,7 @@ fn binary(op: Binary, a: f64, b: f64) -> f64 {
         Binary::Div => a / b,
         Binary::Pow => a.powf(b),
         Binary::Atan2 => a.atan2(b),
+        Binary::SquareOver => a * a / b,
         Binary::Min => a.min(b),
         Binary::Max => a.max(b),
     }

@@ -1,0 +1,49 @@
+//! `a^2 / b` where a and b may vanish together.
+//!
+//! With m the lowest order at which b is not zero, and a no earlier, `a = s^m p`, `b = s^m q` and `a^2/b = s^m p^2/q`:
+//! the quotient's series follows from those of p and q and holds no order beyond its own. (The ratio a/b alone would.)
+//! Where rounding has left something of a zero, whoever knows says so, as for a length.
+
+use super::{Series, Slot};
+use crate::Scalar;
+use crate::ops::arithmetic::{convolution, half_square};
+
+pub(crate) fn value<S: Scalar>(series: &Series<'_, S>, of: Slot, by: Slot, vanishing: u32) -> S {
+    let known_zero = series.vanishing[vanishing as usize];
+    series
+        .first(of)
+        .zip(series.first(by), |a, b| if known_zero || (a == 0.0 && b == 0.0) { 0.0 } else { a * a / b })
+}
+
+pub(crate) fn coefficient<S: Scalar>(
+    series: &Series<'_, S>,
+    (of, by, vanishing): (Slot, Slot, u32),
+    c: &[S],
+    k: usize,
+) -> S {
+    let lowest = usize::from(series.vanishing[vanishing as usize]);
+    let (a, b) = (series.of(of), series.of(by));
+    S::from_lanes(|lane| of_lane(a, b, c, lowest..=k, lane))
+}
+
+fn of_lane<S: Scalar>(
+    a: &[S],
+    b: &[S],
+    c: &[S],
+    orders: std::ops::RangeInclusive<usize>,
+    lane: usize,
+) -> f64 {
+    let k = *orders.end();
+    let zero = |series: &[S], order: usize| series[order].lane(lane) == 0.0;
+    let Some(m) = orders.clone().find(|order| !zero(b, *order)) else {
+        return if orders.clone().all(|order| zero(a, order)) { 0.0 } else { f64::NAN };
+    };
+    if orders.clone().take_while(|order| *order < m).any(|order| !zero(a, order)) {
+        return f64::NAN;
+    }
+    let shifted = |series: &[S]| -> Vec<f64> { (m..=k).map(|order| series[order].lane(lane)).collect() };
+    let (p, q, j) = (shifted(a), shifted(b), k - m);
+    let square = if j == 0 { p[0] * p[0] } else { half_square(&p, j) + 2.0 * (p[0] * p[j]) };
+    let c: Vec<f64> = (m..k).map(|order| c[order].lane(lane)).collect();
+    (square - if j == 0 { 0.0 } else { convolution(&c, &q[1..]) }) / q[0]
+}
