@@ -1,26 +1,28 @@
 //! # Law
 //! A free body: `M a = sum F` for its centre of mass and `I alpha = sum tau` about it. A body on a fixed pivot P: about
 //! the fixed axis `I_P alpha = sum tau_P` with `I_P = I + M |c - P|^2`, and the centre goes round P:
-//! `v = omega x r`, `a = alpha x r - omega^2 r` with r from P to c. The pivot's reaction is `R = M a - sum F`.
+//! `v = v_P + omega x r`, `a = a_P + alpha x r - omega^2 r` with r from P to c. Where P moves on a given path,
+//! `I_P alpha = sum tau_P - M (r x a_P)`. The pivot's reaction is `R = M a - sum F`.
 //! # Symbols and units
 //! M (kg), I (kg m^2), F and R (N), tau (N m), a (m/s^2), alpha (rad/s^2), r (m).
 //! # Sign and frame
 //! World axes, torques and angles counter-clockwise.
 //! # Validity
-//! Plane motion; the pivot is fixed in the world and frictionless.
+//! Plane motion; the pivot is without friction, fixed in the world or moved on a given path.
 //! # Source
 //! Newton's and Euler's laws of motion; the theorem of the fixed axis.
 //! # Checked by
 //! `tests/free_flight.rs`, `tests/kicked_ball.rs`, `tests/pendulum.rs` (elliptic functions; the reaction closes
-//! both laws).
+//! both laws), `tests/springs.rs` (a shaken pivot).
 
 use tumble_expr::{Expr, Substitution, Symbol, Vector};
 
+use crate::anchor::rate;
 use crate::kinematics::{Kinematics, PointRef};
 use crate::mass::MassProperties;
 use crate::term::{Law, Term};
 
-/// A fixed point of the world that a point of the body is held at.
+/// A point of the world, fixed or moved on a given path, that a point of the body is held at.
 #[derive(Clone, Debug)]
 pub struct Pivot {
     /// Its name.
@@ -29,7 +31,7 @@ pub struct Pivot {
     pub body: String,
     /// The body's point, m, body coordinates.
     pub point: Vector,
-    /// Where it is held, m, world axes.
+    /// Where it is held, m, world axes; a formula of the time where it moves.
     pub world: Vector,
 }
 
@@ -100,7 +102,7 @@ impl Coordinates {
     pub(crate) fn define(&self, body: &Kinematics, definitions: &mut Substitution) {
         let Self::Pivoted { arm, world, .. } = self else { return };
         let arm = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
-        let velocity = body.omega() * arm.perpendicular();
+        let velocity = rate(world) + body.omega() * arm.perpendicular();
         for (symbol, formula) in body.position_symbols().into_iter().zip((world + &arm).components()) {
             definitions.insert(symbol, formula.clone());
         }
@@ -127,16 +129,18 @@ impl Coordinates {
                 };
                 (sum.map(|component| component / &mass.mass), alpha)
             }
-            Self::Pivoted { arm, .. } => {
+            Self::Pivoted { arm, world, .. } => {
                 let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
                 let about_pivot = |term: &&Term| term.torque_about(&(&from_pivot + &term.arm));
-                let torque = total(terms.iter().map(about_pivot));
+                let anchor = rate(&rate(world));
+                let carried = &mass.mass * from_pivot.cross_planar(&anchor);
+                let torque = total(terms.iter().map(about_pivot)) - carried;
                 let origin = Vector::planar(Expr::zero(), Expr::zero());
                 let about = MassProperties { centre: arm.clone(), ..mass.clone() };
                 let alpha = torque / about.inertia_about(&origin);
                 let omega = body.omega();
                 let centripetal = (&omega * &omega) * &from_pivot;
-                (&alpha * from_pivot.perpendicular() - centripetal, alpha)
+                (anchor + &alpha * from_pivot.perpendicular() - centripetal, alpha)
             }
         }
     }

@@ -5,6 +5,7 @@ use tumble_ode::{Cause, Crossing, Flow, Hybrid, Jump, Reason, ScaleGroup, StateV
 
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::error::{ModelError, ModelErrors};
+use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
 use crate::load::Load;
@@ -164,6 +165,9 @@ fn terms(model: &Model, bodies: &[BodyEquations]) -> (Windows, Vec<Term>) {
         let window = window(load, &mut windows);
         terms.push(laws::applied::term(load, body, &bodies[body].kinematics, window));
     }
+    let names: Vec<String> = model.bodies.iter().map(|body| body.name.clone()).collect();
+    let context = Bodies { names: &names, wind: &model.wind, nodes: model.nodes };
+    terms.extend(model.interactions.iter().flat_map(|interaction| interaction.terms(&context)));
     (windows, terms)
 }
 

@@ -6,6 +6,7 @@ use tumble_ode::Start as NumericStart;
 use crate::body::Body;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
+use crate::interaction::Interaction;
 use crate::mode::Mode;
 use crate::parameters::Parameters;
 use crate::start::Start;
@@ -19,6 +20,9 @@ impl Equations {
         let mut mistakes = vec![];
         for body in &self.model().bodies {
             mistakes.extend(body_mistakes(body, parameters)?);
+        }
+        for interaction in &self.model().interactions {
+            mistakes.extend(coefficient_mistakes(&**interaction, parameters)?);
         }
         let states = self.initial_states(parameters, &mut mistakes)?;
         let mode = self.initial_mode(parameters, &mut mistakes)?;
@@ -71,6 +75,23 @@ impl Equations {
         }
         Ok(Mode { windows })
     }
+}
+
+fn coefficient_mistakes(
+    interaction: &dyn Interaction,
+    parameters: &Parameters,
+) -> Result<Vec<ModelError>, ModelError> {
+    let mut mistakes = vec![];
+    for (key, formula, unit) in interaction.nonnegative() {
+        let value = parameters.evaluate(&[formula])?[0];
+        let what = format!("{key} of `{}`", interaction.name());
+        if value < 0.0 {
+            mistakes.push(ModelError::Negative { what, value, unit });
+        } else if !value.is_finite() {
+            mistakes.push(ModelError::NotFinite { what, value });
+        }
+    }
+    Ok(mistakes)
 }
 
 fn moving(start: &Start, drawn: &Vector) -> Vec<Expr> {

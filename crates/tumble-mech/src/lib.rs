@@ -4,11 +4,15 @@
 //! integrator) → [`Observer`] (quantities along a trajectory). One law a file, in `laws`. It reads no scene and draws
 //! no figure.
 
+mod air;
+mod anchor;
 mod body;
 mod coordinates;
 mod equations;
 mod error;
+mod gauss;
 mod initial;
+mod interaction;
 mod kinematics;
 mod laws;
 mod load;
@@ -23,11 +27,18 @@ mod shape;
 mod start;
 mod term;
 
+pub use air::Wind;
+pub use anchor::{Anchor, place_symbols};
 pub use body::{Body, Part};
 pub use coordinates::Pivot;
 pub use equations::Equations;
 pub use error::{ModelError, ModelErrors};
+pub use interaction::{Bodies, Interaction};
 pub use kinematics::{Kinematics, PointRef, rotated, time};
+pub use laws::drag::{Component, Drag, DragPlace};
+pub use laws::magnus::Magnus;
+pub use laws::spring::Spring;
+pub use laws::torsion::Torsion;
 pub use load::{Application, Frame, Load};
 pub use mass::MassProperties;
 pub use mode::Mode;

@@ -1,15 +1,22 @@
 //! A model: bodies, what holds them and what acts on them.
 
+use std::sync::Arc;
+
 use tumble_expr::{Dimension, Expr, Vector};
 
+use crate::air::Wind;
 use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
+use crate::interaction::Interaction;
 use crate::kinematics::PointRef;
 use crate::load::{Application, Load};
 use crate::parameters::Parameters;
 use crate::place::Place;
 use crate::start::Start;
+
+/// Gauss nodes to begin with; [`crate::Run::refined`] doubles them until they do not matter.
+pub(crate) const DEFAULT_NODES: usize = 8;
 
 /// Gravity, and how the plane of motion lies in it.
 #[derive(Clone, Debug)]
@@ -45,6 +52,12 @@ pub struct Model {
     pub pivots: Vec<Pivot>,
     /// Forces and torques.
     pub loads: Vec<Load>,
+    /// Air resistance, springs and other laws known by their coefficients.
+    pub interactions: Vec<Arc<dyn Interaction>>,
+    /// The air.
+    pub wind: Wind,
+    /// Gauss nodes on each line whose air resistance has no closed form.
+    pub nodes: usize,
     /// Initial values by body; a body without an entry starts at rest at angle zero, its drawing where it is drawn.
     pub starts: Vec<(String, Start)>,
 }
@@ -64,6 +77,9 @@ impl Model {
             bodies: vec![],
             pivots: vec![],
             loads: vec![],
+            interactions: vec![],
+            wind: Wind::still(),
+            nodes: DEFAULT_NODES,
             starts: vec![],
         }
     }
@@ -96,6 +112,16 @@ impl Model {
         self.loads.push(Load::torque(name, &body.name, torque));
     }
 
+    /// Air resistance, a spring, or another law known by its coefficients.
+    pub fn interact(&mut self, interaction: impl Interaction + 'static) {
+        self.interactions.push(Arc::new(interaction));
+    }
+
+    /// Whether any term is a sum over Gauss nodes.
+    pub fn has_quadrature(&self) -> bool {
+        self.interactions.iter().any(|interaction| interaction.is_quadrature(&self.wind))
+    }
+
     /// Index of a body.
     pub fn body_index(&self, name: &str) -> Option<usize> {
         self.bodies.iter().position(|body| body.name == name)
@@ -121,6 +147,10 @@ impl Model {
         mistakes.extend(self.gravity_mistake());
         mistakes.extend(self.pivots.iter().flat_map(|pivot| self.pivot_mistakes(pivot)));
         mistakes.extend(self.loads.iter().flat_map(|load| self.load_mistakes(load)));
+        mistakes.extend(mistake("wind", self.wind.0.components(), Dimension::SPEED));
+        mistakes.extend(
+            self.interactions.iter().flat_map(|interaction| self.interaction_mistakes(&**interaction)),
+        );
         mistakes.extend(self.starts.iter().flat_map(|(body, start)| self.start_mistakes(body, start)));
         if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
     }
@@ -132,6 +162,7 @@ impl Model {
         let pivots = self.pivots.iter().map(|pivot| pivot.name.as_str());
         let mut names: Vec<&str> = parameters.iter().map(|symbol| &*symbol.name).collect();
         names.extend(bodies.chain(loads).chain(pivots));
+        names.extend(self.interactions.iter().map(|interaction| interaction.name()));
         names.sort_unstable();
         let twice = names.windows(2).filter(|pair| pair[0] == pair[1]);
         twice.map(|pair| ModelError::Duplicate { name: pair[0].to_owned() }).collect()
@@ -180,6 +211,14 @@ impl Model {
         let times = load.during.iter().flatten();
         mistakes.extend(mistake(&format!("times of {what}"), times, Dimension::TIME));
         mistakes
+    }
+
+    fn interaction_mistakes(&self, interaction: &dyn Interaction) -> Vec<ModelError> {
+        let formulas = interaction.dimensions().into_iter();
+        let wrong = formulas.flat_map(|(key, formula, dimension)| {
+            mistake(&format!("{key} of `{}`", interaction.name()), [&formula], dimension)
+        });
+        wrong.chain(interaction.bodies().into_iter().filter_map(|body| self.unknown_body(body))).collect()
     }
 
     fn start_mistakes(&self, body: &str, start: &Start) -> Vec<ModelError> {

@@ -14,6 +14,9 @@ use crate::observer::Observer;
 use crate::parameters::Parameters;
 use crate::start::Start;
 
+/// More Gauss nodes along one line than this are not tried.
+const MOST_NODES: usize = 128;
+
 /// A motion with what it was found from.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -72,10 +75,8 @@ impl Model {
             model.starts.retain(|(name, _)| *name != body.name);
             model.starts.push((body.name.clone(), start.clone()));
         }
-        let equations = Equations::new(model)?;
-        let parameters = self.parameters.clone();
-        let until = parameters.evaluate(&[until]).map_err(ModelErrors::from)?[0];
-        Run::new(equations, &parameters, until, accuracy, |_| ())
+        let until = self.parameters.evaluate(&[until]).map_err(ModelErrors::from)?[0];
+        Run::refined(model, &self.parameters, until, accuracy, |_| ())
     }
 }
 
@@ -102,6 +103,44 @@ impl Run {
             None => Ok(run),
             Some(refusal) => Err(RunError::Refused { refusal, partial: Box::new(run) }),
         }
+    }
+
+    /// Integrates as [`Run::new`], with so many Gauss nodes along lines that more do not change the end.
+    ///
+    /// The nodes are doubled until the states at the end change by less than the accuracy; the number is in
+    /// [`Model::nodes`] of the run's equations.
+    pub fn refined(
+        model: Model,
+        parameters: &Parameters,
+        until: f64,
+        accuracy: Accuracy,
+        progress: impl Fn(f64),
+    ) -> Result<Self, RunError> {
+        let with = |nodes: usize| {
+            let equations = Equations::new(Model { nodes, ..model.clone() })?;
+            Self::new(equations, parameters, until, accuracy, &progress)
+        };
+        let mut run = with(model.nodes)?;
+        while model.has_quadrature() && run.equations.model().nodes < MOST_NODES {
+            let finer = with(2 * run.equations.model().nodes)?;
+            let settled = run.differs_little_from(&finer, accuracy);
+            run = finer;
+            if settled {
+                break;
+            }
+        }
+        Ok(run)
+    }
+
+    /// Whether the states at the end agree to the accuracy, in units of their scales.
+    fn differs_little_from(&self, other: &Self, accuracy: Accuracy) -> bool {
+        let (Some(here), Some(there)) = (self.trajectory.last_states(), other.trajectory.last_states())
+        else {
+            return false;
+        };
+        let largest = other.trajectory.scales.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let scale = |index: usize| there[index].abs().max(largest.min(1.0));
+        (0..there.len()).all(|index| (here[index] - there[index]).abs() <= accuracy.value() * scale(index))
     }
 
     /// Prepares formulas of the motion, accelerations included, to be evaluated at any time.

@@ -11,6 +11,14 @@ pub enum Law {
     Force,
     /// A torque that the user wrote.
     Torque,
+    /// Air resistance.
+    Drag,
+    /// Lift on a spinning body.
+    Lift,
+    /// A spring or damper.
+    Spring,
+    /// A torsion spring or damper.
+    Torsion,
     /// What holds a pivot in its place.
     Reaction,
 }

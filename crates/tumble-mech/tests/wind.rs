@@ -15,7 +15,12 @@ fn wind_pendulum(period: f64) -> Model {
     let length = 1 * M;
     let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
     let origin = Vector::planar(0 * M, 0 * M);
-    model.pivots.push(Pivot { name: "hinge".into(), body: "rod".into(), point: origin.clone(), world: origin });
+    model.pivots.push(Pivot {
+        name: "hinge".into(),
+        body: "rod".into(),
+        point: origin.clone(),
+        world: origin,
+    });
     let phase = 2 * Expr::pi() * time() / (period * S);
     let wind = 0.5 * (20 * M / S) * (1 + phase.cos());
     let kinematics = rod.kinematics();
@@ -106,7 +111,8 @@ fn thrown_straight_up() {
 /// Past the apex with almost no horizontal speed: |v| has a sharp turn there that no coefficient shows from afar.
 #[test]
 fn past_a_sharp_apex() {
-    let straight = run(falling(Start::default().at([0 * M, 0 * M]).velocity([0 * M / S, 10 * M / S])), 3.0, 1e-13);
+    let straight =
+        run(falling(Start::default().at([0 * M, 0 * M]).velocity([0 * M / S, 10 * M / S])), 3.0, 1e-13);
     let ball = straight.equations.model().bodies[0].kinematics();
     let quantities = || [ball.velocity()[0].clone(), ball.position()[1].clone(), ball.velocity()[1].clone()];
     let [_, y0, vy0] = at(&straight, 3.0, quantities());
@@ -132,5 +138,8 @@ fn friction_by_sign_is_refused_where_it_sticks() {
     let start = Start::default().at([0 * M, 0 * M]).velocity([6 * M / S, 0 * M / S]);
     let error = model.simulate(&[(&block, start)], 5 * S).expect_err("it sticks at 2 s");
     let text = error.to_string();
-    assert!(text.contains("stopped at t = 2 s") && text.contains("`block.vx` is zero and stays there"), "{text}");
+    assert!(
+        text.contains("stopped at t = 2 s") && text.contains("`block.vx` is zero and stays there"),
+        "{text}"
+    );
 }

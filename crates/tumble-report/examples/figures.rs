@@ -183,8 +183,10 @@ fn rod_flight(label: Label, d: f64, every: usize) -> Track {
     };
     let states = march([0.0, 1.0, 0.5, 8.5, 7.0, 6.0], 0.005, 310, rate);
     let pose = |(t, s): &(f64, [f64; 6])| Pose { t: *t, x: s[0], y: s[1], angle: s[2] };
-    let poses: Vec<_> = states.iter().step_by(every).map(pose).collect();
-    let trace = states.iter().map(|(_, s)| [s[0], s[1]]).collect();
+    let in_air = |pose: &Pose| pose.y > 0.5 * pose.angle.sin().abs();
+    let flight: Vec<_> = states.iter().map(pose).take_while(in_air).collect();
+    let poses = flight.iter().step_by(every).copied().collect();
+    let trace = flight.iter().map(Pose::centre).collect();
     Track { label, shapes: vec![Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] }], poses, trace }
 }
 

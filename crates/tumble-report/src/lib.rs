@@ -26,6 +26,7 @@ pub mod text;
 pub mod theme;
 pub mod thin;
 pub mod ticks;
+pub mod track;
 
 pub use axes::Axis;
 pub use curves::{CurveFigure, Mark, Series};
@@ -34,7 +35,8 @@ pub use page::{Entry, Figure, IndexPage, Link};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use scale::Range;
-pub use stroboscope::{Instants, Reference, Stroboscope, Track};
+pub use stroboscope::{Reference, Stroboscope};
 pub use svg::Svg;
 pub use text::Label;
 pub use ticks::Ticking;
+pub use track::{Instants, Track};

@@ -91,6 +91,12 @@ mod tests {
     }
 
     #[test]
+    fn hostile_labels_are_drawn() {
+        let svg = drawing(&Label::plain("]]> <!-- & \u{0}\u{1}\u{FFFF} \"'"));
+        assert!(png(&svg, 1.0).is_ok());
+    }
+
+    #[test]
     fn impossible_sizes_are_refused() {
         for scale in [0.0, -1.0, f64::NAN, 1e9] {
             assert!(matches!(png(&drawing(&Label::plain("a")), scale), Err(PngError::Size { .. })));

@@ -5,16 +5,16 @@ use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
 use crate::heading::Heading;
 use crate::legend::Legend;
-use crate::numeral::significant;
-use crate::outline::{Outline, Pen, Pose};
+use crate::outline::{Pen, Pose};
 use crate::place::Occupancy;
 use crate::rect::Rect;
-use crate::scale::{Range, drawable};
+use crate::scale::Range;
 use crate::scale_bar;
 use crate::svg::{Element, PathData, Svg, circle, line};
 use crate::text::{Label, PlacedText};
-use crate::theme::{GAP, GREY, HAIRLINE, INK, LEADING, LineStyle, MARGIN, PAPER, Rgb, SMALL};
+use crate::theme::{GAP, GREY, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
 use crate::thin::{pieces, simplified, thinned};
+use crate::track::{Instants, Track};
 
 /// Width of the picture in pixels, unless the motion is tall.
 const WIDTH: f64 = 680.0;
@@ -36,26 +36,15 @@ const COLUMN: f64 = 0.5;
 const TOLERANCE: f64 = 0.04;
 /// Radius of the dot at each centre of mass.
 const CENTRE_DOT: f64 = 2.1;
-/// Digits of the times written beside bodies.
-const TIME_DIGITS: usize = 3;
 /// Distance of a label from its body.
 const LABEL_DISTANCE: f64 = 3.0;
+/// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
+const LABEL_REACH: f64 = 0.5;
+/// Height of a label in units of its text size.
+const LABEL_HEIGHT: f64 = 1.05;
 /// Distance of hatching strokes of the ground, and their height.
 const HATCH_STEP: f64 = 9.0;
 const HATCH_DEPTH: f64 = 7.0;
-
-/// One body in one run.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Track {
-    /// What the legend says; may be empty.
-    pub label: Label,
-    /// The body, in metres about its centre of mass at angle zero.
-    pub shapes: Vec<Outline>,
-    /// The body at equal time steps, in order of time.
-    pub poses: Vec<Pose>,
-    /// Path of the centre of mass, points `[x, y]` in metres.
-    pub trace: Vec<[f64; 2]>,
-}
 
 /// How lengths can be read from the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,16 +54,6 @@ pub enum Reference {
     Axes,
     /// A scale bar below the picture.
     ScaleBar,
-}
-
-/// How the order of instants is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Instants {
-    /// Earlier instants are paler.
-    #[default]
-    Fading,
-    /// Each instant has its number, counted from 0.
-    Numbered,
 }
 
 /// A stroboscopic picture with equal scales along both axes.
@@ -111,29 +90,6 @@ impl Stroboscope {
         let y = Range::of(points.iter().map(|p| p[1]))?;
         let room = 2.0 * PADDING * x.span().max(y.span());
         Some([x, y].map(|r| r.widened(r.span() + room).opened()))
-    }
-}
-
-impl Track {
-    /// The poses that can be drawn.
-    fn poses(&self) -> impl Iterator<Item = &Pose> {
-        self.numbered().map(|(_, pose)| pose)
-    }
-
-    /// The same with their numbers, counted from 0 over all poses.
-    fn numbered(&self) -> impl Iterator<Item = (usize, &Pose)> {
-        self.poses.iter().enumerate().filter(|(_, pose)| pose.is_drawable())
-    }
-
-    fn extent(&self) -> Vec<[f64; 2]> {
-        let bodies = self.poses().flat_map(|pose| self.shapes.iter().flat_map(|s| s.extent(pose)));
-        let centres = self.poses().map(Pose::centre);
-        let trace = self.trace.iter().copied();
-        bodies.chain(centres).chain(trace).filter(|p| drawable(p[0]) && drawable(p[1])).collect()
-    }
-
-    fn reach(&self) -> f64 {
-        self.shapes.iter().map(Outline::reach).fold(0.0, f64::max)
     }
 }
 
@@ -273,49 +229,40 @@ impl<'a> Scene<'a> {
 
     fn draw_labels(&self) -> Element {
         let mut drawn = self.occupancy();
-        let mut texts = Vec::new();
+        let place = |note: Note<'_>| self.place(&mut drawn, &note);
+        Element::new("g").children(self.notes().into_iter().map(place))
+    }
+
+    /// The labels of all tracks; one that runs share, as at a common start, stands once.
+    fn notes(&self) -> Vec<Note<'_>> {
+        let mut notes: Vec<Note<'_>> = Vec::new();
         for (i, track) in self.picture.tracks.iter().enumerate() {
-            for (pose, label) in self.labels(track) {
-                texts.push(self.place(&mut drawn, track, pose, &label, self.colour(i)));
+            for (pose, label) in track.labels(self.picture.instants) {
+                let same = |note: &&mut Note<'_>| note.label == label && note.pose.centre() == pose.centre();
+                match notes.iter_mut().find(same) {
+                    Some(note) => note.colour = INK,
+                    None => notes.push(Note { track, pose, label, colour: self.colour(i) }),
+                }
             }
         }
-        Element::new("g").children(texts)
+        notes
     }
 
-    /// The poses that get a label.
-    fn labels<'b>(&self, track: &'b Track) -> Vec<(&'b Pose, Label)> {
-        let numbered = self.picture.instants == Instants::Numbered;
-        let ends = [track.numbered().next(), track.numbered().last()].map(|end| end.map(|(i, _)| i));
-        let label = |(i, pose): (usize, &'b Pose)| match (numbered, ends.contains(&Some(i))) {
-            (false, true) => Some((pose, time_label(pose.t))),
-            (true, true) => {
-                let number = Label::plain(&format!("{i} ("));
-                Some((pose, number.then(time_label(pose.t)).then(Label::plain(")"))))
-            }
-            (true, false) => Some((pose, Label::plain(&i.to_string()))),
-            (false, false) => None,
-        };
-        track.numbered().filter_map(label).collect()
-    }
-
-    fn place(
-        &self,
-        drawn: &mut Occupancy,
-        track: &Track,
-        pose: &Pose,
-        label: &Label,
-        colour: Rgb,
-    ) -> Element {
-        let distance = track.reach() * self.axes.x.density() * 0.5 + LABEL_DISTANCE;
-        let centre = self.axes.pixel(pose.centre());
-        let place = drawn.place(centre, distance, label.width(SMALL), SMALL * LEADING * 0.8);
-        PlacedText::centred(label, &place, SMALL).colour(colour).halo().element()
+    fn place(&self, drawn: &mut Occupancy, note: &Note<'_>) -> Element {
+        let distance = note.track.reach() * self.axes.x.density() * LABEL_REACH + LABEL_DISTANCE;
+        let centre = self.axes.pixel(note.pose.centre());
+        let (width, height) = (note.label.width(SMALL), SMALL * LABEL_HEIGHT);
+        let place = drawn.place(centre, distance, width, height);
+        PlacedText::centred(&note.label, &place, SMALL).colour(note.colour).halo().element()
     }
 }
 
-fn time_label(t: f64) -> Label {
-    let equals = Label::symbol("t").then(Label::plain(" = ")).then(significant(t, TIME_DIGITS));
-    if t == 0.0 { equals } else { equals.then(Label::plain("\u{a0}s")) }
+/// A label of an instant.
+struct Note<'a> {
+    track: &'a Track,
+    pose: &'a Pose,
+    label: Label,
+    colour: Rgb,
 }
 
 fn style(index: usize) -> LineStyle {
@@ -347,6 +294,7 @@ fn equal_axes(ranges: [Range; 2], width: f64, top: f64) -> Axes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::outline::Outline;
 
     fn flight() -> Stroboscope {
         let pose = |i: i32| {
@@ -380,6 +328,14 @@ mod tests {
         let svg = flight().svg().to_string();
         assert_eq!(svg.matches("<circle").count(), 12);
         assert!(svg.contains("1.1\u{a0}s"));
+    }
+
+    #[test]
+    fn a_common_start_is_labelled_once() {
+        let mut picture = flight();
+        picture.tracks.push(picture.tracks[0].clone());
+        picture.tracks[1].poses.truncate(8);
+        assert_eq!(Scene::new(&picture).notes().len(), 3);
     }
 
     #[test]

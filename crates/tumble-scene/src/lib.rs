@@ -1,8 +1,104 @@
 //! The scene language: a TOML file becomes a [`Study`], or a list of diagnostics that show what to change.
 //!
-//! One section of the language a file. There is no physics here: formulas go to `tumble-expr`, bodies and loads to
-//! `tumble-mech`.
+//! [`read`] notes every mistake of a file, not the first. One section of the language is one file with one function and
+//! one entry in one table. There is no physics here: formulas go to `tumble-expr`, bodies and loads to `tumble-mech`.
+//!
+//! ```
+//! let scene = r#"
+//!     version = 1
+//!     world.gravity = "9.81 m/s^2"
+//!     run.until = "1 s"
+//!
+//!     [body.stone]
+//!     point = {}
+//!     mass = "1 kilo"
+//! "#;
+//! let mistakes = tumble_scene::read("scene.toml", scene, &[]).unwrap_err();
+//! assert_eq!(mistakes.to_string(), "scene.toml:8:15: E0201: `kilo` is not a unit");
+//! ```
 
+mod code;
+mod curve;
+mod diagnostic;
+mod document;
+mod draft;
+mod formula;
+mod model_mistakes;
+mod names;
+mod quantities;
+mod reader;
+mod render;
+mod sections;
+mod settings;
 mod study;
+mod suggest;
+mod toml_text;
+mod values;
 
+use draft::Draft;
+
+pub use code::Code;
+pub use diagnostic::{Diagnostic, Diagnostics, Label, Source, Span};
+pub use settings::Override;
 pub use study::{Check, Curve, Plot, Quantity, Stroboscope, Study};
+
+/// A scene may have this many bytes.
+pub const MAX_BYTES: usize = 16 << 20;
+
+/// Reads a scene from the bytes of a file; `name` is what diagnostics call it.
+pub fn read_bytes(name: &str, bytes: &[u8], overrides: &[Override]) -> Result<Study, Diagnostics> {
+    refuse_size(name, bytes.len())?;
+    let text = std::str::from_utf8(bytes).map_err(|error| not_text(name, bytes, error.valid_up_to()))?;
+    read(name, text, overrides)
+}
+
+/// Reads a scene; `name` is what diagnostics call it, `overrides` stand in the place of parameters.
+pub fn read(name: &str, text: &str, overrides: &[Override]) -> Result<Study, Diagnostics> {
+    refuse_size(name, text.len())?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut draft = Draft::begin(name, text, overrides);
+    let (document, mistakes) = toml_text::parse(text);
+    draft.mistakes = mistakes;
+    match document {
+        Some(_) if text.trim().is_empty() => draft.note(empty()),
+        Some(document) => read_document(&mut draft, document.get_ref()),
+        None => {}
+    }
+    draft.finish()
+}
+
+fn read_document(draft: &mut Draft, document: &toml::de::DeTable) {
+    sections::read(draft, document);
+    settings::refuse_unknown(draft);
+    if draft.mistakes.is_empty() {
+        model_mistakes::check(draft);
+        values::check(draft);
+    }
+}
+
+fn refuse_size(name: &str, bytes: usize) -> Result<(), Diagnostics> {
+    if bytes <= MAX_BYTES {
+        return Ok(());
+    }
+    let message = format!("a scene has at most {MAX_BYTES} bytes, not {bytes}");
+    Err(about_file(name, String::new(), Diagnostic::new(Code::TooLarge, 0..0, message).nowhere()))
+}
+
+fn not_text(name: &str, bytes: &[u8], at: usize) -> Diagnostics {
+    let line = bytes[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
+    let message = format!("line {line} holds the byte 0x{:02x}, which is no text in UTF-8", bytes[at]);
+    let readable = String::from_utf8_lossy(&bytes[..at]).into_owned();
+    let mistake = Diagnostic::new(Code::Encoding, at..at, message).label("the text ends before this");
+    about_file(name, readable, mistake.help("save the file as UTF-8"))
+}
+
+fn about_file(name: &str, text: String, mistake: Diagnostic) -> Diagnostics {
+    Diagnostics::new(vec![Source { name: name.to_owned(), text }], vec![mistake])
+}
+
+fn empty() -> Diagnostic {
+    let example = "version = 1\n\n[world]\ngravity = \"9.81 m/s^2\"\n\n[body.stone]\npoint = {}\nmass = \"1 kg\"\n\n[run]\nuntil = \"1 s\"";
+    Diagnostic::new(Code::Empty, 0..0, "the file is empty")
+        .nowhere()
+        .help(format!("a short scene is\n{example}"))
+}

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use tumble_expr::{Dimension, Expr};
-use tumble_mech::Model;
+use tumble_mech::{Model, ModelErrors};
 use tumble_ode::Accuracy;
 
 /// A model and what to do with it, as formulas of its parameters.
@@ -29,6 +29,13 @@ pub struct Study {
     pub checks: Vec<Check>,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
     pub symbols: BTreeMap<String, String>,
+}
+
+impl Study {
+    /// Value of a formula of the parameters, SI units.
+    pub fn number(&self, formula: &Expr) -> Result<f64, ModelErrors> {
+        Ok(self.model.parameters.evaluate(std::slice::from_ref(formula))?[0])
+    }
 }
 
 /// Something that can be shown: a named formula of the motion.

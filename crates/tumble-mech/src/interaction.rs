@@ -1,0 +1,54 @@
+//! What laws between bodies and their surroundings have in common.
+
+use std::fmt::Debug;
+
+use tumble_expr::{Dimension, Expr, Vector};
+
+use crate::air::Wind;
+use crate::term::{Law, Term};
+
+/// A law of force that the model knows by its coefficients.
+pub trait Interaction: Debug + Send + Sync {
+    /// Its name.
+    fn name(&self) -> &str;
+    /// The terms it contributes.
+    fn terms(&self, bodies: &Bodies<'_>) -> Vec<Term>;
+    /// Names of the bodies it acts on.
+    fn bodies(&self) -> Vec<&str>;
+    /// Its coefficients: key, formula, dimension it must have.
+    fn dimensions(&self) -> Vec<(&'static str, Expr, Dimension)>;
+    /// Coefficients that must not be negative: key, formula, SI unit.
+    fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
+        vec![]
+    }
+    /// Whether its terms depend on [`Bodies::nodes`].
+    fn is_quadrature(&self, _: &Wind) -> bool {
+        false
+    }
+}
+
+/// What an interaction may look up.
+#[derive(Clone, Copy)]
+pub struct Bodies<'a> {
+    pub(crate) names: &'a [String],
+    /// The air.
+    pub wind: &'a Wind,
+    /// Gauss nodes on each line that has no closed form.
+    pub nodes: usize,
+}
+
+impl Bodies<'_> {
+    /// A term on the body of that name; the model was checked to have it.
+    pub(crate) fn term(
+        &self,
+        load: &str,
+        law: Law,
+        body: &str,
+        arm: Vector,
+        force: Vector,
+        couple: Expr,
+    ) -> Term {
+        let body = self.names.iter().position(|name| name == body).expect("the model was checked");
+        Term { load: load.to_owned(), law, body, arm, force, couple, window: None }
+    }
+}

@@ -1,0 +1,96 @@
+//! # Law
+//! A spring and a damper between two points a and b at the distance d along the unit vector e from a to b: the force on
+//! a is `(k (d - d_0) + c d') e`, on b the opposite, with `d' = (v_b - v_a) . e`.
+//! # Symbols and units
+//! k stiffness (N/m), d_0 rest length (m), c damping (kg/s).
+//! # Sign and frame
+//! World axes; a stretched spring pulls.
+//! # Validity
+//! Any length but zero, where e has no direction; a spring without rest length and damping, `k (p_b - p_a)`, may pass
+//! through zero. One end may be a place of the world that moves on a given path.
+//! # Source
+//! Hooke's law.
+//! # Checked by
+//! `tests/springs.rs` (oscillators against closed forms, two bodies, a shaken anchor).
+
+use tumble_expr::{Dimension, Expr, Vector};
+
+use crate::anchor::Anchor;
+use crate::interaction::{Bodies, Interaction};
+use crate::term::{Law, Term};
+
+/// A spring, a damper, or both side by side.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Its name.
+    pub name: String,
+    /// Its ends; at least one belongs to a body.
+    pub ends: [Anchor; 2],
+    /// N/m; zero for a damper.
+    pub stiffness: Expr,
+    /// m
+    pub rest_length: Expr,
+    /// kg/s; zero for a spring.
+    pub damping: Expr,
+}
+
+impl Spring {
+    /// Force on the first end.
+    fn force(&self) -> Vector {
+        let [a, b] = &self.ends;
+        let span = b.position() - a.position();
+        if self.rest_length.is_zero() && self.damping.is_zero() {
+            return &self.stiffness * span;
+        }
+        let distance = span.norm();
+        let stretched = &self.stiffness * (&distance - &self.rest_length) / &distance;
+        let mut pull = stretched * &span;
+        if !self.damping.is_zero() {
+            let relative = b.velocity() - a.velocity();
+            let closing = relative.x() * span.x() + relative.y() * span.y();
+            pull = pull + (&self.damping * closing / (&distance * &distance)) * &span;
+        }
+        pull
+    }
+}
+
+impl Interaction for Spring {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn terms(&self, bodies: &Bodies<'_>) -> Vec<Term> {
+        let pull = self.force();
+        let on_end = |(end, force): (&Anchor, Vector)| match end {
+            Anchor::World(_) => None,
+            Anchor::Material(point) => {
+                let (body, arm) = (&point.body.body, point.world_arm());
+                Some(bodies.term(&self.name, Law::Spring, body, arm, force, Expr::zero()))
+            }
+        };
+        self.ends.iter().zip([pull.clone(), -&pull]).filter_map(on_end).collect()
+    }
+
+    fn bodies(&self) -> Vec<&str> {
+        self.ends.iter().filter_map(Anchor::body).collect()
+    }
+
+    fn dimensions(&self) -> Vec<(&'static str, Expr, Dimension)> {
+        let places =
+            self.ends.iter().flat_map(Anchor::places).map(|place| ("end", place.clone(), Dimension::LENGTH));
+        let own = [
+            ("stiffness", self.stiffness.clone(), Dimension::new(0, 1, -2)),
+            ("rest length", self.rest_length.clone(), Dimension::LENGTH),
+            ("damping", self.damping.clone(), Dimension::new(0, 1, -1)),
+        ];
+        own.into_iter().chain(places).collect()
+    }
+
+    fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
+        vec![
+            ("stiffness", self.stiffness.clone(), "N/m"),
+            ("rest length", self.rest_length.clone(), "m"),
+            ("damping", self.damping.clone(), "kg/s"),
+        ]
+    }
+}

@@ -1,0 +1,135 @@
+//! The kinds of mistakes a scene can have.
+
+use std::fmt;
+
+use tumble_expr::language;
+
+macro_rules! codes {
+    ($($(#[doc = $doc:literal])+ $name:ident = $code:literal;)*) => {
+        /// The kind of a mistake; prints as a short code that never changes its meaning.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Code {
+            /// A mistake within a formula.
+            Formula(language::Code),
+            $($(#[doc = $doc])+ $name,)*
+        }
+
+        impl Code {
+            /// Every code of the structure of scenes, in order; those of formulas have their own list.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            /// The stable code, such as `E0510`.
+            pub fn as_str(self) -> &'static str {
+                match self {
+                    Self::Formula(code) => code.as_str(),
+                    $(Self::$name => $code,)*
+                }
+            }
+
+            /// One sentence on what the code stands for.
+            pub fn summary(self) -> &'static str {
+                match self {
+                    Self::Formula(code) => code.summary(),
+                    $(Self::$name => concat!($($doc),+).trim_ascii(),)*
+                }
+            }
+        }
+    };
+}
+
+codes! {
+    /// The file is not written in TOML.
+    Toml = "E0501";
+    /// A key that is given twice.
+    DuplicateKey = "E0502";
+    /// The file is not text in UTF-8.
+    Encoding = "E0503";
+    /// The file is larger than a scene may be.
+    TooLarge = "E0504";
+    /// The file is empty.
+    Empty = "E0505";
+    /// The version of the language is none that this program reads.
+    Version = "E0506";
+    /// A section that the language does not have.
+    UnknownSection = "E0510";
+    /// A key that its section does not have.
+    UnknownKey = "E0511";
+    /// A section that every scene needs is missing.
+    MissingSection = "E0512";
+    /// A key that its section needs is missing.
+    MissingKey = "E0513";
+    /// A value of another type than the key takes.
+    WrongType = "E0514";
+    /// A vector or list of the wrong length.
+    Length = "E0515";
+    /// A bare number where a quantity with its unit is wanted.
+    BareNumber = "E0516";
+    /// A number that is infinite or not a number.
+    NotFinite = "E0517";
+    /// A word other than those the key takes.
+    Choice = "E0518";
+    /// Keys that exclude each other.
+    Exclusive = "E0519";
+    /// A body that does not exist.
+    UnknownBody = "E0520";
+    /// A point that does not exist.
+    UnknownPoint = "E0521";
+    /// A name that is not spelled like one.
+    NotAName = "E0522";
+    /// A name that has another meaning.
+    NameTaken = "E0523";
+    /// Parameters that depend on each other in a circle.
+    Cycle = "E0524";
+    /// A value that is fixed before the run and depends on the motion.
+    Changing = "E0525";
+    /// A force that depends on an acceleration.
+    Acceleration = "E0526";
+    /// Curves of one figure that measure different things.
+    UnlikeCurves = "E0527";
+    /// A number out of the range in which it makes sense.
+    Value = "E0530";
+    /// A span of time that ends before it begins.
+    Window = "E0531";
+    /// More samples than are sensible.
+    TooMany = "E0532";
+    /// A time outside of the run.
+    OutsideRun = "E0533";
+    /// An accuracy that cannot be asked for.
+    Accuracy = "E0534";
+    /// A body that is held twice.
+    HeldTwice = "E0535";
+    /// A body without moment of inertia that something turns.
+    PointTurned = "E0536";
+    /// A start that does not fit the body.
+    Start = "E0537";
+    /// The model is not in order.
+    Model = "E0538";
+    /// The setting of a parameter that does not exist.
+    UnknownParameter = "E0540";
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+impl From<language::Code> for Code {
+    fn from(code: language::Code) -> Self {
+        Self::Formula(code)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_unique_and_documented() {
+        let mut seen = std::collections::HashSet::new();
+        for code in Code::ALL {
+            assert!(seen.insert(code.as_str()), "{code} twice");
+            assert!(code.summary().ends_with('.'), "{code}: {}", code.summary());
+        }
+    }
+}

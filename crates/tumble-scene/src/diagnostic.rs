@@ -1,0 +1,129 @@
+//! What is wrong with a scene, as values that point into its text.
+
+use std::fmt;
+use std::ops::Range;
+
+use crate::code::Code;
+
+/// A range of bytes in a source.
+pub type Span = Range<usize>;
+
+/// A text that was read: the scene, or a setting from the command line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The file's name, or `--set T=2s`.
+    pub name: String,
+    /// Its text, a byte-order mark left out.
+    pub text: String,
+}
+
+/// A part of a source and what is to be said of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Where it is.
+    pub span: Span,
+    /// What it is; may be empty.
+    pub text: String,
+}
+
+/// One mistake.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// The kind of mistake.
+    pub code: Code,
+    /// What is wrong, in one sentence without a full stop.
+    pub message: String,
+    /// Index of the source that the labels count in.
+    pub source: usize,
+    /// The parts that are wrong.
+    pub labels: Vec<Label>,
+    /// How to put it right.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// A mistake at a place in the scene.
+    pub(crate) fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
+        let labels = vec![Label { span, text: String::new() }];
+        Self { code, message: message.into(), source: 0, labels, help: None }
+    }
+
+    /// The same with the text of its first label.
+    pub(crate) fn label(mut self, text: impl Into<String>) -> Self {
+        if let Some(label) = self.labels.first_mut() {
+            label.text = text.into();
+        }
+        self
+    }
+
+    /// The same with one more place.
+    pub(crate) fn also(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.labels.push(Label { span, text: text.into() });
+        self
+    }
+
+    /// The same with its cure.
+    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The same in another source.
+    pub(crate) fn within(mut self, source: usize) -> Self {
+        self.source = source;
+        self
+    }
+
+    /// The same without a place: what is missing is nowhere.
+    pub(crate) fn nowhere(mut self) -> Self {
+        self.labels.clear();
+        self
+    }
+
+    fn start(&self) -> usize {
+        self.labels.first().map_or(usize::MAX, |label| label.span.start)
+    }
+}
+
+/// All mistakes of a scene, in the order of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostics {
+    /// The texts: the scene first, then the settings.
+    pub sources: Vec<Source>,
+    /// The mistakes; there is at least one.
+    pub list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    pub(crate) fn new(sources: Vec<Source>, mut list: Vec<Diagnostic>) -> Self {
+        list.sort_by_key(|diagnostic| (diagnostic.source, diagnostic.start()));
+        Self { sources, list }
+    }
+
+    /// Line and column of a diagnostic's first label, counted from 1.
+    pub fn position(&self, diagnostic: &Diagnostic) -> Option<(usize, usize)> {
+        let label = diagnostic.labels.first()?;
+        let before = self.sources.get(diagnostic.source)?.text.get(..label.span.start)?;
+        let line = before.matches('\n').count() + 1;
+        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Some((line, before[start..].chars().count() + 1))
+    }
+}
+
+/// One mistake a line: `scene.toml:12:9: E0513: mass is missing`.
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.list.iter().enumerate() {
+            let name = self.sources.get(diagnostic.source).map_or("", |source| source.name.as_str());
+            f.write_str(if index == 0 { "" } else { "\n" })?;
+            match self.position(diagnostic) {
+                Some((line, column)) => write!(f, "{name}:{line}:{column}: ")?,
+                None => write!(f, "{name}: ")?,
+            }
+            write!(f, "{}: {}", diagnostic.code, diagnostic.message)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Diagnostics {}

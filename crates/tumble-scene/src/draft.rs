@@ -1,0 +1,67 @@
+//! A scene while it is being read: what is known so far, and every mistake so far.
+
+use std::collections::BTreeMap;
+
+use tumble_expr::Expr;
+use tumble_mech::Model;
+use tumble_ode::Accuracy;
+
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
+use crate::names::Names;
+use crate::quantities;
+use crate::settings::{Override, Setting};
+use crate::study::{Check, Plot, Stroboscope, Study};
+
+/// A study that may still have holes.
+#[derive(Default)]
+pub(crate) struct Draft {
+    pub(crate) sources: Vec<Source>,
+    pub(crate) mistakes: Vec<Diagnostic>,
+    pub(crate) settings: Vec<Setting>,
+    pub(crate) names: Names,
+    /// Where things stand that only numbers can prove wrong, by what messages call them.
+    pub(crate) places: BTreeMap<String, Span>,
+    pub(crate) title: String,
+    pub(crate) horizontal: bool,
+    pub(crate) model: Model,
+    pub(crate) until: Option<Expr>,
+    pub(crate) accuracy: Accuracy,
+    pub(crate) output_every: Option<Expr>,
+    pub(crate) plots: Vec<Plot>,
+    pub(crate) stroboscopes: Vec<Stroboscope>,
+    pub(crate) checks: Vec<Check>,
+    pub(crate) symbols: BTreeMap<String, String>,
+}
+
+impl Draft {
+    /// A draft of which only the texts are known.
+    pub(crate) fn begin(name: &str, text: &str, overrides: &[Override]) -> Self {
+        let scene = Source { name: name.to_owned(), text: text.to_owned() };
+        let mut draft = Self {
+            sources: std::iter::once(scene).chain(overrides.iter().map(Override::source)).collect(),
+            settings: overrides.iter().enumerate().map(|(at, set)| set.setting(at + 1)).collect(),
+            ..Self::default()
+        };
+        quantities::define_time(&mut draft.names);
+        draft
+    }
+
+    /// The study, if nothing is wrong with it.
+    pub(crate) fn finish(self) -> Result<Study, Diagnostics> {
+        match self.until {
+            Some(until) if self.mistakes.is_empty() => Ok(Study {
+                quantities: quantities::all(&self.names),
+                title: self.title,
+                model: self.model,
+                until,
+                accuracy: self.accuracy,
+                output_every: self.output_every,
+                plots: self.plots,
+                stroboscopes: self.stroboscopes,
+                checks: self.checks,
+                symbols: self.symbols,
+            }),
+            _ => Err(Diagnostics::new(self.sources, self.mistakes)),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Mistakes that the model finds, at their places in the file.
+
+use tumble_mech::{Equations, ModelError};
+
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::draft::Draft;
+
+/// What can be proved wrong once everything has been read: values out of range, bodies held twice and the like.
+pub(crate) fn check(draft: &mut Draft) {
+    let outcome = Equations::new(draft.model.clone())
+        .and_then(|equations| equations.start(&draft.model.parameters).map(|_| ()));
+    for error in outcome.err().into_iter().flat_map(|errors| errors.0) {
+        let mistake = diagnose(draft, &error);
+        draft.note(mistake);
+    }
+}
+
+fn diagnose(draft: &Draft, error: &ModelError) -> Diagnostic {
+    let place = Place { draft };
+    match error {
+        ModelError::NotPositive { what, .. } => place.at(Code::Value, what, error).label("must be positive"),
+        ModelError::Negative { what, .. } => place.at(Code::Value, what, error).label("must not be negative"),
+        ModelError::NotFinite { what, .. } => {
+            place.at(Code::NotFinite, what, error).label("not a finite number")
+        }
+        ModelError::Window { load, .. } => place
+            .at(Code::Window, &format!("times of `{load}`"), error)
+            .label("ends before it begins")
+            .help("write `during = [start, end]`"),
+        ModelError::PointTurned { body, load } => place
+            .at(Code::PointTurned, &format!("`{load}`"), error)
+            .label("turns it")
+            .help(format!("let it act at \"{body}.cm\", or give `{body}` an extent, such as `ball`")),
+        ModelError::HeldTwice { first, second, .. } => place.held_twice(first, second, error),
+        ModelError::Start { body, .. } => {
+            place.at(Code::Start, &format!("start of `{body}`"), error).label("does not fit the body")
+        }
+        ModelError::Type { what, .. } | ModelError::Compile { what, .. } => {
+            place.at(Code::Model, what, error)
+        }
+        other => place.at(Code::Model, "", other),
+    }
+}
+
+struct Place<'d> {
+    draft: &'d Draft,
+}
+
+impl Place<'_> {
+    /// Where what the model speaks of stands; at least where its body does.
+    fn at(&self, code: Code, what: &str, error: &ModelError) -> Diagnostic {
+        let places = &self.draft.places;
+        let body = || what.split('`').nth(1).and_then(|name| places.get(&format!("body `{name}`")));
+        match places.get(what).or_else(body) {
+            Some(span) => Diagnostic::new(code, span.clone(), error.to_string()),
+            None => Diagnostic::new(code, 0..0, error.to_string()).nowhere(),
+        }
+    }
+
+    fn held_twice(&self, first: &str, second: &str, error: &ModelError) -> Diagnostic {
+        let mistake = self.at(Code::HeldTwice, &format!("pivot `{second}`"), error).label("held again");
+        let mistake = match self.draft.places.get(&format!("pivot `{first}`")) {
+            Some(span) => mistake.also(span.clone(), "held first"),
+            None => mistake,
+        };
+        mistake.help("a body that is held at two points cannot move: leave one of them out")
+    }
+}

@@ -1,0 +1,77 @@
+//! The names that a body adds to formulas: `rod.x`, `rod.tip.vy`, `rod.energy`.
+
+use std::collections::BTreeMap;
+
+use tumble_expr::language::Value;
+use tumble_expr::{Expr, Symbol};
+use tumble_mech::{Body, Gravity, time};
+
+use crate::curve::quantity;
+use crate::names::{Level, Names};
+use crate::study::Quantity;
+
+/// Gives the time its name.
+pub(crate) fn define_time(names: &mut Names) {
+    names.define(Level::Motion, "t", &time());
+}
+
+/// Gives all quantities of a body their names.
+pub(crate) fn define(names: &mut Names, gravity: &Gravity, body: &Body) {
+    let motion = body.kinematics();
+    let [x, y] = motion.position_symbols();
+    let [vx, vy] = motion.velocity_symbols();
+    let [ax, ay] = motion.acceleration_symbols();
+    for symbol in [x, y, motion.angle_symbol(), vx, vy, motion.omega_symbol()] {
+        define_symbol(names, Level::Motion, symbol);
+    }
+    for symbol in [ax, ay, motion.alpha_symbol()] {
+        define_symbol(names, Level::Output, symbol);
+    }
+    define_points(names, body);
+    let kinetic = kinetic_energy(body);
+    names.define(Level::Motion, &format!("{}.kinetic", body.name), &kinetic);
+    let energy = kinetic + potential_energy(body, gravity);
+    names.define(Level::Motion, &format!("{}.energy", body.name), &energy);
+}
+
+fn define_symbol(names: &mut Names, level: Level, symbol: Symbol) {
+    let name = symbol.name.to_string();
+    names.define(level, &name, &symbol.into());
+}
+
+fn define_points(names: &mut Names, body: &Body) {
+    let points = body.points.iter().map(|(point, local)| (point.as_str(), body.at(local)));
+    for (point, place) in points.chain([("cm", body.cm())]) {
+        for (quantity, formula) in place.quantities() {
+            let level = if quantity.starts_with('a') { Level::Output } else { Level::Motion };
+            names.define(level, &format!("{}.{point}.{quantity}", body.name), &formula);
+        }
+    }
+}
+
+/// Of the motion of the centre of mass and of the turning about it, J.
+fn kinetic_energy(body: &Body) -> Expr {
+    let (motion, mass) = (body.kinematics(), body.mass_properties());
+    let (v, omega) = (motion.velocity(), motion.omega());
+    let speed_squared = v.x() * v.x() + v.y() * v.y();
+    (mass.mass * speed_squared + mass.inertia * (&omega * &omega)) / 2
+}
+
+/// In uniform gravity within the plane of motion, zero at y = 0, J.
+fn potential_energy(body: &Body, gravity: &Gravity) -> Expr {
+    match gravity {
+        Gravity::Vertical(g) => body.mass_properties().mass * g * body.kinematics().position().y(),
+        Gravity::None | Gravity::Horizontal(_) => Expr::zero(),
+    }
+}
+
+/// Every name of the motion with its formula.
+pub(crate) fn all(names: &Names) -> BTreeMap<String, Quantity> {
+    let scope = names.scope(Level::Output);
+    let of_motion = scope.names().filter(|name| names.level_of(name).is_some());
+    let formulas = of_motion.filter_map(|name| match scope.value(name)? {
+        Value::Scalar(formula) => Some((name.to_owned(), quantity(formula.clone()))),
+        Value::Vector(_) => None,
+    });
+    formulas.collect()
+}

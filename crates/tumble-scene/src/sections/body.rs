@@ -1,0 +1,129 @@
+//! `[body.NAME]`: a shape with its mass, parts joined rigidly, or stated mass properties.
+
+use tumble_expr::{Dimension, Expr};
+use tumble_mech::{Body, MassProperties, Part};
+
+use super::{each, points, shape, start};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::formula::Want;
+use crate::quantities;
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    if section.value.as_table().is_some_and(|bodies| bodies.is_empty()) {
+        let mistake = Diagnostic::new(Code::MissingSection, section.key_span.clone(), "there is no body");
+        draft.note(mistake.help("a body is a section such as `[body.rod]`"));
+    }
+    each(draft, section, body);
+}
+
+fn body(draft: &mut Draft, field: &Field, table: &mut Table) {
+    let name = field.key;
+    let claimed = draft.names.claim("a body", name, field.key_span.clone());
+    let claimed = draft.noted(claimed);
+    draft.remember(format!("body `{name}`"), &field.key_span);
+    let matter = matter(draft, name, table);
+    let points = points::read(draft, name, table);
+    start::read(draft, name, table);
+    match (claimed, matter) {
+        (Some(()), Some((parts, stated))) => {
+            let body = Body { name: name.to_owned(), parts, points, stated };
+            quantities::define(&mut draft.names, &draft.model.gravity, &body);
+            draft.model.bodies.push(body);
+        }
+        _ => draft.names.break_name(name),
+    }
+}
+
+type Matter = (Vec<Part>, Option<MassProperties>);
+
+/// One of three: a shape with its mass, parts, or stated mass properties.
+fn matter(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Matter> {
+    let shape = shape::read(draft, name, table);
+    if let Some(parts) = table.take("parts") {
+        return joined(draft, name, table, &shape, &parts);
+    }
+    let mass = draft.required(table, "mass", "\"1 kg\"");
+    let mass = mass.and_then(|field| mass_of(draft, name, &field));
+    match [table.take("centre"), table.take("inertia")] {
+        [None, None] => {
+            let shape = shape::one(draft, table, shape)?;
+            Some((vec![Part { shape, mass: mass? }], None))
+        }
+        [centre, inertia] => {
+            let stated = stated(draft, name, table, mass, centre, inertia)?;
+            let drawn = shape?.map(|drawn| Part { shape: drawn.shape, mass: Expr::zero() });
+            Some((drawn.into_iter().collect(), Some(stated)))
+        }
+    }
+}
+
+fn mass_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Expr> {
+    draft.remember(format!("mass of `{name}`"), &field.span);
+    draft.number(field, Want::constant(Dimension::MASS))
+}
+
+fn stated(
+    draft: &mut Draft,
+    name: &str,
+    table: &mut Table,
+    mass: Option<Expr>,
+    centre: Option<Field>,
+    inertia: Option<Field>,
+) -> Option<MassProperties> {
+    if centre.is_none() || inertia.is_none() {
+        let (has, lacks) = if centre.is_some() { ("centre", "inertia") } else { ("inertia", "centre") };
+        let message = format!("`{}` states its `{has}` without its `{lacks}`", table.title);
+        let given = centre.or(inertia).map_or(table.span.clone(), |field| field.key_span);
+        let help = format!("state `{lacks}` too, or leave `{has}` out: both are computed from the shape");
+        draft.note(Diagnostic::new(Code::MissingKey, given, message).help(help));
+        return None;
+    }
+    let centre = centre.and_then(|field| draft.place(&field));
+    let inertia = inertia.and_then(|field| {
+        draft.remember(format!("moment of inertia of `{name}`"), &field.span);
+        draft.number(&field, Want::constant(Dimension::INERTIA))
+    });
+    Some(MassProperties { mass: mass?, centre: centre?, inertia: inertia? })
+}
+
+/// `parts = [{ rod = { .. }, mass = ".." }, ...]`
+fn joined(
+    draft: &mut Draft,
+    name: &str,
+    table: &mut Table,
+    shape: &Option<Option<shape::Drawn>>,
+    field: &Field,
+) -> Option<Matter> {
+    let beside =
+        ["mass", "centre", "inertia"].map(|key| table.take(key).map(|field| (field.key, field.key_span)));
+    let drawn = shape.iter().flatten().map(|drawn| (drawn.key, drawn.span.clone()));
+    for (key, span) in drawn.chain(beside.into_iter().flatten()) {
+        let message = format!("`{}` has `parts` and `{key}`", table.title);
+        let mistake = Diagnostic::new(Code::Exclusive, span, message).label("belongs into one of the parts");
+        draft.note(mistake.also(field.key_span.clone(), "the parts"));
+    }
+    let Some(elements) = field.elements().filter(|elements| !elements.is_empty()) else {
+        draft.wrong_type(
+            field,
+            "a list of tables, such as `[{ ball = { radius = \"0.1 m\" }, mass = \"1 kg\" }]`",
+        );
+        return None;
+    };
+    let parts: Vec<_> = elements.iter().map(|element| part(draft, name, element)).collect();
+    let parts = parts.into_iter().collect::<Option<Vec<_>>>()?;
+    shape.is_some().then_some((parts, None))
+}
+
+fn part(draft: &mut Draft, name: &str, field: &Field) -> Option<Part> {
+    let mut table = draft.table(field, "parts".to_owned())?;
+    table.span = field.span.clone();
+    let shape = shape::read(draft, name, &mut table);
+    let mass = draft.required(&mut table, "mass", "\"1 kg\"");
+    let mass = mass.and_then(|field| mass_of(draft, name, &field));
+    let shape = shape::one(draft, &table, shape);
+    draft.done(table);
+    Some(Part { shape: shape?, mass: mass? })
+}

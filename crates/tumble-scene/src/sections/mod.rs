@@ -1,0 +1,162 @@
+//! The sections of a scene, one a file, and the one table that lists them.
+
+mod body;
+mod check;
+mod force;
+mod functions;
+mod header;
+mod output;
+mod parameters;
+mod pivot;
+mod plot;
+mod points;
+mod run;
+mod shape;
+mod start;
+mod stroboscope;
+mod symbols;
+mod world;
+
+use toml::de::DeTable;
+
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, Table, fields};
+use crate::draft::Draft;
+use crate::suggest;
+
+/// A section, or a key at the top of the file.
+pub(crate) struct Section {
+    pub(crate) key: &'static str,
+    /// What to add where a scene that needs it has none.
+    needed: Option<&'static str>,
+    read: fn(&mut Draft, &Field),
+}
+
+const fn optional(key: &'static str, read: fn(&mut Draft, &Field)) -> Section {
+    Section { key, needed: None, read }
+}
+
+const fn needed(key: &'static str, example: &'static str, read: fn(&mut Draft, &Field)) -> Section {
+    Section { key, needed: Some(example), read }
+}
+
+/// Every section, in the order in which they are read: each uses names of those before it only.
+pub(crate) const SECTIONS: &[Section] = &[
+    needed("version", "version = 1", header::version),
+    optional("title", header::title),
+    optional("plane", header::plane),
+    optional("functions", functions::read),
+    optional("parameters", parameters::read),
+    needed("world", "[world]\ngravity = \"9.81 m/s^2\"", world::read),
+    needed("body", "[body.ball]\nball = { radius = \"0.1 m\" }\nmass = \"1 kg\"", body::read),
+    optional("pivot", pivot::read),
+    optional("force", force::read),
+    needed("run", "[run]\nuntil = \"10 s\"", run::read),
+    optional("output", output::read),
+    optional("plot", plot::read),
+    optional("stroboscope", stroboscope::read),
+    optional("check", check::read),
+    optional("symbols", symbols::read),
+];
+
+/// Reads all sections of a document.
+pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
+    let top = fields(document);
+    draft.names.bodies = body_names(&top);
+    for section in SECTIONS {
+        match (top.iter().find(|field| field.key == section.key), section.needed) {
+            (Some(field), _) => (section.read)(draft, field),
+            (None, Some(example)) => draft.note(missing(section.key, example)),
+            (None, None) => {}
+        }
+    }
+    functions::check_unused(draft);
+    refuse_unknown(draft, &top);
+}
+
+fn body_names(top: &[Field]) -> Vec<String> {
+    let bodies = top.iter().find(|field| field.key == "body").and_then(|field| field.value.as_table());
+    bodies.map(|bodies| fields(bodies).iter().map(|body| body.key.to_owned()).collect()).unwrap_or_default()
+}
+
+fn missing(key: &str, example: &str) -> Diagnostic {
+    let (code, what) = match example.starts_with('[') {
+        true => (Code::MissingSection, format!("there is no section `[{key}]`")),
+        false => (Code::MissingKey, format!("`{key}` is missing at the top of the file")),
+    };
+    Diagnostic::new(code, 0..0, what).nowhere().help(format!("add, for example,\n{example}"))
+}
+
+fn refuse_unknown(draft: &mut Draft, top: &[Field]) {
+    let known: Vec<_> = SECTIONS.iter().map(|section| section.key).collect();
+    for field in top.iter().filter(|field| !known.contains(&field.key)) {
+        let (code, what) = match field.value.is_table() {
+            true => (Code::UnknownSection, "section"),
+            false => (Code::UnknownKey, "key"),
+        };
+        let message = format!("there is no {what} `{}`", field.key);
+        let help = match suggest::nearest(field.key, known.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("a scene is made of {}", suggest::list(known.iter().copied())),
+        };
+        let mistake = Diagnostic::new(code, field.key_span.clone(), message);
+        draft.note(mistake.label(format!("unknown {what}")).help(help));
+    }
+}
+
+/// Reads each table of a section whose second name is the user's, such as `[body.rod]`.
+fn each(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &Field, &mut Table)) {
+    let Some(table) = section.value.as_table() else {
+        let expected = format!("a section, such as `[{}.NAME]`", section.key);
+        return draft.wrong_type(section, &expected);
+    };
+    for field in fields(table) {
+        let Some(inner) = field.value.as_table() else {
+            draft.note(unnamed(section.key, &field));
+            continue;
+        };
+        let mut inner = Table::new(format!("[{}.{}]", section.key, field.key), field.key_span.clone(), inner);
+        read(draft, &field, &mut inner);
+        draft.done(inner);
+    }
+}
+
+/// `[body]` with the keys of a body directly inside, or `[[body.rod]]`.
+fn unnamed(section: &str, field: &Field) -> Diagnostic {
+    let tables = field.value.as_array().is_some_and(|list| list.iter().any(|one| one.get_ref().is_table()));
+    let (message, label, help) = match tables {
+        true => (
+            format!("there is more than one pair of brackets around `{section}.{}`", field.key),
+            "in two pairs of brackets".to_owned(),
+            format!("write `[{section}.{}]`", field.key),
+        ),
+        false => (
+            format!("`{}` stands in `[{section}]`, which has no name", field.key),
+            format!("which {section}?"),
+            format!("give the {section} a name: `[{section}.NAME]`"),
+        ),
+    };
+    Diagnostic::new(Code::WrongType, field.key_span.clone(), message).label(label).help(help)
+}
+
+/// A section without a second name, such as `[run]`.
+fn only(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &mut Table)) {
+    let Some(mut table) = draft.table(section, format!("[{}]", section.key)) else { return };
+    read(draft, &mut table);
+    draft.done(table);
+}
+
+/// The name of a body, which must exist.
+fn body(draft: &mut Draft, field: &Field) -> Option<String> {
+    let name = draft.words(field)?;
+    if draft.names.bodies.contains(&name) {
+        return Some(name);
+    }
+    let help = suggest::name(&name, "bodies", draft.names.bodies.iter().map(String::as_str));
+    let message = format!("there is no body \"{name}\"");
+    draft.note(
+        Diagnostic::new(Code::UnknownBody, field.span.clone(), message).label("unknown body").help(help),
+    );
+    None
+}

@@ -1,0 +1,50 @@
+//! `[plot.NAME]`: curves against the time or another quantity.
+
+use tumble_expr::Dimension;
+
+use super::each;
+use crate::code::Code;
+use crate::curve;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::names::fit_file;
+use crate::study::{Curve, Plot};
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    each(draft, section, plot);
+}
+
+fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
+    draft.noted(fit_file(field));
+    let title = table.take("title").and_then(|field| draft.words(&field));
+    let x = table.take("x").map(|field| curve::read(draft, &field));
+    let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| curves(draft, &field));
+    let (Some(y), None | Some(Some(_))) = (y, &x) else { return };
+    draft.plots.push(Plot { name: field.key.to_owned(), title, x: x.flatten(), y });
+}
+
+/// One formula or a list of formulas, all of one dimension.
+fn curves(draft: &mut Draft, field: &Field) -> Option<Vec<Curve>> {
+    let fields = field.elements().unwrap_or_else(|| vec![field.clone()]);
+    if fields.is_empty() {
+        draft.note(Diagnostic::new(Code::Length, field.span.clone(), "this figure has no curve"));
+    }
+    let curves: Vec<_> = fields.iter().map(|field| curve::read(draft, field)).collect();
+    let curves = curves.into_iter().collect::<Option<Vec<_>>>()?;
+    let first = curves.first()?.quantity.dimension;
+    let unlike = curves.iter().position(|curve| curve.quantity.dimension != first);
+    if let Some(other) = unlike {
+        draft.note(unlike_curves([&fields[0], &fields[other]], [first, curves[other].quantity.dimension]));
+    }
+    unlike.is_none().then_some(curves)
+}
+
+fn unlike_curves(fields: [&Field; 2], dimensions: [Dimension; 2]) -> Diagnostic {
+    let [first, other] = dimensions.map(Dimension::describe);
+    let message = format!("this figure would show {first} and {other} on one axis");
+    Diagnostic::new(Code::UnlikeCurves, fields[1].span.clone(), message)
+        .label(other)
+        .also(fields[0].span.clone(), first)
+        .help("make them two figures")
+}

@@ -1,0 +1,124 @@
+//! The shapes of bodies: `rod = { from = [..], to = [..] }` and the others.
+
+use tumble_expr::{Dimension, Expr, Vector};
+use tumble_mech::Shape;
+
+use crate::code::Code;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::document::Table;
+use crate::draft::Draft;
+use crate::formula::Want;
+use crate::suggest;
+
+/// A shape and the key it was given by.
+pub(super) struct Drawn {
+    pub(super) key: &'static str,
+    pub(super) span: Span,
+    pub(super) shape: Shape,
+}
+
+type Read = fn(&mut Draft, &str, &mut Table) -> Option<Shape>;
+
+const SHAPES: &[(&str, Read)] = &[
+    ("point", point),
+    ("rod", rod),
+    ("disk", |draft, name, table| round(draft, name, table, |centre, radius| Shape::Disk { centre, radius })),
+    ("ring", |draft, name, table| round(draft, name, table, |centre, radius| Shape::Ring { centre, radius })),
+    ("ball", |draft, name, table| round(draft, name, table, |centre, radius| Shape::Ball { centre, radius })),
+    ("shell", |draft, name, table| {
+        round(draft, name, table, |centre, radius| Shape::Shell { centre, radius })
+    }),
+    ("box", rectangle),
+    ("polygon", polygon),
+];
+
+/// The shape of a body or part, if it has one; the outer `None` is a mistake that has been noted.
+pub(super) fn read(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Drawn>> {
+    let given: Vec<_> =
+        SHAPES.iter().filter_map(|(key, read)| Some((*key, read, table.take(key)?))).collect();
+    if let [(_, _, first), (_, _, second), ..] = &given[..] {
+        let message = format!("`{}` is both `{}` and `{}`", table.title, first.key, second.key);
+        let mistake = Diagnostic::new(Code::Exclusive, second.key_span.clone(), message);
+        let mistake = mistake.label("a second shape").also(first.key_span.clone(), "the first shape");
+        draft
+            .note(mistake.help("a body of several shapes is `parts = [{ .. }, { .. }]`, each with its mass"));
+        return None;
+    }
+    let Some((key, read, field)) = given.into_iter().next() else { return Some(None) };
+    let mut inner = draft.table(&field, key.to_owned())?;
+    let shape = read(draft, name, &mut inner);
+    draft.done(inner);
+    Some(Some(Drawn { key, span: field.key_span, shape: shape? }))
+}
+
+/// The shape where there must be one.
+pub(super) fn one(draft: &mut Draft, table: &Table, found: Option<Option<Drawn>>) -> Option<Shape> {
+    let found = found?;
+    if found.is_none() {
+        let message = format!("`{}` has no shape", table.title);
+        let known = suggest::list(SHAPES.iter().map(|(key, _)| *key));
+        let help = format!("add one of {known}, such as `rod = {{ from = [0, 0], to = [0, \"1 m\"] }}`");
+        let mistake = Diagnostic::new(Code::MissingKey, table.span.clone(), message);
+        draft.note(mistake.label("of which shape?").help(help));
+    }
+    found.map(|drawn| drawn.shape)
+}
+
+/// A place that is the body's origin where it is not given.
+fn place_or_origin(draft: &mut Draft, table: &mut Table, key: &'static str) -> Option<Vector> {
+    match table.take(key) {
+        Some(field) => draft.place(&field),
+        None => Some(Vector::planar(Expr::zero(), Expr::zero())),
+    }
+}
+
+fn size(draft: &mut Draft, name: &str, table: &mut Table, key: &'static str) -> Option<Expr> {
+    let field = draft.required(table, key, "\"0.1 m\"")?;
+    draft.remember(format!("{key} of `{name}`"), &field.span);
+    draft.number(&field, Want::constant(Dimension::LENGTH))
+}
+
+fn point(draft: &mut Draft, _: &str, table: &mut Table) -> Option<Shape> {
+    Some(Shape::Point { at: place_or_origin(draft, table, "at")? })
+}
+
+fn rod(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
+    draft.remember(format!("length of `{name}`"), &table.span);
+    let from = draft.required(table, "from", "[0, 0]").and_then(|field| draft.place(&field));
+    let to = draft.required(table, "to", "[0, \"1 m\"]").and_then(|field| draft.place(&field));
+    Some(Shape::Rod { from: from?, to: to? })
+}
+
+fn round(
+    draft: &mut Draft,
+    name: &str,
+    table: &mut Table,
+    shape: fn(Vector, Expr) -> Shape,
+) -> Option<Shape> {
+    let radius = size(draft, name, table, "radius");
+    let centre = place_or_origin(draft, table, "centre");
+    Some(shape(centre?, radius?))
+}
+
+fn rectangle(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
+    let (width, height) = (size(draft, name, table, "width"), size(draft, name, table, "height"));
+    let centre = place_or_origin(draft, table, "centre");
+    Some(Shape::Box { centre: centre?, width: width?, height: height? })
+}
+
+fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
+    draft.remember(format!("area of `{name}`"), &table.span);
+    let example = "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]";
+    let field = draft.required(table, "corners", example)?;
+    let Some(corners) = field.elements() else {
+        draft.wrong_type(&field, "a list of places, [[x, y], [x, y], ...]");
+        return None;
+    };
+    if corners.len() < 3 {
+        let message = format!("a polygon has 3 corners or more, not {}", corners.len());
+        draft.note(Diagnostic::new(Code::Length, field.span.clone(), message));
+        return None;
+    }
+    let places: Vec<_> = corners.iter().map(|corner| draft.place(corner)).collect();
+    Some(Shape::Polygon { corners: places.into_iter().collect::<Option<_>>()? })
+}

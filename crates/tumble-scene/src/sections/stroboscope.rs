@@ -1,0 +1,37 @@
+//! `[stroboscope.NAME]`: the bodies at equal steps of time in one picture.
+
+use tumble_expr::Dimension;
+
+use super::{body, each};
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::formula::Want;
+use crate::names::fit_file;
+use crate::study::Stroboscope;
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    each(draft, section, stroboscope);
+}
+
+fn stroboscope(draft: &mut Draft, field: &Field, table: &mut Table) {
+    draft.noted(fit_file(field));
+    let title = table.take("title").and_then(|field| draft.words(&field));
+    let bodies = match table.take("body") {
+        Some(field) => bodies(draft, &field),
+        None => Some((0..draft.model.bodies.len()).collect()),
+    };
+    let trace = table.take("trace").is_none_or(|field| draft.truth(&field).unwrap_or(true));
+    let every = draft.required(table, "every", "\"0.1 s\"").and_then(|every| {
+        draft.remember(format!("stroboscope `{}`", field.key), &every.span);
+        draft.number(&every, Want::constant(Dimension::TIME))
+    });
+    let (Some(bodies), Some(every)) = (bodies, every) else { return };
+    draft.stroboscopes.push(Stroboscope { name: field.key.to_owned(), title, bodies, every, trace });
+}
+
+/// One name or a list of names, as indices.
+fn bodies(draft: &mut Draft, field: &Field) -> Option<Vec<usize>> {
+    let fields = field.elements().unwrap_or_else(|| vec![field.clone()]);
+    let names: Vec<_> = fields.iter().map(|field| body(draft, field)).collect();
+    names.into_iter().map(|name| draft.model.body_index(&name?)).collect()
+}

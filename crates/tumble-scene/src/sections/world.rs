@@ -1,0 +1,22 @@
+//! `[world]`: what surrounds the bodies.
+
+use tumble_expr::Dimension;
+use tumble_mech::Gravity;
+
+use super::only;
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::formula::Want;
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    only(draft, section, world);
+}
+
+/// Gravity is never taken for granted: without it, `gravity = "0 m/s^2"` says so.
+fn world(draft: &mut Draft, table: &mut Table) {
+    let example = "\"9.81 m/s^2\"`, or without gravity `gravity = \"0 m/s^2\"";
+    let Some(field) = draft.required(table, "gravity", example) else { return };
+    let Some(g) = draft.number(&field, Want::constant(Dimension::ACCELERATION)) else { return };
+    draft.remember("gravity", &field.span);
+    draft.model.gravity = if draft.horizontal { Gravity::Horizontal(g) } else { Gravity::Vertical(g) };
+}

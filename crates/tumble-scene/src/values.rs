@@ -1,0 +1,80 @@
+//! Numbers of a study that must make sense: the end of the run, distances of samples, times of checks.
+
+use tumble_expr::Expr;
+
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::draft::Draft;
+
+/// More samples than this are a slip of the unit.
+const MAX_SAMPLES: f64 = 1e6;
+
+/// Notes every number that makes no sense.
+pub(crate) fn check(draft: &mut Draft) {
+    let Some(until) = value(draft, "until", draft.until.clone()) else { return };
+    if until <= 0.0 {
+        let message = format!("the run ends at {until} s: it starts at 0 and must end later");
+        return note(draft, Code::Value, "until", message, "must be positive");
+    }
+    let outputs = draft.output_every.clone().map(|every| ("output".to_owned(), every));
+    let pictures = draft.stroboscopes.iter().map(|s| (format!("stroboscope `{}`", s.name), s.every.clone()));
+    let distances: Vec<_> = outputs.into_iter().chain(pictures).collect();
+    for (what, every) in distances {
+        check_distance(draft, &what, every, until);
+    }
+    for check in draft.checks.clone() {
+        let name = &check.name;
+        check_time(draft, &format!("at of `{name}`"), check.at, until);
+        value(draft, &format!("equals of `{name}`"), Some(check.equals));
+        check_margin(draft, &format!("within of `{name}`"), check.within);
+    }
+}
+
+/// The value of a formula of the parameters; `None` where it is not finite, which is noted.
+fn value(draft: &mut Draft, what: &str, formula: Option<Expr>) -> Option<f64> {
+    let value = draft.model.parameters.evaluate(&[formula?]).ok()?.first().copied()?;
+    if value.is_finite() {
+        return Some(value);
+    }
+    note(
+        draft,
+        Code::NotFinite,
+        what,
+        format!("this is {value}, not a finite number"),
+        "not a finite number",
+    );
+    None
+}
+
+fn note(draft: &mut Draft, code: Code, what: &str, message: String, label: &str) {
+    let span = draft.places.get(what).cloned();
+    let mistake = Diagnostic::new(code, span.clone().unwrap_or(0..0), message).label(label);
+    draft.note(if span.is_some() { mistake } else { mistake.nowhere() });
+}
+
+fn check_distance(draft: &mut Draft, what: &str, every: Expr, until: f64) {
+    let Some(every) = value(draft, what, Some(every)) else { return };
+    if every <= 0.0 {
+        note(draft, Code::Value, what, format!("every {every} s: this must be positive"), "must be positive");
+    } else if until / every > MAX_SAMPLES {
+        let message =
+            format!("every {every} s makes about {:.0e} samples, more than {MAX_SAMPLES:.0e}", until / every);
+        note(draft, Code::TooMany, what, message, &format!("the run lasts {until} s"));
+    }
+}
+
+fn check_time(draft: &mut Draft, what: &str, at: Option<Expr>, until: f64) {
+    let Some(at) = value(draft, what, at) else { return };
+    if !(0.0..=until).contains(&at) {
+        let message = format!("{at} s is outside of the run, which lasts from 0 to {until} s");
+        note(draft, Code::OutsideRun, what, message, "outside of the run");
+    }
+}
+
+fn check_margin(draft: &mut Draft, what: &str, within: Expr) {
+    let Some(within) = value(draft, what, Some(within)) else { return };
+    if within < 0.0 {
+        let message = format!("a difference cannot be within {within}: this must not be negative");
+        note(draft, Code::Value, what, message, "must not be negative");
+    }
+}

@@ -1,0 +1,99 @@
+//! What a person sees of a mistake.
+
+use tumble_scene::{Override, read};
+
+const PENDULUM: &str = r#"version = 1
+title = "Pendulum"
+
+[parameters]
+m = "1 kg"
+L = "1 m"
+
+[functions]
+"w(t)" = "20 m/s*cos(t/(1 s))"
+
+[world]
+gravity = "9.81 m/s^2"
+
+[body.rod]
+rod = { from = [0, 0], to = [0, "-L"] }
+mass = "m"
+points.tip = [0, "-L"]
+start = { angle = "10 deg" }
+
+[pivot.hinge]
+body = "rod"
+point = [0, 0]
+world = [0, 0]
+
+[run]
+until = "20 s"
+"#;
+
+fn shown(old: &str, new: &str) -> String {
+    let scene = PENDULUM.replace(old, new);
+    read("pendulum.toml", &scene, &[]).expect_err(new).render(false, 90)
+}
+
+#[test]
+fn a_key_that_is_not_known() {
+    insta::assert_snapshot!(shown("mass = \"m\"", "mass = \"m\"\ncolour = \"red\""));
+}
+
+#[test]
+fn a_section_that_is_missing() {
+    insta::assert_snapshot!(shown("[run]\nuntil = \"20 s\"\n", ""));
+}
+
+#[test]
+fn a_length_and_a_mass() {
+    insta::assert_snapshot!(shown("from = [0, 0]", "from = [0, \"L + m\"]"));
+}
+
+#[test]
+fn a_number_without_its_unit() {
+    insta::assert_snapshot!(shown("m = \"1 kg\"\n", "m = 1\n"));
+}
+
+#[test]
+fn an_angle_without_its_unit() {
+    insta::assert_snapshot!(shown("angle = \"10 deg\"", "angle = 10"));
+}
+
+#[test]
+fn a_key_given_twice() {
+    insta::assert_snapshot!(shown("L = \"1 m\"", "L = \"1 m\"\nm = \"2 kg\""));
+}
+
+#[test]
+fn a_quantity_without_quotes() {
+    insta::assert_snapshot!(shown("\"20 s\"", "20 s"));
+}
+
+#[test]
+fn a_circle() {
+    insta::assert_snapshot!(shown("L = \"1 m\"", "L = \"a/2\"\na = \"2*L\""));
+}
+
+#[test]
+fn a_mistake_in_a_function() {
+    insta::assert_snapshot!(shown("L = \"1 m\"", "L = \"w(2 m)*(1 s)\""));
+}
+
+#[test]
+fn a_start_that_the_pivot_decides() {
+    insta::assert_snapshot!(shown("angle = \"10 deg\"", "angle = \"10 deg\", at = [0, 0]"));
+}
+
+#[test]
+fn a_setting_of_another_dimension() {
+    let set = Override { name: "L".into(), text: "2 s".into() };
+    insta::assert_snapshot!(read("pendulum.toml", PENDULUM, &[set]).expect_err("a time").render(false, 90));
+}
+
+#[test]
+fn colours_are_shown_only_on_request() {
+    let mistakes = read("pendulum.toml", &PENDULUM.replace("\"m\"", "\"n\""), &[]).expect_err("no name");
+    assert!(mistakes.render(true, 90).contains('\u{1b}'));
+    assert!(!mistakes.render(false, 90).contains('\u{1b}'));
+}

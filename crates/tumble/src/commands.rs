@@ -1,0 +1,179 @@
+//! What the command can do, and what it says.
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use tumble::gallery::{self, Shown};
+use tumble::pipeline::{self, Options, Outcome, PipelineError};
+
+const EXIT_CODES: &str = "Exit codes: 0 all went well, 1 a check of the scene does not hold, 2 the scene or the \
+command line has mistakes, 3 the motion was refused on the way, 4 a file cannot be read or written.";
+
+/// A rigid-body mechanics laboratory: state the bodies and the forces, get the motion.
+#[derive(Parser)]
+#[command(version, after_help = EXIT_CODES)]
+pub(crate) struct Command {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Run a scene and write its figures, tables and summary.
+    Run {
+        /// The scene file.
+        scene: PathBuf,
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// Report the mistakes of a scene without running it.
+    Check {
+        /// The scene file.
+        scene: PathBuf,
+        /// Give a parameter another value for this time, such as T=2s.
+        #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+        set: Vec<(String, String)>,
+    },
+    /// Run every scene of a folder and write a page that shows them.
+    Gallery {
+        /// The folder: each scene is a folder in it with a scene.toml.
+        #[arg(default_value = "scenes")]
+        scenes: PathBuf,
+        /// Where results go.
+        #[arg(long, default_value = "out")]
+        out: PathBuf,
+    },
+}
+
+#[derive(Args)]
+struct Settings {
+    /// Give a parameter another value for this run, such as T=2s.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    set: Vec<(String, String)>,
+    /// Where results go: a folder of the scene's name is made in it.
+    #[arg(long, default_value = "out")]
+    out: PathBuf,
+}
+
+fn assignment(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok((name.trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err("write it as NAME=VALUE, for instance T=2s".to_owned()),
+    }
+}
+
+/// How a command ended, worst last.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Ending {
+    Success = 0,
+    CheckFailed = 1,
+    Mistake = 2,
+    Refused = 3,
+    File = 4,
+}
+
+impl Command {
+    pub(crate) fn run(self) -> ExitCode {
+        let ending = match self.task {
+            Task::Run { scene, settings } => {
+                let options = Options { set: settings.set, out: settings.out, progress: true };
+                report(&Shown { result: pipeline::run(&scene, &options), scene })
+            }
+            Task::Check { scene, set } => {
+                let options = Options { set, ..Options::default() };
+                check(&scene, &options)
+            }
+            Task::Gallery { scenes, out } => gallery(&scenes, Options { out, progress: true, set: vec![] }),
+        };
+        ExitCode::from(ending as u8)
+    }
+}
+
+fn check(scene: &std::path::Path, options: &Options) -> Ending {
+    match pipeline::check(scene, options) {
+        Ok(study) => {
+            println!("{}: {} has no mistakes", study.title, scene.display());
+            Ending::Success
+        }
+        Err(error) => complain(scene, &error),
+    }
+}
+
+fn gallery(scenes: &std::path::Path, options: Options) -> Ending {
+    let mut worst = Ending::Success;
+    match gallery::run(scenes, &options, |shown| worst = worst.max(report(shown))) {
+        Ok(page) => println!("\nthe gallery is {}", page.display()),
+        Err(error) => {
+            eprintln!("error: {error}");
+            worst = Ending::File;
+        }
+    }
+    worst
+}
+
+/// Says what a scene came to.
+fn report(shown: &Shown) -> Ending {
+    match &shown.result {
+        Ok(outcome) => {
+            describe(outcome);
+            match (&outcome.refusal, outcome.is_success()) {
+                (Some(_), _) => Ending::Refused,
+                (None, true) => Ending::Success,
+                (None, false) => Ending::CheckFailed,
+            }
+        }
+        Err(error) => complain(&shown.scene, error),
+    }
+}
+
+fn describe(outcome: &Outcome) {
+    let (trajectory, work) = (&outcome.run.trajectory, outcome.run.trajectory.work);
+    println!("{}", outcome.study.title);
+    let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
+    let end = trajectory.end().unwrap_or(0.0);
+    println!("  {end} s in {} steps{exact}, {} events", work.steps, trajectory.events.len());
+    for check in &outcome.checks {
+        let verdict = if check.holds { "holds" } else { "FAILS" };
+        let (that, at) = (&check.that, check.at);
+        print!("  check {}: {that} = {} at {at} s {verdict}", check.name, check.found);
+        if check.holds { println!() } else { println!(", expected {} within {}", check.expected, check.within) }
+    }
+    if let Some(refusal) = &outcome.refusal {
+        println!("  incomplete: {refusal}");
+    }
+    println!("  figures: {}", outcome.figures.join(", "));
+    println!("  results: {}", outcome.folder.display());
+}
+
+fn complain(scene: &std::path::Path, error: &PipelineError) -> Ending {
+    match error {
+        PipelineError::Scene(diagnostics) => {
+            let stream = std::io::stderr();
+            let colour = stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+            eprintln!("{}", diagnostics.render(colour, terminal_width()));
+            Ending::Mistake
+        }
+        PipelineError::Model(_) => {
+            eprintln!("error: {}: {error}", scene.display());
+            Ending::Mistake
+        }
+        PipelineError::Run(_) => {
+            eprintln!("error: {}: {error}", scene.display());
+            Ending::Refused
+        }
+        PipelineError::Read { .. } | PipelineError::Output(_) => {
+            eprintln!("error: {error}");
+            Ending::File
+        }
+    }
+}
+
+/// Columns of the terminal; what is not a terminal is as wide as a page.
+fn terminal_width() -> usize {
+    const PAGE: usize = 100;
+    std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()).unwrap_or(PAGE)
+}

@@ -1,0 +1,158 @@
+//! Figures of a run: the study says which, the motion says what is in them.
+
+use tumble_expr::{Expr, Vector};
+use tumble_mech::{Body, Run, Shape};
+use tumble_ode::Side;
+use tumble_report::{
+    Axis, CurveFigure, Label, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
+};
+use tumble_scene::{Curve, Plot, Stroboscope, Study};
+
+use crate::output::Folder;
+use crate::pipeline::PipelineError;
+use crate::tables::{sample, unit};
+
+/// Pixels of a PNG for one of the drawing: sharp in print at a page's width.
+#[cfg(feature = "png")]
+const PNG_SCALE: f64 = 2.0;
+/// Points of a drawn path: more than a screen has pixels across.
+const TRACE_POINTS: usize = 2000;
+/// More instants than this are a smear, and a mistake in the interval.
+const MOST_INSTANTS: usize = 1000;
+
+/// Draws everything the study asks for and returns the names, without endings.
+pub(crate) fn write(study: &Study, run: &Run, folder: &Folder) -> Result<Vec<String>, PipelineError> {
+    let mut names = vec![];
+    for plot in &study.plots {
+        save(folder, &plot.name, &curves(study, run, plot)?.svg())?;
+        names.push(plot.name.clone());
+    }
+    for stroboscope in &study.stroboscopes {
+        save(folder, &stroboscope.name, &picture(study, run, stroboscope)?.svg())?;
+        names.push(stroboscope.name.clone());
+    }
+    Ok(names)
+}
+
+fn save(folder: &Folder, name: &str, svg: &Svg) -> Result<(), PipelineError> {
+    folder.write(&format!("{name}.svg"), svg.to_string().as_bytes())?;
+    #[cfg(feature = "png")]
+    {
+        let failed = |error: tumble_report::PngError| crate::output::OutputError::Picture {
+            name: name.to_owned(),
+            reason: error.to_string(),
+        };
+        let png = tumble_report::png(svg, PNG_SCALE).map_err(failed)?;
+        folder.write(&format!("{name}.png"), &png)?;
+    }
+    Ok(())
+}
+
+fn curves(study: &Study, run: &Run, plot: &Plot) -> Result<CurveFigure, PipelineError> {
+    let time = Expr::from(tumble_mech::time());
+    let x = plot.x.as_ref().map_or(time, |curve| curve.quantity.formula.clone());
+    let formulas: Vec<Expr> =
+        std::iter::once(x).chain(plot.y.iter().map(|curve| curve.quantity.formula.clone())).collect();
+    let rows = sample(study, run, &formulas)?;
+    let x_axis = match &plot.x {
+        Some(curve) => axis(study, std::slice::from_ref(curve)),
+        None => Axis::new(Label::symbol("t"), "s"),
+    };
+    let title = Label::markup(plot.title.as_deref().unwrap_or(&study.title));
+    let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
+    for (index, curve) in plot.y.iter().enumerate() {
+        let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
+        // One curve needs no legend: the axis says what it is.
+        let label = if plot.y.len() > 1 { label(study, curve) } else { Label::default() };
+        figure.series.push(Series { label, points });
+    }
+    Ok(figure)
+}
+
+fn axis(study: &Study, curves: &[Curve]) -> Axis {
+    let labels: Vec<Label> = curves.iter().map(|curve| label(study, curve)).collect();
+    let joined = labels.into_iter().reduce(|all, next| all.then(Label::plain(", ")).then(next));
+    let unit = curves.first().map_or(String::new(), |curve| unit(curve.quantity.dimension, curve.quantity.angle));
+    Axis::new(joined.unwrap_or_default(), if unit == "1" { "" } else { &unit })
+}
+
+fn label(study: &Study, curve: &Curve) -> Label {
+    let symbols: Vec<(&str, &str)> = study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
+    Label::name(&curve.text, &symbols)
+}
+
+fn picture(study: &Study, run: &Run, stroboscope: &Stroboscope) -> Result<Picture, PipelineError> {
+    let several = stroboscope.bodies.len() > 1;
+    let mut picture = Picture {
+        title: Label::markup(stroboscope.title.as_deref().unwrap_or(&study.title)),
+        ..Picture::default()
+    };
+    for index in &stroboscope.bodies {
+        let body = &study.model.bodies[*index];
+        let mut track = track(study, run, stroboscope, body)?;
+        track.label = if several { Label::plain(&body.name) } else { Label::default() };
+        picture.tracks.push(track);
+    }
+    Ok(picture)
+}
+
+fn track(study: &Study, run: &Run, stroboscope: &Stroboscope, body: &Body) -> Result<Track, PipelineError> {
+    let end = run.trajectory.end().unwrap_or(0.0);
+    let every = study.number(&stroboscope.every)?;
+    let count = ((end / every * (1.0 + 1e-12)).floor() as usize).min(MOST_INSTANTS);
+    let poses = poses(run, body, (0..=count).map(|index| (index as f64 * every).min(end)))?;
+    let trace = if stroboscope.trace {
+        let times = (0..=TRACE_POINTS).map(|index| end * index as f64 / TRACE_POINTS as f64);
+        poses_to_path(&self::poses(run, body, times)?)
+    } else {
+        vec![]
+    };
+    Ok(Track { label: Label::default(), shapes: outlines(study, body)?, poses, trace })
+}
+
+fn poses_to_path(poses: &[Pose]) -> Vec<[f64; 2]> {
+    poses.iter().map(Pose::centre).collect()
+}
+
+fn poses(run: &Run, body: &Body, times: impl Iterator<Item = f64>) -> Result<Vec<Pose>, PipelineError> {
+    let kinematics = body.kinematics();
+    let position = kinematics.position();
+    let mut observer = run.observe(&[position[0].clone(), position[1].clone(), kinematics.angle()])?;
+    let pose = |t: f64| {
+        let values = observer.at(t, Side::After)?;
+        Some(Pose { t, x: values[0], y: values[1], angle: values[2] })
+    };
+    Ok(times.filter_map(pose).collect())
+}
+
+/// Shapes of a body with its centre of mass at the origin.
+fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, PipelineError> {
+    let centre = body.mass_properties().centre;
+    let place = |at: &Vector| -> Result<[f64; 2], PipelineError> {
+        let arm = at - &centre;
+        Ok([study.number(arm.x())?, study.number(arm.y())?])
+    };
+    let outline = |shape: &Shape| -> Result<Outline, PipelineError> {
+        Ok(match shape {
+            Shape::Point { at } => Outline::Point(place(at)?),
+            Shape::Rod { from, to } => Outline::Segment { from: place(from)?, to: place(to)? },
+            Shape::Disk { centre, radius }
+            | Shape::Ring { centre, radius }
+            | Shape::Ball { centre, radius }
+            | Shape::Shell { centre, radius } => {
+                Outline::Circle { centre: place(centre)?, radius: study.number(radius)? }
+            }
+            Shape::Box { centre, width, height } => {
+                let ([x, y], w, h) = (place(centre)?, study.number(width)? / 2.0, study.number(height)? / 2.0);
+                Outline::Polygon(vec![[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]])
+            }
+            Shape::Polygon { corners } => {
+                Outline::Polygon(corners.iter().map(place).collect::<Result<_, _>>()?)
+            }
+        })
+    };
+    if body.parts.is_empty() {
+        return Ok(vec![Outline::Point([0.0, 0.0])]);
+    }
+    body.parts.iter().map(|part| outline(&part.shape)).collect()
+}

@@ -1,0 +1,105 @@
+//! Every scene of a folder, and the page that shows them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+use tumble_report::{Entry, Figure, IndexPage, Link};
+
+use crate::pipeline::{self, Options, Outcome, PipelineError};
+
+/// Why there is no gallery.
+#[derive(Debug, Error)]
+pub enum GalleryError {
+    /// The folder cannot be read.
+    #[error("cannot read {}: {error}", path.display())]
+    Read {
+        /// The folder.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// There is nothing to show.
+    #[error("no scene in {}: each is a folder with a scene.toml", .0.display())]
+    Empty(PathBuf),
+    /// The page cannot be written.
+    #[error("cannot write {}: {error}", path.display())]
+    Write {
+        /// The page.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+}
+
+/// One scene of the gallery: its file and what its run came to.
+pub struct Shown {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// What it came to.
+    pub result: Result<Outcome, PipelineError>,
+}
+
+/// Runs every `scene.toml` of the folders in `scenes`, in order of their names, and writes the index page.
+///
+/// `seen` is told of each scene as it is done. One that fails does not stop the others.
+pub fn run(scenes: &Path, options: &Options, mut seen: impl FnMut(&Shown)) -> Result<PathBuf, GalleryError> {
+    let mut shown = vec![];
+    for scene in find(scenes)? {
+        let result = pipeline::run(&scene, options);
+        shown.push(Shown { scene, result });
+        shown.iter().last().into_iter().for_each(&mut seen);
+    }
+    let page = options.out.join("index.html");
+    let failed = |error| GalleryError::Write { path: page.clone(), error };
+    fs::create_dir_all(&options.out).map_err(failed)?;
+    fs::write(&page, index(&shown).to_string()).map_err(failed)?;
+    Ok(page)
+}
+
+fn find(scenes: &Path) -> Result<Vec<PathBuf>, GalleryError> {
+    let failed = |error| GalleryError::Read { path: scenes.to_owned(), error };
+    let mut found = vec![];
+    for entry in fs::read_dir(scenes).map_err(failed)? {
+        let scene = entry.map_err(failed)?.path().join("scene.toml");
+        found.extend(scene.is_file().then_some(scene));
+    }
+    found.sort();
+    if found.is_empty() { Err(GalleryError::Empty(scenes.to_owned())) } else { Ok(found) }
+}
+
+fn index(shown: &[Shown]) -> IndexPage {
+    let entries = shown.iter().filter_map(|shown| shown.result.as_ref().ok()).map(entry).collect();
+    IndexPage { title: "The gallery".into(), language: "en".into(), entries }
+}
+
+fn entry(outcome: &Outcome) -> Entry {
+    let folder = outcome.folder.file_name().unwrap_or_default().to_string_lossy();
+    let path = |file: &str| format!("{folder}/{file}");
+    let figure = |name: &String| Figure {
+        path: path(&format!("{name}.svg")),
+        alt: format!("{}: {name}", outcome.study.title),
+        caption: name.clone(),
+    };
+    let link = |file: &str| Link { path: path(file), text: file.to_owned() };
+    Entry {
+        title: outcome.study.title.clone(),
+        summary: summary(outcome),
+        figures: outcome.figures.iter().map(figure).collect(),
+        data: ["summary.json", "run-001/trajectory.csv", "run-001/events.csv"].map(link).into(),
+    }
+}
+
+fn summary(outcome: &Outcome) -> Vec<String> {
+    let work = outcome.run.trajectory.work;
+    let held = outcome.checks.iter().filter(|check| check.holds).count();
+    let mut lines = vec![format!(
+        "{} s of motion in {} steps of order {}; {held} of {} checks hold.",
+        outcome.run.trajectory.end().unwrap_or(0.0),
+        work.steps,
+        outcome.run.trajectory.order,
+        outcome.checks.len(),
+    )];
+    lines.extend(outcome.refusal.as_ref().map(ToString::to_string));
+    lines
+}

@@ -1,0 +1,198 @@
+//! `summary.json`: what was run, with what, and what came out, for programs.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use tumble_mech::Run;
+use tumble_ode::Refusal;
+use tumble_scene::Study;
+
+use crate::checks::CheckResult;
+use crate::output::Folder;
+use crate::pipeline::PipelineError;
+use crate::tables::{is_angle, unit};
+
+/// Name and version of the file's layout; the version grows when a key changes its meaning or goes.
+const SCHEMA: &str = "tumble-summary";
+const SCHEMA_VERSION: u32 = 1;
+
+/// A scene file as it was read.
+pub(crate) struct Source {
+    pub(crate) path: PathBuf,
+    /// Name of the scene: of its folder where the file is called `scene.toml`, else of the file.
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
+}
+
+/// Larger files are no scenes.
+const LARGEST_FILE: u64 = 16 << 20;
+
+impl Source {
+    pub(crate) fn read(path: &Path) -> Result<Self, PipelineError> {
+        let failed = |error| PipelineError::Read { path: path.to_owned(), error };
+        let about = fs::metadata(path).map_err(failed)?;
+        if !about.is_file() {
+            return Err(failed(std::io::Error::other("it is not a regular file")));
+        }
+        if about.len() > LARGEST_FILE {
+            let reason = format!("it has {} bytes, and a scene at most {LARGEST_FILE}", about.len());
+            return Err(failed(std::io::Error::other(reason)));
+        }
+        let bytes = fs::read(path).map_err(failed)?;
+        Ok(Self { path: path.to_owned(), name: scene_name(path), bytes })
+    }
+}
+
+fn scene_name(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = path.canonicalize().ok().and_then(|path| {
+        path.parent().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned())
+    });
+    if stem == "scene" { folder.unwrap_or(stem) } else { stem }
+}
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    schema: &'static str,
+    schema_version: u32,
+    program: &'static str,
+    program_version: &'static str,
+    scene_sha256: String,
+    title: &'a str,
+    complete: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stopped: Option<Stop>,
+    parameters: BTreeMap<String, Quantity>,
+    numerics: Numerics,
+    end: End,
+    events: Vec<Event<'a>>,
+    checks: Vec<Check<'a>>,
+    figures: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Stop {
+    time: f64,
+    reason: String,
+}
+
+#[derive(Serialize)]
+struct Quantity {
+    value: f64,
+    unit: String,
+}
+
+#[derive(Serialize)]
+struct Numerics {
+    accuracy: f64,
+    order: usize,
+    steps: u64,
+    exact_steps: u64,
+    rejected_steps: u64,
+    modes: u64,
+}
+
+#[derive(Serialize)]
+struct End {
+    time: f64,
+    states: BTreeMap<String, Quantity>,
+}
+
+#[derive(Serialize)]
+struct Event<'a> {
+    time: f64,
+    what: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Check<'a> {
+    name: &'a str,
+    that: &'a str,
+    at: f64,
+    found: Option<f64>,
+    expected: Option<f64>,
+    within: f64,
+    holds: bool,
+}
+
+pub(crate) fn write(
+    source: &Source,
+    study: &Study,
+    run: &Run,
+    checks: &[CheckResult],
+    figures: &[String],
+    refusal: Option<&Refusal>,
+    folder: &Folder,
+) -> Result<(), PipelineError> {
+    let summary = Summary {
+        schema: SCHEMA,
+        schema_version: SCHEMA_VERSION,
+        program: "tumble",
+        program_version: env!("CARGO_PKG_VERSION"),
+        scene_sha256: hash(&source.bytes),
+        title: &study.title,
+        complete: refusal.is_none(),
+        stopped: refusal.map(|refusal| Stop { time: refusal.time, reason: refusal.reason.to_string() }),
+        parameters: parameters(study, run),
+        numerics: numerics(study, run),
+        end: end(run),
+        events: run.trajectory.events.iter().map(|event| Event { time: event.time, what: &event.tags }).collect(),
+        checks: checks.iter().map(check).collect(),
+        figures,
+    };
+    let text = serde_json::to_string_pretty(&summary).expect("a summary is plain data with text keys");
+    Ok(folder.write("summary.json", (text + "\n").as_bytes())?)
+}
+
+fn hash(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn parameters(study: &Study, run: &Run) -> BTreeMap<String, Quantity> {
+    let symbols = study.model.parameters.symbols().into_iter();
+    let values = symbols.zip(&run.inputs);
+    values
+        .map(|(symbol, value)| {
+            (symbol.name.to_string(), Quantity { value: *value, unit: unit(symbol.dimension, false) })
+        })
+        .collect()
+}
+
+fn numerics(study: &Study, run: &Run) -> Numerics {
+    let work = run.trajectory.work;
+    Numerics {
+        accuracy: study.accuracy.value(),
+        order: run.trajectory.order,
+        steps: work.steps,
+        exact_steps: work.exact_steps,
+        rejected_steps: work.rejected,
+        modes: work.modes,
+    }
+}
+
+fn end(run: &Run) -> End {
+    let last_mode = run.trajectory.events.last().map_or(0, |event| event.mode_after);
+    let states = run.equations.states(&run.trajectory.modes[last_mode]);
+    let values = run.trajectory.last_states().unwrap_or_default();
+    let named = states.into_iter().zip(values).map(|(symbol, value)| {
+        let unit = unit(symbol.dimension, is_angle(&symbol));
+        (symbol.name.to_string(), Quantity { value, unit })
+    });
+    End { time: run.trajectory.end().unwrap_or(0.0), states: named.collect() }
+}
+
+fn check(result: &CheckResult) -> Check<'_> {
+    let finite = |value: f64| value.is_finite().then_some(value);
+    Check {
+        name: &result.name,
+        that: &result.that,
+        at: result.at,
+        found: finite(result.found),
+        expected: finite(result.expected),
+        within: result.within,
+        holds: result.holds,
+    }
+}

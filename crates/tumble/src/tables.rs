@@ -1,0 +1,117 @@
+//! The motion as tables: `trajectory.csv` and `events.csv`.
+
+use tumble_expr::{Dimension, Expr, Symbol};
+use tumble_mech::Run;
+use tumble_ode::Side;
+use tumble_scene::Study;
+
+use crate::output::{Folder, OutputError};
+use crate::pipeline::PipelineError;
+
+/// Samples of a run whose scene does not say how many.
+const DEFAULT_SAMPLES: usize = 1000;
+
+/// A row of a table of the motion.
+pub(crate) struct Row {
+    /// s
+    pub(crate) time: f64,
+    /// Counts the phases between events, from 0.
+    pub(crate) phase: usize,
+    /// SI units.
+    pub(crate) values: Vec<f64>,
+}
+
+/// Values of formulas at equal time steps, at the end, and on both sides of each event.
+pub(crate) fn sample(study: &Study, run: &Run, formulas: &[Expr]) -> Result<Vec<Row>, PipelineError> {
+    let mut observer = run.observe(formulas)?;
+    let events = &run.trajectory.events;
+    let mut rows = vec![];
+    let mut next_event = 0;
+    for time in times(study, run)? {
+        while events.get(next_event).is_some_and(|event| event.time <= time) {
+            if let Some([before, after]) = observer.at_event(next_event) {
+                let time = events[next_event].time;
+                rows.push(Row { time, phase: next_event, values: before });
+                rows.push(Row { time, phase: next_event + 1, values: after });
+            }
+            next_event += 1;
+        }
+        let is_event = next_event > 0 && events[next_event - 1].time == time;
+        if let Some(values) = observer.at(time, Side::After).filter(|_| !is_event) {
+            rows.push(Row { time, phase: next_event, values });
+        }
+    }
+    Ok(rows)
+}
+
+/// Equal steps from the start, and the end.
+fn times(study: &Study, run: &Run) -> Result<Vec<f64>, PipelineError> {
+    let end = run.trajectory.end().unwrap_or(0.0);
+    let every = match &study.output_every {
+        Some(every) => study.number(every)?,
+        None => study.number(&study.until)? / DEFAULT_SAMPLES as f64,
+    };
+    let count = (end / every).floor() as usize;
+    let mut times: Vec<f64> = (0..=count).map(|index| index as f64 * every).filter(|time| *time <= end).collect();
+    // A last step that is the end but for rounding is the end.
+    while times.last().is_some_and(|last| end - last < 1e-9 * every) {
+        times.pop();
+    }
+    times.push(end);
+    Ok(times)
+}
+
+pub(crate) fn write(study: &Study, run: &Run, folder: &Folder) -> Result<(), PipelineError> {
+    trajectory(study, run, folder)?;
+    Ok(events(run, folder)?)
+}
+
+fn trajectory(study: &Study, run: &Run, folder: &Folder) -> Result<(), PipelineError> {
+    let formulas: Vec<Expr> = study.quantities.values().map(|quantity| quantity.formula.clone()).collect();
+    let path = folder.path("run-001/trajectory.csv")?;
+    let mut table = csv::Writer::from_path(path).map_err(OutputError::from)?;
+    let names = study.quantities.iter();
+    let header = names.map(|(name, quantity)| format!("{name} [{}]", unit(quantity.dimension, quantity.angle)));
+    let first = ["t [s]".to_owned(), "phase".to_owned()];
+    table.write_record(first.into_iter().chain(header)).map_err(OutputError::from)?;
+    for row in sample(study, run, &formulas)? {
+        let first = [number(row.time), row.phase.to_string()];
+        let values = row.values.into_iter().map(number);
+        table.write_record(first.into_iter().chain(values)).map_err(OutputError::from)?;
+    }
+    table.flush().map_err(|error| OutputError::from(csv::Error::from(error)))?;
+    Ok(())
+}
+
+/// A row an event: what happened, and every state just before and just after.
+fn events(run: &Run, folder: &Folder) -> Result<(), OutputError> {
+    let mut table = csv::Writer::from_path(folder.path("run-001/events.csv")?)?;
+    let states = run.trajectory.modes.first().map_or(vec![], |mode| run.equations.states(mode));
+    let columns = ["before", "after"].into_iter().flat_map(|side| {
+        states.iter().map(move |state| format!("{side} {} [{}]", state.name, unit(state.dimension, is_angle(state))))
+    });
+    let first = ["t [s]".to_owned(), "what".to_owned()];
+    table.write_record(first.into_iter().chain(columns))?;
+    for event in &run.trajectory.events {
+        let first = [number(event.time), event.tags.join(", ")];
+        let values = event.before.iter().chain(&event.after).map(|value| number(*value));
+        table.write_record(first.into_iter().chain(values))?;
+    }
+    table.flush().map_err(csv::Error::from)?;
+    Ok(())
+}
+
+/// Whether a state is an angle or its rate.
+pub(crate) fn is_angle(state: &Symbol) -> bool {
+    state.name.ends_with(".angle") || state.name.ends_with(".omega")
+}
+
+/// The shortest decimal that reads back as the same number.
+pub(crate) fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// A column's unit.
+pub(crate) fn unit(dimension: Dimension, angle: bool) -> String {
+    if angle { "rad".to_owned() + dimension.to_string().strip_prefix('1').unwrap_or_default() } else { dimension.to_string() }
+}
