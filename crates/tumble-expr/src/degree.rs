@@ -16,14 +16,15 @@ impl Tape {
         self.outputs().iter().map(|slot| slots[*slot as usize]).collect()
     }
 
-    /// Degrees of the outputs beyond the states' rates, and of the guards of branches.
+    /// Degrees of the outputs beyond the states' rates, of the guards of branches and of the arguments of tables.
     ///
     /// # Panics
     /// If there are not as many degrees as states.
     pub fn watched_degrees(&self, states: &[Degree]) -> Vec<Degree> {
         let slots = self.slot_degrees(states);
         let further = self.outputs().iter().skip(self.states());
-        further.chain(self.guards()).map(|slot| slots[*slot as usize]).collect()
+        let arguments = self.tables().iter().map(|lookup| &lookup.of);
+        further.chain(self.guards()).chain(arguments).map(|slot| slots[*slot as usize]).collect()
     }
 
     fn slot_degrees(&self, states: &[Degree]) -> Vec<Degree> {
@@ -49,7 +50,7 @@ impl Tape {
             Op::Choose { positive, negative, .. } => Some(of(positive)?.max(of(negative)?)),
             Op::Mul(a, b) => of(a)?.checked_add(of(b)?),
             Op::Square(a) => of(a)?.checked_mul(2),
-            Op::Sign { .. } | Op::Step { .. } => Some(0),
+            Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => Some(0),
             _ => {
                 let parts = op.parts(&self.norms, &self.guards);
                 parts.into_iter().all(|part| of(part) == Some(0)).then_some(0)

@@ -49,6 +49,9 @@ impl Tape {
                 format!("if({} >= 0, {}, {})", of(self.guards[branch as usize]), of(positive), of(negative))
             }
             Op::SquareOver { of: a, by, .. } => format!("{}^2/{}", of(a), of(by)),
+            Op::Knot { lookup, .. } | Op::Coefficient { lookup, .. } => {
+                self.tables[lookup as usize].table.0.name.clone()
+            }
             Op::Norm(parts) => {
                 let parts: Vec<String> = self.norms[parts as usize].iter().map(|part| of(*part)).collect();
                 format!("norm([{}])", parts.join(", "))

@@ -47,6 +47,10 @@ fn slope(formula: &Expr, symbol: &Symbol, of: impl Fn(&Expr) -> Expr) -> Expr {
             let products = parts.iter().map(|part| part * of(part));
             products.fold(Expr::zero(), |sum, product| sum + product) / formula
         }
+        Node::Table(table, a) => match table.0.derivative() {
+            Ok(slope) => Expr::table(&Arc::new(slope), a.clone()) * of(a),
+            Err(error) => Expr::mistaken(error),
+        },
     }
 }
 

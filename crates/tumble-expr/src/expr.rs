@@ -6,6 +6,7 @@ use std::sync::Arc;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use crate::table::{Table, TableRef};
 use crate::typing::{self, Kind, TypeError};
 use crate::{Dimension, Exponent};
 
@@ -93,6 +94,8 @@ pub enum Node<Part = Expr> {
     Select(Part, Part, Part),
     /// Euclidean length of the components.
     Norm(Vec<Part>),
+    /// A measured function.
+    Table(TableRef, Part),
 }
 
 impl<Part> Node<Part> {
@@ -104,6 +107,7 @@ impl<Part> Node<Part> {
             Self::Binary(_, a, b) | Self::Compare(_, a, b) => vec![a, b],
             Self::Select(a, b, c) => vec![a, b, c],
             Self::Norm(parts) => parts.iter().collect(),
+            Self::Table(_, a) => vec![a],
         }
     }
 
@@ -118,6 +122,7 @@ impl<Part> Node<Part> {
             Self::Compare(relation, a, b) => Node::Compare(*relation, f(a), f(b)),
             Self::Select(a, b, c) => Node::Select(f(a), f(b), f(c)),
             Self::Norm(parts) => Node::Norm(parts.iter().map(f).collect()),
+            Self::Table(table, a) => Node::Table(table.clone(), f(a)),
         }
     }
 }
@@ -199,6 +204,12 @@ impl Expr {
         Self::checked(Node::Norm(components), kind)
     }
 
+    /// A measured function of `x`, whose dimension must be the table's.
+    pub fn table(table: &Arc<Table>, x: Self) -> Self {
+        let kind = x.expect(table.x).map(|_| Kind::Quantity(table.y));
+        Self::checked(Node::Table(TableRef(Arc::clone(table)), x), kind)
+    }
+
     /// `1` from `from` on and before `to`, else `0`.
     pub fn pulse(t: &Self, from: &Self, to: &Self) -> Self {
         (t - from).step() - (t - to).step()
@@ -261,6 +272,11 @@ impl Expr {
         Self(Arc::new(Inner { node, kind }))
     }
 
+    /// A formula that carries a mistake.
+    pub(crate) fn mistaken(error: TypeError) -> Self {
+        Self::make(Node::Pi, Err(Arc::new(error)))
+    }
+
     fn checked(node: Node, kind: Result<Kind, TypeError>) -> Self {
         Self::make(node, kind.map_err(Arc::new))
     }
@@ -313,7 +329,7 @@ impl From<f64> for Expr {
     fn from(value: f64) -> Self {
         match crate::unit::decimal(value) {
             Some(exact) => Self::number(exact),
-            None => Self::make(Node::Pi, Err(Arc::new(TypeError::NotFinite { value }))),
+            None => Self::mistaken(TypeError::NotFinite { value }),
         }
     }
 }

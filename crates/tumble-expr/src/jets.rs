@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use crate::ops::{Op, Series, Slot};
-use crate::{Scalar, Stage, Tape};
+use crate::{Lookup, Scalar, Stage, Tape};
 
 /// How branches (abs, sign, step, min, max, if) take their sides at order 0.
 #[derive(Clone, Copy, Debug)]
 pub enum Branches<'a, S> {
     /// By the sign of their guard, zero counting as positive.
     Free,
-    /// As given, +1 or -1 a branch, whatever the guard says: the side that a step is on.
+    /// As given, +1 or -1 a branch and then a segment a table, whatever the guards say: the sides that a step is on.
     Frozen(&'a [S]),
 }
 
@@ -40,7 +40,7 @@ impl<S: Scalar> Jets<S> {
     pub fn new(tape: Arc<Tape>, order: usize, inputs: &[S]) -> Self {
         let stride = order + 1;
         let data = vec![S::zero(); tape.len() * stride];
-        let signs = vec![S::one(); tape.guards().len()];
+        let signs = vec![S::one(); tape.sides()];
         let vanishing = vec![false; tape.norms.len()];
         let mut jets = Self { tape, stride, data, signs, vanishing };
         jets.bind(inputs);
@@ -124,7 +124,7 @@ impl<S: Scalar> Jets<S> {
         self.output(index)[0]
     }
 
-    /// The sides that the branches took, +1 or -1.
+    /// The sides that the branches took, +1 or -1, then the segments of the tables.
     pub fn signs(&self) -> &[S] {
         &self.signs
     }
@@ -136,10 +136,11 @@ impl<S: Scalar> Jets<S> {
 
     /// Sides of branches that depend on inputs alone stay as the inputs say.
     fn freeze(&mut self, signs: &[S]) {
-        assert_eq!(signs.len(), self.signs.len(), "one side a branch");
-        for (branch, guard) in self.tape.guards().iter().enumerate() {
-            if self.tape.stage(*guard) == Stage::Varying {
-                self.signs[branch] = signs[branch];
+        assert_eq!(signs.len(), self.signs.len(), "one side a branch or table");
+        let arguments = self.tape.tables().iter().map(|lookup| &lookup.of);
+        for (side, of) in self.tape.guards().iter().chain(arguments).enumerate() {
+            if self.tape.stage(*of) == Stage::Varying {
+                self.signs[side] = signs[side];
             }
         }
     }
@@ -148,6 +149,12 @@ impl<S: Scalar> Jets<S> {
         if free && let Some(branch) = op.branch() {
             let guard = self.tape.guards()[branch as usize];
             self.signs[branch as usize] = self.slot(guard)[0].choose(S::one(), -S::one());
+        }
+        if free && let Some(lookup) = op.lookup() {
+            let Lookup { table, of } = &self.tape.tables()[lookup as usize];
+            let segment = self.slot(*of)[0].map(|x| table.0.segment(x) as f64);
+            let side = self.tape.guards().len() + lookup as usize;
+            self.signs[side] = segment;
         }
         match op {
             // A free sign has three values; a frozen one is its side.
@@ -161,6 +168,8 @@ impl<S: Scalar> Jets<S> {
             data: &self.data,
             stride: self.stride,
             signs: &self.signs,
+            branches: self.tape.guards().len(),
+            tables: self.tape.tables(),
             norms: &self.tape.norms,
             vanishing: &self.vanishing,
         }

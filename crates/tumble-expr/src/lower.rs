@@ -8,7 +8,8 @@ use num_traits::{One, ToPrimitive};
 use crate::expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
 use crate::ops::{Op, Slot};
-use crate::tape::{CompileError, Layout, Stage, Tape};
+use crate::table::TableRef;
+use crate::tape::{CompileError, Layout, Lookup, Stage, Tape};
 
 /// Integer powers up to this become products; higher ones, and all others, use the power's own recurrence.
 const LARGEST_UNROLLED_POWER: u32 = 64;
@@ -40,6 +41,7 @@ impl Lowering {
                 guards: vec![],
                 outputs: vec![],
                 names: vec![],
+                tables: vec![],
                 states: layout.states.len(),
                 inputs: layout.inputs.len(),
             },
@@ -83,6 +85,7 @@ impl Lowering {
             Node::Compare(_, a, b) => self.emit(Op::Sub(at(a), at(b))),
             Node::Select(condition, a, b) => self.select(graph, *condition, at(condition), at(a), at(b)),
             Node::Norm(parts) => self.norm(parts.iter().map(at).collect()),
+            Node::Table(table, a) => self.table(table, at(a)),
         })
     }
 
@@ -228,6 +231,25 @@ impl Lowering {
     fn square_over(&mut self, of: Slot, by: Slot) -> Slot {
         self.tape.norms.push(vec![by]);
         self.emit(Op::SquareOver { of, by, vanishing: self.tape.norms.len() as u32 - 1 })
+    }
+
+    /// The polynomial of the segment that holds, by Horner's rule in the distance from its knot.
+    fn table(&mut self, table: &TableRef, of: Slot) -> Slot {
+        let uses = &mut self.tape.tables;
+        let lookup =
+            uses.iter().position(|known| known.of == of && known.table == *table).unwrap_or_else(|| {
+                uses.push(Lookup { table: table.clone(), of });
+                uses.len() - 1
+            }) as u32;
+        let origin = self.emit(Op::Knot { lookup, of });
+        let distance = self.emit(Op::Sub(of, origin));
+        let mut sum = self.emit(Op::Coefficient { lookup, of, power: table.0.degree() as u32 });
+        for power in (0..table.0.degree() as u32).rev() {
+            let next = self.emit(Op::Coefficient { lookup, of, power });
+            let product = self.binary(Binary::Mul, sum, distance);
+            sum = self.emit(Op::Add(next, product));
+        }
+        sum
     }
 
     fn one(&mut self) -> Slot {

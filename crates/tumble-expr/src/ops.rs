@@ -12,6 +12,8 @@ pub(crate) mod power;
 pub(crate) mod square_over;
 
 use crate::Scalar;
+use crate::table::Table;
+use crate::tape::Lookup;
 
 /// Where an operation's result stands: its index on the tape.
 pub type Slot = u32;
@@ -115,6 +117,17 @@ pub enum Op {
         positive: Slot,
         negative: Slot,
     },
+    /// Where the segment of a measured function of `of` counts from.
+    Knot {
+        lookup: u32,
+        of: Slot,
+    },
+    /// A coefficient of the segment's polynomial.
+    Coefficient {
+        lookup: u32,
+        of: Slot,
+        power: u32,
+    },
     /// Length of the vector whose components are in the tape's list.
     Norm(u32),
     /// `of^2 / by`; the last is its index in the tape's list of functions that vanish.
@@ -129,8 +142,10 @@ pub enum Op {
 pub(crate) struct Series<'a, S> {
     pub(crate) data: &'a [S],
     pub(crate) stride: usize,
-    /// +1 or -1 a branch.
+    /// +1 or -1 a branch, then the segment of each measured function.
     pub(crate) signs: &'a [S],
+    pub(crate) branches: usize,
+    pub(crate) tables: &'a [Lookup],
     pub(crate) norms: &'a [Vec<Slot>],
     /// Which lengths and quotients have an argument that is zero at the point of expansion, whatever rounding has left.
     pub(crate) vanishing: &'a [bool],
@@ -176,6 +191,10 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Sign { branch, .. } => self.sign(branch),
             Op::Step { branch } => branch::step(self.sign(branch)),
             Op::Choose { branch, positive, negative } => self.sign(branch).choose(at(positive), at(negative)),
+            Op::Knot { lookup, .. } => self.segment(lookup, Table::origin),
+            Op::Coefficient { lookup, power, .. } => {
+                self.segment(lookup, |table, segment| table.coefficient(segment, power as usize))
+            }
             Op::Norm(parts) => norm::value(self, parts),
             Op::SquareOver { of, by, vanishing } => square_over::value(self, of, by, vanishing),
         }
@@ -210,7 +229,7 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Atan { of, square } => integral::against(a(of)[k], a(square), c, k),
             Op::Atan2 { y, x, square } => integral::against(integral::sweep(a(x), a(y), k), a(square), c, k),
             Op::Abs { of, branch } => self.sign(branch) * a(of)[k],
-            Op::Sign { .. } | Op::Step { .. } => S::zero(),
+            Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => S::zero(),
             Op::Choose { branch, positive, negative } => {
                 self.sign(branch).choose(a(positive)[k], a(negative)[k])
             }
@@ -222,6 +241,12 @@ impl<'a, S: Scalar> Series<'a, S> {
     fn sign(&self, branch: u32) -> S {
         self.signs[branch as usize]
     }
+
+    /// Something of the segment that holds, lane by lane.
+    fn segment(&self, lookup: u32, of: impl Fn(&Table, usize) -> f64) -> S {
+        let table = &self.tables[lookup as usize].table.0;
+        self.signs[self.branches + lookup as usize].map(|segment| of(table, segment as usize))
+    }
 }
 
 impl Op {
@@ -230,6 +255,14 @@ impl Op {
         match self {
             Self::Abs { branch, .. } | Self::Sign { branch, .. } => Some(branch),
             Self::Step { branch } | Self::Choose { branch, .. } => Some(branch),
+            _ => None,
+        }
+    }
+
+    /// The measured function this operation belongs to.
+    pub(crate) fn lookup(self) -> Option<u32> {
+        match self {
+            Self::Knot { lookup, .. } | Self::Coefficient { lookup, .. } => Some(lookup),
             _ => None,
         }
     }
@@ -250,6 +283,7 @@ impl Op {
             Self::SquareOver { of, by, .. } => vec![of, by],
             Self::Atan2 { y, x, square } => vec![y, x, square],
             Self::Abs { of, .. } | Self::Sign { of, .. } => vec![of],
+            Self::Knot { of, .. } | Self::Coefficient { of, .. } => vec![of],
             Self::Step { branch } => vec![guards[branch as usize]],
             Self::Choose { branch, positive, negative } => vec![guards[branch as usize], positive, negative],
             Self::Norm(parts) => norms[parts as usize].clone(),

@@ -56,6 +56,7 @@ impl Substitution {
             Node::Compare(relation, a, b) => Expr::compare(relation, a, b),
             Node::Select(a, b, c) => Expr::select(a, b, c),
             Node::Norm(parts) => Expr::norm(parts),
+            Node::Table(table, a) => Expr::table(&table.0, a),
             Node::Number(_) | Node::Pi | Node::Symbol(_) => formula.clone(),
         }
     }

@@ -5,6 +5,7 @@ use thiserror::Error;
 use crate::expr::Symbol;
 use crate::lower::Lowering;
 use crate::ops::{Op, Slot};
+use crate::table::TableRef;
 use crate::{Expr, Kind, TypeError};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -57,11 +58,22 @@ pub struct Tape {
     pub(crate) norms: Vec<Vec<Slot>>,
     /// Guard slot of each branch.
     pub(crate) guards: Vec<Slot>,
+    /// Measured functions, each with its argument.
+    pub(crate) tables: Vec<Lookup>,
     pub(crate) outputs: Vec<Slot>,
     /// Names of the leaves.
     pub(crate) names: Vec<String>,
     pub(crate) states: usize,
     pub(crate) inputs: usize,
+}
+
+/// A measured function with the slot of its argument.
+#[derive(Clone, Debug)]
+pub struct Lookup {
+    /// The function.
+    pub table: TableRef,
+    /// Slot of its argument.
+    pub of: Slot,
 }
 
 /// A function that is not smooth where its argument is zero but may pass close by: its series does not show how close.
@@ -159,6 +171,16 @@ impl Tape {
     /// How many norms there are, those of inputs included.
     pub fn norms(&self) -> usize {
         self.norms.len()
+    }
+
+    /// Measured functions, each with the slot of its argument. Their segments follow the branches' sides.
+    pub fn tables(&self) -> &[Lookup] {
+        &self.tables
+    }
+
+    /// How many sides there are: one a branch, then one a measured function.
+    pub fn sides(&self) -> usize {
+        self.guards.len() + self.tables.len()
     }
 
     /// When the result in a slot changes.

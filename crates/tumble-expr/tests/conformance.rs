@@ -72,6 +72,7 @@ fn cases() -> Vec<Case> {
         case("atan", Expr::unary(Unary::Atan, inner.clone()), 0.7, 0.8),
         case("atan2", binary(Binary::Atan2, t().sin() + 0.2, t().cos() + 0.3), 0.7, 0.4),
         case("square over", binary(Binary::SquareOver, t().sin(), t() + 2), 0.7, 1.5),
+        case("table", Expr::table(&measured(), t().sin()), 0.7, 0.3),
         case("abs, positive", unary(Unary::Abs), 0.7, 0.3),
         case("abs, negative", Expr::unary(Unary::Abs, t().sin() - 3), 0.7, 0.5),
         case("sign", unary(Unary::Sign) * t(), 0.7, 0.3),
@@ -83,6 +84,16 @@ fn cases() -> Vec<Case> {
         case("norm", Expr::norm(vec![t().sin(), t().cos() * 2, t()]), 0.7, 0.5),
         case("norm of one", Expr::norm(vec![t().sin() - 2]), 0.7, 0.5),
     ]
+}
+
+/// A straight line, measured: its spline is the line itself, so the reference is known on the complex plane.
+fn measured() -> std::sync::Arc<tumble_expr::Table> {
+    let rows: Vec<[f64; 2]> = [0.0, 0.5, 1.5, 3.0].map(|x| [x, 2.0 * x - 1.0]).into();
+    let dimensions = [Dimension::NONE; 2];
+    let (linear, hold) = (tumble_expr::Interpolation::Cubic, tumble_expr::Outside::Hold);
+    std::sync::Arc::new(
+        tumble_expr::Table::new("measured", dimensions, &rows, linear, hold).expect("a table"),
+    )
 }
 
 fn choose(a: Expr, b: Expr) -> Expr {
@@ -170,6 +181,10 @@ fn complex(formula: &Expr, z: Complex64, at: f64) -> Complex64 {
         Node::Select(condition, a, b) => {
             let [left, right] = condition.children()[..] else { unreachable!("two sides") };
             if here(left) < here(right) { value(a) } else { value(b) }
+        }
+        Node::Table(..) => {
+            // The line that `measured` was read off.
+            2.0 * value(formula.children()[0]) - 1.0
         }
         Node::Norm(parts) => parts.iter().map(|part| value(part).powi(2)).sum::<Complex64>().sqrt(),
     }

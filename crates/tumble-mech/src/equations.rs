@@ -1,18 +1,18 @@
 //! From a model to equations of motion: a hybrid system whose terms are known by law, body and point.
 
 use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
-use tumble_ode::{Cause, Crossing, Flow, Hybrid, Jump, Reason, ScaleGroup, StateVariable};
+use tumble_ode::ScaleGroup;
 
-use crate::coordinates::{Coordinates, Measure, StateRate};
+use crate::coordinates::{Coordinates, StateRate};
 use crate::error::{ModelError, ModelErrors};
+use crate::event::Action;
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
-use crate::load::Load;
+use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
 use crate::model::Model;
-use crate::parameters::time_symbol;
 use crate::term::Term;
 
 /// The equations of motion of a model, for every mode and every value of the parameters.
@@ -21,10 +21,29 @@ pub struct Equations {
     model: Model,
     bodies: Vec<BodyEquations>,
     terms: Vec<Term>,
-    /// Start and end of each window, with the load it belongs to.
-    windows: Vec<(String, [Expr; 2])>,
+    windows: Vec<Window>,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
+}
+
+/// When a load acts.
+#[derive(Clone, Debug)]
+pub struct Window {
+    /// Name of the load.
+    pub load: String,
+    /// Start and end.
+    pub during: [Moment; 2],
+}
+
+impl Window {
+    /// The ends that are times, each with whether it is the end.
+    pub(crate) fn times(&self) -> impl Iterator<Item = (bool, &Expr)> {
+        let ends = self.during.iter().enumerate();
+        ends.filter_map(|(end, moment)| match moment {
+            Moment::Time(time) => Some((end == 1, time)),
+            Moment::Event(_) => None,
+        })
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -54,8 +73,8 @@ impl Equations {
         &self.model
     }
 
-    /// Start and end of each window of action, with the load it belongs to.
-    pub fn windows(&self) -> &[(String, [Expr; 2])] {
+    /// When loads act that do not always.
+    pub fn windows(&self) -> &[Window] {
         &self.windows
     }
 
@@ -66,17 +85,18 @@ impl Equations {
 
     /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
     pub fn terms(&self, mode: &Mode) -> Vec<Term> {
-        let (acting, all) = (self.acting(mode), self.definitions_in(mode));
+        let (acting, all, changes) = (self.acting(mode), self.definitions_in(mode), self.changes(mode));
+        let in_mode = |formula: &Expr| changes.apply(&all.apply(formula));
         let reactions = self.bodies.iter().enumerate().filter_map(|(index, body)| {
             let terms = on_body(&acting, index);
             body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
         });
         let terms = acting.iter().map(|term| (*term).clone()).chain(reactions);
-        let vector = |v: &Vector| v.map(|component| all.apply(component));
+        let vector = |v: &Vector| v.map(&in_mode);
         let in_states = terms.map(|term| Term {
             arm: vector(&term.arm),
             force: vector(&term.force),
-            couple: all.apply(&term.couple),
+            couple: in_mode(&term.couple),
             ..term
         });
         in_states.collect()
@@ -89,7 +109,7 @@ impl Equations {
 
     /// A formula of any kinematic symbols, accelerations included, in the states of a mode.
     pub fn in_states(&self, mode: &Mode, formula: &Expr) -> Expr {
-        self.definitions_in(mode).apply(formula)
+        self.changes(mode).apply(&self.definitions_in(mode).apply(formula))
     }
 
     /// Formulas for all kinematic symbols that are not states.
@@ -109,16 +129,32 @@ impl Equations {
         all
     }
 
+    /// Parameters that events have given other formulas.
+    pub(crate) fn changes(&self, mode: &Mode) -> Substitution {
+        let mut changes = Substitution::default();
+        for event in &mode.changes {
+            let Action::Set(settings) = &self.model.events[*event].action else { continue };
+            for (name, formula) in settings {
+                if let Some(symbol) =
+                    self.model.parameters.symbols().into_iter().find(|symbol| *symbol.name == **name)
+                {
+                    changes.insert(symbol, formula.clone());
+                }
+            }
+        }
+        changes
+    }
+
     fn acting(&self, mode: &Mode) -> Vec<&Term> {
         self.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window])).collect()
     }
 
-    fn state_rates(&self) -> Vec<StateRate> {
+    pub(crate) fn state_rates(&self) -> Vec<StateRate> {
         self.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics)).collect()
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
-    fn groups(&self) -> Vec<ScaleGroup> {
+    pub(crate) fn groups(&self) -> Vec<ScaleGroup> {
         let reaches = self.model.bodies.iter().map(|body| body.reach() * 2);
         let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
         let group = |name: &str, floor: Expr| ScaleGroup { name: name.to_owned(), floor };
@@ -150,11 +186,9 @@ fn of_body(model: &Model, index: usize) -> BodyEquations {
     BodyEquations { kinematics: body.kinematics(), mass, coordinates }
 }
 
-type Windows = Vec<(String, [Expr; 2])>;
-
 /// Every term of the model, and the windows that some of them act in.
-fn terms(model: &Model, bodies: &[BodyEquations]) -> (Windows, Vec<Term>) {
-    let mut windows: Windows = vec![];
+fn terms(model: &Model, bodies: &[BodyEquations]) -> (Vec<Window>, Vec<Term>) {
+    let mut windows: Vec<Window> = vec![];
     let mut terms = vec![];
     if let Some(gravity) = model.gravity.in_plane() {
         let weights = bodies.iter().enumerate();
@@ -171,53 +205,12 @@ fn terms(model: &Model, bodies: &[BodyEquations]) -> (Windows, Vec<Term>) {
     (windows, terms)
 }
 
-fn window(load: &Load, windows: &mut Windows) -> Option<usize> {
+fn window(load: &Load, windows: &mut Vec<Window>) -> Option<usize> {
     let during = load.during.clone()?;
-    windows.push((load.name.clone(), during));
+    windows.push(Window { load: load.name.clone(), during });
     Some(windows.len() - 1)
 }
 
 fn on_body<'a>(terms: &[&'a Term], body: usize) -> Vec<&'a Term> {
     terms.iter().copied().filter(|term| term.body == body).collect()
-}
-
-impl Hybrid for Equations {
-    type Mode = Mode;
-
-    fn flow(&self, mode: &Mode) -> Result<Flow, Reason> {
-        let definitions = self.definitions_in(mode);
-        let states = self.state_rates().into_iter().map(|state| StateVariable {
-            rate: definitions.apply(&state.rate),
-            symbol: state.symbol,
-            group: match state.measure {
-                Measure::Length => 0,
-                Measure::Angle => 1,
-                Measure::Speed => 2,
-                Measure::AngularRate => 3,
-            },
-        });
-        Ok(Flow {
-            states: states.collect(),
-            time: time_symbol(),
-            inputs: self.model.parameters.symbols(),
-            groups: self.groups(),
-            schedule: self.windows.iter().flat_map(|(_, times)| times.clone()).collect(),
-            guards: vec![],
-            clock: None,
-        })
-    }
-
-    /// Scheduled times come in pairs, the start and the end of each window; where both are now, nothing acts.
-    fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
-        let mut mode = at.mode.clone();
-        let mut tags = vec![];
-        for cause in at.causes {
-            let Cause::Scheduled(index) = cause else { continue };
-            let (window, ends) = (index / 2, index % 2 == 1);
-            mode.windows[window] = !ends;
-            let name = &self.windows[window].0;
-            tags.push(format!("{name}.{}", if ends { "end" } else { "start" }));
-        }
-        Ok(Jump { mode, states: at.states.to_vec(), tags })
-    }
 }

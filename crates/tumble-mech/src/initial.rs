@@ -63,17 +63,23 @@ impl Equations {
         mistakes: &mut Vec<ModelError>,
     ) -> Result<Mode, ModelError> {
         let mut windows = vec![];
-        for (load, times) in self.windows() {
-            let values = parameters.evaluate(times)?;
-            let (from, to) = (values[0], values[1]);
-            if let Some(&value) = values.iter().find(|value| !value.is_finite()) {
-                mistakes.push(ModelError::NotFinite { what: format!("times of `{load}`"), value });
-            } else if to < from {
-                mistakes.push(ModelError::Window { load: load.clone(), from, to });
+        for window in self.windows() {
+            let (mut from, mut to) = (f64::INFINITY, f64::INFINITY);
+            for (ends, time) in window.times() {
+                let value = parameters.evaluate(std::slice::from_ref(time))?[0];
+                if !value.is_finite() {
+                    mistakes
+                        .push(ModelError::NotFinite { what: format!("times of `{}`", window.load), value });
+                }
+                *(if ends { &mut to } else { &mut from }) = value;
+            }
+            // A start that is an event has not happened yet; an end that is one has not either.
+            if from.is_finite() && to < from {
+                mistakes.push(ModelError::Window { load: window.load.clone(), from, to });
             }
             windows.push(from <= 0.0 && 0.0 < to);
         }
-        Ok(Mode { windows })
+        Ok(Mode { windows, changes: vec![] })
     }
 }
 

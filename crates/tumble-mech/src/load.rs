@@ -13,8 +13,23 @@ pub struct Load {
     pub body: String,
     /// What it does.
     pub application: Application,
-    /// Start and end of its action, s: it acts from the start on and before the end. `None` is always.
-    pub during: Option<[Expr; 2]>,
+    /// Start and end of its action: it acts from the start on and before the end. `None` is always.
+    pub during: Option<[Moment; 2]>,
+}
+
+/// When something begins or ends.
+#[derive(Clone, Debug)]
+pub enum Moment {
+    /// A time, s, a formula of the parameters.
+    Time(Expr),
+    /// Each time the event of that name happens.
+    Event(String),
+}
+
+impl From<Expr> for Moment {
+    fn from(time: Expr) -> Self {
+        Self::Time(time)
+    }
 }
 
 /// A force at a place, or a couple.
@@ -54,10 +69,10 @@ impl Load {
         Self { name: name.into(), body: body.into(), application: Application::Torque(torque), during: None }
     }
 
-    /// The same load from one time on and before another, s.
+    /// The same load from one moment on and before another.
     #[must_use]
-    pub fn during(mut self, from: Expr, to: Expr) -> Self {
-        self.during = Some([from, to]);
+    pub fn during(mut self, from: impl Into<Moment>, to: impl Into<Moment>) -> Self {
+        self.during = Some([from.into(), to.into()]);
         self
     }
 }

@@ -8,9 +8,10 @@ use crate::air::Wind;
 use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
+use crate::event::{Action, Event};
 use crate::interaction::Interaction;
 use crate::kinematics::PointRef;
-use crate::load::{Application, Load};
+use crate::load::{Application, Load, Moment};
 use crate::parameters::Parameters;
 use crate::place::Place;
 use crate::start::Start;
@@ -58,6 +59,8 @@ pub struct Model {
     pub wind: Wind,
     /// Gauss nodes on each line whose air resistance has no closed form.
     pub nodes: usize,
+    /// What is watched for.
+    pub events: Vec<Event>,
     /// Initial values by body; a body without an entry starts at rest at angle zero, its drawing where it is drawn.
     pub starts: Vec<(String, Start)>,
 }
@@ -80,6 +83,7 @@ impl Model {
             interactions: vec![],
             wind: Wind::still(),
             nodes: DEFAULT_NODES,
+            events: vec![],
             starts: vec![],
         }
     }
@@ -147,6 +151,7 @@ impl Model {
         mistakes.extend(self.gravity_mistake());
         mistakes.extend(self.pivots.iter().flat_map(|pivot| self.pivot_mistakes(pivot)));
         mistakes.extend(self.loads.iter().flat_map(|load| self.load_mistakes(load)));
+        mistakes.extend(self.events.iter().flat_map(|event| self.event_mistakes(event)));
         mistakes.extend(mistake("wind", self.wind.0.components(), Dimension::SPEED));
         mistakes.extend(
             self.interactions.iter().flat_map(|interaction| self.interaction_mistakes(&**interaction)),
@@ -162,6 +167,7 @@ impl Model {
         let pivots = self.pivots.iter().map(|pivot| pivot.name.as_str());
         let mut names: Vec<&str> = parameters.iter().map(|symbol| &*symbol.name).collect();
         names.extend(bodies.chain(loads).chain(pivots));
+        names.extend(self.events.iter().map(|event| event.name.as_str()));
         names.extend(self.interactions.iter().map(|interaction| interaction.name()));
         names.sort_unstable();
         let twice = names.windows(2).filter(|pair| pair[0] == pair[1]);
@@ -208,8 +214,34 @@ impl Model {
                 mistakes.extend(mistake(&format!("place of {what}"), place.components(), Dimension::LENGTH));
             }
         }
-        let times = load.during.iter().flatten();
-        mistakes.extend(mistake(&format!("times of {what}"), times, Dimension::TIME));
+        for moment in load.during.iter().flatten() {
+            match moment {
+                Moment::Time(time) => {
+                    mistakes.extend(mistake(&format!("times of {what}"), [time], Dimension::TIME))
+                }
+                Moment::Event(name) if self.events.iter().any(|event| event.name == *name) => {}
+                Moment::Event(name) => {
+                    mistakes.push(ModelError::Unknown { kind: "event", name: name.clone() });
+                }
+            }
+        }
+        mistakes
+    }
+
+    fn event_mistakes(&self, event: &Event) -> Vec<ModelError> {
+        let what = format!("event `{}`", event.name);
+        let mut mistakes: Vec<ModelError> = match event.when.dimension() {
+            Ok(_) => vec![],
+            Err(mistake) => vec![ModelError::Type { what: what.clone(), mistake }],
+        };
+        let Action::Set(settings) = &event.action else { return mistakes };
+        let symbols = self.parameters.symbols();
+        for (name, formula) in settings {
+            match symbols.iter().find(|symbol| *symbol.name == **name) {
+                Some(symbol) => mistakes.extend(mistake(&what, [formula], symbol.dimension)),
+                None => mistakes.push(ModelError::Unknown { kind: "parameter", name: name.clone() }),
+            }
+        }
         mistakes
     }
 

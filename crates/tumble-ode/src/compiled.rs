@@ -45,7 +45,7 @@ impl Compiled {
         let floors: Vec<Expr> = flow.groups.iter().map(|group| group.floor.clone()).collect();
         let own_clock = flow.clock.is_some();
         let exact_degree = if own_clock { None } else { polynomial_degree(&tape) };
-        let is_watched = !(flow.guards.is_empty() && tape.guards().is_empty() && tape.turnings().is_empty());
+        let is_watched = !flow.guards.is_empty() || tape.sides() > 0 || !tape.turnings().is_empty();
         Ok(Self {
             names: layout.states.iter().map(|state| state.name.to_string()).collect(),
             groups: flow.states.iter().map(|state| state.group).collect(),

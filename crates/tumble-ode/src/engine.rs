@@ -29,6 +29,8 @@ pub(crate) enum Hit {
     Branch(usize, f64),
     /// A length, root or power has its least value.
     Turning(usize),
+    /// The argument of a table passes a knot into this segment.
+    Knot(usize, usize),
     /// A guard of the model crosses zero.
     Guard(usize),
 }
@@ -36,7 +38,7 @@ pub(crate) enum Hit {
 /// What is known of the watched functions at the start of a step.
 #[derive(Clone, Debug, Default)]
 struct Sides {
-    /// Side of each branch, +1 or -1.
+    /// Side of each branch, +1 or -1, then the segment of each table.
     signs: Vec<f64>,
     /// Which functions are zero now, whatever rounding has left of them: branches, turnings, guards.
     zero_branches: Vec<bool>,
@@ -92,12 +94,16 @@ impl Engine {
     /// A function that is zero now has the sign of its first coefficient that matters. If each side's motion leads to
     /// the other, there is no motion on either.
     pub(crate) fn expand(&mut self, time: f64, states: &[f64], work: &mut Work) -> Result<Expansion, Reason> {
-        let mut turned = vec![false; self.sides.signs.len()];
+        let mut turned = vec![false; self.system.tape.guards().len()];
         loop {
             work.expansions += 1;
+            self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.sides.signs, vanishing: &self.sides.vanishing };
             let expansion = expand(&self.system, &mut self.jets, self.order, frozen, time, states)?;
             self.watch_scales(&expansion);
+            if self.enter_segments(&expansion) {
+                continue;
+            }
             let Some(branch) = self.wrong_side(&expansion, time) else { return Ok(expansion) };
             if turned[branch] {
                 let slot = self.system.tape.guards()[branch];
@@ -106,6 +112,41 @@ impl Engine {
             turned[branch] = true;
             self.sides.signs[branch] = -self.sides.signs[branch];
         }
+    }
+
+    /// Moves to the segment ahead where an argument stands on a knot. Whether it moved at all.
+    fn enter_segments(&mut self, expansion: &Expansion) -> bool {
+        let tape = self.system.tape.clone();
+        let mut moved = false;
+        for (lookup, series) in expansion.arguments.iter().enumerate() {
+            let side = &mut self.sides.signs[tape.guards().len() + lookup];
+            let ahead = leading_sign(&series[1..]);
+            let [low, high] = tape.tables()[lookup].table.0.ends(*side as usize);
+            let step = if series[0] >= high && ahead > 0.0 {
+                1.0
+            } else if series[0] <= low && ahead < 0.0 {
+                -1.0
+            } else {
+                continue;
+            };
+            *side += step;
+            moved = true;
+        }
+        moved
+    }
+
+    /// Refuses to go on where a table says nothing.
+    fn refuse_segments(&mut self, time: f64, states: &[f64]) -> Result<(), Reason> {
+        let tape = self.system.tape.clone();
+        let segments = &self.sides.signs[tape.guards().len()..];
+        let mut lookups = tape.tables().iter().zip(segments);
+        let Some((lookup, _)) = lookups.find(|(lookup, segment)| lookup.table.0.refuses(**segment as usize))
+        else {
+            return Ok(());
+        };
+        self.values.start(time, states, Branches::Free);
+        let at = self.values.slot(lookup.of)[0];
+        Err(Reason::OutsideTable { table: lookup.table.0.name.clone(), at })
     }
 
     fn watch_scales(&mut self, expansion: &Expansion) {
@@ -173,6 +214,18 @@ impl Engine {
             let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
             hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
         }
+        let branches = expansion.branches.len();
+        for (lookup, series) in expansion.arguments.iter().enumerate() {
+            let segment = self.sides.signs[branches + lookup] as usize;
+            let ends = self.system.tape.tables()[lookup].table.0.ends(segment);
+            for (knot, direction) in ends.into_iter().zip([-1.0, 1.0]).filter(|(knot, _)| knot.is_finite()) {
+                let mut distance = series.clone();
+                distance[0] -= knot;
+                let beyond = if direction > 0.0 { segment + 1 } else { segment.saturating_sub(1) };
+                let outward = crossings(&distance, distance[0] == 0.0).filter(|(_, to)| *to == direction);
+                hits.extend(outward.take(1).map(|(at, _)| (at, Hit::Knot(lookup, beyond))));
+            }
+        }
         for (guard, series) in expansion.guards.iter().enumerate() {
             let direction = self.system.guard_directions[guard];
             let found =
@@ -220,6 +273,11 @@ impl Engine {
                         let least = expansion.turnings[turning].length(length);
                         self.sides.vanishing[index] = least <= VANISHING * self.sides.turning_scales[turning];
                     }
+                }
+                Hit::Knot(lookup, segment) => {
+                    work.knots += 1;
+                    let first = self.system.tape.guards().len();
+                    self.sides.signs[first + lookup] = segment as f64;
                 }
                 Hit::Guard(guard) => self.sides.zero_guards[guard] = true,
             }

@@ -19,6 +19,8 @@ pub(crate) struct Expansion {
     pub(crate) branches: Vec<Vec<f64>>,
     /// What turns, in the tape's order.
     pub(crate) turnings: Vec<Turn>,
+    /// Arguments of the tape's tables.
+    pub(crate) arguments: Vec<Vec<f64>>,
     /// Guards of the model.
     pub(crate) guards: Vec<Vec<f64>>,
 }
@@ -97,6 +99,7 @@ fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
         time: system.own_clock.then(|| slot(&tape.time_slot())),
         branches: tape.guards().iter().map(slot).collect(),
         turnings: tape.turnings().iter().map(|turning| turn(turning, jets)).collect(),
+        arguments: tape.tables().iter().map(|lookup| slot(&lookup.of)).collect(),
         guards: guards.map(|output| jets.output(output).to_vec()).collect(),
     }
 }

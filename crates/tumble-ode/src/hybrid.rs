@@ -115,4 +115,6 @@ pub struct Jump<Mode> {
     pub states: Vec<f64>,
     /// What happened, in the model's words.
     pub tags: Vec<String>,
+    /// Whether the motion ends here.
+    pub stop: bool,
 }

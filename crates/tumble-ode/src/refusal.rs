@@ -69,6 +69,14 @@ pub enum Reason {
         /// The guard.
         guard: String,
     },
+    /// The argument of a measured function left the measured range.
+    #[error("`{table}` is not measured at {at} (SI units), and says nothing outside its range")]
+    OutsideTable {
+        /// Name of the table.
+        table: String,
+        /// The argument, SI units.
+        at: f64,
+    },
     /// Events that follow each other without time passing.
     #[error("{events} events follow each other without time passing")]
     Chatter {

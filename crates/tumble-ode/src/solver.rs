@@ -86,6 +86,8 @@ pub struct Solver<'a, H: Hybrid> {
     scales: Scales,
     /// Events since time last passed.
     at_once: u64,
+    /// Whether an event has ended the motion.
+    stopped: bool,
     trajectory: Trajectory<H::Mode>,
 }
 
@@ -108,6 +110,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             engines: vec![],
             scales: Scales::new(&[]),
             at_once: 0,
+            stopped: false,
             trajectory: Trajectory {
                 modes: vec![],
                 pieces: vec![],
@@ -121,7 +124,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     /// Whether the end is reached.
     pub fn is_done(&self) -> bool {
-        self.mode.is_some() && self.time >= self.until
+        self.stopped || (self.mode.is_some() && self.time >= self.until)
     }
 
     /// Time reached, s.
@@ -283,7 +286,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         engine.pass(&step.hits, expansion, step.length, work);
         let guard = |hit: &Hit| match hit {
             Hit::Guard(guard) => Some(*guard),
-            Hit::Branch(..) | Hit::Turning(_) => None,
+            Hit::Branch(..) | Hit::Turning(_) | Hit::Knot(..) => None,
         };
         Ok(step.hits.iter().filter_map(guard).collect())
     }
@@ -341,6 +344,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let fired: Vec<String> = causes.iter().filter_map(guard).collect();
         let before = self.states.clone();
         // An event that changes nothing does not disturb the sides that the motion is on.
+        self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
         let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &fired)? };
         self.trajectory.events.push(Event {

@@ -16,6 +16,8 @@ pub struct Work {
     pub exact_steps: u64,
     /// Changes of side of branches (abs, sign, step, min, max, if).
     pub flips: u64,
+    /// Knots of tables passed.
+    pub knots: u64,
     /// Steps cut where a length, root or power is least.
     pub turns: u64,
     /// Tapes built, one a mode.

@@ -46,6 +46,7 @@ impl Hybrid for Toy {
             mode: (at.mode + passed) % 2,
             states: at.states.to_vec(),
             tags: vec![format!("{passed} passed")],
+            stop: false,
         })
     }
 }
@@ -193,6 +194,59 @@ fn bad_starts_and_ends_are_refused() {
     let divides = Toy { rates: vec![("x", 1 / leaf("x"))], ..Toy::default() };
     let stopped = run(&divides, &[0.0], 1.0, 1e-9).expect_err("divides by zero");
     assert_eq!(stopped.refusal.reason, Reason::NotFinite { state: "x".into() });
+}
+
+/// A measured rate: every knot ends a step, and the integral of straight lines is exact.
+#[test]
+fn knots_of_a_table_are_met_exactly() {
+    let rows: Vec<[f64; 2]> = (0..=100).map(|i| [0.1 * f64::from(i), f64::from(i % 3)]).collect();
+    let table = |outside| {
+        let linear = tumble_expr::Interpolation::Linear;
+        std::sync::Arc::new(
+            tumble_expr::Table::new("gust", [Dimension::NONE; 2], &rows, linear, outside).expect("a table"),
+        )
+    };
+    let hold = table(tumble_expr::Outside::Hold);
+    let toy = Toy { rates: vec![("x", Expr::table(&hold, leaf("t")))], ..Toy::default() };
+    let motion = run(&toy, &[0.0], 12.0, 1e-9).expect("piecewise polynomials");
+    let trapezoids: f64 = rows.windows(2).map(|pair| 0.05 * (pair[0][1] + pair[1][1])).sum();
+    let last = rows[100][1];
+    assert!((motion.last_states().expect("ran")[0] - (trapezoids + 2.0 * last)).abs() < 1e-13);
+    assert_eq!((motion.work.knots, motion.work.exact_steps), (100, 101));
+    // A table that says nothing outside refuses, with the time.
+    let refuse = table(tumble_expr::Outside::Refuse);
+    let toy = Toy { rates: vec![("x", Expr::table(&refuse, leaf("t")))], ..Toy::default() };
+    let stopped = run(&toy, &[0.0], 12.0, 1e-9).expect_err("not measured after 10");
+    assert_eq!(
+        stopped.refusal.to_string(),
+        "stopped at t = 10 s: `gust` is not measured at 10 (SI units), and says nothing outside its range"
+    );
+}
+
+/// A force that depends on the place through a table, there and back over its knots.
+#[test]
+fn a_table_of_the_state() {
+    // A potential valley of straight walls: x'' = -sign(x), as a table, and as the function.
+    let rows = [[-2.0, 1.0], [0.0, -1.0], [2.0, -1.0]];
+    let constant = tumble_expr::Interpolation::Constant;
+    let table =
+        tumble_expr::Table::new("force", [Dimension::NONE; 2], &rows, constant, tumble_expr::Outside::Hold);
+    let force = Expr::table(&std::sync::Arc::new(table.expect("a table")), leaf("x"));
+    let by_table = Toy { rates: vec![("x", leaf("v")), ("v", force)], ..Toy::default() };
+    let by_sign = Toy { rates: vec![("x", leaf("v")), ("v", -leaf("x").sign())], ..Toy::default() };
+    let [a, b] = [by_table, by_sign].map(|toy| run(&toy, &[1.0, 0.0], 30.0, 1e-12).expect("bounded"));
+    assert_eq!(a.work.knots, b.work.flips);
+    // Half parabolas, a quarter of the swing each in sqrt(2).
+    let quarter = 2.0_f64.sqrt();
+    let phase: f64 = 30.0 % (4.0 * quarter);
+    let x = match (phase / quarter) as u32 {
+        0 => 1.0 - phase * phase / 2.0,
+        1 | 2 => (phase - 2.0 * quarter).powi(2) / 2.0 - 1.0,
+        _ => 1.0 - (phase - 4.0 * quarter).powi(2) / 2.0,
+    };
+    for motion in [a, b] {
+        assert!((motion.last_states().expect("ran")[0] - x).abs() < 1e-12);
+    }
 }
 
 /// Counts of work, so that a change that makes steps shorter or longer is seen.

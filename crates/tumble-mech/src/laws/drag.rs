@@ -254,7 +254,9 @@ impl Interaction for Drag {
 
     fn is_quadrature(&self, wind: &Wind) -> bool {
         match &self.on {
-            DragPlace::Lines { component: Component::Full, .. } => self.quadratic.is_some() || !wind.is_affine(),
+            DragPlace::Lines { component: Component::Full, .. } => {
+                self.quadratic.is_some() || !wind.is_affine()
+            }
             DragPlace::Lines { component: Component::Normal, .. } => !wind.is_affine(),
             DragPlace::Point(_) | DragPlace::PointNormal(..) => false,
         }
