@@ -5,6 +5,7 @@
 //! [`Values`] (one value each) or [`Jets`] (Taylor coefficients each), on one number or on lanes of them.
 //! It knows nothing of mechanics.
 
+mod active;
 mod degree;
 mod describe;
 mod differentiate;
@@ -26,6 +27,7 @@ mod typing;
 mod unit;
 mod vector;
 
+pub use active::Active;
 pub use degree::Degree;
 pub use dimension::{Dimension, Exponent};
 pub use expr::{Binary, Expr, Node, Relation, Symbol, Unary};

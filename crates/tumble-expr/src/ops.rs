@@ -259,6 +259,11 @@ impl Op {
         }
     }
 
+    /// Whether this is one of [`crate::Tape::turnings`], where it changes with time.
+    pub(crate) fn turns(self) -> bool {
+        matches!(self, Self::Norm(_) | Self::SquareOver { .. } | Self::Sqrt(_) | Self::Pow { .. })
+    }
+
     /// The measured function this operation belongs to.
     pub(crate) fn lookup(self) -> Option<u32> {
         match self {

@@ -48,7 +48,7 @@ pub(crate) enum Coordinates {
     },
 }
 
-/// What a state measures, and so which scale its error is relative to.
+/// What a state measures, and so which scale its error is relative to: its number is the scale group's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Measure {
     Length,

@@ -157,12 +157,17 @@ impl Equations {
     pub(crate) fn groups(&self) -> Vec<ScaleGroup> {
         let reaches = self.model.bodies.iter().map(|body| body.reach() * 2);
         let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
-        let group = |name: &str, floor: Expr| ScaleGroup { name: name.to_owned(), floor };
+        let size = size.unwrap_or_else(Expr::zero);
+        let group = |name: &str, floor: &Expr, per_run| ScaleGroup {
+            name: name.to_owned(),
+            floor: floor.clone(),
+            per_run,
+        };
         vec![
-            group("length", size.unwrap_or_else(Expr::zero)),
-            group("angle", Expr::one()),
-            group("speed", Expr::zero()),
-            group("angular rate", Expr::zero()),
+            group("length", &size, false),
+            group("angle", &Expr::one(), false),
+            group("speed", &size, true),
+            group("angular rate", &Expr::one(), true),
         ]
     }
 

@@ -26,6 +26,19 @@ pub struct Run {
     pub trajectory: Trajectory<Mode>,
     /// Values of the parameters, in the equations' order.
     pub inputs: Vec<f64>,
+    /// Sums that stand for integrals along lines, where there are any that were refined.
+    pub quadrature: Option<Quadrature>,
+}
+
+/// How well sums over Gauss nodes stand for integrals along lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quadrature {
+    /// Nodes on each line.
+    pub nodes: usize,
+    /// Largest change of a state at the end when the nodes were last doubled, in units of its scale.
+    pub change: f64,
+    /// Whether that is within the accuracy asked for. Where not, the change is what the motion can be trusted to.
+    pub settled: bool,
 }
 
 /// Why there is no motion, or not all of it.
@@ -98,7 +111,7 @@ impl Run {
             progress(solver.time());
         }
         let trajectory = solver.finish();
-        let run = Self { equations, trajectory, inputs };
+        let run = Self { equations, trajectory, inputs, quadrature: None };
         match refusal {
             None => Ok(run),
             Some(refusal) => Err(RunError::Refused { refusal, partial: Box::new(run) }),
@@ -107,8 +120,8 @@ impl Run {
 
     /// Integrates as [`Run::new`], with so many Gauss nodes along lines that more do not change the end.
     ///
-    /// The nodes are doubled until the states at the end change by less than the accuracy; the number is in
-    /// [`Model::nodes`] of the run's equations.
+    /// The nodes are doubled until the states at the end change by less than the accuracy, or there are very many;
+    /// [`Run::quadrature`] says which.
     pub fn refined(
         model: Model,
         parameters: &Parameters,
@@ -122,8 +135,10 @@ impl Run {
         };
         let mut run = with(model.nodes)?;
         while model.has_quadrature() && run.equations.model().nodes < MOST_NODES {
-            let finer = with(2 * run.equations.model().nodes)?;
-            let settled = run.differs_little_from(&finer, accuracy);
+            let mut finer = with(2 * run.equations.model().nodes)?;
+            let change = run.change_to(&finer);
+            let settled = change <= accuracy.value();
+            finer.quadrature = Some(Quadrature { nodes: finer.equations.model().nodes, change, settled });
             run = finer;
             if settled {
                 break;
@@ -132,15 +147,16 @@ impl Run {
         Ok(run)
     }
 
-    /// Whether the states at the end agree to the accuracy, in units of their scales.
-    fn differs_little_from(&self, other: &Self, accuracy: Accuracy) -> bool {
+    /// Largest difference of the states at the end, in units of their scales.
+    fn change_to(&self, other: &Self) -> f64 {
         let (Some(here), Some(there)) = (self.trajectory.last_states(), other.trajectory.last_states())
         else {
-            return false;
+            return f64::INFINITY;
         };
-        let largest = other.trajectory.scales.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let scale = |index: usize| there[index].abs().max(largest.min(1.0));
-        (0..there.len()).all(|index| (here[index] - there[index]).abs() <= accuracy.value() * scale(index))
+        let scales = other.equations.state_rates().into_iter().map(|state| state.measure as usize);
+        let scales = scales.map(|group| other.trajectory.scales[group].max(f64::MIN_POSITIVE));
+        let relative = here.iter().zip(&there).zip(scales).map(|((a, b), scale)| (a - b).abs() / scale);
+        relative.fold(0.0, f64::max)
     }
 
     /// Prepares formulas of the motion, accelerations included, to be evaluated at any time.

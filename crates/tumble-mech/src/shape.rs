@@ -102,6 +102,23 @@ impl Shape {
         }
     }
 
+    /// The straight lines it is bounded by, or is, each by its two ends, m, body axes.
+    pub fn edges(&self) -> Vec<[Vector; 2]> {
+        let round = |corners: &[Vector]| {
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).map(|(a, b)| [a.clone(), b.clone()]).collect()
+        };
+        match self {
+            Self::Rod { from, to } => vec![[from.clone(), to.clone()]],
+            Self::Polygon { corners } => round(corners),
+            Self::Box { centre, width, height } => {
+                let corner = |x: i32, y: i32| centre + Vector::planar(width * x / 2, height * y / 2);
+                round(&[corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)])
+            }
+            _ => vec![],
+        }
+    }
+
     /// Lengths that must be positive, with their names.
     pub(crate) fn sizes(&self) -> Vec<(&'static str, Expr)> {
         match self {

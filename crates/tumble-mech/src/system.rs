@@ -2,7 +2,6 @@
 
 use tumble_ode::{Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
 
-use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::event::Action;
 use crate::load::Moment;
@@ -16,12 +15,7 @@ impl Hybrid for Equations {
         let states = self.state_rates().into_iter().map(|state| StateVariable {
             rate: self.in_states(mode, &state.rate),
             symbol: state.symbol,
-            group: match state.measure {
-                Measure::Length => 0,
-                Measure::Angle => 1,
-                Measure::Speed => 2,
-                Measure::AngularRate => 3,
-            },
+            group: state.measure as usize,
         });
         let guards = self.model().events.iter().map(|event| Guard {
             name: event.name.clone(),

@@ -29,7 +29,8 @@ pub(crate) struct Compiled {
 }
 
 impl Compiled {
-    pub(crate) fn new(flow: &Flow, inputs: &[f64]) -> Result<Self, Reason> {
+    /// `span` is the length of the run, s.
+    pub(crate) fn new(flow: &Flow, inputs: &[f64], span: f64) -> Result<Self, Reason> {
         let layout = Layout {
             states: flow.states.iter().map(|state| state.symbol.clone()).collect(),
             time: flow.time.clone(),
@@ -49,7 +50,11 @@ impl Compiled {
         Ok(Self {
             names: layout.states.iter().map(|state| state.name.to_string()).collect(),
             groups: flow.states.iter().map(|state| state.group).collect(),
-            floors: fixed(&layout, &floors, inputs)?,
+            floors: fixed(&layout, &floors, inputs)?
+                .into_iter()
+                .zip(&flow.groups)
+                .map(|(floor, group)| if group.per_run { floor / span } else { floor })
+                .collect(),
             tape: Arc::new(tape),
             schedule,
             exact_degree,
@@ -139,12 +144,12 @@ mod tests {
             states: states.collect(),
             time: symbol("t".into()),
             inputs: vec![symbol("p".into())],
-            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one() }],
+            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: vec![],
             guards: vec![],
             clock: None,
         };
-        Compiled::new(&flow, &[1.0]).expect("pure numbers").exact_degree
+        Compiled::new(&flow, &[1.0], 1.0).expect("pure numbers").exact_degree
     }
 
     fn leaf(name: &str) -> Expr {

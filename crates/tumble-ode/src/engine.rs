@@ -1,6 +1,6 @@
 //! One mode's equations with their evaluators, and the sides its branches are on.
 
-use tumble_expr::{Branches, Jets, Turning};
+use tumble_expr::{Active, Branches, Jets, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
@@ -8,7 +8,7 @@ use crate::compiled::Compiled;
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
 use crate::polynomial;
-use crate::radius::of_series;
+use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
 use crate::scale::Scales;
 use crate::work::Work;
@@ -46,10 +46,10 @@ struct Sides {
     zero_guards: Vec<bool>,
     /// Which norms are zero vectors now.
     vanishing: Vec<bool>,
-    /// Largest absolute values that branches and guards, and lengths, have had.
-    branch_scales: Vec<f64>,
-    guard_scales: Vec<f64>,
+    /// Largest values that lengths have had.
     turning_scales: Vec<f64>,
+    /// What matters on these sides.
+    active: Active,
 }
 
 pub(crate) struct Engine {
@@ -74,7 +74,6 @@ impl Engine {
     pub(crate) fn enter(&mut self, time: f64, states: &[f64], fired: &[String]) {
         let tape = self.system.tape.clone();
         self.values.start(time, states, Branches::Free);
-        let branches = tape.guards().len();
         let is_zero = |slot: u32| self.values.slot(slot)[0] == 0.0;
         let names = &self.system.guard_names;
         self.sides = Sides {
@@ -83,9 +82,8 @@ impl Engine {
             zero_turnings: vec![false; self.turnings.len()],
             zero_guards: names.iter().map(|name| fired.contains(name)).collect(),
             vanishing: vec![false; tape.norms()],
-            branch_scales: vec![0.0; branches],
-            guard_scales: vec![0.0; names.len()],
             turning_scales: vec![0.0; self.turnings.len()],
+            active: tape.active(self.values.signs()),
         };
     }
 
@@ -111,6 +109,7 @@ impl Engine {
             }
             turned[branch] = true;
             self.sides.signs[branch] = -self.sides.signs[branch];
+            self.look_again(time, states);
         }
     }
 
@@ -151,14 +150,7 @@ impl Engine {
 
     fn watch_scales(&mut self, expansion: &Expansion) {
         let raise = |scale: &mut f64, value: f64| *scale = scale.max(value.abs());
-        let Sides { branch_scales, guard_scales, turning_scales, .. } = &mut self.sides;
-        for (scale, series) in branch_scales.iter_mut().zip(&expansion.branches) {
-            raise(scale, series[0]);
-        }
-        for (scale, series) in guard_scales.iter_mut().zip(&expansion.guards) {
-            raise(scale, series[0]);
-        }
-        for (scale, turn) in turning_scales.iter_mut().zip(&expansion.turnings) {
+        for (scale, turn) in self.sides.turning_scales.iter_mut().zip(&expansion.turnings) {
             raise(scale, turn.length(0.0));
         }
     }
@@ -173,18 +165,37 @@ impl Engine {
             let sign = if zero { leading_sign(&series[1..]) } else { leading_sign(series) };
             sign * self.sides.signs[*branch] < 0.0
         };
-        (0..expansion.branches.len()).find(wrong)
+        (0..expansion.branches.len()).filter(|branch| self.sides.active.branches[*branch]).find(wrong)
+    }
+
+    /// Sees what matters after a branch has changed sides; what did not matter before takes its side by value.
+    fn look_again(&mut self, time: f64, states: &[f64]) {
+        let tape = self.system.tape.clone();
+        let active = tape.active(&self.sides.signs);
+        self.values.start(time, states, Branches::Free);
+        let here = self.values.signs();
+        let (before, first_table) = (&self.sides.active, tape.guards().len());
+        let matters = active.branches.iter().chain(&active.tables);
+        let mattered = before.branches.iter().chain(&before.tables);
+        for (side, (now, then)) in matters.zip(mattered).enumerate() {
+            let known_zero = side < first_table && self.sides.zero_branches[side];
+            if *now && !*then && !known_zero {
+                self.sides.signs[side] = here[side];
+            }
+        }
+        self.sides.active = active;
     }
 
     /// How far the expansion reaches, guards included: infinite where nothing in the coefficients limits it.
     pub(crate) fn radius(&self, expansion: &Expansion, scales: &Scales) -> f64 {
-        let of = |(series, scale): (&Vec<f64>, f64)| of_series(series, scale);
         let states = expansion.states.iter().enumerate();
-        let states = states.map(|(state, series)| (series, scales.of(self.system.group(state))));
-        let clock = expansion.time.iter().map(|series| (series, series[0].abs()));
-        let branches = expansion.branches.iter().zip(self.sides.branch_scales.iter().copied());
-        let guards = expansion.guards.iter().zip(self.sides.guard_scales.iter().copied());
-        states.chain(clock).chain(branches).chain(guards).map(of).fold(f64::INFINITY, f64::min)
+        let states = states.map(|(state, series)| of_series(series, scales.of(self.system.group(state))));
+        let clock = expansion.time.iter().map(|series| of_series(series, series[0].abs()));
+        let active = self.sides.active.branches.iter();
+        let branches =
+            expansion.branches.iter().zip(active).filter(|(_, active)| **active).map(|(series, _)| series);
+        let watched = branches.chain(&expansion.guards).map(|series| of_own_size(series));
+        states.chain(clock).chain(watched).fold(f64::INFINITY, f64::min)
     }
 
     /// What happens first within a length of the clock, and when; all that happens at that instant.
@@ -204,18 +215,25 @@ impl Engine {
                 .filter_map(|root| Some((root.at, root.crosses_to?)))
         };
         let mut hits = vec![];
-        for (branch, series) in expansion.branches.iter().enumerate() {
+        let active = &self.sides.active;
+        for (branch, series) in
+            expansion.branches.iter().enumerate().filter(|(branch, _)| active.branches[*branch])
+        {
             let found = crossings(series, self.sides.zero_branches[branch]);
             hits.extend(found.take(1).map(|(at, to)| (at, Hit::Branch(branch, to))));
         }
-        for (turning, turn) in expansion.turnings.iter().enumerate() {
+        for (turning, turn) in
+            expansion.turnings.iter().enumerate().filter(|(turning, _)| active.turnings[*turning])
+        {
             let slope = derivative(&turn.square);
             let least = crossings(&slope, self.sides.zero_turnings[turning]).filter(|(_, to)| *to > 0.0);
             let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
             hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
         }
         let branches = expansion.branches.len();
-        for (lookup, series) in expansion.arguments.iter().enumerate() {
+        for (lookup, series) in
+            expansion.arguments.iter().enumerate().filter(|(lookup, _)| active.tables[*lookup])
+        {
             let segment = self.sides.signs[branches + lookup] as usize;
             let ends = self.system.tape.tables()[lookup].table.0.ends(segment);
             for (knot, direction) in ends.into_iter().zip([-1.0, 1.0]).filter(|(knot, _)| knot.is_finite()) {
@@ -283,6 +301,13 @@ impl Engine {
             }
         }
     }
+
+    /// Whether a step ended where a branch changes sides, so that other things matter.
+    pub(crate) fn resume(&mut self, hits: &[Hit], time: f64, states: &[f64]) {
+        if hits.iter().any(|hit| matches!(hit, Hit::Branch(..))) {
+            self.look_again(time, states);
+        }
+    }
 }
 
 /// The series without what is zero now: its roots are those ahead.
@@ -295,7 +320,7 @@ fn ahead(series: &[f64], zero: bool) -> &[f64] {
 /// Sign of the first coefficient that is more than rounding, on a stretch where the series is a few times its first term.
 fn leading_sign(series: &[f64]) -> f64 {
     let Some(first) = series.iter().position(|c| *c != 0.0) else { return 0.0 };
-    let reach = of_series(series, 0.0).min(1.0);
+    let reach = of_own_size(series).min(1.0);
     let term = |k: usize| (series[k] * libm::pow(reach, k as f64)).abs();
     let largest = (first..series.len()).map(term).fold(0.0, f64::max);
     (first..series.len()).find(|k| term(*k) > SIGNIFICANT * largest).map_or(0.0, |k| series[k].signum())

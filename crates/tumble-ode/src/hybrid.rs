@@ -80,6 +80,8 @@ pub struct ScaleGroup {
     pub name: String,
     /// The least scale, a formula of the inputs.
     pub floor: Expr,
+    /// Whether the floor is to be divided by the length of the run: a rate so small changes nothing that matters within it.
+    pub per_run: bool,
 }
 
 /// An instant at which a flow ends.

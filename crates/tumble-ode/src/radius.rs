@@ -5,19 +5,31 @@
 //! fourth coefficient), so the smallest value over the upper half of the orders is taken. Coefficients that are zero
 //! say nothing.
 
-/// Radius of one series of that scale, infinite where all the coefficients read are zero; a scale of zero stands for the series' own size.
+/// Radius of one series of that scale, infinite where all the coefficients read are zero; a scale of zero stands for the
+/// series' own size.
 pub(crate) fn of_series(series: &[f64], scale: f64) -> f64 {
-    let last = series.len() - 1;
-    let (scale, lowest) = if scale > 0.0 { (scale, 0) } else { own_size(series) };
-    let upper = (last.div_ceil(2)).max(lowest + 1)..=last;
-    upper.map(|k| root(scale / series[k].abs(), k - lowest)).fold(f64::INFINITY, f64::min)
+    if scale == 0.0 {
+        return of_own_size(series);
+    }
+    upper(series, 0).map(|k| root(scale / series[k].abs(), k)).fold(f64::INFINITY, f64::min)
 }
 
-/// For a state that starts from zero and has no other scale: its lowest nonzero coefficient, with its order.
+/// Radius of a series measured against itself.
 ///
-/// `|c_j| r^j` is the state's size at the radius r, and `(|c_j| / |c_k|)^(1/(k-j))` estimates r without knowing it.
-fn own_size(series: &[f64]) -> (f64, usize) {
-    series.iter().position(|c| *c != 0.0).map_or((0.0, 0), |j| (series[j].abs(), j))
+/// `(|c_j| / |c_k|)^(1/(k-j))` estimates the radius for each pair; of the lower orders j the one that gives most is the
+/// one that is not small by accident (by symmetry, or because it is nothing but rounding).
+pub(crate) fn of_own_size(series: &[f64]) -> f64 {
+    let Some(first) = series.iter().position(|c| *c != 0.0) else { return f64::INFINITY };
+    let middle = ((series.len() - 1) / 2).max(first);
+    let pair = |j: usize, k: usize| root(series[j].abs() / series[k].abs(), k - j);
+    let reach = |k: usize| (first..=middle.min(k - 1)).map(|j| pair(j, k)).fold(0.0, f64::max);
+    upper(series, first).filter(|k| series[*k] != 0.0).map(reach).fold(f64::INFINITY, f64::min)
+}
+
+/// The orders read: the upper half, and beyond the lowest that is not zero.
+fn upper(series: &[f64], first: usize) -> std::ops::RangeInclusive<usize> {
+    let last = series.len() - 1;
+    last.div_ceil(2).max(first + 1)..=last
 }
 
 fn root(ratio: f64, k: usize) -> f64 {
@@ -43,6 +55,14 @@ mod tests {
             let series: Vec<f64> = (0..length).map(gap).collect();
             assert!((of_series(&series, 1.0) - 2.0).abs() < 1e-12, "{length} coefficients");
         }
+    }
+
+    #[test]
+    fn a_low_order_that_is_small_by_accident_does_not_matter() {
+        let mut series: Vec<f64> = (0..20).map(|k| 1e-17 * 0.5_f64.powi(k)).collect();
+        series[0] = 1e-200;
+        series[1] = 0.0;
+        assert!((of_own_size(&series) - 2.0).abs() < 1e-12);
     }
 
     #[test]

@@ -151,6 +151,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let step = self.accepted_step(mode, &expansion, end)?;
         let ends_flow = self.pass(mode, &step, &expansion)?;
         self.accept(mode, expansion, &step)?;
+        self.engines[mode].resume(&step.hits, self.time, &self.states);
         self.jump_if_due(mode, ends_flow, step.end == end)
     }
 
@@ -189,7 +190,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn compile(&mut self, mode: H::Mode) -> Result<usize, Reason> {
-        let system = Compiled::new(&self.system.flow(&mode)?, &self.inputs)?;
+        let system = Compiled::new(&self.system.flow(&mode)?, &self.inputs, self.span)?;
         self.engines.push(Engine::new(system, self.trajectory.order, &self.inputs));
         self.trajectory.modes.push(mode.clone());
         self.trajectory.work.modes += 1;

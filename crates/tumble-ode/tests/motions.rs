@@ -33,7 +33,7 @@ impl Hybrid for Toy {
             states: states.collect(),
             time: symbol("t"),
             inputs: vec![symbol("p"), symbol("on")],
-            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one() }],
+            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: self.schedule.clone(),
             guards: vec![],
             clock: self.clock.clone(),

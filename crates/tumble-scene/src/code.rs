@@ -80,12 +80,16 @@ codes! {
     NameTaken = "E0523";
     /// Parameters that depend on each other in a circle.
     Cycle = "E0524";
-    /// A value that is fixed before the run and depends on the motion.
+    /// A value that is given before the run and depends on the motion.
     Changing = "E0525";
     /// A force that depends on an acceleration.
     Acceleration = "E0526";
     /// Curves of one figure that measure different things.
     UnlikeCurves = "E0527";
+    /// An event in the place of a value.
+    EventInFormula = "E0528";
+    /// A condition of an event that is not written as one.
+    When = "E0529";
     /// A number out of the range in which it makes sense.
     Value = "E0530";
     /// A span of time that ends before it begins.
@@ -106,6 +110,22 @@ codes! {
     Model = "E0538";
     /// The setting of a parameter that does not exist.
     UnknownParameter = "E0540";
+    /// A sweep that needs itself.
+    SweepCycle = "E0541";
+    /// Air resistance of a body that is not of the shape it is asked for.
+    ShapeInAir = "E0542";
+    /// A file outside of the scene's folder.
+    FilePath = "E0550";
+    /// A file that cannot be read.
+    FileRead = "E0551";
+    /// A file that is not a table.
+    FileTable = "E0552";
+    /// A column that its file does not have.
+    UnknownColumn = "E0553";
+    /// A column that does not state its unit.
+    ColumnUnit = "E0554";
+    /// A cell that is not a number in its place.
+    Cell = "E0555";
 }
 
 impl fmt::Display for Code {

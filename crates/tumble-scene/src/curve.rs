@@ -1,6 +1,6 @@
 //! Formulas that are shown: any quantity of the motion.
 
-use tumble_expr::{Binary, Dimension, Expr, Node, Unary};
+use tumble_expr::{Binary, Dimension, Expr, Node, Unary, language};
 
 use crate::document::Field;
 use crate::draft::Draft;
@@ -13,12 +13,42 @@ pub(crate) fn read(draft: &mut Draft, field: &Field) -> Option<Curve> {
     let want = Want::any().at(Level::Output);
     let formula = draft.number(field, want)?;
     let text = draft.text(field, want)?.text;
-    Some(Curve { text, quantity: quantity(formula) })
+    let parsed = language::parse(&text).ok();
+    let names = parsed.iter().flat_map(|formula| formula.names()).map(|name| name.name);
+    Some(Curve { quantity: quantity(formula, names), text: text.clone() })
 }
 
-pub(crate) fn quantity(formula: Expr) -> Quantity {
+/// A formula that was written with these names.
+pub(crate) fn quantity<'n>(formula: Expr, names: impl IntoIterator<Item = &'n str>) -> Quantity {
     let dimension = formula.dimension().unwrap_or(Dimension::NONE);
-    Quantity { angle: dimension == Dimension::NONE && is_angular(&formula), dimension, formula }
+    let unit = unit(dimension, is_angular(&formula), names.into_iter().any(is_energy_name));
+    Quantity { unit, dimension, formula }
+}
+
+/// What newton metres measure the dimension does not tell: an energy is what was made of energies.
+fn unit(dimension: Dimension, angular: bool, energy: bool) -> String {
+    let is_torque = dimension == Dimension::TORQUE && !energy;
+    let special = UNITS.iter().find(|(known, of_angle, _)| *known == dimension && (!of_angle || angular));
+    match special {
+        _ if is_torque => "N m".to_owned(),
+        Some((_, _, unit)) => (*unit).to_owned(),
+        None => dimension.to_string(),
+    }
+}
+
+/// Units that are not the dimension's own text, and whether only angles have them.
+const UNITS: &[(Dimension, bool, &str)] = &[
+    (Dimension::NONE, true, "rad"),
+    (Dimension::ANGULAR_RATE, true, "rad/s"),
+    (Dimension::ANGULAR_ACCELERATION, true, "rad/s^2"),
+    (Dimension::NONE, false, ""),
+    (Dimension::FORCE, false, "N"),
+    (Dimension::TORQUE, false, "J"),
+    (Dimension::new(2, 1, -3), false, "W"),
+];
+
+fn is_energy_name(name: &str) -> bool {
+    [".energy", ".kinetic", ".potential", ".work"].iter().any(|end| name.ends_with(end))
 }
 
 /// Whether a formula is an angle, or an angle per time: one of a body's, or a sum or multiple of such.

@@ -1,6 +1,7 @@
 //! A scene while it is being read: what is known so far, and every mistake so far.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
 
 use tumble_expr::Expr;
 use tumble_mech::Model;
@@ -10,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{Check, Plot, Stroboscope, Study};
+use crate::study::{Check, Plot, Stroboscope, Study, SweepAxis};
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -31,6 +32,11 @@ pub(crate) struct Draft {
     pub(crate) stroboscopes: Vec<Stroboscope>,
     pub(crate) checks: Vec<Check>,
     pub(crate) symbols: BTreeMap<String, String>,
+    pub(crate) sweep: Vec<SweepAxis>,
+    /// Parameters that are angles, or angles per time.
+    pub(crate) angular: BTreeSet<String>,
+    /// What the files of the scene's tables hold, by their names there.
+    pub(crate) files: BTreeMap<String, io::Result<Vec<u8>>>,
 }
 
 impl Draft {
@@ -60,6 +66,7 @@ impl Draft {
                 stroboscopes: self.stroboscopes,
                 checks: self.checks,
                 symbols: self.symbols,
+                sweep: self.sweep,
             }),
             _ => Err(Diagnostics::new(self.sources, self.mistakes)),
         }

@@ -1,7 +1,10 @@
 //! Formulas in the file: their text, what is asked of them, and their mistakes in places of the file.
 
-use tumble_expr::language::{self, Formula, FormulaError, Place, StatedUnit};
+use std::sync::Arc;
+
+use tumble_expr::language::{self, Formula, FormulaError, Place, StatedUnit, Value};
 use tumble_expr::{Dimension, Exponent, Expr};
+use tumble_mech::place_symbols;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label, Span};
@@ -34,6 +37,12 @@ impl Origin {
         Self { source, span: start..start + length, start: Some(start) }
     }
 
+    /// The place of a part of the text.
+    pub(crate) fn part(&self, part: Span) -> Self {
+        let span = self.map(&part);
+        Self { source: self.source, start: self.start.map(|_| span.start), span }
+    }
+
     /// A span of the formula's text in its source.
     pub(crate) fn map(&self, span: &Span) -> Span {
         match self.start {
@@ -58,17 +67,19 @@ pub(crate) struct Want {
     /// Whether it is an angle, or an angle per time, and must say so.
     pub(crate) angle: bool,
     pub(crate) level: Level,
+    /// Whether `x` and `y` are the coordinates of a place in it.
+    pub(crate) field: bool,
 }
 
 impl Want {
     /// A constant of this dimension.
     pub(crate) fn constant(dimension: Dimension) -> Self {
-        Self { dimension: Some(dimension), angle: false, level: Level::Constant }
+        Self { dimension: Some(dimension), angle: false, level: Level::Constant, field: false }
     }
 
     /// A constant of any dimension.
     pub(crate) fn any() -> Self {
-        Self { dimension: None, angle: false, level: Level::Constant }
+        Self { dimension: None, ..Self::constant(Dimension::NONE) }
     }
 
     /// A constant angle, or angle per time.
@@ -79,6 +90,17 @@ impl Want {
     /// The same, free to depend on more.
     pub(crate) fn at(self, level: Level) -> Self {
         Self { level, ..self }
+    }
+
+    /// The same, free to depend on the time and the place.
+    pub(crate) fn everywhere(self) -> Self {
+        Self { level: Level::Time, field: true, ..self }
+    }
+
+    /// What is known in this formula only.
+    fn own_names(&self) -> Vec<(Arc<str>, Value)> {
+        let symbols = self.field.then(place_symbols).into_iter().flatten();
+        symbols.map(|symbol| (symbol.name.clone(), Expr::from(symbol).into())).collect()
     }
 
     /// An example of what is wanted: `1 kg`.
@@ -138,17 +160,18 @@ pub(crate) fn number(names: &Names, text: &Text, want: Want) -> Result<Expr, Vec
         formula.demand_angle_unit().map_err(|error| complain(vec![error]))?;
     }
     let scope = names.scope(want.level);
+    let value = formula.check_with(scope, &want.own_names()).map_err(complain)?;
     match want.dimension {
-        Some(dimension) => formula.check_number(scope, dimension).map_err(|errors| {
+        Some(dimension) => formula.number(value, dimension).map_err(|errors| {
             complain(errors).into_iter().map(|d| with_key(d, text, &formula, want)).collect()
         }),
-        None => any_number(&formula, scope).map_err(complain),
+        None => any_number(&formula, value).map_err(complain),
     }
 }
 
-fn any_number(formula: &Formula, scope: &language::Scope) -> Result<Expr, Vec<FormulaError>> {
-    match formula.check(scope)? {
-        language::Value::Scalar(expr) if expr.dimension().is_ok() => Ok(expr),
+fn any_number(formula: &Formula, value: Value) -> Result<Expr, Vec<FormulaError>> {
+    match value {
+        Value::Scalar(expr) if expr.dimension().is_ok() => Ok(expr),
         other => {
             let span = 0..formula.text().len();
             let message = format!("expected a number, found {}", other.describe());
@@ -227,14 +250,26 @@ impl Translator<'_> {
         if self.names.is_broken(name) {
             return None;
         }
+        let stem = name.split(['[', '.']).next().unwrap_or(name);
+        if self.names.events.iter().any(|event| event == stem) {
+            return Some(event_in_formula(stem, mistake));
+        }
         let exists = self.names.scope(Level::Output).value(name).is_some() || !name.contains('.');
         match self.names.level_of(name) {
-            Some(needed) if needed > self.level && (exists || self.level == Level::Constant) => {
+            Some(needed) if needed > self.level && (exists || self.level < Level::Motion) => {
                 Some(misplaced(name, self.level, mistake))
             }
             _ => Some(mistake),
         }
     }
+}
+
+fn event_in_formula(event: &str, mut mistake: Diagnostic) -> Diagnostic {
+    (mistake.code, mistake.message) = (Code::EventInFormula, format!("`{event}` is an event, not a value"));
+    let help = format!(
+        "an event stands alone, as in `during = [\"{event}\", \"10 s\"]` or in a check `at = \"{event}\"`"
+    );
+    mistake.label("an event").help(help)
 }
 
 fn misplaced(name: &str, level: Level, mut mistake: Diagnostic) -> Diagnostic {
@@ -244,6 +279,12 @@ fn misplaced(name: &str, level: Level, mut mistake: Diagnostic) -> Diagnostic {
             format!("`{name}` changes during the run"),
             "this value is fixed before the run starts",
             "use numbers and parameters only",
+        ),
+        Level::Time => (
+            Code::Changing,
+            format!("`{name}` follows from the motion"),
+            "this course is given before the run starts",
+            "use the time `t`, numbers and parameters only",
         ),
         _ => (
             Code::Acceleration,

@@ -18,10 +18,12 @@
 //! ```
 
 mod code;
+mod csv_text;
 mod curve;
 mod diagnostic;
 mod document;
 mod draft;
+mod files;
 mod formula;
 mod model_mistakes;
 mod names;
@@ -33,27 +35,50 @@ mod settings;
 mod study;
 mod suggest;
 mod toml_text;
+mod unit_text;
 mod values;
 
 use draft::Draft;
 
 pub use code::Code;
 pub use diagnostic::{Diagnostic, Diagnostics, Label, Source, Span};
+pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use settings::Override;
-pub use study::{Check, Curve, Plot, Quantity, Stroboscope, Study};
+pub use study::{Check, Curve, Instant, Plot, Quantity, Stroboscope, Study, SweepAxis, SweepValue};
 
 /// A scene may have this many bytes.
 pub const MAX_BYTES: usize = 16 << 20;
 
-/// Reads a scene from the bytes of a file; `name` is what diagnostics call it.
+/// Reads a scene without measured tables from the bytes of a file; `name` is what diagnostics call it.
 pub fn read_bytes(name: &str, bytes: &[u8], overrides: &[Override]) -> Result<Study, Diagnostics> {
-    refuse_size(name, bytes.len())?;
-    let text = std::str::from_utf8(bytes).map_err(|error| not_text(name, bytes, error.valid_up_to()))?;
-    read(name, text, overrides)
+    read_bytes_in(name, bytes, overrides, &NoFiles)
 }
 
-/// Reads a scene; `name` is what diagnostics call it, `overrides` stand in the place of parameters.
+/// Reads a scene from the bytes of a file; its measured tables are in `files`.
+pub fn read_bytes_in(
+    name: &str,
+    bytes: &[u8],
+    overrides: &[Override],
+    files: &dyn Files,
+) -> Result<Study, Diagnostics> {
+    refuse_size(name, bytes.len())?;
+    let text = std::str::from_utf8(bytes).map_err(|error| not_text(name, bytes, error.valid_up_to()))?;
+    read_in(name, text, overrides, files)
+}
+
+/// Reads a scene without measured tables; `name` is what diagnostics call it, `overrides` stand in the place of
+/// parameters.
 pub fn read(name: &str, text: &str, overrides: &[Override]) -> Result<Study, Diagnostics> {
+    read_in(name, text, overrides, &NoFiles)
+}
+
+/// Reads a scene; its measured tables are in `files`, such as the [`Folder`] that it stands in.
+pub fn read_in(
+    name: &str,
+    text: &str,
+    overrides: &[Override],
+    files: &dyn Files,
+) -> Result<Study, Diagnostics> {
     refuse_size(name, text.len())?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut draft = Draft::begin(name, text, overrides);
@@ -61,7 +86,10 @@ pub fn read(name: &str, text: &str, overrides: &[Override]) -> Result<Study, Dia
     draft.mistakes = mistakes;
     match document {
         Some(_) if text.trim().is_empty() => draft.note(empty()),
-        Some(document) => read_document(&mut draft, document.get_ref()),
+        Some(document) => {
+            draft.files = files::of_tables(document.get_ref(), files);
+            read_document(&mut draft, document.get_ref());
+        }
         None => {}
     }
     draft.finish()

@@ -1,17 +1,47 @@
 //! Mistakes that the model finds, at their places in the file.
 
-use tumble_mech::{Equations, ModelError};
+use tumble_mech::{Equations, ModelError, ModelErrors};
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Draft;
 
+/// So many values of each axis of a sweep are tried before the run.
+const TRIED: usize = 100;
+
 /// What can be proved wrong once everything has been read: values out of range, bodies held twice and the like.
 pub(crate) fn check(draft: &mut Draft) {
-    let outcome = Equations::new(draft.model.clone())
-        .and_then(|equations| equations.start(&draft.model.parameters).map(|_| ()));
+    let equations = Equations::new(draft.model.clone());
+    let own =
+        equations.as_ref().map_err(Clone::clone).and_then(|e| e.start(&draft.model.parameters).map(drop));
+    note_all(draft, own, None);
+    if let (Ok(equations), true) = (equations, draft.mistakes.is_empty()) {
+        check_sweep(draft, &equations);
+    }
+}
+
+/// The first value of each axis that is wrong, the other parameters being what they are.
+fn check_sweep(draft: &mut Draft, equations: &Equations) {
+    for axis in draft.sweep.clone() {
+        for value in axis.values.iter().take(TRIED) {
+            let mut parameters = draft.model.parameters.clone();
+            let outcome = parameters.set(&axis.parameter, value.value.clone()).map_err(ModelErrors::from);
+            let outcome = outcome.and_then(|_| equations.start(&parameters).map(drop));
+            if outcome.is_err() {
+                note_all(draft, outcome, Some(&value.label));
+                break;
+            }
+        }
+    }
+}
+
+/// The mistakes, each with the run of the sweep that makes it.
+fn note_all(draft: &mut Draft, outcome: Result<(), ModelErrors>, run: Option<&str>) {
     for error in outcome.err().into_iter().flat_map(|errors| errors.0) {
-        let mistake = diagnose(draft, &error);
+        let mut mistake = diagnose(draft, &error);
+        if let Some(run) = run {
+            mistake.message = format!("in the run `{run}`: {}", mistake.message);
+        }
         draft.note(mistake);
     }
 }
@@ -48,11 +78,14 @@ struct Place<'d> {
 }
 
 impl Place<'_> {
-    /// Where what the model speaks of stands; at least where its body does.
+    /// Where what the model speaks of stands; at least where its body or its section does.
     fn at(&self, code: Code, what: &str, error: &ModelError) -> Diagnostic {
         let places = &self.draft.places;
-        let body = || what.split('`').nth(1).and_then(|name| places.get(&format!("body `{name}`")));
-        match places.get(what).or_else(body) {
+        let owner = || {
+            let name = what.split('`').nth(1)?;
+            places.get(&format!("body `{name}`")).or_else(|| places.get(&format!("`{name}`")))
+        };
+        match places.get(what).or_else(owner) {
             Some(span) => Diagnostic::new(code, span.clone(), error.to_string()),
             None => Diagnostic::new(code, 0..0, error.to_string()).nowhere(),
         }

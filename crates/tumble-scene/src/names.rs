@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_expr::Expr;
-use tumble_expr::language::{Function, Scope, is_name, is_reserved};
+use tumble_expr::language::{Function, Measured, Scope, is_name, is_reserved};
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
@@ -15,7 +15,9 @@ use crate::formula::Origin;
 pub(crate) enum Level {
     /// Parameters: what is fixed before the run.
     Constant,
-    /// The time, positions and velocities: what forces may depend on.
+    /// The time: what is given before the run as a course of time.
+    Time,
+    /// Positions and velocities: what forces may depend on.
     Motion,
     /// Accelerations too: what can be shown.
     Output,
@@ -31,10 +33,12 @@ const ACCELERATIONS: &[&str] = &["ax", "ay", "alpha"];
 /// The names of a scene.
 #[derive(Default)]
 pub(crate) struct Names {
-    scopes: [Scope; 3],
+    scopes: [Scope; 4],
     claimed: BTreeMap<String, (&'static str, Span)>,
     /// The names of all bodies, known before anything of them is read.
     pub(crate) bodies: Vec<String>,
+    /// The names of all events, likewise.
+    pub(crate) events: Vec<String>,
     /// Names whose definition has a mistake that has been reported: what uses them is not to blame.
     broken: BTreeSet<String>,
     /// Where the bodies of the functions stand.
@@ -61,6 +65,21 @@ impl Names {
         self.functions.insert(function.header.name.to_string(), body);
     }
 
+    pub(crate) fn define_measured(&mut self, measured: &Measured) {
+        for scope in &mut self.scopes {
+            scope.define_measured(measured.clone()).ok();
+        }
+    }
+
+    /// The event of a name with its count, such as `apex[2]`, if it is spelled like one.
+    pub(crate) fn event_of<'n>(&self, text: &'n str) -> Option<(&'n str, &'n str)> {
+        let (name, count) = match text.trim().split_once('[') {
+            Some((name, rest)) => (name, rest.strip_suffix(']')?),
+            None => (text.trim(), "1"),
+        };
+        self.events.iter().any(|event| event == name).then_some((name, count))
+    }
+
     /// Marks a name whose definition has a mistake.
     pub(crate) fn break_name(&mut self, name: &str) {
         self.broken.insert(name.to_owned());
@@ -77,7 +96,7 @@ impl Names {
         let last = name.rsplit('.').next().unwrap_or(name);
         let of_body = name.contains('.') && self.bodies.iter().any(|body| body == first_word(name));
         match name {
-            "t" => Some(Level::Motion),
+            "t" => Some(Level::Time),
             _ if of_body && ACCELERATIONS.contains(&last) => Some(Level::Output),
             _ if of_body => Some(Level::Motion),
             _ => None,
@@ -91,7 +110,7 @@ impl Names {
             return Err(taken(name, span, "`t` is the time".to_owned()));
         }
         // Parameters may have this name: theirs has no dot, and the weight's quantities all have one.
-        if name == "gravity" && !matches!(owner, "a parameter" | "a function") {
+        if name == "gravity" && !matches!(owner, "a parameter" | "a function" | "a table") {
             return Err(taken(name, span, "`gravity` is the weight of the bodies".to_owned()));
         }
         if is_reserved(name) {

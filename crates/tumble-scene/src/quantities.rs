@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use tumble_expr::Symbol;
 use tumble_expr::language::Value;
-use tumble_expr::{Expr, Symbol};
 use tumble_mech::{Body, Gravity, time};
 
 use crate::curve::quantity;
@@ -12,7 +12,7 @@ use crate::study::Quantity;
 
 /// Gives the time its name.
 pub(crate) fn define_time(names: &mut Names) {
-    names.define(Level::Motion, "t", &time());
+    names.define(Level::Time, "t", &time());
 }
 
 /// Gives all quantities of a body their names.
@@ -28,9 +28,9 @@ pub(crate) fn define(names: &mut Names, gravity: &Gravity, body: &Body) {
         define_symbol(names, Level::Output, symbol);
     }
     define_points(names, body);
-    let kinetic = kinetic_energy(body);
+    let kinetic = body.kinetic_energy();
     names.define(Level::Motion, &format!("{}.kinetic", body.name), &kinetic);
-    let energy = kinetic + potential_energy(body, gravity);
+    let energy = kinetic + body.potential_energy(gravity);
     names.define(Level::Motion, &format!("{}.energy", body.name), &energy);
 }
 
@@ -49,28 +49,12 @@ fn define_points(names: &mut Names, body: &Body) {
     }
 }
 
-/// Of the motion of the centre of mass and of the turning about it, J.
-fn kinetic_energy(body: &Body) -> Expr {
-    let (motion, mass) = (body.kinematics(), body.mass_properties());
-    let (v, omega) = (motion.velocity(), motion.omega());
-    let speed_squared = v.x() * v.x() + v.y() * v.y();
-    (mass.mass * speed_squared + mass.inertia * (&omega * &omega)) / 2
-}
-
-/// In uniform gravity within the plane of motion, zero at y = 0, J.
-fn potential_energy(body: &Body, gravity: &Gravity) -> Expr {
-    match gravity {
-        Gravity::Vertical(g) => body.mass_properties().mass * g * body.kinematics().position().y(),
-        Gravity::None | Gravity::Horizontal(_) => Expr::zero(),
-    }
-}
-
 /// Every name of the motion with its formula.
 pub(crate) fn all(names: &Names) -> BTreeMap<String, Quantity> {
     let scope = names.scope(Level::Output);
     let of_motion = scope.names().filter(|name| names.level_of(name).is_some());
     let formulas = of_motion.filter_map(|name| match scope.value(name)? {
-        Value::Scalar(formula) => Some((name.to_owned(), quantity(formula.clone()))),
+        Value::Scalar(formula) => Some((name.to_owned(), quantity(formula.clone(), [name]))),
         Value::Vector(_) => None,
     });
     formulas.collect()

@@ -2,6 +2,7 @@
 
 use toml::de::DeValue;
 use tumble_expr::{Dimension, Expr, Vector};
+use tumble_mech::Body;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
@@ -40,6 +41,49 @@ impl Draft {
             self.note(mistake.label(format!("has no `{key}`")).help(format!("add `{key} = {example}`")));
         }
         field
+    }
+
+    /// The name of a section, which is then taken.
+    pub(crate) fn own_name(&mut self, owner: &'static str, field: &Field) -> String {
+        let claimed = self.names.claim(owner, field.key, field.key_span.clone());
+        self.noted(claimed);
+        self.remember(format!("`{}`", field.key), &field.key_span);
+        field.key.to_owned()
+    }
+
+    /// A constant that must be given.
+    pub(crate) fn coefficient(
+        &mut self,
+        table: &mut Table,
+        name: &str,
+        key: &'static str,
+        example: &str,
+        dimension: Dimension,
+    ) -> Option<Expr> {
+        let field = self.required(table, key, example)?;
+        self.remember(format!("{key} of `{name}`"), &field.span);
+        self.number(&field, Want::constant(dimension))
+    }
+
+    /// What a value of the parameter that is this field's key must be; the parameter must exist.
+    pub(crate) fn parameter(&mut self, field: &Field) -> Option<Want> {
+        let symbols = self.model.parameters.symbols();
+        if let Some(symbol) = symbols.iter().find(|symbol| *symbol.name == *field.key) {
+            let angle = self.angular.contains(field.key);
+            return Some(Want { angle, ..Want::constant(symbol.dimension) });
+        }
+        if !self.names.is_broken(field.key) {
+            let help = suggest::name(field.key, "parameters", symbols.iter().map(|symbol| &*symbol.name));
+            let message = format!("there is no parameter `{}`", field.key);
+            let mistake = Diagnostic::new(Code::UnknownParameter, field.key_span.clone(), message);
+            self.note(mistake.label("unknown parameter").help(help));
+        }
+        None
+    }
+
+    /// A body by its name; `None` where it has mistakes of its own.
+    pub(crate) fn body_named(&self, name: &str) -> Option<Body> {
+        self.model.bodies.iter().find(|body| body.name == name).cloned()
     }
 
     /// Everything that was not asked for is unknown.

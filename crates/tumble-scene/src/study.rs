@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use tumble_expr::{Dimension, Expr};
-use tumble_mech::{Model, ModelErrors};
+use tumble_mech::{Model, ModelErrors, Parameters};
 use tumble_ode::Accuracy;
 
 /// A model and what to do with it, as formulas of its parameters.
@@ -29,9 +29,36 @@ pub struct Study {
     pub checks: Vec<Check>,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
     pub symbols: BTreeMap<String, String>,
+    /// Parameters that take several values, one run each; with several axes, every combination.
+    pub sweep: Vec<SweepAxis>,
+}
+
+/// A parameter that takes several values, one after the other.
+#[derive(Clone, Debug)]
+pub struct SweepAxis {
+    /// Name of the parameter.
+    pub parameter: String,
+    /// Its values, formulas of constants and of parameters that are not swept.
+    pub values: Vec<SweepValue>,
+}
+
+/// One value of a sweep.
+#[derive(Clone, Debug)]
+pub struct SweepValue {
+    /// The value.
+    pub value: Expr,
+    /// How it is called in a legend: `T = 0.5 s`, or the user's own words.
+    pub label: String,
 }
 
 impl Study {
+    /// The same study with these parameters.
+    #[must_use]
+    pub fn with(&self, parameters: &Parameters) -> Self {
+        let model = Model { parameters: parameters.clone(), ..self.model.clone() };
+        Self { model, ..self.clone() }
+    }
+
     /// Value of a formula of the parameters, SI units.
     pub fn number(&self, formula: &Expr) -> Result<f64, ModelErrors> {
         Ok(self.model.parameters.evaluate(std::slice::from_ref(formula))?[0])
@@ -45,8 +72,8 @@ pub struct Quantity {
     pub formula: Expr,
     /// What it measures.
     pub dimension: Dimension,
-    /// Whether it is an angle, to be labelled in radians.
-    pub angle: bool,
+    /// Its unit as it is shown: `rad/s`, `N`, `J`; empty for a pure number.
+    pub unit: String,
 }
 
 /// A figure of curves against the time or another quantity.
@@ -86,6 +113,20 @@ pub struct Stroboscope {
     pub trace: bool,
 }
 
+/// When something is looked at.
+#[derive(Clone, Debug)]
+pub enum Instant {
+    /// A time, s.
+    Time(Expr),
+    /// The time at which an event happens, counted from 1: `apex[2]`.
+    Event {
+        /// Name of the event.
+        name: String,
+        /// Which of its occurrences, from 1.
+        count: usize,
+    },
+}
+
 /// A claim about the motion at one time.
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -95,8 +136,8 @@ pub struct Check {
     pub that: Curve,
     /// What it must be.
     pub equals: Expr,
-    /// When, s; `None` is the end of the run.
-    pub at: Option<Expr>,
+    /// When; `None` is the end of the run.
+    pub at: Option<Instant>,
     /// Largest difference allowed, in the quantity's unit.
     pub within: Expr,
 }

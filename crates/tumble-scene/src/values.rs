@@ -5,6 +5,7 @@ use tumble_expr::Expr;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Draft;
+use crate::study::Instant;
 
 /// More samples than this are a slip of the unit.
 const MAX_SAMPLES: f64 = 1e6;
@@ -24,7 +25,9 @@ pub(crate) fn check(draft: &mut Draft) {
     }
     for check in draft.checks.clone() {
         let name = &check.name;
-        check_time(draft, &format!("at of `{name}`"), check.at, until);
+        if let Some(Instant::Time(at)) = check.at {
+            check_time(draft, &format!("at of `{name}`"), at, until);
+        }
         value(draft, &format!("equals of `{name}`"), Some(check.equals));
         check_margin(draft, &format!("within of `{name}`"), check.within);
     }
@@ -63,8 +66,8 @@ fn check_distance(draft: &mut Draft, what: &str, every: Expr, until: f64) {
     }
 }
 
-fn check_time(draft: &mut Draft, what: &str, at: Option<Expr>, until: f64) {
-    let Some(at) = value(draft, what, at) else { return };
+fn check_time(draft: &mut Draft, what: &str, at: Expr, until: f64) {
+    let Some(at) = value(draft, what, Some(at)) else { return };
     if !(0.0..=until).contains(&at) {
         let message = format!("{at} s is outside of the run, which lasts from 0 to {until} s");
         note(draft, Code::OutsideRun, what, message, "outside of the run");

@@ -3,9 +3,12 @@
 use proptest::prelude::*;
 use tumble_scene::{Override, read, read_bytes};
 
-const SCENES: [&str; 2] = [
+const SCENES: [&str; 5] = [
     include_str!("../../../scenes/02-thrown-rod/scene.toml"),
     include_str!("../../../scenes/04-kicked-ball/scene.toml"),
+    include_str!("../../../scenes/01-pendulum-in-the-wind/scene.toml"),
+    include_str!("../../../scenes/05-shuttlecock/scene.toml"),
+    include_str!("../../../scenes/06-curve-ball/scene.toml"),
 ];
 
 /// What mutations put in: pieces of the language, of TOML and of neither.
@@ -52,6 +55,12 @@ const PIECES: &[&str] = &[
     "polygon = { corners = [] }\n",
     "inertia = 0\n",
     "centre = [0, 0]\n",
+    "[sweep]\nL = { from = 0, to = 1, count = 3, spacing = \"log\" }\n",
+    "[event.e]\nwhen = \" falls through \"\n",
+    "\"e[2]\"",
+    "[table.w]\nfile = \"w.csv\"\n",
+    "{ world = [\"x\", \"t\"] }",
+    "component = \"normal\"\n",
 ];
 
 fn cut(text: &str, at: usize) -> usize {
@@ -88,14 +97,14 @@ proptest! {
 
     #[test]
     fn mutated_scenes(
-        which in 0..2usize,
+        which in 0..SCENES.len(),
         changes in prop::collection::vec((any::<usize>(), 0..40usize, any::<usize>()), 1..6),
     ) {
         survives(&mutated(SCENES[which], &changes), &[]);
     }
 
     #[test]
-    fn lines_in_another_order(which in 0..2usize, swaps in prop::collection::vec((0..100usize, 0..100usize), 1..5)) {
+    fn lines_in_another_order(which in 0..SCENES.len(), swaps in prop::collection::vec((0..100usize, 0..100usize), 1..5)) {
         let mut lines: Vec<&str> = SCENES[which].lines().collect();
         for (a, b) in swaps {
             let count = lines.len();

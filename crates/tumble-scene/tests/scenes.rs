@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use tumble_scene::{Override, Study, read, read_bytes};
+use tumble_scene::{Folder, Instant, Override, Study, SweepValue, read, read_bytes_in};
+
+const SCENES: [&str; 5] =
+    ["01-pendulum-in-the-wind", "02-thrown-rod", "04-kicked-ball", "05-shuttlecock", "06-curve-ball"];
 
 fn path(scene: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(scene).join("scene.toml")
@@ -10,7 +13,8 @@ fn path(scene: &str) -> PathBuf {
 
 fn study(scene: &str, overrides: &[Override]) -> Study {
     let bytes = std::fs::read(path(scene)).expect(scene);
-    read_bytes(scene, &bytes, overrides).unwrap_or_else(|mistakes| panic!("{}", mistakes.render(false, 100)))
+    read_bytes_in(scene, &bytes, overrides, &Folder::of(&path(scene)))
+        .unwrap_or_else(|mistakes| panic!("{}", mistakes.render(false, 100)))
 }
 
 fn value(study: &Study, parameter: &str) -> f64 {
@@ -25,7 +29,9 @@ fn the_kicked_ball() {
     assert_eq!((study.plots.len(), study.checks.len(), study.stroboscopes.len()), (4, 7, 1));
     assert!((value(&study, "V") - 4.651162790697675).abs() < 1e-15);
     assert!((value(&study, "omega") + 28.829521429944272).abs() < 1e-13);
-    assert!(study.quantities["ball.angle"].angle && !study.quantities["ball.omega"].angle);
+    let units = ["angle", "omega", "alpha", "x", "vx", "ax", "kinetic"];
+    let units = units.map(|name| study.quantities[&format!("ball.{name}")].unit.clone());
+    assert_eq!(units, ["rad", "rad/s", "rad/s^2", "m", "m/s", "m/s^2", "J"]);
 }
 
 #[test]
@@ -36,6 +42,8 @@ fn the_thrown_rod() {
     }
     assert_eq!(study.symbols["rod.angle"], "theta");
     assert_eq!(study.plots[0].y.len(), 2);
+    let labels: Vec<_> = study.sweep[0].values.iter().map(|value| value.label.as_str()).collect();
+    assert_eq!(labels, ["without air", "with air"]);
 }
 
 #[test]
@@ -53,22 +61,64 @@ fn a_byte_order_mark_and_windows_lines_are_no_mistakes() {
     assert!(read("scene.toml", &text, &[]).is_ok());
     let wrong = text.replace("m = \"0.5 kg\"", "m = \"0.5 kgg\"");
     let mistakes = read("scene.toml", &wrong, &[]).expect_err("no unit");
-    assert_eq!(mistakes.position(&mistakes.list[0]), Some((9, 10)));
+    assert_eq!(mistakes.position(&mistakes.list[0]), Some((10, 10)));
 }
 
-/// The figures that a scene's checks compare with, in the same formulas.
+/// The figures that a scene's checks compare with, in the same formulas, for every value that it sweeps.
 #[test]
 fn every_check_of_the_scenes_holds() {
-    for scene in ["02-thrown-rod", "04-kicked-ball"] {
+    for scene in SCENES {
         let study = study(scene, &[]);
-        let number = |formula| study.number(formula).expect("a number");
-        let run = study.model.simulate_to(&[], study.until.clone(), study.accuracy).expect("a motion");
-        for check in &study.checks {
-            let at = check.at.as_ref().map_or(number(&study.until), number);
-            let found = run.at(at).and_then(|instant| instant.value(check.that.quantity.formula.clone()));
-            let difference = (found.expect("a value") - number(&check.equals)).abs();
-            println!("{scene} {}: {difference:e}", check.name);
-            assert!(difference <= number(&check.within), "{scene} {}: {difference:e}", check.name);
+        for choice in choices(&study) {
+            let number = |formula| choice.number(formula).expect("a number");
+            let run = choice.model.simulate_to(&[], choice.until.clone(), choice.accuracy).expect("a motion");
+            for check in &choice.checks {
+                let at = match &check.at {
+                    None => number(&choice.until),
+                    Some(Instant::Time(at)) => number(at),
+                    Some(Instant::Event { name, count }) => {
+                        let events = run.trajectory.events.iter().filter(|event| event.tags.contains(name));
+                        events.map(|event| event.time).nth(count - 1).expect("it happens")
+                    }
+                };
+                let found = run.at(at).and_then(|instant| instant.value(check.that.quantity.formula.clone()));
+                let difference = (found.expect("a value") - number(&check.equals)).abs();
+                println!("{scene} {}: {difference:e}", check.name);
+                assert!(difference <= number(&check.within), "{scene} {}: {difference:e}", check.name);
+            }
         }
     }
+}
+
+/// Gusts in step with the swing throw the pendulum over the top, others do not.
+#[test]
+fn the_pendulum_in_the_wind() {
+    let study = study("01-pendulum-in-the-wind", &[]);
+    let expected = [(0.0, 0.55), (0.0, 0.59), (-2.38, 3.06), (-0.80, 1.44)];
+    for (choice, (low, high)) in choices(&study).iter().zip(expected) {
+        let run = choice.model.simulate_to(&[], choice.until.clone(), choice.accuracy).expect("a motion");
+        let angle = study.quantities["rod.angle"].formula.clone();
+        let at = |step: i32| {
+            run.at(f64::from(step) / 100.0).and_then(|at| at.value(angle.clone())).expect("a value")
+        };
+        let angles: Vec<f64> = (0..=2000).map(at).collect();
+        let (least, most) =
+            (angles.iter().copied().fold(0.0, f64::min), angles.iter().copied().fold(0.0, f64::max));
+        assert!((least - low).abs() < 0.006 && (most - high).abs() < 0.006, "{least} to {most}");
+    }
+}
+
+/// The study with each combination of the values that it sweeps.
+fn choices(study: &Study) -> Vec<Study> {
+    let mut choices = vec![study.clone()];
+    for axis in &study.sweep {
+        let with = |study: &Study, value: &SweepValue| {
+            let mut study = study.clone();
+            study.model.parameters.set(&axis.parameter, value.value.clone()).expect("a value");
+            study
+        };
+        choices =
+            choices.iter().flat_map(|study| axis.values.iter().map(|value| with(study, value))).collect();
+    }
+    choices
 }

@@ -1,8 +1,8 @@
 //! The scene's claims, held against the motion.
 
-use tumble_mech::{Run, RunError};
+use tumble_mech::Run;
 use tumble_ode::Side;
-use tumble_scene::{Check, Study};
+use tumble_scene::{Check, Instant, Study};
 
 use crate::pipeline::PipelineError;
 
@@ -13,7 +13,7 @@ pub struct CheckResult {
     pub name: String,
     /// What was looked at, as the user wrote it.
     pub that: String,
-    /// When, s.
+    /// When, s; not a number where it is an event that did not happen.
     pub at: f64,
     /// What was found, SI units; not a number where the motion does not reach that time.
     pub found: f64,
@@ -30,12 +30,25 @@ pub(crate) fn evaluate(study: &Study, run: &Run) -> Result<Vec<CheckResult>, Pip
 }
 
 fn one(study: &Study, run: &Run, check: &Check) -> Result<CheckResult, PipelineError> {
-    let at = study.number(check.at.as_ref().unwrap_or(&study.until))?;
     let within = study.number(&check.within)?;
     let formulas = [check.that.quantity.formula.clone(), check.equals.clone()];
-    let values = run.observe(&formulas).map_err(RunError::from)?.at(at, Side::After);
+    let at = match &check.at {
+        None => Some(study.number(&study.until)?),
+        Some(Instant::Time(time)) => Some(study.number(time)?),
+        Some(Instant::Event { name, count }) => time_of(run, name, *count),
+    };
+    let values = match at {
+        Some(at) => run.observe(&formulas)?.at(at, Side::After),
+        None => None,
+    };
     let (found, expected) = values.map_or((f64::NAN, f64::NAN), |values| (values[0], values[1]));
     let holds = (found - expected).abs() <= within;
     let (name, that) = (check.name.clone(), check.that.text.clone());
-    Ok(CheckResult { name, that, at, found, expected, within, holds })
+    Ok(CheckResult { name, that, at: at.unwrap_or(f64::NAN), found, expected, within, holds })
+}
+
+/// When an event happens for the time of that count, from 1.
+fn time_of(run: &Run, name: &str, count: usize) -> Option<f64> {
+    let named = run.trajectory.events.iter().filter(|event| event.tags.iter().any(|tag| tag == name));
+    named.map(|event| event.time).nth(count.checked_sub(1)?)
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
+use tumble::Case;
 use tumble::gallery::{self, Shown};
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
 
@@ -120,10 +121,12 @@ fn report(shown: &Shown) -> Ending {
     match &shown.result {
         Ok(outcome) => {
             describe(outcome);
-            match (&outcome.refusal, outcome.is_success()) {
-                (Some(_), _) => Ending::Refused,
-                (None, true) => Ending::Success,
-                (None, false) => Ending::CheckFailed,
+            if outcome.cases.iter().any(|case| case.refusal.is_some()) {
+                Ending::Refused
+            } else if outcome.is_success() {
+                Ending::Success
+            } else {
+                Ending::CheckFailed
             }
         }
         Err(error) => complain(&shown.scene, error),
@@ -131,29 +134,50 @@ fn report(shown: &Shown) -> Ending {
 }
 
 fn describe(outcome: &Outcome) {
-    let (trajectory, work) = (&outcome.run.trajectory, outcome.run.trajectory.work);
     println!("{}", outcome.study.title);
+    outcome.cases.iter().for_each(describe_case);
+    if !outcome.figures.is_empty() {
+        println!("  figures: {}", outcome.figures.join(", "));
+    }
+    println!("  results: {}", outcome.folder.display());
+}
+
+fn describe_case(case: &Case) {
+    let (trajectory, work) = (&case.run.trajectory, case.run.trajectory.work);
+    let label = if case.label.is_empty() { String::new() } else { format!("{}: ", case.label) };
     let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
     let end = trajectory.end().unwrap_or(0.0);
-    println!("  {end} s in {} steps{exact}, {} events", work.steps, trajectory.events.len());
-    for check in &outcome.checks {
+    let (steps, events) = (count(work.steps, "step"), count(trajectory.events.len() as u64, "event"));
+    println!("  {label}{end} s in {steps}{exact}, {events}");
+    if let Some(found) = case.run.quadrature.filter(|found| !found.settled) {
+        println!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
+    }
+    for check in &case.checks {
         let verdict = if check.holds { "holds" } else { "FAILS" };
         let (that, at) = (&check.that, check.at);
         print!("  check {}: {that} = {} at {at} s {verdict}", check.name, check.found);
-        if check.holds { println!() } else { println!(", expected {} within {}", check.expected, check.within) }
+        if check.holds {
+            println!()
+        } else {
+            println!(", expected {} within {:?}", check.expected, check.within)
+        }
     }
-    if let Some(refusal) = &outcome.refusal {
+    if let Some(refusal) = &case.refusal {
         println!("  incomplete: {refusal}");
     }
-    println!("  figures: {}", outcome.figures.join(", "));
-    println!("  results: {}", outcome.folder.display());
+}
+
+/// `1 step`, `2 steps`
+fn count(number: u64, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 fn complain(scene: &std::path::Path, error: &PipelineError) -> Ending {
     match error {
         PipelineError::Scene(diagnostics) => {
             let stream = std::io::stderr();
-            let colour = stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+            let colour =
+                stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
             eprintln!("{}", diagnostics.render(colour, terminal_width()));
             Ending::Mistake
         }

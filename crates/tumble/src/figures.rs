@@ -3,14 +3,13 @@
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Run, Shape};
 use tumble_ode::Side;
-use tumble_report::{
-    Axis, CurveFigure, Label, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
-};
+use tumble_report::{Axis, CurveFigure, Label, Outline, Pose, Series, Stroboscope as Picture, Svg, Track};
 use tumble_scene::{Curve, Plot, Stroboscope, Study};
 
+use crate::case::Case;
 use crate::output::Folder;
 use crate::pipeline::PipelineError;
-use crate::tables::{sample, unit};
+use crate::tables::sample;
 
 /// Pixels of a PNG for one of the drawing: sharp in print at a page's width.
 #[cfg(feature = "png")]
@@ -20,15 +19,15 @@ const TRACE_POINTS: usize = 2000;
 /// More instants than this are a smear, and a mistake in the interval.
 const MOST_INSTANTS: usize = 1000;
 
-/// Draws everything the study asks for and returns the names, without endings.
-pub(crate) fn write(study: &Study, run: &Run, folder: &Folder) -> Result<Vec<String>, PipelineError> {
+/// Draws everything the study asks for, all runs in one figure, and returns the names, without endings.
+pub(crate) fn write(study: &Study, cases: &[Case], folder: &Folder) -> Result<Vec<String>, PipelineError> {
     let mut names = vec![];
     for plot in &study.plots {
-        save(folder, &plot.name, &curves(study, run, plot)?.svg())?;
+        save(folder, &plot.name, &curves(study, cases, plot)?.svg())?;
         names.push(plot.name.clone());
     }
     for stroboscope in &study.stroboscopes {
-        save(folder, &stroboscope.name, &picture(study, run, stroboscope)?.svg())?;
+        save(folder, &stroboscope.name, &picture(study, cases, stroboscope)?.svg())?;
         names.push(stroboscope.name.clone());
     }
     Ok(names)
@@ -48,50 +47,76 @@ fn save(folder: &Folder, name: &str, svg: &Svg) -> Result<(), PipelineError> {
     Ok(())
 }
 
-fn curves(study: &Study, run: &Run, plot: &Plot) -> Result<CurveFigure, PipelineError> {
-    let time = Expr::from(tumble_mech::time());
-    let x = plot.x.as_ref().map_or(time, |curve| curve.quantity.formula.clone());
-    let formulas: Vec<Expr> =
-        std::iter::once(x).chain(plot.y.iter().map(|curve| curve.quantity.formula.clone())).collect();
-    let rows = sample(study, run, &formulas)?;
+fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, PipelineError> {
+    let x = plot.x.as_ref().map_or(tumble_mech::time(), |curve| curve.quantity.formula.clone());
+    let y = plot.y.iter().map(|curve| curve.quantity.formula.clone());
+    let formulas: Vec<Expr> = std::iter::once(x).chain(y).collect();
     let x_axis = match &plot.x {
         Some(curve) => axis(study, std::slice::from_ref(curve)),
         None => Axis::new(Label::symbol("t"), "s"),
     };
     let title = Label::markup(plot.title.as_deref().unwrap_or(&study.title));
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
-    for (index, curve) in plot.y.iter().enumerate() {
-        let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
-        // One curve needs no legend: the axis says what it is.
-        let label = if plot.y.len() > 1 { label(study, curve) } else { Label::default() };
-        figure.series.push(Series { label, points });
+    for case in cases {
+        let rows = sample(&study.with(&case.parameters), &case.run, &formulas)?;
+        for (index, curve) in plot.y.iter().enumerate() {
+            let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
+            // One curve a run needs no name: the axis says what it is.
+            let curve = if plot.y.len() > 1 { label(study, curve) } else { Label::default() };
+            figure.series.push(Series { label: joined(curve, case_label(case)), points });
+        }
     }
     Ok(figure)
+}
+
+/// What is different about a run: `T = 0.5 s` with its symbol, or the user's words.
+fn case_label(case: &Case) -> Label {
+    let part = |part: &str| match part.split_once(" = ") {
+        Some((symbol, value)) => {
+            let (number, unit) = value.split_once(' ').unwrap_or((value, ""));
+            Label::equation(symbol, number, unit)
+        }
+        None => Label::plain(part),
+    };
+    case.label
+        .split(", ")
+        .map(part)
+        .reduce(|all, next| all.then(Label::plain(", ")).then(next))
+        .unwrap_or_default()
+}
+
+fn joined(a: Label, b: Label) -> Label {
+    if a.is_empty() || b.is_empty() { a.then(b) } else { a.then(Label::plain(", ")).then(b) }
 }
 
 fn axis(study: &Study, curves: &[Curve]) -> Axis {
     let labels: Vec<Label> = curves.iter().map(|curve| label(study, curve)).collect();
     let joined = labels.into_iter().reduce(|all, next| all.then(Label::plain(", ")).then(next));
-    let unit = curves.first().map_or(String::new(), |curve| unit(curve.quantity.dimension, curve.quantity.angle));
-    Axis::new(joined.unwrap_or_default(), if unit == "1" { "" } else { &unit })
+    let unit = curves.first().map_or("", |curve| &curve.quantity.unit);
+    Axis::new(joined.unwrap_or_default(), unit)
 }
 
 fn label(study: &Study, curve: &Curve) -> Label {
-    let symbols: Vec<(&str, &str)> = study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
+    let symbols: Vec<(&str, &str)> =
+        study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
     Label::name(&curve.text, &symbols)
 }
 
-fn picture(study: &Study, run: &Run, stroboscope: &Stroboscope) -> Result<Picture, PipelineError> {
+fn picture(study: &Study, cases: &[Case], stroboscope: &Stroboscope) -> Result<Picture, PipelineError> {
     let several = stroboscope.bodies.len() > 1;
     let mut picture = Picture {
         title: Label::markup(stroboscope.title.as_deref().unwrap_or(&study.title)),
         ..Picture::default()
     };
-    for index in &stroboscope.bodies {
-        let body = &study.model.bodies[*index];
-        let mut track = track(study, run, stroboscope, body)?;
-        track.label = if several { Label::plain(&body.name) } else { Label::default() };
-        picture.tracks.push(track);
+    for case in cases {
+        let study = study.with(&case.parameters);
+        for index in &stroboscope.bodies {
+            let body = &study.model.bodies[*index];
+            let mut track = track(&study, &case.run, stroboscope, body)?;
+            let name = if several { Label::plain(&body.name) } else { Label::default() };
+            track.label = joined(name, case_label(case));
+            picture.tracks.push(track);
+        }
     }
     Ok(picture)
 }
@@ -143,7 +168,8 @@ fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, PipelineError> {
                 Outline::Circle { centre: place(centre)?, radius: study.number(radius)? }
             }
             Shape::Box { centre, width, height } => {
-                let ([x, y], w, h) = (place(centre)?, study.number(width)? / 2.0, study.number(height)? / 2.0);
+                let ([x, y], w, h) =
+                    (place(centre)?, study.number(width)? / 2.0, study.number(height)? / 2.0);
                 Outline::Polygon(vec![[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]])
             }
             Shape::Polygon { corners } => {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 use tumble_report::{Entry, Figure, IndexPage, Link};
 
+use crate::case::Case;
 use crate::pipeline::{self, Options, Outcome, PipelineError};
 
 /// Why there is no gallery.
@@ -81,25 +82,30 @@ fn entry(outcome: &Outcome) -> Entry {
         alt: format!("{}: {name}", outcome.study.title),
         caption: name.clone(),
     };
-    let link = |file: &str| Link { path: path(file), text: file.to_owned() };
+    let link = |file: String| Link { path: path(&file), text: file };
+    let tables = outcome
+        .cases
+        .iter()
+        .flat_map(|case| ["trajectory.csv", "events.csv"].map(|table| format!("{}/{table}", case.folder())));
     Entry {
         title: outcome.study.title.clone(),
-        summary: summary(outcome),
+        summary: outcome.cases.iter().flat_map(summary).collect(),
         figures: outcome.figures.iter().map(figure).collect(),
-        data: ["summary.json", "run-001/trajectory.csv", "run-001/events.csv"].map(link).into(),
+        data: std::iter::once("summary.json".to_owned()).chain(tables).map(link).collect(),
     }
 }
 
-fn summary(outcome: &Outcome) -> Vec<String> {
-    let work = outcome.run.trajectory.work;
-    let held = outcome.checks.iter().filter(|check| check.holds).count();
-    let mut lines = vec![format!(
-        "{} s of motion in {} steps of order {}; {held} of {} checks hold.",
-        outcome.run.trajectory.end().unwrap_or(0.0),
-        work.steps,
-        outcome.run.trajectory.order,
-        outcome.checks.len(),
-    )];
-    lines.extend(outcome.refusal.as_ref().map(ToString::to_string));
+fn summary(case: &Case) -> Vec<String> {
+    let work = case.run.trajectory.work;
+    let held = case.checks.iter().filter(|check| check.holds).count();
+    let which = if case.label.is_empty() { String::new() } else { format!("{}: ", case.label) };
+    let checks = match case.checks.len() {
+        0 => String::new(),
+        all => format!("; {held} of {all} checks hold"),
+    };
+    let (end, order) = (case.run.trajectory.end().unwrap_or(0.0), case.run.trajectory.order);
+    let mut lines =
+        vec![format!("{which}{end} s of motion in {} steps of order {order}{checks}.", work.steps)];
+    lines.extend(case.refusal.as_ref().map(ToString::to_string));
     lines
 }

@@ -34,9 +34,21 @@ pub mod pipeline;
 pub mod prelude;
 pub mod progress;
 
+mod case;
 mod checks;
 mod figures;
 mod summary;
 mod tables;
 
+pub use case::Case;
+pub use checks::CheckResult;
 pub use pipeline::{Options, Outcome, PipelineError};
+
+/// The programs in the documents, compiled and run as tests of the documentation.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../../../README.md")]
+    struct Readme;
+    #[doc = include_str!("../../../docs/writing-forces.md")]
+    struct WritingForces;
+}

@@ -3,14 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
-use tumble_mech::{Equations, ModelErrors, Parameters, Run, RunError};
-use tumble_ode::Refusal;
+use tumble_mech::{ModelErrors, RunError};
 use tumble_scene::{Diagnostics, Override, Study};
 
-use crate::checks::{self, CheckResult};
+use crate::case::{self, Case};
 use crate::figures;
 use crate::output::{Folder, OutputError};
-use crate::progress::Progress;
 use crate::summary::{self, Source};
 use crate::tables;
 
@@ -25,7 +23,7 @@ pub struct Options {
     pub progress: bool,
 }
 
-/// What a run came to.
+/// What the runs of a scene came to.
 #[derive(Debug)]
 pub struct Outcome {
     /// The study that was run.
@@ -34,18 +32,14 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// Names of the figures, without ending.
     pub figures: Vec<String>,
-    /// The scene's claims, each with what was found.
-    pub checks: Vec<CheckResult>,
-    /// The motion, as far as it was found.
-    pub run: Run,
-    /// Why it stopped early, if it did.
-    pub refusal: Option<Refusal>,
+    /// The runs: one, or one for every combination of swept parameters.
+    pub cases: Vec<Case>,
 }
 
 impl Outcome {
-    /// Whether the motion reached its end and every claim holds.
+    /// Whether every motion reached its end and every claim holds.
     pub fn is_success(&self) -> bool {
-        self.refusal.is_none() && self.checks.iter().all(|check| check.holds)
+        self.cases.iter().all(Case::is_success)
     }
 }
 
@@ -74,20 +68,23 @@ pub enum PipelineError {
     Output(#[from] OutputError),
 }
 
-/// Runs a scene file: scene, study, equations, trajectory, tables, figures, summary.
+/// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
 ///
 /// A motion that is refused on the way is no error: what was found is written, marked incomplete, and the outcome says
 /// why.
 pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     let source = Source::read(path)?;
     let study = read(&source, options)?;
-    let (run, refusal) = integrate(&study, options)?;
-    let checks = checks::evaluate(&study, &run)?;
     let folder = Folder::begin(&options.out, &source.name)?;
-    tables::write(&study, &run, &folder)?;
-    let figures = figures::write(&study, &run, &folder)?;
-    summary::write(&source, &study, &run, &checks, &figures, refusal.as_ref(), &folder)?;
-    Ok(Outcome { folder: folder.finish()?, study, figures, checks, run, refusal })
+    let mut cases = vec![];
+    for (index, values) in case::combinations(&study)?.into_iter().enumerate() {
+        let case = Case::run(&study, index + 1, values, options.progress)?;
+        tables::write(&study, &case, &folder)?;
+        cases.push(case);
+    }
+    let figures = figures::write(&study, &cases, &folder)?;
+    summary::write(&source, &study, &cases, &figures, &folder)?;
+    Ok(Outcome { folder: folder.finish()?, study, figures, cases })
 }
 
 /// Reads a scene and reports its mistakes, without running it.
@@ -96,23 +93,11 @@ pub fn check(path: &Path, options: &Options) -> Result<Study, PipelineError> {
 }
 
 fn read(source: &Source, options: &Options) -> Result<Study, PipelineError> {
-    let overrides: Vec<Override> = options.set.iter().map(|(name, text)| Override { name: name.clone(), text: text.clone() }).collect();
-    tumble_scene::read_bytes(&source.path.display().to_string(), &source.bytes, &overrides)
+    let overrides: Vec<Override> =
+        options.set.iter().map(|(name, text)| Override { name: name.clone(), text: text.clone() }).collect();
+    let beside = tumble_scene::Folder::of(&source.path);
+    tumble_scene::read_bytes_in(&source.path.display().to_string(), &source.bytes, &overrides, &beside)
         .map_err(|diagnostics| PipelineError::Scene(Box::new(diagnostics)))
-}
-
-fn integrate(study: &Study, options: &Options) -> Result<(Run, Option<Refusal>), PipelineError> {
-    let equations = Equations::new(study.model.clone())?;
-    let parameters: Parameters = study.model.parameters.clone();
-    let until = study.number(&study.until)?;
-    let progress = Progress::new(&study.title, until, options.progress);
-    match Run::new(equations, &parameters, until, study.accuracy, |time| progress.reached(time)) {
-        Ok(run) => Ok((run, None)),
-        Err(RunError::Refused { refusal, partial }) if !partial.trajectory.pieces.is_empty() => {
-            Ok((*partial, Some(refusal)))
-        }
-        Err(error) => Err(Box::new(error).into()),
-    }
 }
 
 impl From<RunError> for PipelineError {

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use tumble_mech::Run;
-use tumble_ode::Refusal;
 use tumble_scene::Study;
 
+use crate::case::Case;
 use crate::checks::CheckResult;
 use crate::output::Folder;
 use crate::pipeline::PipelineError;
@@ -63,6 +63,15 @@ struct Summary<'a> {
     scene_sha256: String,
     title: &'a str,
     complete: bool,
+    figures: &'a [String],
+    runs: Vec<RunSummary<'a>>,
+}
+
+#[derive(Serialize)]
+struct RunSummary<'a> {
+    folder: String,
+    label: &'a str,
+    complete: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     stopped: Option<Stop>,
     parameters: BTreeMap<String, Quantity>,
@@ -70,7 +79,6 @@ struct Summary<'a> {
     end: End,
     events: Vec<Event<'a>>,
     checks: Vec<Check<'a>>,
-    figures: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -93,6 +101,17 @@ struct Numerics {
     exact_steps: u64,
     rejected_steps: u64,
     modes: u64,
+    sign_changes: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quadrature: Option<Quadrature>,
+}
+
+/// Sums that stand for integrals along lines.
+#[derive(Serialize)]
+struct Quadrature {
+    nodes: usize,
+    change: f64,
+    settled: bool,
 }
 
 #[derive(Serialize)]
@@ -111,7 +130,7 @@ struct Event<'a> {
 struct Check<'a> {
     name: &'a str,
     that: &'a str,
-    at: f64,
+    at: Option<f64>,
     found: Option<f64>,
     expected: Option<f64>,
     within: f64,
@@ -121,10 +140,8 @@ struct Check<'a> {
 pub(crate) fn write(
     source: &Source,
     study: &Study,
-    run: &Run,
-    checks: &[CheckResult],
+    cases: &[Case],
     figures: &[String],
-    refusal: Option<&Refusal>,
     folder: &Folder,
 ) -> Result<(), PipelineError> {
     let summary = Summary {
@@ -134,17 +151,30 @@ pub(crate) fn write(
         program_version: env!("CARGO_PKG_VERSION"),
         scene_sha256: hash(&source.bytes),
         title: &study.title,
-        complete: refusal.is_none(),
-        stopped: refusal.map(|refusal| Stop { time: refusal.time, reason: refusal.reason.to_string() }),
-        parameters: parameters(study, run),
-        numerics: numerics(study, run),
-        end: end(run),
-        events: run.trajectory.events.iter().map(|event| Event { time: event.time, what: &event.tags }).collect(),
-        checks: checks.iter().map(check).collect(),
+        complete: cases.iter().all(|case| case.refusal.is_none()),
         figures,
+        runs: cases.iter().map(|case| of_run(study, case)).collect(),
     };
     let text = serde_json::to_string_pretty(&summary).expect("a summary is plain data with text keys");
     Ok(folder.write("summary.json", (text + "\n").as_bytes())?)
+}
+
+fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
+    let events = case.run.trajectory.events.iter();
+    RunSummary {
+        folder: case.folder(),
+        label: &case.label,
+        complete: case.refusal.is_none(),
+        stopped: case
+            .refusal
+            .as_ref()
+            .map(|refusal| Stop { time: refusal.time, reason: refusal.reason.to_string() }),
+        parameters: parameters(study, &case.run),
+        numerics: numerics(study, &case.run),
+        end: end(&case.run),
+        events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
+        checks: case.checks.iter().map(check).collect(),
+    }
 }
 
 fn hash(bytes: &[u8]) -> String {
@@ -170,6 +200,12 @@ fn numerics(study: &Study, run: &Run) -> Numerics {
         exact_steps: work.exact_steps,
         rejected_steps: work.rejected,
         modes: work.modes,
+        sign_changes: work.flips,
+        quadrature: run.quadrature.map(|found| Quadrature {
+            nodes: found.nodes,
+            change: found.change,
+            settled: found.settled,
+        }),
     }
 }
 
@@ -189,7 +225,7 @@ fn check(result: &CheckResult) -> Check<'_> {
     Check {
         name: &result.name,
         that: &result.that,
-        at: result.at,
+        at: finite(result.at),
         found: finite(result.found),
         expected: finite(result.expected),
         within: result.within,

@@ -5,6 +5,7 @@ use tumble_mech::Run;
 use tumble_ode::Side;
 use tumble_scene::Study;
 
+use crate::case::Case;
 use crate::output::{Folder, OutputError};
 use crate::pipeline::PipelineError;
 
@@ -52,7 +53,8 @@ fn times(study: &Study, run: &Run) -> Result<Vec<f64>, PipelineError> {
         None => study.number(&study.until)? / DEFAULT_SAMPLES as f64,
     };
     let count = (end / every).floor() as usize;
-    let mut times: Vec<f64> = (0..=count).map(|index| index as f64 * every).filter(|time| *time <= end).collect();
+    let mut times: Vec<f64> =
+        (0..=count).map(|index| index as f64 * every).filter(|time| *time <= end).collect();
     // A last step that is the end but for rounding is the end.
     while times.last().is_some_and(|last| end - last < 1e-9 * every) {
         times.pop();
@@ -61,20 +63,22 @@ fn times(study: &Study, run: &Run) -> Result<Vec<f64>, PipelineError> {
     Ok(times)
 }
 
-pub(crate) fn write(study: &Study, run: &Run, folder: &Folder) -> Result<(), PipelineError> {
-    trajectory(study, run, folder)?;
-    Ok(events(run, folder)?)
+/// Writes the tables of one run.
+pub(crate) fn write(study: &Study, case: &Case, folder: &Folder) -> Result<(), PipelineError> {
+    trajectory(&study.with(&case.parameters), case, folder)?;
+    Ok(events(case, folder)?)
 }
 
-fn trajectory(study: &Study, run: &Run, folder: &Folder) -> Result<(), PipelineError> {
-    let formulas: Vec<Expr> = study.quantities.values().map(|quantity| quantity.formula.clone()).collect();
-    let path = folder.path("run-001/trajectory.csv")?;
+fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), PipelineError> {
+    // The time is the first column.
+    let shown = || study.quantities.iter().filter(|(name, _)| *name != "t");
+    let formulas: Vec<Expr> = shown().map(|(_, quantity)| quantity.formula.clone()).collect();
+    let path = folder.path(&format!("{}/trajectory.csv", case.folder()))?;
     let mut table = csv::Writer::from_path(path).map_err(OutputError::from)?;
-    let names = study.quantities.iter();
-    let header = names.map(|(name, quantity)| format!("{name} [{}]", unit(quantity.dimension, quantity.angle)));
+    let header = shown().map(|(name, quantity)| column(name, &quantity.unit));
     let first = ["t [s]".to_owned(), "phase".to_owned()];
     table.write_record(first.into_iter().chain(header)).map_err(OutputError::from)?;
-    for row in sample(study, run, &formulas)? {
+    for row in sample(study, &case.run, &formulas)? {
         let first = [number(row.time), row.phase.to_string()];
         let values = row.values.into_iter().map(number);
         table.write_record(first.into_iter().chain(values)).map_err(OutputError::from)?;
@@ -84,11 +88,14 @@ fn trajectory(study: &Study, run: &Run, folder: &Folder) -> Result<(), PipelineE
 }
 
 /// A row an event: what happened, and every state just before and just after.
-fn events(run: &Run, folder: &Folder) -> Result<(), OutputError> {
-    let mut table = csv::Writer::from_path(folder.path("run-001/events.csv")?)?;
+fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
+    let run = &case.run;
+    let mut table = csv::Writer::from_path(folder.path(&format!("{}/events.csv", case.folder()))?)?;
     let states = run.trajectory.modes.first().map_or(vec![], |mode| run.equations.states(mode));
     let columns = ["before", "after"].into_iter().flat_map(|side| {
-        states.iter().map(move |state| format!("{side} {} [{}]", state.name, unit(state.dimension, is_angle(state))))
+        states
+            .iter()
+            .map(move |state| format!("{side} {} [{}]", state.name, unit(state.dimension, is_angle(state))))
     });
     let first = ["t [s]".to_owned(), "what".to_owned()];
     table.write_record(first.into_iter().chain(columns))?;
@@ -99,6 +106,11 @@ fn events(run: &Run, folder: &Folder) -> Result<(), OutputError> {
     }
     table.flush().map_err(csv::Error::from)?;
     Ok(())
+}
+
+/// The header of a column; a pure number is in units of 1.
+fn column(name: &str, unit: &str) -> String {
+    format!("{name} [{}]", if unit.is_empty() { "1" } else { unit })
 }
 
 /// Whether a state is an angle or its rate.
@@ -113,5 +125,9 @@ pub(crate) fn number(value: f64) -> String {
 
 /// A column's unit.
 pub(crate) fn unit(dimension: Dimension, angle: bool) -> String {
-    if angle { "rad".to_owned() + dimension.to_string().strip_prefix('1').unwrap_or_default() } else { dimension.to_string() }
+    if angle {
+        "rad".to_owned() + dimension.to_string().strip_prefix('1').unwrap_or_default()
+    } else {
+        dimension.to_string()
+    }
 }

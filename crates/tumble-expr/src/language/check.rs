@@ -7,7 +7,7 @@ use super::builtins::{Builtin, builtin};
 use super::error::{CallSite, FormulaError, Place, Span};
 use super::names;
 use super::quantity::Written;
-use super::scope::{Function, Scope};
+use super::scope::{Function, Measured, Scope};
 use super::syntax::{NodeId, Syntax, SyntaxNode};
 use super::value::{Value, ValueError};
 use super::{Formula, MAX_ERRORS};
@@ -18,8 +18,12 @@ pub(super) const MAX_CALLS: usize = 64;
 /// A formula may have this many parts when its calls are written out.
 pub(super) const MAX_PARTS: usize = 100_000;
 
-pub(super) fn check(formula: &Formula, scope: &Scope) -> Result<Value, Vec<FormulaError>> {
-    let frame = Frame { formula, place: Place::Formula, arguments: &[], calls: None };
+pub(super) fn check(
+    formula: &Formula,
+    scope: &Scope,
+    arguments: &[(Arc<str>, Value)],
+) -> Result<Value, Vec<FormulaError>> {
+    let frame = Frame { formula, place: Place::Formula, arguments, calls: None };
     let mut checker = Checker { scope, parts: 0, known: HashMap::new(), errors: Vec::new() };
     match checker.formula(&frame) {
         Some(value) if checker.errors.is_empty() => Ok(value),
@@ -169,6 +173,9 @@ impl Checker<'_> {
         if let Some(function) = self.scope.function(word) {
             return self.call_user(&Arc::clone(function), parts, span, arguments);
         }
+        if let Some(measured) = self.scope.measured(word) {
+            return parts.measured(measured, span, arguments);
+        }
         match builtin(word) {
             Some(builtin) => parts.call(builtin, span, arguments),
             None => Err(names::no_function(self.scope, parts.frame, name, span).into()),
@@ -269,6 +276,19 @@ impl Parts<'_> {
         }
         let given = self.all(arguments)?;
         builtin.call(&given).map_err(|error| self.explain(&error, span, arguments))
+    }
+
+    fn measured(&self, measured: &Measured, span: &Span, arguments: &[NodeId]) -> Outcome {
+        let [argument] = arguments else {
+            return Err(names::measured_arguments(self.frame, measured, span, arguments).into());
+        };
+        let given = self.get(*argument)?;
+        match given {
+            Value::Scalar(x) if x.expect(measured.table.x).is_ok() => {
+                Ok(Expr::table(&measured.table, x.clone()).into())
+            }
+            other => Err(names::other_variable(measured, self.span(*argument), other).into()),
+        }
     }
 
     /// Components must be numbers of one dimension.

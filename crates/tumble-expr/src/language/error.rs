@@ -109,6 +109,8 @@ codes! {
     DivisionByZero = "E0408";
     /// The exponents of a dimension are out of range.
     ExponentRange = "E0409";
+    /// A measured function of a quantity other than the one it was measured over.
+    Variable = "E0410";
 }
 
 impl fmt::Display for Code {

@@ -40,6 +40,11 @@
 //!
 //! A bare `0` has every dimension; a zero with a unit has the unit's.
 //!
+//! # Functions
+//!
+//! Besides those that every formula knows there are the user's own, which are written out where they are called, and
+//! measured ones of one variable, whose argument must measure what the table's variable does.
+//!
 //! # Mistakes
 //!
 //! Every independent mistake of a formula is reported (up to [`MAX_ERRORS`]), each with a [`Code`], the parts
@@ -73,7 +78,7 @@ pub use builtins::{BUILTINS, Builtin, PI, builtin, is_reserved};
 pub use chain::{Chain, Factor};
 pub use error::{CallSite, Code, FormulaError, Place, Span};
 pub use header::Header;
-pub use scope::{Function, FunctionError, Scope, ScopeError, is_name};
+pub use scope::{Function, FunctionError, Measured, Scope, ScopeError, is_name};
 pub use stated::StatedUnit;
 pub use syntax::{NodeId, Operator, Standing, Syntax, SyntaxNode, Tree};
 pub use units::{NamedUnit, UNITS, UnitTag, nearest_unit, unit};
@@ -162,12 +167,21 @@ impl Formula {
 
     /// Its value in a scope, or every independent mistake.
     pub fn check(&self, scope: &Scope) -> Result<Value, Vec<FormulaError>> {
-        check::check(self, scope)
+        check::check(self, scope, &[])
+    }
+
+    /// The same with names that only this formula knows; the bodies of functions that it calls do not.
+    pub fn check_with(&self, scope: &Scope, own: &[(Arc<str>, Value)]) -> Result<Value, Vec<FormulaError>> {
+        check::check(self, scope, own)
     }
 
     /// Its value, which must be a number of this dimension.
     pub fn check_number(&self, scope: &Scope, dimension: Dimension) -> Result<Expr, Vec<FormulaError>> {
-        let value = self.check(scope)?;
+        self.number(self.check(scope)?, dimension)
+    }
+
+    /// A value of this formula, which must be a number of this dimension.
+    pub fn number(&self, value: Value, dimension: Dimension) -> Result<Expr, Vec<FormulaError>> {
         self.demand(value.expect(dimension))?;
         match value {
             Value::Scalar(expr) => Ok(expr),

@@ -7,7 +7,7 @@ use super::check::{Failure, Frame};
 use super::error::{Code, FormulaError, Span};
 use super::header::Header;
 use super::quantity::{name_hint, unit_hint};
-use super::scope::Scope;
+use super::scope::{Measured, Scope};
 use super::syntax::{NodeId, Syntax};
 use super::value::Value;
 use crate::Expr;
@@ -46,7 +46,8 @@ fn hint(scope: &Scope, frame: &Frame, name: &str) -> Option<String> {
 
 fn function_arguments(scope: &Scope, name: &str) -> Option<String> {
     let user = || scope.function(name).map(|function| argument_list(&function.header));
-    builtin(name).map(|builtin| builtin.arguments.to_owned()).or_else(user)
+    let measured = || scope.measured(name).map(|measured| measured.variable.clone());
+    builtin(name).map(|builtin| builtin.arguments.to_owned()).or_else(user).or_else(measured)
 }
 
 fn argument_list(header: &Header) -> String {
@@ -67,7 +68,8 @@ pub(super) fn no_function(scope: &Scope, frame: &Frame, name: &Span, call: &Span
     let error =
         FormulaError::new(Code::UnknownFunction, name.clone(), format!("no function is named `{word}`"));
     let error = error.label("unknown function");
-    let known = builtins::BUILTINS.iter().map(|builtin| builtin.name).chain(scope.function_names());
+    let known = builtins::BUILTINS.iter().map(|builtin| builtin.name);
+    let known = known.chain(scope.function_names()).chain(scope.measured_names());
     let elsewhere = builtins::elsewhere(word).map(|here| format!("it is written `{here}` here"));
     match elsewhere.or_else(|| name_hint(word, known)) {
         Some(help) => error.help(help),
@@ -92,6 +94,26 @@ pub(super) fn user_arguments(frame: &Frame, header: &Header, call: &Span, given:
         count => format!("{count} arguments"),
     };
     wrong_count(frame, &header.name, &count, &argument_list(header), call, given)
+}
+
+/// The mistake of a call of a measured function with the wrong number of arguments.
+pub(super) fn measured_arguments(
+    frame: &Frame,
+    measured: &Measured,
+    call: &Span,
+    given: &[NodeId],
+) -> FormulaError {
+    wrong_count(frame, &measured.table.name, "1 argument", &measured.variable, call, given)
+}
+
+/// The mistake of a measured function of another variable than its own.
+pub(super) fn other_variable(measured: &Measured, argument: &Span, given: &Value) -> FormulaError {
+    let Measured { table, variable } = measured;
+    let (name, wanted) = (&table.name, table.x.describe());
+    let message = format!("`{name}` was measured over {wanted}, not over {}", given.describe());
+    FormulaError::new(Code::Variable, argument.clone(), message)
+        .label(given.describe())
+        .help(format!("write `{name}({variable})` with {wanted} for `{variable}`"))
 }
 
 fn wrong_count(

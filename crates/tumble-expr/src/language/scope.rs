@@ -11,6 +11,7 @@ use super::error::FormulaError;
 use super::header::Header;
 use super::lexer::name_end;
 use super::value::Value;
+use crate::Table;
 
 /// A function the user wrote: `w(t)` with its body.
 #[derive(Clone, Debug)]
@@ -31,6 +32,15 @@ impl Function {
         let body = super::parse(body).map_err(FunctionError::Body)?;
         Ok(Self { header, body })
     }
+}
+
+/// A function that was measured: `gust(t)`.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Its values; the table's name is the function's.
+    pub table: Arc<Table>,
+    /// What its variable is called, for messages.
+    pub variable: String,
 }
 
 /// Mistakes of a function, by the text they are in.
@@ -63,6 +73,7 @@ pub enum ScopeError {
 pub struct Scope {
     values: BTreeMap<Arc<str>, Value>,
     functions: BTreeMap<Arc<str>, Arc<Function>>,
+    measured: BTreeMap<Arc<str>, Measured>,
 }
 
 impl Scope {
@@ -85,6 +96,13 @@ impl Scope {
         Ok(())
     }
 
+    /// Adds a measured function of one variable.
+    pub fn define_measured(&mut self, measured: Measured) -> Result<(), ScopeError> {
+        let name = self.free(&measured.table.name)?;
+        self.measured.insert(name, measured);
+        Ok(())
+    }
+
     /// The value of a name.
     pub fn value(&self, name: &str) -> Option<&Value> {
         self.values.get(name)
@@ -93,6 +111,16 @@ impl Scope {
     /// The user's function of a name.
     pub fn function(&self, name: &str) -> Option<&Arc<Function>> {
         self.functions.get(name)
+    }
+
+    /// The measured function of a name.
+    pub fn measured(&self, name: &str) -> Option<&Measured> {
+        self.measured.get(name)
+    }
+
+    /// Whether a name can be called: a function of the user's, or a measured one.
+    pub fn is_function(&self, name: &str) -> bool {
+        self.functions.contains_key(name) || self.measured.contains_key(name)
     }
 
     /// The names of all values, sorted.
@@ -105,13 +133,18 @@ impl Scope {
         self.functions.keys().map(|name| &**name)
     }
 
+    /// The names of all measured functions, sorted.
+    pub fn measured_names(&self) -> impl Iterator<Item = &str> + Clone {
+        self.measured.keys().map(|name| &**name)
+    }
+
     fn free(&self, name: &str) -> Result<Arc<str>, ScopeError> {
         let shared: Arc<str> = name.into();
         if !is_name(name) {
             Err(ScopeError::NotAName(shared))
         } else if is_reserved(name) {
             Err(ScopeError::Reserved(shared))
-        } else if self.values.contains_key(name) || self.functions.contains_key(name) {
+        } else if self.values.contains_key(name) || self.is_function(name) {
             Err(ScopeError::Twice(shared))
         } else {
             Ok(shared)
@@ -151,5 +184,50 @@ mod tests {
         assert_eq!(scope.define("w", Expr::one()), Err(ScopeError::Twice("w".into())));
         assert!(matches!(Function::parse("w(t", "2"), Err(FunctionError::Header(_))));
         assert!(matches!(Function::parse("w(t)", "2+"), Err(FunctionError::Body(_))));
+    }
+
+    #[test]
+    fn a_measured_function_takes_what_it_was_measured_over() {
+        use super::super::{Code, parse};
+        use crate::{Dimension, Interpolation, Outside};
+
+        let rows = [[0.0, 1.0], [1.0, 3.0]];
+        let dimensions = [Dimension::TIME, Dimension::SPEED];
+        let table =
+            Table::new("gust", dimensions, &rows, Interpolation::Linear, Outside::Hold).expect("a table");
+        let mut scope = Scope::new();
+        scope.define("t", Expr::symbol("t", Dimension::TIME)).expect("free");
+        scope.define("h", Expr::symbol("h", Dimension::LENGTH)).expect("free");
+        let measured = Measured { table: Arc::new(table), variable: "t".into() };
+        assert_eq!(scope.define_measured(measured.clone()), Ok(()));
+        assert_eq!(scope.define_measured(measured), Err(ScopeError::Twice("gust".into())));
+        assert!(scope.is_function("gust") && scope.function("gust").is_none());
+
+        let speed = |text: &str| parse(text).expect("parses").check_number(&scope, Dimension::SPEED);
+        assert!(speed("2*gust(t - 1 s) + gust(0)").is_ok());
+        let code = |text: &str| speed(text).expect_err(text)[0].code;
+        assert_eq!(code("gust(h)"), Code::Variable);
+        assert_eq!(code("gust([t, t])"), Code::Variable);
+        assert_eq!(code("gust()"), Code::ArgumentCount);
+        assert_eq!(code("gust"), Code::NotCallable);
+        assert_eq!(code("gast(t)"), Code::UnknownFunction);
+        assert_eq!(code("gust(t)*(1 s)"), Code::Expected);
+    }
+
+    #[test]
+    fn names_of_one_formula_are_not_those_of_functions() {
+        use super::super::parse;
+        use crate::Dimension;
+
+        let mut scope = Scope::new();
+        scope.define("x", Expr::symbol("parameter", Dimension::TIME)).expect("free");
+        scope.define_function(Function::parse("f(a)", "a*x").expect("parses")).expect("free");
+        let own: [(Arc<str>, Value); 1] = [("x".into(), Expr::symbol("x", Dimension::LENGTH).into())];
+        let dimension = |text: &str| match parse(text).expect("parses").check_with(&scope, &own) {
+            Ok(Value::Scalar(value)) => value.dimension().expect("typed"),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(dimension("x"), Dimension::LENGTH);
+        assert_eq!(dimension("f(1)"), Dimension::TIME);
     }
 }

@@ -3,12 +3,14 @@
 use tumble_expr::Dimension;
 
 use super::each;
+use crate::code::Code;
 use crate::curve;
+use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
 use crate::names::fit_file;
-use crate::study::Check;
+use crate::study::{Check, Instant};
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, check);
@@ -30,7 +32,7 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
     });
     let at = table.take("at").map(|field| {
         draft.remember(format!("at of `{name}`"), &field.span);
-        draft.number(&field, Want::constant(Dimension::TIME))
+        instant(draft, &field)
     });
     let within =
         draft.required(table, "within", &format!("\"{}\"", want.example("1e-9"))).and_then(|field| {
@@ -41,4 +43,23 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
         return;
     };
     draft.checks.push(Check { name: name.to_owned(), that, equals, at: at.flatten(), within });
+}
+
+/// A time, or an event with its count, `"apex[2]"`.
+fn instant(draft: &mut Draft, field: &Field) -> Option<Instant> {
+    let event = field.value.as_str().and_then(|text| draft.names.event_of(text));
+    let Some((name, count)) = event else {
+        return draft.number(field, Want::constant(Dimension::TIME)).map(Instant::Time);
+    };
+    match count.trim().parse() {
+        Ok(count) if count > 0 => Some(Instant::Event { name: name.to_owned(), count }),
+        _ => {
+            let message = format!("`{count}` does not count an event");
+            let help = format!("events are counted from 1: the first is \"{name}\" or \"{name}[1]\"");
+            draft.note(
+                Diagnostic::new(Code::Value, field.span.clone(), message).label("which one?").help(help),
+            );
+            None
+        }
+    }
 }

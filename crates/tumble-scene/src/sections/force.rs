@@ -1,7 +1,7 @@
 //! `[force.NAME]`: a force at a point of a body, or a torque.
 
-use tumble_expr::{Dimension, Expr, Vector};
-use tumble_mech::{Application, Frame, Load, Place};
+use tumble_expr::{Dimension, Vector};
+use tumble_mech::{Application, Frame, Load, Moment, Place};
 
 use super::{body, each, points};
 use crate::code::Code;
@@ -16,15 +16,12 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 }
 
 fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
-    let name = field.key;
-    let claimed = draft.names.claim("a force", name, field.key_span.clone());
-    draft.noted(claimed);
-    draft.remember(format!("`{name}`"), &field.key_span);
+    let name = draft.own_name("a force", field);
     let on = draft.required(table, "on", "\"rod\"").and_then(|field| body(draft, &field));
     let application = application(draft, on.as_deref(), table);
-    let during = during(draft, name, table);
+    let during = during(draft, &name, table);
     let (Some(body), Some(application), Some(during)) = (on, application, during) else { return };
-    draft.model.loads.push(Load { name: name.to_owned(), body, application, during });
+    draft.model.loads.push(Load { name, body, application, during });
 }
 
 fn application(draft: &mut Draft, on: Option<&str>, table: &mut Table) -> Option<Application> {
@@ -127,11 +124,19 @@ fn material(draft: &Draft, on: &str, local: &Vector) -> Option<Place> {
 }
 
 /// The inner `None` is always; the outer one a mistake.
-fn during(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<[Expr; 2]>> {
+fn during(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<[Moment; 2]>> {
     let Some(field) = table.take("during") else { return Some(None) };
     draft.remember(format!("times of `{name}`"), &field.span);
     let [from, to] = draft.pair(&field, "[start, end]")?;
-    let time = Want::constant(Dimension::TIME);
-    let (from, to) = (draft.number(&from, time), draft.number(&to, time));
+    let (from, to) = (moment(draft, &from), moment(draft, &to));
     Some(Some([from?, to?]))
+}
+
+/// A time, or the name of an event.
+fn moment(draft: &mut Draft, field: &Field) -> Option<Moment> {
+    let event = field.value.as_str().and_then(|text| draft.names.event_of(text));
+    match event {
+        Some((name, "1")) if !name.contains('[') => Some(Moment::Event(name.to_owned())),
+        _ => draft.number(field, Want::constant(Dimension::TIME)).map(Moment::Time),
+    }
 }

@@ -65,7 +65,7 @@ fn unknown_names(draft: &Draft, function: &Function) -> Vec<Diagnostic> {
 fn unknown_name(draft: &Draft, function: &Function, name: &NameUse) -> Vec<Diagnostic> {
     let Some(origin) = draft.names.functions.get(&*function.header.name) else { return vec![] };
     let scope = draft.names.scope(Level::Output);
-    if name.called && scope.function(name.name).is_some() {
+    if name.called && scope.is_function(name.name) {
         return vec![];
     }
     let alone = if name.called { format!("{}(1)", name.name) } else { name.name.to_owned() };

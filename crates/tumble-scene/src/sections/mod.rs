@@ -2,19 +2,28 @@
 
 mod body;
 mod check;
+mod damper;
+mod drag;
+mod event;
 mod force;
 mod functions;
 mod header;
+mod lift;
 mod output;
 mod parameters;
 mod pivot;
 mod plot;
 mod points;
+mod round;
 mod run;
 mod shape;
+mod spring;
 mod start;
 mod stroboscope;
+mod sweep;
 mod symbols;
+mod table;
+mod torsion;
 mod world;
 
 use toml::de::DeTable;
@@ -46,12 +55,20 @@ pub(crate) const SECTIONS: &[Section] = &[
     needed("version", "version = 1", header::version),
     optional("title", header::title),
     optional("plane", header::plane),
+    optional("table", table::read),
     optional("functions", functions::read),
     optional("parameters", parameters::read),
+    optional("sweep", sweep::read),
     needed("world", "[world]\ngravity = \"9.81 m/s^2\"", world::read),
     needed("body", "[body.ball]\nball = { radius = \"0.1 m\" }\nmass = \"1 kg\"", body::read),
     optional("pivot", pivot::read),
+    optional("event", event::read),
     optional("force", force::read),
+    optional("drag", drag::read),
+    optional("lift", lift::read),
+    optional("spring", spring::read),
+    optional("damper", damper::read),
+    optional("torsion", torsion::read),
     needed("run", "[run]\nuntil = \"10 s\"", run::read),
     optional("output", output::read),
     optional("plot", plot::read),
@@ -63,7 +80,8 @@ pub(crate) const SECTIONS: &[Section] = &[
 /// Reads all sections of a document.
 pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     let top = fields(document);
-    draft.names.bodies = body_names(&top);
+    draft.names.bodies = second_names(&top, "body");
+    draft.names.events = second_names(&top, "event");
     for section in SECTIONS {
         match (top.iter().find(|field| field.key == section.key), section.needed) {
             (Some(field), _) => (section.read)(draft, field),
@@ -75,9 +93,10 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     refuse_unknown(draft, &top);
 }
 
-fn body_names(top: &[Field]) -> Vec<String> {
-    let bodies = top.iter().find(|field| field.key == "body").and_then(|field| field.value.as_table());
-    bodies.map(|bodies| fields(bodies).iter().map(|body| body.key.to_owned()).collect()).unwrap_or_default()
+/// The names that the user gives in a section, known before anything of them is read.
+fn second_names(top: &[Field], section: &str) -> Vec<String> {
+    let tables = top.iter().find(|field| field.key == section).and_then(|field| field.value.as_table());
+    tables.map(|tables| fields(tables).iter().map(|one| one.key.to_owned()).collect()).unwrap_or_default()
 }
 
 fn missing(key: &str, example: &str) -> Diagnostic {

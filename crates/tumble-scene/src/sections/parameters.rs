@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use tumble_expr::language::{Formula, parse};
+use tumble_expr::language::{Formula, StatedUnit, parse};
 use tumble_expr::{Binary, Dimension, Expr};
 
 use crate::code::Code;
@@ -58,9 +58,13 @@ fn define(draft: &mut Draft, parameter: &Parameter) {
 fn value(draft: &mut Draft, parameter: &Parameter) -> Option<Expr> {
     let own = formula::number(&draft.names, &parameter.text, Want::any());
     let own = draft.all_noted(own)?;
+    if parse(&parameter.text.text).is_ok_and(|formula| formula.stated_unit() == StatedUnit::Angle) {
+        draft.angular.insert(parameter.name.clone());
+    }
     let Some(setting) = &parameter.setting else { return Some(own) };
     let dimension = own.dimension().unwrap_or(Dimension::NONE);
-    let set = formula::number(&draft.names, setting, Want::constant(dimension));
+    let want = Want { angle: draft.angular.contains(&parameter.name), ..Want::constant(dimension) };
+    let set = formula::number(&draft.names, setting, want);
     let set = draft.all_noted(set)?;
     // A bare zero takes the dimension of what it replaces.
     Some(if set.is_zero() { Expr::binary(Binary::Sub, own.clone(), own) } else { set })

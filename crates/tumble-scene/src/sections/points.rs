@@ -1,7 +1,7 @@
 //! Points of bodies: `points.tip = [0, "L"]` gives one a name, other sections use it as `"rod.tip"`.
 
 use tumble_expr::Vector;
-use tumble_mech::Body;
+use tumble_mech::{Body, PointRef};
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -48,6 +48,35 @@ pub(super) fn of_body(draft: &mut Draft, body: &str, field: &Field) -> Option<Ve
     point
 }
 
+/// A point of any body by its full name, `"rod.tip"`.
+pub(super) fn named_anywhere(draft: &mut Draft, field: &Field) -> Option<PointRef> {
+    let name = draft.words(field)?;
+    let (body, point) = name.split_once('.').unwrap_or((&name, ""));
+    if draft.names.bodies.iter().any(|known| known == body) {
+        // A body with mistakes is not there; nor can its points be looked up.
+        let found = draft.body_named(body)?;
+        let at = found.named_point(point);
+        if at.is_none() && !draft.names.is_broken(&name) {
+            draft.note(unknown(&found, &name, field));
+        }
+        return at;
+    }
+    let points: Vec<String> = draft.model.bodies.iter().flat_map(known_points).collect();
+    let known = points.iter().map(String::as_str);
+    let help = suggest::name(&name, "points", known);
+    let message = format!("there is no point \"{name}\"");
+    draft.note(
+        Diagnostic::new(Code::UnknownPoint, field.span.clone(), message).label("unknown point").help(help),
+    );
+    None
+}
+
+/// `rod.tip`, `rod.cm`
+fn known_points(body: &Body) -> Vec<String> {
+    let points = body.points.iter().map(|(point, _)| point.as_str()).chain(["cm"]);
+    points.map(|point| format!("{}.{point}", body.name)).collect()
+}
+
 fn local(body: &Body, name: &str) -> Option<Vector> {
     match name {
         "cm" => Some(body.mass_properties().centre),
@@ -56,8 +85,7 @@ fn local(body: &Body, name: &str) -> Option<Vector> {
 }
 
 fn unknown(body: &Body, name: &str, field: &Field) -> Diagnostic {
-    let points = body.points.iter().map(|(point, _)| point.as_str()).chain(["cm"]);
-    let known: Vec<String> = points.map(|point| format!("{}.{point}", body.name)).collect();
+    let known = known_points(body);
     let whole = format!("{}.{name}", body.name);
     let help = match known.contains(&whole) {
         true => format!("write \"{whole}\""),

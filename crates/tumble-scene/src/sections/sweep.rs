@@ -1,0 +1,196 @@
+//! `[sweep]`: parameters that take several values, one run each.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use tumble_expr::{Binary, Expr, Node, Substitution};
+
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, fields};
+use crate::draft::Draft;
+use crate::formula::Want;
+use crate::study::{SweepAxis, SweepValue};
+use crate::unit_text::UnitText;
+
+/// More runs than this are a slip of a count.
+const MAX_RUNS: usize = 10_000;
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
+    let fields = fields(table);
+    let mut axes = vec![];
+    for field in &fields {
+        let values = draft.parameter(field).and_then(|want| values(draft, field, want));
+        // What the command line sets takes that value only.
+        let is_set = draft.settings.iter().any(|setting| setting.name == field.key);
+        axes.extend(values.filter(|_| !is_set).map(|values| (field, values)));
+    }
+    refuse_number(draft, section, &axes);
+    let swept: Vec<&str> = axes.iter().map(|(field, _)| field.key).collect();
+    for (field, values) in &axes {
+        let closed: Vec<_> = values.iter().map(|value| closed(draft, field, &swept, value)).collect();
+        let Some(values) = closed.into_iter().collect::<Option<Vec<_>>>() else { continue };
+        draft.sweep.push(SweepAxis { parameter: field.key.to_owned(), values });
+    }
+}
+
+fn refuse_number(draft: &mut Draft, section: &Field, axes: &[(&Field, Vec<SweepValue>)]) {
+    let runs = axes.iter().fold(1usize, |runs, (_, values)| runs.saturating_mul(values.len()));
+    if runs > MAX_RUNS {
+        let counts: Vec<_> = axes.iter().map(|(_, values)| values.len().to_string()).collect();
+        let message = format!("this sweep has {runs} runs, more than {MAX_RUNS}");
+        let mistake = Diagnostic::new(Code::TooMany, section.key_span.clone(), message);
+        draft.note(mistake.label(counts.join(" x ")).help("every combination is one run: take fewer values"));
+    }
+}
+
+fn values(draft: &mut Draft, field: &Field, want: Want) -> Option<Vec<SweepValue>> {
+    if field.value.is_table() {
+        return range(draft, field, want);
+    }
+    let Some(elements) = field.elements() else {
+        draft.wrong_type(field, "a list of values, or { from = .., to = .., count = .. }");
+        return None;
+    };
+    if elements.is_empty() {
+        draft.note(Diagnostic::new(Code::Length, field.span.clone(), "this sweep has no value"));
+        return None;
+    }
+    let values: Vec<_> = elements.iter().map(|element| one(draft, element, want)).collect();
+    values.into_iter().collect()
+}
+
+/// `"0.5 s"` or `{ value = "0.5 s", label = "fast gusts" }`
+fn one(draft: &mut Draft, field: &Field, want: Want) -> Option<SweepValue> {
+    if !field.value.is_table() {
+        let value = draft.number(field, want)?;
+        let text = draft.text(field, want)?.text;
+        return Some(SweepValue { value, label: format!("{} = {}", field.key, text.trim()) });
+    }
+    let mut inner = draft.table(field, field.key.to_owned())?;
+    inner.span = field.span.clone();
+    let example = format!("\"{}\"", want.example("1"));
+    let value = draft.required(&mut inner, "value", &example).and_then(|field| draft.number(&field, want));
+    let label = draft.required(&mut inner, "label", "\"..\"").and_then(|field| draft.words(&field));
+    draft.done(inner);
+    Some(SweepValue { value: value?, label: label? })
+}
+
+/// `{ from = "0.5 s", to = "4 s", count = 8, spacing = "log" }`
+fn range(draft: &mut Draft, field: &Field, want: Want) -> Option<Vec<SweepValue>> {
+    let mut inner = draft.table(field, field.key.to_owned())?;
+    inner.span = field.span.clone();
+    let ends = ["from", "to"].map(|key| {
+        let field = draft.required(&mut inner, key, &format!("\"{}\"", want.example("1")))?;
+        let unit = field.value.as_str().and_then(UnitText::of);
+        Some((draft.number(&field, want)?, unit))
+    });
+    let count = draft.required(&mut inner, "count", "8").and_then(|field| count(draft, &field));
+    let spacing = inner.take("spacing").map(|field| draft.choice(&field, &["linear", "log"]));
+    draft.done(inner);
+    let ([Some((from, unit)), Some((to, other))], Some(count)) = (ends, count) else { return None };
+    let log = match spacing {
+        None => false,
+        Some(word) => word? == "log",
+    };
+    let unit = unit.or(other).unwrap_or_else(|| UnitText::si(want));
+    let numbers = numbers(draft, field, [&from, &to], log)?;
+    let share = |step: usize| Expr::from(step as i32) / Expr::from(count as i32 - 1);
+    let value = |step: usize| match step {
+        0 => from.clone(),
+        _ if step == count - 1 => to.clone(),
+        _ if log => &from * Expr::binary(Binary::Pow, &to / &from, share(step)),
+        _ => &from + (&to - &from) * share(step),
+    };
+    let number = |step: usize| {
+        let share = step as f64 / (count - 1) as f64;
+        let [from, to] = numbers;
+        if log { from * (to / from).powf(share) } else { from + (to - from) * share }
+    };
+    let label = |step| format!("{} = {}", field.key, unit.write(number(step)));
+    Some((0..count).map(|step| SweepValue { value: value(step), label: label(step) }).collect())
+}
+
+/// How many values a range has, both ends included.
+fn count(draft: &mut Draft, field: &Field) -> Option<usize> {
+    let Some(integer) = field.value.as_integer() else {
+        draft.wrong_type(field, "a whole number without quotes");
+        return None;
+    };
+    match integer.to_string().parse::<usize>() {
+        Ok(count @ 2..=MAX_RUNS) => Some(count),
+        _ => {
+            let message = format!("`count` is {integer}: a range has from 2 to {MAX_RUNS} values");
+            draft.note(Diagnostic::new(Code::TooMany, field.span.clone(), message).label("out of range"));
+            None
+        }
+    }
+}
+
+/// The ends of a range as numbers; one of equal ratios needs ends of one sign.
+fn numbers(draft: &mut Draft, field: &Field, ends: [&Expr; 2], log: bool) -> Option<[f64; 2]> {
+    let values = draft.model.parameters.evaluate(&ends.map(Clone::clone)).ok()?;
+    let [from, to] = [values[0], values[1]];
+    let positive = from > 0.0 && to > 0.0;
+    if log && !positive {
+        let message = "a range of equal ratios goes from a positive value to a positive one";
+        let mistake =
+            Diagnostic::new(Code::Value, field.span.clone(), message).label("touches or crosses zero");
+        draft.note(mistake.help("leave `spacing` out for equal distances"));
+        return None;
+    }
+    Some([from, to])
+}
+
+/// A value without names: parameters that are not swept are written out.
+fn closed(draft: &mut Draft, field: &Field, swept: &[&str], value: &SweepValue) -> Option<SweepValue> {
+    let mut written = value.value.clone();
+    let mut names = names(&written);
+    let parameters: Vec<_> = match names.is_empty() {
+        true => vec![],
+        false => draft.model.parameters.formulas().map(|(s, f)| (s.clone(), f.clone())).collect(),
+    };
+    for (symbol, formula) in parameters.into_iter().rev() {
+        if !names.contains(&symbol.name) {
+            continue;
+        }
+        if swept.contains(&&*symbol.name) {
+            let message = format!("a value of `{}` depends on `{}`, which is swept", field.key, symbol.name);
+            let mistake = Diagnostic::new(Code::SweepCycle, field.span.clone(), message);
+            draft.note(
+                mistake
+                    .help("the values of a sweep are numbers, or formulas of parameters that are not swept"),
+            );
+            return None;
+        }
+        let mut by = Substitution::default();
+        by.insert(symbol, formula);
+        written = by.apply(&written);
+        names = self::names(&written);
+    }
+    Some(SweepValue { value: with_dimension(draft, field.key, written), label: value.label.clone() })
+}
+
+/// The names in a formula, each shared part looked at once.
+fn names(formula: &Expr) -> BTreeSet<Arc<str>> {
+    let (mut names, mut seen, mut parts) = (BTreeSet::new(), BTreeSet::new(), vec![formula]);
+    while let Some(part) = parts.pop() {
+        if !seen.insert(std::ptr::from_ref(part.node())) {
+            continue;
+        }
+        if let Node::Symbol(symbol) = part.node() {
+            names.insert(Arc::clone(&symbol.name));
+        }
+        parts.extend(part.children());
+    }
+    names
+}
+
+/// A bare zero takes the dimension of its parameter.
+fn with_dimension(draft: &Draft, parameter: &str, value: Expr) -> Expr {
+    let symbols = draft.model.parameters.symbols();
+    let symbol = symbols.iter().find(|symbol| *symbol.name == *parameter && value.is_zero());
+    let one = |dimension| 1 * tumble_expr::Unit(dimension);
+    symbol.map_or(value, |symbol| Expr::binary(Binary::Sub, one(symbol.dimension), one(symbol.dimension)))
+}

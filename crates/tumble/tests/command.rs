@@ -1,0 +1,159 @@
+//! The command as a user meets it: exit codes, messages, and nothing where it does not belong.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{folder, text, tumble, write};
+
+const STONE: &str = r#"
+version = 1
+title = "A stone falls"
+world.gravity = "g"
+run.until = "2 s"
+
+[parameters]
+g = "10 m/s^2"
+
+[body.stone]
+point = {}
+mass = "1 kg"
+
+[check.depth]
+that = "stone.y"
+equals = "-20 m"
+within = "1e-12 m"
+"#;
+
+/// Its resistance stops the block within the run, and then both signs of it are wrong.
+const BLOCK: &str = r#"
+version = 1
+world.gravity = "0 m/s^2"
+run.until = "2 s"
+
+[body.block]
+point = {}
+mass = "1 kg"
+start = { velocity = ["1 m/s", 0] }
+
+[force.friction]
+on = "block"
+at = "block.cm"
+force = ["-1 N*sign(block.vx)", 0]
+"#;
+
+/// A folder with a scene `scene.toml` in `stone/`, and what the command makes of it there.
+fn ended(scene: &str, arguments: &[&str]) -> (Option<i32>, String) {
+    let folder = folder();
+    write(&folder.path().join("stone/scene.toml"), scene);
+    ended_in(folder.path(), arguments)
+}
+
+/// The exit code and both streams, which are no terminals.
+fn ended_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let output = tumble(folder, arguments);
+    let streams = text(&output.stdout) + &text(&output.stderr);
+    assert!(!streams.contains('\u{1b}'), "colour where there is no terminal: {streams}");
+    (output.status.code(), streams)
+}
+
+#[test]
+fn a_run_that_goes_well() {
+    let (code, said) = ended(STONE, &["run", "stone/scene.toml"]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.starts_with("A stone falls\n  2 s in 1 step, all exact, 0 events\n"), "{said}");
+    assert!(said.contains("check depth: stone.y = -20 at 2 s holds"), "{said}");
+}
+
+#[test]
+fn a_check_that_fails() {
+    let (code, said) = ended(STONE, &["run", "stone/scene.toml", "--set", "g=9 m/s^2"]);
+    assert_eq!(code, Some(1), "{said}");
+    assert!(said.contains("stone.y = -18 at 2 s FAILS, expected -20 within"), "{said}");
+}
+
+#[test]
+fn a_scene_with_a_mistake() {
+    let (code, said) = ended(&STONE.replace("1 kg", "1 kilo"), &["run", "stone/scene.toml"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("E0201") && said.contains("`kilo` is not a unit"), "{said}");
+    assert!(said.contains("stone/scene.toml:12:"), "{said}");
+}
+
+#[test]
+fn a_parameter_that_there_is_not() {
+    let (code, said) = ended(STONE, &["run", "stone/scene.toml", "--set", "G=9 m/s^2"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("there is no parameter `G`") && said.contains("did you mean \"g\"?"), "{said}");
+}
+
+#[test]
+fn a_setting_of_another_dimension() {
+    let (code, said) = ended(STONE, &["check", "stone/scene.toml", "--set", "g=9 m"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("E0404"), "{said}");
+}
+
+#[test]
+fn a_command_line_that_is_not_one() {
+    for arguments in [&["walk"][..], &[], &["run"], &["run", "stone/scene.toml", "--set", "g"]] {
+        assert_eq!(ended(STONE, arguments).0, Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_motion_that_is_refused() {
+    let folder = folder();
+    write(&folder.path().join("block.toml"), BLOCK);
+    let (code, said) = ended_in(folder.path(), &["run", "block.toml"]);
+    assert_eq!(code, Some(3), "{said}");
+    assert!(said.contains("incomplete: stopped at t = 1 s: `block.vx` is zero and stays there"), "{said}");
+    let summary = common::read(&folder.path().join("out/block/summary.json"));
+    assert!(summary.contains("\"complete\": false"), "{summary}");
+}
+
+#[test]
+fn files_that_cannot_be_read() {
+    for path in ["nothing.toml", "stone", "."] {
+        let (code, said) = ended(STONE, &["run", path]);
+        assert_eq!(code, Some(4), "{said}");
+        assert!(said.starts_with(&format!("error: cannot read {path}: ")), "{said}");
+    }
+    assert_eq!(ended(STONE, &["gallery", "nothing"]).0, Some(4));
+    assert_eq!(ended(STONE, &["gallery", "stone"]).0, Some(4));
+}
+
+#[test]
+fn a_folder_that_is_not_ours_is_left_alone() {
+    let folder = folder();
+    write(&folder.path().join("stone/scene.toml"), STONE);
+    write(&folder.path().join("out/stone/notes.txt"), "mine");
+    let (code, said) = ended_in(folder.path(), &["run", "stone/scene.toml"]);
+    assert_eq!(code, Some(4), "{said}");
+    assert!(said.contains("was not written by tumble"), "{said}");
+    let left: Vec<_> = fs::read_dir(folder.path().join("out")).expect("there").collect();
+    assert_eq!(left.len(), 1);
+    assert_eq!(common::read(&folder.path().join("out/stone/notes.txt")), "mine");
+}
+
+#[test]
+fn a_check_runs_nothing() {
+    let folder = folder();
+    write(&folder.path().join("stone/scene.toml"), STONE);
+    let (code, said) = ended_in(folder.path(), &["check", "stone/scene.toml"]);
+    assert_eq!((code, said.as_str()), (Some(0), "A stone falls: stone/scene.toml has no mistakes\n"));
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn a_gallery_shows_every_scene_and_ends_as_the_worst() {
+    let folder = folder();
+    write(&folder.path().join("scenes/01-stone/scene.toml"), STONE);
+    write(&folder.path().join("scenes/02-wrong/scene.toml"), &STONE.replace("-20 m", "-30 m"));
+    let (code, said) = ended_in(folder.path(), &["gallery"]);
+    assert_eq!(code, Some(1), "{said}");
+    assert!(said.ends_with("the gallery is out/index.html\n"), "{said}");
+    let page = common::read(&folder.path().join("out/index.html"));
+    assert!(page.contains("01-stone/summary.json") && page.contains("02-wrong/summary.json"));
+}

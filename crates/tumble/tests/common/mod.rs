@@ -1,0 +1,58 @@
+//! What several tests need: the files of the repository, a folder to work in, and the command.
+
+// Each test uses a part of this.
+#![allow(dead_code)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+/// A file of the repository.
+pub(crate) fn repository(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+/// Every scene of the repository, by the name of its folder.
+pub(crate) fn scenes() -> Vec<(String, PathBuf)> {
+    let folders =
+        fs::read_dir(repository("scenes")).expect("scenes").map(|entry| entry.expect("readable").path());
+    let scenes = folders.map(|folder| (name_of(&folder), folder.join("scene.toml")));
+    let mut found: Vec<_> = scenes.filter(|(_, scene)| scene.is_file()).collect();
+    found.sort();
+    assert!(!found.is_empty(), "there are scenes");
+    found
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().expect("a name").to_string_lossy().into_owned()
+}
+
+/// An empty folder that is removed afterwards.
+pub(crate) fn folder() -> TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+/// Writes a file and the folders above it.
+pub(crate) fn write(path: &Path, text: &str) {
+    fs::create_dir_all(path.parent().expect("a folder")).expect("writable");
+    fs::write(path, text).expect("writable");
+}
+
+/// Reads a file.
+pub(crate) fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// What the command writes, run in a folder with its output not on a terminal.
+pub(crate) fn tumble(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tumble"));
+    command.current_dir(folder).env_remove("COLUMNS").args(arguments);
+    command.output().expect("the command starts")
+}
+
+/// Text of a stream.
+pub(crate) fn text(stream: &[u8]) -> String {
+    String::from_utf8(stream.to_vec()).expect("UTF-8")
+}

@@ -1,0 +1,267 @@
+//! What the documents show is what the program does: scenes, messages and outputs in README.md, in docs/ and in the
+//! lessons of scenes/. The kinds of blocks are described in docs/README.md.
+
+mod common;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::{folder, read, repository, scenes, text, tumble, write};
+use tumble::pipeline::{self, Options};
+
+/// Columns of the messages in the documents, the width of a page.
+const WIDTH: usize = 100;
+
+/// A fenced block.
+#[derive(Clone, Debug)]
+struct Block {
+    /// What stands behind the opening fence.
+    kind: String,
+    text: String,
+    /// Where it begins, for messages: `docs/output.md:12`.
+    place: String,
+}
+
+/// Every document whose blocks are tested.
+fn documents() -> Vec<PathBuf> {
+    let mut found = vec![repository("README.md")];
+    collect(&repository("docs"), &mut found);
+    found.extend(scenes().into_iter().map(|(_, scene)| scene.with_file_name("README.md")));
+    found.into_iter().filter(|document| document.is_file()).collect()
+}
+
+fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("readable").path();
+        if path.is_dir() {
+            collect(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "md") {
+            found.push(path);
+        }
+    }
+}
+
+fn blocks(document: &Path) -> Vec<Block> {
+    let name = document.strip_prefix(repository("")).unwrap_or(document).display().to_string();
+    let (text, mut found, mut open) = (read(document), vec![], None::<Block>);
+    for (line, number) in text.lines().zip(1..) {
+        match (line.strip_prefix("```"), open.as_mut()) {
+            (Some(_), Some(_)) => found.extend(open.take()),
+            (Some(kind), None) => {
+                let place = format!("{name}:{number}");
+                open = Some(Block { kind: kind.to_owned(), text: String::new(), place });
+            }
+            (None, Some(block)) => block.text.extend([line, "\n"]),
+            (None, None) => {}
+        }
+    }
+    assert!(open.is_none(), "{name}: a block is not closed");
+    found
+}
+
+/// The blocks of that kind in all documents.
+fn of_kind(kind: &str) -> Vec<Block> {
+    let found: Vec<_> = documents().iter().flat_map(|document| blocks(document)).collect();
+    let found: Vec<_> = found.into_iter().filter(|block| block.kind == kind).collect();
+    assert!(!found.is_empty(), "no document has a block `{kind}`");
+    found
+}
+
+/// Runs a text as a scene; all its checks have to hold.
+fn succeeds(scene: &str, place: &str) {
+    let folder = folder();
+    let path = folder.path().join("scene.toml");
+    write(&path, scene);
+    let options = Options { out: folder.path().join("out"), ..Options::default() };
+    match pipeline::run(&path, &options) {
+        Ok(outcome) => assert!(outcome.is_success(), "{place}: {:?} {:#?}", outcome.refusal, outcome.checks),
+        Err(pipeline::PipelineError::Scene(mistakes)) => {
+            panic!("{place}:\n{}", mistakes.render(false, WIDTH))
+        }
+        Err(error) => panic!("{place}: {error}"),
+    }
+}
+
+#[test]
+fn only_known_kinds_of_blocks() {
+    let known = [
+        "toml",
+        "toml scaffold",
+        "toml fragment",
+        "toml error",
+        "text",
+        "console",
+        "diff",
+        "sh",
+        "rust",
+        "json",
+    ];
+    for block in documents().iter().flat_map(|document| blocks(document)) {
+        assert!(known.contains(&block.kind.as_str()), "{}: `{}`", block.place, block.kind);
+    }
+}
+
+#[test]
+fn scenes_run() {
+    for block in of_kind("toml").iter().chain(&of_kind("toml scaffold")) {
+        succeeds(&block.text, &block.place);
+    }
+}
+
+#[test]
+fn fragments_run_within_the_scaffold() {
+    let scaffold = of_kind("toml scaffold");
+    assert_eq!(scaffold.len(), 1, "there is one scaffold");
+    for block in of_kind("toml fragment") {
+        succeeds(&completed(&block.text, &scaffold[0].text), &block.place);
+    }
+}
+
+/// The fragment with every section of the scaffold that it does not have itself.
+fn completed(fragment: &str, scaffold: &str) -> String {
+    let own: BTreeSet<&str> = sections(fragment).into_iter().map(|(name, _)| name).collect();
+    let missing = sections(scaffold).into_iter().filter(|(name, _)| !own.contains(name));
+    let (top, below): (Vec<_>, Vec<_>) =
+        missing.map(|(_, text)| text).partition(|text| !text.starts_with('['));
+    [&top[..], &[fragment.to_owned()], &below[..]].concat().join("\n")
+}
+
+/// The parts of a scene by the first word of their names: a key at the top, or a header with the lines below it.
+fn sections(scene: &str) -> Vec<(&str, String)> {
+    let mut found: Vec<(&str, String)> = vec![];
+    let mut in_table = false;
+    for line in scene.lines().filter(|line| !line.is_empty()) {
+        let begins = line.starts_with('[') || (!in_table && line.starts_with(char::is_alphabetic));
+        in_table |= line.starts_with('[');
+        if begins {
+            found.push((first_word(line), String::new()));
+        }
+        if let Some((_, text)) = found.last_mut() {
+            text.extend([line, "\n"]);
+        }
+    }
+    found
+}
+
+fn first_word(line: &str) -> &str {
+    line.trim_start_matches('[').split(['.', ']', ' ', '=']).next().unwrap_or_default()
+}
+
+#[test]
+fn mistakes_are_reported_as_shown() {
+    let mut count = 0;
+    for document in documents() {
+        let blocks = blocks(&document);
+        for pair in blocks.windows(2).filter(|pair| pair[0].kind == "toml error") {
+            assert_eq!(pair[1].kind, "text", "{}: no message follows", pair[0].place);
+            let mistakes = tumble_scene::read("scene.toml", &pair[0].text, &[]).expect_err(&pair[0].place);
+            same(&mistakes.render(false, WIDTH), &pair[1]);
+            count += 1;
+        }
+    }
+    assert_eq!(count, of_kind("toml error").len(), "each mistake has its message");
+}
+
+#[test]
+fn outputs_are_as_shown() {
+    of_kind("console");
+    documents().iter().for_each(|document| commands(document));
+}
+
+/// Runs the commands of one document, each where the scene files it names stand.
+fn commands(document: &Path) {
+    let (mut scene, mut edits) = (String::new(), vec![]);
+    for block in blocks(document) {
+        match block.kind.as_str() {
+            "toml" => scene = block.text,
+            "diff" => edits.push(block),
+            "console" => {
+                let (command, expected) = block.text.split_once('\n').expect("a command and its output");
+                let place = prepare(document, &edits, command, &scene);
+                let output = said(place.path(), command, &block.place);
+                same(&output, &Block { text: expected.to_owned(), ..block.clone() });
+                edits.clear();
+            }
+            _ => {}
+        }
+    }
+}
+
+/// A folder with the scenes of the repository, the lesson's own with its edits, and the scene of the document by the
+/// name that the command gives it.
+fn prepare(document: &Path, edits: &[Block], command: &str, scene: &str) -> tempfile::TempDir {
+    let folder = folder();
+    for (name, source) in scenes() {
+        let own = source.with_file_name("README.md") == document;
+        let text = if own { edits.iter().fold(read(&source), edited) } else { read(&source) };
+        write(&folder.path().join("scenes").join(name).join("scene.toml"), &text);
+    }
+    let files =
+        command.split(' ').filter(|word| word.ends_with(".toml")).map(|name| folder.path().join(name));
+    files.filter(|file| !file.exists()).for_each(|file| write(&file, scene));
+    folder
+}
+
+/// The scene with each line behind a `-` replaced by the line behind a `+` that follows it.
+fn edited(scene: String, edit: &Block) -> String {
+    let mut lines = edit.text.lines();
+    let mut scene = scene;
+    while let (Some(old), Some(new)) = (lines.next(), lines.next()) {
+        let (old, new) = (old.strip_prefix('-'), new.strip_prefix('+'));
+        let (old, new) = old.zip(new).unwrap_or_else(|| panic!("{}: - and + in turn", edit.place));
+        assert_eq!(scene.matches(old).count(), 1, "{}: `{old}` is in the scene once", edit.place);
+        scene = scene.replace(old, new);
+    }
+    scene
+}
+
+/// Both streams of `$ tumble ...`.
+fn said(folder: &Path, command: &str, place: &str) -> String {
+    let arguments =
+        command.strip_prefix("$ tumble ").unwrap_or_else(|| panic!("{place}: not `$ tumble ...`"));
+    let words: Vec<&str> = arguments.split(' ').collect();
+    let output = tumble(folder, &words);
+    text(&output.stdout) + &text(&output.stderr)
+}
+
+/// Whether a text is the one shown, of which a line `...` leaves out any number of lines.
+fn same(found: &str, shown: &Block) {
+    let clean = |text: &str| text.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>();
+    let (found_lines, shown_lines) = (clean(found.trim()), clean(shown.text.trim()));
+    assert!(
+        matches(&found_lines, &shown_lines),
+        "{} is stale; it is now\n{found}\nand was\n{}",
+        shown.place,
+        shown.text
+    );
+}
+
+fn matches(found: &[String], shown: &[String]) -> bool {
+    match shown.split_first() {
+        None => found.is_empty(),
+        Some((line, rest)) if line == "..." => (0..=found.len()).any(|skip| matches(&found[skip..], rest)),
+        Some((line, rest)) => found.first() == Some(line) && matches(&found[1..], rest),
+    }
+}
+
+/// `cargo xtask bless figures` makes them new.
+#[test]
+fn figures_are_those_of_the_gallery() {
+    let out = folder();
+    let options = Options { out: out.path().to_owned(), ..Options::default() };
+    let mut drawn = BTreeSet::new();
+    for (_, scene) in scenes() {
+        let outcome = pipeline::run(&scene, &options).expect("a scene that runs");
+        let files = outcome.figures.iter().map(|figure| outcome.folder.join(format!("{figure}.svg")));
+        drawn.extend(files.map(|file| read(&file)));
+    }
+    for entry in fs::read_dir(repository("docs/images")).expect("a folder") {
+        let image = entry.expect("readable").path();
+        assert!(
+            drawn.contains(&read(&image)),
+            "{} is stale: run `cargo xtask bless figures`",
+            image.display()
+        );
+    }
+}
