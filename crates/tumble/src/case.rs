@@ -78,7 +78,7 @@ impl Case {
             }
             Err(error) => return Err(error.into()),
         };
-        let checks = checks::evaluate(study, &run)?;
+        let checks = checks::evaluate(study, &run, refusal.is_none())?;
         Ok(Self { number, label, parameters, run, refusal, checks })
     }
 

@@ -25,15 +25,17 @@ pub struct CheckResult {
     pub holds: bool,
 }
 
-pub(crate) fn evaluate(study: &Study, run: &Run) -> Result<Vec<CheckResult>, PipelineError> {
-    study.checks.iter().map(|check| one(study, run, check)).collect()
+/// Holds every claim against a motion; `complete` says whether it was found to its end.
+pub(crate) fn evaluate(study: &Study, run: &Run, complete: bool) -> Result<Vec<CheckResult>, PipelineError> {
+    study.checks.iter().map(|check| one(study, run, complete, check)).collect()
 }
 
-fn one(study: &Study, run: &Run, check: &Check) -> Result<CheckResult, PipelineError> {
+fn one(study: &Study, run: &Run, complete: bool, check: &Check) -> Result<CheckResult, PipelineError> {
     let within = study.number(&check.within)?;
     let formulas = [check.that.quantity.formula.clone(), check.equals.clone()];
     let at = match &check.at {
-        None => Some(study.number(&study.until)?),
+        // A motion that an event has stopped ends there; one that was refused has no end to look at.
+        None => run.trajectory.end().filter(|_| complete),
         Some(Instant::Time(time)) => Some(study.number(time)?),
         Some(Instant::Event { name, count }) => time_of(run, name, *count),
     };

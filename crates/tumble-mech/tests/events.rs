@@ -1,0 +1,141 @@
+//! Declared events: none is missed, each is where an independent search finds it, and their actions follow.
+
+mod common;
+
+use common::{at, close, run};
+use proptest::prelude::*;
+use tumble_expr::units::{KG, M, N, RAD, S};
+use tumble_expr::{Expr, Vector};
+use tumble_mech::{Action, Body, Event, Gravity, Load, Model, Moment, Place, Start, time};
+use tumble_ode::Direction;
+
+/// Points of the dense search in a run.
+const DENSE: usize = 200_000;
+
+/// A pendulum with a ball on a spring of its own, both in gusts, with a few numbers drawn at random.
+fn random_model([angle, omega, drag, wind, period, stiffness]: [f64; 6]) -> (Model, Body) {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
+    model.pivot(&rod, [0 * M, 0 * M]);
+    let gust = wind * M / S * (2 * Expr::pi() * time() / (period * S)).sin();
+    let u = gust * rod.kinematics().angle().cos() - 1 * M * rod.kinematics().omega();
+    model.torque("air", &rod, drag * KG * (u.abs() * u));
+    let spring = stiffness * KG * M * M / (S * S);
+    model.torque("wire", &rod, -(spring * rod.kinematics().angle()));
+    model.starts.push(("rod".into(), Start::default().angle(angle * RAD).omega(omega * RAD / S)));
+    (model, rod)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Zeros of three functions of the motion, against all changes of sign on a grid of two hundred thousand points.
+    #[test]
+    fn no_event_is_missed(
+        start in (-3.0f64..3.0, -6.0f64..6.0),
+        air in (0.0f64..0.05, 0.0f64..20.0, 0.3f64..4.0),
+        stiffness in 0.0f64..20.0,
+        level in -1.0f64..1.0,
+    ) {
+        let (mut model, rod) = random_model([start.0, start.1, air.0, air.1, air.2, stiffness]);
+        let k = rod.kinematics();
+        let watched = [
+            k.angle() - level,
+            k.omega() * S_INVERSE - level,
+            (k.angle() * 3).sin() - 0.9 * (7 * time() / (1 * S)).cos(),
+        ];
+        for (index, when) in watched.iter().enumerate() {
+            let name = format!("e{index}");
+            let (when, direction) = (when.clone(), Direction::Both);
+            model.events.push(Event { name, when, direction, action: Action::Record });
+        }
+        let until = 10.0;
+        let run = run(model, until, 1e-9);
+        let mut observer = run.observe(&watched).expect("typed");
+        let values: Vec<Vec<f64>> = (0..=DENSE)
+            .map(|i| observer.at(until * i as f64 / DENSE as f64, tumble_ode::Side::After).expect("inside"))
+            .collect();
+        for index in 0..watched.len() {
+            let dense: Vec<usize> =
+                (0..DENSE).filter(|i| values[*i][index] * values[i + 1][index] < 0.0).collect();
+            let name = format!("e{index}");
+            let named = |event: &&tumble_ode::Event| event.tags.contains(&name);
+            let found: Vec<f64> = run.trajectory.events.iter().filter(named).map(|event| event.time).collect();
+            // Two zeros within a cell of the grid are the located ones' to find, not the grid's.
+            let cell = |t: f64| (t / until * DENSE as f64) as usize;
+            for i in &dense {
+                prop_assert!(found.iter().any(|t| cell(*t).abs_diff(*i) <= 1), "{} at cell {}", name, i);
+            }
+            for t in &found {
+                let near = at(&run, *t, [watched[index].clone()])[0];
+                prop_assert!(near.abs() < 1e-10, "{} is {:e} at its event", name, near);
+            }
+            prop_assert!(found.len() >= dense.len());
+            prop_assert_eq!((found.len() - dense.len()) % 2, 0);
+        }
+    }
+}
+
+/// A unit that makes an angular rate a pure number.
+const S_INVERSE: tumble_expr::Unit = S;
+
+/// A ball thrown up at 10 m/s; the apex is where vy falls through zero.
+fn thrown(action: Action) -> (Model, Body) {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(10 * M / (S * S));
+    let ball = model.add(Body::point("ball").mass(1 * KG));
+    let when = ball.kinematics().velocity()[1].clone();
+    model.events.push(Event { name: "apex".into(), when, direction: Direction::Falling, action });
+    let start = Start::default().at([0 * M, 0 * M]).velocity([2 * M / S, 10 * M / S]);
+    model.starts.push(("ball".into(), start));
+    (model, ball)
+}
+
+#[test]
+fn an_event_is_recorded_and_changes_nothing() {
+    let (model, ball) = thrown(Action::Record);
+    let run = run(model, 3.0, 1e-9);
+    let event = &run.trajectory.events[0];
+    assert_eq!((event.time, event.tags.as_slice()), (1.0, &["apex".to_owned()][..]));
+    assert_eq!(event.before, event.after);
+    close(at(&run, 3.0, [ball.kinematics().position()[1].clone()])[0], -15.0, 1e-15);
+}
+
+#[test]
+fn an_event_stops_the_motion() {
+    let (model, _) = thrown(Action::Stop);
+    let run = run(model, 3.0, 1e-9);
+    assert_eq!(run.trajectory.end(), Some(1.0));
+    assert_eq!(run.trajectory.events.len(), 1);
+}
+
+#[test]
+fn an_event_changes_a_parameter() {
+    let (mut model, ball) = thrown(Action::Set(vec![("g".into(), 2 * M / (S * S))]));
+    let g = model.parameters.set("g", 10 * M / (S * S)).expect("typed");
+    model.gravity = Gravity::Vertical(g);
+    let run = run(model, 3.0, 1e-9);
+    let [y, vy] =
+        at(&run, 3.0, [ball.kinematics().position()[1].clone(), ball.kinematics().velocity()[1].clone()]);
+    // Up 5 m in 1 s, then down 2 m/s^2 for 2 s.
+    close(y, 5.0 - 4.0, 1e-15);
+    close(vy, -4.0, 1e-15);
+    assert_eq!(run.trajectory.work.exact_steps, 2);
+}
+
+#[test]
+fn a_window_opens_and_closes_at_events() {
+    let (mut model, ball) = thrown(Action::Record);
+    let when = ball.kinematics().position()[0].clone() - 4 * M;
+    let direction = Direction::Rising;
+    model.events.push(Event { name: "far".into(), when, direction, action: Action::Record });
+    let push = Load::force("push", "ball", Place::Material(ball.cm()), Vector::planar(Expr::zero(), 10 * N));
+    model.loads.push(push.during(Moment::Event("apex".into()), Moment::Event("far".into())));
+    let run = run(model, 3.0, 1e-9);
+    let tags: Vec<String> = run.trajectory.events.iter().flat_map(|event| event.tags.clone()).collect();
+    assert_eq!(tags, ["apex", "push.start", "far", "push.end"]);
+    // Weightless from 1 s to 2 s, at the height of 5 m.
+    let [y] = at(&run, 3.0, [ball.kinematics().position()[1].clone()]);
+    close(y, 0.0, 1e-14);
+}
