@@ -22,6 +22,8 @@ pub enum Branches<'a, S> {
 pub struct Jets<S> {
     tape: Arc<Tape>,
     stride: usize,
+    /// Operations that change with time, in order.
+    varying: Vec<(Slot, Op)>,
     /// `[slot][order]`
     data: Vec<S>,
     signs: Vec<S>,
@@ -42,7 +44,8 @@ impl<S: Scalar> Jets<S> {
         let data = vec![S::zero(); tape.len() * stride];
         let signs = vec![S::one(); tape.sides()];
         let vanishing = vec![false; tape.norms.len()];
-        let mut jets = Self { tape, stride, data, signs, vanishing };
+        let varying = tape.varying().collect();
+        let mut jets = Self { tape, stride, varying, data, signs, vanishing };
         jets.bind(inputs);
         jets
     }
@@ -82,7 +85,8 @@ impl<S: Scalar> Jets<S> {
         if let Branches::Frozen(signs) = branches {
             self.freeze(signs);
         }
-        for (slot, op) in tape.varying() {
+        for index in 0..self.varying.len() {
+            let (slot, op) = self.varying[index];
             self.data[slot as usize * self.stride] = self.value(op, free);
         }
     }
@@ -94,8 +98,8 @@ impl<S: Scalar> Jets<S> {
 
     /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
     pub fn extend(&mut self, k: usize) {
-        let tape = Arc::clone(&self.tape);
-        for (slot, op) in tape.varying() {
+        for index in 0..self.varying.len() {
+            let (slot, op) = self.varying[index];
             let value = self.series().coefficient(op, slot, k);
             self.data[slot as usize * self.stride + k] = value;
         }

@@ -26,6 +26,19 @@ pub struct Equations {
     definitions: Substitution,
 }
 
+/// What symbols stand for in a mode: first the kinematic ones that are not states, then parameters that were changed.
+pub(crate) struct Definitions {
+    kinematic: Substitution,
+    changes: Substitution,
+}
+
+impl Definitions {
+    /// A formula of any kinematic symbols, in the states of the mode.
+    pub(crate) fn apply(&self, formula: &Expr) -> Expr {
+        self.changes.apply(&self.kinematic.apply(formula))
+    }
+}
+
 /// When a load acts.
 #[derive(Clone, Debug)]
 pub struct Window {
@@ -85,8 +98,8 @@ impl Equations {
 
     /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
     pub fn terms(&self, mode: &Mode) -> Vec<Term> {
-        let (acting, all, changes) = (self.acting(mode), self.definitions_in(mode), self.changes(mode));
-        let in_mode = |formula: &Expr| changes.apply(&all.apply(formula));
+        let (acting, definitions) = (self.acting(mode), self.definitions_of(mode));
+        let in_mode = |formula: &Expr| definitions.apply(formula);
         let reactions = self.bodies.iter().enumerate().filter_map(|(index, body)| {
             let terms = on_body(&acting, index);
             body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
@@ -109,7 +122,12 @@ impl Equations {
 
     /// A formula of any kinematic symbols, accelerations included, in the states of a mode.
     pub fn in_states(&self, mode: &Mode, formula: &Expr) -> Expr {
-        self.changes(mode).apply(&self.definitions_in(mode).apply(formula))
+        self.definitions_of(mode).apply(formula)
+    }
+
+    /// What every kinematic symbol stands for in a mode.
+    pub(crate) fn definitions_of(&self, mode: &Mode) -> Definitions {
+        Definitions { kinematic: self.definitions_in(mode), changes: self.changes(mode) }
     }
 
     /// Formulas for all kinematic symbols that are not states.

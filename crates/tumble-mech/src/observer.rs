@@ -30,8 +30,8 @@ impl<'a> Observer<'a> {
                 time: time_symbol(),
                 inputs: equations.model().parameters.symbols(),
             };
-            let formulas: Vec<Expr> =
-                formulas.iter().map(|formula| equations.in_states(mode, formula)).collect();
+            let definitions = equations.definitions_of(mode);
+            let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
             Ok(Jets::new(Arc::new(Tape::compile(&layout, &formulas)?), 0, inputs))
         };
         let tapes = trajectory.modes.iter().map(tape).collect::<Result<_, _>>()?;

@@ -12,14 +12,15 @@ impl Hybrid for Equations {
     type Mode = Mode;
 
     fn flow(&self, mode: &Mode) -> Result<Flow, Reason> {
+        let in_mode = self.definitions_of(mode);
         let states = self.state_rates().into_iter().map(|state| StateVariable {
-            rate: self.in_states(mode, &state.rate),
+            rate: in_mode.apply(&state.rate),
             symbol: state.symbol,
             group: state.measure as usize,
         });
         let guards = self.model().events.iter().map(|event| Guard {
             name: event.name.clone(),
-            formula: self.in_states(mode, &event.when),
+            formula: in_mode.apply(&event.when),
             direction: event.direction,
         });
         Ok(Flow {

@@ -60,6 +60,26 @@ fn a_shaken_anchor() {
     }
 }
 
+/// Parametric: a spring that softens as 1/(1+t)^2 has x = sqrt(1+t) (cos(q ln(1+t)) + ...) with q^2 = k/m - 1/4.
+#[test]
+fn a_softening_spring() {
+    let mut model = Model::new();
+    let ball = model.add(Body::point("ball").mass(2 * KG));
+    let mut softening = spring([Anchor::World(here(0.0, 0.0)), Anchor::Material(ball.cm())], 18.5, 0.0, 0.0);
+    let age = 1 + time() / (1.0 * S);
+    softening.stiffness = softening.stiffness / (&age * &age);
+    model.interact(softening);
+    model.starts.push(("ball".into(), Start::default().at([1 * M, 0 * M])));
+    let run = run(model, 50.0, 1e-12);
+    // q = 3; x(0) = 1 and x'(0) = 0 ask for 1/2 + q B = 0.
+    for t in [0.5, 7.0, 50.0] {
+        let t: f64 = t;
+        let phase = 3.0 * (1.0 + t).ln();
+        let exact = (1.0 + t).sqrt() * (phase.cos() - phase.sin() / 6.0);
+        close(at(&run, t, [ball.kinematics().position()[0].clone()])[0], exact, 1e-12);
+    }
+}
+
 /// Two bodies: their centre of mass stays, their distance swings with the reduced mass.
 #[test]
 fn two_bodies_and_a_spring() {

@@ -162,7 +162,11 @@ impl Engine {
             let instant = SIMULTANEOUS_PART * time.abs().max(1.0);
             let slope = series.get(1).map_or(0.0, |slope| slope.abs());
             let zero = self.sides.zero_branches[*branch] || series[0].abs() <= 2.0 * instant * slope;
-            let sign = if zero { leading_sign(&series[1..]) } else { leading_sign(series) };
+            let sign = match (zero, series[0]) {
+                (true, _) => leading_sign(&series[1..]),
+                (false, 0.0) => leading_sign(series),
+                (false, value) => value.signum(),
+            };
             sign * self.sides.signs[*branch] < 0.0
         };
         (0..expansion.branches.len()).filter(|branch| self.sides.active.branches[*branch]).find(wrong)

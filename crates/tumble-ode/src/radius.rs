@@ -11,7 +11,9 @@ pub(crate) fn of_series(series: &[f64], scale: f64) -> f64 {
     if scale == 0.0 {
         return of_own_size(series);
     }
-    upper(series, 0).map(|k| root(scale / series[k].abs(), k)).fold(f64::INFINITY, f64::min)
+    let scale = libm::log2(scale);
+    let reach = |k: usize| (scale - libm::log2(series[k].abs())) / k as f64;
+    libm::exp2(upper(series, 0).filter(|k| series[*k] != 0.0).map(reach).fold(f64::INFINITY, f64::min))
 }
 
 /// Radius of a series measured against itself.
@@ -21,20 +23,17 @@ pub(crate) fn of_series(series: &[f64], scale: f64) -> f64 {
 pub(crate) fn of_own_size(series: &[f64]) -> f64 {
     let Some(first) = series.iter().position(|c| *c != 0.0) else { return f64::INFINITY };
     let middle = ((series.len() - 1) / 2).max(first);
-    let pair = |j: usize, k: usize| root(series[j].abs() / series[k].abs(), k - j);
-    let reach = |k: usize| (first..=middle.min(k - 1)).map(|j| pair(j, k)).fold(0.0, f64::max);
-    upper(series, first).filter(|k| series[*k] != 0.0).map(reach).fold(f64::INFINITY, f64::min)
+    // Zero coefficients have the logarithm minus infinity, and so never give most.
+    let logs: Vec<f64> = series.iter().map(|c| libm::log2(c.abs())).collect();
+    let pair = |j: usize, k: usize| (logs[j] - logs[k]) / (k - j) as f64;
+    let reach = |k: usize| (first..=middle.min(k - 1)).map(|j| pair(j, k)).fold(f64::NEG_INFINITY, f64::max);
+    libm::exp2(upper(series, first).filter(|k| series[*k] != 0.0).map(reach).fold(f64::INFINITY, f64::min))
 }
 
 /// The orders read: the upper half, and beyond the lowest that is not zero.
 fn upper(series: &[f64], first: usize) -> std::ops::RangeInclusive<usize> {
     let last = series.len() - 1;
     last.div_ceil(2).max(first + 1)..=last
-}
-
-fn root(ratio: f64, k: usize) -> f64 {
-    // A zero coefficient makes the ratio infinite, and 0/0 happens where the whole series is zero: neither says anything.
-    if ratio.is_nan() { f64::INFINITY } else { libm::pow(ratio, 1.0 / k as f64) }
 }
 
 #[cfg(test)]

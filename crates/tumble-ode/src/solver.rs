@@ -75,6 +75,8 @@ pub struct Solver<'a, H: Hybrid> {
     until: f64,
     span: f64,
     tolerance: f64,
+    /// Length of an ordinary step in units of the radius.
+    reach: f64,
     time: f64,
     states: Vec<f64>,
     /// What rounding left out of the states so far: added back with the next step.
@@ -100,6 +102,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             until,
             span: until - start.time,
             tolerance,
+            reach: reach(tolerance, order(tolerance)),
             time: start.time,
             carry: vec![0.0; start.states.len()],
             states: start.states,
@@ -233,11 +236,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
         let radius = self.engines[mode].radius(expansion, &self.scales);
-        if radius.is_finite() {
-            radius * reach(self.tolerance, expansion.order())
-        } else {
-            self.span * BLIND_PART
-        }
+        if radius.is_finite() { radius * self.reach } else { self.span * BLIND_PART }
     }
 
     /// Ends a step at `end` at the latest, and makes its times exact: `start + length` is its end, to the bit.

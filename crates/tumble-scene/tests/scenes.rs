@@ -4,8 +4,14 @@ use std::path::PathBuf;
 
 use tumble_scene::{Folder, Instant, Override, Study, SweepValue, read, read_bytes_in};
 
-const SCENES: [&str; 5] =
-    ["01-pendulum-in-the-wind", "02-thrown-rod", "04-kicked-ball", "05-shuttlecock", "06-curve-ball"];
+const SCENES: [&str; 6] = [
+    "01-pendulum-in-the-wind",
+    "02-thrown-rod",
+    "04-kicked-ball",
+    "05-shuttlecock",
+    "06-curve-ball",
+    "07-measured-gust",
+];
 
 fn path(scene: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(scene).join("scene.toml")
@@ -74,7 +80,7 @@ fn every_check_of_the_scenes_holds() {
             let run = choice.model.simulate_to(&[], choice.until.clone(), choice.accuracy).expect("a motion");
             for check in &choice.checks {
                 let at = match &check.at {
-                    None => number(&choice.until),
+                    None => run.trajectory.end().expect("an end"),
                     Some(Instant::Time(at)) => number(at),
                     Some(Instant::Event { name, count }) => {
                         let events = run.trajectory.events.iter().filter(|event| event.tags.contains(name));

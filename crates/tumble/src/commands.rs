@@ -56,6 +56,9 @@ struct Settings {
     /// Where results go: a folder of the scene's name is made in it.
     #[arg(long, default_value = "out")]
     out: PathBuf,
+    /// Write tables and the summary only.
+    #[arg(long)]
+    no_figures: bool,
 }
 
 fn assignment(text: &str) -> Result<(String, String), String> {
@@ -81,14 +84,17 @@ impl Command {
     pub(crate) fn run(self) -> ExitCode {
         let ending = match self.task {
             Task::Run { scene, settings } => {
-                let options = Options { set: settings.set, out: settings.out, progress: true };
+                let Settings { set, out, no_figures } = settings;
+                let options = Options { set, out, no_figures, progress: true };
                 report(&Shown { result: pipeline::run(&scene, &options), scene })
             }
             Task::Check { scene, set } => {
                 let options = Options { set, ..Options::default() };
                 check(&scene, &options)
             }
-            Task::Gallery { scenes, out } => gallery(&scenes, Options { out, progress: true, set: vec![] }),
+            Task::Gallery { scenes, out } => {
+                gallery(&scenes, Options { out, progress: true, ..Options::default() })
+            }
         };
         ExitCode::from(ending as u8)
     }

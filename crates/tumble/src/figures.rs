@@ -3,7 +3,9 @@
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Run, Shape};
 use tumble_ode::Side;
-use tumble_report::{Axis, CurveFigure, Label, Outline, Pose, Series, Stroboscope as Picture, Svg, Track};
+use tumble_report::{
+    Axis, CurveFigure, Label, Mark, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
+};
 use tumble_scene::{Curve, Plot, Stroboscope, Study};
 
 use crate::case::Case;
@@ -16,6 +18,8 @@ use crate::tables::sample;
 const PNG_SCALE: f64 = 2.0;
 /// Points of a drawn path: more than a screen has pixels across.
 const TRACE_POINTS: usize = 2000;
+/// More event marks than this cannot be told apart in one figure.
+const MOST_MARKS: usize = 12;
 /// More instants than this are a smear, and a mistake in the interval.
 const MOST_INSTANTS: usize = 1000;
 
@@ -57,6 +61,9 @@ fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, Pip
     };
     let title = Label::markup(plot.title.as_deref().unwrap_or(&study.title));
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
+    if let ([case], None) = (cases, &plot.x) {
+        mark_events(&mut figure, case);
+    }
     for case in cases {
         let rows = sample(&study.with(&case.parameters), &case.run, &formulas)?;
         for (index, curve) in plot.y.iter().enumerate() {
@@ -67,6 +74,17 @@ fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, Pip
         }
     }
     Ok(figure)
+}
+
+/// Marks what happens along the time axis, unless so much does that no mark could be read.
+fn mark_events(figure: &mut CurveFigure, case: &Case) {
+    let events = &case.run.trajectory.events;
+    if events.len() > MOST_MARKS {
+        return;
+    }
+    for event in events {
+        figure.marks.push(Mark { at: event.time, label: Label::plain(&event.tags.join(", ")) });
+    }
 }
 
 /// What is different about a run: `T = 0.5 s` with its symbol, or the user's words.

@@ -19,6 +19,8 @@ pub struct Options {
     pub set: Vec<(String, String)>,
     /// Where results go: a folder of the scene's name is made in it.
     pub out: PathBuf,
+    /// Whether figures are left out, for numbers only.
+    pub no_figures: bool,
     /// Whether a bar may be drawn for work over a second.
     pub progress: bool,
 }
@@ -82,7 +84,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
         tables::write(&study, &case, &folder)?;
         cases.push(case);
     }
-    let figures = figures::write(&study, &cases, &folder)?;
+    let figures = if options.no_figures { vec![] } else { figures::write(&study, &cases, &folder)? };
     summary::write(&source, &study, &cases, &figures, &folder)?;
     Ok(Outcome { folder: folder.finish()?, study, figures, cases })
 }
@@ -96,8 +98,13 @@ fn read(source: &Source, options: &Options) -> Result<Study, PipelineError> {
     let overrides: Vec<Override> =
         options.set.iter().map(|(name, text)| Override { name: name.clone(), text: text.clone() }).collect();
     let beside = tumble_scene::Folder::of(&source.path);
-    tumble_scene::read_bytes_in(&source.path.display().to_string(), &source.bytes, &overrides, &beside)
-        .map_err(|diagnostics| PipelineError::Scene(Box::new(diagnostics)))
+    let mut study =
+        tumble_scene::read_bytes_in(&source.path.display().to_string(), &source.bytes, &overrides, &beside)
+            .map_err(|diagnostics| PipelineError::Scene(Box::new(diagnostics)))?;
+    if study.title.is_empty() {
+        study.title.clone_from(&source.name);
+    }
+    Ok(study)
 }
 
 impl From<RunError> for PipelineError {

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{folder, read, repository, scenes, text, tumble, write};
+use common::{copy_scenes, failures, folder, read, repository, scenes, text, tumble, write};
 use tumble::pipeline::{self, Options};
 
 /// Columns of the messages in the documents, the width of a page.
@@ -75,7 +75,9 @@ fn succeeds(scene: &str, place: &str) {
     write(&path, scene);
     let options = Options { out: folder.path().join("out"), ..Options::default() };
     match pipeline::run(&path, &options) {
-        Ok(outcome) => assert!(outcome.is_success(), "{place}: {:?} {:#?}", outcome.refusal, outcome.checks),
+        Ok(outcome) => {
+            assert!(outcome.is_success(), "{place}: {:#?}", failures(&outcome));
+        }
         Err(pipeline::PipelineError::Scene(mistakes)) => {
             panic!("{place}:\n{}", mistakes.render(false, WIDTH))
         }
@@ -192,10 +194,12 @@ fn commands(document: &Path) {
 /// name that the command gives it.
 fn prepare(document: &Path, edits: &[Block], command: &str, scene: &str) -> tempfile::TempDir {
     let folder = folder();
+    copy_scenes(&folder.path().join("scenes"));
     for (name, source) in scenes() {
-        let own = source.with_file_name("README.md") == document;
-        let text = if own { edits.iter().fold(read(&source), edited) } else { read(&source) };
-        write(&folder.path().join("scenes").join(name).join("scene.toml"), &text);
+        if source.with_file_name("README.md") == document {
+            let text = edits.iter().fold(read(&source), edited);
+            write(&folder.path().join("scenes").join(name).join("scene.toml"), &text);
+        }
     }
     let files =
         command.split(' ').filter(|word| word.ends_with(".toml")).map(|name| folder.path().join(name));

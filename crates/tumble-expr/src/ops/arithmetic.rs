@@ -14,7 +14,8 @@ pub(crate) fn square<S: Scalar>(a: &[S], k: usize) -> S {
 
 /// Terms of `a^2` at order k that hold neither `a_0` nor `a_k`.
 pub(crate) fn half_square<S: Scalar>(a: &[S], k: usize) -> S {
-    let pairs = (1..k.div_ceil(2)).fold(S::zero(), |sum, i| sum + a[i] * a[k - i]);
+    let below = k.div_ceil(2).max(1);
+    let pairs = convolution(&a[1..below], &a[k + 1 - below..k]);
     let twice = S::splat(2.0) * pairs;
     if k.is_multiple_of(2) && k > 0 { twice + a[k / 2] * a[k / 2] } else { twice }
 }

@@ -8,22 +8,27 @@ use crate::Scalar;
 
 /// `c' = a' g`: comparing orders, `k c_k = sum over i from 1 to k of i a_i g_(k-i)`.
 pub(crate) fn along<S: Scalar>(a: &[S], g: &[S], k: usize) -> S {
-    weighted(a, g, 1..=k, k) / order(k)
+    weighted(&a[1..=k], &g[..k]) / order(k)
 }
 
 /// `c' g = n'` for given `n_k`: `k c_k g_0 = k n_k - sum over i from 1 to k-1 of i c_i g_(k-i)`.
 pub(crate) fn against<S: Scalar>(n: S, g: &[S], c: &[S], k: usize) -> S {
-    (n - weighted(c, g, 1..=k - 1, k) / order(k)) / g[0]
+    (n - weighted(&c[1..k], &g[1..k]) / order(k)) / g[0]
 }
 
 /// `n' = x y' - y x'`, the numerator of the angle of (x, y).
 pub(crate) fn sweep<S: Scalar>(x: &[S], y: &[S], k: usize) -> S {
-    (weighted(y, x, 1..=k, k) - weighted(x, y, 1..=k, k)) / order(k)
+    (weighted(&y[1..=k], &x[..k]) - weighted(&x[1..=k], &y[..k])) / order(k)
 }
 
-/// Sum of `i a_i g_(k-i)` over a range of i.
-fn weighted<S: Scalar>(a: &[S], g: &[S], range: std::ops::RangeInclusive<usize>, k: usize) -> S {
-    range.fold(S::zero(), |sum, i| sum + order::<S>(i) * a[i] * g[k - i])
+/// Sum of `i a_i g_(n-i)` over i from 1 to n, the first slice beginning with a_1 and the second ending with g_(n-1).
+fn weighted<S: Scalar>(a: &[S], g: &[S]) -> S {
+    let (mut sum, mut weight) = (S::zero(), 0.0);
+    for (a, g) in a.iter().zip(g.iter().rev()) {
+        weight += 1.0;
+        sum = sum + S::splat(weight) * *a * *g;
+    }
+    sum
 }
 
 fn order<S: Scalar>(k: usize) -> S {

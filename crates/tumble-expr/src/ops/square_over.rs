@@ -6,7 +6,7 @@
 
 use super::{Series, Slot};
 use crate::Scalar;
-use crate::ops::arithmetic::{convolution, half_square};
+use crate::ops::arithmetic::{self, convolution, half_square};
 
 pub(crate) fn value<S: Scalar>(series: &Series<'_, S>, of: Slot, by: Slot, vanishing: u32) -> S {
     let known_zero = series.vanishing[vanishing as usize];
@@ -23,6 +23,10 @@ pub(crate) fn coefficient<S: Scalar>(
 ) -> S {
     let lowest = usize::from(series.vanishing[vanishing as usize]);
     let (a, b) = (series.of(of), series.of(by));
+    // Away from zero in every lane there is nothing to factor out.
+    if lowest == 0 && (0..S::LANES).all(|lane| b[0].lane(lane) != 0.0) {
+        return (arithmetic::square(a, k) - (convolution(&c[1..k], &b[1..k]) + c[0] * b[k])) / b[0];
+    }
     S::from_lanes(|lane| of_lane(a, b, c, lowest..=k, lane))
 }
 

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use tempfile::TempDir;
+use tumble::pipeline::Outcome;
 
 /// A file of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
@@ -27,6 +28,30 @@ pub(crate) fn scenes() -> Vec<(String, PathBuf)> {
 
 fn name_of(path: &Path) -> String {
     path.file_name().expect("a name").to_string_lossy().into_owned()
+}
+
+/// Copies every scene with the files beside it, lessons left out.
+pub(crate) fn copy_scenes(to: &Path) {
+    for (name, scene) in scenes() {
+        let folder = scene.parent().expect("a folder");
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let file = entry.expect("readable").path();
+            if file.extension().is_some_and(|ending| ending != "md") {
+                write(&to.join(&name).join(name_of(&file)), &read(&file));
+            }
+        }
+    }
+}
+
+/// What is wrong with the runs of a scene: why each stopped early, and the checks that do not hold.
+pub(crate) fn failures(outcome: &Outcome) -> Vec<String> {
+    let of_case = |case: &tumble::Case| {
+        let refusal = case.refusal.iter().map(ToString::to_string);
+        let checks = case.checks.iter().filter(|check| !check.holds).map(|check| format!("{check:?}"));
+        let found: Vec<_> = refusal.chain(checks).collect();
+        (!found.is_empty()).then(|| format!("{} {}: {}", case.folder(), case.label, found.join("; ")))
+    };
+    outcome.cases.iter().filter_map(of_case).collect()
 }
 
 /// An empty folder that is removed afterwards.
