@@ -1,5 +1,6 @@
 //! A formula: an immutable, shared tree whose every node knows its dimension.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -255,6 +256,21 @@ impl Expr {
     /// The formulas this one is made of, left to right.
     pub fn children(&self) -> Vec<&Self> {
         self.node().parts()
+    }
+
+    /// The symbols in it, each once.
+    pub fn symbols(&self) -> HashSet<Symbol> {
+        let (mut seen, mut found) = (HashSet::new(), HashSet::new());
+        let mut pending = vec![self];
+        while let Some(next) = pending.pop() {
+            if let Node::Symbol(symbol) = next.node() {
+                found.insert(symbol.clone());
+            }
+            if seen.insert(Arc::as_ptr(&next.0)) {
+                pending.extend(next.children());
+            }
+        }
+        found
     }
 
     /// Raises to a rational power.

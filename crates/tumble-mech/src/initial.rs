@@ -88,7 +88,11 @@ fn coefficient_mistakes(
     parameters: &Parameters,
 ) -> Result<Vec<ModelError>, ModelError> {
     let mut mistakes = vec![];
-    for (key, formula, unit) in interaction.nonnegative() {
+    let known = parameters.symbols();
+    // A coefficient that changes with the time or the motion has no value yet.
+    let fixed = |formula: &Expr| formula.symbols().iter().all(|symbol| known.contains(symbol));
+    for (key, formula, unit) in interaction.nonnegative().into_iter().filter(|(_, formula, _)| fixed(formula))
+    {
         let value = parameters.evaluate(&[formula])?[0];
         let what = format!("{key} of `{}`", interaction.name());
         if value < 0.0 {
