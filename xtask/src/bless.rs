@@ -19,7 +19,13 @@ pub(crate) enum Part {
 }
 
 /// Figures that documents show: the name below the gallery, the name in docs/images.
-const FIGURES: &[(&str, &str)] = &[("02-thrown-rod/flight.svg", "thrown-rod.svg")];
+const FIGURES: &[(&str, &str)] = &[
+    ("01-pendulum-in-the-wind/theta.svg", "wind-pendulum.svg"),
+    ("02-thrown-rod/flight.svg", "thrown-rod.svg"),
+    ("05-shuttlecock/flight.svg", "shuttlecock.svg"),
+    ("06-curve-ball/path.svg", "curve-ball.svg"),
+    ("07-measured-gust/theta.svg", "measured-gust.svg"),
+];
 
 /// The steps for the parts named, or for all of them.
 pub(crate) fn steps(parts: &[Part]) -> Vec<Step> {

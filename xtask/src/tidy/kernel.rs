@@ -17,6 +17,7 @@ const NUMBERS_ONLY: [&str; 2] = ["crates/tumble-expr/src/", "crates/tumble-ode/s
 /// Files and folders of those crates with methods of the same names on other types than numbers: formulas, and
 /// scalars whose methods are the kernel's.
 const OTHER_TYPES: &[&str] = &[
+    "crates/tumble-expr/src/differentiate.rs",
     "crates/tumble-expr/src/expr.rs",
     "crates/tumble-expr/src/operators.rs",
     "crates/tumble-expr/src/ops.rs",

@@ -9,12 +9,14 @@ use tumble_ode::Accuracy;
 pub(crate) fn run(model: Model, until: f64, accuracy: f64) -> Run {
     let accuracy = Accuracy::new(accuracy).expect("an accuracy that can be asked for");
     let until = until * tumble_expr::units::S;
-    model.simulate_to(&[], until, accuracy).expect("a motion without singularities")
+    let run = model.simulate_to(&[], until, accuracy).map_err(|error| error.to_string());
+    run.expect("a motion without singularities")
 }
 
 /// Values of formulas at a time.
 pub(crate) fn at<const N: usize>(run: &Run, time: f64, formulas: [Expr; N]) -> [f64; N] {
-    run.at(time).and_then(|instant| instant.values(formulas)).expect("within the run")
+    let values = run.at(time).and_then(|instant| instant.values(formulas));
+    values.map_err(|error| error.to_string()).expect("within the run")
 }
 
 /// Asserts that two numbers agree to `tolerance`, relative to the larger of 1 and the expected one.
