@@ -211,9 +211,9 @@ impl Expr {
         Self::checked(Node::Table(TableRef(Arc::clone(table)), x), kind)
     }
 
-    /// `1` from `from` on and before `to`, else `0`.
+    /// `1` from `from` on and before `to`, else `0`; never where `to` comes first.
     pub fn pulse(t: &Self, from: &Self, to: &Self) -> Self {
-        (t - from).step() - (t - to).step()
+        (t - from).step() * (1 - (t - to).step())
     }
 
     /// What this formula measures, or the first mistake in it.
@@ -271,6 +271,28 @@ impl Expr {
             }
         }
         found
+    }
+
+    /// Whether it has a branch (abs, sign, step, min, max, if, a table) whose side depends on one of these symbols.
+    pub fn branches_on(&self, symbols: &[Symbol]) -> bool {
+        let depends = |part: &Self| part.symbols().iter().any(|symbol| symbols.contains(symbol));
+        let (mut seen, mut pending) = (HashSet::new(), vec![self]);
+        while let Some(next) = pending.pop() {
+            if !seen.insert(Arc::as_ptr(&next.0)) {
+                continue;
+            }
+            let on = match next.node() {
+                Node::Unary(Unary::Abs | Unary::Sign | Unary::Step, a) | Node::Table(_, a) => depends(a),
+                Node::Binary(Binary::Min | Binary::Max, ..) => depends(next),
+                Node::Select(condition, ..) => depends(condition),
+                _ => false,
+            };
+            if on {
+                return true;
+            }
+            pending.extend(next.children());
+        }
+        false
     }
 
     /// Raises to a rational power.

@@ -114,8 +114,12 @@ impl Table {
     }
 
     /// Index of the segment that holds at x: 0 before the first knot, each holding from its knot on.
+    ///
+    /// The last knot is still measured: it belongs to the segment before it, but for values that hold up to the next knot.
     pub fn segment(&self, x: f64) -> usize {
-        self.knots.partition_point(|knot| *knot <= x)
+        let segment = self.knots.partition_point(|knot| *knot <= x);
+        let on_last = self.knots.last() == Some(&x) && self.degree > 0;
+        if on_last { segment - 1 } else { segment }
     }
 
     /// First and last x of a segment.

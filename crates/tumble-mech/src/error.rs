@@ -92,6 +92,15 @@ pub enum ModelError {
         /// Name of the other.
         second: String,
     },
+    /// A path that a pivot is moved on with a corner or a jump.
+    #[error(
+        "the path of pivot `{pivot}` has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \
+         blow on the body, which no force stands for; write a smooth path"
+    )]
+    CorneredPath {
+        /// Name of the pivot.
+        pivot: String,
+    },
     /// A body without start, or a start that does not fit the body.
     #[error("start of `{body}`: {problem}")]
     Start {

@@ -188,6 +188,9 @@ impl Model {
         let places = pivot.point.components().iter().chain(pivot.world.components());
         let mut mistakes = mistake(&what, places, Dimension::LENGTH);
         mistakes.extend(self.unknown_body(&pivot.body));
+        if pivot.world.components().iter().any(|path| path.branches_on(&[crate::parameters::time_symbol()])) {
+            mistakes.push(ModelError::CorneredPath { pivot: pivot.name.clone() });
+        }
         if let Some(first) = self.pivot_of(&pivot.body)
             && !std::ptr::eq(first, pivot)
         {

@@ -180,6 +180,26 @@ fn an_uneven_wind_is_summed() {
     close(ay, 0.3 * 0.4 / 0.5, 1e-12);
 }
 
+/// A wind with a corner is not linear although each of its sides is: abs(y) blows as the root of y^2 does.
+#[test]
+fn a_wind_with_a_corner_is_summed() {
+    let swing = |size: fn(Expr) -> Expr| {
+        let [_, y] = tumble_mech::place_symbols();
+        let mut model = Model::new();
+        let rod = model.add(rod(1.0, 1.0));
+        model.pivot(&rod, [0 * M, 0 * M]);
+        model.wind = Wind(Vector::planar(3 * size(y.into()) / S, Expr::zero()));
+        model.interact(along(&rod, 0.5, Component::Normal));
+        model.starts.push(("rod".into(), Start::default().angle(0.4 * RAD).omega(1 * RAD / S)));
+        assert!(model.has_quadrature());
+        let run = run(model, 2.0, 1e-9);
+        at(&run, 2.0, [rod.kinematics().angle()])[0]
+    };
+    let (absolute, root) = (swing(|y| y.abs()), swing(|y| (&y * &y).sqrt()));
+    close(absolute, 1.529_496_67, 1e-7);
+    close(root, absolute, 1e-9);
+}
+
 /// Lift alone turns the velocity at the constant rate S omega / m: the ball flies a circle.
 #[test]
 fn lift_alone_makes_a_circle() {

@@ -104,6 +104,45 @@ fn an_event_is_recorded_and_changes_nothing() {
     close(at(&run, 3.0, [ball.kinematics().position()[1].clone()])[0], -15.0, 1e-15);
 }
 
+/// A formula with a branch jumps over zero without crossing it, or touches it and turns back.
+#[test]
+fn a_jump_is_an_event_and_a_touch_is_none() {
+    let fires = |when: fn(Expr) -> Expr, direction| {
+        let (mut model, ball) = thrown(Action::Record);
+        let when = when(ball.kinematics().velocity()[1].clone());
+        model.events = vec![Event { name: "e".into(), when, direction, action: Action::Record }];
+        let run = run(model, 3.0, 1e-9);
+        run.trajectory.events.iter().map(|event| event.time).collect::<Vec<f64>>()
+    };
+    assert_eq!(fires(|v| v.sign(), Direction::Falling), [1.0]);
+    assert_eq!(fires(|v| v.sign(), Direction::Rising), [] as [f64; 0]);
+    assert_eq!(fires(|v| v.step() - 0.5, Direction::Both), [1.0]);
+    assert_eq!(fires(|v| v.abs(), Direction::Both), [] as [f64; 0]);
+    assert_eq!(fires(|v| &v * &v, Direction::Both), [] as [f64; 0]);
+    assert_eq!(fires(|v| v.abs() * &v, Direction::Falling), [1.0]);
+}
+
+/// A watched formula that has no value beyond some instant ends the run there, by name, and does not hang it.
+#[test]
+fn a_singular_event_is_refused() {
+    for when in [|y: Expr| 1 / y, |y: Expr| (y / M).log(), |y: Expr| (y / M).sqrt()] {
+        let mut model = Model::new();
+        let ball = model.add(Body::point("ball").mass(1 * KG));
+        let when = when(ball.kinematics().position()[1].clone());
+        model.events.push(Event {
+            name: "e".into(),
+            when,
+            direction: Direction::Falling,
+            action: Action::Record,
+        });
+        let start = Start::default().at([0 * M, 1 * M]).velocity([0 * M / S, -1 * M / S]);
+        model.starts.push(("ball".into(), start));
+        let error = model.simulate(&[], 2 * S).map(|_| ()).map_err(|error| error.to_string());
+        let text = error.expect_err("singular at 1 s");
+        assert!(text.contains("stopped at t = ") && text.contains("event e"), "{text}");
+    }
+}
+
 #[test]
 fn an_event_stops_the_motion() {
     let (model, _) = thrown(Action::Stop);

@@ -169,6 +169,17 @@ fn kapitzas_pendulum_stands() {
     assert!(!stands(0.01));
 }
 
+/// A corner in a pivot's path is a blow that no force stands for.
+#[test]
+fn a_cornered_path_is_refused() {
+    let mut model = Model::new();
+    let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
+    let path = 1 * M / S * (time() - 1 * S).abs();
+    model.pivot_at("table", &rod, [0 * M, 0 * M], [path, Expr::zero()]);
+    let errors = tumble_mech::Equations::new(model).expect_err("a corner at 1 s");
+    assert!(errors.to_string().contains("path of pivot `table` has a branch"), "{errors}");
+}
+
 #[test]
 fn springs_must_have_their_dimensions() {
     let (mut model, ball) = on_a_line(0.0, here(0.0, 0.0));

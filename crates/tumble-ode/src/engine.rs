@@ -11,10 +11,9 @@ use crate::polynomial;
 use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
 use crate::scale::Scales;
+use crate::signs::{leading_sign, sign_after, sign_before};
 use crate::work::Work;
 
-/// A coefficient below this part of the largest, each times its power of the reach, is rounding.
-const SIGNIFICANT: f64 = 64.0 * f64::EPSILON;
 /// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
 const VANISHING: f64 = 1024.0 * f64::EPSILON;
 /// A length that turns slower than this many steps has its singularity far enough for the coefficients to show it.
@@ -202,6 +201,21 @@ impl Engine {
         states.chain(clock).chain(watched).fold(f64::INFINITY, f64::min)
     }
 
+    /// Name of what limits the radius: a state, an event or a formula with a branch.
+    pub(crate) fn narrowest(&self, expansion: &Expansion, scales: &Scales) -> String {
+        let Compiled { tape, names, guard_names, .. } = &self.system;
+        let states = expansion.states.iter().enumerate();
+        let states = states.map(|(state, series)| {
+            (of_series(series, scales.of(self.system.group(state))), names[state].clone())
+        });
+        let branches = expansion.branches.iter().zip(tape.guards());
+        let branches = branches.map(|(series, slot)| (of_own_size(series), tape.describe(*slot)));
+        let guards = expansion.guards.iter().zip(guard_names);
+        let guards = guards.map(|(series, name)| (of_own_size(series), format!("event {name}")));
+        let all = states.chain(branches).chain(guards);
+        all.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(String::new, |(_, name)| name)
+    }
+
     /// What happens first within a length of the clock, and when; all that happens at that instant.
     pub(crate) fn first_hits(&self, expansion: &Expansion, length: f64) -> Option<(f64, Vec<Hit>)> {
         let mut hits = self.hits(expansion, length);
@@ -306,11 +320,32 @@ impl Engine {
         }
     }
 
-    /// Whether a step ended where a branch changes sides, so that other things matter.
-    pub(crate) fn resume(&mut self, hits: &[Hit], time: f64, states: &[f64]) {
-        if hits.iter().any(|hit| matches!(hit, Hit::Branch(..))) {
-            self.look_again(time, states);
+    /// Guards that end the flow where a step ended.
+    ///
+    /// Where a branch changes sides other things matter, and a guard that holds it may jump over zero without crossing it,
+    /// or turn back from zero instead of crossing it: what counts is its sign before, on the old sides, and after, on the
+    /// new ones.
+    pub(crate) fn fired(
+        &mut self,
+        (hits, expansion, length): (&[Hit], &Expansion, f64),
+        (time, states): (f64, &[f64]),
+        work: &mut Work,
+    ) -> Result<Vec<usize>, Reason> {
+        if !hits.iter().any(|hit| matches!(hit, Hit::Branch(..) | Hit::Knot(..))) {
+            let crossed = |hit: &Hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None };
+            return Ok(hits.iter().filter_map(crossed).collect());
         }
+        self.look_again(time, states);
+        if expansion.guards.is_empty() {
+            return Ok(vec![]);
+        }
+        let ahead = self.expand(time, states, work)?;
+        let crosses = |guard: &usize| {
+            let after = sign_after(&ahead.guards[*guard]);
+            let before = sign_before(&expansion.guards[*guard], length);
+            before * after < 0.0 && self.system.guard_directions[*guard].allows(after)
+        };
+        Ok((0..ahead.guards.len()).filter(crosses).collect())
     }
 }
 
@@ -319,15 +354,6 @@ fn ahead(series: &[f64], zero: bool) -> &[f64] {
     let series = if zero { &series[1..] } else { series };
     let first = series.iter().position(|c| *c != 0.0).unwrap_or(series.len());
     &series[first..]
-}
-
-/// Sign of the first coefficient that is more than rounding, on a stretch where the series is a few times its first term.
-fn leading_sign(series: &[f64]) -> f64 {
-    let Some(first) = series.iter().position(|c| *c != 0.0) else { return 0.0 };
-    let reach = of_own_size(series).min(1.0);
-    let term = |k: usize| (series[k] * libm::pow(reach, k as f64)).abs();
-    let largest = (first..series.len()).map(term).fold(0.0, f64::max);
-    (first..series.len()).find(|k| term(*k) > SIGNIFICANT * largest).map_or(0.0, |k| series[k].signum())
 }
 
 fn derivative(series: &[f64]) -> Vec<f64> {

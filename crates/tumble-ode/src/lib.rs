@@ -16,6 +16,7 @@ mod radius;
 mod refusal;
 mod roots;
 mod scale;
+mod signs;
 mod solver;
 mod trajectory;
 mod work;

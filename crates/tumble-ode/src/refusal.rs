@@ -21,7 +21,9 @@ pub enum Reason {
     #[error(transparent)]
     Compile(#[from] CompileError),
     /// A derivative that is infinite or not a number.
-    #[error("the rate of change of {state} is not a finite number")]
+    #[error(
+        "the motion of {state} cannot be continued: its rate of change, or how that changes, is not a finite number"
+    )]
     NotFinite {
         /// Name of the state.
         state: String,

@@ -152,9 +152,12 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let end =
             self.engines[mode].system.next_scheduled(self.just_after()).unwrap_or(self.until).min(self.until);
         let step = self.accepted_step(mode, &expansion, end)?;
-        let ends_flow = self.pass(mode, &step, &expansion)?;
-        self.accept(mode, expansion, &step)?;
-        self.engines[mode].resume(&step.hits, self.time, &self.states);
+        self.pass(mode, &step, &expansion)?;
+        self.accept(mode, &expansion, &step)?;
+        let (now, work) = ((self.time, self.states.as_slice()), &mut self.trajectory.work);
+        let ends_flow = self.engines[mode].fired((&step.hits, &expansion, step.length), now, work);
+        self.record(mode, expansion, &step);
+        let ends_flow = ends_flow?;
         self.jump_if_due(mode, ends_flow, step.end == end)
     }
 
@@ -215,6 +218,10 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let mut length = if exact { end - self.time } else { self.proposal(mode, expansion) };
         loop {
             let step = self.cut(mode, expansion, self.fit(expansion, length, end));
+            if step.length == 0.0 && step.hits.is_empty() {
+                let state = self.engines[mode].narrowest(expansion, &self.scales);
+                return Err(Reason::Stalled { step: length, state });
+            }
             if exact || step.length == 0.0 {
                 self.trajectory.work.exact_steps += u64::from(exact);
                 return Ok(step);
@@ -271,8 +278,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         advance <= SHORTEST_STEP_ULPS * f64::EPSILON * self.time.abs().max(f64::MIN_POSITIVE)
     }
 
-    /// Changes sides at the end of a step, and returns the guards of the model that end the flow there.
-    fn pass(&mut self, mode: usize, step: &Step, expansion: &Expansion) -> Result<Vec<usize>, Reason> {
+    /// Changes sides at the end of a step.
+    fn pass(&mut self, mode: usize, step: &Step, expansion: &Expansion) -> Result<(), Reason> {
         let work = &mut self.trajectory.work;
         let engine = &mut self.engines[mode];
         if step.length > 0.0 {
@@ -284,14 +291,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             return Err(Reason::Chatter { events: self.at_once });
         }
         engine.pass(&step.hits, expansion, step.length, work);
-        let guard = |hit: &Hit| match hit {
-            Hit::Guard(guard) => Some(*guard),
-            Hit::Branch(..) | Hit::Turning(_) | Hit::Knot(..) => None,
-        };
-        Ok(step.hits.iter().filter_map(guard).collect())
+        Ok(())
     }
 
-    fn accept(&mut self, mode: usize, expansion: Expansion, step: &Step) -> Result<(), Reason> {
+    /// Moves the time and the states to the end of a step.
+    fn accept(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Result<(), Reason> {
         if step.length == 0.0 {
             return Ok(());
         }
@@ -307,16 +311,22 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
         self.scales.watch(&self.engines[mode].system, &self.states);
         self.trajectory.work.steps += 1;
-        self.trajectory.pieces.push(Piece {
-            start: self.time,
-            end: step.end,
-            mode,
-            length: step.length,
-            states: expansion.states,
-            clock: expansion.time,
-        });
         self.time = step.end;
         Ok(())
+    }
+
+    /// Keeps a step that was taken as a piece of the motion.
+    fn record(&mut self, mode: usize, expansion: Expansion, step: &Step) {
+        if step.length > 0.0 {
+            self.trajectory.pieces.push(Piece {
+                start: expansion.start,
+                end: step.end,
+                mode,
+                length: step.length,
+                states: expansion.states,
+                clock: expansion.time,
+            });
+        }
     }
 
     fn jump_if_due(&mut self, mode: usize, guards: Vec<usize>, at_end: bool) -> Result<(), Reason> {

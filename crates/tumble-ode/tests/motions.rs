@@ -223,6 +223,31 @@ fn knots_of_a_table_are_met_exactly() {
     );
 }
 
+/// The last knot is measured: a motion that rests on it is neither refused nor taken for outside.
+#[test]
+fn the_last_knot_is_inside() {
+    for outside in [tumble_expr::Outside::Refuse, tumble_expr::Outside::Zero, tumble_expr::Outside::Hold] {
+        let rows = [[-1.0, 1.0], [0.0, 0.0], [1.0, -1.0]];
+        let linear = tumble_expr::Interpolation::Linear;
+        let table = tumble_expr::Table::new("pull", [Dimension::NONE; 2], &rows, linear, outside);
+        let force = Expr::table(&std::sync::Arc::new(table.expect("a table")), leaf("x"));
+        let toy = Toy { rates: vec![("x", leaf("v")), ("v", force)], ..Toy::default() };
+        let motion = run(&toy, &[1.0, 0.0], 2.0, 1e-12).expect("inside");
+        assert!((motion.last_states().expect("ran")[0] - 2.0_f64.cos()).abs() < 1e-12, "{outside:?}");
+    }
+}
+
+/// A pulse that would end before it begins never acts.
+#[test]
+fn a_pulse_that_ends_first_is_none() {
+    let pulse = |from: f64, to: f64| Expr::pulse(&leaf("t"), &Expr::from(from), &Expr::from(to));
+    for (from, to, expected) in [(0.5, 0.7, 0.2), (0.7, 0.5, 0.0)] {
+        let toy = Toy { rates: vec![("x", pulse(from, to))], ..Toy::default() };
+        let x = run(&toy, &[0.0], 1.0, 1e-9).expect("constant pieces").last_states().expect("ran")[0];
+        assert!((x - expected).abs() < 1e-15, "{x}");
+    }
+}
+
 /// A force that depends on the place through a table, there and back over its knots.
 #[test]
 fn a_table_of_the_state() {

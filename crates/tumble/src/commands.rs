@@ -159,6 +159,10 @@ fn describe_case(case: &Case) {
         println!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
     }
     for check in &case.checks {
+        if at_nothing(check) {
+            println!("  check {}: FAILS, its event or its time was not reached", check.name);
+            continue;
+        }
         let verdict = if check.holds { "holds" } else { "FAILS" };
         let (that, at) = (&check.that, check.at);
         print!("  check {}: {that} = {} at {at} s {verdict}", check.name, check.found);
@@ -171,6 +175,11 @@ fn describe_case(case: &Case) {
     if let Some(refusal) = &case.refusal {
         println!("  incomplete: {refusal}");
     }
+}
+
+/// Whether a claim is about a time that the motion does not have.
+fn at_nothing(check: &tumble::CheckResult) -> bool {
+    check.at.is_nan()
 }
 
 /// `1 step`, `2 steps`
