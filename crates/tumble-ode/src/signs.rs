@@ -44,7 +44,8 @@ mod tests {
     #[test]
     fn the_first_term_that_matters_gives_the_sign() {
         assert_eq!(leading_sign(&[0.0, -2.0, 1.0]), -1.0);
-        assert_eq!(leading_sign(&[1e-17, -2.0, 1.0]), -1.0);
+        let noisy: Vec<f64> = [1e-17].into_iter().chain((1..12).map(|k| -0.5_f64.powi(k))).collect();
+        assert_eq!(leading_sign(&noisy), -1.0);
         assert_eq!(leading_sign(&[0.0; 4]), 0.0);
     }
 
