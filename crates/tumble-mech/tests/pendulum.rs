@@ -2,24 +2,15 @@
 
 mod common;
 
-use common::{at, close, run};
+use common::{at, close, hinged_rod, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::Run;
-use tumble_mech::{Body, Gravity, Law, Model, Pivot, Place, Start};
+use tumble_mech::{Body, Law, Model, Place, Start};
 
 /// A uniform rod, 1 kg and 1 m, held at its end and hanging down at angle zero.
 fn pendulum(angle: Expr) -> Model {
-    let mut model = Model::new();
-    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
-    model.bodies.push(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
-    let origin = Vector::planar(0 * M, 0 * M);
-    model.pivots.push(Pivot {
-        name: "hinge".into(),
-        body: "rod".into(),
-        point: origin.clone(),
-        world: origin,
-    });
+    let (mut model, _) = hinged_rod();
     model.starts.push(("rod".into(), Start::default().angle(angle)));
     model
 }

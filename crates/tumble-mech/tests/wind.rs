@@ -2,25 +2,16 @@
 
 mod common;
 
-use common::{at, close, run};
+use common::{at, close, hinged_rod, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, Gravity, Model, Pivot, Start};
+use tumble_mech::{Body, Gravity, Model, Start};
 use tumble_mech::{PointRef, time};
 
 /// `wind_pendulum_tip` of `reference/systems.json`: the wind acts on the tip, across the rod.
 fn wind_pendulum(period: f64) -> Model {
-    let mut model = Model::new();
-    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    let (mut model, rod) = hinged_rod();
     let length = 1 * M;
-    let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
-    let origin = Vector::planar(0 * M, 0 * M);
-    model.pivots.push(Pivot {
-        name: "hinge".into(),
-        body: "rod".into(),
-        point: origin.clone(),
-        world: origin,
-    });
     let phase = 2 * Expr::pi() * time() / (period * S);
     let wind = 0.5 * (20 * M / S) * (1 + phase.cos());
     let kinematics = rod.kinematics();

@@ -2,7 +2,8 @@
 #![allow(dead_code)]
 
 use tumble_expr::Expr;
-use tumble_mech::{Model, Run};
+use tumble_expr::units::{KG, M, S};
+use tumble_mech::{Body, Gravity, Model, Run};
 use tumble_ode::Accuracy;
 
 /// Integrates a model from time 0.
@@ -23,4 +24,13 @@ pub(crate) fn at<const N: usize>(run: &Run, time: f64, formulas: [Expr; N]) -> [
 #[track_caller]
 pub(crate) fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{found:?} is not {expected:?}");
+}
+
+/// A uniform rod, 1 kg and 1 m, held at its end by `hinge`, hanging down at angle zero in gravity.
+pub(crate) fn hinged_rod() -> (Model, Body) {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
+    model.pivot_at("hinge", &rod, [0 * M, 0 * M], [0 * M, 0 * M]);
+    (model, rod)
 }
