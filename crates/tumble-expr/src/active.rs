@@ -51,7 +51,7 @@ impl Tape {
                 let taken = if sides[branch as usize] > 0.0 { positive } else { negative };
                 vec![self.guards()[branch as usize], taken]
             }
-            _ => op.parts(&self.norms, self.guards()),
+            _ => op.parts(self),
         };
         for part in parts {
             needed[part as usize] = true;

@@ -50,9 +50,13 @@ impl Tape {
             Op::Choose { positive, negative, .. } => Some(of(positive)?.max(of(negative)?)),
             Op::Mul(a, b) => of(a)?.checked_add(of(b)?),
             Op::Square(a) => of(a)?.checked_mul(2),
+            // Sums with factors that keep their value, if the matrix does: else its factors have no degree.
+            Op::Residual { .. } | Op::Forward { .. } | Op::Solution { .. } => {
+                op.parts(self).into_iter().try_fold(0, |highest, part| Some(of(part)?.max(highest)))
+            }
             Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => Some(0),
             _ => {
-                let parts = op.parts(&self.norms, &self.guards);
+                let parts = op.parts(self);
                 parts.into_iter().all(|part| of(part) == Some(0)).then_some(0)
             }
         }
@@ -80,5 +84,16 @@ mod tests {
         assert_eq!(degree_of(|x, _, _| x.sin()), None);
         assert_eq!(degree_of(|x, t, _| x / t), None);
         assert_eq!(degree_of(|x, t, _| Expr::norm(vec![x, t])), None);
+    }
+
+    #[test]
+    fn a_system_is_a_polynomial_if_its_matrix_is_constant() {
+        let solved = |a: Expr, b: Expr| {
+            let matrix = vec![vec![a.clone(), Expr::from(1)], vec![Expr::from(1), a]];
+            Expr::solve(matrix, vec![b, Expr::from(1)]).remove(1)
+        };
+        assert_eq!(degree_of(|x, t, p| solved(p, x * t)), Some(3));
+        assert_eq!(degree_of(|x, t, p| solved(x.sign() * p, t)), Some(1));
+        assert_eq!(degree_of(|x, t, _| solved(t, x)), None);
     }
 }

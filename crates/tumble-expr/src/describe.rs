@@ -52,11 +52,25 @@ impl Tape {
             Op::Knot { lookup, .. } | Op::Coefficient { lookup, .. } => {
                 self.tables[lookup as usize].table.0.name.clone()
             }
+            Op::Factor(matrix) => self.matrix_text(matrix, of),
+            Op::Residual { system, row } | Op::Forward { system, row } | Op::Solution { system, row } => {
+                let system = &self.systems[system as usize];
+                let right: Vec<String> = system.right.iter().map(|part| of(*part)).collect();
+                format!("solve({}, [{}])[{row}]", self.matrix_text(system.matrix, of), right.join(", "))
+            }
             Op::Norm(parts) => {
                 let parts: Vec<String> = self.norms[parts as usize].iter().map(|part| of(*part)).collect();
                 format!("norm([{}])", parts.join(", "))
             }
         }
+    }
+
+    fn matrix_text(&self, matrix: u32, of: impl Fn(Slot) -> String) -> String {
+        let matrix = &self.matrices[matrix as usize];
+        let row = |row: &[Slot]| row.iter().map(|part| of(*part)).collect::<Vec<_>>().join(", ");
+        let rows: Vec<String> =
+            matrix.entries.chunks(matrix.n).map(|entries| format!("[{}]", row(entries))).collect();
+        format!("[{}]", rows.join(", "))
     }
 }
 
@@ -72,5 +86,9 @@ mod tests {
         let formula = (leaf("t") / 2 - leaf("rod.vx")).abs() * leaf("L").sin();
         let tape = Tape::compile(&layout, &[formula]).expect("typed");
         assert_eq!(tape.describe(tape.outputs()[0]), "abs((t/2 - rod.vx))*sin(L)");
+        let matrix = vec![vec![leaf("L"), leaf("t")], vec![leaf("t"), 2 * leaf("L")]];
+        let solved = Expr::solve(matrix, vec![leaf("rod.vx"), Expr::from(1)]);
+        let tape = Tape::compile(&layout, &solved).expect("typed");
+        assert_eq!(tape.describe(tape.outputs()[1]), "solve([[L, t], [t, L*2]], [rod.vx, 1])[1]");
     }
 }

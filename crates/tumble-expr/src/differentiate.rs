@@ -1,19 +1,19 @@
 //! Derivatives of formulas with respect to a symbol, as formulas.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use num_rational::BigRational;
 use num_traits::One;
 
 use crate::expr::{Binary, Expr, Inner, Node, Symbol, Unary};
+use crate::hashing::FastMap;
 
 impl Expr {
     /// The derivative with respect to `symbol`, all other symbols held fixed; on branches, that of the side that holds.
     ///
     /// Shared parts are differentiated once, and the depth of the formula is not bounded by the stack.
     pub fn derivative(&self, symbol: &Symbol) -> Self {
-        let mut done: HashMap<*const Inner, Self> = HashMap::new();
+        let mut done: FastMap<*const Inner, Self> = FastMap::default();
         let mut pending = vec![self];
         while let Some(next) = pending.last().copied() {
             let missing = |part: &&Self| !done.contains_key(&Arc::as_ptr(&part.0));
@@ -51,6 +51,8 @@ fn slope(formula: &Expr, symbol: &Symbol, of: impl Fn(&Expr) -> Expr) -> Expr {
             Ok(slope) => Expr::table(&Arc::new(slope), a.clone()) * of(a),
             Err(error) => Expr::mistaken(error),
         },
+        Node::System(_) => formula.system_slope(of),
+        Node::Unknown(system, row) => Expr::unknown(of(system), *row),
     }
 }
 
@@ -137,6 +139,10 @@ mod tests {
         }
         agrees(|t| t.powi(3) + 2 / t + t.powr(crate::Exponent::new(1, 3)));
         agrees(|t| Expr::norm(vec![t.sin(), t.exp(), Expr::from(2)]));
+        let matrix = |t: &Expr| vec![vec![t.exp(), t.sin()], vec![t.sin(), t.cos() + 2]];
+        agrees(|t| Expr::solve(matrix(t), vec![t.clone(), t * t]).remove(1));
+        let twice = |t: &Expr| Expr::solve(matrix(t), Expr::solve(matrix(t), vec![t.clone(), t.exp()]));
+        agrees(|t| twice(t).remove(0));
     }
 
     #[test]

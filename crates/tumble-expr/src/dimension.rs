@@ -84,7 +84,7 @@ impl Dimension {
         NAMES.iter().find(|(dimension, _)| *dimension == self).map(|(_, name)| *name)
     }
 
-    /// How a diagnostic speaks of it: "a force (kg m/s^2)", or the bare units where it has no name.
+    /// How a diagnostic speaks of it: "a force (kg*m/s^2)", or the bare units where it has no name.
     pub fn describe(self) -> String {
         match self.name() {
             Some(name) if self == Self::NONE => name.to_owned(),
@@ -118,18 +118,18 @@ const NAMES: &[(Dimension, &str)] = &[
     (Dimension::new(-3, 1, 0), "a density"),
 ];
 
-/// Units in the usual order, such as `kg m/s^2` or `m^(1/2)`; `1` for a pure number.
+/// Units in the usual order, as formulas are written with them, such as `kg*m/s^2` or `m^(1/2)`; `1` for a pure number.
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let bases = [(self.mass, "kg"), (self.length, "m"), (self.time, "s")];
         let zero = Exponent::from_integer(0);
         let above: Vec<_> = bases.iter().filter(|(e, _)| *e > zero).map(|(e, u)| factor(*e, u)).collect();
         let below: Vec<_> = bases.iter().filter(|(e, _)| *e < zero).map(|(e, u)| factor(-*e, u)).collect();
-        let numerator = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
+        let numerator = if above.is_empty() { "1".to_owned() } else { above.join("*") };
         match below.len() {
             0 => write!(f, "{numerator}"),
             1 => write!(f, "{numerator}/{}", below[0]),
-            _ => write!(f, "{numerator}/({})", below.join(" ")),
+            _ => write!(f, "{numerator}/({})", below.join("*")),
         }
     }
 }
@@ -150,10 +150,10 @@ mod tests {
 
     #[test]
     fn prints_in_the_usual_order() {
-        assert_eq!(Dimension::FORCE.to_string(), "kg m/s^2");
+        assert_eq!(Dimension::FORCE.to_string(), "kg*m/s^2");
         assert_eq!(Dimension::NONE.to_string(), "1");
         assert_eq!(Dimension::ANGULAR_RATE.to_string(), "1/s");
-        assert_eq!(Dimension::new(-1, 1, -2).to_string(), "kg/(m s^2)");
+        assert_eq!(Dimension::new(-1, 1, -2).to_string(), "kg/(m*s^2)");
         let half = Dimension::LENGTH.power(Exponent::new(1, 2)).expect("small exponent");
         assert_eq!(half.to_string(), "m^(1/2)");
     }

@@ -19,10 +19,10 @@ impl Drop for Inner {
 fn take_children(inner: &mut Inner, pending: &mut Vec<Expr>) {
     match std::mem::replace(&mut inner.node, Node::Pi) {
         Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
-        Node::Unary(_, a) | Node::Table(_, a) => pending.push(a),
+        Node::Unary(_, a) | Node::Table(_, a) | Node::Unknown(a, _) => pending.push(a),
         Node::Binary(_, a, b) | Node::Compare(_, a, b) => pending.extend([a, b]),
         Node::Select(a, b, c) => pending.extend([a, b, c]),
-        Node::Norm(parts) => pending.extend(parts),
+        Node::Norm(parts) | Node::System(parts) => pending.extend(parts),
     }
 }
 

@@ -97,6 +97,11 @@ pub enum Node<Part = Expr> {
     Norm(Vec<Part>),
     /// A measured function.
     Table(TableRef, Part),
+    /// A linear system: the n x n entries of its matrix, row by row, then its n right sides. Its kind is
+    /// [`Kind::System`].
+    System(Vec<Part>),
+    /// An unknown of a linear system, by its index.
+    Unknown(Part, u32),
 }
 
 impl<Part> Node<Part> {
@@ -107,8 +112,8 @@ impl<Part> Node<Part> {
             Self::Unary(_, a) => vec![a],
             Self::Binary(_, a, b) | Self::Compare(_, a, b) => vec![a, b],
             Self::Select(a, b, c) => vec![a, b, c],
-            Self::Norm(parts) => parts.iter().collect(),
-            Self::Table(_, a) => vec![a],
+            Self::Norm(parts) | Self::System(parts) => parts.iter().collect(),
+            Self::Table(_, a) | Self::Unknown(a, _) => vec![a],
         }
     }
 
@@ -124,6 +129,8 @@ impl<Part> Node<Part> {
             Self::Select(a, b, c) => Node::Select(f(a), f(b), f(c)),
             Self::Norm(parts) => Node::Norm(parts.iter().map(f).collect()),
             Self::Table(table, a) => Node::Table(table.clone(), f(a)),
+            Self::System(parts) => Node::System(parts.iter().map(f).collect()),
+            Self::Unknown(system, row) => Node::Unknown(f(system), *row),
         }
     }
 }
@@ -315,7 +322,7 @@ impl Expr {
         Self::make(Node::Pi, Err(Arc::new(error)))
     }
 
-    fn checked(node: Node, kind: Result<Kind, TypeError>) -> Self {
+    pub(crate) fn checked(node: Node, kind: Result<Kind, TypeError>) -> Self {
         Self::make(node, kind.map_err(Arc::new))
     }
 }

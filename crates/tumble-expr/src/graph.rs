@@ -6,6 +6,7 @@ use std::sync::Arc;
 use num_traits::Zero;
 
 use crate::expr::{Expr, Inner, Node};
+use crate::hashing::FastMap;
 use crate::simplify;
 
 /// A node of a [`Graph`]. Parts always have smaller indices than the node made of them.
@@ -26,7 +27,10 @@ impl NodeId {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node<NodeId>>,
-    known: HashMap<Node<NodeId>, NodeId>,
+    /// Numbers and symbols, which the user chooses.
+    leaves: HashMap<Node<NodeId>, NodeId>,
+    /// All others, which are indices.
+    known: FastMap<Node<NodeId>, NodeId>,
 }
 
 impl Graph {
@@ -42,7 +46,7 @@ impl Graph {
 
     /// Adds formulas; shared parts are visited once, and the depth of a formula is not bounded by the stack.
     pub fn import(&mut self, formulas: &[Expr]) -> Vec<NodeId> {
-        let mut seen: HashMap<*const Inner, NodeId> = HashMap::new();
+        let mut seen: FastMap<*const Inner, NodeId> = FastMap::default();
         let mut pending: Vec<&Expr> = Vec::new();
         for formula in formulas {
             pending.push(formula);
@@ -71,12 +75,18 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node<NodeId>) -> NodeId {
-        if let Some(&id) = self.known.get(&node) {
+        let leaf = matches!(node, Node::Number(_) | Node::Pi | Node::Symbol(_));
+        let found = if leaf { self.leaves.get(&node) } else { self.known.get(&node) };
+        if let Some(&id) = found {
             return id;
         }
         let id = NodeId(u32::try_from(self.nodes.len()).expect("fewer than 2^32 nodes fit in memory"));
         self.nodes.push(node.clone());
-        self.known.insert(node, id);
+        if leaf {
+            self.leaves.insert(node, id)
+        } else {
+            self.known.insert(node, id)
+        };
         id
     }
 }

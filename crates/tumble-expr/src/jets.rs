@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::ops::solve::{self, Matrix};
 use crate::ops::{Op, Series, Slot};
 use crate::{Lookup, Scalar, Stage, Tape};
 
@@ -29,6 +30,8 @@ pub struct Jets<S> {
     signs: Vec<S>,
     /// By norm.
     vanishing: Vec<bool>,
+    /// Factors of the matrices of linear systems.
+    factors: Vec<S>,
 }
 
 /// Runs a tape on values.
@@ -45,7 +48,8 @@ impl<S: Scalar> Jets<S> {
         let signs = vec![S::one(); tape.sides()];
         let vanishing = vec![false; tape.norms.len()];
         let varying = tape.varying().collect();
-        let mut jets = Self { tape, stride, varying, data, signs, vanishing };
+        let factors = vec![S::zero(); tape.matrices.iter().map(Matrix::room).sum()];
+        let mut jets = Self { tape, stride, varying, data, signs, vanishing, factors };
         jets.bind(inputs);
         jets
     }
@@ -160,6 +164,9 @@ impl<S: Scalar> Jets<S> {
             let side = self.tape.guards().len() + lookup as usize;
             self.signs[side] = segment;
         }
+        if let Op::Factor(matrix) = op {
+            self.factor(matrix);
+        }
         match op {
             // A free sign has three values; a frozen one is its side.
             Op::Sign { of, .. } if free => self.slot(of)[0].map(sign),
@@ -167,14 +174,19 @@ impl<S: Scalar> Jets<S> {
         }
     }
 
+    fn factor(&mut self, matrix: u32) {
+        let factors = solve::factors(&self.series(), matrix);
+        let offset = self.tape.matrices[matrix as usize].offset;
+        self.factors[offset..][..factors.len()].copy_from_slice(&factors);
+    }
+
     fn series(&self) -> Series<'_, S> {
         Series {
             data: &self.data,
             stride: self.stride,
             signs: &self.signs,
-            branches: self.tape.guards().len(),
-            tables: self.tape.tables(),
-            norms: &self.tape.norms,
+            tape: &self.tape,
+            factors: &self.factors,
             vanishing: &self.vanishing,
         }
     }

@@ -1,5 +1,7 @@
 //! From formulas to a tape: each node of the graph becomes one operation, with the companions its recurrence needs.
 
+mod system;
+
 use std::collections::HashMap;
 
 use num_rational::BigRational;
@@ -7,6 +9,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
+use crate::hashing::FastMap;
 use crate::ops::{Op, Slot};
 use crate::table::TableRef;
 use crate::tape::{CompileError, Layout, Lookup, Stage, Tape};
@@ -23,9 +26,9 @@ pub(crate) struct Lowering {
     /// Indices in the tape's list of numbers.
     numbers: HashMap<BigRational, u32>,
     /// Operations already on the tape.
-    known: HashMap<Op, Slot>,
+    known: FastMap<Op, Slot>,
     /// Branches by their guard.
-    branches: HashMap<Slot, u32>,
+    branches: FastMap<Slot, u32>,
 }
 
 impl Lowering {
@@ -42,11 +45,13 @@ impl Lowering {
                 outputs: vec![],
                 names: vec![],
                 tables: vec![],
+                matrices: vec![],
+                systems: vec![],
                 states: layout.states.len(),
                 inputs: layout.inputs.len(),
             },
-            known: HashMap::new(),
-            branches: HashMap::new(),
+            known: FastMap::default(),
+            branches: FastMap::default(),
         };
         let states = layout.states.iter().enumerate().map(|(i, s)| (s, Op::State(i as u32)));
         let inputs = layout.inputs.iter().enumerate().map(|(i, s)| (s, Op::Input(i as u32)));
@@ -86,6 +91,8 @@ impl Lowering {
             Node::Select(condition, a, b) => self.select(graph, *condition, at(condition), at(a), at(b)),
             Node::Norm(parts) => self.norm(parts.iter().map(at).collect()),
             Node::Table(table, a) => self.table(table, at(a)),
+            Node::System(parts) => self.system(&parts.iter().map(at).collect::<Vec<_>>()),
+            Node::Unknown(system, row) => self.unknown(at(system), *row),
         })
     }
 
@@ -319,7 +326,7 @@ impl Lowering {
 
     fn push(&mut self, op: Op) -> Slot {
         let slot = self.next();
-        let parts = op.parts(&self.tape.norms, &self.tape.guards);
+        let parts = op.parts(&self.tape);
         let stage = match op {
             Op::State(_) | Op::Time => Stage::Varying,
             Op::Input(_) => Stage::Uniform,

@@ -9,11 +9,11 @@ pub(crate) mod branch;
 pub(crate) mod integral;
 pub(crate) mod norm;
 pub(crate) mod power;
+pub(crate) mod solve;
 pub(crate) mod square_over;
 
-use crate::Scalar;
 use crate::table::Table;
-use crate::tape::Lookup;
+use crate::{Scalar, Tape};
 
 /// Where an operation's result stands: its index on the tape.
 pub type Slot = u32;
@@ -136,6 +136,23 @@ pub enum Op {
         by: Slot,
         vanishing: u32,
     },
+    /// The triangular factors of a matrix, by its index on the tape. They stand in a list of the evaluator's.
+    Factor(u32),
+    /// A right side of a linear system less what the change of its matrix takes from it.
+    Residual {
+        system: u32,
+        row: u32,
+    },
+    /// A right side of a linear system after elimination.
+    Forward {
+        system: u32,
+        row: u32,
+    },
+    /// An unknown of a linear system.
+    Solution {
+        system: u32,
+        row: u32,
+    },
 }
 
 /// Series of every slot, as far as they are known.
@@ -144,9 +161,9 @@ pub(crate) struct Series<'a, S> {
     pub(crate) stride: usize,
     /// +1 or -1 a branch, then the segment of each measured function.
     pub(crate) signs: &'a [S],
-    pub(crate) branches: usize,
-    pub(crate) tables: &'a [Lookup],
-    pub(crate) norms: &'a [Vec<Slot>],
+    pub(crate) tape: &'a Tape,
+    /// The factors of every matrix, from its offset on.
+    pub(crate) factors: &'a [S],
     /// Which lengths and quotients have an argument that is zero at the point of expansion, whatever rounding has left.
     pub(crate) vanishing: &'a [bool],
 }
@@ -197,6 +214,10 @@ impl<'a, S: Scalar> Series<'a, S> {
             }
             Op::Norm(parts) => norm::value(self, parts),
             Op::SquareOver { of, by, vanishing } => square_over::value(self, of, by, vanishing),
+            Op::Factor(_) => S::zero(),
+            Op::Residual { system, row } => solve::right_side(self, system, row),
+            Op::Forward { system, row } => solve::forward(self, system, row, 0),
+            Op::Solution { system, row } => solve::solution(self, system, row, 0),
         }
     }
 
@@ -230,6 +251,10 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Atan2 { y, x, square } => integral::against(integral::sweep(a(x), a(y), k), a(square), c, k),
             Op::Abs { of, branch } => self.sign(branch) * a(of)[k],
             Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => S::zero(),
+            Op::Factor(_) => S::zero(),
+            Op::Residual { system, row } => solve::residual(self, system, row, k),
+            Op::Forward { system, row } => solve::forward(self, system, row, k),
+            Op::Solution { system, row } => solve::solution(self, system, row, k),
             Op::Choose { branch, positive, negative } => {
                 self.sign(branch).choose(a(positive)[k], a(negative)[k])
             }
@@ -244,8 +269,8 @@ impl<'a, S: Scalar> Series<'a, S> {
 
     /// Something of the segment that holds, lane by lane.
     fn segment(&self, lookup: u32, of: impl Fn(&Table, usize) -> f64) -> S {
-        let table = &self.tables[lookup as usize].table.0;
-        self.signs[self.branches + lookup as usize].map(|segment| of(table, segment as usize))
+        let table = &self.tape.tables[lookup as usize].table.0;
+        self.signs[self.tape.guards.len() + lookup as usize].map(|segment| of(table, segment as usize))
     }
 }
 
@@ -273,7 +298,7 @@ impl Op {
     }
 
     /// The slots this operation must come after.
-    pub(crate) fn parts(self, norms: &[Vec<Slot>], guards: &[Slot]) -> Vec<Slot> {
+    pub(crate) fn parts(self, tape: &Tape) -> Vec<Slot> {
         match self {
             Self::State(_) | Self::Time | Self::Input(_) | Self::Number(_) | Self::Pi => vec![],
             Self::Neg(a) | Self::Square(a) | Self::Sqrt(a) | Self::Exp(a) | Self::Log(a) => vec![a],
@@ -289,9 +314,15 @@ impl Op {
             Self::Atan2 { y, x, square } => vec![y, x, square],
             Self::Abs { of, .. } | Self::Sign { of, .. } => vec![of],
             Self::Knot { of, .. } | Self::Coefficient { of, .. } => vec![of],
-            Self::Step { branch } => vec![guards[branch as usize]],
-            Self::Choose { branch, positive, negative } => vec![guards[branch as usize], positive, negative],
-            Self::Norm(parts) => norms[parts as usize].clone(),
+            Self::Step { branch } => vec![tape.guards[branch as usize]],
+            Self::Choose { branch, positive, negative } => {
+                vec![tape.guards[branch as usize], positive, negative]
+            }
+            Self::Norm(parts) => tape.norms[parts as usize].clone(),
+            Self::Factor(matrix) => tape.matrices[matrix as usize].entries.clone(),
+            Self::Residual { system, row } => tape.systems[system as usize].residual_parts(row),
+            Self::Forward { system, row } => tape.systems[system as usize].forward_parts(row),
+            Self::Solution { system, row } => tape.systems[system as usize].solution_parts(row),
         }
     }
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::expr::{Expr, Inner, Node, Symbol};
+use crate::hashing::FastMap;
 
 /// Formulas to put in the place of symbols.
 #[derive(Clone, Debug, Default)]
@@ -26,7 +27,7 @@ impl Substitution {
     ///
     /// Shared parts stay shared, and the depth of a formula is not bounded by the stack.
     pub fn apply(&self, formula: &Expr) -> Expr {
-        let mut done: HashMap<*const Inner, Expr> = HashMap::new();
+        let mut done: FastMap<*const Inner, Expr> = FastMap::default();
         let mut pending = vec![formula.clone()];
         while let Some(next) = pending.last().cloned() {
             let missing = |part: &&Expr| !done.contains_key(&Arc::as_ptr(&part.0));
@@ -57,6 +58,8 @@ impl Substitution {
             Node::Select(a, b, c) => Expr::select(a, b, c),
             Node::Norm(parts) => Expr::norm(parts),
             Node::Table(table, a) => Expr::table(&table.0, a),
+            Node::System(parts) => Expr::system(parts),
+            Node::Unknown(system, row) => Expr::unknown(system, row),
             Node::Number(_) | Node::Pi | Node::Symbol(_) => formula.clone(),
         }
     }

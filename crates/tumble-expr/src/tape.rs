@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::expr::Symbol;
 use crate::lower::Lowering;
+use crate::ops::solve::{Matrix, System};
 use crate::ops::{Op, Slot};
 use crate::table::TableRef;
 use crate::{Expr, Kind, TypeError};
@@ -60,6 +61,9 @@ pub struct Tape {
     pub(crate) guards: Vec<Slot>,
     /// Measured functions, each with its argument.
     pub(crate) tables: Vec<Lookup>,
+    /// Matrices of linear systems.
+    pub(crate) matrices: Vec<Matrix>,
+    pub(crate) systems: Vec<System>,
     pub(crate) outputs: Vec<Slot>,
     /// Names of the leaves.
     pub(crate) names: Vec<String>,
@@ -97,8 +101,9 @@ impl Tape {
     /// Compiles formulas that share a layout; the order of `outputs` is kept.
     pub fn compile(layout: &Layout, outputs: &[Expr]) -> Result<Self, CompileError> {
         for output in outputs {
-            if output.kind()? == Kind::Truth {
-                return Err(CompileError::TruthAsOutput);
+            match output.kind()? {
+                Kind::Truth => return Err(CompileError::TruthAsOutput),
+                kind => _ = kind.dimension()?,
             }
         }
         Lowering::new(layout).lower(outputs)

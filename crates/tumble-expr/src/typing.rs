@@ -15,6 +15,8 @@ pub enum Kind {
     Quantity(Dimension),
     /// The outcome of a comparison.
     Truth,
+    /// A linear system, of whose unknowns each is a formula with its own dimension.
+    System,
 }
 
 impl Kind {
@@ -24,6 +26,7 @@ impl Kind {
             Self::Zero => Ok(Dimension::NONE),
             Self::Quantity(dimension) => Ok(dimension),
             Self::Truth => Err(TypeError::TruthAsNumber),
+            Self::System => Err(TypeError::SystemAsNumber),
         }
     }
 
@@ -33,6 +36,7 @@ impl Kind {
             Self::Zero => "a bare zero".to_owned(),
             Self::Quantity(dimension) => dimension.describe(),
             Self::Truth => "a comparison".to_owned(),
+            Self::System => "a linear system".to_owned(),
         }
     }
 }
@@ -100,6 +104,21 @@ pub enum TypeError {
         /// Components of the right one.
         right: usize,
     },
+    /// A linear system whose matrix is not square, or does not fit its right sides.
+    #[error(
+        "a linear system of {equations} right sides has a matrix of {rows} rows, one of them with {columns} entries"
+    )]
+    NotSquare {
+        /// Right sides.
+        equations: usize,
+        /// Rows of the matrix.
+        rows: usize,
+        /// Entries of the first row that has the wrong number of them, or of the first row.
+        columns: usize,
+    },
+    /// A linear system stands where one of its unknowns is needed.
+    #[error("a linear system is not a number: one of its unknowns is")]
+    SystemAsNumber,
 }
 
 pub(crate) fn unary(op: Unary, a: Kind) -> Result<Kind, TypeError> {
@@ -136,8 +155,10 @@ pub(crate) fn binary(op: Binary, a: Kind, b: Kind) -> Result<Kind, TypeError> {
 
 /// The common kind of two operands that must be alike.
 pub(crate) fn same(verb: &'static str, a: Kind, b: Kind) -> Result<Kind, TypeError> {
+    for kind in [a, b] {
+        kind.dimension()?;
+    }
     match (a, b) {
-        (Kind::Truth, _) | (_, Kind::Truth) => Err(TypeError::TruthAsNumber),
         (Kind::Zero, other) | (other, Kind::Zero) => Ok(other),
         (a, b) if a == b => Ok(a),
         (left, right) => Err(TypeError::Unlike { verb, left, right }),

@@ -3,6 +3,8 @@
 //! The reference shares no code with the evaluators: formulas are evaluated on a circle of complex numbers by
 //! another library, and Cauchy's integral formula gives their Taylor coefficients.
 
+mod systems;
+
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -40,7 +42,7 @@ fn cases() -> Vec<Case> {
     let unary = |op| Expr::unary(op, t() * p() - 0.3);
     let binary = |op, a: Expr, b: Expr| Expr::binary(op, a, b);
     let inner = t() * 0.4 + t().sin() * 0.1;
-    vec![
+    let mut cases = vec![
         case("number", t() * 0 + 2.5, 0.7, 1.0),
         case("pi", t() + Expr::pi(), 0.7, 1.0),
         case("neg", -(t().sin()), 0.7, 1.0),
@@ -83,7 +85,9 @@ fn cases() -> Vec<Case> {
         case("if, other side", choose(t(), Expr::from(0.2)), 0.7, 0.1),
         case("norm", Expr::norm(vec![t().sin(), t().cos() * 2, t()]), 0.7, 0.5),
         case("norm of one", Expr::norm(vec![t().sin() - 2]), 0.7, 0.5),
-    ]
+    ];
+    cases.extend(systems::cases());
+    cases
 }
 
 /// A straight line, measured: its spline is the line itself, so the reference is known on the complex plane.
@@ -185,6 +189,11 @@ fn complex(formula: &Expr, z: Complex64, at: f64) -> Complex64 {
         Node::Table(..) => {
             // The line that `measured` was read off.
             2.0 * value(formula.children()[0]) - 1.0
+        }
+        Node::System(_) => unreachable!("systems are read by their unknowns"),
+        Node::Unknown(system, row) => {
+            let parts: Vec<Complex64> = system.children().into_iter().map(value).collect();
+            systems::cramer(&parts, *row as usize)
         }
         Node::Norm(parts) => parts.iter().map(|part| value(part).powi(2)).sum::<Complex64>().sqrt(),
     }

@@ -27,12 +27,14 @@ pub struct Body {
     pub points: Vec<(String, Vector)>,
     /// Mass properties that are given and not computed from the parts.
     pub stated: Option<MassProperties>,
+    /// Its own restitution on rigid surfaces, 0 to 1, in the place of theirs.
+    pub restitution: Option<Expr>,
 }
 
 impl Body {
     /// A body of several parts joined rigidly.
     pub fn from_parts(name: impl Into<String>, parts: Vec<Part>) -> Self {
-        Self { name: name.into(), parts, points: vec![], stated: None }
+        Self { name: name.into(), parts, points: vec![], stated: None, restitution: None }
     }
 
     /// A body of one shape; its mass is set by [`Body::mass`].
@@ -42,7 +44,7 @@ impl Body {
 
     /// A thin uniform rod between two points, m.
     pub fn rod(name: impl Into<String>, from: [Expr; 2], to: [Expr; 2]) -> Self {
-        Self::of_shape(name, Shape::Rod { from: vector(from), to: vector(to) })
+        Self::of_shape(name, Shape::Rod { from: vector(from), to: vector(to), end_radius: Expr::zero() })
     }
 
     /// A solid ball of that radius, m, about the origin.
@@ -148,6 +150,9 @@ impl Body {
             for place in stated.centre.components() {
                 expect(format!("centre of mass of `{}`", self.name), place, Dimension::LENGTH);
             }
+        }
+        if let Some(restitution) = &self.restitution {
+            expect(format!("restitution of `{}`", self.name), restitution, Dimension::NONE);
         }
         if self.parts.is_empty() && self.stated.is_none() {
             let problem = "has neither a shape nor a stated mass".into();

@@ -18,6 +18,7 @@
 use tumble_expr::{Expr, Substitution, Symbol, Vector};
 
 use crate::anchor::rate;
+use crate::contact::Pair;
 use crate::kinematics::{Kinematics, PointRef};
 use crate::mass::MassProperties;
 use crate::term::{Law, Term};
@@ -55,6 +56,8 @@ pub(crate) enum Measure {
     Angle,
     Speed,
     AngularRate,
+    /// Root of the depth of a Hertzian contact.
+    Root,
 }
 
 /// A state with its rate, in the body's kinematic symbols.
@@ -62,6 +65,8 @@ pub(crate) struct StateRate {
     pub(crate) symbol: Symbol,
     pub(crate) rate: Expr,
     pub(crate) measure: Measure,
+    /// Whether the rate is with respect to the mode's own clock.
+    pub(crate) per_clock: bool,
 }
 
 impl Coordinates {
@@ -78,7 +83,8 @@ impl Coordinates {
 
     /// The states in order, each with its rate of change; accelerations are left as symbols.
     pub(crate) fn states(&self, body: &Kinematics) -> Vec<StateRate> {
-        let state = |symbol: Symbol, rate: Expr, measure| StateRate { symbol, rate, measure };
+        let state =
+            |symbol: Symbol, rate: Expr, measure| StateRate { symbol, rate, measure, per_clock: false };
         let [x, y] = body.position_symbols();
         let [vx, vy] = body.velocity_symbols();
         let [ax, ay] = body.acceleration_symbols();
@@ -135,12 +141,52 @@ impl Coordinates {
                 let anchor = rate(&rate(world));
                 let carried = &mass.mass * from_pivot.cross_planar(&anchor);
                 let torque = total(terms.iter().map(about_pivot)) - carried;
-                let origin = Vector::planar(Expr::zero(), Expr::zero());
-                let about = MassProperties { centre: arm.clone(), ..mass.clone() };
-                let alpha = torque / about.inertia_about(&origin);
+                let alpha = torque / inertia_about_pivot(arm, mass);
                 let omega = body.omega();
                 let centripetal = (&omega * &omega) * &from_pivot;
                 (anchor + &alpha * from_pivot.perpendicular() - centripetal, alpha)
+            }
+        }
+    }
+
+    /// Indices of the velocities among [`Coordinates::states`].
+    pub(crate) fn velocity_states(&self) -> &'static [usize] {
+        match self {
+            Self::Free => &[2, 3, 5],
+            Self::Pivoted { .. } => &[1],
+        }
+    }
+
+    /// Change of each velocity by a unit of its impulse: 1/kg, or 1/(kg m^2) of a rotation.
+    pub(crate) fn inverse_masses(&self, mass: &MassProperties) -> Vec<Expr> {
+        match self {
+            Self::Free => {
+                let turning = match tumble_expr::is_identically_zero(&mass.inertia) {
+                    true => &mass.inertia * 0,
+                    false => 1 / &mass.inertia,
+                };
+                vec![1 / &mass.mass, 1 / &mass.mass, turning]
+            }
+            Self::Pivoted { arm, .. } => vec![1 / inertia_about_pivot(arm, mass)],
+        }
+    }
+
+    /// Acceleration of the gap of one pair by a unit force at another of the same body, 1/kg.
+    pub(crate) fn response(&self, body: &Kinematics, mass: &MassProperties, i: &Pair, j: &Pair) -> Expr {
+        let lever = |pair: &Pair, from: &Vector| (from + pair.arm()).cross_planar(&pair.normal);
+        match self {
+            Self::Free => {
+                let along = i.normal.x() * j.normal.x() + i.normal.y() * j.normal.y();
+                let centre = Vector::planar(Expr::zero(), Expr::zero());
+                let pushed = along / &mass.mass;
+                match tumble_expr::is_identically_zero(&mass.inertia) {
+                    true => pushed,
+                    false => pushed + lever(i, &centre) * lever(j, &centre) / &mass.inertia,
+                }
+            }
+            Self::Pivoted { arm, .. } => {
+                let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+                lever(i, &from_pivot) * lever(j, &from_pivot) / inertia_about_pivot(arm, mass)
             }
         }
     }
@@ -165,6 +211,12 @@ impl Coordinates {
             window: None,
         })
     }
+}
+
+/// kg m^2; `arm` is from the pivot to the centre of mass.
+fn inertia_about_pivot(arm: &Vector, mass: &MassProperties) -> Expr {
+    let origin = Vector::planar(Expr::zero(), Expr::zero());
+    MassProperties { centre: arm.clone(), ..mass.clone() }.inertia_about(&origin)
 }
 
 fn total_force(terms: &[&Term]) -> Vector {

@@ -1,9 +1,12 @@
 //! From a model to equations of motion: a hybrid system whose terms are known by law, body and point.
 
-use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
-use tumble_ode::ScaleGroup;
+use std::sync::Arc;
 
-use crate::coordinates::{Coordinates, StateRate};
+use tumble_expr::{Branches, Expr, Jets, Layout, Substitution, Symbol, Tape, Vector, is_identically_zero};
+use tumble_ode::{Invariant, ScaleGroup};
+
+use crate::contact::{Pair, Pairs, TouchTapes};
+use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Action;
 use crate::interaction::Bodies;
@@ -13,6 +16,7 @@ use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
 use crate::model::Model;
+use crate::parameters::time_symbol;
 use crate::term::Term;
 
 /// The equations of motion of a model, for every mode and every value of the parameters.
@@ -22,6 +26,8 @@ pub struct Equations {
     bodies: Vec<BodyEquations>,
     terms: Vec<Term>,
     windows: Vec<Window>,
+    pairs: Pairs,
+    touch_tapes: TouchTapes,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
 }
@@ -76,7 +82,9 @@ impl Equations {
             body.coordinates.define(&body.kinematics, &mut definitions);
         }
         let (windows, terms) = terms(&model, &bodies);
-        let equations = Self { model, bodies, terms, windows, definitions };
+        let pairs = Pairs::of(&model);
+        let touch_tapes = TouchTapes::default();
+        let equations = Self { model, bodies, terms, windows, pairs, touch_tapes, definitions };
         equations.check_points_turn()?;
         Ok(equations)
     }
@@ -116,8 +124,8 @@ impl Equations {
     }
 
     /// The states of a mode in order.
-    pub fn states(&self, _: &Mode) -> Vec<Symbol> {
-        self.state_rates().into_iter().map(|state| state.symbol).collect()
+    pub fn states(&self, mode: &Mode) -> Vec<Symbol> {
+        self.state_rates(mode).into_iter().map(|state| state.symbol).collect()
     }
 
     /// A formula of any kinematic symbols, accelerations included, in the states of a mode.
@@ -136,15 +144,54 @@ impl Equations {
     pub(crate) fn definitions_in(&self, mode: &Mode) -> Substitution {
         let acting = self.acting(mode);
         let mut all = self.definitions.clone();
+        let forces = self.contact_forces(mode);
         for (index, body) in self.bodies.iter().enumerate() {
-            let terms = on_body(&acting, index);
-            let (a, alpha) = body.coordinates.accelerations(&body.kinematics, &body.mass, &terms);
-            for (symbol, formula) in body.kinematics.acceleration_symbols().into_iter().zip(a.components()) {
-                all.insert(symbol, self.definitions.apply(formula));
+            let accelerations = body.accelerations(&on_body(&acting, index));
+            for (symbol, formula) in accelerations {
+                all.insert(symbol, self.definitions.apply(&forces.apply(&formula)));
             }
-            all.insert(body.kinematics.alpha_symbol(), self.definitions.apply(&alpha));
+        }
+        for pair in &self.pairs.all {
+            let force: Expr = pair.force_symbol().into();
+            all.insert(pair.force_symbol(), self.definitions.apply(&forces.apply(&force)));
         }
         all
+    }
+
+    /// Normal forces of all pairs in a mode, in kinematic symbols without accelerations: zero where they are apart.
+    fn contact_forces(&self, mode: &Mode) -> Substitution {
+        let mut forces = Substitution::default();
+        for pair in &self.pairs.all {
+            forces.insert(pair.force_symbol(), Expr::zero());
+        }
+        for pair in mode.pressed().map(|pair| &self.pairs.all[pair]) {
+            forces
+                .insert(pair.force_symbol(), laws::compliant::normal_force(pair).unwrap_or_else(Expr::zero));
+        }
+        let acting = self.acting(mode);
+        let mut held_forces = vec![];
+        for (index, body) in self.bodies.iter().enumerate() {
+            let held: Vec<&Pair> = self.held_on(mode, index).collect();
+            if held.is_empty() {
+                continue;
+            }
+            let mut free = Substitution::default();
+            for (symbol, formula) in body.accelerations(&on_body(&acting, index)) {
+                free.insert(symbol, forces.apply(&formula));
+            }
+            let known = (&body.kinematics, &body.mass, &body.coordinates);
+            let found = laws::support::normal_forces(&held, known, &free);
+            held_forces.extend(held.iter().map(|pair| pair.force_symbol()).zip(found));
+        }
+        for (symbol, force) in held_forces {
+            forces.insert(symbol, force);
+        }
+        forces
+    }
+
+    /// Pairs of a body that rigid surfaces hold in a mode.
+    fn held_on<'a>(&'a self, mode: &'a Mode, body: usize) -> impl Iterator<Item = &'a Pair> {
+        mode.held().map(|pair| &self.pairs.all[pair]).filter(move |pair| pair.body == body)
     }
 
     /// Parameters that events have given other formulas.
@@ -164,11 +211,99 @@ impl Equations {
     }
 
     fn acting(&self, mode: &Mode) -> Vec<&Term> {
-        self.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window])).collect()
+        let loads = self.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
+        let touching = mode.pressed().chain(mode.held()).map(|pair| &self.pairs.terms[pair]);
+        loads.chain(touching).collect()
     }
 
-    pub(crate) fn state_rates(&self) -> Vec<StateRate> {
-        self.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics)).collect()
+    /// The states of a mode: those of the bodies, then the roots of the depths of Hertzian contacts.
+    pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
+        let bodies = self.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics));
+        let roots = self.roots(mode);
+        let root = |index: &usize| {
+            let pair = &self.pairs.all[*index];
+            let others = roots.iter().filter(|other| *other != index);
+            let others = others.map(|other| Expr::from(self.pairs.all[*other].root_symbol()));
+            let others = others.fold(Expr::one(), |product, root| product * root);
+            StateRate {
+                symbol: pair.root_symbol(),
+                rate: laws::compliant::root_rate(pair, &others),
+                measure: Measure::Root,
+                per_clock: true,
+            }
+        };
+        bodies.chain(roots.iter().map(root)).collect()
+    }
+
+    /// Pairs whose depth's root is a state of a mode.
+    pub(crate) fn roots(&self, mode: &Mode) -> Vec<usize> {
+        mode.pressed().filter(|pair| self.pairs.all[*pair].is_hertzian()).collect()
+    }
+
+    /// The mode's own clock, where it has one: while Hertzian contacts are pressed, the product of the depths' roots.
+    pub(crate) fn clock(&self, mode: &Mode) -> Option<Expr> {
+        let roots = self.roots(mode).into_iter().map(|pair| Expr::from(self.pairs.all[pair].root_symbol()));
+        // A clock is a pure number of time; the unit of the roots goes into the pieces' own parameter.
+        roots.reduce(|product, root| product * root)
+    }
+
+    /// What is zero all along a mode.
+    pub(crate) fn invariants(&self, mode: &Mode) -> Vec<Invariant> {
+        let definitions = self.definitions_of(mode);
+        let invariant = |formula: Expr, measure: Measure| Invariant {
+            formula: definitions.apply(&formula),
+            group: measure as usize,
+        };
+        let held = mode.held().map(|pair| &self.pairs.all[pair]);
+        let held = held.flat_map(|pair| {
+            [invariant(pair.gap(), Measure::Length), invariant(pair.gap_rate(), Measure::Speed)]
+        });
+        let roots = self.roots(mode).into_iter().map(|pair| &self.pairs.all[pair]);
+        let roots = roots.map(|pair| invariant(laws::compliant::root_invariant(pair), Measure::Length));
+        held.chain(roots).collect()
+    }
+
+    pub(crate) fn pair_list(&self) -> &Pairs {
+        &self.pairs
+    }
+
+    pub(crate) fn touch_tapes(&self) -> &TouchTapes {
+        &self.touch_tapes
+    }
+
+    /// Index of a body's first state.
+    pub(crate) fn first_state(&self, body: usize) -> usize {
+        let before = self.bodies[..body].iter();
+        before.map(|body| body.coordinates.states(&body.kinematics).len()).sum()
+    }
+
+    /// Indices of a body's velocities among the states.
+    pub(crate) fn velocity_states(&self, body: usize) -> Vec<usize> {
+        let first = self.first_state(body);
+        self.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
+    }
+
+    /// What an impulse does to each of a body's velocities.
+    pub(crate) fn inverse_masses(&self, body: usize) -> Vec<Expr> {
+        let body = &self.bodies[body];
+        body.coordinates.inverse_masses(&body.mass)
+    }
+
+    /// A pivot's name and where it is from the body's centre of mass, m, world axes.
+    pub(crate) fn pivot_arm(&self, body: usize) -> Option<(String, Vector)> {
+        let body = &self.model.bodies[body];
+        let pivot = self.model.pivot_of(&body.name)?;
+        Some((pivot.name.clone(), body.at(&pivot.point).world_arm()))
+    }
+
+    /// Largest extent of a body, m; zero where it has none.
+    pub(crate) fn size(&self, body: usize, inputs: &[f64]) -> f64 {
+        let reach = self.model.bodies[body].reach() * 2;
+        let layout = Layout { states: vec![], time: time_symbol(), inputs: self.model.parameters.symbols() };
+        let Ok(tape) = Tape::compile(&layout, &[reach]) else { return 0.0 };
+        let mut jets = Jets::new(Arc::new(tape), 0, inputs);
+        jets.start(f64::NAN, &[], Branches::Free);
+        jets.value_of(0)
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
@@ -186,6 +321,7 @@ impl Equations {
             group("angle", &Expr::one(), false),
             group("speed", &size, true),
             group("angular rate", &Expr::one(), true),
+            group("root of a depth", &Expr::zero(), false),
         ]
     }
 
@@ -199,6 +335,15 @@ impl Equations {
             return Err(ModelError::PointTurned { body, load: term.load.clone() });
         }
         Ok(())
+    }
+}
+
+impl BodyEquations {
+    /// The accelerations under these terms, by their symbols.
+    fn accelerations(&self, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
+        let (a, alpha) = self.coordinates.accelerations(&self.kinematics, &self.mass, terms);
+        let along = self.kinematics.acceleration_symbols().into_iter().zip(a.components().to_vec());
+        along.chain([(self.kinematics.alpha_symbol(), alpha)]).collect()
     }
 }
 

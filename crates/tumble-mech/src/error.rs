@@ -94,12 +94,32 @@ pub enum ModelError {
     },
     /// A path that a pivot is moved on with a corner or a jump.
     #[error(
-        "the path of pivot `{pivot}` has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \
+        "the path of {what} has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \
          blow on the body, which no force stands for; write a smooth path"
     )]
     CorneredPath {
-        /// Name of the pivot.
-        pivot: String,
+        /// The pivot or the surface.
+        what: String,
+    },
+    /// A restitution that no impact has.
+    #[error("{what} is {value}: it must lie between 0 and 1")]
+    Restitution {
+        /// Whose it is.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A body that starts inside a surface.
+    #[error("`{body}` starts {depth} m inside `{surface}`, by its point `{feature}`")]
+    Inside {
+        /// Name of the body.
+        body: String,
+        /// The point of it that is deepest in that surface.
+        feature: String,
+        /// Name of the surface.
+        surface: String,
+        /// How deep it is, m.
+        depth: f64,
     },
     /// A body without start, or a start that does not fit the body.
     #[error("start of `{body}`: {problem}")]

@@ -10,6 +10,7 @@ use crate::interaction::Interaction;
 use crate::mode::Mode;
 use crate::parameters::Parameters;
 use crate::start::Start;
+use crate::surface::Surface;
 
 impl Equations {
     /// Start of a run at time 0 with these parameters, which have the model's names.
@@ -24,12 +25,19 @@ impl Equations {
         for interaction in &self.model().interactions {
             mistakes.extend(coefficient_mistakes(&**interaction, parameters)?);
         }
+        for surface in &self.model().surfaces {
+            mistakes.extend(surface_mistakes(surface, parameters)?);
+        }
         let states = self.initial_states(parameters, &mut mistakes)?;
         let mode = self.initial_mode(parameters, &mut mistakes)?;
         if !mistakes.is_empty() {
             return Err(ModelErrors(mistakes));
         }
-        Ok(NumericStart { time: 0.0, mode, states, inputs })
+        let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
+        match mistakes.is_empty() {
+            true => Ok(NumericStart { time: 0.0, mode, states, inputs, causes }),
+            false => Err(ModelErrors(mistakes)),
+        }
     }
 
     fn initial_states(
@@ -79,8 +87,29 @@ impl Equations {
             }
             windows.push(from <= 0.0 && 0.0 < to);
         }
-        Ok(Mode { windows, changes: vec![] })
+        Ok(Mode { windows, ..Mode::default() })
     }
+}
+
+/// Coefficients of contact that no surface has.
+fn surface_mistakes(surface: &Surface, parameters: &Parameters) -> Result<Vec<ModelError>, ModelError> {
+    let mut mistakes = vec![];
+    for (key, formula, _) in surface.law.dimensions() {
+        let value = parameters.evaluate(std::slice::from_ref(formula))?[0];
+        let what = format!("{key} of `{}`", surface.name);
+        match key {
+            "restitution" if !(0.0..=1.0).contains(&value) => {
+                mistakes.push(ModelError::Restitution { what, value })
+            }
+            "stiffness" if value <= 0.0 => {
+                mistakes.push(ModelError::NotPositive { what, value, unit: "N/m" })
+            }
+            "damping" if value < 0.0 => mistakes.push(ModelError::Negative { what, value, unit: "kg/s" }),
+            _ if !value.is_finite() => mistakes.push(ModelError::NotFinite { what, value }),
+            _ => {}
+        }
+    }
+    Ok(mistakes)
 }
 
 fn coefficient_mistakes(
@@ -131,6 +160,13 @@ fn body_mistakes(body: &Body, parameters: &Parameters) -> Result<Vec<ModelError>
             mistakes.push(ModelError::NotFinite { what, value });
         } else if value <= 0.0 {
             mistakes.push(ModelError::NotPositive { what, value, unit });
+        }
+    }
+    if let Some(restitution) = &body.restitution {
+        let value = parameters.evaluate(std::slice::from_ref(restitution))?[0];
+        if !(0.0..=1.0).contains(&value) {
+            let what = format!("restitution of `{}`", body.name);
+            mistakes.push(ModelError::Restitution { what, value });
         }
     }
     if mistakes.is_empty() {

@@ -91,7 +91,10 @@ mod tests {
         close(round(Shape::Ball { centre: centre.clone(), radius: r.clone() }), [2.0, 1.0, 2.0, 7.2]);
         close(round(Shape::Shell { centre: centre.clone(), radius: r }), [2.0, 1.0, 2.0, 12.0]);
         close(round(Shape::Point { at: centre.clone() }), [2.0, 1.0, 2.0, 0.0]);
-        close(round(Shape::Rod { from: at(1.0, 0.0), to: at(1.0, 4.0) }), [2.0, 1.0, 2.0, 32.0 / 12.0]);
+        close(
+            round(Shape::Rod { from: at(1.0, 0.0), to: at(1.0, 4.0), end_radius: Expr::zero() }),
+            [2.0, 1.0, 2.0, 32.0 / 12.0],
+        );
         let plate = Shape::Box { centre, width: 3.0 * M, height: 4.0 * M };
         close(round(plate), [2.0, 1.0, 2.0, 50.0 / 12.0]);
     }
@@ -117,7 +120,10 @@ mod tests {
 
     #[test]
     fn halves_make_the_whole() {
-        let rod = |from: f64, to: f64, m: f64| (Shape::Rod { from: at(from, 0.0), to: at(to, 0.0) }, m);
+        let rod = |from: f64, to: f64, m: f64| {
+            let end_radius = Expr::zero();
+            (Shape::Rod { from: at(from, 0.0), to: at(to, 0.0), end_radius }, m)
+        };
         let whole = numbers(vec![rod(-1.0, 3.0, 4.0)]);
         close(numbers(vec![rod(-1.0, 1.0, 2.0), rod(1.0, 3.0, 2.0)]), whole);
         // A hole is a part of negative mass.

@@ -6,15 +6,18 @@ use tumble_expr::{Dimension, Expr, Vector};
 
 use crate::air::Wind;
 use crate::body::Body;
+use crate::contact::{Pair, Pairs};
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::{Action, Event};
 use crate::interaction::Interaction;
 use crate::kinematics::PointRef;
+use crate::laws::impact::Simultaneous;
 use crate::load::{Application, Load, Moment};
 use crate::parameters::Parameters;
 use crate::place::Place;
 use crate::start::Start;
+use crate::surface::Surface;
 
 /// Gauss nodes to begin with; [`crate::Run::refined`] doubles them until they do not matter.
 pub(crate) const DEFAULT_NODES: usize = 8;
@@ -55,6 +58,10 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// Air resistance, springs and other laws known by their coefficients.
     pub interactions: Vec<Arc<dyn Interaction>>,
+    /// What bodies meet.
+    pub surfaces: Vec<Surface>,
+    /// How impacts of one body at several contacts at one instant are taken.
+    pub simultaneous: Simultaneous,
     /// The air.
     pub wind: Wind,
     /// Gauss nodes on each line whose air resistance has no closed form.
@@ -81,6 +88,8 @@ impl Model {
             pivots: vec![],
             loads: vec![],
             interactions: vec![],
+            surfaces: vec![],
+            simultaneous: Simultaneous::default(),
             wind: Wind::still(),
             nodes: DEFAULT_NODES,
             events: vec![],
@@ -121,6 +130,16 @@ impl Model {
         self.interactions.push(Arc::new(interaction));
     }
 
+    /// A surface that bodies meet.
+    pub fn surface(&mut self, surface: Surface) {
+        self.surfaces.push(surface);
+    }
+
+    /// Everything that may touch: each point of a body and each surface that it meets.
+    pub fn pairs(&self) -> Vec<Pair> {
+        Pairs::of(self).all
+    }
+
     /// Whether any term is a sum over Gauss nodes.
     pub fn has_quadrature(&self) -> bool {
         self.interactions.iter().any(|interaction| interaction.is_quadrature(&self.wind))
@@ -156,6 +175,7 @@ impl Model {
         mistakes.extend(
             self.interactions.iter().flat_map(|interaction| self.interaction_mistakes(&**interaction)),
         );
+        mistakes.extend(self.surfaces.iter().flat_map(|surface| self.surface_mistakes(surface)));
         mistakes.extend(self.starts.iter().flat_map(|(body, start)| self.start_mistakes(body, start)));
         if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
     }
@@ -169,6 +189,7 @@ impl Model {
         names.extend(bodies.chain(loads).chain(pivots));
         names.extend(self.events.iter().map(|event| event.name.as_str()));
         names.extend(self.interactions.iter().map(|interaction| interaction.name()));
+        names.extend(self.surfaces.iter().map(|surface| surface.name.as_str()));
         names.sort_unstable();
         let twice = names.windows(2).filter(|pair| pair[0] == pair[1]);
         twice.map(|pair| ModelError::Duplicate { name: pair[0].to_owned() }).collect()
@@ -189,7 +210,7 @@ impl Model {
         let mut mistakes = mistake(&what, places, Dimension::LENGTH);
         mistakes.extend(self.unknown_body(&pivot.body));
         if pivot.world.components().iter().any(|path| path.branches_on(&[crate::parameters::time_symbol()])) {
-            mistakes.push(ModelError::CorneredPath { pivot: pivot.name.clone() });
+            mistakes.push(ModelError::CorneredPath { what: format!("pivot `{}`", pivot.name) });
         }
         if let Some(first) = self.pivot_of(&pivot.body)
             && !std::ptr::eq(first, pivot)
@@ -254,6 +275,22 @@ impl Model {
             mistake(&format!("{key} of `{}`", interaction.name()), [&formula], dimension)
         });
         wrong.chain(interaction.bodies().into_iter().filter_map(|body| self.unknown_body(body))).collect()
+    }
+
+    fn surface_mistakes(&self, surface: &Surface) -> Vec<ModelError> {
+        let what = format!("surface `{}`", surface.name);
+        let mut mistakes = mistake(&what, surface.through.components(), Dimension::LENGTH);
+        mistakes.extend(mistake(&what, surface.normal.components(), Dimension::NONE));
+        for (key, formula, dimension) in surface.law.dimensions() {
+            mistakes.extend(mistake(&format!("{key} of `{}`", surface.name), [formula], dimension));
+        }
+        let path = surface.through.components().iter().chain(surface.normal.components());
+        if path.into_iter().any(|path| path.branches_on(&[crate::parameters::time_symbol()])) {
+            mistakes.push(ModelError::CorneredPath { what });
+        }
+        let bodies = surface.bodies.iter().flatten();
+        mistakes.extend(bodies.filter_map(|body| self.unknown_body(body)));
+        mistakes
     }
 
     fn start_mistakes(&self, body: &str, start: &Start) -> Vec<ModelError> {

@@ -16,6 +16,8 @@ pub enum Shape {
         from: Vector,
         /// The other end.
         to: Vector,
+        /// Radius of its round ends, m: by it they touch surfaces; it has no part in the mass properties.
+        end_radius: Expr,
     },
     /// A solid disk or cylinder, turning about its axis.
     Disk {
@@ -66,7 +68,7 @@ impl Shape {
     pub fn centre(&self) -> Vector {
         match self {
             Self::Point { at } => at.clone(),
-            Self::Rod { from, to } => Expr::from(0.5) * (from + to),
+            Self::Rod { from, to, .. } => Expr::from(0.5) * (from + to),
             Self::Disk { centre, .. } | Self::Ring { centre, .. } | Self::Ball { centre, .. } => {
                 centre.clone()
             }
@@ -80,7 +82,7 @@ impl Shape {
         let squared = |length: &Expr| length * length;
         match self {
             Self::Point { .. } => Expr::zero(),
-            Self::Rod { from, to } => square(&(to - from)) / 12,
+            Self::Rod { from, to, .. } => square(&(to - from)) / 12,
             Self::Disk { radius, .. } => squared(radius) / 2,
             Self::Ring { radius, .. } => squared(radius),
             Self::Ball { radius, .. } => squared(radius) * 2 / 5,
@@ -94,7 +96,7 @@ impl Shape {
     pub fn reach(&self) -> Expr {
         match self {
             Self::Point { .. } => Expr::zero(),
-            Self::Rod { from, to } => (to - from).norm() / 2,
+            Self::Rod { from, to, .. } => (to - from).norm() / 2,
             Self::Disk { radius, .. } | Self::Ring { radius, .. } => radius.clone(),
             Self::Ball { radius, .. } | Self::Shell { radius, .. } => radius.clone(),
             Self::Box { width, height, .. } => Expr::norm(vec![width.clone(), height.clone()]) / 2,
@@ -109,7 +111,7 @@ impl Shape {
             corners.iter().zip(next).map(|(a, b)| [a.clone(), b.clone()]).collect()
         };
         match self {
-            Self::Rod { from, to } => vec![[from.clone(), to.clone()]],
+            Self::Rod { from, to, .. } => vec![[from.clone(), to.clone()]],
             Self::Polygon { corners } => round(corners),
             Self::Box { centre, width, height } => {
                 let corner = |x: i32, y: i32| centre + Vector::planar(width * x / 2, height * y / 2);
@@ -123,7 +125,7 @@ impl Shape {
     pub(crate) fn sizes(&self) -> Vec<(&'static str, Expr)> {
         match self {
             Self::Point { .. } => vec![],
-            Self::Rod { from, to } => vec![("length", (to - from).norm())],
+            Self::Rod { from, to, .. } => vec![("length", (to - from).norm())],
             Self::Disk { radius, .. } | Self::Ring { radius, .. } => vec![("radius", radius.clone())],
             Self::Ball { radius, .. } | Self::Shell { radius, .. } => vec![("radius", radius.clone())],
             Self::Box { width, height, .. } => vec![("width", width.clone()), ("height", height.clone())],
@@ -135,7 +137,7 @@ impl Shape {
     pub(crate) fn places(&self) -> Vec<&Vector> {
         match self {
             Self::Point { at } => vec![at],
-            Self::Rod { from, to } => vec![from, to],
+            Self::Rod { from, to, .. } => vec![from, to],
             Self::Disk { centre, .. } | Self::Ring { centre, .. } | Self::Ball { centre, .. } => vec![centre],
             Self::Shell { centre, .. } | Self::Box { centre, .. } => vec![centre],
             Self::Polygon { corners } => corners.iter().collect(),

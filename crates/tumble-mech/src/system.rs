@@ -1,6 +1,6 @@
 //! The equations as the integrator sees them: flows by mode, and what happens between.
 
-use tumble_ode::{Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
+use tumble_ode::{Candidate, Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
 
 use crate::equations::Equations;
 use crate::event::Action;
@@ -13,15 +13,22 @@ impl Hybrid for Equations {
 
     fn flow(&self, mode: &Mode) -> Result<Flow, Reason> {
         let in_mode = self.definitions_of(mode);
-        let states = self.state_rates().into_iter().map(|state| StateVariable {
+        let states = self.state_rates(mode).into_iter().map(|state| StateVariable {
             rate: in_mode.apply(&state.rate),
             symbol: state.symbol,
             group: state.measure as usize,
+            per_clock: state.per_clock,
         });
-        let guards = self.model().events.iter().map(|event| Guard {
+        let events = self.model().events.iter().map(|event| Guard {
             name: event.name.clone(),
-            formula: in_mode.apply(&event.when),
+            formula: event.when.clone(),
             direction: event.direction,
+        });
+        let guards = events.chain(self.touching_guards(mode));
+        let guards = guards.map(|guard| Guard { formula: in_mode.apply(&guard.formula), ..guard });
+        let candidates = self.candidates(mode).into_iter().map(|candidate| {
+            let formula = in_mode.apply(&candidate.guard.formula);
+            Candidate { guard: Guard { formula, ..candidate.guard }, ..candidate }
         });
         Ok(Flow {
             states: states.collect(),
@@ -34,24 +41,38 @@ impl Hybrid for Equations {
                 .flat_map(|window| window.times().map(|(_, time)| time.clone()))
                 .collect(),
             guards: guards.collect(),
-            clock: None,
+            candidates: candidates.collect(),
+            invariants: self.invariants(mode),
+            clock: self.clock(mode),
         })
     }
 
-    /// At one instant windows end before others begin, and events come last: they see what was scheduled.
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
-        let mut jump = Jump { mode: at.mode.clone(), states: at.states.to_vec(), tags: vec![], stop: false };
-        for cause in at.causes {
-            match cause {
-                Cause::Scheduled(index) => self.pass_time(*index, &mut jump),
-                Cause::Guard(event) => self.pass_event(*event, &mut jump),
-            }
-        }
-        Ok(jump)
+        self.transition(at).map(|(jump, _)| jump)
     }
 }
 
 impl Equations {
+    /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,
+    /// which see all forces that act from now on. With the impulses of impacts, by pair, N s.
+    pub(crate) fn transition(
+        &self,
+        at: &Crossing<'_, Mode>,
+    ) -> Result<(Jump<Mode>, Vec<(usize, f64)>), Reason> {
+        let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
+        for cause in at.causes {
+            match cause {
+                Cause::Scheduled(index) => self.pass_time(*index, &mut jump),
+                Cause::Guard(guard) if *guard < self.model().events.len() => {
+                    self.pass_event(*guard, &mut jump);
+                }
+                Cause::Guard(_) | Cause::Candidate(_) | Cause::Wake => {}
+            }
+        }
+        let impulses = self.switch_contacts(at, &mut jump)?;
+        Ok((jump, impulses))
+    }
+
     fn pass_time(&self, index: usize, jump: &mut Jump<Mode>) {
         let windows = self.windows().iter().enumerate();
         let mut times = windows.flat_map(|(window, of)| of.times().map(move |(ends, _)| (window, ends)));

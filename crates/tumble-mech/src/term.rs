@@ -21,6 +21,8 @@ pub enum Law {
     Torsion,
     /// What holds a pivot in its place.
     Reaction,
+    /// What a surface does to a body that touches it.
+    Contact,
 }
 
 /// A force at its point and a couple, as they enter the equations.

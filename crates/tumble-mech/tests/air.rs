@@ -15,7 +15,7 @@ fn rod(length: f64, mass: f64) -> Body {
 
 fn along(body: &Body, quadratic: f64, component: Component) -> Drag {
     let half = body.parts[0].shape.clone();
-    let tumble_mech::Shape::Rod { from, to } = half else { unreachable!("a rod") };
+    let tumble_mech::Shape::Rod { from, to, .. } = half else { unreachable!("a rod") };
     let lines = vec![[body.at(&from), body.at(&to)]];
     let quadratic = Some(quadratic * KG / (M * M));
     Drag { name: "air".into(), on: DragPlace::Lines { lines, component }, linear: None, quadratic }

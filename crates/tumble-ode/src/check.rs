@@ -31,7 +31,7 @@ pub(crate) struct Verdict {
 
 impl Verdict {
     /// The worse of two; one that is not a number is worst of all.
-    fn or(self, other: Self) -> Self {
+    pub(crate) fn or(self, other: Self) -> Self {
         if self.excess.is_nan() || other.excess <= self.excess { self } else { other }
     }
 }

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Tape};
 
-use crate::hybrid::Direction;
+use crate::candidates::Candidates;
+use crate::hybrid::{Direction, Guard, StateVariable};
+use crate::invariants::Invariants;
 use crate::{Flow, Reason};
 
 /// A polynomial solution of higher degree than this is left to ordinary steps: its coefficients would overflow first.
@@ -22,6 +24,9 @@ pub(crate) struct Compiled {
     /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
     pub(crate) exact_degree: Option<usize>,
     pub(crate) own_clock: bool,
+    /// How many guards the tape has; candidates are counted after them.
+    pub(crate) guards: usize,
+    /// Names of guards and candidates.
     pub(crate) guard_names: Vec<String>,
     pub(crate) guard_directions: Vec<Direction>,
     /// Whether there is anything to watch along a step.
@@ -31,11 +36,7 @@ pub(crate) struct Compiled {
 impl Compiled {
     /// `span` is the length of the run, s.
     pub(crate) fn new(flow: &Flow, inputs: &[f64], span: f64) -> Result<Self, Reason> {
-        let layout = Layout {
-            states: flow.states.iter().map(|state| state.symbol.clone()).collect(),
-            time: flow.time.clone(),
-            inputs: flow.inputs.clone(),
-        };
+        let layout = layout(flow);
         let guards = flow.guards.iter().map(|guard| guard.formula.clone());
         let outputs: Vec<Expr> = rates(flow).into_iter().chain(guards).collect();
         let tape = Tape::compile(&layout, &outputs)?;
@@ -59,8 +60,9 @@ impl Compiled {
             schedule,
             exact_degree,
             own_clock,
-            guard_names: flow.guards.iter().map(|guard| guard.name.clone()).collect(),
-            guard_directions: flow.guards.iter().map(|guard| guard.direction).collect(),
+            guards: flow.guards.len(),
+            guard_names: watched(flow).map(|guard| guard.name.clone()).collect(),
+            guard_directions: watched(flow).map(|guard| guard.direction).collect(),
             is_watched,
         })
     }
@@ -79,17 +81,44 @@ impl Compiled {
     }
 }
 
+/// What the tapes of a flow run on.
+fn layout(flow: &Flow) -> Layout {
+    Layout {
+        states: flow.states.iter().map(|state| state.symbol.clone()).collect(),
+        time: flow.time.clone(),
+        inputs: flow.inputs.clone(),
+    }
+}
+
+/// Guards, then those of candidates.
+fn watched(flow: &Flow) -> impl Iterator<Item = &Guard> {
+    flow.guards.iter().chain(flow.candidates.iter().map(|candidate| &candidate.guard))
+}
+
+/// What is watched and kept outside the tape of the field, for expansions of that order.
+pub(crate) fn beside(flow: &Flow, inputs: &[f64], order: usize) -> Result<(Candidates, Invariants), Reason> {
+    let layout = layout(flow);
+    let candidates = Candidates::new(&flow.candidates, &layout, inputs, order)?;
+    Ok((candidates, Invariants::new(&flow.invariants, &layout, inputs)?))
+}
+
 /// Rates with respect to the clock.
 fn rates(flow: &Flow) -> Vec<Expr> {
     let states = flow.states.iter().map(|state| &state.rate);
     match &flow.clock {
         None => states.cloned().collect(),
-        Some(clock) => states.map(|rate| rate * clock).chain([clock.clone()]).collect(),
+        Some(clock) => {
+            let per_clock = |state: &StateVariable| match state.per_clock {
+                true => state.rate.clone(),
+                false => &state.rate * clock,
+            };
+            flow.states.iter().map(per_clock).chain([clock.clone()]).collect()
+        }
     }
 }
 
 /// Values of formulas of the inputs.
-fn fixed(layout: &Layout, formulas: &[Expr], inputs: &[f64]) -> Result<Vec<f64>, Reason> {
+pub(crate) fn fixed(layout: &Layout, formulas: &[Expr], inputs: &[f64]) -> Result<Vec<f64>, Reason> {
     let layout = Layout { states: vec![], ..layout.clone() };
     let mut values = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, inputs);
     values.start(f64::NAN, &[], Branches::Free);
@@ -139,6 +168,7 @@ mod tests {
             symbol: symbol(format!("x{i}")),
             rate: rate.clone(),
             group: 0,
+            per_clock: false,
         });
         let flow = Flow {
             states: states.collect(),
@@ -147,6 +177,8 @@ mod tests {
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: vec![],
             guards: vec![],
+            candidates: vec![],
+            invariants: vec![],
             clock: None,
         };
         Compiled::new(&flow, &[1.0], 1.0).expect("pure numbers").exact_degree

@@ -3,10 +3,12 @@
 use tumble_expr::{Active, Branches, Jets, Turning};
 
 use crate::Reason;
+use crate::candidates::{self, Candidates};
 use crate::check::{Check, Verdict};
 use crate::compiled::Compiled;
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
+use crate::invariants::Invariants;
 use crate::polynomial;
 use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
@@ -30,7 +32,7 @@ pub(crate) enum Hit {
     Turning(usize),
     /// The argument of a table passes a knot into this segment.
     Knot(usize, usize),
-    /// A guard of the model crosses zero.
+    /// A guard of the model, or after them a candidate, crosses zero.
     Guard(usize),
 }
 
@@ -39,10 +41,11 @@ pub(crate) enum Hit {
 struct Sides {
     /// Side of each branch, +1 or -1, then the segment of each table.
     signs: Vec<f64>,
-    /// Which functions are zero now, whatever rounding has left of them: branches, turnings, guards.
+    /// Which functions are zero now, whatever rounding has left of them: branches and turnings.
     zero_branches: Vec<bool>,
     zero_turnings: Vec<bool>,
-    zero_guards: Vec<bool>,
+    /// How many first coefficients of each guard and candidate are zero now.
+    zero_guards: Vec<usize>,
     /// Which norms are zero vectors now.
     vanishing: Vec<bool>,
     /// Largest values that lengths have had.
@@ -53,6 +56,8 @@ struct Sides {
 
 pub(crate) struct Engine {
     pub(crate) system: Compiled,
+    pub(crate) candidates: Candidates,
+    pub(crate) invariants: Invariants,
     jets: Jets<f64>,
     values: Jets<f64>,
     turnings: Vec<Turning>,
@@ -61,16 +66,22 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    pub(crate) fn new(system: Compiled, order: usize, inputs: &[f64]) -> Self {
+    pub(crate) fn new(
+        system: Compiled,
+        (candidates, invariants): (Candidates, Invariants),
+        order: usize,
+        inputs: &[f64],
+    ) -> Self {
         let order = system.exact_degree.unwrap_or(order).max(1);
         let jets = Jets::new(system.tape.clone(), order, inputs);
         let values = Jets::new(system.tape.clone(), 0, inputs);
         let turnings = system.tape.turnings();
-        Self { system, jets, values, turnings, sides: Sides::default(), order }
+        Self { system, candidates, invariants, jets, values, turnings, sides: Sides::default(), order }
     }
 
-    /// Takes sides at the start of the mode. `fired` are guards, by name, that are zero because they brought us here.
-    pub(crate) fn enter(&mut self, time: f64, states: &[f64], fired: &[String]) {
+    /// Takes sides at the start of the mode. `zeros` are guards, by name, that are zero now, with how many derivatives.
+    pub(crate) fn enter(&mut self, time: f64, states: &[f64], zeros: &[(String, usize)]) {
+        self.candidates.enter(states);
         let tape = self.system.tape.clone();
         self.values.start(time, states, Branches::Free);
         let is_zero = |slot: u32| self.values.slot(slot)[0] == 0.0;
@@ -79,7 +90,11 @@ impl Engine {
             signs: self.values.signs().to_vec(),
             zero_branches: tape.guards().iter().map(|slot| is_zero(*slot)).collect(),
             zero_turnings: vec![false; self.turnings.len()],
-            zero_guards: names.iter().map(|name| fired.contains(name)).collect(),
+            zero_guards: names
+                .iter()
+                .map(|name| zeros.iter().filter(|(zero, _)| zero == name).map(|(_, count)| *count).max())
+                .map(Option::unwrap_or_default)
+                .collect(),
             vanishing: vec![false; tape.norms()],
             turning_scales: vec![0.0; self.turnings.len()],
             active: tape.active(self.values.signs()),
@@ -227,8 +242,8 @@ impl Engine {
     }
 
     fn hits(&self, expansion: &Expansion, length: f64) -> Vec<(f64, Hit)> {
-        let crossings = |series: &[f64], zero: bool| {
-            roots(ahead(series, zero), length)
+        let crossings = |series: &[f64], zeros: usize| {
+            roots(ahead(series, zeros), length)
                 .into_iter()
                 .filter_map(|root| Some((root.at, root.crosses_to?)))
         };
@@ -237,14 +252,14 @@ impl Engine {
         for (branch, series) in
             expansion.branches.iter().enumerate().filter(|(branch, _)| active.branches[*branch])
         {
-            let found = crossings(series, self.sides.zero_branches[branch]);
+            let found = crossings(series, usize::from(self.sides.zero_branches[branch]));
             hits.extend(found.take(1).map(|(at, to)| (at, Hit::Branch(branch, to))));
         }
         for (turning, turn) in
             expansion.turnings.iter().enumerate().filter(|(turning, _)| active.turnings[*turning])
         {
             let slope = derivative(&turn.square);
-            let least = crossings(&slope, self.sides.zero_turnings[turning]).filter(|(_, to)| *to > 0.0);
+            let least = crossings(&slope, usize::from(self.sides.zero_turnings[turning])).filter(|(_, to)| *to > 0.0);
             let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
             hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
         }
@@ -258,7 +273,7 @@ impl Engine {
                 let mut distance = series.clone();
                 distance[0] -= knot;
                 let beyond = if direction > 0.0 { segment + 1 } else { segment.saturating_sub(1) };
-                let outward = crossings(&distance, distance[0] == 0.0).filter(|(_, to)| *to == direction);
+                let outward = crossings(&distance, usize::from(distance[0] == 0.0)).filter(|(_, to)| *to == direction);
                 hits.extend(outward.take(1).map(|(at, _)| (at, Hit::Knot(lookup, beyond))));
             }
         }
@@ -268,7 +283,46 @@ impl Engine {
                 crossings(series, self.sides.zero_guards[guard]).filter(|(_, to)| direction.allows(*to));
             hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
         }
+        for (candidate, series) in &expansion.near {
+            let guard = self.system.guards + candidate;
+            let direction = self.system.guard_directions[guard];
+            let zeros = self.sides.zero_guards[guard];
+            if is_overdue(series, zeros, direction) {
+                hits.push((0.0, Hit::Guard(guard)));
+                continue;
+            }
+            let first = |zeros: usize| {
+                let mut found = crossings(series, zeros).filter(|(_, to)| direction.allows(*to));
+                found.next().map_or(f64::INFINITY, |(at, _)| at)
+            };
+            // A simple zero that is being left has its sign ahead; what it is short of zero delays the next crossing.
+            // Where rounding has left it beyond zero, so far that the arc ahead does not come back from there, the arc
+            // is taken from zero.
+            let at = match zeros {
+                1 if direction.allows(series[0]) => first(0).min(first(1)),
+                1 => first(0),
+                _ => first(zeros),
+            };
+            hits.extend(at.is_finite().then_some((at, Hit::Guard(guard))));
+        }
         hits
+    }
+
+    /// Expands the candidates that a step of this length may reach, and shortens it to what their expansions can tell;
+    /// `reach` is the length of an ordinary step in units of the radius.
+    pub(crate) fn approach(
+        &mut self,
+        expansion: &mut Expansion,
+        length: f64,
+        (reach, carry): (f64, &[f64]),
+        work: &mut Work,
+    ) -> Result<f64, Reason> {
+        if self.candidates.is_empty() {
+            return Ok(length);
+        }
+        expansion.near = self.candidates.near(expansion, length, carry)?;
+        work.near += expansion.near.len() as u64;
+        Ok(length.min(reach * candidates::radius(expansion)))
     }
 
     /// The step's independent check; see [`Check`].
@@ -288,9 +342,10 @@ impl Engine {
     /// A step was taken: what was zero at its start is so no more.
     pub(crate) fn leave_start(&mut self) {
         let Sides { zero_branches, zero_turnings, zero_guards, vanishing, .. } = &mut self.sides;
-        for flags in [zero_branches, zero_turnings, zero_guards, vanishing] {
+        for flags in [zero_branches, zero_turnings, vanishing] {
             flags.fill(false);
         }
+        zero_guards.fill(0);
     }
 
     /// Changes sides at the end of a step; `expansion` is that of the step.
@@ -315,7 +370,7 @@ impl Engine {
                     let first = self.system.tape.guards().len();
                     self.sides.signs[first + lookup] = segment as f64;
                 }
-                Hit::Guard(guard) => self.sides.zero_guards[guard] = true,
+                Hit::Guard(guard) => self.sides.zero_guards[guard] = 1,
             }
         }
     }
@@ -331,13 +386,16 @@ impl Engine {
         (time, states): (f64, &[f64]),
         work: &mut Work,
     ) -> Result<Vec<usize>, Reason> {
+        let crossed = |hit: &Hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None };
+        let crossed: Vec<usize> = hits.iter().filter_map(crossed).collect();
         if !hits.iter().any(|hit| matches!(hit, Hit::Branch(..) | Hit::Knot(..))) {
-            let crossed = |hit: &Hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None };
-            return Ok(hits.iter().filter_map(crossed).collect());
+            return Ok(crossed);
         }
         self.look_again(time, states);
+        let candidates = crossed.into_iter().filter(|guard| *guard >= self.system.guards);
+        let candidates: Vec<usize> = candidates.collect();
         if expansion.guards.is_empty() {
-            return Ok(vec![]);
+            return Ok(candidates);
         }
         let ahead = self.expand(time, states, work)?;
         let crosses = |guard: &usize| {
@@ -345,13 +403,20 @@ impl Engine {
             let before = sign_before(&expansion.guards[*guard], length);
             before * after < 0.0 && self.system.guard_directions[*guard].allows(after)
         };
-        Ok((0..ahead.guards.len()).filter(crosses).collect())
+        Ok((0..ahead.guards.len()).filter(crosses).chain(candidates).collect())
     }
 }
 
-/// The series without what is zero now: its roots are those ahead.
-fn ahead(series: &[f64], zero: bool) -> &[f64] {
-    let series = if zero { &series[1..] } else { series };
+/// Whether a candidate that should be on one side is found on, or beyond, zero and goes on beyond: rounding has hidden its
+/// crossing, which happens now.
+fn is_overdue(series: &[f64], zeros: usize, direction: Direction) -> bool {
+    let beyond = leading_sign(&series[1..]);
+    zeros == 0 && direction != Direction::Both && direction.allows(beyond) && series[0] * beyond >= 0.0
+}
+
+/// The series without its first coefficients that are zero now: its roots are those ahead.
+fn ahead(series: &[f64], zeros: usize) -> &[f64] {
+    let series = series.get(zeros..).unwrap_or_default();
     let first = series.iter().position(|c| *c != 0.0).unwrap_or(series.len());
     &series[first..]
 }

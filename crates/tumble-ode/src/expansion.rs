@@ -23,6 +23,8 @@ pub(crate) struct Expansion {
     pub(crate) arguments: Vec<Vec<f64>>,
     /// Guards of the model.
     pub(crate) guards: Vec<Vec<f64>>,
+    /// Candidates that may be reached, each by its index.
+    pub(crate) near: Vec<(usize, Vec<f64>)>,
 }
 
 /// A length, root or power along a step.
@@ -92,7 +94,7 @@ fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
     let tape = &system.tape;
     let slot = |slot: &u32| jets.slot(*slot).to_vec();
     let first_guard = system.len() + usize::from(system.own_clock);
-    let guards = first_guard..first_guard + system.guard_names.len();
+    let guards = first_guard..first_guard + system.guards;
     Expansion {
         start,
         states: (0..system.len() as u32).map(|state| slot(&state)).collect(),
@@ -101,6 +103,7 @@ fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
         turnings: tape.turnings().iter().map(|turning| turn(turning, jets)).collect(),
         arguments: tape.tables().iter().map(|lookup| slot(&lookup.of)).collect(),
         guards: guards.map(|output| jets.output(output).to_vec()).collect(),
+        near: vec![],
     }
 }
 

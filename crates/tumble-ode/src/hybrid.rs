@@ -34,7 +34,11 @@ pub struct Flow {
     pub schedule: Vec<Expr>,
     /// Functions whose zeros end a step and make the system jump.
     pub guards: Vec<Guard>,
-    /// `dt/ds` of the clock the pieces run on, where it is not the time itself. Must be positive.
+    /// Guards that are evaluated only while the motion may reach their zeros.
+    pub candidates: Vec<Candidate>,
+    /// Functions that are zero all along this flow; rounding is taken out of them after each step.
+    pub invariants: Vec<Invariant>,
+    /// `dt/ds` of the clock the pieces run on, where it is not the time itself. Positive, but for isolated instants.
     pub clock: Option<Expr>,
 }
 
@@ -47,6 +51,27 @@ pub struct Guard {
     pub formula: Expr,
     /// Which crossings count.
     pub direction: Direction,
+}
+
+/// A guard outside the tape of the field: of many of them, only those near zero cost more than a comparison.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// The function, of the states, the time and the inputs.
+    pub guard: Guard,
+    /// Index of the [`ScaleGroup`] that its error is measured against.
+    pub group: usize,
+    /// How fast it can change: `|g(a) - g(b)| <= sum slope_i |a_i - b_i|` over all states it depends on, each by its
+    /// index with a formula of the inputs. `None` where there is no such bound: it is then always evaluated.
+    pub slopes: Option<Vec<(usize, Expr)>>,
+}
+
+/// A function that is zero along a flow, such as the distance of bodies that stay in touch.
+#[derive(Clone, Debug)]
+pub struct Invariant {
+    /// The function, of the states, the time and the inputs.
+    pub formula: Expr,
+    /// Index of the [`ScaleGroup`] that its size is measured against.
+    pub group: usize,
 }
 
 /// Direction of a crossing of zero.
@@ -69,6 +94,8 @@ pub struct StateVariable {
     pub rate: Expr,
     /// Index of its [`ScaleGroup`].
     pub group: usize,
+    /// Whether the rate is with respect to the flow's own clock, where that has a finite value and this has not.
+    pub per_clock: bool,
 }
 
 /// States whose errors are measured against one scale.
@@ -93,10 +120,14 @@ pub struct Crossing<'a, Mode> {
     pub mode: &'a Mode,
     /// The states just before.
     pub states: &'a [f64],
+    /// What rounding has left out of the states: added to them, they are as exact as two doubles.
+    pub carry: &'a [f64],
     /// Values of the inputs.
     pub inputs: &'a [f64],
     /// All that happens at this instant.
     pub causes: &'a [Cause],
+    /// Scales of the groups of states so far.
+    pub scales: &'a [f64],
 }
 
 /// What ends a flow.
@@ -106,6 +137,10 @@ pub enum Cause {
     Scheduled(usize),
     /// The guard of that index crosses zero.
     Guard(usize),
+    /// The candidate of that index crosses zero.
+    Candidate(usize),
+    /// The time has come that an earlier jump asked to be woken at.
+    Wake,
 }
 
 /// How the motion goes on after a crossing.
@@ -119,4 +154,16 @@ pub struct Jump<Mode> {
     pub tags: Vec<String>,
     /// Whether the motion ends here.
     pub stop: bool,
+    /// Guards and candidates of the new mode that are zero now, whatever rounding has left of them, by name; each with
+    /// how many of its derivatives, itself included, vanish. Those that made the jump have at least one.
+    pub zeros: Vec<(String, usize)>,
+    /// A later time, s, at which the system is to be asked again.
+    pub wake: Option<f64>,
+}
+
+impl<Mode> Jump<Mode> {
+    /// A jump that changes nothing yet.
+    pub fn to(mode: Mode, states: Vec<f64>) -> Self {
+        Self { mode, states, tags: vec![], stop: false, zeros: vec![], wake: None }
+    }
 }

@@ -5,11 +5,13 @@
 
 mod accuracy;
 mod bernstein;
+mod candidates;
 mod check;
 mod compiled;
 mod engine;
 mod expansion;
 mod hybrid;
+mod invariants;
 mod order;
 mod polynomial;
 mod radius;
@@ -22,7 +24,9 @@ mod trajectory;
 mod work;
 
 pub use accuracy::{Accuracy, AccuracyError};
-pub use hybrid::{Cause, Crossing, Direction, Flow, Guard, Hybrid, Jump, ScaleGroup, StateVariable};
+pub use hybrid::{
+    Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, ScaleGroup, StateVariable,
+};
 pub use refusal::{Reason, Refusal};
 pub use solver::{Solver, Start, Stopped, solve};
 pub use trajectory::{Event, Piece, Side, Trajectory};

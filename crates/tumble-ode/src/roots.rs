@@ -11,6 +11,10 @@ use crate::polynomial;
 /// Parts of the interval below which roots are not told apart: a double root of a polynomial known to rounding is
 /// spread over about its square root.
 const CLUSTER: f64 = 1e-9;
+/// A polynomial that begins with less than this part of its terms at the far end has its beginning searched by itself, ...
+const SMALL: f64 = 1e-6;
+/// ... and that is this part of the interval.
+const BEGINNING: f64 = 1.0 / 1024.0;
 /// Newton steps; each that fails is a bisection, and sixty of these exhaust a double.
 const REFINEMENTS: usize = 120;
 
@@ -23,10 +27,36 @@ pub(crate) struct Root {
 }
 
 /// Roots in (0, length], in order, of a polynomial by its coefficients of powers. One at 0 is not counted.
+///
+/// Rounding is relative to the largest terms, which are those at the far end: where the polynomial is much smaller at
+/// its beginning, that is searched by itself.
 pub(crate) fn roots(powers: &[f64], length: f64) -> Vec<Root> {
     if keeps_away(powers, length) {
         return vec![];
     }
+    let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
+    let (first, near) = (powers[0].abs(), length * BEGINNING);
+    if first == 0.0 || first > SMALL * size || near < f64::MIN_POSITIVE {
+        return search(powers, length);
+    }
+    let mut found = roots(powers, near);
+    let rest = search(&shifted(powers, near), length - near);
+    found.extend(rest.into_iter().map(|root| Root { at: near + root.at, ..root }));
+    found
+}
+
+/// The polynomial from another point on.
+fn shifted(powers: &[f64], by: f64) -> Vec<f64> {
+    let mut p = powers.to_vec();
+    for first in 0..p.len() {
+        for k in (first..p.len() - 1).rev() {
+            p[k] += by * p[k + 1];
+        }
+    }
+    p
+}
+
+fn search(powers: &[f64], length: f64) -> Vec<Root> {
     let mut power = 1.0;
     let scaled: Vec<f64> = powers
         .iter()
@@ -173,6 +203,19 @@ mod tests {
         same(&crossings(&with_roots(1.0, &[0.0, 1.0]), 1.0), &[], 1e-15);
         same(&crossings(&with_roots(1.0, &[0.5, 1.0 - 1e-12]), 1.0), &[0.5, 1.0], 2e-12);
         same(&crossings(&with_roots(1.0, &[1e-14]), 1.0), &[1e-14], 1e-20);
+    }
+
+    /// A root far closer to the beginning than the rounding of the terms at the end.
+    #[test]
+    fn the_beginning_is_seen() {
+        for first in [1e-9, 1e-13, 1e-16, 1e-22, 1e-30] {
+            // first - 1e-7 s - 5 s^2 + s^20
+            let mut p = vec![0.0; 21];
+            (p[0], p[1], p[2], p[20]) = (first, -1e-7, -5.0, 1.0);
+            let inside: f64 = 1e-14 + 20.0 * first;
+            let expected = 2.0 * first / (1e-7 + inside.sqrt());
+            same(&crossings(&p, 1.0), &[expected], 1e-14 * expected);
+        }
     }
 
     #[test]

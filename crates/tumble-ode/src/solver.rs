@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use thiserror::Error;
 
-use crate::compiled::Compiled;
+use crate::compiled::{Compiled, beside};
 use crate::engine::{Engine, Hit};
+use crate::check::Verdict;
 use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::order::{order, reach};
@@ -18,6 +19,8 @@ use crate::{Accuracy, Reason, Refusal, Work};
 const BLIND_PART: f64 = 1.0 / 8.0;
 /// Steps longer than this part of the run are looked at closely, whatever the coefficients say.
 const CLOSE_LOOK_PART: f64 = 1.0 / 32.0;
+/// Steps shorter than this part of the run are not shortened for what drifts along them: it is projected out.
+const SHORT_PART: f64 = 1e-6;
 /// A rejected step is shortened at least to this part and at most to that.
 const SHRINK: (f64, f64) = (0.1, 0.8);
 /// Shorter than this many units in the last place of the time, a step is stuck.
@@ -40,6 +43,8 @@ pub struct Start<Mode> {
     pub states: Vec<f64>,
     /// Values of the inputs in the flows' order.
     pub inputs: Vec<f64>,
+    /// What happens at the very start, before any step.
+    pub causes: Vec<Cause>,
 }
 
 /// A motion that was refused, with what was found before.
@@ -86,6 +91,10 @@ pub struct Solver<'a, H: Hybrid> {
     known: HashMap<H::Mode, usize>,
     engines: Vec<Engine>,
     scales: Scales,
+    /// Times that jumps have asked to be woken at.
+    wakes: Vec<f64>,
+    /// What happens at the very start.
+    first_causes: Vec<Cause>,
     /// Events since time last passed.
     at_once: u64,
     /// Whether an event has ended the motion.
@@ -112,6 +121,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             known: HashMap::new(),
             engines: vec![],
             scales: Scales::new(&[]),
+            wakes: vec![],
+            first_causes: start.causes,
             at_once: 0,
             stopped: false,
             trajectory: Trajectory {
@@ -148,12 +159,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     fn try_advance(&mut self) -> Result<(), Reason> {
         let mode = self.current_mode()?;
-        let expansion = self.expand(mode)?;
-        let end =
-            self.engines[mode].system.next_scheduled(self.just_after()).unwrap_or(self.until).min(self.until);
-        let step = self.accepted_step(mode, &expansion, end)?;
+        let mut expansion = self.expand(mode)?;
+        let end = self.next_stop(mode);
+        let step = self.accepted_step(mode, &mut expansion, end)?;
         self.pass(mode, &step, &expansion)?;
-        self.accept(mode, &expansion, &step)?;
+        self.accept(mode, &mut expansion, &step)?;
         let (now, work) = ((self.time, self.states.as_slice()), &mut self.trajectory.work);
         let ends_flow = self.engines[mode].fired((&step.hits, &expansion, step.length), now, work);
         self.record(mode, expansion, &step);
@@ -169,13 +179,31 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 if !(self.until.is_finite() && self.span > 0.0) {
                     return Err(Reason::BadEnd { until: self.until });
                 }
-                self.enter(self.first_mode.clone(), self.states.clone(), &[])
+                let mode = self.enter(self.first_mode.clone(), self.states.clone(), &[])?;
+                let causes = std::mem::take(&mut self.first_causes);
+                if causes.is_empty() {
+                    return Ok(mode);
+                }
+                self.jump(mode, causes)?;
+                Ok(self.mode.unwrap_or(mode))
             }
         }
     }
 
-    /// Begins a mode; `fired` are the guards that led to it.
-    fn enter(&mut self, mode: H::Mode, states: Vec<f64>, fired: &[String]) -> Result<usize, Reason> {
+    /// The next time at which a step must end.
+    fn next_stop(&self, mode: usize) -> f64 {
+        let scheduled = self.engines[mode].system.next_scheduled(self.just_after());
+        let wake = self.wakes.iter().copied().reduce(f64::min);
+        [scheduled, wake].into_iter().flatten().fold(self.until, f64::min).max(self.time)
+    }
+
+    /// Begins a mode; `zeros` are the guards that are zero now, each with how many of its derivatives.
+    fn enter(
+        &mut self,
+        mode: H::Mode,
+        states: Vec<f64>,
+        zeros: &[(String, usize)],
+    ) -> Result<usize, Reason> {
         let index = match self.known.get(&mode) {
             Some(&index) => index,
             None => self.compile(mode)?,
@@ -188,16 +216,30 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
         self.scales.raise(&system.floors);
         self.scales.watch(system, &states);
-        engine.enter(self.time, &states, fired);
-        self.carry = vec![0.0; states.len()];
+        engine.enter(self.time, &states, zeros);
+        self.carry = self.carried(index, &states);
         self.states = states;
         self.mode = Some(index);
         Ok(index)
     }
 
+    /// What rounding left out of the states that are the same, to the bit, after a jump.
+    fn carried(&self, mode: usize, states: &[f64]) -> Vec<f64> {
+        let names = |mode: usize| &self.engines[mode].system.names;
+        match self.mode {
+            Some(before) if names(before) == names(mode) => {
+                let same = self.states.iter().zip(states).zip(&self.carry);
+                same.map(|((before, after), carry)| if before == after { *carry } else { 0.0 }).collect()
+            }
+            _ => vec![0.0; states.len()],
+        }
+    }
+
     fn compile(&mut self, mode: H::Mode) -> Result<usize, Reason> {
-        let system = Compiled::new(&self.system.flow(&mode)?, &self.inputs, self.span)?;
-        self.engines.push(Engine::new(system, self.trajectory.order, &self.inputs));
+        let flow = self.system.flow(&mode)?;
+        let system = Compiled::new(&flow, &self.inputs, self.span)?;
+        let beside = beside(&flow, &self.inputs, self.trajectory.order)?;
+        self.engines.push(Engine::new(system, beside, self.trajectory.order, &self.inputs));
         self.trajectory.modes.push(mode.clone());
         self.trajectory.work.modes += 1;
         self.known.insert(mode, self.engines.len() - 1);
@@ -213,21 +255,24 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// The longest step up to `end` that passes the check, cut where something happens.
-    fn accepted_step(&mut self, mode: usize, expansion: &Expansion, end: f64) -> Result<Step, Reason> {
+    fn accepted_step(&mut self, mode: usize, expansion: &mut Expansion, end: f64) -> Result<Step, Reason> {
         let exact = self.engines[mode].system.exact_degree.is_some();
-        let mut length = if exact { end - self.time } else { self.proposal(mode, expansion) };
+        let length = if exact { end - self.time } else { self.proposal(mode, expansion) };
+        let ahead = (self.reach, self.carry.as_slice());
+        let mut length = self.engines[mode].approach(expansion, length, ahead, &mut self.trajectory.work)?;
+        let expansion = &*expansion;
         loop {
-            let step = self.cut(mode, expansion, self.fit(expansion, length, end));
+            let step = self.cut(mode, expansion, length, end);
             if step.length == 0.0 && step.hits.is_empty() {
                 let state = self.engines[mode].narrowest(expansion, &self.scales);
                 return Err(Reason::Stalled { step: length, state });
             }
-            if exact || step.length == 0.0 {
-                self.trajectory.work.exact_steps += u64::from(exact);
+            if step.length == 0.0 {
                 return Ok(step);
             }
-            let verdict = self.check(mode, expansion, &step);
+            let verdict = self.verdict(mode, expansion, &step);
             if verdict.excess <= 1.0 {
+                self.trajectory.work.exact_steps += u64::from(exact);
                 return Ok(step);
             }
             self.trajectory.work.rejected += 1;
@@ -260,14 +305,35 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// Cuts a step where the first of the watched functions crosses zero.
-    fn cut(&self, mode: usize, expansion: &Expansion, step: Step) -> Step {
+    fn cut(&self, mode: usize, expansion: &Expansion, length: f64, end: f64) -> Step {
+        let step = self.fit(expansion, length, end);
         match self.engines[mode].first_hits(expansion, step.length) {
             None => step,
-            Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), step.end) },
+            // Up to what happens first the clock runs forwards; beyond, it need not, so the step is fitted anew.
+            Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), end) },
         }
     }
 
-    fn check(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> crate::check::Verdict {
+    /// Whether a step is good enough: its states, what it watches, and what it must keep.
+    fn verdict(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Verdict {
+        let exact = self.engines[mode].system.exact_degree.is_some();
+        let fine = Verdict { excess: 0.0, state: 0 };
+        let states = if exact { fine } else { self.check(mode, expansion, step) };
+        let Engine { system, candidates, invariants, .. } = &mut self.engines[mode];
+        let watched = candidates.excess(expansion, step.length, &self.scales, self.tolerance);
+        let mut verdict = states.or(Verdict { excess: watched, state: 0 });
+        if !invariants.is_empty() && step.end - self.time > self.span * SHORT_PART {
+            let end: Vec<f64> =
+                expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
+            let mut scales = self.scales.clone();
+            scales.watch(system, &end);
+            let drift = invariants.excess(step.end, &end, &scales);
+            verdict = verdict.or(Verdict { excess: drift, state: 0 });
+        }
+        verdict
+    }
+
+    fn check(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Verdict {
         let blind = step.end - self.time > self.span * CLOSE_LOOK_PART;
         let (scales, work) = (&self.scales, &mut self.trajectory.work);
         self.engines[mode].check(expansion, step.length, blind, (scales, self.tolerance), work)
@@ -295,7 +361,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// Moves the time and the states to the end of a step.
-    fn accept(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Result<(), Reason> {
+    fn accept(&mut self, mode: usize, expansion: &mut Expansion, step: &Step) -> Result<(), Reason> {
         if step.length == 0.0 {
             return Ok(());
         }
@@ -309,7 +375,17 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             self.carry[state] = change - (after - before);
             self.states[state] = after;
         }
-        self.scales.watch(&self.engines[mode].system, &self.states);
+        let Engine { system, candidates, invariants, .. } = &mut self.engines[mode];
+        candidates.moved(expansion, step.length, &self.states);
+        self.scales.watch(system, &self.states);
+        if !invariants.is_empty() {
+            let drifted = self.states.clone();
+            invariants.project(step.end, &mut self.states, system, &self.scales);
+            // The piece is to end where the next one begins.
+            for (state, series) in expansion.states.iter_mut().enumerate() {
+                series[1] += (self.states[state] - drifted[state]) / step.length;
+            }
+        }
         self.trajectory.work.steps += 1;
         self.time = step.end;
         Ok(())
@@ -334,7 +410,14 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let schedule = self.engines[mode].system.schedule.iter().enumerate();
         let due = schedule.filter(|(_, time)| at_end && self.time <= **time && **time <= latest);
         let scheduled = due.map(|(index, _)| Cause::Scheduled(index));
-        let causes: Vec<Cause> = scheduled.chain(guards.into_iter().map(Cause::Guard)).collect();
+        let waking = self.wakes.iter().any(|wake| *wake <= self.time).then_some(Cause::Wake);
+        let tape_guards = self.engines[mode].system.guards;
+        let crossed = guards.into_iter().map(|guard| match guard.checked_sub(tape_guards) {
+            None => Cause::Guard(guard),
+            Some(candidate) => Cause::Candidate(candidate),
+        });
+        let causes: Vec<Cause> = scheduled.chain(waking).chain(crossed).collect();
+        self.wakes.retain(|wake| *wake > self.time);
         if causes.is_empty() { Ok(()) } else { self.jump(mode, causes) }
     }
 
@@ -343,20 +426,24 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             time: self.time,
             mode: &self.trajectory.modes[mode],
             states: &self.states,
+            carry: &self.carry,
             inputs: &self.inputs,
             causes: &causes,
+            scales: self.scales.all(),
         })?;
-        let names = &self.engines[mode].system.guard_names;
-        let guard = |cause: &Cause| match cause {
-            Cause::Guard(guard) => Some(names[*guard].clone()),
-            Cause::Scheduled(_) => None,
+        let Compiled { guard_names, guards, .. } = &self.engines[mode].system;
+        let crossed = |cause: &Cause| match cause {
+            Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
+            Cause::Candidate(candidate) => Some((guard_names[guards + candidate].clone(), 1)),
+            Cause::Scheduled(_) | Cause::Wake => None,
         };
-        let fired: Vec<String> = causes.iter().filter_map(guard).collect();
+        let zeros: Vec<(String, usize)> = causes.iter().filter_map(crossed).chain(jump.zeros).collect();
+        self.wakes.extend(jump.wake);
         let before = self.states.clone();
         // An event that changes nothing does not disturb the sides that the motion is on.
         self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
-        let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &fired)? };
+        let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
         self.trajectory.events.push(Event {
             time: self.time,
             causes,

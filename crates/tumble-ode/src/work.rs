@@ -20,6 +20,8 @@ pub struct Work {
     pub knots: u64,
     /// Steps cut where a length, root or power is least.
     pub turns: u64,
+    /// Expansions of candidates that the motion might have reached within a step.
+    pub near: u64,
     /// Tapes built, one a mode.
     pub modes: u64,
 }

@@ -28,6 +28,7 @@ impl Hybrid for Toy {
             symbol: symbol(name),
             rate: if *mode == 0 { rate.clone() } else { rate + leaf("on") },
             group: 0,
+            per_clock: false,
         });
         Ok(Flow {
             states: states.collect(),
@@ -36,23 +37,21 @@ impl Hybrid for Toy {
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: self.schedule.clone(),
             guards: vec![],
+            candidates: vec![],
+            invariants: vec![],
             clock: self.clock.clone(),
         })
     }
 
     fn jump(&self, at: &Crossing<'_, i32>) -> Result<Jump<i32>, Reason> {
         let passed = at.causes.iter().filter(|cause| matches!(cause, Cause::Scheduled(_))).count() as i32;
-        Ok(Jump {
-            mode: (at.mode + passed) % 2,
-            states: at.states.to_vec(),
-            tags: vec![format!("{passed} passed")],
-            stop: false,
-        })
+        let tags = vec![format!("{passed} passed")];
+        Ok(Jump { tags, ..Jump::to((at.mode + passed) % 2, at.states.to_vec()) })
     }
 }
 
 fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory<i32>, Box<Stopped<i32>>> {
-    let start = Start { time: 0.0, mode: 0, states: start.to_vec(), inputs: vec![2.0, 1.0] };
+    let start = Start { time: 0.0, mode: 0, states: start.to_vec(), inputs: vec![2.0, 1.0], causes: vec![] };
     solve(toy, start, until, Accuracy::new(accuracy).expect("allowed")).map_err(Box::new)
 }
 

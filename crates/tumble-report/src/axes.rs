@@ -212,6 +212,16 @@ pub fn clipped(area: Rect, children: impl IntoIterator<Item = Element>) -> Eleme
     window.attr("viewBox", view).attr("overflow", "hidden").children(children)
 }
 
+impl crate::outline::Plane for Axes {
+    fn pixel(&self, point: [f64; 2]) -> [f64; 2] {
+        Axes::pixel(self, point)
+    }
+
+    fn density(&self) -> f64 {
+        self.x.density()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,5 +1,5 @@
 //! Figures of a mechanics laboratory, from plain data: curves, stroboscopic
-//! pictures, and the page that shows them.
+//! pictures, free-body diagrams, the gallery's page, and the report.
 //!
 //! Nothing here integrates or knows a law. Drawings are SVG written by
 //! [`svg`]; [`png`](mod@png) turns them into pictures with embedded fonts.
@@ -7,6 +7,7 @@
 pub mod axes;
 pub mod curves;
 pub mod font;
+pub mod free_body;
 pub mod heading;
 pub mod legend;
 pub mod numeral;
@@ -16,9 +17,11 @@ pub mod place;
 #[cfg(feature = "png")]
 pub mod png;
 pub mod rect;
+pub mod report;
 pub mod retrace;
 pub mod scale;
 pub mod scale_bar;
+pub mod scene_drawing;
 pub mod stroboscope;
 pub mod svg;
 pub mod symbol;
@@ -34,7 +37,9 @@ pub use outline::{Outline, Pose};
 pub use page::{Entry, Figure, IndexPage, Link};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
+pub use report::Report;
 pub use scale::Range;
+pub use scene_drawing::{SceneBody, SceneDrawing, SceneLink};
 pub use stroboscope::{Reference, Stroboscope};
 pub use svg::Svg;
 pub use text::Label;

@@ -1,6 +1,5 @@
 //! Outlines of bodies, and how a body in some pose is drawn.
 
-use crate::axes::Axes;
 use crate::scale::drawable;
 use crate::svg::{Element, PathData, circle, line};
 use crate::theme::{HAIRLINE, Rgb};
@@ -8,6 +7,8 @@ use crate::theme::{HAIRLINE, Rgb};
 /// Thickness of a rod as a part of its length, and at least in pixels.
 const ROD_THICKNESS: f64 = 0.025;
 const THINNEST_ROD: f64 = 3.0;
+/// Rods drawn very long look like beams beyond this, in pixels.
+const THICKEST_ROD: f64 = 9.0;
 /// Thickness of outlines in pixels.
 const OUTLINE: f64 = 1.3;
 /// Radius of a body without size, in pixels.
@@ -72,6 +73,15 @@ impl Pose {
     }
 }
 
+/// A map from the plane of motion to the page that keeps shapes.
+pub trait Plane {
+    /// Pixels `[x, y]` (y down) of a world point in metres.
+    fn pixel(&self, point: [f64; 2]) -> [f64; 2];
+
+    /// Pixels per metre.
+    fn density(&self) -> f64;
+}
+
 /// How a body is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pen {
@@ -118,13 +128,13 @@ impl Outline {
     }
 
     /// The outline on the page.
-    pub fn draw(&self, pose: &Pose, axes: &Axes, pen: Pen) -> Vec<Element> {
-        let pixel = |p: &[f64; 2]| axes.pixel(pose.world(*p));
+    pub fn draw(&self, pose: &Pose, plane: &impl Plane, pen: Pen) -> Vec<Element> {
+        let pixel = |p: &[f64; 2]| plane.pixel(pose.world(*p));
         match self {
             Outline::Segment { from, to } => draw_rod(pixel(from), pixel(to), pen),
             Outline::Circle { centre, radius } => {
                 let rim = pixel(&[centre[0] + radius, centre[1]]);
-                draw_ball(pixel(centre), rim, radius * axes.x.density(), pen)
+                draw_ball(pixel(centre), rim, radius * plane.density(), pen)
             }
             Outline::Polygon(corners) => {
                 let corners: Vec<_> = corners.iter().map(pixel).collect();
@@ -145,11 +155,16 @@ fn outlined(element: Element, pen: Pen) -> Element {
     element.attr("stroke", pen.colour).attr("stroke-width", OUTLINE)
 }
 
+/// Thickness of a rod `length` pixels long.
+pub(crate) fn rod_thickness(length: f64) -> f64 {
+    (ROD_THICKNESS * length).clamp(THINNEST_ROD, THICKEST_ROD).min(length)
+}
+
 /// A bar with round ends that is just as long as the rod.
 fn draw_rod(a: [f64; 2], b: [f64; 2], pen: Pen) -> Vec<Element> {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
-    let thickness = (ROD_THICKNESS * length).max(THINNEST_ROD).min(length);
+    let thickness = rod_thickness(length);
     let inset = [dx, dy].map(|d| d / length * thickness / 2.0);
     let ends = ([a[0] + inset[0], a[1] + inset[1]], [b[0] - inset[0], b[1] - inset[1]]);
     let bar = |colour: Rgb, width: f64| {

@@ -24,10 +24,12 @@ const RINGS: usize = 6;
 /// Distance between rings in pixels.
 const RING_STEP: f64 = 9.0;
 /// Room kept between a label and anything else, in pixels.
-const CLEARANCE: f64 = 3.0;
+pub const CLEARANCE: f64 = 3.0;
 
 /// What a line under a label costs, compared with a pixel of overlap with another label.
 const LINE_COST: f64 = 60.0;
+/// What lying on a face costs.
+const FACE_COST: f64 = 5.0;
 /// What being nearer to something else than to its own anchor costs.
 const RIVAL_COST: f64 = 150.0;
 /// What one further ring costs.
@@ -42,12 +44,13 @@ pub struct Occupancy {
     boxes: Vec<Rect>,
     lines: Vec<Vec<[f64; 2]>>,
     anchors: Vec<[f64; 2]>,
+    faces: Vec<Vec<[f64; 2]>>,
 }
 
 impl Occupancy {
     /// Nothing drawn yet; labels must stay in `area`.
     pub fn new(area: Rect) -> Self {
-        Self { area, boxes: Vec::new(), lines: Vec::new(), anchors: Vec::new() }
+        Self { area, boxes: Vec::new(), lines: Vec::new(), anchors: Vec::new(), faces: Vec::new() }
     }
 
     /// Marks a rectangle as taken.
@@ -65,9 +68,34 @@ impl Occupancy {
         self.anchors.push(anchor);
     }
 
+    /// Marks the inside of a closed outline as taken; its rim is a line of its own.
+    pub fn add_face(&mut self, corners: Vec<[f64; 2]>) {
+        self.faces.push(corners);
+    }
+
     /// Whether nothing drawn so far touches the rectangle.
     pub fn is_free(&self, place: &Rect) -> bool {
         self.boxes.iter().all(|taken| taken.overlap(place) == 0.0) && self.crossings(place) == 0
+    }
+
+    /// Whether a line or a point runs through the rectangle.
+    pub fn is_crossed(&self, place: &Rect) -> bool {
+        self.crossings(place) > 0
+    }
+
+    /// Line pieces that the straight line from `a` to `b` crosses.
+    pub fn crossed_by(&self, a: [f64; 2], b: [f64; 2]) -> usize {
+        let pieces = self.lines.iter().flat_map(|line| line.windows(2));
+        pieces.filter(|w| lines_cross([a, b], [w[0], w[1]])).count()
+    }
+
+    /// What it costs to draw over the rectangle: pixels of overlap with
+    /// boxes, and as many as seem fair for lines, faces and leaving the area.
+    pub fn burden(&self, place: &Rect) -> f64 {
+        let overlap: f64 = self.boxes.iter().map(|taken| taken.overlap(place)).sum();
+        let outside = if self.area.encloses(place) { 0.0 } else { OUTSIDE_COST };
+        let faces = self.faces.iter().filter(|face| covers(face, place)).count();
+        outside + overlap + LINE_COST * self.crossings(place) as f64 + FACE_COST * faces as f64
     }
 
     /// Line pieces that meet the rectangle.
@@ -81,11 +109,7 @@ impl Occupancy {
     fn cost(&self, place: &Rect, anchor: [f64; 2]) -> f64 {
         let own = place.distance(anchor);
         let rivals = self.anchors.iter().filter(|rival| place.distance(**rival) < own).count();
-        let place = place.grown(CLEARANCE);
-        let overlap: f64 = self.boxes.iter().map(|taken| taken.overlap(&place)).sum();
-        let outside = if self.area.encloses(&place) { 0.0 } else { OUTSIDE_COST };
-        let lines = LINE_COST * self.crossings(&place) as f64;
-        outside + overlap + lines + RIVAL_COST * rivals as f64
+        self.burden(&place.grown(CLEARANCE)) + RIVAL_COST * rivals as f64
     }
 
     /// The best place for a label of the given size near `anchor`, at least
@@ -107,8 +131,31 @@ impl Occupancy {
     }
 }
 
+/// Whether the middle or a corner of the rectangle lies in the closed outline.
+fn covers(face: &[[f64; 2]], place: &Rect) -> bool {
+    let [right, bottom] = [place.right(), place.bottom()];
+    let corners = [[place.x, place.y], [right, place.y], [place.x, bottom], [right, bottom], place.centre()];
+    corners.iter().any(|p| is_inside(face, *p))
+}
+
+/// Whether a point lies in a closed outline: a ray to the right leaves it an odd number of times.
+fn is_inside(face: &[[f64; 2]], p: [f64; 2]) -> bool {
+    let edges = face.iter().zip(face.iter().cycle().skip(1));
+    let crosses = |(a, b): &(&[f64; 2], &[f64; 2])| {
+        (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    };
+    edges.filter(crosses).count() % 2 == 1
+}
+
+/// Whether two pieces of straight lines cross.
+pub fn lines_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let side =
+        |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
 /// A rectangle whose nearest point lies `reach` from the anchor in `direction`.
-fn beside(anchor: [f64; 2], direction: [f64; 2], reach: f64, width: f64, height: f64) -> Rect {
+pub fn beside(anchor: [f64; 2], direction: [f64; 2], reach: f64, width: f64, height: f64) -> Rect {
     let reach = reach / direction[0].hypot(direction[1]);
     let x = anchor[0] + direction[0] * (reach + width / 2.0);
     let y = anchor[1] + direction[1] * (reach + height / 2.0);
@@ -130,6 +177,16 @@ mod tests {
         for (i, a) in places.iter().enumerate() {
             assert!(places[..i].iter().all(|b| a.overlap(b) == 0.0));
         }
+    }
+
+    #[test]
+    fn faces_cost_even_where_no_line_is_met() {
+        let mut page = page();
+        page.add_face(vec![[0.0, 0.0], [100.0, 0.0], [100.0, 100.0], [0.0, 100.0]]);
+        assert_eq!(page.burden(&Rect::new(40.0, 40.0, 10.0, 10.0)), FACE_COST);
+        assert_eq!(page.burden(&Rect::new(120.0, 40.0, 10.0, 10.0)), 0.0);
+        assert!(lines_cross([[0.0, 0.0], [2.0, 2.0]], [[0.0, 2.0], [2.0, 0.0]]));
+        assert!(!lines_cross([[0.0, 0.0], [1.0, 1.0]], [[3.0, 2.0], [2.0, 3.0]]));
     }
 
     #[test]

@@ -82,6 +82,17 @@ impl Rect {
 
     /// Whether the straight line from `a` to `b` meets the rectangle.
     pub fn meets_line(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        self.parameters_inside(a, b).is_some()
+    }
+
+    /// The part of the straight line from `a` to `b` that lies inside.
+    pub fn clipped_line(&self, a: [f64; 2], b: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+        let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+        self.parameters_inside(a, b).map(|(from, to)| [at(from), at(to)])
+    }
+
+    /// Parameters, 0 at `a` and 1 at `b`, between which the line is inside.
+    fn parameters_inside(&self, a: [f64; 2], b: [f64; 2]) -> Option<(f64, f64)> {
         let spans = [(a[0], b[0] - a[0], self.x, self.right()), (a[1], b[1] - a[1], self.y, self.bottom())];
         let inside = |(from, to): (f64, f64), (start, delta, low, high): (f64, f64, f64, f64)| {
             if delta == 0.0 {
@@ -90,8 +101,7 @@ impl Rect {
             let (s, t) = ((low - start) / delta, (high - start) / delta);
             (from.max(s.min(t)), to.min(s.max(t)))
         };
-        let (from, to) = spans.into_iter().fold((0.0, 1.0), inside);
-        from <= to
+        Some(spans.into_iter().fold((0.0, 1.0), inside)).filter(|(from, to)| from <= to)
     }
 }
 
@@ -115,6 +125,7 @@ mod tests {
         assert!(!r.meets_line([-1.0, 1.0], [1.0, 3.0]));
         assert!(!r.meets_line([-1.0, 2.0], [3.0, 2.0]));
         assert!(r.meets_line([1.0, 0.5], [1.0, 0.5]));
+        assert_eq!(r.clipped_line([-1.0, 0.5], [3.0, 0.5]), Some([[0.0, 0.5], [2.0, 0.5]]));
     }
 
     #[test]

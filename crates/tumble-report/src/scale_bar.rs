@@ -14,23 +14,54 @@ const LONGEST: f64 = 150.0;
 const END: f64 = 4.0;
 /// Lengths beyond this power of ten are not written out.
 const LARGEST_EXPONENT: f64 = 300.0;
+/// Powers of ten that are written out; others get a factor.
+const WRITTEN_OUT: std::ops::Range<i32> = -4..7;
 /// Thickness of the bar.
 const THICKNESS: f64 = 1.4;
 
 /// A bar of round length whose right end is at `right_end` (`[x, y]`, pixels),
 /// for `density` pixels per unit.
 pub fn draw(right_end: [f64; 2], density: f64, unit: &str) -> Element {
-    let (mantissa, exponent) = round_length(LONGEST / density);
-    let length = mantissa as f64 * 10f64.powi(exponent) * density;
+    let bar = Bar::new(LONGEST, density, unit);
     let [right, y] = [right_end[0], right_end[1] + END];
-    let left = right - length;
-    let mut path = PathData::polyline(&[[left, y], [right, y]]);
-    path.add_polyline(&[[left, y - END], [left, y + END]]);
-    path.add_polyline(&[[right, y - END], [right, y + END]]);
-    let bar = path.stroke().attr("stroke", INK).attr("stroke-width", THICKNESS);
-    let label = Label::quantity(&round_decimal(mantissa, exponent), unit);
-    let at = [left + length / 2.0, y + END + SMALL];
-    Element::new("g").child(bar).child(PlacedText::new(&label, at, SMALL, Anchor::Middle).element())
+    let left = right - bar.length;
+    let at = [left + bar.length / 2.0, y + END + SMALL];
+    let label = PlacedText::new(&bar.label, at, SMALL, Anchor::Middle).element();
+    Element::new("g").child(bar.draw([left, y])).child(label)
+}
+
+/// A bar of round length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// Its length in pixels.
+    pub length: f64,
+    /// What it stands for, with the unit.
+    pub label: Label,
+}
+
+impl Bar {
+    /// The longest bar of at most `longest` pixels that stands for 1, 2 or 5
+    /// times a power of ten, for `density` pixels per unit.
+    pub fn new(longest: f64, density: f64, unit: &str) -> Self {
+        let (mantissa, exponent) = round_length(longest / density);
+        let length = mantissa as f64 * 10f64.powi(exponent) * density;
+        let label = if WRITTEN_OUT.contains(&exponent) {
+            Label::quantity(&round_decimal(mantissa, exponent), unit)
+        } else {
+            let number = Label::plain(&mantissa.to_string()).then(Label::power_of_ten(exponent));
+            number.then(Label::plain("\u{a0}")).then(Label::unit(unit))
+        };
+        Self { length, label }
+    }
+
+    /// The bar without its label, from `left` (`[x, y]`, pixels) to the right.
+    pub fn draw(&self, [left, y]: [f64; 2]) -> Element {
+        let right = left + self.length;
+        let mut path = PathData::polyline(&[[left, y], [right, y]]);
+        path.add_polyline(&[[left, y - END], [left, y + END]]);
+        path.add_polyline(&[[right, y - END], [right, y + END]]);
+        path.stroke().attr("stroke", INK).attr("stroke-width", THICKNESS)
+    }
 }
 
 /// The longest of 1, 2, 5 times a power of ten that is at most `longest`.

@@ -3,6 +3,7 @@
 
 use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
+use crate::free_body::Surface;
 use crate::heading::Heading;
 use crate::legend::Legend;
 use crate::outline::{Pen, Pose};
@@ -65,6 +66,8 @@ pub struct Stroboscope {
     pub tracks: Vec<Track>,
     /// Height of level ground in metres, drawn hatched.
     pub ground: Option<f64>,
+    /// Half-planes of material, drawn hatched below the bodies.
+    pub surfaces: Vec<Surface>,
     /// Axes or scale bar.
     pub reference: Reference,
     /// Fading or numbers.

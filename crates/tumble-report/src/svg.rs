@@ -22,6 +22,8 @@ pub struct Svg {
     pub height: f64,
     /// Plain-text title, read by screen readers and shown as a tooltip.
     pub title: String,
+    /// What the drawing shows, for those who cannot see it; may be empty.
+    pub description: String,
     /// Elements in drawing order, first at the back.
     pub children: Vec<Element>,
 }
@@ -29,7 +31,13 @@ pub struct Svg {
 impl Svg {
     /// An empty drawing of the given size with a plain-text title.
     pub fn new(width: f64, height: f64, title: impl Into<String>) -> Self {
-        Self { width, height, title: title.into(), children: Vec::new() }
+        Self { width, height, title: title.into(), description: String::new(), children: Vec::new() }
+    }
+
+    /// The same drawing with a description in plain text.
+    pub fn described(mut self, description: impl Into<String>) -> Self {
+        self.description = description.into();
+        self
     }
 
     /// Puts an element in front of those already there.
@@ -47,7 +55,9 @@ impl Svg {
             .attr("role", "img")
             .attr("font-family", crate::font::FAMILY)
             .child(Element::new("title").text(&self.title));
-        root.children(self.children.iter().cloned())
+        let description =
+            (!self.description.is_empty()).then(|| Element::new("desc").text(&self.description));
+        root.children(description).children(self.children.iter().cloned())
     }
 }
 

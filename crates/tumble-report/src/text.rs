@@ -43,7 +43,7 @@ impl Level {
 }
 
 /// A stretch of text in one style.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
     /// The characters, unescaped.
     pub text: String,
@@ -54,7 +54,7 @@ pub struct Run {
 }
 
 /// One line of styled text.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Label {
     /// The runs from left to right.
     pub runs: Vec<Run>,

@@ -63,6 +63,43 @@ impl LineStyle {
     }
 }
 
+/// Colour, dashes and thickness of an arrow's shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArrowStyle {
+    /// Colour of shaft and head.
+    pub colour: Rgb,
+    /// `stroke-dasharray`; empty for a full line.
+    pub dashes: &'static str,
+    /// Thickness of the shaft in pixels.
+    pub thickness: f64,
+}
+
+impl ArrowStyle {
+    const fn new(colour: Rgb, dashes: &'static str, thickness: f64) -> Self {
+        Self { colour, dashes, thickness }
+    }
+}
+
+/// Weight. Arrows take Okabe and Ito's colours in darker tones, so that thin
+/// shafts and labels are legible on white; line styles differ as well.
+pub const WEIGHT: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x5f, 0x9e), "", 2.2);
+/// Forces of surfaces.
+pub const CONTACT: ArrowStyle = ArrowStyle::new(Rgb(0xc4, 0x4a, 0x00), "", 3.0);
+/// Forces of the air.
+pub const AIR: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x7d, 0x5b), "6 2.5", 2.2);
+/// Forces that somebody applies.
+pub const APPLIED: ArrowStyle = ArrowStyle::new(Rgb(0x9c, 0x3f, 0x78), "11 2.5", 2.6);
+/// Forces of springs.
+pub const SPRING: ArrowStyle = ArrowStyle::new(Rgb(0x8f, 0x62, 0x00), "2.5 2", 2.6);
+/// Forces of pivots and other supports.
+pub const REACTION: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 2.2);
+/// Sums of forces.
+pub const RESULTANT: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 1.3);
+/// Velocities.
+pub const MOTION: ArrowStyle = ArrowStyle::new(Rgb(0x5a, 0x5a, 0x5a), "", 1.2);
+/// Bodies under forces: paler than any arrow.
+pub const BODY: Rgb = Rgb(0x8d, 0x97, 0xa3);
+
 /// Size of tick labels and legends.
 pub const SMALL: f64 = 15.0;
 /// Size of axis labels.

@@ -1,43 +1,10 @@
 //! The kinds of mistakes a scene can have.
 
-use std::fmt;
-
 use tumble_expr::language;
 
-macro_rules! codes {
-    ($($(#[doc = $doc:literal])+ $name:ident = $code:literal;)*) => {
-        /// The kind of a mistake; prints as a short code that never changes its meaning.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Code {
-            /// A mistake within a formula.
-            Formula(language::Code),
-            $($(#[doc = $doc])+ $name,)*
-        }
-
-        impl Code {
-            /// Every code of the structure of scenes, in order; those of formulas have their own list.
-            pub const ALL: &[Self] = &[$(Self::$name),*];
-
-            /// The stable code, such as `E0510`.
-            pub fn as_str(self) -> &'static str {
-                match self {
-                    Self::Formula(code) => code.as_str(),
-                    $(Self::$name => $code,)*
-                }
-            }
-
-            /// One sentence on what the code stands for.
-            pub fn summary(self) -> &'static str {
-                match self {
-                    Self::Formula(code) => code.summary(),
-                    $(Self::$name => concat!($($doc),+).trim_ascii(),)*
-                }
-            }
-        }
-    };
-}
-
-codes! {
+tumble_expr::codes! {
+    /// The kind of a mistake; prints as a short code that never changes its meaning.
+    enum Code with Formula(language::Code);
     /// The file is not written in TOML.
     Toml = "E0501";
     /// A key that is given twice.
@@ -106,6 +73,8 @@ codes! {
     PointTurned = "E0536";
     /// A start that does not fit the body.
     Start = "E0537";
+    /// A body that starts inside a surface.
+    Inside = "E0539";
     /// The model is not in order.
     Model = "E0538";
     /// The setting of a parameter that does not exist.
@@ -126,18 +95,6 @@ codes! {
     ColumnUnit = "E0554";
     /// A cell that is not a number in its place.
     Cell = "E0555";
-}
-
-impl fmt::Display for Code {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
-impl From<language::Code> for Code {
-    fn from(code: language::Code) -> Self {
-        Self::Formula(code)
-    }
 }
 
 #[cfg(test)]

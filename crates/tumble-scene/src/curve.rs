@@ -10,7 +10,7 @@ use crate::study::{Curve, Quantity};
 
 /// A formula that may hold every name of the scene.
 pub(crate) fn read(draft: &mut Draft, field: &Field) -> Option<Curve> {
-    let want = Want::any().at(Level::Output);
+    let want = Want { moments: true, ..Want::any().at(Level::Output) };
     let formula = draft.number(field, want)?;
     let text = draft.text(field, want)?.text;
     let parsed = language::parse(&text).ok();

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{Check, Plot, Stroboscope, Study, SweepAxis};
+use crate::study::{Check, FreeBody, Plot, Stroboscope, Study, SweepAxis};
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -22,6 +22,8 @@ pub(crate) struct Draft {
     pub(crate) names: Names,
     /// Where things stand that only numbers can prove wrong, by what messages call them.
     pub(crate) places: BTreeMap<String, Span>,
+    /// Where each figure is named, which is the name of a file.
+    pub(crate) figures: BTreeMap<String, Span>,
     pub(crate) title: String,
     pub(crate) horizontal: bool,
     pub(crate) model: Model,
@@ -30,6 +32,7 @@ pub(crate) struct Draft {
     pub(crate) output_every: Option<Expr>,
     pub(crate) plots: Vec<Plot>,
     pub(crate) stroboscopes: Vec<Stroboscope>,
+    pub(crate) free_bodies: Vec<FreeBody>,
     pub(crate) checks: Vec<Check>,
     pub(crate) symbols: BTreeMap<String, String>,
     pub(crate) sweep: Vec<SweepAxis>,
@@ -64,6 +67,7 @@ impl Draft {
                 output_every: self.output_every,
                 plots: self.plots,
                 stroboscopes: self.stroboscopes,
+                free_bodies: self.free_bodies,
                 checks: self.checks,
                 symbols: self.symbols,
                 sweep: self.sweep,

@@ -8,6 +8,7 @@ use tumble_mech::place_symbols;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label, Span};
+use crate::moments;
 use crate::names::{Level, Names};
 
 /// Where the text of a formula stands in a source.
@@ -35,6 +36,16 @@ impl Origin {
     /// The place of a text that ends a setting on the command line.
     pub(crate) fn of_setting(source: usize, start: usize, length: usize) -> Self {
         Self { source, span: start..start + length, start: Some(start) }
+    }
+
+    /// The same place for a text that is not the file's own: whatever is wrong in it, the whole value is underlined.
+    pub(crate) fn without_parts(&self) -> Self {
+        Self { start: None, ..self.clone() }
+    }
+
+    /// The whole value.
+    pub(crate) fn whole(&self) -> Span {
+        self.span.clone()
     }
 
     /// The place of a part of the text.
@@ -69,12 +80,20 @@ pub(crate) struct Want {
     pub(crate) level: Level,
     /// Whether `x` and `y` are the coordinates of a place in it.
     pub(crate) field: bool,
+    /// Whether it may hold times that only the run knows.
+    pub(crate) moments: bool,
 }
 
 impl Want {
     /// A constant of this dimension.
     pub(crate) fn constant(dimension: Dimension) -> Self {
-        Self { dimension: Some(dimension), angle: false, level: Level::Constant, field: false }
+        Self {
+            dimension: Some(dimension),
+            angle: false,
+            level: Level::Constant,
+            field: false,
+            moments: false,
+        }
     }
 
     /// A constant of any dimension.
@@ -98,9 +117,11 @@ impl Want {
     }
 
     /// What is known in this formula only.
-    fn own_names(&self) -> Vec<(Arc<str>, Value)> {
+    fn own_names(&self, names: &Names, formula: &Formula) -> Vec<(Arc<str>, Value)> {
         let symbols = self.field.then(place_symbols).into_iter().flatten();
-        symbols.map(|symbol| (symbol.name.clone(), Expr::from(symbol).into())).collect()
+        let places = symbols.map(|symbol| (symbol.name.clone(), Expr::from(symbol).into()));
+        let moments = if self.moments { moments::symbols(names, formula) } else { vec![] };
+        places.chain(moments).collect()
     }
 
     /// An example of what is wanted: `1 kg`.
@@ -149,18 +170,19 @@ const UNITS: &[(Dimension, bool, &str)] = &[
 /// Reads a text as a formula.
 pub(crate) fn parse(names: &Names, text: &Text) -> Result<Formula, Vec<Diagnostic>> {
     let origin = &text.origin;
-    language::parse(&text.text).map_err(|errors| translate(names, origin, Level::Output, errors))
+    let anything = Want::any().at(Level::Output);
+    language::parse(&text.text).map_err(|errors| translate(names, origin, anything, errors))
 }
 
 /// The value of a text as a formula.
 pub(crate) fn number(names: &Names, text: &Text, want: Want) -> Result<Expr, Vec<Diagnostic>> {
     let formula = parse(names, text)?;
-    let complain = |errors| translate(names, &text.origin, want.level, errors);
+    let complain = |errors| translate(names, &text.origin, want, errors);
     if want.angle {
         formula.demand_angle_unit().map_err(|error| complain(vec![error]))?;
     }
     let scope = names.scope(want.level);
-    let value = formula.check_with(scope, &want.own_names()).map_err(complain)?;
+    let value = formula.check_with(scope, &want.own_names(names, &formula)).map_err(complain)?;
     match want.dimension {
         Some(dimension) => formula.number(value, dimension).map_err(|errors| {
             complain(errors).into_iter().map(|d| with_key(d, text, &formula, want)).collect()
@@ -198,17 +220,17 @@ fn with_key(diagnostic: Diagnostic, text: &Text, formula: &Formula, want: Want) 
 pub(crate) fn translate(
     names: &Names,
     origin: &Origin,
-    level: Level,
+    want: Want,
     errors: Vec<FormulaError>,
 ) -> Vec<Diagnostic> {
-    let translator = Translator { names, origin, level };
+    let translator = Translator { names, origin, want };
     errors.into_iter().filter_map(|error| translator.one(error)).collect()
 }
 
 struct Translator<'n> {
     names: &'n Names,
     origin: &'n Origin,
-    level: Level,
+    want: Want,
 }
 
 impl Translator<'_> {
@@ -250,26 +272,19 @@ impl Translator<'_> {
         if self.names.is_broken(name) {
             return None;
         }
-        let stem = name.split(['[', '.']).next().unwrap_or(name);
-        if self.names.events.iter().any(|event| event == stem) {
-            return Some(event_in_formula(stem, mistake));
+        let span = mistake.labels.first().map_or(0..0, |label| label.span.clone());
+        if let Some(of_moment) = moments::explain(self.names, name, self.want.moments, &span) {
+            return Some(Diagnostic { source: mistake.source, ..of_moment });
         }
+        let level = self.want.level;
         let exists = self.names.scope(Level::Output).value(name).is_some() || !name.contains('.');
         match self.names.level_of(name) {
-            Some(needed) if needed > self.level && (exists || self.level < Level::Motion) => {
-                Some(misplaced(name, self.level, mistake))
+            Some(needed) if needed > level && (exists || level < Level::Motion) => {
+                Some(misplaced(name, level, mistake))
             }
             _ => Some(mistake),
         }
     }
-}
-
-fn event_in_formula(event: &str, mut mistake: Diagnostic) -> Diagnostic {
-    (mistake.code, mistake.message) = (Code::EventInFormula, format!("`{event}` is an event, not a value"));
-    let help = format!(
-        "an event stands alone, as in `during = [\"{event}\", \"10 s\"]` or in a check `at = \"{event}\"`"
-    );
-    mistake.label("an event").help(help)
 }
 
 fn misplaced(name: &str, level: Level, mut mistake: Diagnostic) -> Diagnostic {

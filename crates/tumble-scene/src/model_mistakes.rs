@@ -66,6 +66,12 @@ fn diagnose(draft: &Draft, error: &ModelError) -> Diagnostic {
         ModelError::Start { body, .. } => {
             place.at(Code::Start, &format!("start of `{body}`"), error).label("does not fit the body")
         }
+        ModelError::Restitution { what, .. } => place.at(Code::Value, what, error).label("from 0 to 1"),
+        ModelError::Inside { body, depth, .. } => place
+            .at(Code::Inside, &format!("start of `{body}`"), error)
+            .label("inside the surface")
+            .help(format!("start it {depth} m farther out, or a little more")),
+        ModelError::CorneredPath { what } => place.at(Code::Model, what, error),
         ModelError::Type { what, .. } | ModelError::Compile { what, .. } => {
             place.at(Code::Model, what, error)
         }

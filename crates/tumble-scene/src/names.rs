@@ -39,6 +39,10 @@ pub(crate) struct Names {
     pub(crate) bodies: Vec<String>,
     /// The names of all events, likewise.
     pub(crate) events: Vec<String>,
+    /// The names of all surfaces, likewise.
+    pub(crate) surfaces: Vec<String>,
+    /// What may touch what: `floor`, `floor.rod` and `floor.rod.tip`.
+    pub(crate) touching: BTreeSet<String>,
     /// Names whose definition has a mistake that has been reported: what uses them is not to blame.
     broken: BTreeSet<String>,
     /// Where the bodies of the functions stand.
@@ -71,15 +75,6 @@ impl Names {
         }
     }
 
-    /// The event of a name with its count, such as `apex[2]`, if it is spelled like one.
-    pub(crate) fn event_of<'n>(&self, text: &'n str) -> Option<(&'n str, &'n str)> {
-        let (name, count) = match text.trim().split_once('[') {
-            Some((name, rest)) => (name, rest.strip_suffix(']')?),
-            None => (text.trim(), "1"),
-        };
-        self.events.iter().any(|event| event == name).then_some((name, count))
-    }
-
     /// Marks a name whose definition has a mistake.
     pub(crate) fn break_name(&mut self, name: &str) {
         self.broken.insert(name.to_owned());
@@ -95,10 +90,13 @@ impl Names {
     pub(crate) fn level_of(&self, name: &str) -> Option<Level> {
         let last = name.rsplit('.').next().unwrap_or(name);
         let of_body = name.contains('.') && self.bodies.iter().any(|body| body == first_word(name));
+        let of_surface = self.surfaces.iter().any(|surface| surface == first_word(name));
         match name {
             "t" => Some(Level::Time),
             _ if of_body && ACCELERATIONS.contains(&last) => Some(Level::Output),
             _ if of_body => Some(Level::Motion),
+            _ if of_surface && last == "normal" => Some(Level::Output),
+            _ if of_surface && last == "gap" => Some(Level::Motion),
             _ => None,
         }
     }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use tumble_expr::Symbol;
 use tumble_expr::language::Value;
-use tumble_mech::{Body, Gravity, time};
+use tumble_expr::{Expr, Symbol};
+use tumble_mech::{Body, Gravity, Model, time};
 
 use crate::curve::quantity;
 use crate::names::{Level, Names};
@@ -46,6 +46,25 @@ fn define_points(names: &mut Names, body: &Body) {
             let level = if quantity.starts_with('a') { Level::Output } else { Level::Motion };
             names.define(level, &format!("{}.{point}.{quantity}", body.name), &formula);
         }
+    }
+}
+
+/// Gives what may touch its names: `floor.rod.tip.gap`, `.normal`, and `floor.normal` for all forces together.
+pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
+    let pairs = model.pairs();
+    for surface in &model.surfaces {
+        let of_surface = || pairs.iter().filter(|pair| pair.name.starts_with(&format!("{}.", surface.name)));
+        for pair in of_surface() {
+            let body = pair.name.rsplit_once('.').map_or("", |(body, _)| body);
+            names.touching.extend([pair.name.clone(), body.to_owned()]);
+            names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
+            names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
+        }
+        let forces = of_surface().map(|pair| pair.force_symbol().into());
+        if let Some(all) = forces.reduce(|sum: Expr, force: Expr| sum + force) {
+            names.define(Level::Output, &format!("{}.normal", surface.name), &all);
+        }
+        names.touching.insert(surface.name.clone());
     }
 }
 

@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::{self, Origin, Text, Want};
+use crate::names::fit_file;
 use crate::suggest;
 
 /// Reading of values. `None` means that a mistake has been noted.
@@ -49,6 +50,17 @@ impl Draft {
         self.noted(claimed);
         self.remember(format!("`{}`", field.key), &field.key_span);
         field.key.to_owned()
+    }
+
+    /// The name of a figure, which no other figure has, of whatever kind: it is the name of a file.
+    pub(crate) fn figure_name(&mut self, field: &Field) {
+        self.noted(fit_file(field));
+        if let Some(first) = self.figures.insert(field.key.to_owned(), field.key_span.clone()) {
+            let message = format!("two figures have the name `{}`", field.key);
+            let mistake = Diagnostic::new(Code::NameTaken, field.key_span.clone(), message);
+            let mistake = mistake.label("this name is taken").also(first, "the first figure");
+            self.note(mistake.help("figures become files: give each its own name"));
+        }
     }
 
     /// A constant that must be given.

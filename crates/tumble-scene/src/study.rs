@@ -25,6 +25,8 @@ pub struct Study {
     pub plots: Vec<Plot>,
     /// Stroboscopic pictures.
     pub stroboscopes: Vec<Stroboscope>,
+    /// Free-body diagrams.
+    pub free_bodies: Vec<FreeBody>,
     /// What must hold.
     pub checks: Vec<Check>,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
@@ -87,6 +89,8 @@ pub struct Plot {
     pub x: Option<Curve>,
     /// Vertical axis: one curve each, of one dimension.
     pub y: Vec<Curve>,
+    /// From when to when; `None` is the whole run.
+    pub during: Option<[Instant; 2]>,
 }
 
 /// One quantity of a figure, as the user wrote it.
@@ -113,18 +117,29 @@ pub struct Stroboscope {
     pub trace: bool,
 }
 
-/// When something is looked at.
+/// When something is looked at: a time, s, a formula of the parameters and of symbols that only the run knows.
+///
+/// Those are events, `apex[2]`, and starts and ends of contacts, `floor.contact[1].start`, `floor.rod.tip.contact[2].end`,
+/// each counted from 1.
 #[derive(Clone, Debug)]
-pub enum Instant {
-    /// A time, s.
-    Time(Expr),
-    /// The time at which an event happens, counted from 1: `apex[2]`.
-    Event {
-        /// Name of the event.
-        name: String,
-        /// Which of its occurrences, from 1.
-        count: usize,
-    },
+pub struct Instant {
+    /// As the user wrote it.
+    pub text: String,
+    /// The time.
+    pub time: Expr,
+}
+
+/// Free-body diagrams of one body at some instants, on one sheet.
+#[derive(Clone, Debug)]
+pub struct FreeBody {
+    /// Its name: the file's stem.
+    pub name: String,
+    /// One line above the sheet.
+    pub title: Option<String>,
+    /// Index of the body.
+    pub body: usize,
+    /// When, each with what stands above its diagram.
+    pub at: Vec<(Instant, String)>,
 }
 
 /// A claim about the motion at one time.

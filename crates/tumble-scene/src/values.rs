@@ -23,10 +23,15 @@ pub(crate) fn check(draft: &mut Draft) {
     for (what, every) in distances {
         check_distance(draft, &what, every, until);
     }
+    for sheet in draft.free_bodies.clone() {
+        for (at, _) in &sheet.at {
+            check_time(draft, &format!("free body `{}`", sheet.name), at, until);
+        }
+    }
     for check in draft.checks.clone() {
         let name = &check.name;
-        if let Some(Instant::Time(at)) = check.at {
-            check_time(draft, &format!("at of `{name}`"), at, until);
+        if let Some(at) = check.at {
+            check_time(draft, &format!("at of `{name}`"), &at, until);
         }
         value(draft, &format!("equals of `{name}`"), Some(check.equals));
         check_margin(draft, &format!("within of `{name}`"), check.within);
@@ -66,8 +71,9 @@ fn check_distance(draft: &mut Draft, what: &str, every: Expr, until: f64) {
     }
 }
 
-fn check_time(draft: &mut Draft, what: &str, at: Expr, until: f64) {
-    let Some(at) = value(draft, what, Some(at)) else { return };
+/// A time that only the run knows is looked at when it is known.
+fn check_time(draft: &mut Draft, what: &str, at: &Instant, until: f64) {
+    let Some(at) = value(draft, what, Some(at.time.clone())) else { return };
     if !(0.0..=until).contains(&at) {
         let message = format!("{at} s is outside of the run, which lasts from 0 to {until} s");
         note(draft, Code::OutsideRun, what, message, "outside of the run");

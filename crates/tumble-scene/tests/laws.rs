@@ -216,7 +216,7 @@ const EVENTS: &[Row] = &[
     ("{ D = \"2*D\" }", "{ D = \"D*t/T\" }", "E0525 t", "fixed before the run starts"),
     ("[\"apex\", \"4 s\"]", "[\"apx\", \"4 s\"]", "E0301 apx", "unknown name"),
     ("[\"apex\", \"4 s\"]", "[\"apex + 1 s\", \"4 s\"]", "E0528 apex", "an event stands alone"),
-    ("at = \"apex\"\n", "at = \"apex[0]\"\n", "E0530 \"apex[0]\"", "events are counted from 1"),
+    ("at = \"apex\"\n", "at = \"apex[0]\"\n", "E0530 apex[0]", "events are counted from 1"),
     ("[event.level]", "[event.ball]", "E0523 ball | ball", "the name of an event and of a body"),
 ];
 

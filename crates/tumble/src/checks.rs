@@ -2,8 +2,9 @@
 
 use tumble_mech::Run;
 use tumble_ode::Side;
-use tumble_scene::{Check, Instant, Study};
+use tumble_scene::{Check, Study};
 
+use crate::moments::Moments;
 use crate::pipeline::PipelineError;
 
 /// A claim with what was found.
@@ -32,25 +33,19 @@ pub(crate) fn evaluate(study: &Study, run: &Run, complete: bool) -> Result<Vec<C
 
 fn one(study: &Study, run: &Run, complete: bool, check: &Check) -> Result<CheckResult, PipelineError> {
     let within = study.number(&check.within)?;
-    let formulas = [check.that.quantity.formula.clone(), check.equals.clone()];
+    let moments = Moments::of(study, run);
+    let formulas = [moments.known(&check.that.quantity.formula), moments.known(&check.equals)];
     let at = match &check.at {
         // A motion that an event has stopped ends there; one that was refused has no end to look at.
         None => run.trajectory.end().filter(|_| complete),
-        Some(Instant::Time(time)) => Some(study.number(time)?),
-        Some(Instant::Event { name, count }) => time_of(run, name, *count),
+        Some(instant) => moments.time(instant)?,
     };
-    let values = match at {
-        Some(at) => run.observe(&formulas)?.at(at, Side::After),
-        None => None,
+    let values = match (at, formulas) {
+        (Some(at), [Some(found), Some(expected)]) => run.observe(&[found, expected])?.at(at, Side::After),
+        _ => None,
     };
     let (found, expected) = values.map_or((f64::NAN, f64::NAN), |values| (values[0], values[1]));
     let holds = (found - expected).abs() <= within;
     let (name, that) = (check.name.clone(), check.that.text.clone());
     Ok(CheckResult { name, that, at: at.unwrap_or(f64::NAN), found, expected, within, holds })
-}
-
-/// When an event happens for the time of that count, from 1.
-fn time_of(run: &Run, name: &str, count: usize) -> Option<f64> {
-    let named = run.trajectory.events.iter().filter(|event| event.tags.iter().any(|tag| tag == name));
-    named.map(|event| event.time).nth(count.checked_sub(1)?)
 }

@@ -1,13 +1,17 @@
 //! What the command can do, and what it says.
 
-use std::io::IsTerminal;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 use tumble::Case;
 use tumble::gallery::{self, Shown};
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
+
+use crate::tools::new::Kind;
+use crate::tools::say::{self, say, tell};
+use crate::tools::{completions, explain, new, schema, units};
 
 const EXIT_CODES: &str = "Exit codes: 0 all went well, 1 a check of the scene does not hold, 2 the scene or the \
 command line has mistakes, 3 the motion was refused on the way, 4 a file cannot be read or written.";
@@ -46,6 +50,32 @@ enum Task {
         #[arg(long, default_value = "out")]
         out: PathBuf,
     },
+    /// Write a scene to start from into a new folder.
+    New {
+        /// Name of the scene, and of its folder.
+        name: String,
+        /// What it shows; asked for at a terminal, else a pendulum.
+        #[arg(long)]
+        kind: Option<Kind>,
+    },
+    /// Say what a code such as E0203 means, or list all codes.
+    Explain {
+        /// The code.
+        code: Option<String>,
+    },
+    /// List the units, tell of one unit or measure, or convert a quantity.
+    Units {
+        /// A unit such as lbf, a measure such as force, or a quantity such as "3 ft/s".
+        #[arg(allow_hyphen_values = true)]
+        what: Vec<String>,
+    },
+    /// Print the JSON schema of scene files, for editors.
+    Schema,
+    /// Print a script that lets a shell complete this command.
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
 }
 
 #[derive(Args)]
@@ -71,18 +101,32 @@ fn assignment(text: &str) -> Result<(String, String), String> {
 }
 
 /// How a command ended, worst last.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Ending {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Ending {
+    /// All went well.
     Success = 0,
+    /// A check of the scene does not hold.
     CheckFailed = 1,
+    /// The scene or the command line has mistakes.
     Mistake = 2,
+    /// The motion was refused on the way.
     Refused = 3,
+    /// A file or a stream cannot be read or written.
     File = 4,
 }
 
 impl Command {
     pub(crate) fn run(self) -> ExitCode {
-        let ending = match self.task {
+        let ending = self.task.run();
+        let Some(error) = say::lost() else { return ExitCode::from(ending as u8) };
+        tell!("error: cannot write to standard output: {error}");
+        ExitCode::from(Ending::File as u8)
+    }
+}
+
+impl Task {
+    fn run(self) -> Ending {
+        match self {
             Task::Run { scene, settings } => {
                 let Settings { set, out, no_figures } = settings;
                 let options = Options { set, out, no_figures, progress: true };
@@ -95,27 +139,31 @@ impl Command {
             Task::Gallery { scenes, out } => {
                 gallery(&scenes, Options { out, progress: true, ..Options::default() })
             }
-        };
-        ExitCode::from(ending as u8)
+            Task::New { name, kind } => new::run(&name, kind),
+            Task::Explain { code } => explain::run(code.as_deref()),
+            Task::Units { what } => units::run(&what),
+            Task::Schema => schema::run(),
+            Task::Completions { shell } => completions::run(shell),
+        }
     }
 }
 
-fn check(scene: &std::path::Path, options: &Options) -> Ending {
+fn check(scene: &Path, options: &Options) -> Ending {
     match pipeline::check(scene, options) {
         Ok(study) => {
-            println!("{}: {} has no mistakes", study.title, scene.display());
+            say!("{}: {} has no mistakes", study.title, scene.display());
             Ending::Success
         }
         Err(error) => complain(scene, &error),
     }
 }
 
-fn gallery(scenes: &std::path::Path, options: Options) -> Ending {
+fn gallery(scenes: &Path, options: Options) -> Ending {
     let mut worst = Ending::Success;
     match gallery::run(scenes, &options, |shown| worst = worst.max(report(shown))) {
-        Ok(page) => println!("\nthe gallery is {}", page.display()),
+        Ok(page) => say!("\nthe gallery is {}", page.display()),
         Err(error) => {
-            eprintln!("error: {error}");
+            tell!("error: {error}");
             worst = Ending::File;
         }
     }
@@ -140,12 +188,12 @@ fn report(shown: &Shown) -> Ending {
 }
 
 fn describe(outcome: &Outcome) {
-    println!("{}", outcome.study.title);
+    say!("{}", outcome.study.title);
     outcome.cases.iter().for_each(describe_case);
     if !outcome.figures.is_empty() {
-        println!("  figures: {}", outcome.figures.join(", "));
+        say!("  figures: {}", outcome.figures.join(", "));
     }
-    println!("  results: {}", outcome.folder.display());
+    say!("  results: {}", outcome.folder.display());
 }
 
 fn describe_case(case: &Case) {
@@ -154,26 +202,25 @@ fn describe_case(case: &Case) {
     let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
     let end = trajectory.end().unwrap_or(0.0);
     let (steps, events) = (count(work.steps, "step"), count(trajectory.events.len() as u64, "event"));
-    println!("  {label}{end} s in {steps}{exact}, {events}");
+    say!("  {label}{end} s in {steps}{exact}, {events}");
     if let Some(found) = case.run.quadrature.filter(|found| !found.settled) {
-        println!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
+        say!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
     }
     for check in &case.checks {
         if at_nothing(check) {
-            println!("  check {}: FAILS, its event or its time was not reached", check.name);
+            say!("  check {}: FAILS, its event or its time was not reached", check.name);
             continue;
         }
         let verdict = if check.holds { "holds" } else { "FAILS" };
         let (that, at) = (&check.that, check.at);
-        print!("  check {}: {that} = {} at {at} s {verdict}", check.name, check.found);
-        if check.holds {
-            println!()
-        } else {
-            println!(", expected {} within {:?}", check.expected, check.within)
-        }
+        let expected = match check.holds {
+            true => String::new(),
+            false => format!(", expected {} within {:?}", check.expected, check.within),
+        };
+        say!("  check {}: {that} = {} at {at} s {verdict}{expected}", check.name, check.found);
     }
     if let Some(refusal) = &case.refusal {
-        println!("  incomplete: {refusal}");
+        say!("  incomplete: {refusal}");
     }
 }
 
@@ -187,32 +234,23 @@ fn count(number: u64, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
-fn complain(scene: &std::path::Path, error: &PipelineError) -> Ending {
+fn complain(scene: &Path, error: &PipelineError) -> Ending {
     match error {
         PipelineError::Scene(diagnostics) => {
-            let stream = std::io::stderr();
-            let colour =
-                stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-            eprintln!("{}", diagnostics.render(colour, terminal_width()));
+            tell!("{}", diagnostics.render(say::colour(&std::io::stderr()), say::width()));
             Ending::Mistake
         }
         PipelineError::Model(_) => {
-            eprintln!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", scene.display());
             Ending::Mistake
         }
         PipelineError::Run(_) => {
-            eprintln!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", scene.display());
             Ending::Refused
         }
         PipelineError::Read { .. } | PipelineError::Output(_) => {
-            eprintln!("error: {error}");
+            tell!("error: {error}");
             Ending::File
         }
     }
-}
-
-/// Columns of the terminal; what is not a terminal is as wide as a page.
-fn terminal_width() -> usize {
-    const PAGE: usize = 100;
-    std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()).unwrap_or(PAGE)
 }

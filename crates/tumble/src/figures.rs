@@ -9,9 +9,11 @@ use tumble_report::{
 use tumble_scene::{Curve, Plot, Stroboscope, Study};
 
 use crate::case::Case;
+use crate::free_bodies;
+use crate::moments::Moments;
 use crate::output::Folder;
 use crate::pipeline::PipelineError;
-use crate::tables::sample;
+use crate::tables::{Row, sample, sample_between};
 
 /// Pixels of a PNG for one of the drawing: sharp in print at a page's width.
 #[cfg(feature = "png")]
@@ -33,6 +35,17 @@ pub(crate) fn write(study: &Study, cases: &[Case], folder: &Folder) -> Result<Ve
     for stroboscope in &study.stroboscopes {
         save(folder, &stroboscope.name, &picture(study, cases, stroboscope)?.svg())?;
         names.push(stroboscope.name.clone());
+    }
+    for asked in &study.free_bodies {
+        for case in cases {
+            let name = if cases.len() > 1 {
+                format!("{}.{}", asked.name, case.folder())
+            } else {
+                asked.name.clone()
+            };
+            save(folder, &name, &free_bodies::sheet(study, case, asked)?.svg())?;
+            names.push(name);
+        }
     }
     Ok(names)
 }
@@ -61,11 +74,8 @@ fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, Pip
     };
     let title = Label::markup(plot.title.as_deref().unwrap_or(&study.title));
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
-    if let ([case], None) = (cases, &plot.x) {
-        mark_events(&mut figure, case);
-    }
     for case in cases {
-        let rows = sample(&study.with(&case.parameters), &case.run, &formulas)?;
+        let Some(rows) = rows(&study.with(&case.parameters), case, plot, &formulas)? else { continue };
         for (index, curve) in plot.y.iter().enumerate() {
             let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
             // One curve a run needs no name: the axis says what it is.
@@ -73,12 +83,33 @@ fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, Pip
             figure.series.push(Series { label: joined(curve, case_label(case)), points });
         }
     }
+    if let ([case], None) = (cases, &plot.x) {
+        mark_events(&mut figure, case);
+    }
     Ok(figure)
+}
+
+/// The motion where the figure shows it; `None` if what it waits for does not happen in this run.
+fn rows(
+    study: &Study,
+    case: &Case,
+    plot: &Plot,
+    formulas: &[Expr],
+) -> Result<Option<Vec<Row>>, PipelineError> {
+    let Some([from, to]) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
+    let moments = Moments::of(study, &case.run);
+    match (moments.time(from)?, moments.time(to)?) {
+        (Some(from), Some(to)) => Ok(Some(sample_between(&case.run, formulas, [from, to])?)),
+        _ => Ok(None),
+    }
 }
 
 /// Marks what happens along the time axis, unless so much does that no mark could be read.
 fn mark_events(figure: &mut CurveFigure, case: &Case) {
-    let events = &case.run.trajectory.events;
+    let shown = figure.series.iter().flat_map(|series| &series.points).map(|[time, _]| *time);
+    let (from, to) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)));
+    let events = case.run.trajectory.events.iter();
+    let events: Vec<_> = events.filter(|event| from <= event.time && event.time <= to).collect();
     if events.len() > MOST_MARKS {
         return;
     }
@@ -157,7 +188,11 @@ fn poses_to_path(poses: &[Pose]) -> Vec<[f64; 2]> {
     poses.iter().map(Pose::centre).collect()
 }
 
-fn poses(run: &Run, body: &Body, times: impl Iterator<Item = f64>) -> Result<Vec<Pose>, PipelineError> {
+pub(crate) fn poses(
+    run: &Run,
+    body: &Body,
+    times: impl Iterator<Item = f64>,
+) -> Result<Vec<Pose>, PipelineError> {
     let kinematics = body.kinematics();
     let position = kinematics.position();
     let mut observer = run.observe(&[position[0].clone(), position[1].clone(), kinematics.angle()])?;
@@ -169,7 +204,7 @@ fn poses(run: &Run, body: &Body, times: impl Iterator<Item = f64>) -> Result<Vec
 }
 
 /// Shapes of a body with its centre of mass at the origin.
-fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, PipelineError> {
+pub(crate) fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, PipelineError> {
     let centre = body.mass_properties().centre;
     let place = |at: &Vector| -> Result<[f64; 2], PipelineError> {
         let arm = at - &centre;
@@ -178,7 +213,7 @@ fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, PipelineError> {
     let outline = |shape: &Shape| -> Result<Outline, PipelineError> {
         Ok(match shape {
             Shape::Point { at } => Outline::Point(place(at)?),
-            Shape::Rod { from, to } => Outline::Segment { from: place(from)?, to: place(to)? },
+            Shape::Rod { from, to, .. } => Outline::Segment { from: place(from)?, to: place(to)? },
             Shape::Disk { centre, radius }
             | Shape::Ring { centre, radius }
             | Shape::Ball { centre, radius }

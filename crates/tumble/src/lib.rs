@@ -37,6 +37,8 @@ pub mod progress;
 mod case;
 mod checks;
 mod figures;
+mod free_bodies;
+mod moments;
 mod summary;
 mod tables;
 

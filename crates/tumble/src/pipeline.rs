@@ -107,6 +107,12 @@ fn read(source: &Source, options: &Options) -> Result<Study, PipelineError> {
     Ok(study)
 }
 
+impl From<tumble_ode::Reason> for PipelineError {
+    fn from(reason: tumble_ode::Reason) -> Self {
+        RunError::from(reason).into()
+    }
+}
+
 impl From<RunError> for PipelineError {
     fn from(error: RunError) -> Self {
         Self::Run(Box::new(error))

@@ -1,7 +1,7 @@
 //! The motion as tables: `trajectory.csv` and `events.csv`.
 
 use tumble_expr::{Dimension, Expr, Symbol};
-use tumble_mech::Run;
+use tumble_mech::{Mode, Run};
 use tumble_ode::Side;
 use tumble_scene::Study;
 
@@ -24,11 +24,30 @@ pub(crate) struct Row {
 
 /// Values of formulas at equal time steps, at the end, and on both sides of each event.
 pub(crate) fn sample(study: &Study, run: &Run, formulas: &[Expr]) -> Result<Vec<Row>, PipelineError> {
+    rows(run, formulas, &times(study, run)?)
+}
+
+/// The same from one time to another, s, in as many steps as a whole run has by default.
+pub(crate) fn sample_between(
+    run: &Run,
+    formulas: &[Expr],
+    [from, to]: [f64; 2],
+) -> Result<Vec<Row>, PipelineError> {
+    let end = run.trajectory.end().unwrap_or(0.0);
+    let (from, to) = (from.clamp(0.0, end), to.clamp(0.0, end));
+    let step = (to - from) / DEFAULT_SAMPLES as f64;
+    let inner = (0..DEFAULT_SAMPLES).map(|index| from + index as f64 * step);
+    let times: Vec<f64> = inner.chain([to]).collect();
+    Ok(rows(run, formulas, &times)?.into_iter().filter(|row| row.time >= from).collect())
+}
+
+/// Values at these times, in order, and on both sides of each event up to the last of them.
+fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, PipelineError> {
     let mut observer = run.observe(formulas)?;
     let events = &run.trajectory.events;
     let mut rows = vec![];
     let mut next_event = 0;
-    for time in times(study, run)? {
+    for &time in times {
         while events.get(next_event).is_some_and(|event| event.time <= time) {
             if let Some([before, after]) = observer.at_event(next_event) {
                 let time = events[next_event].time;
@@ -91,7 +110,8 @@ fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), Pipelin
 fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     let run = &case.run;
     let mut table = csv::Writer::from_path(folder.path(&format!("{}/events.csv", case.folder()))?)?;
-    let states = run.trajectory.modes.first().map_or(vec![], |mode| run.equations.states(mode));
+    // What some modes have beyond the states of the bodies is the integrator's own.
+    let states = run.equations.states(&Mode::default());
     let columns = ["before", "after"].into_iter().flat_map(|side| {
         states
             .iter()
@@ -101,7 +121,8 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     table.write_record(first.into_iter().chain(columns))?;
     for event in &run.trajectory.events {
         let first = [number(event.time), event.tags.join(", ")];
-        let values = event.before.iter().chain(&event.after).map(|value| number(*value));
+        let of_bodies = |side: &'_ [f64]| side[..states.len()].to_vec();
+        let values = [of_bodies(&event.before), of_bodies(&event.after)].concat().into_iter().map(number);
         table.write_record(first.into_iter().chain(values))?;
     }
     table.flush().map_err(csv::Error::from)?;

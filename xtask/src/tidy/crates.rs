@@ -12,7 +12,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("tumble-mech", &["tumble-expr", "tumble-ode"]),
     ("tumble-scene", &["tumble-expr", "tumble-ode", "tumble-mech"]),
     ("tumble-report", &[]),
-    ("tumble", &["tumble-expr", "tumble-ode", "tumble-mech", "tumble-scene", "tumble-report"]),
+    ("tumble-math", &["tumble-expr"]),
+    ("tumble", &["tumble-expr", "tumble-ode", "tumble-mech", "tumble-scene", "tumble-report", "tumble-math"]),
     ("xtask", &[]),
 ];
 

@@ -1,10 +1,12 @@
-//! Reading the chain of units that follows a number: `m/s^2` in `9.81 m/s^2`.
+//! Reading the chain of units that follows a number: `m/s^2` in `9.81 m/s^2`, `kg/(m*s)`, `1/s`.
+
+use std::ops::Range;
 
 use num_traits::{ToPrimitive, Zero};
 
 use super::characters::{begins_word, continues_word};
 use super::error::{Code, FormulaError, Span};
-use super::numbers;
+use super::{numbers, units};
 use crate::Exponent;
 
 /// Units multiplied and divided, without inner spaces.
@@ -14,6 +16,8 @@ pub struct Chain {
     pub span: Span,
     /// Its factors from left to right.
     pub factors: Vec<Factor>,
+    /// Which of the factors stand in brackets behind a slash, a range for each pair of brackets.
+    pub groups: Vec<Range<usize>>,
 }
 
 /// One word of a chain of units with its power.
@@ -33,8 +37,8 @@ const MOST_FACTORS: usize = 16;
 
 /// Reads the chain that begins at `start`; `None` where a name or a call begins there, or nothing of the kind.
 pub(super) fn read(text: &str, start: usize) -> Option<(Chain, Option<FormulaError>)> {
-    let mut reader = Reader { text, at: start, factors: Vec::new(), error: None };
-    reader.factor(false).then(|| reader.rest(start))
+    let mut reader = Reader::new(text, start);
+    (reader.factor(false) || reader.inverse()).then(|| reader.rest(start))
 }
 
 /// One past the word that begins at `start`: a name without dots, or a per cent sign.
@@ -51,14 +55,18 @@ struct Reader<'t> {
     text: &'t str,
     at: usize,
     factors: Vec<Factor>,
+    groups: Vec<Range<usize>>,
     error: Option<FormulaError>,
 }
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    fn new(text: &'t str, at: usize) -> Self {
+        Self { text, at, factors: Vec::new(), groups: Vec::new(), error: None }
+    }
+
     fn rest(mut self, start: usize) -> (Chain, Option<FormulaError>) {
-        while let Some(operator @ ('*' | '/')) = self.text[self.at..].chars().next() {
-            self.at += 1;
-            if !self.factor(operator == '/') {
+        while let Some(divides) = self.sign() {
+            if !(self.factor(divides) || divides && self.group()) {
                 self.at -= 1;
                 break;
             }
@@ -66,7 +74,53 @@ impl Reader<'_> {
         if self.factors.len() > MOST_FACTORS {
             self.error.get_or_insert_with(|| too_many(start..self.at));
         }
-        (Chain { span: start..self.at, factors: self.factors }, self.error)
+        (Chain { span: start..self.at, factors: self.factors, groups: self.groups }, self.error)
+    }
+
+    /// Steps over `*` or `/` and tells whether it divides.
+    fn sign(&mut self) -> Option<bool> {
+        let sign = self.text[self.at..].chars().next().filter(|c| matches!(c, '*' | '/'))?;
+        self.at += 1;
+        Some(sign == '/')
+    }
+
+    /// `1/s` and `1/(m*s)`, where a unit stands behind the slash: nothing else can follow a number so.
+    fn inverse(&mut self) -> bool {
+        let start = self.at;
+        if self.text[start..].starts_with("1/") {
+            self.at += 2;
+            if self.group() || (self.factor(true) && self.is_unit(&self.factors[0])) {
+                return true;
+            }
+            *self = Self::new(self.text, start);
+        }
+        false
+    }
+
+    /// `(m*s^2)` behind a slash. Brackets belong to the chain only where every word in them is a unit and no power
+    /// stands behind them, so that names in brackets stay names.
+    fn group(&mut self) -> bool {
+        if !self.text[self.at..].starts_with('(') {
+            return false;
+        }
+        let mut inner = Self::new(self.text, self.at + 1);
+        let mut complete = inner.factor(true);
+        while let (true, Some(divides)) = (complete, inner.sign()) {
+            complete = inner.factor(!divides);
+        }
+        let behind = self.text[inner.at..].strip_prefix(')').map(str::trim_start);
+        let closed = behind.is_some_and(|rest| !rest.starts_with('^'));
+        if !complete || !closed || inner.error.is_some() || !inner.factors.iter().all(|f| self.is_unit(f)) {
+            return false;
+        }
+        self.groups.push(self.factors.len()..self.factors.len() + inner.factors.len());
+        self.factors.extend(inner.factors);
+        self.at = inner.at + 1;
+        true
+    }
+
+    fn is_unit(&self, factor: &Factor) -> bool {
+        units::unit(&self.text[factor.word.clone()]).is_some()
     }
 
     /// Reads one word with its power; a name with a dot and the name of a call are left alone.
@@ -160,11 +214,37 @@ mod tests {
     #[test]
     fn a_chain_ends_before_spaces_numbers_names_with_dots_and_calls() {
         for (text, whole) in
-            [("m / s", "m"), ("m/2", "m"), ("m*rod.x", "m"), ("m*sin(x)", "m"), ("m/(s)", "m"), ("m*", "m")]
+            [("m / s", "m"), ("m/2", "m"), ("m*rod.x", "m"), ("m*sin(x)", "m"), ("m/(x)", "m"), ("m*", "m")]
         {
             assert_eq!(chain(text).0, whole);
         }
         assert!(read("sin(x)", 0).is_none() && read("rod.x", 0).is_none() && read("+", 0).is_none());
+    }
+
+    #[test]
+    fn units_in_brackets_behind_a_slash_belong_to_the_chain() {
+        let one = Exponent::from_integer(1);
+        assert_eq!(
+            chain("kg/(m*s^2) + 1"),
+            ("kg/(m*s^2)".into(), vec![("kg", one), ("m", -one), ("s", -one - one)])
+        );
+        assert_eq!(chain("kg/(m/s)*N").1, [("kg", one), ("m", -one), ("s", one), ("N", one)]);
+        assert_eq!(chain("1/(m*s)").1, [("m", -one), ("s", -one)]);
+        assert_eq!(chain("1/s*m").1, [("s", -one), ("m", one)]);
+        assert_eq!(read("kg/(m*s)/(h)", 0).expect("a chain").0.groups, [1..3, 3..4]);
+    }
+
+    #[test]
+    fn brackets_with_anything_but_units_are_left_alone() {
+        let cases = [
+            "(m*x)", "(m s)", "(m*2)", "(m*s", "(m*s)^2", "(m*s) ^2", "(m^n)", "((m))", "(m*(s))", "()",
+            "(m*)",
+        ];
+        for brackets in cases {
+            assert_eq!(chain(&format!("kg/{brackets}")).0, "kg", "{brackets}");
+            assert!(read(&format!("1/{brackets}"), 0).is_none(), "{brackets}");
+        }
+        assert!(read("1/2", 0).is_none() && read("1/x", 0).is_none() && read("1/sin(x)", 0).is_none());
     }
 
     #[test]

@@ -7,8 +7,12 @@ const SIGNS: &[(char, &str, &str)] = &[
     ('\u{2212}', "minus sign", "-"),
     ('\u{2010}', "hyphen", "-"),
     ('\u{2011}', "non-breaking hyphen", "-"),
+    ('\u{2012}', "figure dash", "-"),
     ('\u{2013}', "en dash", "-"),
     ('\u{2014}', "em dash", "-"),
+    ('\u{2015}', "horizontal bar", "-"),
+    ('\u{fe63}', "small hyphen-minus", "-"),
+    ('\u{ad}', "soft hyphen", ""),
     ('\u{00d7}', "multiplication sign", "*"),
     ('\u{00b7}', "middle dot", "*"),
     ('\u{22c5}', "dot operator", "*"),
@@ -18,12 +22,15 @@ const SIGNS: &[(char, &str, &str)] = &[
     ('\u{00f7}', "division sign", "/"),
     ('\u{2215}', "division slash", "/"),
     ('\u{2044}', "fraction slash", "/"),
-    ('\u{00b9}', "superscript one", "^1"),
-    ('\u{00b2}', "superscript two", "^2"),
-    ('\u{00b3}', "superscript three", "^3"),
-    ('\u{207b}', "superscript minus", "^-"),
     ('\u{221a}', "square root", "sqrt(...)"),
     ('\u{00b0}', "degree sign", "deg"),
+    ('\u{00ba}', "ordinal indicator", "deg"),
+    ('\u{00bc}', "fraction one quarter", "0.25"),
+    ('\u{00bd}', "fraction one half", "0.5"),
+    ('\u{00be}', "fraction three quarters", "0.75"),
+    ('\u{066b}', "Arabic decimal separator", "."),
+    ('\u{2236}', "ratio", "/"),
+    ('\u{2260}', "not equal to", "< or >"),
     ('\u{2264}', "less-than or equal sign", "<="),
     ('\u{2265}', "greater-than or equal sign", ">="),
     ('\u{2030}', "per mille sign", "*0.001"),
@@ -45,8 +52,41 @@ const SIGNS: &[(char, &str, &str)] = &[
 ];
 
 /// Letters of other alphabets that look like a Latin one.
-const LOOK_ALIKES: &[(&str, &str)] =
-    &[("аеорсухіјѕкАВЕКМНОРСТУХІЈЅ", "aeopcyxijskABEKMHOPCTYXIJS"), ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧο", "ABEZHIKMNOPTYXo")];
+const LOOK_ALIKES: &[(&str, &str)] = &[
+    ("аеорсухіјѕкһԁԛԝАВЕКМНОРСТУХІЈЅ", "aeopcyxijskhdqwABEKMHOPCTYXIJS"),
+    ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧο", "ABEZHIKMNOPTYXo"),
+];
+
+/// Digits and signs of exponents.
+const SUPERSCRIPTS: (&str, &str) = ("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-");
+
+/// The zeros of other scripts; the nine digits follow each.
+const ZEROS: &[char] = &[
+    '\u{0660}',
+    '\u{06f0}',
+    '\u{07c0}',
+    '\u{0966}',
+    '\u{09e6}',
+    '\u{0a66}',
+    '\u{0ae6}',
+    '\u{0b66}',
+    '\u{0be6}',
+    '\u{0c66}',
+    '\u{0ce6}',
+    '\u{0d66}',
+    '\u{0e50}',
+    '\u{0ed0}',
+    '\u{0f20}',
+    '\u{1040}',
+    '\u{17e0}',
+    '\u{1810}',
+    '\u{2080}',
+    '\u{1d7ce}',
+    '\u{1d7d8}',
+    '\u{1d7e2}',
+    '\u{1d7ec}',
+    '\u{1d7f6}',
+];
 
 /// Whether a name or a unit may begin with it.
 pub(super) fn begins_word(c: char) -> bool {
@@ -68,18 +108,30 @@ pub(super) fn skeleton(name: &str) -> String {
     name.chars().map(|c| latin(c).unwrap_or(c)).collect()
 }
 
+/// The first letter of a word that only looks like a Latin one, or is Cyrillic, with its number and alphabet.
+pub(super) fn foreign_letter(word: &str) -> Option<String> {
+    let foreign = word.chars().find(|c| latin(*c).is_some() || is_cyrillic(*c))?;
+    Some(named(foreign.encode_utf8(&mut [0; 4])))
+}
+
 /// What to write instead of a character that is foreign to formulas, where that is known.
 fn cure(c: char) -> Option<String> {
     ascii_form(c).map(String::from).or_else(|| sign(c).map(|(_, cure)| cure.to_owned()))
 }
 
+/// What to write instead of a run of foreign characters.
+fn cure_of_run(run: &str) -> Option<String> {
+    let exponent: Option<String> = run.chars().map(raised).collect();
+    exponent.map(|exponent| format!("^{exponent}")).or_else(|| run.chars().map(cure).collect())
+}
+
 /// The mistake of a run of characters that no formula is written with.
 pub(super) fn foreign(text: &str, span: Span) -> FormulaError {
     let run = &text[span.clone()];
-    let cures: Option<String> = run.chars().map(cure).collect();
     let error = FormulaError::new(Code::Character, span, format!("{} cannot stand in a formula", named(run)));
     let error = error.label("this character");
-    match cures.as_deref() {
+    match cure_of_run(run).as_deref() {
+        None if run == "\u{221e}" => error.help("formulas are computed with finite numbers"),
         Some("") => error.help("remove it"),
         Some(" ") => error.help("write an ordinary space"),
         Some(cure) => error.help(format!("write `{cure}`")),
@@ -89,14 +141,11 @@ pub(super) fn foreign(text: &str, span: Span) -> FormulaError {
 
 /// The end of the run of foreign characters that have a cure and begin at `start`; one character at least.
 pub(super) fn foreign_run(text: &str, start: usize) -> usize {
-    let mut rest = text[start..].char_indices();
-    let first = rest.next().map_or(0, |(_, c)| c.len_utf8());
-    let full_width = |c: char| ascii_form(c).is_some();
-    if !text[start..].starts_with(full_width) {
-        return start + first;
-    }
-    let end = text[start..].find(|c| !full_width(c)).unwrap_or(text.len() - start);
-    start + end
+    let rest = &text[start..];
+    let first = rest.chars().next().map_or(0, char::len_utf8);
+    let run_of = |alike: fn(char) -> bool| rest.find(|c| !alike(c)).unwrap_or(rest.len());
+    let alike = run_of(|c| ascii_form(c).is_some()).max(run_of(|c| raised(c).is_some()));
+    start + alike.max(first)
 }
 
 /// The mistake of a name that mixes look-alike letters of two alphabets, if it does.
@@ -119,7 +168,8 @@ fn named(run: &str) -> String {
     let mut characters = run.chars();
     match (characters.next(), characters.next()) {
         (Some(c), None) => format!("{} (U+{:04X}{})", visible(c), u32::from(c), kind(c)),
-        _ => format!("`{run}` (full-width characters)"),
+        (Some(c), _) => format!("`{run}` (from U+{:04X} on{})", u32::from(c), kind(c)),
+        _ => String::new(),
     }
 }
 
@@ -131,7 +181,9 @@ fn visible(c: char) -> String {
 fn kind(c: char) -> String {
     match (sign(c), ascii_form(c)) {
         (Some((name, _)), _) => format!(", {name}"),
+        (_, Some(digit)) if digit.is_ascii_digit() => ", another form of a digit".to_owned(),
         (_, Some(_)) => ", another form of an ASCII character".to_owned(),
+        _ if raised(c).is_some() => ", superscript".to_owned(),
         _ if is_cyrillic(c) => ", Cyrillic".to_owned(),
         _ if latin(c).is_some() => ", Greek".to_owned(),
         _ => String::new(),
@@ -143,18 +195,30 @@ fn sign(c: char) -> Option<(&'static str, &'static str)> {
 }
 
 fn latin(c: char) -> Option<char> {
-    LOOK_ALIKES.iter().find_map(|(from, to)| {
-        let at = from.chars().position(|other| other == c)?;
-        to.chars().nth(at)
-    })
+    LOOK_ALIKES.iter().find_map(|pair| paired(*pair, c))
+}
+
+/// The digit or sign that a superscript raises.
+fn raised(c: char) -> Option<char> {
+    paired(SUPERSCRIPTS, c)
+}
+
+fn paired((from, to): (&str, &str), c: char) -> Option<char> {
+    let at = from.chars().position(|other| other == c)?;
+    to.chars().nth(at)
 }
 
 fn is_cyrillic(c: char) -> bool {
     matches!(c, '\u{0400}'..='\u{052f}')
 }
 
-/// The ASCII character of which this one is the full-width form or, of letters, a mathematical style.
+/// The ASCII character of which this one is the full-width form or, of letters, a mathematical style, or the digit of
+/// another script.
 fn ascii_form(c: char) -> Option<char> {
+    let digit = |zero: &char| u32::from(c).checked_sub(u32::from(*zero)).filter(|digit| *digit < 10);
+    if let Some(digit) = ZEROS.iter().find_map(digit) {
+        return char::from_digit(digit, 10);
+    }
     match c {
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0),
         '\u{1d400}'..='\u{1d6a3}' => {
@@ -174,6 +238,17 @@ mod tests {
         for (from, to) in LOOK_ALIKES {
             assert_eq!(from.chars().count(), to.chars().count());
             assert!(from.chars().all(|c| !c.is_ascii()) && to.is_ascii());
+        }
+    }
+
+    #[test]
+    fn zeros_begin_ten_digits() {
+        assert_eq!(SUPERSCRIPTS.0.chars().count(), SUPERSCRIPTS.1.len());
+        for zero in ZEROS {
+            let digits = (0..10).filter_map(|digit| char::from_u32(u32::from(*zero) + digit));
+            let plain: String = digits.filter_map(ascii_form).collect();
+            assert_eq!(plain, "0123456789", "U+{:04X}", u32::from(*zero));
+            assert!(zero.is_numeric(), "U+{:04X}", u32::from(*zero));
         }
     }
 

@@ -305,7 +305,11 @@ impl Parts<'_> {
             labels.push((whole.clone(), String::new()));
         }
         let found = FormulaError::between(error.code(), error.to_string(), labels);
-        Failure::New(match error.help() {
+        let comma = || names::decimal_comma(self.frame, operands);
+        let point = || {
+            comma().map(|number| format!("a decimal point is written `{number}`; a comma separates values"))
+        };
+        Failure::New(match error.help().map(str::to_owned).or_else(point) {
             Some(help) => found.help(help),
             None => found,
         })

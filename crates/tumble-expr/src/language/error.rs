@@ -1,6 +1,5 @@
 //! What can be wrong with a formula, as values that point into its text.
 
-use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -11,30 +10,9 @@ use crate::TypeError;
 /// A range of bytes in the text of a formula.
 pub type Span = Range<usize>;
 
-macro_rules! codes {
-    ($($(#[doc = $doc:literal])+ $name:ident = $code:literal;)*) => {
-        /// The kind of a mistake; prints as a short code that never changes its meaning.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Code { $($(#[doc = $doc])+ $name,)* }
-
-        impl Code {
-            /// Every code, in order.
-            pub const ALL: &[Self] = &[$(Self::$name),*];
-
-            /// The stable code, such as `E0110`.
-            pub fn as_str(self) -> &'static str {
-                match self { $(Self::$name => $code,)* }
-            }
-
-            /// One sentence on what the code stands for.
-            pub fn summary(self) -> &'static str {
-                match self { $(Self::$name => concat!($($doc),+).trim_ascii(),)* }
-            }
-        }
-    };
-}
-
-codes! {
+crate::codes! {
+    /// The kind of a mistake; prints as a short code that never changes its meaning.
+    enum Code;
     /// There is no formula.
     Empty = "E0101";
     /// The formula is longer than a formula may be.
@@ -113,12 +91,6 @@ codes! {
     Variable = "E0410";
 }
 
-impl fmt::Display for Code {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
 impl From<&TypeError> for Code {
     fn from(error: &TypeError) -> Self {
         match error {
@@ -129,7 +101,9 @@ impl From<&TypeError> for Code {
             TypeError::ExponentRange => Self::ExponentRange,
             TypeError::TruthAsNumber | TypeError::NumberAsTruth { .. } => Self::Truth,
             TypeError::NotFinite { .. } => Self::Magnitude,
-            TypeError::Lengths { .. } => Self::Lengths,
+            TypeError::Lengths { .. } | TypeError::NotSquare { .. } | TypeError::SystemAsNumber => {
+                Self::Lengths
+            }
         }
     }
 }

@@ -28,13 +28,15 @@
 //! A number directly followed, spaces allowed, by a chain of units *without inner spaces* is a quantity:
 //! `9.81 m/s^2`, `3 kg*m^2/s^2`, `1 m^(1/2)`, `10%`. The chain ends at the first space, before a number, before
 //! a name with a dot and before a call: `2 m / L` divides by what is named `L`. Everything else that is a
-//! word is a name.
+//! word is a name. Brackets behind a slash belong to the chain where they hold units only, `2 kg/(m*s)`, and a chain
+//! may begin with `1/`: `20 1/s`. Every dimension prints as a chain that reads back as itself.
 //!
 //! A scene may have names that are also units (`m`, `L`). What a unit's word stands for is decided so:
 //!
 //! - in a quantity with brackets of its own, `(2 m)`, units are units;
 //! - in a quantity that is a whole formula, argument or component, `m = "1 kg"`, `[0, 2 m]`, units are units too,
-//!   unless the chain has several words and *every* one of them is a name (`2 m/L`): that is an error;
+//!   unless the chain has several words and *every* one of them is a name (`2 m/L`), or every word in a pair of its
+//!   brackets is one (`2 kg/(m*L)`): that is an error;
 //! - among operators, `x + 2 m`, a chain with a word that is also a name is an error, which offers `2*m` and `(2 m)`;
 //! - a word that is a name but no unit is never part of a chain: `2 m/R` is an error, which offers `2 m / R`.
 //!
@@ -54,6 +56,7 @@ mod builtins;
 mod chain;
 mod characters;
 mod check;
+mod codes;
 mod complaints;
 mod error;
 mod header;

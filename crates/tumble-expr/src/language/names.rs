@@ -41,7 +41,16 @@ fn hint(scope: &Scope, frame: &Frame, name: &str) -> Option<String> {
     let arguments = frame.arguments.iter().map(|(name, _)| &**name);
     let names = arguments.chain(scope.names()).chain([PI]);
     let circle = matches!(name, "π" | "PI" | "Pi").then(|| format!("write `{PI}`"));
-    circle.or_else(|| unit_hint(name)).or_else(|| name_hint(name, names))
+    let special = circle.or_else(|| not_finite(name));
+    special.or_else(|| unit_hint(name)).or_else(|| name_hint(name, names))
+}
+
+/// Other languages have names for what is no number.
+fn not_finite(name: &str) -> Option<String> {
+    let known = ["nan", "inf", "infinity"].iter().any(|word| name.eq_ignore_ascii_case(word));
+    known.then(|| {
+        "formulas are computed with finite numbers: write the number, or leave the limit out".to_owned()
+    })
 }
 
 fn function_arguments(scope: &Scope, name: &str) -> Option<String> {
@@ -134,13 +143,20 @@ fn wrong_count(
     }
 }
 
-/// The number with a point, where two arguments look like one number with a decimal comma.
-fn decimal_comma(frame: &Frame, given: &[NodeId]) -> Option<String> {
+/// The number with a point, where two values look like one number with a decimal comma.
+pub(super) fn decimal_comma(frame: &Frame, given: &[NodeId]) -> Option<String> {
     let nodes = &frame.formula.tree().nodes;
-    let plain = |id: &NodeId| matches!(nodes[*id].syntax, Syntax::Quantity { chain: None, .. });
-    let pair = given.windows(2).find(|pair| pair.iter().all(plain))?;
-    let (whole, fraction) = (&nodes[pair[0]].span, &nodes[pair[1]].span);
-    (fraction.start == whole.end + 1).then(|| format!("{}.{}", frame.text(whole), frame.text(fraction)))
+    let plain = |id: NodeId| matches!(nodes[id].syntax, Syntax::Quantity { chain: None, .. });
+    let number = |id: NodeId| matches!(nodes[id].syntax, Syntax::Quantity { .. }) && !nodes[id].bracketed;
+    let between =
+        |pair: &[NodeId]| frame.formula.text().get(nodes[pair[0]].span.end..nodes[pair[1]].span.start);
+    let joined = |pair: &&[NodeId]| between(pair) == Some(",");
+    let pair = given.windows(2).filter(joined).find(|pair| plain(pair[0]) && number(pair[1]))?;
+    let (whole, fraction) = (frame.text(&nodes[pair[0]].span), frame.text(&nodes[pair[1]].span));
+    // A fraction has no point of its own.
+    let digits = fraction.bytes().take_while(u8::is_ascii_digit).count();
+    (digits > 0 && !whole.contains('.') && !fraction[digits..].starts_with('.'))
+        .then(|| format!("{whole}.{fraction}"))
 }
 
 /// What a call gave to a function, in words.

@@ -220,7 +220,12 @@ impl Parser<'_> {
 
     /// The number without units that ends at the comma.
     fn number_before(&self, comma: &Span) -> Option<Span> {
-        let node = &self.nodes[*self.operands.last()?];
+        let mut node = &self.nodes[*self.operands.last()?];
+        while let (Syntax::Sign { operand: last, .. } | Syntax::Infix(_, _, last), false) =
+            (&node.syntax, node.bracketed)
+        {
+            node = &self.nodes[*last];
+        }
         let bare = matches!(node.syntax, Syntax::Quantity { chain: None, .. }) && !node.bracketed;
         (bare && node.span.end == comma.start).then(|| node.span.clone())
     }

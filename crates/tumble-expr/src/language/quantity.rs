@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::chain::{Chain, Factor};
+use super::characters;
 use super::error::{Code, FormulaError, Span};
 use super::numbers;
 use super::suggest;
@@ -82,30 +83,38 @@ impl Written<'_> {
 
     fn unknown(&self, factor: &Factor) -> FormulaError {
         let word = self.word(factor);
-        let latin = super::characters::skeleton(word);
+        let latin = characters::skeleton(word);
         let error =
             FormulaError::new(Code::UnknownUnit, factor.word.clone(), format!("`{word}` is not a unit"));
         let error = error.label("unknown unit");
+        let foreign = characters::foreign_letter(word);
         let exact = units::unit(&latin).map(|unit| unit.symbol.to_owned());
-        match exact.or_else(|| units::nearest_unit(word)) {
-            Some(near) => error.help(format!("did you mean `{near}`?")),
-            None => error.help("a word behind a number is its unit; a product is written with `*`"),
+        match (exact.or_else(|| units::nearest_unit(word)), foreign) {
+            (Some(near), Some(letter)) => {
+                error.help(format!("{letter} is no Latin letter: did you mean `{near}`?"))
+            }
+            (Some(near), None) => error.help(format!("did you mean `{near}`?")),
+            (None, Some(letter)) if latin != word => {
+                error.help(format!("{letter} is no Latin letter: write `{latin}`"))
+            }
+            _ => error.help("a word behind a number is its unit; a product is written with `*`"),
         }
     }
 
     /// Units that are names as well are refused wherever a reader could take them for the names.
     fn refuse_names(&self, is_name: &dyn Fn(&str) -> bool) -> Result<(), FormulaError> {
-        let named: Vec<_> = self.chain.factors.iter().filter(|f| is_name(self.word(f))).collect();
-        let all_names = named.len() == self.chain.factors.len() && named.len() > 1;
+        let factors = &self.chain.factors;
+        let named = |factor: &&Factor| is_name(self.word(factor));
+        let all_named = |part: &[Factor]| part.iter().all(|factor| named(&factor));
+        let group = self.chain.groups.iter().find(|group| all_named(&factors[(*group).clone()]));
         let misread = match self.standing {
-            Standing::Bracketed => false,
-            Standing::Alone => all_names,
-            Standing::Within => !named.is_empty(),
+            Standing::Bracketed => None,
+            // Brackets that hold names only could divide by those names.
+            Standing::Alone if group.is_some() => group.map(|group| &factors[group.start]),
+            Standing::Alone => factors.first().filter(|_| all_named(factors) && factors.len() > 1),
+            Standing::Within => factors.iter().find(named),
         };
-        match named.first() {
-            Some(first) if misread => Err(self.unit_or_name(first)),
-            _ => Ok(()),
-        }
+        misread.map_or(Ok(()), |factor| Err(self.unit_or_name(factor)))
     }
 
     fn unit_or_name(&self, factor: &Factor) -> FormulaError {
@@ -119,9 +128,25 @@ impl Written<'_> {
             format!("`{word}` is a unit and a name of the scene"),
         )
         .label(format!("{meaning}, or the name?"))
-        .help(format!(
-            "write `{number}*{names}` for the name, `({written})` for the unit, or rename `{word}`"
-        ))
+        .help(match self.before_brackets(factor) {
+            Some((units, brackets)) => {
+                format!("write `{number} {units} / {brackets}` for the names, `({written})` for the units")
+            }
+            None => {
+                format!(
+                    "write `{number}*{names}` for the name, `({written})` for the unit, or rename `{word}`"
+                )
+            }
+        })
+    }
+
+    /// The chain before the brackets that the factor begins, and the rest, where all before it are units only.
+    fn before_brackets(&self, factor: &Factor) -> Option<(&str, &str)> {
+        let chain = self.chain.span.clone();
+        let first = self.chain.groups.iter().find(|group| self.chain.factors[group.start] == *factor)?;
+        // Before the word stand the bracket and the slash.
+        let (units, rest) = (chain.start..factor.word.start - 2, factor.word.start - 1..chain.end);
+        (first.start > 0).then(|| (&self.text[units], &self.text[rest]))
     }
 
     fn exponent_range(&self) -> FormulaError {
@@ -149,9 +174,10 @@ pub(super) fn unit_hint(word: &str) -> Option<String> {
 
 /// The nearest of the names, or the cure of a look-alike.
 pub(super) fn name_hint<'c>(word: &str, names: impl Iterator<Item = &'c str> + Clone) -> Option<String> {
-    let latin = super::characters::skeleton(word);
-    if latin != word && names.clone().any(|name| name == latin) {
-        return Some(format!("its letters are not Latin ones: write `{latin}` in Latin letters"));
+    let latin = characters::skeleton(word);
+    let foreign = characters::foreign_letter(word).filter(|_| names.clone().any(|name| name == latin));
+    if let Some(letter) = foreign {
+        return Some(format!("{letter} is no Latin letter: write `{latin}` in Latin letters"));
     }
     suggest::nearest(word, names).map(|near| format!("did you mean `{near}`?"))
 }

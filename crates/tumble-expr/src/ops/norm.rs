@@ -13,13 +13,13 @@ pub(crate) fn value<S: Scalar>(series: &Series<'_, S>, parts: u32) -> S {
     if series.vanishing[parts as usize] {
         return S::zero();
     }
-    let parts = &series.norms[parts as usize];
+    let parts = &series.tape.norms[parts as usize];
     S::from_lanes(|lane| length(parts.iter().map(|part| series.first(*part).lane(lane))))
 }
 
 pub(crate) fn coefficient<S: Scalar>(series: &Series<'_, S>, parts: u32, c: &[S], k: usize) -> S {
     let lowest = usize::from(series.vanishing[parts as usize]);
-    let parts = &series.norms[parts as usize];
+    let parts = &series.tape.norms[parts as usize];
     // Away from zero in every lane there is nothing to factor out.
     if lowest == 0 && (0..S::LANES).all(|lane| c[0].lane(lane) != 0.0) {
         let square = |sum: S, part: &Slot| sum + arithmetic::square(series.of(*part), k);

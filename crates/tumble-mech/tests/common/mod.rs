@@ -34,3 +34,25 @@ pub(crate) fn hinged_rod() -> (Model, Body) {
     model.pivot_at("hinge", &rod, [0 * M, 0 * M], [0 * M, 0 * M]);
     (model, rod)
 }
+
+/// Nodes and weights of Gauss and Legendre on (-1, 1), the positive half.
+const GAUSS: [(f64, f64); 5] = [
+    (0.148_874_338_981_631_21, 0.295_524_224_714_752_87),
+    (0.433_395_394_129_247_2, 0.269_266_719_309_996_35),
+    (0.679_409_568_299_024_4, 0.219_086_362_515_982_04),
+    (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
+    (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
+];
+/// Panels of an integral: with ten nodes each, a smooth function is integrated to rounding.
+const PANELS: usize = 64;
+
+/// Integral of a smooth function.
+pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let half = 0.5 * (to - from) / PANELS as f64;
+    let panel = |index: usize| {
+        let middle = from + half * (2 * index + 1) as f64;
+        let nodes = GAUSS.iter().map(|(s, w)| w * (f(middle - half * s) + f(middle + half * s)));
+        half * nodes.sum::<f64>()
+    };
+    (0..PANELS).map(panel).sum()
+}

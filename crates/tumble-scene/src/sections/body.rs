@@ -26,10 +26,14 @@ fn body(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.remember(format!("body `{name}`"), &field.key_span);
     let matter = matter(draft, name, table);
     let points = points::read(draft, name, table);
+    let restitution = table.take("restitution").and_then(|field| {
+        draft.remember(format!("restitution of `{name}`"), &field.span);
+        draft.number(&field, Want::constant(Dimension::NONE))
+    });
     start::read(draft, name, table);
     match (claimed, matter) {
         (Some(()), Some((parts, stated))) => {
-            let body = Body { name: name.to_owned(), parts, points, stated };
+            let body = Body { name: name.to_owned(), parts, points, stated, restitution };
             quantities::define(&mut draft.names, &draft.model.gravity, &body);
             draft.model.bodies.push(body);
         }

@@ -1,16 +1,14 @@
 //! `[check.NAME]`: what must hold at one time of the run.
 
-use tumble_expr::Dimension;
-
 use super::each;
-use crate::code::Code;
 use crate::curve;
-use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::moments;
+use crate::names::Level;
 use crate::names::fit_file;
-use crate::study::{Check, Instant};
+use crate::study::Check;
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, check);
@@ -28,11 +26,11 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
     let want = Want { angle: angular, ..want };
     let equals = draft.required(table, "equals", &format!("\"{}\"", want.example("1"))).and_then(|field| {
         draft.remember(format!("equals of `{name}`"), &field.span);
-        draft.number(&field, want)
+        draft.number(&field, Want { moments: true, ..want.at(Level::Output) })
     });
     let at = table.take("at").map(|field| {
         draft.remember(format!("at of `{name}`"), &field.span);
-        instant(draft, &field)
+        moments::instant(draft, &field)
     });
     let within =
         draft.required(table, "within", &format!("\"{}\"", want.example("1e-9"))).and_then(|field| {
@@ -43,23 +41,4 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
         return;
     };
     draft.checks.push(Check { name: name.to_owned(), that, equals, at: at.flatten(), within });
-}
-
-/// A time, or an event with its count, `"apex[2]"`.
-fn instant(draft: &mut Draft, field: &Field) -> Option<Instant> {
-    let event = field.value.as_str().and_then(|text| draft.names.event_of(text));
-    let Some((name, count)) = event else {
-        return draft.number(field, Want::constant(Dimension::TIME)).map(Instant::Time);
-    };
-    match count.trim().parse() {
-        Ok(count) if count > 0 => Some(Instant::Event { name: name.to_owned(), count }),
-        _ => {
-            let message = format!("`{count}` does not count an event");
-            let help = format!("events are counted from 1: the first is \"{name}\" or \"{name}[1]\"");
-            draft.note(
-                Diagnostic::new(Code::Value, field.span.clone(), message).label("which one?").help(help),
-            );
-            None
-        }
-    }
 }

@@ -124,7 +124,7 @@ fn drag_place(draft: &mut Draft, place: &Field, (component, span): (Component, S
 fn across(draft: &mut Draft, point: PointRef, span: &Span) -> Option<DragPlace> {
     let body = draft.body_named(&point.body.body)?;
     let rods = body.parts.iter().filter_map(|part| match &part.shape {
-        Shape::Rod { from, to } => Some(to - from),
+        Shape::Rod { from, to, .. } => Some(to - from),
         _ => None,
     });
     let rods: Vec<_> = rods.collect();

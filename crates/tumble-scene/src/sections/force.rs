@@ -134,9 +134,9 @@ fn during(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<[Mo
 
 /// A time, or the name of an event.
 fn moment(draft: &mut Draft, field: &Field) -> Option<Moment> {
-    let event = field.value.as_str().and_then(|text| draft.names.event_of(text));
-    match event {
-        Some((name, "1")) if !name.contains('[') => Some(Moment::Event(name.to_owned())),
-        _ => draft.number(field, Want::constant(Dimension::TIME)).map(Moment::Time),
+    let text = field.value.as_str().map(str::trim);
+    match draft.names.events.iter().find(|event| Some(event.as_str()) == text) {
+        Some(name) => Some(Moment::Event(name.clone())),
+        None => draft.number(field, Want::constant(Dimension::TIME)).map(Moment::Time),
     }
 }

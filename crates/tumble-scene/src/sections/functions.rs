@@ -7,7 +7,7 @@ use tumble_expr::language::{self, Function, FunctionError, NameUse};
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, fields};
 use crate::draft::Draft;
-use crate::formula::{Origin, translate};
+use crate::formula::{Origin, Want, translate};
 use crate::names::Level;
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
@@ -25,8 +25,12 @@ fn function(draft: &mut Draft, field: &Field) -> Option<()> {
     let header = Origin::of(file, field.key_span.clone(), field.key);
     let origin = Origin::of(file, field.span.clone(), &body);
     let parsed = Function::parse(field.key, &body).map_err(|error| match error {
-        FunctionError::Header(errors) => translate(&draft.names, &header, Level::Output, errors),
-        FunctionError::Body(errors) => translate(&draft.names, &origin, Level::Output, errors),
+        FunctionError::Header(errors) => {
+            translate(&draft.names, &header, Want::any().at(Level::Output), errors)
+        }
+        FunctionError::Body(errors) => {
+            translate(&draft.names, &origin, Want::any().at(Level::Output), errors)
+        }
     });
     let function = draft.all_noted(parsed)?;
     let claimed = draft.names.claim("a function", &function.header.name, header.map(&function.header.span));
@@ -74,5 +78,5 @@ fn unknown_name(draft: &Draft, function: &Function, name: &NameUse) -> Vec<Diagn
     for (span, _) in errors.iter_mut().flat_map(|error| &mut error.labels) {
         *span = name.span.start + span.start..name.span.start + span.end;
     }
-    translate(&draft.names, origin, Level::Output, errors)
+    translate(&draft.names, origin, Want::any().at(Level::Output), errors)
 }

@@ -6,6 +6,7 @@ mod damper;
 mod drag;
 mod event;
 mod force;
+mod free_body;
 mod functions;
 mod header;
 mod lift;
@@ -20,6 +21,7 @@ mod shape;
 mod spring;
 mod start;
 mod stroboscope;
+mod surface;
 mod sweep;
 mod symbols;
 mod table;
@@ -62,6 +64,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     needed("world", "[world]\ngravity = \"9.81 m/s^2\"", world::read),
     needed("body", "[body.ball]\nball = { radius = \"0.1 m\" }\nmass = \"1 kg\"", body::read),
     optional("pivot", pivot::read),
+    optional("surface", surface::read),
     optional("event", event::read),
     optional("force", force::read),
     optional("drag", drag::read),
@@ -73,6 +76,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("output", output::read),
     optional("plot", plot::read),
     optional("stroboscope", stroboscope::read),
+    optional("free_body", free_body::read),
     optional("check", check::read),
     optional("symbols", symbols::read),
 ];
@@ -82,6 +86,7 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     let top = fields(document);
     draft.names.bodies = second_names(&top, "body");
     draft.names.events = second_names(&top, "event");
+    draft.names.surfaces = second_names(&top, "surface");
     for section in SECTIONS {
         match (top.iter().find(|field| field.key == section.key), section.needed) {
             (Some(field), _) => (section.read)(draft, field),

@@ -8,7 +8,7 @@ use crate::curve;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
-use crate::names::fit_file;
+use crate::moments;
 use crate::study::{Curve, Plot};
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
@@ -16,12 +16,14 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 }
 
 fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
-    draft.noted(fit_file(field));
+    draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.words(&field));
     let x = table.take("x").map(|field| curve::read(draft, &field));
     let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| curves(draft, &field));
-    let (Some(y), None | Some(Some(_))) = (y, &x) else { return };
-    draft.plots.push(Plot { name: field.key.to_owned(), title, x: x.flatten(), y });
+    let during = table.take("during").map(|field| moments::pair(draft, &field));
+    let (Some(y), None | Some(Some(_)), None | Some(Some(_))) = (y, &x, &during) else { return };
+    let (x, during) = (x.flatten(), during.flatten());
+    draft.plots.push(Plot { name: field.key.to_owned(), title, x, y, during });
 }
 
 /// One formula or a list of formulas, all of one dimension.

@@ -86,7 +86,12 @@ fn rod(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
     draft.remember(format!("length of `{name}`"), &table.span);
     let from = draft.required(table, "from", "[0, 0]").and_then(|field| draft.place(&field));
     let to = draft.required(table, "to", "[0, \"1 m\"]").and_then(|field| draft.place(&field));
-    Some(Shape::Rod { from: from?, to: to? })
+    let end_radius = table.take("end_radius").map(|field| {
+        draft.remember(format!("end radius of `{name}`"), &field.span);
+        draft.number(&field, Want::constant(Dimension::LENGTH))
+    });
+    let end_radius = end_radius.unwrap_or_else(|| Some(Expr::zero()));
+    Some(Shape::Rod { from: from?, to: to?, end_radius: end_radius? })
 }
 
 fn round(

@@ -6,7 +6,6 @@ use super::{body, each};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
-use crate::names::fit_file;
 use crate::study::Stroboscope;
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
@@ -14,7 +13,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 }
 
 fn stroboscope(draft: &mut Draft, field: &Field, table: &mut Table) {
-    draft.noted(fit_file(field));
+    draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.words(&field));
     let bodies = match table.take("body") {
         Some(field) => bodies(draft, &field),

@@ -1,7 +1,7 @@
 //! `[world]`: what surrounds the bodies.
 
 use tumble_expr::Dimension;
-use tumble_mech::{Gravity, Wind};
+use tumble_mech::{Gravity, Simultaneous, Wind};
 
 use super::only;
 use crate::document::{Field, Table};
@@ -15,11 +15,21 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 /// Gravity is never taken for granted: without it, `gravity = "0 m/s^2"` says so.
 fn world(draft: &mut Draft, table: &mut Table) {
     wind(draft, table);
+    impacts(draft, table);
     let example = "\"9.81 m/s^2\"`, or without gravity `gravity = \"0 m/s^2\"";
     let Some(field) = draft.required(table, "gravity", example) else { return };
     let Some(g) = draft.number(&field, Want::constant(Dimension::ACCELERATION)) else { return };
     draft.remember("gravity", &field.span);
     draft.model.gravity = if draft.horizontal { Gravity::Horizontal(g) } else { Gravity::Vertical(g) };
+}
+
+/// How one body's impacts at several points at one instant are taken.
+fn impacts(draft: &mut Draft, table: &mut Table) {
+    let Some(field) = table.take("impacts") else { return };
+    draft.model.simultaneous = match draft.choice(&field, &["together", "in turn"]) {
+        Some("in turn") => Simultaneous::InTurn,
+        _ => Simultaneous::Together,
+    };
 }
 
 /// Velocity of the air, a formula of the time and of the place; without it the air is at rest.

@@ -1,6 +1,6 @@
 //! What correct formulas mean.
 
-use super::super::{StatedUnit, Value, parse};
+use super::super::{Scope, StatedUnit, Value, parse};
 use super::{check, evaluate, number};
 use crate::{Dimension, Exponent, Kind};
 
@@ -80,6 +80,14 @@ fn quantities_are_in_si_units() {
         ("3 km/2", 1500.0, Dimension::LENGTH),
         ("2 kg*sqrt(4)", 4.0, Dimension::MASS),
         ("(2 cm)^2", 4e-4, Dimension::new(2, 0, 0)),
+        ("3 kg/(cm*s)", 300.0, Dimension::new(-1, 1, -1)),
+        ("3 kg/(cm/s)*2", 600.0, Dimension::new(-1, 1, 1)),
+        ("(3 kg/(m*L))", 3000.0, Dimension::new(-4, 1, 0)),
+        ("20 1/min", 1.0 / 3.0, Dimension::ANGULAR_RATE),
+        ("3 1/(m*s)", 3.0, Dimension::new(-1, 0, -1)),
+        // Here m and L are names.
+        ("6 kg / (m*L)", 1.5, Dimension::new(-1, 0, 0)),
+        ("4 kg/(m*L)^2", 0.25, Dimension::new(-2, -1, 0)),
     ];
     for (text, expected, dimension) in cases {
         close(text, expected);
@@ -108,8 +116,19 @@ fn names_stand_for_what_the_scope_says() {
 
 #[test]
 fn a_unit_that_is_a_name_is_a_unit_where_it_stands_alone() {
-    for text in ["1 m", "-1 m", "2 kg/m", "norm([0, 2 m])", "(2 m)*3", "L + (2 m)", "max(2 m, L)", "(2 m/L)"]
-    {
+    for text in [
+        "1 m",
+        "-1 m",
+        "2 kg/m",
+        "2 kg/(m*s)",
+        "2 1/m",
+        "[0, 2 kg/(m*s)]",
+        "norm([0, 2 m])",
+        "(2 m)*3",
+        "L + (2 m)",
+        "max(2 m, L)",
+        "(2 m/L)",
+    ] {
         assert!(check(text).is_ok(), "{text}");
     }
 }
@@ -178,4 +197,22 @@ fn a_place_asks_for_what_it_needs() {
     assert!(formula("[V, V]").check_number(&scope, Dimension::SPEED).is_err());
     assert!(formula("V").check_vector(&scope, Dimension::SPEED).is_err());
     assert!(formula("V").check_condition(&scope).is_err());
+}
+
+#[test]
+fn every_printed_dimension_reads_back_as_itself() {
+    let powers = [-24, -3, -1, 0, 1, 2, 24].map(Exponent::from_integer);
+    let fractions = [(1, 2), (-1, 2), (3, 4), (-5, 3)].map(|(n, d)| Exponent::new(n, d));
+    let powers = [&powers[..], &fractions].concat();
+    let all = powers.iter().flat_map(|l| powers.iter().flat_map(|m| powers.iter().map(|t| (*l, *m, *t))));
+    for (length, mass, time) in all {
+        let dimension = Dimension { length, mass, time };
+        // A pure number prints as 1, which is no unit.
+        let text =
+            if dimension == Dimension::NONE { dimension.to_string() } else { format!("1 {dimension}") };
+        let formula = parse(&text).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+        let Ok(Value::Scalar(one)) = formula.check(&Scope::new()) else { panic!("{text}") };
+        assert_eq!(one.dimension(), Ok(dimension), "{text}");
+        assert_eq!(evaluate(&one), 1.0, "{text}");
+    }
 }

@@ -28,6 +28,27 @@ const SYNTAX: &[(&str, &str, &str)] = &[
     ("1.5.2 + 1", "E0105 1.5.2", "one decimal point"),
     ("1e + 2", "E0105 1e", "exponent of this number is missing"),
     ("1_000", "E0105 1_000", "write `1000`"),
+    ("1e400*V", "E0106 1e400", "too large"),
+    ("1,5 m", "E0107 1,5", "write `1.5`"),
+    ("-1,5 m/s + V", "E0107 1,5", "write `1.5`"),
+    ("V + 2*1,5 m/s", "E0107 1,5", "write `1.5`"),
+    ("−2", "E0104 −", "(U+2212, minus sign)"),
+    ("V–2", "E0104 –", "(U+2013, en dash)"),
+    ("m·L", "E0104 ·", "(U+00B7, middle dot)"),
+    ("m⋅L", "E0104 ⋅", "(U+22C5, dot operator)"),
+    ("m×L", "E0104 ×", "(U+00D7, multiplication sign)"),
+    ("L²", "E0104 ²", "(U+00B2, superscript)"),
+    ("3 s⁻¹", "E0104 ⁻¹", "write `^-1`"),
+    ("L¹²", "E0104 ¹²", "write `^12`"),
+    ("٣ + 1", "E0104 ٣", "write `3`"),
+    ("𝟏𝟐 + 1", "E0104 𝟏𝟐", "write `12`"),
+    ("𝑚*L", "E0104 𝑚", "write `m`"),
+    ("V₀", "E0104 ₀", "write `0`"),
+    ("½*V", "E0104 ½", "write `0.5`"),
+    ("35º", "E0104 º", "write `deg`"),
+    ("∞", "E0104 ∞", "finite numbers"),
+    ("2，5", "E0104 ，", "write `,`"),
+    ("（V）", "E0104 （ && E0104 ）", "write `(`"),
     ("1e999", "E0106 1e999", "too large"),
     ("1e-999", "E0106 1e-999", "too small"),
     ("1,5", "E0107 1,5", "write `1.5`"),
@@ -65,7 +86,15 @@ const MEANING: &[(&str, &str, &str)] = &[
     ("2 sec", "E0201 sec", "did you mean `s`?"),
     ("2 m2", "E0201 m2", "did you mean `m^2`?"),
     ("2 zorkmid", "E0201 zorkmid", "not a unit"),
-    ("2 м", "E0201 м", "did you mean `m`?"),
+    ("2 м", "E0201 м", "`м` (U+043C, Cyrillic) is no Latin letter: did you mean `m`?"),
+    ("2 сm", "E0201 сm", "`с` (U+0441, Cyrillic) is no Latin letter: did you mean `cm`?"),
+    ("2 Ν", "E0201 Ν", "`Ν` (U+039D, Greek) is no Latin letter: did you mean `N`?"),
+    ("1е5", "E0201 е5", "`е` (U+0435, Cyrillic) is no Latin letter: write `e5`"),
+    ("2 kg/(m*L) + V", "E0202 m", "write `2 kg / (m*L)` for the names, `(2 kg/(m*L))` for the units"),
+    ("2 kg/(m*L)", "E0202 m", "write `2 kg / (m*L)` for the names"),
+    ("2 kg/(L)", "E0202 L", "write `2 kg / (L)` for the names"),
+    ("V + 1 1/m", "E0202 m", "`(1 1/m)` for the unit"),
+    ("2 kg/(s*x)", "E0301 s && E0301 x", "is a unit"),
     ("L + 2 m", "E0202 m", "write `2*m` for the name, `(2 m)` for the unit"),
     ("2 m/L", "E0202 m", "`(2 m/L)`"),
     ("2 m/R", "E0202 R", "write `2 m / R`"),
@@ -75,7 +104,9 @@ const MEANING: &[(&str, &str, &str)] = &[
     ("9.81 kg / s", "E0301 s", "`s` is a unit (second, SI)"),
     ("2*kg", "E0301 kg", "as in `2 kg`"),
     ("2*π", "E0301 π", "write `pi`"),
-    ("2*Т", "E0301 Т", "in Latin letters"),
+    ("2*Т", "E0301 Т", "`Т` (U+0422, Cyrillic) is no Latin letter: write `T` in Latin letters"),
+    ("nan*V", "E0301 nan", "finite numbers"),
+    ("-Infinity", "E0301 Infinity", "finite numbers"),
     ("si(2)", "E0302 si", "did you mean `sin`?"),
     ("ln(2)", "E0302 ln", "written `log` here"),
     ("w2(2)", "E0302 w2", "did you mean `w`?"),
@@ -93,6 +124,8 @@ const MEANING: &[(&str, &str, &str)] = &[
     ("if(1 < 2, V, L)", "E0401 1 < 2 | V | L", "chooses between"),
     ("max(V, L)", "E0401 V | L", "compares"),
     ("[V, L]", "E0401 V | L", "components of this vector are a speed"),
+    ("[1,5 m, V]", "E0401 1 | 5 m | V", "a decimal point is written `1.5 m`"),
+    ("max(1,5 m/s, V)", "E0401 1 | 5 m/s | V", "a decimal point is written `1.5 m/s`"),
     ("r + [1, 2]", "E0401 r | [1, 2]", "adds a length"),
     ("sin(L)", "E0402 L", "sin takes a pure number"),
     ("2^L", "E0402 2 | L", "an exponent"),
@@ -116,8 +149,8 @@ const MEANING: &[(&str, &str, &str)] = &[
     ("L^2000000000*L^2000000000", "E0409 L^2000000000 | L^2000000000", "out of range"),
 ];
 
-fn expect_one(text: &str, errors: &[FormulaError], underlined: &str, says: &str) {
-    assert_eq!(report(text, errors), [underlined], "{text}: {errors:#?}");
+fn expect(text: &str, errors: &[FormulaError], underlined: &str, says: &str) {
+    assert_eq!(report(text, errors).join(" && "), underlined, "{text}: {errors:#?}");
     let said = format!("{}; {}", errors[0].message, errors[0].help.as_deref().unwrap_or_default());
     let labels: Vec<_> = errors[0].labels.iter().map(|(_, label)| label.as_str()).collect();
     assert!(said.contains(says) || labels.concat().contains(says), "{text}: {said}; {labels:?}");
@@ -127,7 +160,7 @@ fn expect_one(text: &str, errors: &[FormulaError], underlined: &str, says: &str)
 fn mistakes_of_syntax() {
     for (text, underlined, says) in SYNTAX {
         let errors = parse(text).expect_err(text);
-        expect_one(text, &errors, underlined, says);
+        expect(text, &errors, underlined, says);
     }
 }
 
@@ -135,7 +168,7 @@ fn mistakes_of_syntax() {
 fn mistakes_of_meaning() {
     for (text, underlined, says) in MEANING {
         let errors = check(text).expect_err(text);
-        expect_one(text, &errors, underlined, says);
+        expect(text, &errors, underlined, says);
     }
 }
 
@@ -143,7 +176,7 @@ fn mistakes_of_meaning() {
 fn operands_are_labelled_by_what_they_are() {
     let errors = check("2*L + m*V").expect_err("unlike");
     let labels: Vec<_> = errors[0].labels.iter().map(|(_, label)| label.as_str()).collect();
-    assert_eq!(labels, ["a length (m)", "a momentum (kg m/s)"]);
+    assert_eq!(labels, ["a length (m)", "a momentum (kg*m/s)"]);
 }
 
 #[test]

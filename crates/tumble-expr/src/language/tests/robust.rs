@@ -2,8 +2,9 @@
 
 use proptest::prelude::*;
 
-use super::super::{Code, FormulaError, MAX_LENGTH, Place, parse};
+use super::super::{Code, FormulaError, MAX_LENGTH, Place, Scope, Value, parse};
 use super::{check, evaluate, number};
+use crate::{Dimension, Expr, Layout, Symbol, Tape};
 
 const GOOD: &[&str] = &[
     "0.5*w1*(1 + cos(2*pi*t/T))",
@@ -13,6 +14,7 @@ const GOOD: &[&str] = &[
     "floor.contact[1].start + 20 ms",
     "w(t + w(2 s)/1 m^(1/2))",
     "2 − １２·rаd°",
+    "2 kg/(m*s) + 3 1/s - 1 1/(m*L^2) − L⁻¹²*٣",
 ];
 
 fn spans_fit(text: &str, errors: &[FormulaError]) {
@@ -79,7 +81,7 @@ fn huge_texts_are_answered() {
     let many = |sign: &str| sign.repeat(60_000);
     for sign in [
         "(", "[", "-", "sin(", "f(", "1^", "1+", "2 m*", ")", ",", "[1,", "1<", "é", "１", "1.", "m*", "x+",
-        "1 x+", "1.2.3+",
+        "1 x+", "1.2.3+", "1 1/", "1 m/(", "1 m/(m*", "⁻¹",
     ] {
         let text = &many(sign)[..sign.len() * (60_000 / sign.len())];
         answer(text);
@@ -87,7 +89,11 @@ fn huge_texts_are_answered() {
     }
     let nested = format!("{}1{}", "(".repeat(30_000), ")".repeat(30_000));
     assert_eq!(parse(&nested).expect_err("deep")[0].code, Code::TooDeep);
-    assert_eq!(parse(&"(".repeat(MAX_LENGTH + 1)).expect_err("long")[0].code, Code::TooLong);
+    let hundred_thousand =
+        [format!("{}1{}", "(".repeat(100_000), ")".repeat(100_000)), "1+".repeat(100_000) + "1"];
+    for text in [&hundred_thousand[0], &hundred_thousand[1], &"(".repeat(MAX_LENGTH + 1)] {
+        assert_eq!(parse(text).expect_err("long")[0].code, Code::TooLong);
+    }
     let allowed = format!("{}1{}", "(".repeat(100), ")".repeat(100));
     assert!(parse(&allowed).is_ok());
 }
@@ -99,4 +105,26 @@ fn long_chains_are_checked_without_recursion() {
     }
     let exponent = format!("L^({}1)", "-".repeat(60_000));
     assert_eq!(check(&exponent).expect_err("no plain number")[0].code, Code::Exponent);
+}
+
+/// The longest chains that a formula may have, through everything that is done with it, on a small stack.
+#[test]
+fn long_chains_are_compiled_and_dropped_without_recursion() {
+    const STACK: usize = 256 << 10;
+    let last = |text: &str, count: usize| format!("{}t", text.repeat(count));
+    let texts = [last("t+", 32_000), last("t*t/", 16_000), last("-", 65_000), "1 s + ".repeat(10_000) + "t"];
+    let compiled = move || {
+        let time = Symbol::new("t", Dimension::TIME);
+        let mut scope = Scope::new();
+        scope.define("t", Expr::from(time.clone())).expect("a name");
+        for text in &texts {
+            let formula = parse(text).expect("short enough").check(&scope).expect("alike");
+            let Value::Scalar(formula) = formula else { panic!("a number") };
+            let derived = formula.clone() * 2;
+            let layout = Layout { states: vec![], time: time.clone(), inputs: vec![] };
+            assert!(Tape::compile(&layout, &[formula, derived]).is_ok(), "{}", &text[..8]);
+        }
+    };
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(compiled).expect("a thread");
+    assert!(thread.join().is_ok());
 }

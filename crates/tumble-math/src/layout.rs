@@ -1,0 +1,128 @@
+//! Mathematics as it stands on paper, before it becomes MathML, LaTeX or text.
+
+use crate::symbol::Identifier;
+
+/// A sign between or before parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Operator {
+    Plus,
+    Minus,
+    /// The minus sign of one part.
+    Negative,
+    Equals,
+    Less,
+    LessEqual,
+    /// A multiplication that must be seen.
+    Times,
+    /// A fraction within a line, as in an exponent.
+    Over,
+}
+
+/// How derivatives by time are marked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mark {
+    /// Dots above the letter.
+    Dots,
+    /// Primes behind it.
+    Primes,
+}
+
+/// A piece of mathematics.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Math {
+    /// One after another.
+    Row(Vec<Self>),
+    /// Factors without a sign between them.
+    Product(Vec<Self>),
+    /// Digits.
+    Number(String),
+    /// A letter or word with its subscript.
+    Identifier(Identifier),
+    /// A sign.
+    Operator(Operator),
+    /// Upright words, such as units.
+    Text(String),
+    /// Numerator and denominator.
+    Fraction(Box<Self>, Box<Self>),
+    /// Base and exponent.
+    Power(Box<Self>, Box<Self>),
+    /// Square root.
+    Root(Box<Self>),
+    /// Between bars: an absolute value, or the length of a vector.
+    Bars(Box<Self>),
+    /// Between round brackets.
+    Brackets(Box<Self>),
+    /// A function.
+    Call {
+        /// Its name.
+        function: Identifier,
+        /// The power it is raised to, as in sin².
+        power: Option<Box<Self>>,
+        /// Its arguments.
+        arguments: Vec<Self>,
+        /// Written without brackets, as in sin θ.
+        bare: bool,
+    },
+    /// Values with the conditions under which they hold; the last one's may be left out.
+    Cases(Vec<(Self, Option<Self>)>),
+    /// Derivative by time.
+    Derivative {
+        /// Of what.
+        of: Identifier,
+        /// How often; 0 is not at all.
+        order: u8,
+        /// How it is marked.
+        mark: Mark,
+    },
+    /// Rows of a matrix; a vector has rows of one entry.
+    Matrix(Vec<Vec<Self>>),
+    /// A component of a vector, counted from 1.
+    Component(Box<Self>, u32),
+}
+
+impl Math {
+    /// A symbol by its name, such as `theta`, `v_x` or `w1`. A name between bars, `|u|`, is the length of what is named.
+    pub fn symbol(name: &str) -> Self {
+        let inside = name.strip_prefix('|').and_then(|rest| rest.strip_suffix('|'));
+        match inside.filter(|inside| !inside.is_empty()) {
+            Some(inside) => Self::Bars(Box::new(Self::symbol(inside))),
+            None => Self::Identifier(Identifier::parse(name)),
+        }
+    }
+
+    /// The derivative of that order of a symbol by time.
+    pub fn derivative(name: &str, order: u8, mark: Mark) -> Self {
+        Self::Derivative { of: Identifier::parse(name), order, mark }
+    }
+
+    /// `left = right`
+    pub fn equation(left: Self, right: Self) -> Self {
+        Self::Row(vec![left, Self::Operator(Operator::Equals), right])
+    }
+
+    pub(crate) fn digits(value: impl ToString) -> Self {
+        Self::Number(value.to_string())
+    }
+
+    pub(crate) fn over(self, below: Self) -> Self {
+        Self::Fraction(Box::new(self), Box::new(below))
+    }
+
+    pub(crate) fn raised_to(self, exponent: Self) -> Self {
+        Self::Power(Box::new(self), Box::new(exponent))
+    }
+
+    pub(crate) fn bracketed(self) -> Self {
+        Self::Brackets(Box::new(self))
+    }
+
+    /// One factor as it is, several as a product, none as the number 1.
+    pub(crate) fn product(mut factors: Vec<Self>) -> Self {
+        match factors.len() {
+            0 => Self::digits(1),
+            1 => factors.swap_remove(0),
+            _ => Self::Product(factors),
+        }
+    }
+}

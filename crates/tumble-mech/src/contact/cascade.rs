@@ -1,0 +1,195 @@
+//! Impacts that follow each other ever faster: how long they still go on.
+//!
+//! Once all bounces that are left are lower than [`LOWEST`] of the body's size, the accelerations of the gaps and the
+//! responses to impulses are constants over what is left of it, so the rest is arithmetic: for one contact a geometric
+//! series, for several the same impacts in miniature, down to nothing. What is left out by holding them constant is of
+//! the order of the square of the time left, which the lowness bounds.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::contact::complementarity::pushing;
+use crate::laws::impact::{Simultaneous, impulses};
+
+/// Bounces lower than this part of the body's size are not followed one by one. The time left is then about 1e-8 of
+/// the time that the body takes to fall its own size, and the square of that is rounding.
+pub(crate) const LOWEST: f64 = 1e-15;
+/// The miniature ends when all speeds are this part of what they were: what is left adds as little to the time.
+const ENDED: f64 = 1e-9;
+/// Bounces in miniature before it is given up: with a restitution so close to one they are followed one by one a while
+/// longer.
+const MOST_BOUNCES: usize = 200_000;
+/// In miniature, what is slower than this part of the fastest after a hit stands: rounding of the hit.
+const STANDS: f64 = 1e-12;
+/// Hits in miniature closer than this part of the flight are one.
+const SIMULTANEOUS: f64 = 1e-12;
+
+/// Contacts of one body, close to a surface and to rest.
+pub(crate) struct Cascade<'a> {
+    pub(crate) rule: Simultaneous,
+    pub(crate) response: &'a DMatrix<f64>,
+    pub(crate) restitution: &'a DVector<f64>,
+    /// Accelerations of the gaps, m/s^2.
+    pub(crate) free: &'a DVector<f64>,
+    /// No gap may grow beyond this, m.
+    pub(crate) lowest: f64,
+}
+
+impl Cascade<'_> {
+    /// Time until all gaps are closed for good, s; `None` if this is no such motion. Contacts that stand have no gap
+    /// and no rate.
+    pub(crate) fn remaining(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<f64> {
+        let held = self.with_held(gap, rate)?;
+        let moves = |i: &usize| gap[*i] != 0.0 || rate[*i] != 0.0;
+        let mut moving = (0..gap.len()).filter(moves);
+        let loses = self.restitution.iter().all(|e| *e < 1.0);
+        let is_low = |i: usize| held[i] < 0.0 && height(gap[i], rate[i], held[i]) <= self.lowest;
+        if !(loses && moving.all(is_low)) {
+            return None;
+        }
+        if gap.len() == 1 { Some(self.alone(gap[0], rate[0])) } else { self.several(gap, rate) }
+    }
+
+    /// Flights of one contact shrink by its restitution.
+    fn alone(&self, gap: f64, rate: f64) -> f64 {
+        let (a, e) = (-self.free[0], self.restitution[0]);
+        let first = flight(gap.max(0.0), rate, -a);
+        let impact = a * first - rate;
+        first + 2.0 * e * impact / (a * (1.0 - e))
+    }
+
+    fn several(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<f64> {
+        let (mut gap, mut rate) = (gap.map(|g| g.max(0.0)), rate.clone());
+        let fastest = rate.amax();
+        let mut time = 0.0;
+        for _ in 0..MOST_BOUNCES {
+            if rate.amax() <= ENDED * fastest {
+                return Some(time);
+            }
+            let free = self.with_held(&gap, &rate)?;
+            let flights = DVector::from_fn(gap.len(), |i, _| match gap[i] == 0.0 && rate[i] == 0.0 {
+                true => f64::INFINITY,
+                false => flight(gap[i], rate[i], free[i]),
+            });
+            let next = flights.min();
+            if !next.is_finite() {
+                return None;
+            }
+            time += next;
+            gap += &rate * next + &free * (0.5 * next * next);
+            rate += free * next;
+            for i in 0..gap.len() {
+                let hits = flights[i] <= next * (1.0 + SIMULTANEOUS);
+                gap[i] = if hits || flights[i].is_infinite() { 0.0 } else { gap[i].max(0.0) };
+                rate[i] = if flights[i].is_infinite() { 0.0 } else { rate[i] };
+            }
+            self.bounce(&gap, &mut rate)?;
+            if gap.max() > 4.0 * self.lowest {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Accelerations while those contacts that stand are held.
+    fn with_held(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<DVector<f64>> {
+        let held: Vec<usize> = (0..gap.len()).filter(|i| gap[*i] == 0.0 && rate[*i] == 0.0).collect();
+        let push = self.on(&held, |a, b| pushing(a, b).map(|(_, z)| z), self.free)?;
+        Some(self.free + self.response * push)
+    }
+
+    fn bounce(&self, gap: &DVector<f64>, rate: &mut DVector<f64>) -> Option<()> {
+        let touching: Vec<usize> = (0..gap.len()).filter(|i| gap[*i] == 0.0).collect();
+        let e = DVector::from_fn(touching.len(), |i, _| self.restitution[touching[i]]);
+        let push = self.on(&touching, |a, v| impulses(self.rule, a, v, &e), rate)?;
+        let fastest = rate.amax();
+        *rate += self.response * push;
+        for i in touching {
+            rate[i] = if rate[i].abs() <= STANDS * fastest { 0.0 } else { rate[i] };
+        }
+        Some(())
+    }
+
+    /// Solves a problem of some contacts only; the others get nothing.
+    fn on(
+        &self,
+        some: &[usize],
+        solve: impl Fn(&DMatrix<f64>, &DVector<f64>) -> Option<DVector<f64>>,
+        given: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        let mut all = DVector::zeros(given.len());
+        if some.is_empty() {
+            return Some(all);
+        }
+        let part = DMatrix::from_fn(some.len(), some.len(), |i, j| self.response[(some[i], some[j])]);
+        let given = DVector::from_fn(some.len(), |i, _| given[some[i]]);
+        for (index, push) in solve(&part, &given)?.iter().enumerate() {
+            all[some[index]] = *push;
+        }
+        Some(all)
+    }
+}
+
+fn height(gap: f64, rate: f64, free: f64) -> f64 {
+    gap + 0.5 * rate * rate / free.abs()
+}
+
+/// Time until `gap + rate t + free t^2 / 2` comes back to zero, s; infinite if it does not.
+fn flight(gap: f64, rate: f64, free: f64) -> f64 {
+    let root = rate * rate - 2.0 * free * gap;
+    if free >= 0.0 && (rate >= 0.0 || root < 0.0) {
+        return f64::INFINITY;
+    }
+    // Of the two forms of the root the one without cancellation.
+    let root = libm::sqrt(root);
+    if rate > 0.0 { (rate + root) / -free } else { 2.0 * gap / (root - rate) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn remaining(response: &[f64], e: f64, gap: &[f64], rate: &[f64]) -> Option<f64> {
+        let n = gap.len();
+        let cascade = Cascade {
+            rule: Simultaneous::Together,
+            response: &DMatrix::from_row_slice(n, n, response),
+            restitution: &DVector::from_element(n, e),
+            free: &DVector::from_element(n, -10.0),
+            lowest: 1.0,
+        };
+        cascade.remaining(&DVector::from_row_slice(gap), &DVector::from_row_slice(rate))
+    }
+
+    #[test]
+    fn a_geometric_series() {
+        // Up with 2 m/s: 0.4 s, then a half of it, ...
+        let time = remaining(&[1.0], 0.5, &[0.0], &[2.0]).expect("a cascade");
+        assert!((time - 0.8).abs() < 1e-15);
+        // From 0.05 m at rest: 0.1 s down, then 0.1 s, 0.05 s, ...
+        let time = remaining(&[1.0], 0.5, &[0.05], &[0.0]).expect("a cascade");
+        assert!((time - 0.3).abs() < 1e-15, "{time}");
+    }
+
+    /// Two that do not touch each other are as one.
+    #[test]
+    fn several_contacts_agree_with_one() {
+        let two = remaining(&[1.0, 0.0, 0.0, 1.0], 0.5, &[0.0, 0.0], &[2.0, 1.0]).expect("a cascade");
+        assert!((two - 0.8).abs() < 1e-8, "{two}");
+        let rod = remaining(&[4.0, -2.0, -2.0, 4.0], 0.7, &[0.0, 0.0], &[2.0, 2.0]).expect("a cascade");
+        assert!((rod - 0.4 / 0.3).abs() < 1e-8, "{rod}");
+    }
+
+    /// One that stands is none of the bounces, and holds as much as its coupling to the other asks for.
+    #[test]
+    fn one_stands_and_the_other_bounces() {
+        let time = remaining(&[1.0, -0.5, -0.5, 1.0], 0.5, &[0.0, 0.0], &[0.0, 2.0]).expect("a cascade");
+        // While the first is held, the second falls with 10 + 5 m/s^2.
+        assert!((time - 8.0 / 15.0).abs() < 1e-8, "{time}");
+    }
+
+    #[test]
+    fn what_does_not_come_to_rest_is_none() {
+        assert_eq!(remaining(&[1.0], 1.0, &[0.0], &[2.0]), None);
+        assert_eq!(remaining(&[1.0], 0.5, &[0.0], &[20.0]), None);
+    }
+}

@@ -1,0 +1,113 @@
+//! All pairs of a model, and which of them are watched in a mode, and how.
+
+use tumble_expr::Expr;
+use tumble_ode::{Candidate, Direction, Guard};
+
+use crate::contact::feature::Feature;
+use crate::contact::pair::{Pair, Watched};
+use crate::contact::phase::Phase;
+use crate::coordinates::Measure;
+use crate::equations::Equations;
+use crate::laws::compliant;
+use crate::mode::Mode;
+use crate::model::Model;
+use crate::term::Term;
+
+/// Every pair, in the order of surfaces, bodies and features, with the force it exerts when it touches.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pairs {
+    pub(crate) all: Vec<Pair>,
+    pub(crate) terms: Vec<Term>,
+}
+
+impl Pairs {
+    pub(crate) fn of(model: &Model) -> Self {
+        let features: Vec<Vec<Feature>> = match model.surfaces.is_empty() {
+            true => vec![vec![]; model.bodies.len()],
+            false => model.bodies.iter().map(|body| body.features()).collect(),
+        };
+        let mut all = vec![];
+        for surface in model.surfaces.iter().enumerate() {
+            for body in model.bodies.iter().enumerate().filter(|(_, body)| surface.1.meets(&body.name)) {
+                all.extend(features[body.0].iter().map(|feature| Pair::new(surface, body, feature)));
+            }
+        }
+        let terms = all.iter().map(Pair::term).collect();
+        Self { all, terms }
+    }
+
+    /// Indices of a body's pairs.
+    pub(crate) fn of_body(&self, body: usize) -> impl Iterator<Item = usize> {
+        (0..self.all.len()).filter(move |pair| self.all[*pair].body == body)
+    }
+}
+
+impl Equations {
+    /// Pairs that may touch, in the order that [`Mode::contacts`] counts them by.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pair_list().all
+    }
+
+    /// Pairs that are apart in a mode.
+    pub(crate) fn apart(&self, mode: &Mode) -> Vec<usize> {
+        (0..self.pairs().len()).filter(|pair| mode.phase(*pair).is_none()).collect()
+    }
+
+    /// What is watched of the pairs that touch: its guards come after those of the events.
+    pub(crate) fn touching(&self, mode: &Mode) -> Vec<(usize, Watched, Direction)> {
+        let watched = |(pair, phase): &(usize, Phase)| -> Vec<(usize, Watched, Direction)> {
+            let gap = (*pair, Watched::Gap, Direction::Rising);
+            match phase {
+                Phase::Pressed if self.pairs()[*pair].releases_early() => {
+                    vec![(*pair, Watched::Force, Direction::Falling)]
+                }
+                Phase::Pressed => vec![gap],
+                Phase::Released => vec![gap, (*pair, Watched::Force, Direction::Rising)],
+                Phase::Resting | Phase::Settling => vec![(*pair, Watched::Normal, Direction::Falling)],
+                Phase::Idle => vec![],
+            }
+        };
+        mode.contacts.iter().flat_map(watched).collect()
+    }
+
+    /// Guards of the pairs that touch.
+    pub(crate) fn touching_guards(&self, mode: &Mode) -> Vec<Guard> {
+        let guard = |(pair, watched, direction)| {
+            let pair: &Pair = &self.pairs()[pair];
+            let formula = match watched {
+                // The gap and the root of the depth vanish together; the root does so with a slope.
+                Watched::Gap if pair.is_hertzian() => -Expr::from(pair.root_symbol()),
+                Watched::Gap => pair.gap(),
+                Watched::Force => compliant::normal_force(pair).unwrap_or_else(Expr::zero),
+                Watched::Normal => pair.force_symbol().into(),
+            };
+            Guard { name: pair.guard_name(watched), formula, direction }
+        };
+        self.touching(mode).into_iter().map(guard).collect()
+    }
+
+    /// Gaps of the pairs that are apart.
+    pub(crate) fn candidates(&self, mode: &Mode) -> Vec<Candidate> {
+        let candidate = |index: usize| {
+            let pair = &self.pairs()[index];
+            let body = &self.model().bodies[pair.body];
+            let slopes = pair.slopes(self.model().pivot_of(&body.name), body);
+            let first = self.first_state(pair.body);
+            let coordinates =
+                if slopes.as_ref().is_some_and(|s| s.len() == 1) { [0, 0, 0] } else { [0, 1, 4] };
+            let by_state = |slopes: Vec<Expr>| {
+                coordinates.into_iter().zip(slopes).map(|(i, slope)| (first + i, slope)).collect()
+            };
+            Candidate {
+                guard: Guard {
+                    name: pair.guard_name(Watched::Gap),
+                    formula: pair.gap(),
+                    direction: Direction::Falling,
+                },
+                group: Measure::Length as usize,
+                slopes: slopes.map(by_state),
+            }
+        };
+        self.apart(mode).into_iter().map(candidate).collect()
+    }
+}

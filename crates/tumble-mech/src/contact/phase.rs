@@ -1,0 +1,29 @@
+//! How a pair touches in a mode. A pair that a mode does not mention is apart.
+
+/// How a point of a body touches a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Phase {
+    /// Pressed into a surface that gives way.
+    Pressed,
+    /// Still inside a surface that gives way, but let go by it.
+    Released,
+    /// On a rigid surface, which pushes as much as keeps it there.
+    Resting,
+    /// On a rigid surface after impacts that have become too small to be told apart and will soon have ended.
+    Settling,
+    /// On a rigid surface, kept there by other contacts of the same body: the forces between them are undetermined, and
+    /// this one is given none.
+    Idle,
+}
+
+impl Phase {
+    /// Whether the surface is rigid and keeps the point on it by a force that the equations solve for.
+    pub(crate) fn is_held(self) -> bool {
+        matches!(self, Self::Resting | Self::Settling)
+    }
+
+    /// Whether the point stays on a rigid surface.
+    pub(crate) fn is_lasting(self) -> bool {
+        self.is_held() || self == Self::Idle
+    }
+}

@@ -1,0 +1,289 @@
+//! What an instant changes for a body that touches rigid surfaces: impacts, then which contacts last.
+
+use std::collections::BTreeSet;
+
+use nalgebra::{DMatrix, DVector};
+use tumble_ode::{Jump, Reason};
+
+use crate::contact::cascade::{Cascade, LOWEST};
+use crate::contact::complementarity::{pushing, standing};
+use crate::contact::interval::Change;
+use crate::contact::pair::Watched;
+use crate::contact::phase::Phase;
+use crate::contact::touch::{Now, Touch};
+use crate::coordinates::Measure;
+use crate::equations::Equations;
+use crate::laws::impact::impulses;
+use crate::mode::Mode;
+
+/// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
+const STANDS: f64 = 1e-12;
+/// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
+const BALANCED: f64 = 1e-10;
+
+/// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
+const UNDISTURBED: f64 = 8.0;
+
+/// Why one body's contacts are looked at.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Touched {
+    /// Pairs that have just closed.
+    pub(crate) closed: BTreeSet<usize>,
+    /// Pairs whose force has just come down to zero.
+    pub(crate) lifted: BTreeSet<usize>,
+}
+
+/// Velocities and contacts of one body while they are settled.
+struct Settling<'a> {
+    equations: &'a Equations,
+    body: usize,
+    now: Now<'a>,
+    touch: Touch,
+    /// Positions, among the body's pairs, of those that take part.
+    part: Vec<usize>,
+    /// Impulses of the impact so far, by position, N s.
+    impulses: DVector<f64>,
+    /// Speeds before the impact, by position: what rounding after it is relative to.
+    speed: DVector<f64>,
+    /// Accelerations of the gaps with the forces of the contacts that last, m/s^2.
+    then: DVector<f64>,
+}
+
+impl Equations {
+    /// Settles a body's rigid contacts. The impulses of the impact, by pair, N s.
+    pub(crate) fn settle(
+        &self,
+        body: usize,
+        touched: &Touched,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<Vec<(usize, f64)>, Reason> {
+        let mut settling = Settling::new(self, body, touched, now, jump)?;
+        settling.impact(jump)?;
+        let cascade = settling.cascade();
+        let lasting = settling.lasting(touched, cascade.as_ref(), jump)?;
+        settling.arrange(lasting, cascade, jump);
+        Ok(settling.found())
+    }
+}
+
+impl<'a> Settling<'a> {
+    fn new(
+        equations: &'a Equations,
+        body: usize,
+        touched: &Touched,
+        now: Now<'a>,
+        jump: &Jump<Mode>,
+    ) -> Result<Self, Reason> {
+        let touch = equations.touch(body, &jump.mode, &jump.states, now)?;
+        let takes_part = |position: &usize| {
+            let pair = touch.pairs[*position];
+            let lasts = jump.mode.phase(pair).is_some_and(Phase::is_lasting);
+            let closes = touch.gap[*position] <= 0.0 && touch.rate[*position] < 0.0;
+            let overdue = closes && equations.pairs()[pair].is_rigid();
+            touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || overdue
+        };
+        let part: Vec<usize> = (0..touch.pairs.len()).filter(takes_part).collect();
+        let count = touch.pairs.len();
+        let speed = touch.speed.clone();
+        let then = touch.free.clone();
+        Ok(Self { equations, body, now, touch, part, impulses: DVector::zeros(count), speed, then })
+    }
+
+    /// Velocities after the impacts of this instant, if anything closes.
+    fn impact(&mut self, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let rate = self.of(&self.touch.rate);
+        let closes = |i: usize| rate[i] < -STANDS * self.speed[self.part[i]];
+        if !(0..rate.len()).any(closes) {
+            return Ok(());
+        }
+        let rule = self.equations.model().simultaneous;
+        let restitution = self.of(&self.touch.restitution);
+        let push = impulses(rule, &self.response(&self.part), &rate, &restitution)
+            .ok_or_else(|| self.unsolved("impact"))?;
+        self.impulses = self.whole(&self.part, &push);
+        self.apply(&self.impulses.clone(), jump)?;
+        if let [only] = self.part[..] {
+            self.refine(only, -restitution[0] * rate[0], jump)?;
+        }
+        Ok(())
+    }
+
+    /// Takes the rounding of the impulse out of the one rate that is known: a ball that bounces for long makes the same
+    /// rounding each time.
+    fn refine(&mut self, position: usize, rate: f64, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let missing = (rate - self.touch.rate[position]) / self.touch.response[(position, position)];
+        let mut correction = DVector::zeros(self.touch.pairs.len());
+        correction[position] = missing;
+        self.apply(&correction, jump)
+    }
+
+    /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.
+    fn cascade(&self) -> Option<(Vec<usize>, f64)> {
+        if self.impulses.amax() == 0.0 {
+            return None;
+        }
+        let model = self.equations.model();
+        let size = self.equations.size(self.body, self.now.inputs);
+        let lowest = LOWEST * if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
+        let is_low = |position: &usize| {
+            let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
+            rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
+        };
+        let members: Vec<usize> = (0..self.touch.pairs.len()).filter(is_low).collect();
+        let pick = |values: &DVector<f64>| DVector::from_fn(members.len(), |i, _| values[members[i]]);
+        let cascade = Cascade {
+            rule: model.simultaneous,
+            response: &self.response(&members),
+            restitution: &pick(&self.touch.restitution),
+            free: &pick(&self.touch.free),
+            lowest,
+        };
+        let stands = |position: usize| self.stands(position) && self.part.contains(&position);
+        let moving = |values: &DVector<f64>| {
+            DVector::from_fn(values.len(), |i, _| if stands(i) { 0.0 } else { values[i] })
+        };
+        let time = cascade.remaining(&pick(&moving(&self.touch.gap)), &pick(&moving(&self.touch.rate)))?;
+        let others = (0..self.touch.pairs.len()).filter(|position| !members.contains(position));
+        let undisturbed = others.into_iter().all(|position| self.stays_apart(position, UNDISTURBED * time));
+        undisturbed.then_some((members, time))
+    }
+
+    /// Whether a pair does not close within a time, s, as it moves now.
+    fn stays_apart(&self, position: usize, time: f64) -> bool {
+        let Touch { gap, rate, free, .. } = &self.touch;
+        let fastest = rate[position].min(rate[position] + free[position] * time);
+        gap[position] + fastest.min(0.0) * time > 0.0
+    }
+
+    /// Which contacts last, of those that stand still or will after a cascade; their velocities are made to stand.
+    fn lasting(
+        &mut self,
+        touched: &Touched,
+        cascade: Option<&(Vec<usize>, f64)>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<Vec<(usize, Phase)>, Reason> {
+        let members: Vec<usize> = match cascade {
+            Some((members, _)) => members.clone(),
+            None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
+        };
+        let stays = |position: &usize| !touched.lifted.contains(&self.touch.pairs[*position]);
+        let without: Vec<usize> = members.iter().copied().filter(stays).collect();
+        let (found, then) = match self.hold(&without, &members) {
+            Some(held) => held,
+            None => self.hold(&members, &members).ok_or_else(|| self.unsolved("contact"))?,
+        };
+        self.then = then;
+        let held: Vec<usize> =
+            found.iter().filter(|(_, phase)| phase.is_held()).map(|(position, _)| *position).collect();
+        let stop = standing(&self.touch.response, &self.touch.rate, &held);
+        self.apply(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
+        Ok(found)
+    }
+
+    /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
+    /// accelerations of all gaps; `None` if one of `all` would close.
+    fn hold(&self, some: &[usize], all: &[usize]) -> Option<(Vec<(usize, Phase)>, DVector<f64>)> {
+        let free = DVector::from_fn(some.len(), |i, _| self.touch.free[some[i]]);
+        let (set, push) = pushing(&self.response(some), &free)?;
+        let push = self.whole(some, &push);
+        let then = &self.touch.free + &self.touch.response * push;
+        let zero = BALANCED * self.touch.strength;
+        if all.iter().any(|position| then[*position] < -zero) {
+            return None;
+        }
+        let held: Vec<usize> = set.into_iter().map(|index| some[index]).collect();
+        let phase = |position: &usize| match held.contains(position) {
+            true => Some((*position, Phase::Resting)),
+            false if then[*position] <= zero && some.contains(position) => Some((*position, Phase::Idle)),
+            false => None,
+        };
+        Some((all.iter().filter_map(phase).collect(), then))
+    }
+
+    /// Writes what was found into the jump.
+    fn arrange(
+        &self,
+        lasting: Vec<(usize, Phase)>,
+        cascade: Option<(Vec<usize>, f64)>,
+        jump: &mut Jump<Mode>,
+    ) {
+        let settles = |time: f64| self.now.time + time > self.now.time;
+        let wake = cascade.as_ref().map(|(_, time)| *time).filter(|time| settles(*time));
+        jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
+        let mut members: BTreeSet<usize> = self.part.iter().copied().collect();
+        members.extend(cascade.into_iter().flat_map(|(members, _)| members));
+        for position in members {
+            let index = self.touch.pairs[position];
+            let pair = &self.equations.pairs()[index];
+            let before = jump.mode.phase(index);
+            let lasts = lasting.iter().find(|(known, _)| *known == position).map(|(_, phase)| *phase);
+            let after = match lasts {
+                Some(Phase::Resting) if wake.is_some() => Some(Phase::Settling),
+                // What is still settling goes on to do so.
+                Some(Phase::Resting) if before == Some(Phase::Settling) => before,
+                other => other,
+            };
+            let changes = [
+                (self.impulses[position] > 0.0).then_some(Change::Impact),
+                (after == Some(Phase::Settling) && before != after).then_some(Change::Cascade),
+                (after.is_some() && before.is_none() && after != Some(Phase::Settling))
+                    .then_some(Change::Start),
+                (before.is_some() && after.is_none()).then_some(Change::End),
+            ];
+            jump.tags.extend(changes.into_iter().flatten().map(|change| change.tag(pair)));
+            jump.mode.set_phase(index, after);
+            if after.is_none() {
+                let zeros = self.zeros(position);
+                jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
+            }
+        }
+    }
+
+    /// How many derivatives of a gap that opens are zero now, itself included.
+    fn zeros(&self, position: usize) -> usize {
+        match self.stands(position) {
+            false => 1,
+            true if self.then[position].abs() > BALANCED * self.touch.strength => 2,
+            true => 3,
+        }
+    }
+
+    /// Whether a gap neither opens nor closes, but for rounding.
+    fn stands(&self, position: usize) -> bool {
+        let speed = self.speed[position].max(self.touch.speed[position]);
+        self.touch.rate[position].abs() <= STANDS * speed
+    }
+
+    fn apply(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        self.touch.kick(impulses, &mut jump.states);
+        self.touch = self.equations.touch(self.body, &jump.mode, &jump.states, self.now)?;
+        Ok(())
+    }
+
+    fn of(&self, values: &DVector<f64>) -> DVector<f64> {
+        DVector::from_fn(self.part.len(), |i, _| values[self.part[i]])
+    }
+
+    fn response(&self, some: &[usize]) -> DMatrix<f64> {
+        DMatrix::from_fn(some.len(), some.len(), |i, j| self.touch.response[(some[i], some[j])])
+    }
+
+    fn whole(&self, some: &[usize], values: &DVector<f64>) -> DVector<f64> {
+        let mut all = DVector::zeros(self.touch.pairs.len());
+        for (index, position) in some.iter().enumerate() {
+            all[*position] = values[index];
+        }
+        all
+    }
+
+    fn unsolved(&self, what: &str) -> Reason {
+        let body = &self.equations.model().bodies[self.body].name;
+        Reason::Model(format!("no impulses or forces were found for the {what} of `{body}`"))
+    }
+
+    fn found(&self) -> Vec<(usize, f64)> {
+        let by_pair = self.touch.pairs.iter().zip(&self.impulses);
+        by_pair.filter(|(_, impulse)| **impulse != 0.0).map(|(pair, impulse)| (*pair, *impulse)).collect()
+    }
+}

@@ -1,0 +1,74 @@
+//! Contacts at the start of a run: what touches then, and what would begin inside a surface.
+
+use tumble_ode::{Cause, Reason};
+
+use crate::equations::Equations;
+use crate::error::ModelError;
+use crate::mode::Mode;
+
+/// A gap within this many roundings of the lengths it is made of is none: bodies are drawn and placed to touch.
+const TOUCHES: f64 = 64.0 * f64::EPSILON;
+
+impl Equations {
+    /// Pairs that touch at time 0, as causes of a jump before the first step.
+    pub(crate) fn first_contacts(
+        &self,
+        mode: &Mode,
+        states: &[f64],
+        inputs: &[f64],
+        mistakes: &mut Vec<ModelError>,
+    ) -> Result<Vec<Cause>, ModelError> {
+        let formulas: Vec<_> = self
+            .pairs()
+            .iter()
+            .flat_map(|pair| {
+                let place = pair.centre.position();
+                [pair.gap(), place.norm() + pair.through.norm() + &pair.radius]
+            })
+            .collect();
+        let values = self.values(&formulas, mode, 0.0, states, inputs).map_err(|reason| match reason {
+            Reason::Compile(mistake) => ModelError::Compile { what: "a surface".into(), mistake },
+            other => ModelError::Start { body: "surfaces".into(), problem: other.to_string() },
+        })?;
+        let mut causes = vec![];
+        let mut inside: Vec<ModelError> = vec![];
+        for (index, pair) in self.pairs().iter().enumerate() {
+            let (gap, size) = (values[2 * index], values[2 * index + 1]);
+            if !gap.is_finite() {
+                let what = format!("distance of `{}` from its surface", pair.name);
+                inside.push(ModelError::NotFinite { what, value: gap });
+            } else if gap < -TOUCHES * size {
+                inside.push(self.inside(index, -gap));
+            } else if gap <= TOUCHES * size {
+                causes.push(Cause::Candidate(index));
+            }
+        }
+        mistakes.extend(deepest(inside));
+        Ok(causes)
+    }
+
+    fn inside(&self, pair: usize, depth: f64) -> ModelError {
+        let pair = &self.pairs()[pair];
+        let body = &self.model().bodies[pair.body].name;
+        let surface = &self.model().surfaces[pair.surface].name;
+        let feature = pair.name.trim_start_matches(&format!("{surface}.{body}.")).to_owned();
+        ModelError::Inside { body: body.clone(), feature, surface: surface.clone(), depth }
+    }
+}
+
+/// Of several points of one body inside one surface only the deepest is told of.
+fn deepest(inside: Vec<ModelError>) -> Vec<ModelError> {
+    let key = |mistake: &ModelError| match mistake {
+        ModelError::Inside { body, surface, depth, .. } => Some((body.clone(), surface.clone(), *depth)),
+        _ => None,
+    };
+    let is_deepest = |(index, mistake): &(usize, &ModelError)| match key(mistake) {
+        None => true,
+        Some((body, surface, depth)) => inside.iter().enumerate().all(|(other, mistake)| {
+            let Some(found) = key(mistake) else { return true };
+            let same = found.0 == body && found.1 == surface;
+            !same || found.2 < depth || (found.2 == depth && *index <= other)
+        }),
+    };
+    inside.iter().enumerate().filter(is_deepest).map(|(_, mistake)| mistake.clone()).collect()
+}

@@ -1,0 +1,235 @@
+//! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::DVector;
+use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_ode::{Cause, Crossing, Event, Jump, Reason, Trajectory};
+
+use crate::contact::interval::{Change, Impulse};
+use crate::contact::pair::Watched;
+use crate::contact::phase::Phase;
+use crate::contact::settle::Touched;
+use crate::contact::touch::Now;
+use crate::equations::Equations;
+use crate::mode::Mode;
+use crate::parameters::time_symbol;
+
+/// A gap whose rate is below this part of the speeds it is made of stands still.
+const STANDS: f64 = 1e-12;
+
+/// What the integrator saw of contacts, by pair.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Causes {
+    seen: Vec<(usize, Watched, bool)>,
+    wakes: bool,
+}
+
+impl Causes {
+    /// Those of a crossing; indices of guards count the events first.
+    pub(crate) fn of(equations: &Equations, at: &Crossing<'_, Mode>) -> Self {
+        let events = equations.model().events.len();
+        let mut causes = Self::default();
+        let (mut touching, mut apart) = (None, None);
+        for cause in at.causes {
+            match cause {
+                Cause::Guard(guard) if *guard >= events => {
+                    let touching = touching.get_or_insert_with(|| equations.touching(at.mode));
+                    let (pair, watched, _) = touching[guard - events];
+                    causes.seen.push((pair, watched, false));
+                }
+                Cause::Candidate(candidate) => {
+                    let apart = apart.get_or_insert_with(|| equations.apart(at.mode));
+                    causes.seen.push((apart[*candidate], Watched::Gap, true));
+                }
+                Cause::Wake => causes.wakes = true,
+                Cause::Guard(_) | Cause::Scheduled(_) => {}
+            }
+        }
+        causes
+    }
+}
+
+impl Equations {
+    /// Deals with all contacts of an instant; `jump` holds what else happens then. Impulses by pair, N s.
+    pub(crate) fn switch_contacts(
+        &self,
+        at: &Crossing<'_, Mode>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<Vec<(usize, f64)>, Reason> {
+        if self.pairs().is_empty() {
+            return Ok(vec![]);
+        }
+        let causes = Causes::of(self, at);
+        let now = Now { time: at.time, inputs: at.inputs, carry: at.carry, scales: at.scales };
+        if causes.wakes {
+            self.wake(jump);
+        }
+        let mut touched = self.still_standing(at, jump);
+        for (pair, watched, closes) in causes.seen {
+            let body = self.pairs()[pair].body;
+            match (self.pairs()[pair].is_rigid(), watched) {
+                (true, Watched::Normal) => _ = touched.entry(body).or_default().lifted.insert(pair),
+                (true, _) => _ = touched.entry(body).or_default().closed.insert(pair),
+                (false, _) if closes => self.press(pair, now, jump)?,
+                (false, watched) => self.let_go(pair, watched, jump),
+            }
+        }
+        let mut impulses = vec![];
+        for (body, touched) in touched {
+            impulses.extend(self.settle(body, &touched, now, jump)?);
+        }
+        self.restate(at, jump)?;
+        Ok(impulses)
+    }
+
+    /// Bodies with lasting contacts, where loads or parameters change now: what held them may not any more.
+    fn still_standing(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> BTreeMap<usize, Touched> {
+        let same = at.mode.windows == jump.mode.windows && at.mode.changes == jump.mode.changes;
+        if same {
+            return BTreeMap::new();
+        }
+        let lasting = at.mode.contacts.iter().filter(|(_, phase)| phase.is_lasting());
+        lasting.map(|(pair, _)| (self.pairs()[*pair].body, Touched::default())).collect()
+    }
+
+    /// Impacts that were too small to follow have ended.
+    fn wake(&self, jump: &mut Jump<Mode>) {
+        for (pair, phase) in &mut jump.mode.contacts {
+            if *phase == Phase::Settling {
+                *phase = Phase::Resting;
+                jump.tags.push(Change::Start.tag(&self.pairs()[*pair]));
+            }
+        }
+    }
+
+    /// A point meets a surface that gives way.
+    fn press(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let pair = &self.pairs()[index];
+        let touch = self.touch(pair.body, &jump.mode, &jump.states, now)?;
+        let Some(own) = touch.position(index) else { return Ok(()) };
+        let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
+        let closes = if stands { touch.free[own] < 0.0 } else { touch.rate[own] < 0.0 };
+        jump.zeros.push((pair.guard_name(Watched::Gap), if stands { 2 } else { 1 }));
+        if closes {
+            jump.mode.set_phase(index, Some(Phase::Pressed));
+            jump.tags.push(Change::Start.tag(pair));
+        }
+        Ok(())
+    }
+
+    /// A pressed point comes back to the surface, or its force to zero.
+    fn let_go(&self, index: usize, watched: Watched, jump: &mut Jump<Mode>) {
+        let pair = &self.pairs()[index];
+        let before = jump.mode.phase(index);
+        let (after, change) = match (watched, before) {
+            (Watched::Force, Some(Phase::Pressed)) => (Some(Phase::Released), Some(Change::End)),
+            (Watched::Force, _) => (Some(Phase::Pressed), Some(Change::Start)),
+            (_, Some(Phase::Released)) => (None, None),
+            _ => (None, Some(Change::End)),
+        };
+        jump.mode.set_phase(index, after);
+        jump.tags.extend(change.map(|change| change.tag(pair)));
+    }
+
+    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them.
+    fn restate(&self, at: &Crossing<'_, Mode>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let (before, after) = (self.roots(at.mode), self.roots(&jump.mode));
+        if before == after {
+            return Ok(());
+        }
+        let base = at.states.len() - before.len();
+        let kept = |pair: &usize| before.iter().position(|known| known == pair).map(|i| at.states[base + i]);
+        let roots: Vec<f64> = after.iter().map(|pair| kept(pair).unwrap_or(0.0)).collect();
+        if roots.iter().filter(|root| **root == 0.0).count() > 1 {
+            let names: Vec<&str> = after.iter().map(|pair| self.pairs()[*pair].name.as_str()).collect();
+            return Err(Reason::Model(format!(
+                "Hertzian contacts begin at the same instant ({}), for which there is no clock: let one begin a \
+                 little later",
+                names.join(", ")
+            )));
+        }
+        jump.states.truncate(base);
+        jump.states.extend(roots);
+        Ok(())
+    }
+
+    /// Impulses of the impacts at an event.
+    pub(crate) fn impulses(
+        &self,
+        event: &Event,
+        trajectory: &Trajectory<Mode>,
+        inputs: &[f64],
+    ) -> Result<Vec<Impulse>, Reason> {
+        let at = Crossing {
+            time: event.time,
+            mode: &trajectory.modes[event.mode_before],
+            states: &event.before,
+            carry: &[],
+            inputs,
+            causes: &event.causes,
+            scales: &trajectory.scales,
+        };
+        let (jump, by_pair) = self.transition(&at)?;
+        let mut impulses = vec![];
+        let bodies: BTreeSet<usize> = by_pair.iter().map(|(pair, _)| self.pairs()[*pair].body).collect();
+        for (pair, impulse) in by_pair {
+            let pair = &self.pairs()[pair];
+            let formulas = [pair.arm().components(), pair.normal.components()].concat();
+            let values = self.values(&formulas, at.mode, at.time, at.states, inputs)?;
+            impulses.push(Impulse {
+                load: pair.name.clone(),
+                body: pair.body,
+                arm: [values[0], values[1]],
+                impulse: [impulse * values[2], impulse * values[3]],
+            });
+        }
+        for body in bodies {
+            impulses.extend(self.pivot_impulse(body, &impulses, &at, &jump)?);
+        }
+        Ok(impulses)
+    }
+
+    /// What the pivot adds, so that all impulses together are the change of momentum.
+    fn pivot_impulse(
+        &self,
+        body: usize,
+        others: &[Impulse],
+        at: &Crossing<'_, Mode>,
+        jump: &Jump<Mode>,
+    ) -> Result<Option<Impulse>, Reason> {
+        let Some((name, arm)) = self.pivot_arm(body) else { return Ok(None) };
+        let kinematics = self.model().bodies[body].kinematics();
+        let mass = &self.mass_properties(body).mass;
+        let momentum = kinematics.velocity().map(|v| mass * v);
+        let before = self.values(momentum.components(), at.mode, at.time, at.states, at.inputs)?;
+        let after = self.values(momentum.components(), &jump.mode, at.time, &jump.states, at.inputs)?;
+        let arm = self.values(arm.components(), at.mode, at.time, at.states, at.inputs)?;
+        let mut impulse = [after[0] - before[0], after[1] - before[1]];
+        for other in others.iter().filter(|other| other.body == body) {
+            impulse = [impulse[0] - other.impulse[0], impulse[1] - other.impulse[1]];
+        }
+        Ok(Some(Impulse { load: name, body, arm: [arm[0], arm[1]], impulse }))
+    }
+
+    /// Values of formulas in a mode.
+    pub(crate) fn values(
+        &self,
+        formulas: &[Expr],
+        mode: &Mode,
+        time: f64,
+        states: &[f64],
+        inputs: &[f64],
+    ) -> Result<DVector<f64>, Reason> {
+        let layout = Layout {
+            states: self.states(mode),
+            time: time_symbol(),
+            inputs: self.model().parameters.symbols(),
+        };
+        let definitions = self.definitions_of(mode);
+        let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
+        let mut jets = Jets::new(std::sync::Arc::new(Tape::compile(&layout, &formulas)?), 0, inputs);
+        jets.start(time, states, Branches::Free);
+        Ok(DVector::from_fn(formulas.len(), |index, _| jets.value_of(index)))
+    }
+}

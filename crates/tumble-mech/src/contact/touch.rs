@@ -1,0 +1,202 @@
+//! The numbers of one body's pairs at an instant: what impacts and lasting contacts are found from.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use nalgebra::{DMatrix, DVector};
+use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_ode::Reason;
+
+use crate::coordinates::Measure;
+use crate::equations::Equations;
+use crate::mode::Mode;
+use crate::parameters::time_symbol;
+use crate::surface::ContactLaw;
+use crate::term::{Law, Term};
+
+/// Where and when.
+#[derive(Clone, Copy)]
+pub(crate) struct Now<'a> {
+    pub(crate) time: f64,
+    pub(crate) inputs: &'a [f64],
+    /// What rounding has left out of the states.
+    pub(crate) carry: &'a [f64],
+    /// Largest values that each kind of state has had, by [`Measure`].
+    pub(crate) scales: &'a [f64],
+}
+
+/// Rounding may leave of a velocity that came to rest this part of the largest there was, in units of what `STANDS`
+/// makes of it.
+const LEFT: f64 = 1e-3;
+
+/// One body's pairs at an instant, by their order among the body's own.
+pub(crate) struct Touch {
+    /// Index of each among all pairs.
+    pub(crate) pairs: Vec<usize>,
+    /// m
+    pub(crate) gap: DVector<f64>,
+    /// m/s
+    pub(crate) rate: DVector<f64>,
+    /// Rounding in a rate is relative to this, m/s.
+    pub(crate) speed: DVector<f64>,
+    /// Accelerations of the gaps without lasting contacts of this body, m/s^2.
+    pub(crate) free: DVector<f64>,
+    /// Rounding in accelerations is relative to this: what all forces would do if none were against another, m/s^2.
+    pub(crate) strength: f64,
+    /// Restitution of each; zero where the surface gives way.
+    pub(crate) restitution: DVector<f64>,
+    /// Change of rate i by a unit impulse at j, 1/kg.
+    pub(crate) response: DMatrix<f64>,
+    /// Change of each velocity state by a unit impulse at j.
+    kicks: DMatrix<f64>,
+    /// Index of each velocity state.
+    velocities: Vec<usize>,
+}
+
+/// Tapes by body and mode, built when first needed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct TouchTapes(Arc<Mutex<HashMap<(usize, Mode), Arc<Tape>>>>);
+
+/// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
+const BEFORE_ROW: usize = 4;
+
+impl Touch {
+    /// Adds impulses at the pairs to the velocities.
+    pub(crate) fn kick(&self, impulses: &DVector<f64>, states: &mut [f64]) {
+        for (index, change) in (&self.kicks * impulses).iter().enumerate() {
+            states[self.velocities[index]] += change;
+        }
+    }
+
+    /// Position of a pair among the body's own.
+    pub(crate) fn position(&self, pair: usize) -> Option<usize> {
+        self.pairs.iter().position(|known| *known == pair)
+    }
+}
+
+impl Equations {
+    /// The numbers of a body's pairs.
+    pub(crate) fn touch(
+        &self,
+        body: usize,
+        mode: &Mode,
+        states: &[f64],
+        now: Now<'_>,
+    ) -> Result<Touch, Reason> {
+        let pairs: Vec<usize> = self.pair_list().of_body(body).collect();
+        let velocities = self.velocity_states(body);
+        let mut jets = Jets::new(self.touch_tape(body, mode, &pairs)?, 1, now.inputs);
+        jets.start(now.time, states, Branches::Free);
+        // Gaps are differences of much larger numbers: what the carries add to them is found to first order.
+        for (leaf, carry) in now.carry.iter().take(states.len()).enumerate() {
+            jets.set(leaf, 1, *carry);
+        }
+        jets.set(states.len(), 1, 0.0);
+        jets.extend(1);
+        let (n, dofs) = (pairs.len(), velocities.len());
+        let after_rows = n * (BEFORE_ROW + dofs);
+        let value = |pair: usize, which: usize| jets.value_of(pair * (BEFORE_ROW + dofs) + which);
+        let column = |which: usize| DVector::from_fn(n, |pair, _| value(pair, which));
+        let rows = DMatrix::from_fn(n, dofs, |pair, dof| value(pair, BEFORE_ROW + dof));
+        let inverse = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dof));
+        let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
+        let pushed = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dofs + dof));
+        let measures = self.velocity_measures(body);
+        let speed = |pair: usize| -> f64 {
+            let own = |dof: usize| rows[(pair, dof)] * states[velocities[dof]];
+            let left = |dof: usize| rows[(pair, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
+            let surface = value(pair, 1) - (0..dofs).map(own).sum::<f64>();
+            (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
+        };
+        let touch = Touch {
+            gap: DVector::from_fn(n, |pair, _| {
+                let series = jets.output(pair * (BEFORE_ROW + dofs));
+                series[0] + series[1]
+            }),
+            rate: column(1),
+            speed: DVector::from_fn(n, |pair, _| speed(pair)),
+            strength: (rows.abs() * inverse.component_mul(&pushed) + column(2).abs()).max(),
+            free: column(2),
+            restitution: column(3),
+            response: &rows * &kicks,
+            pairs,
+            kicks,
+            velocities,
+        };
+        match touch.rate.iter().chain(&touch.free).all(|value| value.is_finite()) {
+            true => Ok(touch),
+            false => Err(Reason::Model(format!(
+                "where `{}` touches, its velocity or acceleration is not a finite number",
+                self.model().bodies[body].name
+            ))),
+        }
+    }
+
+    fn touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
+        let base = mode.without_support(self.pairs(), body);
+        let key = (body, base);
+        let mut known = self.touch_tapes().0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(tape) = known.get(&key) {
+            return Ok(Arc::clone(tape));
+        }
+        let tape = Arc::new(self.build_touch_tape(body, &key.1, pairs)?);
+        known.insert(key, Arc::clone(&tape));
+        Ok(tape)
+    }
+
+    fn build_touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
+        let layout = Layout {
+            states: self.states(mode),
+            time: time_symbol(),
+            inputs: self.model().parameters.symbols(),
+        };
+        let velocities: Vec<_> =
+            self.velocity_states(body).into_iter().map(|state| layout.states[state].clone()).collect();
+        let definitions = self.definitions_of(mode);
+        let mut outputs: Vec<Expr> = vec![];
+        for pair in pairs.iter().map(|pair| &self.pairs()[*pair]) {
+            let restitution = match &pair.law {
+                ContactLaw::Rigid { restitution } => restitution.clone(),
+                _ => Expr::zero(),
+            };
+            let rate = definitions.apply(&pair.gap_rate());
+            outputs.push(definitions.apply(&pair.gap()));
+            outputs.push(rate.clone());
+            outputs.push(definitions.apply(&pair.gap_acceleration()));
+            outputs.push(definitions.apply(&restitution));
+            outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
+        }
+        outputs.extend(self.inverse_masses(body).iter().map(|formula| definitions.apply(formula)));
+        outputs.extend(self.pushes(body, mode));
+        Ok(Tape::compile(&layout, &outputs)?)
+    }
+
+    /// What kind each velocity of a body is of.
+    fn velocity_measures(&self, body: usize) -> &'static [Measure] {
+        match self.pivot_arm(body) {
+            None => &[Measure::Speed, Measure::Speed, Measure::AngularRate],
+            Some(_) => &[Measure::AngularRate],
+        }
+    }
+
+    /// Sizes of all forces and torques on a body, lasting contacts left out, added up without signs: one for each velocity.
+    fn pushes(&self, body: usize, mode: &Mode) -> Vec<Expr> {
+        let terms = self.terms(mode);
+        let terms: Vec<_> =
+            terms.iter().filter(|term| term.body == body && term.law != Law::Reaction).collect();
+        let total = |of: &dyn Fn(&Term) -> Expr| {
+            terms.iter().fold(Expr::zero(), |sum, term| sum + of(term).abs())
+        };
+        match self.pivot_arm(body) {
+            None => vec![
+                total(&|term| term.force.x().clone()),
+                total(&|term| term.force.y().clone()),
+                total(&Term::torque),
+            ],
+            Some((_, arm)) => {
+                let arm = arm.map(|part| self.in_states(mode, part));
+                vec![total(&|term| term.torque_about(&(&term.arm - &arm)))]
+            }
+        }
+    }
+}

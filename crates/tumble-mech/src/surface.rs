@@ -1,0 +1,114 @@
+//! Plane surfaces that bodies meet: floors, walls, slopes, at rest or moved on a given path.
+
+use tumble_expr::{Dimension, Expr, Vector};
+
+/// A half-plane that is solid behind its surface.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Its name.
+    pub name: String,
+    /// A point on it, m, world axes; a formula of the time where it moves.
+    pub through: Vector,
+    /// Unit vector out of the solid, world axes; a formula of the time where it tilts.
+    pub normal: Vector,
+    /// What happens where a body touches it.
+    pub law: ContactLaw,
+    /// Names of the bodies that meet it; `None` is all.
+    pub bodies: Option<Vec<String>>,
+}
+
+/// What a surface does to what touches it; none of them has friction.
+#[derive(Clone, Debug)]
+pub enum ContactLaw {
+    /// It gives way like a spring with a damper, and never pulls.
+    Spring {
+        /// N/m
+        stiffness: Expr,
+        /// kg/s
+        damping: Expr,
+        /// When the contact ends.
+        release: Release,
+    },
+    /// It gives way like two bodies with round surfaces.
+    Hertz {
+        /// N/m^(3/2)
+        stiffness: Expr,
+        /// Hunt and Crossley's damping: the force is multiplied by `1 + damping * speed`. s/m
+        damping: Expr,
+    },
+    /// It does not give way.
+    Rigid {
+        /// Impulse while parting over impulse while approaching, 0 to 1.
+        restitution: Expr,
+    },
+}
+
+/// When a contact with a damped spring ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Release {
+    /// When the force has come down to zero; the surface recovers on its own.
+    AtZeroForce,
+    /// When the body has come back to the undeformed surface; damping may pull just before.
+    AtSurface,
+}
+
+impl Surface {
+    /// A surface through a point, m, that looks along `normal`, a vector of any length.
+    pub fn new(name: impl Into<String>, through: [Expr; 2], [x, y]: [Expr; 2], law: ContactLaw) -> Self {
+        let [px, py] = through;
+        let normal = Vector::planar(x, y);
+        let length = normal.norm();
+        Self {
+            name: name.into(),
+            through: Vector::planar(px, py),
+            normal: normal.map(|component| component / &length),
+            law,
+            bodies: None,
+        }
+    }
+
+    /// A surface through a point, m, that rises to the right by `angle`; at zero it is a floor.
+    pub fn sloping(name: impl Into<String>, through: [Expr; 2], angle: &Expr, law: ContactLaw) -> Self {
+        let [px, py] = through;
+        Self {
+            name: name.into(),
+            through: Vector::planar(px, py),
+            normal: Vector::planar(-angle.sin(), angle.cos()),
+            law,
+            bodies: None,
+        }
+    }
+
+    /// A level floor at the height y, m.
+    pub fn floor(name: impl Into<String>, height: Expr, law: ContactLaw) -> Self {
+        Self::new(name, [Expr::zero(), height], [Expr::zero(), Expr::one()], law)
+    }
+
+    /// Whether a body meets it.
+    pub fn meets(&self, body: &str) -> bool {
+        self.bodies.as_ref().is_none_or(|bodies| bodies.iter().any(|name| name == body))
+    }
+}
+
+impl ContactLaw {
+    /// Coefficients: key, formula, dimension it must have.
+    pub(crate) fn dimensions(&self) -> Vec<(&'static str, &Expr, Dimension)> {
+        match self {
+            Self::Spring { stiffness, damping, .. } => vec![
+                ("stiffness", stiffness, Dimension::new(0, 1, -2)),
+                ("damping", damping, Dimension::new(0, 1, -1)),
+            ],
+            Self::Hertz { stiffness, damping } => vec![
+                ("stiffness", stiffness, hertz_stiffness()),
+                ("damping", damping, Dimension::new(-1, 0, 1)),
+            ],
+            Self::Rigid { restitution } => vec![("restitution", restitution, Dimension::NONE)],
+        }
+    }
+}
+
+/// N/m^(3/2)
+fn hertz_stiffness() -> Dimension {
+    let exponent = tumble_expr::Exponent::new(-1, 2);
+    Dimension { length: exponent, ..Dimension::FORCE }
+}

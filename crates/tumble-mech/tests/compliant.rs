@@ -1,0 +1,120 @@
+//! Surfaces that give way: contact times and what comes back, in closed form.
+
+mod common;
+
+use common::{at, close, run};
+use tumble_expr::units::{KG, M, N, S};
+use tumble_expr::{Exponent, Expr};
+use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Start, Surface};
+
+const MASS: f64 = 0.5;
+const SPEED: f64 = 2.0;
+
+/// A ball of 0.1 m and 0.5 kg a little above the floor, coming down; it touches with 2 m/s.
+fn falling(law: ContactLaw, gravity: f64) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(gravity * M / (S * S));
+    let ball = model.add(Body::ball("ball", 0.1 * M).mass(MASS * KG));
+    let above = 0.05;
+    let speed = (SPEED * SPEED - 2.0 * gravity * above).sqrt();
+    let start = Start::default().at([0 * M, (0.1 + above) * M]).velocity([0 * M / S, -speed * M / S]);
+    model.starts.push((ball.name, start));
+    model.surface(Surface::floor("floor", 0 * M, law));
+    model
+}
+
+/// Contact time and speed afterwards.
+fn contact(model: Model) -> (f64, f64, Run) {
+    let run = run(model, 0.4, 1e-13);
+    let contacts = run.contacts();
+    let first = &contacts[0];
+    let ball = run.equations.model().bodies[0].kinematics();
+    let [speed] = at(&run, first.end, [ball.velocity().y().clone()]);
+    (first.end - first.start, speed, run.clone())
+}
+
+fn spring(stiffness: f64, damping: f64, release: Release) -> ContactLaw {
+    ContactLaw::Spring { stiffness: stiffness * N / M, damping: damping * N * S / M, release }
+}
+
+#[test]
+fn a_spring_with_gravity() {
+    for stiffness in [1e3, 1e5, 1e7] {
+        let (time, speed, _) = contact(falling(spring(stiffness, 0.0, Release::AtZeroForce), 9.81));
+        let w = (stiffness / MASS).sqrt();
+        close(time * w, 2.0 * (std::f64::consts::PI - (SPEED * w / 9.81).atan()), 1e-11);
+        close(speed, SPEED, 1e-12);
+    }
+}
+
+#[test]
+fn a_damped_spring_lets_go_at_the_surface_or_at_zero_force() {
+    let (stiffness, damping) = (1e4, 30.0);
+    let half = damping / (2.0 * MASS);
+    let w = (stiffness / MASS - half * half).sqrt();
+    let (time, speed, _) = contact(falling(spring(stiffness, damping, Release::AtSurface), 0.0));
+    close(time, std::f64::consts::PI / w, 1e-13);
+    close(speed, SPEED * (-half * time).exp(), 1e-12);
+    let (time, speed, run) = contact(falling(spring(stiffness, damping, Release::AtZeroForce), 0.0));
+    // k d + c d' = 0 along d = (v / w) exp(-h t) sin(w t)
+    let expected = (damping * w).atan2(half * damping - stiffness) / w;
+    close(time, expected, 1e-13);
+    let d_rate = |t: f64| SPEED * (-half * t).exp() * ((w * t).cos() - half / w * (w * t).sin());
+    close(speed, -d_rate(time), 1e-12);
+    // Let go inside, it leaves with that speed and is seen no more.
+    assert_eq!(run.contacts().len(), 1);
+    assert!(run.trajectory.modes.len() == 3, "{:?}", run.trajectory.modes);
+}
+
+fn hertz(stiffness: f64, damping: f64) -> ContactLaw {
+    let root = (1 * M).powr(Exponent::new(3, 2));
+    ContactLaw::Hertz { stiffness: stiffness * N / root, damping: damping * S / M }
+}
+
+/// `T = (4/5) B(2/5, 1/2) d / v` with the largest depth `d = (5 m v^2 / (4 k))^(2/5)`.
+#[test]
+fn hertz_s_contact_time() {
+    for stiffness in [1e4, 1e6, 1e9] {
+        let (time, speed, run) = contact(falling(hertz(stiffness, 0.0), 0.0));
+        let depth = (5.0 * MASS * SPEED * SPEED / (4.0 * stiffness)).powf(0.4);
+        let expected = 2.943_275_184_324_704_7 * depth / SPEED;
+        assert!((time / expected - 1.0).abs() < 1e-12, "{time} is not {expected}");
+        close(speed, SPEED, 1e-13);
+        println!("{:?}", run.trajectory.work);
+    }
+}
+
+/// Energy returns after any number of bounces on Hertz's floor, and is lost with damping.
+#[test]
+fn hertz_with_gravity_keeps_the_energy() {
+    let energy_after = |damping: f64| {
+        let run = run(falling(hertz(1e6, damping), 9.81), 5.0, 1e-12);
+        assert!(run.contacts().len() > 5);
+        let body = &run.equations.model().bodies[0];
+        let energy = body.kinetic_energy() + body.potential_energy(&run.equations.model().gravity);
+        let contacts = run.contacts();
+        let flying = contacts.windows(2).map(|pair| 0.5 * (pair[0].end + pair[1].start));
+        flying.map(|t| at(&run, t, [energy.clone()])[0]).collect::<Vec<f64>>()
+    };
+    let kept = energy_after(0.0);
+    for energy in &kept {
+        close(*energy, MASS * SPEED * SPEED / 2.0 + MASS * 9.81 * 0.1, 1e-11);
+    }
+    let lost = energy_after(0.1);
+    assert!(lost.windows(2).all(|pair| pair[1] < pair[0]), "{lost:?}");
+}
+
+/// A thousand seconds of a rod on a spring floor.
+#[test]
+fn a_rod_on_a_spring_keeps_its_energy() {
+    let mut model = falling(spring(1e4, 0.0, Release::AtZeroForce), 9.81);
+    model.bodies[0] = Body::rod("ball", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(MASS * KG);
+    model.starts[0].1 = Start::default().at([0 * M, 2 * M]).angle(Expr::from(0.6)).omega(2 / S);
+    let run = run(model, 1000.0, 1e-13);
+    let body = run.equations.model().bodies[0].clone();
+    let energy = body.kinetic_energy() + body.potential_energy(&run.equations.model().gravity);
+    let end = run.contacts().iter().rev().map(|contact| contact.end).find(|end| *end < 999.0).expect("many");
+    let [before, after] = [0.0, end + 1e-6].map(|t| at(&run, t, [energy.clone()])[0]);
+    println!("{} contacts, drift {:e}", run.contacts().len(), (after - before) / before);
+    assert!(((after - before) / before).abs() < 1e-11);
+}

@@ -1,0 +1,233 @@
+//! Guards outside the tape of the field: a comparison for those that are far from zero, an expansion for those near.
+//!
+//! A candidate g with slopes L changes along a step by at most `sum L_i |x_i(s) - x_i(0)|`, and a state by at most
+//! `sum |c_k| s^k`. What it last was, less what it may have changed since, is its clearance: while the next step cannot
+//! use that up, it is not evaluated at all.
+
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Expr, Jets, Layout, Symbol, Tape};
+
+use crate::Reason;
+use crate::compiled::fixed;
+use crate::expansion::Expansion;
+use crate::hybrid::Candidate;
+use crate::polynomial::value;
+use crate::radius::of_own_size;
+use crate::scale::Scales;
+
+/// A candidate's series may miss its value by this many tolerances: the order's rule aims at 1.
+const SLACK: f64 = 4.0;
+/// Rounding errors of a series' value, in units of the last place of its largest term.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// Where in a step a series is compared with the value.
+const PLACES: [f64; 2] = [0.618, 1.0];
+
+pub(crate) struct Candidates {
+    all: Vec<Watch>,
+    order: usize,
+    /// The states that the clearances hold for.
+    known_at: Vec<f64>,
+}
+
+struct Watch {
+    formula: Expr,
+    layout: Layout,
+    inputs: Vec<f64>,
+    /// Index of each state in the layout.
+    states: Vec<usize>,
+    slopes: Option<Vec<(usize, f64)>>,
+    group: usize,
+    /// The candidate is at least so far from zero.
+    clearance: f64,
+    /// Built when it is first evaluated.
+    jets: Option<Jets<f64>>,
+}
+
+impl Candidates {
+    pub(crate) fn new(
+        candidates: &[Candidate],
+        layout: &Layout,
+        inputs: &[f64],
+        order: usize,
+    ) -> Result<Self, Reason> {
+        let watch = |candidate: &Candidate| Watch::new(candidate, layout, inputs);
+        let all = candidates.iter().map(watch).collect::<Result<_, _>>()?;
+        Ok(Self { all, order, known_at: vec![] })
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
+    /// The motion comes to these states, perhaps from far away.
+    pub(crate) fn enter(&mut self, states: &[f64]) {
+        let same = |index: usize| self.known_at.get(index) == Some(&states[index]);
+        for watch in &mut self.all {
+            let stayed = watch.slopes.as_ref().is_some_and(|slopes| slopes.iter().all(|(i, _)| same(*i)));
+            if !stayed {
+                watch.clearance = 0.0;
+            }
+        }
+        self.known_at = states.to_vec();
+    }
+
+    /// Expands those that a step of this length might bring to zero; `carry` is what the states' rounding left out.
+    pub(crate) fn near(
+        &mut self,
+        expansion: &Expansion,
+        length: f64,
+        carry: &[f64],
+    ) -> Result<Vec<(usize, Vec<f64>)>, Reason> {
+        let travel = travel(expansion, length);
+        let mut near = vec![];
+        for (index, watch) in self.all.iter_mut().enumerate() {
+            let needed = watch.change(&travel);
+            if watch.clearance > needed {
+                continue;
+            }
+            let order = self.order;
+            let here = watch.start(expansion, carry, order)?;
+            watch.clearance = here.abs();
+            // NaN counts as near: the expansion then says what is wrong.
+            if !(watch.clearance > needed) {
+                near.push((index, watch.expand(expansion, here, order)?));
+            }
+        }
+        Ok(near)
+    }
+
+    /// A step of this length was taken, to these states.
+    pub(crate) fn moved(&mut self, expansion: &Expansion, length: f64, states: &[f64]) {
+        let travel = travel(expansion, length);
+        for watch in &mut self.all {
+            watch.clearance -= watch.change(&travel);
+        }
+        self.known_at = states.to_vec();
+    }
+
+    /// Largest error of the near ones' series along a step, in units of what is allowed.
+    pub(crate) fn excess(
+        &mut self,
+        expansion: &Expansion,
+        length: f64,
+        scales: &Scales,
+        tolerance: f64,
+    ) -> f64 {
+        let mut worst: f64 = 0.0;
+        for (index, series) in &expansion.near {
+            let watch = &mut self.all[*index];
+            let scale = scales.of(watch.group);
+            for s in PLACES.map(|place| place * length) {
+                let error = (watch.value(expansion, s) - value(series, s)).abs();
+                let terms = series.iter().rev().fold(0.0, |sum, c| sum * s + c.abs());
+                let allowed = SLACK * tolerance * scale + ROUNDING * terms.max(scale);
+                worst = if error.is_nan() { f64::NAN } else { worst.max(error / allowed) };
+            }
+        }
+        worst
+    }
+}
+
+/// Reach of the near ones' expansions.
+pub(crate) fn radius(expansion: &Expansion) -> f64 {
+    expansion.near.iter().map(|(_, series)| of_own_size(series)).fold(f64::INFINITY, f64::min)
+}
+
+/// By how much each state can change within a step.
+fn travel(expansion: &Expansion, length: f64) -> Vec<f64> {
+    let change = |series: &Vec<f64>| series[1..].iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * length);
+    expansion.states.iter().map(change).collect()
+}
+
+impl Watch {
+    fn new(candidate: &Candidate, layout: &Layout, inputs: &[f64]) -> Result<Self, Reason> {
+        let used = candidate.guard.formula.symbols();
+        let index_of = |symbols: &[Symbol]| -> Vec<usize> {
+            (0..symbols.len()).filter(|index| used.contains(&symbols[*index])).collect()
+        };
+        let (states, known) = (index_of(&layout.states), index_of(&layout.inputs));
+        let pick = |symbols: &[Symbol], which: &[usize]| which.iter().map(|i| symbols[*i].clone()).collect();
+        let slopes = match &candidate.slopes {
+            None => None,
+            Some(slopes) => {
+                let formulas: Vec<Expr> = slopes.iter().map(|(_, slope)| slope.clone()).collect();
+                let values = fixed(layout, &formulas, inputs)?;
+                Some(slopes.iter().map(|(state, _)| *state).zip(values.into_iter().map(f64::abs)).collect())
+            }
+        };
+        Ok(Self {
+            formula: candidate.guard.formula.clone(),
+            layout: Layout {
+                states: pick(&layout.states, &states),
+                time: layout.time.clone(),
+                inputs: pick(&layout.inputs, &known),
+            },
+            inputs: known.iter().map(|index| inputs[*index]).collect(),
+            states,
+            slopes,
+            group: candidate.group,
+            clearance: 0.0,
+            jets: None,
+        })
+    }
+
+    /// By how much it can change while the states travel so far.
+    fn change(&self, travel: &[f64]) -> f64 {
+        match &self.slopes {
+            None => f64::INFINITY,
+            Some(slopes) => slopes.iter().map(|(state, slope)| slope * travel[*state]).sum(),
+        }
+    }
+
+    fn jets(&mut self, order: usize) -> Result<&mut Jets<f64>, Reason> {
+        if self.jets.is_none() {
+            let tape = Tape::compile(&self.layout, std::slice::from_ref(&self.formula))?;
+            self.jets = Some(Jets::new(Arc::new(tape), order, &self.inputs));
+        }
+        Ok(self.jets.as_mut().expect("just built"))
+    }
+
+    /// Value at the start of an expansion: at the rounded states, and what the carries add to first order.
+    fn start(&mut self, expansion: &Expansion, carry: &[f64], order: usize) -> Result<f64, Reason> {
+        let carries: Vec<f64> = self.states.iter().map(|state| carry[*state]).collect();
+        let states: Vec<f64> = self.states.iter().map(|state| expansion.states[*state][0]).collect();
+        let jets = self.jets(order)?;
+        jets.start(expansion.start, &states, Branches::Free);
+        if order == 0 || carries.iter().all(|carry| *carry == 0.0) {
+            return Ok(jets.value_of(0));
+        }
+        for (leaf, carry) in carries.iter().chain([&0.0]).enumerate() {
+            jets.set(leaf, 1, *carry);
+        }
+        jets.extend(1);
+        Ok(jets.output(0)[0] + jets.output(0)[1])
+    }
+
+    /// Its series along an expansion whose start it was just evaluated at.
+    fn expand(&mut self, expansion: &Expansion, here: f64, order: usize) -> Result<Vec<f64>, Reason> {
+        let states = self.states.clone();
+        let jets = self.jets(order)?;
+        let coefficient = |series: &[f64], k: usize| series.get(k).copied().unwrap_or(0.0);
+        for k in 1..=order {
+            for (leaf, state) in states.iter().enumerate() {
+                jets.set(leaf, k, coefficient(&expansion.states[*state], k));
+            }
+            let clock = expansion.time.as_ref();
+            let time = clock.map_or(f64::from(u8::from(k == 1)), |series| coefficient(series, k));
+            jets.set(states.len(), k, time);
+            jets.extend(k);
+        }
+        let mut series = jets.output(0).to_vec();
+        series[0] = here;
+        Ok(series)
+    }
+
+    fn value(&mut self, expansion: &Expansion, s: f64) -> f64 {
+        let states: Vec<f64> = self.states.iter().map(|state| value(&expansion.states[*state], s)).collect();
+        let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
+        let jets = self.jets.as_mut().expect("a near candidate was evaluated");
+        jets.start(time, &states, Branches::Free);
+        jets.value_of(0)
+    }
+}

@@ -1,0 +1,114 @@
+//! Arrows on the page: where they start and end, straight and circular.
+
+use crate::numeral::significant;
+use crate::text::Label;
+use crate::theme::{ArrowStyle, MOTION};
+
+use super::arrow::{Arrow, Kind};
+use super::body::FreeBody;
+use super::draw::CENTRE_RADIUS;
+use super::geometry::{Point, along, length, minus, plus, unit};
+use super::layout::{Scales, View};
+use super::set_apart::set_apart;
+
+/// Least length of an arrow in pixels: room for a head and a break in the shaft.
+pub(super) const LEAST_LENGTH: f64 = 34.0;
+/// Least length of a velocity, whose shaft has no break.
+const LEAST_MOTION: f64 = 18.0;
+/// Length of the fastest velocity in pixels.
+const LONGEST_MOTION: f64 = 60.0;
+
+/// How an arrow is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// A full head: forces.
+    Full,
+    /// An outline: sums of forces.
+    Hollow,
+    /// An open head: velocities.
+    Thin,
+}
+
+/// A straight arrow on the page.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Stroke {
+    pub(super) tail: Point,
+    pub(super) head: Point,
+    /// Where its shaft begins to be drawn: at the tail, or at the rim of the centre of mass.
+    pub(super) start: Point,
+    /// The true point of action.
+    pub(super) point: Point,
+    /// Whether it is longer than to scale.
+    pub(super) broken: bool,
+    pub(super) style: ArrowStyle,
+    pub(super) form: Form,
+}
+
+impl Stroke {
+    pub(super) fn direction(&self) -> Point {
+        unit(minus(self.head, self.tail)).unwrap_or([1.0, 0.0])
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        length(minus(self.head, self.tail))
+    }
+
+    /// Begins the shaft outside the mark of the centre of mass, if it starts in there.
+    fn leave(&mut self, centre: Point) {
+        let inside = CENTRE_RADIUS * CENTRE_RADIUS - length(minus(self.tail, centre)).powi(2);
+        if length(minus(self.point, centre)) < 1.0 && inside > 0.0 {
+            self.start = along(self.tail, self.direction(), inside.sqrt());
+        }
+    }
+
+    pub(super) fn moved(&mut self, by: Point) {
+        self.tail = plus(self.tail, by);
+        self.head = plus(self.head, by);
+        self.start = plus(self.start, by);
+    }
+}
+
+/// The straight arrows of a panel: forces, the resultant, the velocity.
+pub(super) fn strokes(body: &FreeBody, view: &View, scales: &Scales) -> Vec<Stroke> {
+    let forces = body.forces.iter().chain(&body.resultant).filter_map(|force| stroke(force, view, scales));
+    let velocity = body.velocity.and_then(|velocity| motion(body, velocity, view, scales));
+    let mut strokes: Vec<_> = forces.chain(velocity).collect();
+    set_apart(&mut strokes);
+    let centre = view.pixel(body.pose.centre());
+    strokes.iter_mut().for_each(|stroke| stroke.leave(centre));
+    strokes
+}
+
+fn stroke(force: &Arrow, view: &View, scales: &Scales) -> Option<Stroke> {
+    let [x, y] = unit(force.vector)?;
+    // In this order the largest and smallest numbers neither overflow nor vanish.
+    let true_length = force.magnitude() / scales.largest * scales.arrow;
+    let tail = view.pixel(force.point);
+    let head = along(tail, [x, -y], true_length.max(LEAST_LENGTH));
+    let form = if force.kind == Kind::Resultant { Form::Hollow } else { Form::Full };
+    let broken = true_length < LEAST_LENGTH;
+    Some(Stroke { tail, head, start: tail, point: tail, broken, style: force.kind.style(), form })
+}
+
+fn motion(body: &FreeBody, velocity: Point, view: &View, scales: &Scales) -> Option<Stroke> {
+    let [x, y] = unit(velocity)?;
+    let tail = view.pixel(body.pose.centre());
+    let head = along(tail, [x, -y], (length(velocity) / scales.fastest * LONGEST_MOTION).max(LEAST_MOTION));
+    Some(Stroke { tail, head, start: tail, point: tail, broken: false, style: MOTION, form: Form::Thin })
+}
+
+/// Labels of the straight arrows, in their order.
+pub(super) fn stroke_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
+    let forces = body.forces.iter().chain(&body.resultant);
+    let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow, digits));
+    let velocity = body.velocity.map(|v| equation(&Label::symbol("V"), length(v), "m/s", digits));
+    forces.chain(velocity).collect()
+}
+
+/// `symbol = value unit`; without a symbol the value alone.
+pub(super) fn equation(symbol: &Label, value: f64, unit: &str, digits: usize) -> Label {
+    // Rounded text passes through unchanged: powers of ten keep their raised exponent.
+    let space = if unit == "deg" { "" } else { "\u{a0}" };
+    let quantity = significant(value, digits).then(Label::plain(space)).then(Label::unit(unit));
+    if symbol.is_empty() { quantity } else { symbol.clone().then(Label::plain(" = ")).then(quantity) }
+}

@@ -1,0 +1,72 @@
+//! The report of a study: one page that follows a textbook's four moves.
+//!
+//! A [`Report`] is plain data: words, mathematics that somebody else wrote,
+//! drawings, samples. [`Report::html`] is a page that needs nothing but a
+//! browser, [`Report::markdown`] the same as text with links to figures.
+//! Every text is shown as it is; none is ever run.
+//!
+//! ```
+//! use tumble_report::report::{Quantity, Report, Text};
+//!
+//! let mut report = Report { title: "A thrown rod".to_owned(), ..Report::default() };
+//! report.identify.parameters.push(Quantity::number("length", "L", 1.0, "m"));
+//! report.analyze.findings.push(Text::words("It lands after 1.2 s."));
+//! let page = report.html();
+//! assert!(page.contains("It lands after 1.2 s."));
+//! ```
+
+mod analyze;
+mod animation;
+mod identify;
+mod math;
+mod model;
+mod picture;
+mod prose;
+mod solve;
+mod table;
+
+pub use analyze::{Analyze, Books, Case, Check};
+pub use animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
+pub use identify::{BodyRow, Identify, Quantity};
+pub use math::{Block, Definition, Math};
+pub use model::{BodyModel, ForceRow, Mode, Model};
+pub use picture::{Picture, Plot};
+pub use prose::{Piece, Text};
+pub use solve::{Phase, Solve};
+pub use table::{Align, Column, Table};
+
+/// A study from the picture at its start to what was found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Title of the page.
+    pub title: String,
+    /// Language of the texts as HTML names it, for instance `en`; empty if unknown.
+    pub language: String,
+    /// Paragraphs below the title.
+    pub intro: Vec<Text>,
+    /// Where the numbers come from, as name and value: program, version, scene, hash.
+    pub meta: Vec<(String, String)>,
+    /// A font for mathematics as CSS: `@font-face` rules with `data:` addresses.
+    /// Rules that would reach for anything else are left out.
+    pub math_font_css: Option<String>,
+    /// What is given and what is sought.
+    pub identify: Identify,
+    /// Forces, laws, equations.
+    pub model: Model,
+    /// Closed forms, or how the equations were integrated.
+    pub solve: Solve,
+    /// Curves, motion, books, checks, findings.
+    pub analyze: Analyze,
+}
+
+impl Report {
+    /// The page as one HTML file.
+    pub fn html(&self) -> String {
+        String::new()
+    }
+
+    /// The report as Markdown with LaTeX between dollar signs, and links to figure files.
+    pub fn markdown(&self) -> String {
+        String::new()
+    }
+}

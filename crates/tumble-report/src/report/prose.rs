@@ -1,0 +1,83 @@
+//! Running text with symbols and formulas in it.
+
+use super::math::Math;
+use crate::text::Label;
+
+/// A piece of running text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// Words as they are.
+    Words(String),
+    /// A symbol, a quantity or a unit, as figures print it.
+    Label(Label),
+    /// A formula.
+    Math(Math),
+}
+
+/// Running text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Text {
+    /// Its pieces in order; spaces between them are the writer's.
+    pub pieces: Vec<Piece>,
+}
+
+impl Text {
+    /// Text of words alone.
+    pub fn words(words: impl Into<String>) -> Self {
+        Self::default().and(words.into())
+    }
+
+    /// A symbol by its name, for instance `theta0`.
+    pub fn symbol(name: &str) -> Self {
+        Label::symbol(name).into()
+    }
+
+    /// The same text with more at its end: words, a [`Label`] or [`Math`].
+    pub fn and(mut self, more: impl Into<Text>) -> Self {
+        self.pieces.extend(more.into().pieces);
+        self
+    }
+
+    /// Whether there is nothing to show.
+    pub fn is_empty(&self) -> bool {
+        self.pieces.iter().all(|piece| match piece {
+            Piece::Words(words) => words.is_empty(),
+            Piece::Label(label) => label.is_empty(),
+            Piece::Math(math) => math.mathml.is_empty() && math.text.is_empty() && math.latex.is_empty(),
+        })
+    }
+
+    /// The text without styles.
+    pub fn to_plain(&self) -> String {
+        let plain = |piece: &Piece| match piece {
+            Piece::Words(words) => words.clone(),
+            Piece::Label(label) => label.to_plain(),
+            Piece::Math(math) => math.text.clone(),
+        };
+        self.pieces.iter().map(plain).collect()
+    }
+}
+
+impl From<String> for Text {
+    fn from(words: String) -> Self {
+        Self { pieces: vec![Piece::Words(words)] }
+    }
+}
+
+impl From<&str> for Text {
+    fn from(words: &str) -> Self {
+        words.to_owned().into()
+    }
+}
+
+impl From<Label> for Text {
+    fn from(label: Label) -> Self {
+        Self { pieces: vec![Piece::Label(label)] }
+    }
+}
+
+impl From<Math> for Text {
+    fn from(math: Math) -> Self {
+        Self { pieces: vec![Piece::Math(math)] }
+    }
+}

@@ -1,0 +1,60 @@
+//! Tables of text.
+
+use super::prose::Text;
+
+/// On which side the cells of a column stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Align {
+    /// Words.
+    #[default]
+    Left,
+    /// Numbers.
+    Right,
+}
+
+/// The head of a column.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Column {
+    /// What stands in it, with the unit.
+    pub heading: Text,
+    /// Where its cells stand.
+    pub align: Align,
+}
+
+impl Column {
+    /// A column of words.
+    pub fn words(heading: impl Into<Text>) -> Self {
+        Self { heading: heading.into(), align: Align::Left }
+    }
+
+    /// A column of numbers.
+    pub fn numbers(heading: impl Into<Text>) -> Self {
+        Self { heading: heading.into(), align: Align::Right }
+    }
+}
+
+/// A table; the first cell of a row names it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Table {
+    /// What the table shows.
+    pub caption: Text,
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows; cells that lack are empty, cells beyond the columns are left out.
+    pub rows: Vec<Vec<Text>>,
+    /// Lines below it.
+    pub notes: Vec<Text>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(caption: impl Into<Text>, columns: Vec<Column>) -> Self {
+        Self { caption: caption.into(), columns, ..Self::default() }
+    }
+
+    /// With one more row.
+    pub fn row(mut self, cells: Vec<Text>) -> Self {
+        self.rows.push(cells);
+        self
+    }
+}

@@ -1,0 +1,134 @@
+//! Times that only the run knows: events, `apex[2]`, and contacts, `floor.contact[1].start`.
+
+use std::sync::Arc;
+
+use tumble_expr::language::{Formula, Value};
+use tumble_expr::{Dimension, Symbol};
+
+use crate::code::Code;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::document::Field;
+use crate::draft::Draft;
+use crate::formula::{self, Text, Want};
+use crate::names::Names;
+use crate::study::Instant;
+
+/// What a contact may be asked for.
+const PARTS: &[&str] = &["start", "end", "duration"];
+
+/// A time, perhaps before or after an event or a contact: `"floor.contact[1].start - 20 ms"`.
+pub(crate) fn instant(draft: &mut Draft, field: &Field) -> Option<Instant> {
+    let want = Want { moments: true, ..Want::constant(Dimension::TIME) };
+    let written = draft.text(field, want)?;
+    let outcome = part_of_contact(&draft.names, &written);
+    let text = draft.noted(outcome)?;
+    let outcome = formula::number(&draft.names, &text, want);
+    let time = draft.all_noted(outcome)?;
+    Some(Instant { text: written.text, time })
+}
+
+/// From one instant to another.
+pub(crate) fn pair(draft: &mut Draft, field: &Field) -> Option<[Instant; 2]> {
+    let [from, to] = draft.pair(field, "[from, to]")?;
+    let (from, to) = (instant(draft, &from), instant(draft, &to));
+    Some([from?, to?])
+}
+
+/// `c.at(10%)` is `c.start + (10%)*c.duration`.
+fn part_of_contact(names: &Names, text: &Text) -> Result<Text, Diagnostic> {
+    let Some((before, rest)) = text.text.split_once(".at(") else { return Ok(text.clone()) };
+    let contact = before.rsplit(|c: char| c.is_whitespace() || "+-*/(".contains(c)).next().unwrap_or(before);
+    if contact_of(names, contact).is_none() {
+        return Ok(text.clone());
+    }
+    let Some(close) = rest.find(')') else {
+        let message = format!("the bracket after `{contact}.at` is not closed");
+        return Err(Diagnostic::new(Code::Value, text.origin.whole(), message)
+            .help(format!("write \"{contact}.at(50%)\"")));
+    };
+    let (part, after) = (&rest[..close], &rest[close + 1..]);
+    let head = &before[..before.len() - contact.len()];
+    let whole = format!("{head}({contact}.start + ({part})*{contact}.duration){after}");
+    // Spans of the rewritten text are none of the file's: mistakes underline the whole value.
+    Ok(Text { text: whole, origin: text.origin.without_parts(), ..text.clone() })
+}
+
+/// What touches, and which time it does, of `floor.rod.contact[2]`.
+fn contact_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, usize)> {
+    let (pair, rest) = text.rsplit_once(".contact")?;
+    let count = match rest {
+        "" => 1,
+        _ => rest.strip_prefix('[')?.strip_suffix(']')?.parse().ok()?,
+    };
+    (names.touching.contains(pair) && count > 0).then_some((pair, count))
+}
+
+/// An event with its count, `apex[2]`; the first where none is said.
+fn event_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, usize)> {
+    let (name, count) = match text.split_once('[') {
+        Some((name, rest)) => (name, rest.strip_suffix(']')?.parse().ok()?),
+        None => (text, 1),
+    };
+    (names.events.iter().any(|event| event == name) && count > 0).then_some((name, count))
+}
+
+/// The symbols of all moments in a formula, by the names they have there.
+pub(crate) fn symbols(names: &Names, formula: &Formula) -> Vec<(Arc<str>, Value)> {
+    let symbol = |name: &str| -> Option<(Arc<str>, Value)> {
+        let canonical = canonical(names, name)?;
+        let symbol: tumble_expr::Expr = Symbol::new(canonical, Dimension::TIME).into();
+        Some((name.into(), symbol.into()))
+    };
+    formula.names().into_iter().filter_map(|name| symbol(name.name)).collect()
+}
+
+/// The name with its count: `apex[1]`, `floor.contact[1].start`.
+fn canonical(names: &Names, name: &str) -> Option<String> {
+    if let Some((event, count)) = event_of(names, name) {
+        return Some(format!("{event}[{count}]"));
+    }
+    let (contact, part) = name.rsplit_once('.')?;
+    let (pair, count) = contact_of(names, contact)?;
+    PARTS.contains(&part).then(|| format!("{pair}.contact[{count}].{part}"))
+}
+
+/// What is wrong with a name that speaks of a contact or an event, if it does; `allowed` says whether it may here.
+pub(crate) fn explain(names: &Names, name: &str, allowed: bool, span: &Span) -> Option<Diagnostic> {
+    let stem = name.split(['[', '.']).next().unwrap_or(name);
+    let is_event = names.events.iter().any(|event| event == stem);
+    let is_contact = names.surfaces.iter().any(|surface| surface == stem) && name.contains(".contact");
+    let mistake = |code, message: String| Diagnostic::new(code, span.clone(), message);
+    if !is_event && !is_contact {
+        return None;
+    }
+    if !allowed {
+        let what =
+            if is_event { "an event, not a value" } else { "a contact, whose times only the run knows" };
+        let shown = if is_event { stem } else { name };
+        let mistake =
+            mistake(Code::EventInFormula, format!("`{shown}` is {what}")).label("only the run knows");
+        return Some(mistake.help(if is_event {
+            format!("an event stands alone, as in `during = [\"{stem}\", \"10 s\"]` or in a check `at = \"{stem}\"`")
+        } else {
+            "times of contacts stand in checks, free-body diagrams and the `during` of a figure".to_owned()
+        }));
+    }
+    if is_event {
+        let count = name.strip_prefix(stem).unwrap_or_default();
+        let help = format!("events are counted from 1: the first is \"{stem}\" or \"{stem}[1]\"");
+        return Some(
+            mistake(Code::Value, format!("`{count}` does not count an event")).label("which one?").help(help),
+        );
+    }
+    let pairs: Vec<&str> = names.touching.iter().map(String::as_str).collect();
+    let (pair, part) = name.rsplit_once(".contact").unwrap_or((name, ""));
+    if !pairs.contains(&pair) {
+        let help = crate::suggest::name(pair, "contacts", pairs.into_iter());
+        return Some(mistake(Code::UnknownPoint, format!("nothing touches as `{pair}`")).help(help));
+    }
+    let message = format!("`{name}` is no time of a contact");
+    let help = format!(
+        "write \"{pair}.contact[1].start\", `.end`, `.duration` or `.at(50%)`; found `contact{part}`"
+    );
+    Some(mistake(Code::Value, message).label("which time?").help(help))
+}

@@ -1,0 +1,129 @@
+//! `[surface.NAME]`: a floor, wall or slope, at rest or moving, and what it does to what touches it.
+
+use tumble_expr::{Dimension, Exponent, Expr, Vector};
+use tumble_mech::{ContactLaw, Release, Surface};
+
+use super::{body, each};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::formula::Want;
+use crate::names::Level;
+use crate::quantities;
+
+const STIFFNESS: Dimension = Dimension::new(0, 1, -2);
+const DAMPING: Dimension = Dimension::new(0, 1, -1);
+/// s/m, of Hunt and Crossley's damping.
+const SLOWNESS: Dimension = Dimension::new(-1, 0, 1);
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    each(draft, section, surface);
+    quantities::define_contacts(&mut draft.names, &draft.model);
+}
+
+fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
+    let name = draft.own_name("a surface", field);
+    draft.remember(format!("surface `{name}`"), &field.key_span);
+    let through = draft
+        .required(table, "through", "[0, 0]")
+        .and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
+    let facing = facing(draft, table);
+    let law = law(draft, &name, table);
+    let bodies = table.take("on").map(|field| bodies(draft, &field));
+    let (Some(through), Some(facing), Some(law), None | Some(Some(_))) = (through, facing, law, &bodies)
+    else {
+        return draft.names.break_name(&name);
+    };
+    let at = [through.x().clone(), through.y().clone()];
+    let surface = match facing {
+        Facing::Normal(normal) => Surface::new(name, at, [normal.x().clone(), normal.y().clone()], law),
+        Facing::Slope(angle) => Surface::sloping(name, at, &angle, law),
+    };
+    draft.model.surface(Surface { bodies: bodies.flatten(), ..surface });
+}
+
+enum Facing {
+    Normal(Vector),
+    Slope(Expr),
+}
+
+/// Out of the solid: level and upwards where nothing is said.
+fn facing(draft: &mut Draft, table: &mut Table) -> Option<Facing> {
+    match (table.take("normal"), table.take("slope")) {
+        (Some(normal), Some(slope)) => {
+            let message = format!("`{}` has a `normal` and a `slope`", table.title);
+            let mistake = Diagnostic::new(Code::Exclusive, slope.key_span, message);
+            draft.note(mistake.label("leave one of them out").also(normal.key_span, "the normal"));
+            None
+        }
+        (Some(normal), None) => {
+            let want = Want::constant(Dimension::NONE).at(Level::Time);
+            draft.vector(&normal, want).map(Facing::Normal)
+        }
+        (None, Some(slope)) => {
+            let want = Want::angular(Dimension::NONE).at(Level::Time);
+            draft.number(&slope, want).map(Facing::Slope)
+        }
+        (None, None) => Some(Facing::Slope(Expr::zero())),
+    }
+}
+
+/// One of `rigid`, `spring` and `hertz`.
+fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
+    type Read = fn(&mut Draft, &str, &mut Table) -> Option<ContactLaw>;
+    let laws: [(&str, Read); 3] = [("rigid", rigid), ("spring", spring), ("hertz", hertz)];
+    let given: Vec<_> = laws.into_iter().filter_map(|(key, read)| Some((read, table.take(key)?))).collect();
+    if let [(_, first), (_, second), ..] = &given[..] {
+        let message = format!("`{}` is both `{}` and `{}`", table.title, first.key, second.key);
+        let mistake = Diagnostic::new(Code::Exclusive, second.key_span.clone(), message);
+        draft.note(mistake.label("a second law").also(first.key_span.clone(), "the first"));
+        return None;
+    }
+    let Some((read, field)) = given.into_iter().next() else {
+        let message = format!("`{}` does not say what it does to what touches it", table.title);
+        let mistake = Diagnostic::new(Code::MissingKey, table.span.clone(), message);
+        let help = "add `rigid = { restitution = 0.7 }`, `spring = { stiffness = \"1e4 N/m\", damping = 0 }` or \
+                    `hertz = { stiffness = \"1e6 N/m^(3/2)\", damping = 0 }`";
+        draft.note(mistake.label("rigid, or does it give way?").help(help));
+        return None;
+    };
+    let mut inner = draft.table(&field, field.key.to_owned())?;
+    inner.span = field.span.clone();
+    let law = read(draft, name, &mut inner);
+    draft.done(inner);
+    law
+}
+
+fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
+    let restitution = draft.coefficient(table, name, "restitution", "0.7", Dimension::NONE)?;
+    Some(ContactLaw::Rigid { restitution })
+}
+
+fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
+    let stiffness = draft.coefficient(table, name, "stiffness", "\"1e4 N/m\"", STIFFNESS);
+    let damping = draft.coefficient(table, name, "damping", "0", DAMPING);
+    let release = match table.take("release") {
+        Some(field) => draft.choice(&field, &["at zero force", "at the surface"]),
+        None => Some("at zero force"),
+    };
+    let release = match release? {
+        "at the surface" => Release::AtSurface,
+        _ => Release::AtZeroForce,
+    };
+    Some(ContactLaw::Spring { stiffness: stiffness?, damping: damping?, release })
+}
+
+fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
+    let dimension = Dimension { length: Exponent::new(-1, 2), ..Dimension::FORCE };
+    let stiffness = draft.coefficient(table, name, "stiffness", "\"1e6 N/m^(3/2)\"", dimension);
+    let damping = draft.coefficient(table, name, "damping", "0", SLOWNESS);
+    Some(ContactLaw::Hertz { stiffness: stiffness?, damping: damping? })
+}
+
+/// One name or a list of names.
+fn bodies(draft: &mut Draft, field: &Field) -> Option<Vec<String>> {
+    let fields = field.elements().unwrap_or_else(|| vec![field.clone()]);
+    let names: Vec<_> = fields.iter().map(|field| body(draft, field)).collect();
+    names.into_iter().collect()
+}

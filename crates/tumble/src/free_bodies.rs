@@ -1,0 +1,189 @@
+//! Free-body diagrams: the forces that were integrated, at the instants the study asks for.
+
+use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Run, Shape, joined};
+use tumble_ode::Side;
+use tumble_report::free_body::{AngleMark, Arrow, Couple, FreeBody, Kind, Sheet, SideView, Surface};
+use tumble_report::{Label, Pose};
+use tumble_scene::{FreeBody as Asked, Study};
+
+use crate::case::Case;
+use crate::figures::{outlines, poses};
+use crate::moments::Moments;
+use crate::pipeline::PipelineError;
+
+/// Surfaces farther from the body than this many times its size are left out of its diagrams.
+const NEAR: f64 = 1.5;
+/// A couple below this part of the largest torque in a diagram is rounding of a resultant.
+const ROUNDING: f64 = 1e-9;
+
+/// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
+pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, PipelineError> {
+    let study = &study.with(&case.parameters);
+    let moments = Moments::of(study, &case.run);
+    let drawing = Drawing { study, run: &case.run, body: asked.body };
+    let mut sheet =
+        Sheet { title: Label::markup(asked.title.as_deref().unwrap_or(&study.title)), ..Sheet::default() };
+    let mut missing = vec![];
+    for (instant, label) in &asked.at {
+        match moments.time(instant)? {
+            Some(time) => sheet.panels.push(drawing.panel(label, time)?),
+            None => missing.push(instant.text.as_str()),
+        }
+    }
+    if !missing.is_empty() {
+        sheet.captions.push(Label::plain(&format!("Not in this motion: {}.", missing.join(", "))));
+    }
+    Ok(sheet)
+}
+
+struct Drawing<'a> {
+    study: &'a Study,
+    run: &'a Run,
+    body: usize,
+}
+
+impl Drawing<'_> {
+    fn panel(&self, label: &str, time: f64) -> Result<FreeBody, PipelineError> {
+        let body = &self.study.model.bodies[self.body];
+        let pose = poses(self.run, body, [time].into_iter())?.pop().unwrap_or_default();
+        let mut panel = FreeBody::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
+            .heading(Label::markup(label))
+            .heading(Label::equation("t", &shown(time), "s"));
+        let impulses = self.impulses(time)?;
+        if impulses.is_empty() {
+            self.add_forces(&mut panel, pose, time)?;
+        } else {
+            panel = panel.impulses();
+            let arrows = impulses.iter().map(|impulse| self.impulse(impulse, pose));
+            panel.forces.extend(arrows);
+        }
+        for surface in self.surfaces(body, pose, time)? {
+            panel = panel.surface(surface);
+        }
+        if let Some(reference) = self.direction(body)? {
+            let symbol = self.symbol(&format!("{}.angle", body.name));
+            panel = panel.angle(AngleMark { reference, ..AngleMark::horizontal(symbol, pose.angle) });
+        }
+        Ok(panel)
+    }
+
+    /// Where a body points at angle zero, rad: along a rod, else to the right; `None` for one whose turning is not seen.
+    fn direction(&self, body: &Body) -> Result<Option<f64>, PipelineError> {
+        let Some(part) = body.parts.iter().find(|part| !part.shape.edges().is_empty()) else {
+            return Ok(None);
+        };
+        let Shape::Rod { from, to, .. } = &part.shape else { return Ok(Some(0.0)) };
+        let along = to - from;
+        Ok(Some(self.study.number(along.y())?.atan2(self.study.number(along.x())?)))
+    }
+
+    fn add_forces(&self, panel: &mut FreeBody, pose: Pose, time: f64) -> Result<(), PipelineError> {
+        let all = Forces::of(self.run).at(time, Side::After)?;
+        let own: Vec<Force> = joined(&all).into_iter().filter(|force| force.body == self.body).collect();
+        let largest = own.iter().map(|force| force.torque().abs()).fold(0.0, f64::max);
+        for force in &own {
+            let (kind, symbol) = (kind(force.law), self.force_symbol(force));
+            let is_force = force.law != Law::Torque && force.law != Law::Torsion;
+            if is_force {
+                let point = [pose.x + force.arm[0], pose.y + force.arm[1]];
+                panel.forces.push(Arrow::new(kind, symbol.clone(), point, force.force));
+            }
+            if !is_force || force.couple.abs() > ROUNDING * largest {
+                let symbol = if is_force { Label::symbol(&format!("tau_{}", force.load)) } else { symbol };
+                panel.couples.push(Couple::new(kind, symbol, force.couple));
+            }
+        }
+        panel.side = self.side_view()?;
+        Ok(())
+    }
+
+    /// Weight and support out of a horizontal plane.
+    fn side_view(&self) -> Result<Option<SideView>, PipelineError> {
+        let Gravity::Horizontal(g) = &self.study.model.gravity else { return Ok(None) };
+        let body = &self.study.model.bodies[self.body];
+        let weight = self.study.number(&(body.mass_properties().mass * g))?;
+        let height = self.study.number(&body.reach())?;
+        let outlines = outlines(self.study, body)?;
+        let names = (Label::markup("$m$ $g$"), weight);
+        Ok((weight > 0.0).then(|| SideView::resting(outlines, height, names, (Label::symbol("N"), weight))))
+    }
+
+    /// Impulses on the body of a rigid impact at just this time.
+    fn impulses(&self, time: f64) -> Result<Vec<Impulse>, PipelineError> {
+        let events = self.run.trajectory.events.iter().enumerate();
+        let mut found = vec![];
+        for (index, _) in events.filter(|(_, event)| event.time == time) {
+            found.extend(self.run.impulses(index)?);
+        }
+        found.retain(|impulse| impulse.body == self.body);
+        Ok(found)
+    }
+
+    fn impulse(&self, impulse: &Impulse, pose: Pose) -> Arrow {
+        let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
+        let kind = if is_pair { Kind::Contact } else { Kind::Reaction };
+        let point = [pose.x + impulse.arm[0], pose.y + impulse.arm[1]];
+        Arrow::new(kind, Label::symbol(&format!("J_{}", last(&impulse.load))), point, impulse.impulse)
+    }
+
+    fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, PipelineError> {
+        let reach = self.study.number(&body.reach())?;
+        let mut found: Vec<Surface> = vec![];
+        for surface in self.study.model.surfaces.iter().filter(|surface| surface.meets(&body.name)) {
+            let formulas = [surface.through.components(), surface.normal.components()].concat();
+            let Some(values) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
+            let [px, py, nx, ny] = [values[0], values[1], values[2], values[3]];
+            let distance = nx * (pose.x - px) + ny * (pose.y - py);
+            // The point of the surface that is nearest to the body.
+            let foot = [pose.x - distance * nx, pose.y - distance * ny];
+            if distance.abs() <= 2.0 * NEAR * reach.max(f64::MIN_POSITIVE) {
+                found.push(Surface::new(foot, [nx, ny], Label::plain(&surface.name)));
+            }
+        }
+        Ok(found)
+    }
+
+    fn symbol(&self, name: &str) -> Label {
+        let symbols = self.study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol));
+        match name.rsplit_once('.') {
+            Some((_, "angle")) if !self.study.symbols.contains_key(name) => Label::symbol("theta"),
+            _ => Label::name(name, &symbols.collect::<Vec<_>>()),
+        }
+    }
+
+    /// What the user calls it, or the usual letter with the load's name.
+    fn force_symbol(&self, force: &Force) -> Label {
+        let name = &force.load;
+        if self.study.symbols.contains_key(name) {
+            return self.symbol(name);
+        }
+        match force.law {
+            Law::Weight => Label::markup("$m$ $g$"),
+            Law::Contact => Label::symbol(&format!("N_{}", last(name))),
+            Law::Reaction => Label::symbol(&format!("R_{}", last(name))),
+            Law::Torque | Law::Torsion => Label::symbol(&format!("tau_{name}")),
+            _ => Label::symbol(&format!("F_{name}")),
+        }
+    }
+}
+
+fn last(name: &str) -> &str {
+    name.rsplit('.').next().unwrap_or(name)
+}
+
+fn kind(law: Law) -> Kind {
+    match law {
+        Law::Weight => Kind::Weight,
+        Law::Contact => Kind::Contact,
+        Law::Drag | Law::Lift => Kind::Air,
+        Law::Spring | Law::Torsion => Kind::Spring,
+        Law::Reaction => Kind::Reaction,
+        Law::Force | Law::Torque => Kind::Applied,
+    }
+}
+
+/// A time with as many digits as a reader can use.
+fn shown(time: f64) -> String {
+    let text = format!("{time:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

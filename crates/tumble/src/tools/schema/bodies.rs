@@ -1,0 +1,150 @@
+//! Bodies, their shapes, and what holds or stops them.
+
+use serde_json::{Value, json};
+
+use super::parts::{Key, choice, closed, each, may, must, named, open};
+
+/// `[surface.NAME]`, `[body.NAME]` and `[pivot.NAME]`.
+pub(super) fn sections() -> Vec<Key> {
+    vec![
+        may("surface", each(surface()), "Floors, walls and slopes, and what they do to what touches them."),
+        must("body", each(body()), "Bodies: a shape with its mass, parts, or stated mass properties."),
+        may("pivot", each(pivot()), "Points of bodies that are held at a place in the world."),
+    ]
+}
+
+fn body() -> Value {
+    let own = [
+        may("mass", named("quantity"), "Spread evenly over the shape."),
+        may(
+            "parts",
+            json!({ "type": "array", "minItems": 1, "items": part() }),
+            "Shapes with their masses, joined rigidly.",
+        ),
+        may("centre", named("vector"), "Centre of mass, stated instead of computed; with `inertia`."),
+        may("inertia", named("quantity"), "Moment of inertia about the centre of mass; with `centre`."),
+        may(
+            "restitution",
+            named("formula"),
+            "How much of its speed an impact leaves, where it is not the surface's.",
+        ),
+        may("points", open(named("vector")), "Named points `[x, y]` in body coordinates."),
+        may("start", start(), "What it starts from; as drawn and at rest without it."),
+    ];
+    let keys: Vec<_> = shapes().into_iter().chain(own).collect();
+    let mut body = closed("[body.NAME]", &keys);
+    body["anyOf"] = json!([{ "required": ["mass"] }, { "required": ["parts"] }]);
+    body
+}
+
+fn part() -> Value {
+    let mass = must("mass", named("quantity"), "Spread evenly over the shape.");
+    closed("part of a body", &shapes().into_iter().chain([mass]).collect::<Vec<_>>())
+}
+
+fn start() -> Value {
+    closed(
+        "start",
+        &[
+            may("at", named("vector"), "Place of the centre of mass."),
+            may("velocity", named("vector"), "Velocity of the centre of mass."),
+            may("angle", named("quantity"), "Counter-clockwise: \"30 deg\"."),
+            may("omega", named("quantity"), "Angular velocity: \"2 rad/s\", \"30 rpm\"."),
+        ],
+    )
+}
+
+fn shapes() -> Vec<Key> {
+    let origin = |key| may(key, named("vector"), "The origin of the body's coordinates without it.");
+    let length = |key| must(key, named("quantity"), "A length.");
+    let round = |name| closed(name, &[length("radius"), origin("centre")]);
+    let corners = json!({ "type": "array", "minItems": 3, "items": named("vector") });
+    let rod = closed(
+        "rod",
+        &[
+            must("from", named("vector"), "One end."),
+            must("to", named("vector"), "The other end."),
+            may("end_radius", named("quantity"), "Of its rounded ends; 0 without it."),
+        ],
+    );
+    let rectangle = closed("box", &[length("width"), length("height"), origin("centre")]);
+    vec![
+        may("point", closed("point", &[origin("at")]), "A point with a mass and no extent."),
+        may("rod", rod, "A thin rod."),
+        may("disk", round("disk"), "A full disk."),
+        may("ring", round("ring"), "A thin ring."),
+        may("ball", round("ball"), "A solid ball."),
+        may("shell", round("shell"), "A thin spherical shell."),
+        may("box", rectangle, "A rectangle."),
+        may(
+            "polygon",
+            closed("polygon", &[must("corners", corners, "Three or more, in order.")]),
+            "A polygon.",
+        ),
+    ]
+}
+
+fn pivot() -> Value {
+    let point = json!({ "anyOf": [named("text"), named("vector")] });
+    closed(
+        "[pivot.NAME]",
+        &[
+            must("body", named("text"), "Name of the body."),
+            must("point", point, "Its point: \"rod.tip\", or `[x, y]` in body coordinates."),
+            must("world", named("vector"), "Where that point is held; it may depend on the time."),
+        ],
+    )
+}
+
+fn surface() -> Value {
+    let names = json!({ "type": "array", "items": named("text") });
+    closed(
+        "[surface.NAME]",
+        &[
+            must("through", named("vector"), "A point of it; it may depend on the time."),
+            may("normal", direction(), "Direction out of the solid; this or `slope`."),
+            may("slope", named("quantity"), "Angle of the surface, counter-clockwise; level without it."),
+            may(
+                "on",
+                json!({ "anyOf": [named("text"), names] }),
+                "A body or a list of bodies; all without it.",
+            ),
+            may("rigid", rigid(), "It does not give way; this, `spring` or `hertz`."),
+            may("spring", spring(), "It gives way in proportion to the force."),
+            may("hertz", hertz(), "It gives way as one elastic body to another."),
+        ],
+    )
+}
+
+fn direction() -> Value {
+    super::parts::pair(named("formula"))
+}
+
+fn rigid() -> Value {
+    closed(
+        "rigid",
+        &[must("restitution", named("formula"), "How much of its speed an impact leaves, from 0 to 1.")],
+    )
+}
+
+fn spring() -> Value {
+    closed(
+        "spring of a surface",
+        &[
+            must("stiffness", named("quantity"), "N/m"),
+            must("damping", named("quantity"), "kg/s"),
+            may(
+                "release",
+                choice(&["at zero force", "at the surface"]),
+                "When it lets go; at zero force without it.",
+            ),
+        ],
+    )
+}
+
+fn hertz() -> Value {
+    closed(
+        "hertz",
+        &[must("stiffness", named("quantity"), "N/m^(3/2)"), must("damping", named("quantity"), "s/m")],
+    )
+}
