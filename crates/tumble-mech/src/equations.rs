@@ -94,6 +94,11 @@ impl Equations {
         &self.model
     }
 
+    /// Formulas of the scheduled times, in the order in which causes count them.
+    pub fn scheduled_times(&self) -> Vec<Expr> {
+        self.windows.iter().flat_map(|window| window.times().map(|(_, time)| time.clone())).collect()
+    }
+
     /// When loads act that do not always.
     pub fn windows(&self) -> &[Window] {
         &self.windows
@@ -106,21 +111,32 @@ impl Equations {
 
     /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
     pub fn terms(&self, mode: &Mode) -> Vec<Term> {
-        let (acting, definitions) = (self.acting(mode), self.definitions_of(mode));
-        let in_mode = |formula: &Expr| definitions.apply(formula);
+        let definitions = self.definitions_of(mode);
+        self.terms_with(mode, |formula| definitions.apply(formula))
+    }
+
+    /// The terms that act in a mode as a reader wants to see them: places and velocities in the states, accelerations
+    /// and the forces of contacts by their symbols.
+    pub fn shown_terms(&self, mode: &Mode) -> Vec<Term> {
+        let changes = self.changes(mode);
+        self.terms_with(mode, |formula| changes.apply(&self.definitions.apply(formula)))
+    }
+
+    fn terms_with(&self, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {
+        let acting = self.acting(mode);
         let reactions = self.bodies.iter().enumerate().filter_map(|(index, body)| {
             let terms = on_body(&acting, index);
             body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
         });
         let terms = acting.iter().map(|term| (*term).clone()).chain(reactions);
-        let vector = |v: &Vector| v.map(&in_mode);
-        let in_states = terms.map(|term| Term {
+        let vector = |v: &Vector| v.map(&shown);
+        let shown_terms = terms.map(|term| Term {
             arm: vector(&term.arm),
             force: vector(&term.force),
-            couple: in_mode(&term.couple),
+            couple: shown(&term.couple),
             ..term
         });
-        in_states.collect()
+        shown_terms.collect()
     }
 
     /// The states of a mode in order.

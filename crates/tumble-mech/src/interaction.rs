@@ -21,6 +21,10 @@ pub trait Interaction: Debug + Send + Sync {
     fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
         vec![]
     }
+    /// Places of its two ends, m, where it is something between two points.
+    fn ends(&self) -> Option<[Vector; 2]> {
+        None
+    }
     /// Whether its terms depend on [`Bodies::nodes`].
     fn is_quadrature(&self, _: &Wind) -> bool {
         false

@@ -35,11 +35,7 @@ impl Hybrid for Equations {
             time: time_symbol(),
             inputs: self.model().parameters.symbols(),
             groups: self.groups(),
-            schedule: self
-                .windows()
-                .iter()
-                .flat_map(|window| window.times().map(|(_, time)| time.clone()))
-                .collect(),
+            schedule: self.scheduled_times(),
             guards: guards.collect(),
             candidates: candidates.collect(),
             invariants: self.invariants(mode),

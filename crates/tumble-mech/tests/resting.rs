@@ -233,7 +233,8 @@ fn three_feet_in_a_line() {
         shape: Shape::Disk { centre: Vector::planar(x * M, 0 * M), radius: 0.1 * M },
         mass: 1 * KG,
     };
-    let mut model = world(Body::from_parts("body", [-1.0, 0.0, 2.0].map(foot).to_vec()), [1.0 / 3.0, 0.1], 0.0);
+    let mut model =
+        world(Body::from_parts("body", [-1.0, 0.0, 2.0].map(foot).to_vec()), [1.0 / 3.0, 0.1], 0.0);
     model.starts[0].1 = model.starts[0].1.clone().velocity([1 * M / S, 0 * M / S]);
     model.surface(floor(0.0, 0.0));
     let run = run(model, 100.0, 1e-12);
@@ -373,9 +374,8 @@ fn in_a_groove() {
         let disk = Shape::Disk { centre: Vector::planar(0 * M, 0 * M), radius: 0.1 * M };
         let disk = Body::of_shape("disk", disk).mass(2 * KG);
         let mut model = world(disk, [far * up.cos(), far * up.sin()], 0.0);
-        let slope = |name: &str, angle: f64| {
-            Surface::sloping(name, [0 * M, 0 * M], &Expr::from(angle), rigid(0.4))
-        };
+        let slope =
+            |name: &str, angle: f64| Surface::sloping(name, [0 * M, 0 * M], &Expr::from(angle), rigid(0.4));
         model.surface(slope("left", -left));
         model.surface(slope("right", right));
         let run = run(model, 100.0, 1e-13);
@@ -401,7 +401,11 @@ fn a_resting_rod_is_hit_at_its_other_end() {
         let energies: Vec<f64> = times.windows(2).map(|t| energy(&run, 0.5 * (t[0] + t[1]))).collect();
         assert!(energies.windows(2).all(|e| e[1] <= e[0] + 1e-13), "{energies:?}");
         let [x, y, vx, vy, angle, omega] = state(&run, 10.0);
-        assert!([x, y, vx, vy, angle, omega].iter().all(|v| v.abs() < 1e-14), "e = {e}: {:?}", state(&run, 10.0));
+        assert!(
+            [x, y, vx, vy, angle, omega].iter().all(|v| v.abs() < 1e-14),
+            "e = {e}: {:?}",
+            state(&run, 10.0)
+        );
         close(force(&run, 9.0, "floor.rod.to"), 0.5 * G, 1e-12);
     }
 }

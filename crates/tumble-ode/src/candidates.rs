@@ -11,7 +11,7 @@ use tumble_expr::{Branches, Expr, Jets, Layout, Symbol, Tape};
 use crate::Reason;
 use crate::compiled::fixed;
 use crate::expansion::Expansion;
-use crate::hybrid::Candidate;
+use crate::hybrid::{Candidate, Direction};
 use crate::polynomial::value;
 use crate::radius::of_own_size;
 use crate::scale::Scales;
@@ -38,6 +38,7 @@ struct Watch {
     states: Vec<usize>,
     slopes: Option<Vec<(usize, f64)>>,
     group: usize,
+    direction: Direction,
     /// The candidate is at least so far from zero.
     clearance: f64,
     /// Built when it is first evaluated.
@@ -88,7 +89,9 @@ impl Candidates {
             }
             let order = self.order;
             let here = watch.start(expansion, carry, order)?;
-            watch.clearance = here.abs();
+            // Found beyond zero, by rounding, it is near however short the step.
+            let is_beyond = watch.direction != Direction::Both && watch.direction.allows(here);
+            watch.clearance = if is_beyond { 0.0 } else { here.abs() };
             // NaN counts as near: the expansion then says what is wrong.
             if !(watch.clearance > needed) {
                 near.push((index, watch.expand(expansion, here, order)?));
@@ -167,6 +170,7 @@ impl Watch {
             states,
             slopes,
             group: candidate.group,
+            direction: candidate.guard.direction,
             clearance: 0.0,
             jets: None,
         })

@@ -433,13 +433,3 @@ fn is_close_turn(turn: &Turn, slope: &[f64], at: f64, length: f64) -> bool {
     let curvature = 0.5 * polynomial::slope(slope, at);
     least * least < curvature * (CLOSE_TURN_STEPS * length) * (CLOSE_TURN_STEPS * length)
 }
-
-impl Direction {
-    fn allows(self, to: f64) -> bool {
-        match self {
-            Self::Rising => to > 0.0,
-            Self::Falling => to < 0.0,
-            Self::Both => true,
-        }
-    }
-}

@@ -85,6 +85,17 @@ pub enum Direction {
     Both,
 }
 
+impl Direction {
+    /// Whether a crossing to that sign counts.
+    pub(crate) fn allows(self, to: f64) -> bool {
+        match self {
+            Self::Rising => to > 0.0,
+            Self::Falling => to < 0.0,
+            Self::Both => true,
+        }
+    }
+}
+
 /// A state and its rate of change.
 #[derive(Clone, Debug)]
 pub struct StateVariable {

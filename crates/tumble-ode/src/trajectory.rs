@@ -111,6 +111,16 @@ impl Piece {
         self.states.iter().map(|series| polynomial::value(series, s)).collect()
     }
 
+    /// States at a reading of the piece's clock.
+    pub fn states_at_clock(&self, s: f64) -> Vec<f64> {
+        self.states.iter().map(|series| polynomial::value(series, s)).collect()
+    }
+
+    /// How fast the time passes at a reading of the piece's clock, s per unit of the clock.
+    pub fn clock_rate(&self, s: f64) -> f64 {
+        self.clock.as_ref().map_or(1.0, |series| polynomial::slope(series, s))
+    }
+
     /// Reading of the piece's clock at a time within the piece.
     pub fn clock_at(&self, time: f64) -> f64 {
         match &self.clock {

@@ -2,8 +2,8 @@
 
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_ode::{
-    Accuracy, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, Reason, ScaleGroup,
-    Side, Start, StateVariable, Stopped, Trajectory, solve,
+    Accuracy, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, Reason,
+    ScaleGroup, Side, Start, StateVariable, Stopped, Trajectory, solve,
 };
 
 const G: f64 = 10.0;
@@ -96,7 +96,10 @@ fn a_candidate_is_a_guard_that_costs_less() {
     let unbounded = Toy { candidates: vec![candidate("floor", leaf("x"), None)], ..falling(bounce) };
     let [tape, beside, unbounded] = [tape, beside, unbounded].map(|toy| run(&toy, &[5.0, 0.0], 99.5));
     assert_eq!(tape.events.len(), 50);
-    assert_eq!((tape.events[0].causes[0], beside.events[0].causes[0]), (Cause::Guard(0), Cause::Candidate(0)));
+    assert_eq!(
+        (tape.events[0].causes[0], beside.events[0].causes[0]),
+        (Cause::Guard(0), Cause::Candidate(0))
+    );
     for (n, ((a, b), c)) in times(&tape).iter().zip(times(&beside)).zip(times(&unbounded)).enumerate() {
         let exact = 1.0 + 2.0 * n as f64;
         assert!((a - exact).abs() < 1e-13 && (b - exact).abs() < 1e-13, "{a} {b} {exact}");
@@ -106,7 +109,8 @@ fn a_candidate_is_a_guard_that_costs_less() {
 
 #[test]
 fn what_is_far_away_is_not_expanded() {
-    let far = |n: usize| candidate(&format!("far{n}"), leaf("x") + (1000 + n) as f64, Some(vec![(0, Expr::one())]));
+    let far =
+        |n: usize| candidate(&format!("far{n}"), leaf("x") + (1000 + n) as f64, Some(vec![(0, Expr::one())]));
     let near = candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]));
     let alone = Toy { candidates: vec![near.clone()], ..falling(bounce) };
     let crowded = Toy { candidates: (0..1000).map(far).chain([near]).collect(), ..falling(bounce) };
@@ -122,7 +126,8 @@ fn what_is_far_away_is_not_expanded() {
 /// On an ordinary step nothing that the motion cannot reach within it is looked at.
 #[test]
 fn an_oscillator_never_looks_at_what_it_cannot_reach() {
-    let far = |n: usize| candidate(&format!("far{n}"), leaf("x") + (100 + n) as f64, Some(vec![(0, Expr::one())]));
+    let far =
+        |n: usize| candidate(&format!("far{n}"), leaf("x") + (100 + n) as f64, Some(vec![(0, Expr::one())]));
     let toy = Toy {
         rates: vec![("x", leaf("v")), ("v", -leaf("x"))],
         candidates: (0..1000).map(far).collect(),
@@ -163,7 +168,10 @@ fn a_wake_comes_at_its_time() {
         let wake = (!woken).then_some(at.time + 0.123_456_789);
         Jump { wake, ..Jump::to(at.mode + 1, vec![at.states[0], if woken { 0.0 } else { -at.states[1] }]) }
     }
-    let toy = Toy { candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))], ..falling(jump) };
+    let toy = Toy {
+        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        ..falling(jump)
+    };
     let motion = run(&toy, &[5.0, 0.0], 1.2);
     assert_eq!(times(&motion), [1.0, 1.123_456_789]);
     assert_eq!(motion.events[1].causes, [Cause::Wake]);
@@ -172,7 +180,10 @@ fn a_wake_comes_at_its_time() {
 
 #[test]
 fn causes_at_the_start_come_before_any_step() {
-    let toy = Toy { candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))], ..falling(bounce) };
+    let toy = Toy {
+        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        ..falling(bounce)
+    };
     let motion = run_with(&toy, &[0.0, -5.0], 0.9, vec![Cause::Candidate(0)]).expect("a motion");
     assert_eq!(times(&motion), [0.0]);
     assert_eq!(motion.events[0].after, [0.0, 5.0]);
@@ -183,7 +194,10 @@ fn causes_at_the_start_come_before_any_step() {
 /// Found beyond zero and going on, it crosses now; beyond zero and coming back, it does not.
 #[test]
 fn what_is_overdue_happens_at_once() {
-    let toy = Toy { candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))], ..falling(bounce) };
+    let toy = Toy {
+        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        ..falling(bounce)
+    };
     let motion = run(&toy, &[-1e-17, -1.0], 0.1);
     assert_eq!(times(&motion)[0], 0.0);
     let motion = run(&toy, &[-1e-17, 1.0], 0.1);
@@ -196,7 +210,10 @@ fn an_arc_that_starts_beyond_zero_ends() {
     fn jump(at: &Crossing<'_, i32>) -> Jump<i32> {
         Jump { zeros: vec![("floor".into(), 1)], ..Jump::to(at.mode + 1, vec![-1e-17, 1e-9]) }
     }
-    let toy = Toy { candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))], ..falling(jump) };
+    let toy = Toy {
+        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        ..falling(jump)
+    };
     let motion = run(&toy, &[5.0, 0.0], 1.0 + 1e-9);
     assert!((times(&motion)[1] - 1.0 - 2e-10).abs() < 3e-16, "{:?}", &times(&motion)[..2]);
 }

@@ -8,6 +8,8 @@ pub mod axes;
 pub mod curves;
 pub mod font;
 pub mod free_body;
+#[cfg(feature = "png")]
+pub mod gif;
 pub mod heading;
 pub mod legend;
 pub mod numeral;
@@ -33,6 +35,8 @@ pub mod track;
 
 pub use axes::Axis;
 pub use curves::{CurveFigure, Mark, Series};
+#[cfg(feature = "png")]
+pub use gif::{GifError, animation_gif};
 pub use outline::{Outline, Pose};
 pub use page::{Entry, Figure, IndexPage, Link};
 #[cfg(feature = "png")]

@@ -130,7 +130,7 @@ impl Figure {
 
 /// A relative path as a URL. Everything but plain characters is
 /// percent-encoded, so a path can name neither a scheme nor a query.
-fn url(path: &str) -> String {
+pub(crate) fn url(path: &str) -> String {
     let mut url = String::from("./");
     for byte in path.trim_start_matches('/').bytes() {
         match byte {

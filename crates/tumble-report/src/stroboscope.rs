@@ -4,6 +4,7 @@
 use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
 use crate::free_body::Surface;
+use crate::free_body::layout::View;
 use crate::heading::Heading;
 use crate::legend::Legend;
 use crate::outline::{Pen, Pose};
@@ -89,6 +90,9 @@ impl Stroboscope {
         let mut points: Vec<_> = self.tracks.iter().flat_map(Track::extent).collect();
         let base = points.first().copied()?;
         points.extend(self.ground.map(|y| [base[0], y]));
+        let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
+        let feet: Vec<_> = feet.collect();
+        points.extend(feet);
         let x = Range::of(points.iter().map(|p| p[0]))?;
         let y = Range::of(points.iter().map(|p| p[1]))?;
         let room = 2.0 * PADDING * x.span().max(y.span());
@@ -156,7 +160,13 @@ impl<'a> Scene<'a> {
         let tracks = || self.picture.tracks.iter().enumerate();
         let bodies = tracks().map(|(i, track)| self.draw_bodies(i, track));
         let traces = tracks().map(|(i, track)| self.draw_trace(i, track));
-        ground.into_iter().chain(bodies).chain(traces).chain([self.draw_labels()]).collect()
+        let view = View::of(&self.axes);
+        let surfaces = self.surfaces().filter_map(|surface| surface.draw(&view, &self.axes.area));
+        ground.into_iter().chain(surfaces).chain(bodies).chain(traces).chain([self.draw_labels()]).collect()
+    }
+
+    fn surfaces(&self) -> impl Iterator<Item = &Surface> {
+        self.picture.surfaces.iter().filter(|surface| surface.is_drawable())
     }
 
     fn draw_ground(&self, y: f64) -> Element {
@@ -215,6 +225,10 @@ impl<'a> Scene<'a> {
         if let Some(y) = self.picture.ground.map(|y| self.axes.y.pixel(y)) {
             drawn.add_box(Rect::new(area.x, y, area.width, HATCH_DEPTH));
         }
+        let view = View::of(&self.axes);
+        for strip in self.surfaces().flat_map(|surface| surface.strip(&view, &area)) {
+            drawn.add_line(strip.to_vec());
+        }
         for track in &self.picture.tracks {
             self.trace_pieces(track).into_iter().for_each(|piece| drawn.add_line(piece));
             for pose in track.poses() {
@@ -233,7 +247,20 @@ impl<'a> Scene<'a> {
     fn draw_labels(&self) -> Element {
         let mut drawn = self.occupancy();
         let place = |note: Note<'_>| self.place(&mut drawn, &note);
-        Element::new("g").children(self.notes().into_iter().map(place))
+        let notes: Vec<_> = self.notes().into_iter().map(place).collect();
+        Element::new("g").children(notes).children(self.surface_names(&mut drawn))
+    }
+
+    fn surface_names(&self, drawn: &mut Occupancy) -> Vec<Element> {
+        let view = View::of(&self.axes);
+        let name = |surface: &Surface| {
+            let [a, b] = surface.visible(&view, &self.axes.area)?;
+            let (name, width) = (&surface.name, surface.name.width(SMALL));
+            let middle = [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])];
+            let place = drawn.place(middle, LABEL_DISTANCE, width, SMALL * LABEL_HEIGHT);
+            (!name.is_empty()).then(|| PlacedText::centred(name, &place, SMALL).halo().element())
+        };
+        self.surfaces().filter_map(name).collect()
     }
 
     /// The labels of all tracks; one that runs share, as at a common start, stands once.
@@ -278,13 +305,13 @@ fn legend(tracks: &[Track]) -> Option<Legend> {
 }
 
 /// Pictures of tall motions are narrow.
-fn picture_width([x, y]: [Range; 2]) -> f64 {
+pub(crate) fn picture_width([x, y]: [Range; 2]) -> f64 {
     let width = x.span() / y.span() * GREATEST_HEIGHT;
     (width + WIDTH / 8.0).clamp(LEAST_WIDTH, WIDTH)
 }
 
 /// Axes with the same scale in both directions; the shorter range is widened to fill the area.
-fn equal_axes(ranges: [Range; 2], width: f64, top: f64) -> Axes {
+pub(crate) fn equal_axes(ranges: [Range; 2], width: f64, top: f64) -> Axes {
     let (x, y) = (Axis::new(Label::symbol("x"), "m"), Axis::new(Label::symbol("y"), "m"));
     let fitted = |height| Axes::fitted([&x, &y], ranges, width, top, height);
     let height = fitted(LEAST_HEIGHT).area.width * ranges[1].span() / ranges[0].span();
@@ -339,6 +366,21 @@ mod tests {
         picture.tracks.push(picture.tracks[0].clone());
         picture.tracks[1].poses.truncate(8);
         assert_eq!(Scene::new(&picture).notes().len(), 3);
+    }
+
+    #[test]
+    fn surfaces_are_seen_below_the_bodies() {
+        let mut picture = flight();
+        let bare = picture.svg().to_string();
+        picture.surfaces = vec![
+            Surface::new([0.0, -3.0], [0.0, 2.0], Label::plain("floor")),
+            Surface::new([0.0, 0.0], [0.0, 0.0], Label::default()),
+        ];
+        let drawn = picture.svg().to_string();
+        let lowest = |picture: &Stroboscope| picture.ranges().expect("poses")[1].low;
+        assert!(lowest(&picture) < -3.0, "the floor is in the picture");
+        assert!(drawn.len() > bare.len() && drawn.contains("floor") && !drawn.contains("NaN"));
+        assert!(drawn.find("floor") > drawn.find("<circle"), "names stand over bodies");
     }
 
     #[test]

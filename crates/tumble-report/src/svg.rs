@@ -45,7 +45,25 @@ impl Svg {
         self.children.push(element);
     }
 
+    /// The drawing as a part of a page: `id` (unique there, without blanks)
+    /// ties the title and the description to it for screen readers.
+    pub fn inline(&self, id: &str) -> String {
+        let (title, description) = (format!("{id}-title"), format!("{id}-description"));
+        let labelled = self.root_named(Some([&title, &description])).attr("aria-labelledby", title.clone());
+        if self.description.is_empty() { labelled } else { labelled.attr("aria-describedby", description) }
+            .to_string()
+    }
+
     fn root(&self) -> Element {
+        self.root_named(None)
+    }
+
+    /// The root element; title and description get the names, if there are some.
+    fn root_named(&self, names: Option<[&str; 2]>) -> Element {
+        let named = |element: Element, i: usize| match names {
+            Some(names) => element.attr("id", names[i]),
+            None => element,
+        };
         let view = format!("0 0 {} {}", number(self.width), number(self.height));
         let root = Element::new("svg")
             .attr("xmlns", "http://www.w3.org/2000/svg")
@@ -54,9 +72,9 @@ impl Svg {
             .attr("viewBox", view)
             .attr("role", "img")
             .attr("font-family", crate::font::FAMILY)
-            .child(Element::new("title").text(&self.title));
+            .child(named(Element::new("title"), 0).text(&self.title));
         let description =
-            (!self.description.is_empty()).then(|| Element::new("desc").text(&self.description));
+            (!self.description.is_empty()).then(|| named(Element::new("desc"), 1).text(&self.description));
         root.children(description).children(self.children.iter().cloned())
     }
 }

@@ -31,9 +31,12 @@ pub const GREY: Rgb = Rgb(0x80, 0x80, 0x80);
 /// The page.
 pub const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
 
+/// Number of colours of series.
+pub const PALETTE_SIZE: usize = 7;
+
 /// Okabe and Ito's palette, told apart by colour-blind readers, without its
 /// yellow, which is too pale for thin lines on white.
-const PALETTE: [Rgb; 7] = [
+const PALETTE: [Rgb; PALETTE_SIZE] = [
     Rgb(0x00, 0x72, 0xb2),
     Rgb(0xd5, 0x5e, 0x00),
     Rgb(0x00, 0x9e, 0x73),

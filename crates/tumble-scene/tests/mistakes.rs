@@ -266,7 +266,6 @@ const FORMULAS: &[Row] = &[
     ),
     ("equals = \"0 rad\"", "equals = \"1 m\"", "E0204 1 m", "not one of an angle"),
     ("within = \"10 rad\"", "within = 1", "E0516 1", "\"1 rad\", in quotes"),
-    ("equals = \"0 rad\"", "equals = \"rod.x/L\"", "E0525 rod.x", "changes during the run"),
     (
         "\"rod.angle\" = \"theta\"",
         "\"rod.angel\" = \"theta\"",

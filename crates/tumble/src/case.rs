@@ -4,6 +4,7 @@ use tumble_mech::{Parameters, Run, RunError};
 use tumble_ode::Refusal;
 use tumble_scene::Study;
 
+use crate::books::Books;
 use crate::checks::{self, CheckResult};
 use crate::pipeline::PipelineError;
 use crate::progress::Progress;
@@ -23,6 +24,8 @@ pub struct Case {
     pub refusal: Option<Refusal>,
     /// The scene's claims, each with what was found.
     pub checks: Vec<CheckResult>,
+    /// Energy, momentum and what changed them; `None` where only numbers were asked for.
+    pub books: Option<Books>,
 }
 
 /// Parameters of one run, with its label.
@@ -79,7 +82,7 @@ impl Case {
             Err(error) => return Err(error.into()),
         };
         let checks = checks::evaluate(study, &run, refusal.is_none())?;
-        Ok(Self { number, label, parameters, run, refusal, checks })
+        Ok(Self { number, label, parameters, run, refusal, checks, books: None })
     }
 
     /// Whether the motion reached its end and every claim holds.

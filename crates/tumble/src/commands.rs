@@ -5,8 +5,10 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use tumble::Case;
+use tumble::{Case, ReportForm};
 use tumble::gallery::{self, Shown};
+#[cfg(feature = "png")]
+use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
 
 use crate::tools::new::Kind;
@@ -50,6 +52,27 @@ enum Task {
         #[arg(long, default_value = "out")]
         out: PathBuf,
     },
+    /// Run a scene and write its motion as an animated GIF.
+    #[cfg(feature = "png")]
+    Animate {
+        /// The scene file.
+        scene: PathBuf,
+        /// Give a parameter another value for this time, such as T=2s.
+        #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+        set: Vec<(String, String)>,
+        /// Which run of a sweep, counted from 1.
+        #[arg(long, default_value_t = 1)]
+        run: usize,
+        /// Pixels across.
+        #[arg(long, default_value_t = 800)]
+        width: u32,
+        /// Frames a second.
+        #[arg(long, default_value_t = 25.0)]
+        rate: f64,
+        /// The file to write; out/SCENE.gif where none is given.
+        #[arg(long)]
+        to: Option<PathBuf>,
+    },
     /// Write a scene to start from into a new folder.
     New {
         /// Name of the scene, and of its folder.
@@ -89,6 +112,30 @@ struct Settings {
     /// Write tables and the summary only.
     #[arg(long)]
     no_figures: bool,
+    /// What to write the report as.
+    #[arg(long, value_enum, default_value = "html")]
+    report: Form,
+}
+
+/// Forms of a report.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Form {
+    /// One page that opens in any browser.
+    Html,
+    /// Text with formulas and links to the figures.
+    Markdown,
+    /// None.
+    None,
+}
+
+impl From<Form> for ReportForm {
+    fn from(form: Form) -> Self {
+        match form {
+            Form::Html => Self::Html,
+            Form::Markdown => Self::Markdown,
+            Form::None => Self::None,
+        }
+    }
 }
 
 fn assignment(text: &str) -> Result<(String, String), String> {
@@ -128,8 +175,9 @@ impl Task {
     fn run(self) -> Ending {
         match self {
             Task::Run { scene, settings } => {
-                let Settings { set, out, no_figures } = settings;
-                let options = Options { set, out, no_figures, progress: true };
+                let Settings { set, out, no_figures, report: form } = settings;
+                let form = if no_figures { ReportForm::None } else { form.into() };
+                let options = Options { set, out, no_figures, report: form, progress: true };
                 report(&Shown { result: pipeline::run(&scene, &options), scene })
             }
             Task::Check { scene, set } => {
@@ -138,6 +186,17 @@ impl Task {
             }
             Task::Gallery { scenes, out } => {
                 gallery(&scenes, Options { out, progress: true, ..Options::default() })
+            }
+            #[cfg(feature = "png")]
+            Task::Animate { scene, set, run, width, rate, to } => {
+                let options = Options { set, out: "out".into(), progress: true, ..Options::default() };
+                match pipeline::animate(&scene, &options, &AnimationOptions { run, width, rate, to }) {
+                    Ok(file) => {
+                        say!("{}", file.display());
+                        Ending::Success
+                    }
+                    Err(error) => complain(&scene, &error),
+                }
             }
             Task::New { name, kind } => new::run(&name, kind),
             Task::Explain { code } => explain::run(code.as_deref()),
@@ -236,6 +295,11 @@ fn count(number: u64, what: &str) -> String {
 
 fn complain(scene: &Path, error: &PipelineError) -> Ending {
     match error {
+        #[cfg(feature = "png")]
+        PipelineError::Gif(_) => {
+            tell!("error: {}: {error}", scene.display());
+            Ending::Mistake
+        }
         PipelineError::Scene(diagnostics) => {
             tell!("{}", diagnostics.render(say::colour(&std::io::stderr()), say::width()));
             Ending::Mistake
@@ -248,7 +312,7 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             tell!("error: {}: {error}", scene.display());
             Ending::Refused
         }
-        PipelineError::Read { .. } | PipelineError::Output(_) => {
+        PipelineError::Read { .. } | PipelineError::Output(_) | PipelineError::Animation { .. } => {
             tell!("error: {error}");
             Ending::File
         }

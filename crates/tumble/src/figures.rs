@@ -3,6 +3,7 @@
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Run, Shape};
 use tumble_ode::Side;
+use tumble_report::free_body::Surface;
 use tumble_report::{
     Axis, CurveFigure, Label, Mark, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
 };
@@ -64,7 +65,7 @@ fn save(folder: &Folder, name: &str, svg: &Svg) -> Result<(), PipelineError> {
     Ok(())
 }
 
-fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, PipelineError> {
+pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, PipelineError> {
     let x = plot.x.as_ref().map_or(tumble_mech::time(), |curve| curve.quantity.formula.clone());
     let y = plot.y.iter().map(|curve| curve.quantity.formula.clone());
     let formulas: Vec<Expr> = std::iter::once(x).chain(y).collect();
@@ -119,7 +120,7 @@ fn mark_events(figure: &mut CurveFigure, case: &Case) {
 }
 
 /// What is different about a run: `T = 0.5 s` with its symbol, or the user's words.
-fn case_label(case: &Case) -> Label {
+pub(crate) fn case_label(case: &Case) -> Label {
     let part = |part: &str| match part.split_once(" = ") {
         Some((symbol, value)) => {
             let (number, unit) = value.split_once(' ').unwrap_or((value, ""));
@@ -151,10 +152,11 @@ fn label(study: &Study, curve: &Curve) -> Label {
     Label::name(&curve.text, &symbols)
 }
 
-fn picture(study: &Study, cases: &[Case], stroboscope: &Stroboscope) -> Result<Picture, PipelineError> {
+pub(crate) fn picture(study: &Study, cases: &[Case], stroboscope: &Stroboscope) -> Result<Picture, PipelineError> {
     let several = stroboscope.bodies.len() > 1;
     let mut picture = Picture {
         title: Label::markup(stroboscope.title.as_deref().unwrap_or(&study.title)),
+        surfaces: surfaces(study, &cases[0].run)?,
         ..Picture::default()
     };
     for case in cases {
@@ -201,6 +203,17 @@ pub(crate) fn poses(
         Some(Pose { t, x: values[0], y: values[1], angle: values[2] })
     };
     Ok(times.filter_map(pose).collect())
+}
+
+/// What bodies meet, where it is at the start.
+pub(crate) fn surfaces(study: &Study, run: &Run) -> Result<Vec<Surface>, PipelineError> {
+    let mut found = vec![];
+    for surface in &study.model.surfaces {
+        let formulas = [surface.through.components(), surface.normal.components()].concat();
+        let Some(at) = run.observe(&formulas)?.at(0.0, Side::After) else { continue };
+        found.push(Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name)));
+    }
+    Ok(found)
 }
 
 /// Shapes of a body with its centre of mass at the origin.

@@ -171,7 +171,7 @@ fn last(name: &str) -> &str {
     name.rsplit('.').next().unwrap_or(name)
 }
 
-fn kind(law: Law) -> Kind {
+pub(crate) fn kind(law: Law) -> Kind {
     match law {
         Law::Weight => Kind::Weight,
         Law::Contact => Kind::Contact,

@@ -86,12 +86,12 @@ fn entry(outcome: &Outcome) -> Entry {
     let tables = outcome
         .cases
         .iter()
-        .flat_map(|case| ["trajectory.csv", "events.csv"].map(|table| format!("{}/{table}", case.folder())));
+        .flat_map(|case| ["trajectory.csv", "events.csv", "books.csv"].map(|table| format!("{}/{table}", case.folder())));
     Entry {
         title: outcome.study.title.clone(),
         summary: outcome.cases.iter().flat_map(summary).collect(),
         figures: outcome.figures.iter().map(figure).collect(),
-        data: std::iter::once("summary.json".to_owned()).chain(tables).map(link).collect(),
+        data: ["report.html", "summary.json"].map(str::to_owned).into_iter().chain(tables).map(link).collect(),
     }
 }
 

@@ -34,16 +34,20 @@ pub mod pipeline;
 pub mod prelude;
 pub mod progress;
 
+mod books;
 mod case;
 mod checks;
 mod figures;
 mod free_bodies;
 mod moments;
+mod report;
 mod summary;
 mod tables;
 
+pub use books::Books;
 pub use case::Case;
 pub use checks::CheckResult;
+pub use report::Form as ReportForm;
 pub use pipeline::{Options, Outcome, PipelineError};
 
 /// The programs in the documents, compiled and run as tests of the documentation.

@@ -6,9 +6,11 @@ use thiserror::Error;
 use tumble_mech::{ModelErrors, RunError};
 use tumble_scene::{Diagnostics, Override, Study};
 
+use crate::books::Books;
 use crate::case::{self, Case};
 use crate::figures;
 use crate::output::{Folder, OutputError};
+use crate::report;
 use crate::summary::{self, Source};
 use crate::tables;
 
@@ -21,6 +23,8 @@ pub struct Options {
     pub out: PathBuf,
     /// Whether figures are left out, for numbers only.
     pub no_figures: bool,
+    /// Which form of report is written.
+    pub report: report::Form,
     /// Whether a bar may be drawn for work over a second.
     pub progress: bool,
 }
@@ -68,6 +72,18 @@ pub enum PipelineError {
     /// Results cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// An animation cannot be written.
+    #[error("cannot write {}: {reason}", path.display())]
+    Animation {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+    /// An animation cannot be drawn.
+    #[cfg(feature = "png")]
+    #[error(transparent)]
+    Gif(#[from] tumble_report::GifError),
 }
 
 /// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
@@ -80,13 +96,52 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     let folder = Folder::begin(&options.out, &source.name)?;
     let mut cases = vec![];
     for (index, values) in case::combinations(&study)?.into_iter().enumerate() {
-        let case = Case::run(&study, index + 1, values, options.progress)?;
+        let mut case = Case::run(&study, index + 1, values, options.progress)?;
         tables::write(&study, &case, &folder)?;
+        if !options.no_figures {
+            case.books = Books::of(&case)?;
+            case.books.iter().try_for_each(|books| books.write(&case, &folder))?;
+        }
         cases.push(case);
     }
     let figures = if options.no_figures { vec![] } else { figures::write(&study, &cases, &folder)? };
+    report::write(&source, &study, &cases, &folder, options.report)?;
     summary::write(&source, &study, &cases, &figures, &folder)?;
     Ok(Outcome { folder: folder.finish()?, study, figures, cases })
+}
+
+/// How an animation is drawn.
+#[cfg(feature = "png")]
+#[derive(Clone, Debug)]
+pub struct AnimationOptions {
+    /// Which run of a sweep, counted from 1.
+    pub run: usize,
+    /// Pixels across.
+    pub width: u32,
+    /// Frames a second.
+    pub rate: f64,
+    /// The file to write; by the scene's name, in the folder of the results, where there is none.
+    pub to: Option<PathBuf>,
+}
+
+/// Runs a scene and writes its motion as an animated GIF; the path of the file.
+#[cfg(feature = "png")]
+pub fn animate(path: &Path, options: &Options, how: &AnimationOptions) -> Result<PathBuf, PipelineError> {
+    let source = Source::read(path)?;
+    let study = read(&source, options)?;
+    let mut cases = vec![];
+    for (index, values) in case::combinations(&study)?.into_iter().enumerate() {
+        cases.push(Case::run(&study, index + 1, values, options.progress)?);
+    }
+    let animation = report::animation(&study, &cases)?;
+    let gif = tumble_report::animation_gif(&animation, how.run.wrapping_sub(1), how.width, how.rate)?;
+    let to = how.to.clone().unwrap_or_else(|| options.out.join(format!("{}.gif", source.name)));
+    let failed = |error: std::io::Error| PipelineError::Animation { path: to.clone(), reason: error.to_string() };
+    if let Some(folder) = to.parent() {
+        std::fs::create_dir_all(folder).map_err(failed)?;
+    }
+    std::fs::write(&to, gif).map_err(failed)?;
+    Ok(to)
 }
 
 /// Reads a scene and reports its mistakes, without running it.

@@ -79,6 +79,8 @@ struct RunSummary<'a> {
     end: End,
     events: Vec<Event<'a>>,
     checks: Vec<Check<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    books: Option<crate::books::Summary>,
 }
 
 #[derive(Serialize)]
@@ -174,10 +176,11 @@ fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
         end: end(&case.run),
         events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
         checks: case.checks.iter().map(check).collect(),
+        books: case.books.as_ref().map(crate::books::Summary::of),
     }
 }
 
-fn hash(bytes: &[u8]) -> String {
+pub(crate) fn hash(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -167,7 +167,9 @@ impl<'a> Settling<'a> {
             Some((members, _)) => members.clone(),
             None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
         };
-        let stays = |position: &usize| !touched.lifted.contains(&self.touch.pairs[*position]);
+        // An impact at the same instant changes what the forces go on to do: that one was falling says nothing then.
+        let is_calm = self.impulses.amax() == 0.0;
+        let stays = |position: &usize| !(is_calm && touched.lifted.contains(&self.touch.pairs[*position]));
         let without: Vec<usize> = members.iter().copied().filter(stays).collect();
         let (found, then) = match self.hold(&without, &members) {
             Some(held) => held,

@@ -67,6 +67,7 @@ impl Equations {
         }
         let mut touched = self.still_standing(at, jump);
         for (pair, watched, closes) in causes.seen {
+            let before = self.roots(&jump.mode);
             let body = self.pairs()[pair].body;
             match (self.pairs()[pair].is_rigid(), watched) {
                 (true, Watched::Normal) => _ = touched.entry(body).or_default().lifted.insert(pair),
@@ -74,12 +75,13 @@ impl Equations {
                 (false, _) if closes => self.press(pair, now, jump)?,
                 (false, watched) => self.let_go(pair, watched, jump),
             }
+            self.restate(&before, jump);
         }
+        self.refuse_common_beginning(jump)?;
         let mut impulses = vec![];
         for (body, touched) in touched {
             impulses.extend(self.settle(body, &touched, now, jump)?);
         }
-        self.restate(at, jump)?;
         Ok(impulses)
     }
 
@@ -111,6 +113,13 @@ impl Equations {
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
         let closes = if stands { touch.free[own] < 0.0 } else { touch.rate[own] < 0.0 };
         jump.zeros.push((pair.guard_name(Watched::Gap), if stands { 2 } else { 1 }));
+        if closes && stands && pair.is_hertzian() {
+            return Err(Reason::Model(format!(
+                "`{}` touches without speed, and the clock of a Hertzian contact cannot start: let it begin a little \
+                 above the surface, or with some speed",
+                pair.name
+            )));
+        }
         if closes {
             jump.mode.set_phase(index, Some(Phase::Pressed));
             jump.tags.push(Change::Start.tag(pair));
@@ -132,26 +141,31 @@ impl Equations {
         jump.tags.extend(change.map(|change| change.tag(pair)));
     }
 
-    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them.
-    fn restate(&self, at: &Crossing<'_, Mode>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let (before, after) = (self.roots(at.mode), self.roots(&jump.mode));
-        if before == after {
-            return Ok(());
-        }
-        let base = at.states.len() - before.len();
-        let kept = |pair: &usize| before.iter().position(|known| known == pair).map(|i| at.states[base + i]);
+    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those that
+    /// the states are with.
+    fn restate(&self, before: &[usize], jump: &mut Jump<Mode>) {
+        let after = self.roots(&jump.mode);
+        let base = jump.states.len() - before.len();
+        let kept =
+            |pair: &usize| before.iter().position(|known| known == pair).map(|i| jump.states[base + i]);
         let roots: Vec<f64> = after.iter().map(|pair| kept(pair).unwrap_or(0.0)).collect();
-        if roots.iter().filter(|root| **root == 0.0).count() > 1 {
-            let names: Vec<&str> = after.iter().map(|pair| self.pairs()[*pair].name.as_str()).collect();
-            return Err(Reason::Model(format!(
-                "Hertzian contacts begin at the same instant ({}), for which there is no clock: let one begin a \
-                 little later",
-                names.join(", ")
-            )));
-        }
         jump.states.truncate(base);
         jump.states.extend(roots);
-        Ok(())
+    }
+
+    /// The clock of Hertzian contacts stands still where two roots of depths are zero.
+    fn refuse_common_beginning(&self, jump: &Jump<Mode>) -> Result<(), Reason> {
+        let pressed = self.roots(&jump.mode);
+        let roots = &jump.states[jump.states.len() - pressed.len()..];
+        if roots.iter().filter(|root| **root == 0.0).count() <= 1 {
+            return Ok(());
+        }
+        let names: Vec<&str> = pressed.iter().map(|pair| self.pairs()[*pair].name.as_str()).collect();
+        Err(Reason::Model(format!(
+            "Hertzian contacts begin at the same instant ({}), for which there is no clock: let one begin a \
+             little later",
+            names.join(", ")
+        )))
     }
 
     /// Impulses of the impacts at an event.

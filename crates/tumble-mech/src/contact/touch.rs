@@ -184,9 +184,8 @@ impl Equations {
         let terms = self.terms(mode);
         let terms: Vec<_> =
             terms.iter().filter(|term| term.body == body && term.law != Law::Reaction).collect();
-        let total = |of: &dyn Fn(&Term) -> Expr| {
-            terms.iter().fold(Expr::zero(), |sum, term| sum + of(term).abs())
-        };
+        let total =
+            |of: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + of(term).abs());
         match self.pivot_arm(body) {
             None => vec![
                 total(&|term| term.force.x().clone()),

@@ -71,6 +71,10 @@ impl Interaction for Spring {
         self.ends.iter().zip([pull.clone(), -&pull]).filter_map(on_end).collect()
     }
 
+    fn ends(&self) -> Option<[Vector; 2]> {
+        Some(self.ends.each_ref().map(Anchor::position))
+    }
+
     fn bodies(&self) -> Vec<&str> {
         self.ends.iter().filter_map(Anchor::body).collect()
     }

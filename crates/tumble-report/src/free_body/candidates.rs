@@ -24,13 +24,13 @@ const TURN_COST: f64 = 6.0;
 
 /// A place and its cost.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Candidate {
-    pub(super) place: Rect,
-    pub(super) cost: f64,
+pub(crate) struct Candidate {
+    pub(crate) place: Rect,
+    pub(crate) cost: f64,
 }
 
 /// Places about the head and beside the shaft of an arrow, for a label of `size`.
-pub(super) fn about_arrow([tail, head]: [Point; 2], size: [f64; 2]) -> Vec<Candidate> {
+pub(crate) fn about_arrow([tail, head]: [Point; 2], size: [f64; 2]) -> Vec<Candidate> {
     let Some(forward) = unit(minus(head, tail)) else { return about_point(head, DISTANCE, size) };
     let mut candidates = about_head(head, forward, size);
     let side = turned(forward);
@@ -70,7 +70,7 @@ fn supported(at: Point, direction: Point, distance: f64, [width, height]: [f64; 
 }
 
 /// Places around a point.
-pub(super) fn about_point(at: Point, distance: f64, [width, height]: [f64; 2]) -> Vec<Candidate> {
+pub(crate) fn about_point(at: Point, distance: f64, [width, height]: [f64; 2]) -> Vec<Candidate> {
     const DIRECTIONS: [Point; 8] = [
         [1.0, -1.0],
         [-1.0, -1.0],
@@ -89,7 +89,7 @@ pub(super) fn about_point(at: Point, distance: f64, [width, height]: [f64; 2]) -
 }
 
 /// Places outside an arc, best at its middle.
-pub(super) fn about_arc(centre: Point, points: &[Point], size: [f64; 2]) -> Vec<Candidate> {
+pub(crate) fn about_arc(centre: Point, points: &[Point], size: [f64; 2]) -> Vec<Candidate> {
     let middle = (points.len() as f64 - 1.0) / 2.0;
     let place = |(i, p): (usize, &Point)| {
         let away = unit(minus(*p, centre)).unwrap_or([1.0, 0.0]);
@@ -100,7 +100,7 @@ pub(super) fn about_arc(centre: Point, points: &[Point], size: [f64; 2]) -> Vec<
 }
 
 /// Places all over `area`.
-pub(super) fn anywhere(area: &Rect, [width, height]: [f64; 2]) -> Vec<Candidate> {
+pub(crate) fn anywhere(area: &Rect, [width, height]: [f64; 2]) -> Vec<Candidate> {
     let count = |room: f64| (room / GRID).floor().clamp(0.0, 200.0) as u32;
     let (columns, rows) = (count(area.width - width), count(area.height - height));
     let place = |i: u32, j: u32| {

@@ -8,8 +8,8 @@ use super::ring::Ring;
 use super::strokes::{Form, Stroke};
 
 /// Length and half the width of arrowheads in pixels.
-pub(super) const HEAD_LENGTH: f64 = 11.0;
-pub(super) const HEAD_WIDTH: f64 = 4.6;
+pub(crate) const HEAD_LENGTH: f64 = 11.0;
+pub(crate) const HEAD_WIDTH: f64 = 4.6;
 /// The same for velocities.
 const THIN_HEAD: [f64; 2] = [7.0, 3.0];
 /// Half the width of the shaft of a hollow arrow, and of its head.
@@ -22,14 +22,14 @@ const BREAK_HEIGHT: f64 = 5.5;
 const BREAK_DISTANCE: f64 = 2.2;
 const BREAK_LEAN: f64 = 2.2;
 /// Radius of the mark of the centre of mass.
-pub(super) const CENTRE_RADIUS: f64 = 5.5;
+pub(crate) const CENTRE_RADIUS: f64 = 5.5;
 /// Radius of dots at points of action.
 const DOT_RADIUS: f64 = 2.3;
 /// Thickness of leaders.
 const LEADER: f64 = 0.7;
 
 /// A straight arrow with its break, if it has one.
-pub(super) fn arrow(stroke: &Stroke) -> Element {
+pub(crate) fn arrow(stroke: &Stroke) -> Element {
     match stroke.form {
         Form::Full => full(stroke),
         Form::Hollow => hollow(stroke),
@@ -68,7 +68,7 @@ fn break_mark(stroke: &Stroke) -> Element {
 }
 
 /// The two strokes of a break about `middle`.
-pub(super) fn bar_pair(middle: Point, forward: Point, style: ArrowStyle) -> Element {
+pub(crate) fn bar_pair(middle: Point, forward: Point, style: ArrowStyle) -> Element {
     let lean = plus(times(turned(forward), BREAK_HEIGHT), times(forward, -BREAK_LEAN));
     let at = [-BREAK_DISTANCE, BREAK_DISTANCE].map(|d| along(middle, forward, d));
     let ends = at.map(|p| [plus(p, lean), minus(p, lean)]);
@@ -103,7 +103,7 @@ fn thin_path(mut path: PathData, tip: Point, forward: Point, style: ArrowStyle) 
 }
 
 /// A circular arrow.
-pub(super) fn ring(ring: &Ring) -> Element {
+pub(crate) fn ring(ring: &Ring) -> Element {
     let (points, forward) = (ring.points(), ring.head_direction());
     let Some(tip) = points.last().copied() else { return Element::new("g") };
     if ring.form == Form::Thin {
@@ -120,7 +120,7 @@ pub(super) fn ring(ring: &Ring) -> Element {
 }
 
 /// The quartered circle at the centre of mass.
-pub(super) fn centre_mark(at: Point) -> Element {
+pub(crate) fn centre_mark(at: Point) -> Element {
     let quarter = |start: f64| {
         let mut sector = arc(at, CENTRE_RADIUS, start, std::f64::consts::FRAC_PI_2);
         sector.push(at);
@@ -132,18 +132,18 @@ pub(super) fn centre_mark(at: Point) -> Element {
 }
 
 /// The dot at a point of action.
-pub(super) fn dot(at: Point, style: ArrowStyle) -> Element {
+pub(crate) fn dot(at: Point, style: ArrowStyle) -> Element {
     let dot = circle(at, DOT_RADIUS).attr("fill", style.colour);
     dot.attr("stroke", PAPER).attr("stroke-width", HAIRLINE)
 }
 
 /// The thin line from a label to what it belongs to.
-pub(super) fn leader([from, to]: [Point; 2]) -> Element {
+pub(crate) fn leader([from, to]: [Point; 2]) -> Element {
     line(from, to).attr("stroke", GREY).attr("stroke-width", LEADER)
 }
 
 /// A dashed auxiliary line.
-pub(super) fn dashed(points: &[Point]) -> Element {
+pub(crate) fn dashed(points: &[Point]) -> Element {
     let path = PathData::polyline(points).stroke();
     path.attr("stroke", GREY).attr("stroke-width", 1.0).attr("stroke-dasharray", "5 3")
 }

@@ -3,30 +3,30 @@
 use crate::rect::Rect;
 
 /// A point or a vector.
-pub(super) type Point = [f64; 2];
+pub(crate) type Point = [f64; 2];
 
-pub(super) fn plus(a: Point, b: Point) -> Point {
+pub(crate) fn plus(a: Point, b: Point) -> Point {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-pub(super) fn minus(a: Point, b: Point) -> Point {
+pub(crate) fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-pub(super) fn times(a: Point, factor: f64) -> Point {
+pub(crate) fn times(a: Point, factor: f64) -> Point {
     [factor * a[0], factor * a[1]]
 }
 
-pub(super) fn dot(a: Point, b: Point) -> f64 {
+pub(crate) fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-pub(super) fn length(a: Point) -> f64 {
+pub(crate) fn length(a: Point) -> f64 {
     a[0].hypot(a[1])
 }
 
 /// The unit vector along `a`; `None` if it has no direction.
-pub(super) fn unit(a: Point) -> Option<Point> {
+pub(crate) fn unit(a: Point) -> Option<Point> {
     // Two steps keep the tiniest vectors.
     let largest = a[0].abs().max(a[1].abs());
     let scaled = [a[0] / largest, a[1] / largest];
@@ -35,17 +35,17 @@ pub(super) fn unit(a: Point) -> Option<Point> {
 }
 
 /// The point `distance` from `start` along a direction.
-pub(super) fn along(start: Point, direction: Point, distance: f64) -> Point {
+pub(crate) fn along(start: Point, direction: Point, distance: f64) -> Point {
     plus(start, times(direction, distance))
 }
 
 /// The vector turned by a quarter.
-pub(super) fn turned([x, y]: Point) -> Point {
+pub(crate) fn turned([x, y]: Point) -> Point {
     [-y, x]
 }
 
 /// The page direction of an angle counted counter-clockwise from the x axis.
-pub(super) fn direction(angle: f64) -> Point {
+pub(crate) fn direction(angle: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     [cos, -sin]
 }
@@ -54,14 +54,14 @@ pub(super) fn direction(angle: f64) -> Point {
 const ARC_STEP: f64 = 0.1;
 
 /// Points of an arc of an angle `sweep` from `start` (radians, counter-clockwise as seen).
-pub(super) fn arc(centre: Point, radius: f64, start: f64, sweep: f64) -> Vec<Point> {
+pub(crate) fn arc(centre: Point, radius: f64, start: f64, sweep: f64) -> Vec<Point> {
     let steps = (sweep.abs() / ARC_STEP).ceil().clamp(1.0, 100.0);
     let at = |i: i32| along(centre, direction(start + sweep * f64::from(i) / steps), radius);
     (0..=steps as i32).map(at).collect()
 }
 
 /// The point of the straight line from `a` to `b` nearest to `p`.
-pub(super) fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
+pub(crate) fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
     let d = minus(b, a);
     let square = dot(d, d);
     let t = if square > 0.0 { (dot(minus(p, a), d) / square).clamp(0.0, 1.0) } else { 0.0 };
@@ -73,7 +73,7 @@ const CENTRAL: f64 = 1e-3;
 
 /// The nearest points of a rectangle and a polyline, in this order, and their
 /// distance; 0 where they meet.
-pub(super) fn gap(place: &Rect, line: &[Point]) -> ([Point; 2], f64) {
+pub(crate) fn gap(place: &Rect, line: &[Point]) -> ([Point; 2], f64) {
     let onto = |p: Point| [p[0].clamp(place.x, place.right()), p[1].clamp(place.y, place.bottom())];
     let mut best = ([place.centre(), place.centre()], f64::INFINITY);
     let mut least = f64::INFINITY;
@@ -101,7 +101,7 @@ pub(super) fn gap(place: &Rect, line: &[Point]) -> ([Point; 2], f64) {
 }
 
 /// The corners of a rectangle, going round.
-pub(super) fn corners(r: &Rect) -> [Point; 4] {
+pub(crate) fn corners(r: &Rect) -> [Point; 4] {
     [[r.x, r.y], [r.right(), r.y], [r.right(), r.bottom()], [r.x, r.bottom()]]
 }
 

@@ -2,7 +2,8 @@
 
 use crate::place::{CLEARANCE, Occupancy, lines_cross};
 use crate::rect::Rect;
-use crate::text::Label;
+use crate::svg::Element;
+use crate::text::{Label, PlacedText};
 use crate::theme::Rgb;
 
 use super::candidates::{Candidate, anywhere};
@@ -33,39 +34,49 @@ const ROUNDS: usize = 6;
 
 /// A label that wants a place.
 #[derive(Clone, Debug)]
-pub(super) struct Tag {
-    pub(super) label: Label,
-    pub(super) colour: Rgb,
+pub(crate) struct Tag {
+    pub(crate) label: Label,
+    pub(crate) colour: Rgb,
     /// Text size in pixels.
-    pub(super) size: f64,
+    pub(crate) size: f64,
     /// What it belongs to, as a line on the page: where a leader may point.
-    pub(super) owner: Vec<Point>,
+    pub(crate) owner: Vec<Point>,
     /// All of it, which other labels must not seem to belong to.
-    pub(super) whole: Vec<Point>,
+    pub(crate) whole: Vec<Point>,
     /// Places near the owner.
-    pub(super) near: Vec<Candidate>,
+    pub(crate) near: Vec<Candidate>,
     /// Whether it may stand anywhere, with a leader.
-    pub(super) far: bool,
+    pub(crate) far: bool,
 }
 
 impl Tag {
     /// Width and height in pixels.
-    pub(super) fn extent(label: &Label, size: f64) -> [f64; 2] {
+    pub(crate) fn extent(label: &Label, size: f64) -> [f64; 2] {
         [label.width(size), 1.15 * size]
     }
 }
 
 /// A label at its place.
 #[derive(Clone, Debug)]
-pub(super) struct Placed {
-    pub(super) label: Label,
-    pub(super) colour: Rgb,
-    pub(super) size: f64,
-    pub(super) place: Rect,
+pub(crate) struct Placed {
+    pub(crate) label: Label,
+    pub(crate) colour: Rgb,
+    pub(crate) size: f64,
+    pub(crate) place: Rect,
     /// A thin line to what it belongs to.
-    pub(super) leader: Option<[Point; 2]>,
+    pub(crate) leader: Option<[Point; 2]>,
     /// Whether it stands on a line, from which a rim of paper parts it.
-    pub(super) halo: bool,
+    pub(crate) halo: bool,
+}
+
+/// Labels with their leaders.
+pub(crate) fn draw_placed(labels: &[Placed]) -> Vec<Element> {
+    let leaders = labels.iter().filter_map(|label| label.leader).map(super::draw::leader);
+    let text = |label: &Placed| {
+        let text = PlacedText::centred(&label.label, &label.place, label.size).colour(label.colour);
+        if label.halo { text.halo().element() } else { text.element() }
+    };
+    leaders.chain(labels.iter().map(text)).collect()
 }
 
 /// A place with all that it costs by itself.
@@ -77,7 +88,7 @@ struct Spot {
 }
 
 /// The places of all labels: each the best for itself, then moved while that helps.
-pub(super) fn placed(tags: &[Tag], drawn: &Occupancy, area: &Rect) -> Vec<Placed> {
+pub(crate) fn placed(tags: &[Tag], drawn: &Occupancy, area: &Rect) -> Vec<Placed> {
     let spots: Vec<Vec<Spot>> = (0..tags.len()).map(|i| spots(tags, i, drawn, area)).collect();
     let mut chosen: Vec<Option<Spot>> = vec![None; tags.len()];
     for _ in 0..ROUNDS {

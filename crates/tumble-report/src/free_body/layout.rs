@@ -1,5 +1,6 @@
 //! Where the parts of a panel lie on the page.
 
+use crate::axes::Axes;
 use crate::outline::{Outline, Plane, rod_thickness};
 use crate::rect::Rect;
 
@@ -11,22 +12,28 @@ use super::surface::HATCH_DEPTH;
 
 /// A map from world coordinates to the page that keeps its digits far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
+pub(crate) struct View {
     /// The world point that is drawn at `at`, metres.
-    pub(super) centre: Point,
+    pub(crate) centre: Point,
     /// Its place on the page, pixels.
-    pub(super) at: Point,
+    pub(crate) at: Point,
     /// Pixels per metre.
-    pub(super) density: f64,
+    pub(crate) density: f64,
 }
 
 impl View {
-    pub(super) fn pixel(&self, [x, y]: Point) -> Point {
+    /// The map of axes with the same scale in both directions.
+    pub(crate) fn of(axes: &Axes) -> Self {
+        let centre = [axes.x.range.middle(), axes.y.range.middle()];
+        Self { centre, at: axes.pixel(centre), density: axes.x.density() }
+    }
+
+    pub(crate) fn pixel(&self, [x, y]: Point) -> Point {
         let [x, y] = [x - self.centre[0], y - self.centre[1]];
         [self.at[0] + x * self.density, self.at[1] - y * self.density]
     }
 
-    pub(super) fn world(&self, [x, y]: Point) -> Point {
+    pub(crate) fn world(&self, [x, y]: Point) -> Point {
         let [x, y] = [x - self.at[0], self.at[1] - y];
         [self.centre[0] + x / self.density, self.centre[1] + y / self.density]
     }
@@ -44,24 +51,24 @@ impl Plane for View {
 
 /// The scales of a panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scales {
+pub(crate) struct Scales {
     /// Pixels per metre.
-    pub(super) density: f64,
+    pub(crate) density: f64,
     /// Length of the longest arrow in pixels, and what it stands for.
-    pub(super) arrow: f64,
-    pub(super) largest: f64,
+    pub(crate) arrow: f64,
+    pub(crate) largest: f64,
     /// The speed whose arrow is longest, in m/s.
-    pub(super) fastest: f64,
+    pub(crate) fastest: f64,
 }
 
 /// Length of the arms of a marked angle, and radius of its arc, in pixels.
-pub(super) const ARM: f64 = 46.0;
-pub(super) const ARC_RADIUS: f64 = 35.0;
+pub(crate) const ARM: f64 = 46.0;
+pub(crate) const ARC_RADIUS: f64 = 35.0;
 /// A surface nearer than this, in sizes of the body, belongs into the picture.
 const NEAR: f64 = 0.6;
 
 /// World points that bound the body itself, with its points of action.
-pub(super) fn body_points(body: &FreeBody) -> Vec<Point> {
+pub(crate) fn body_points(body: &FreeBody) -> Vec<Point> {
     let outlines = body.outlines.iter().flat_map(|outline| outline.extent(&body.pose));
     let forces = body.forces.iter().chain(&body.resultant).map(|force| force.point);
     let named = body.points.iter().map(|point| point.at);
@@ -69,12 +76,12 @@ pub(super) fn body_points(body: &FreeBody) -> Vec<Point> {
 }
 
 /// Width and height of the body with its points of action, in metres.
-pub(super) fn body_size(body: &FreeBody) -> [f64; 2] {
+pub(crate) fn body_size(body: &FreeBody) -> [f64; 2] {
     Rect::around(body_points(body)).map_or([0.0; 2], |r| [r.width, r.height])
 }
 
 /// The space on the page that everything drawn in a panel needs.
-pub(super) fn bounds(body: &FreeBody, view: &View, scales: &Scales) -> Rect {
+pub(crate) fn bounds(body: &FreeBody, view: &View, scales: &Scales) -> Rect {
     let mut points: Vec<_> = body_points(body).into_iter().map(|p| view.pixel(p)).collect();
     let strokes = strokes(body, view, scales);
     points.extend(strokes.iter().flat_map(|stroke| [stroke.tail, stroke.head]));
@@ -99,19 +106,19 @@ fn near_surfaces(body: &FreeBody, view: &View) -> Vec<Point> {
 }
 
 /// Vertex of the marked angle on the page.
-pub(super) fn angle_vertex(body: &FreeBody, view: &View) -> Option<Point> {
+pub(crate) fn angle_vertex(body: &FreeBody, view: &View) -> Option<Point> {
     body.angle.as_ref().map(|angle| view.pixel(angle.vertex.unwrap_or(body.pose.centre())))
 }
 
 /// The arms of the marked angle: the reference and the turned one.
-pub(super) fn angle_arms(body: &FreeBody, view: &View) -> Vec<[Point; 2]> {
+pub(crate) fn angle_arms(body: &FreeBody, view: &View) -> Vec<[Point; 2]> {
     let (Some(angle), Some(vertex)) = (&body.angle, angle_vertex(body, view)) else { return Vec::new() };
     let arm = |turn: f64| [vertex, along(vertex, direction(turn), ARM)];
     vec![arm(angle.reference), arm(angle.reference + angle.value)]
 }
 
 /// Outlines of the body on the page, closed; rods with their thickness.
-pub(super) fn faces(body: &FreeBody, view: &View) -> Vec<Vec<Point>> {
+pub(crate) fn faces(body: &FreeBody, view: &View) -> Vec<Vec<Point>> {
     let face = |outline: &Outline| match outline {
         Outline::Polygon(corners) => {
             Some(corners.iter().map(|p| view.pixel(body.pose.world(*p))).collect::<Vec<_>>())

@@ -23,22 +23,22 @@
 
 mod arrow;
 mod body;
-mod candidates;
+pub(crate) mod candidates;
 mod describe;
-mod draw;
+pub(crate) mod draw;
 mod fit;
-mod geometry;
+pub(crate) mod geometry;
 mod grid;
 mod key;
-mod labels;
-mod layout;
+pub(crate) mod labels;
+pub(crate) mod layout;
 mod panel;
-mod ring;
+pub(crate) mod ring;
 mod set_apart;
 mod sheet;
 mod side;
-mod strokes;
-mod surface;
+pub(crate) mod strokes;
+pub(crate) mod surface;
 mod tags;
 #[cfg(test)]
 mod tests;

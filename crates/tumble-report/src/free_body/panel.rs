@@ -12,7 +12,7 @@ use super::body::FreeBody;
 use super::draw;
 use super::fit::{Room, fit, scales};
 use super::geometry::Point;
-use super::labels::{Placed, placed};
+use super::labels::{Placed, draw_placed, placed};
 use super::layout::{Scales, View, angle_arms, bounds};
 use super::ring::{Ring, rings};
 use super::strokes::{Stroke, strokes};
@@ -189,13 +189,7 @@ impl Drawing {
     }
 
     fn draw_labels(&self) -> Vec<Element> {
-        let leaders = self.labels.iter().filter_map(|label| label.leader).map(draw::leader);
-        let text = |label: &Placed| {
-            let text = PlacedText::centred(&label.label, &label.place, label.size);
-            let text = text.colour(label.colour);
-            if label.halo { text.halo().element() } else { text.element() }
-        };
-        leaders.chain(self.labels.iter().map(text)).collect()
+        draw_placed(&self.labels)
     }
 }
 

@@ -26,25 +26,25 @@ const HEAD_COST: f64 = 8.0;
 
 /// A circular arrow on the page.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Ring {
-    pub(super) centre: Point,
-    pub(super) radius: f64,
+pub(crate) struct Ring {
+    pub(crate) centre: Point,
+    pub(crate) radius: f64,
     /// Where it starts, in radians from the x axis.
-    pub(super) start: f64,
+    pub(crate) start: f64,
     /// Angle swept, counter-clockwise as seen, in radians.
-    pub(super) sweep: f64,
-    pub(super) style: ArrowStyle,
-    pub(super) form: Form,
+    pub(crate) sweep: f64,
+    pub(crate) style: ArrowStyle,
+    pub(crate) form: Form,
 }
 
 impl Ring {
     /// Points along the arrow from tail to head.
-    pub(super) fn points(&self) -> Vec<Point> {
+    pub(crate) fn points(&self) -> Vec<Point> {
         arc(self.centre, self.radius, self.start, self.sweep)
     }
 
     /// The direction in which its head points.
-    pub(super) fn head_direction(&self) -> Point {
+    pub(crate) fn head_direction(&self) -> Point {
         let radial = direction(self.start + self.sweep);
         times([radial[1], -radial[0]], self.sweep.signum())
     }
@@ -52,7 +52,7 @@ impl Ring {
 
 /// The circular arrows of a panel, couples and the angular velocity, turned
 /// so that their heads are clear of other lines.
-pub(super) fn rings(body: &FreeBody, view: &View, strokes: &[Stroke]) -> Vec<Ring> {
+pub(crate) fn rings(body: &FreeBody, view: &View, strokes: &[Stroke]) -> Vec<Ring> {
     let couples = body.couples.iter().map(|couple| (couple.value, couple.kind.style(), Form::Full));
     let rate = body.rate.map(|rate| (rate, MOTION, Form::Thin));
     let centre = view.pixel(body.pose.centre());
@@ -103,7 +103,7 @@ fn clear_start(sweep: f64, hits: &[f64]) -> f64 {
 }
 
 /// Labels of the circular arrows, in their order.
-pub(super) fn ring_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
+pub(crate) fn ring_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
     let couples = body.couples.iter();
     let couples = couples.map(|c| equation(&c.symbol, c.value.abs(), &body.unit.couple, digits));
     let rate = body.rate.map(|rate| equation(&Label::symbol("omega"), rate.abs(), "rad/s", digits));

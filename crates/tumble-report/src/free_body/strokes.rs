@@ -12,7 +12,7 @@ use super::layout::{Scales, View};
 use super::set_apart::set_apart;
 
 /// Least length of an arrow in pixels: room for a head and a break in the shaft.
-pub(super) const LEAST_LENGTH: f64 = 34.0;
+pub(crate) const LEAST_LENGTH: f64 = 34.0;
 /// Least length of a velocity, whose shaft has no break.
 const LEAST_MOTION: f64 = 18.0;
 /// Length of the fastest velocity in pixels.
@@ -20,7 +20,7 @@ const LONGEST_MOTION: f64 = 60.0;
 
 /// How an arrow is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(crate) enum Form {
     /// A full head: forces.
     Full,
     /// An outline: sums of forces.
@@ -31,25 +31,25 @@ pub(super) enum Form {
 
 /// A straight arrow on the page.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Stroke {
-    pub(super) tail: Point,
-    pub(super) head: Point,
+pub(crate) struct Stroke {
+    pub(crate) tail: Point,
+    pub(crate) head: Point,
     /// Where its shaft begins to be drawn: at the tail, or at the rim of the centre of mass.
-    pub(super) start: Point,
+    pub(crate) start: Point,
     /// The true point of action.
-    pub(super) point: Point,
+    pub(crate) point: Point,
     /// Whether it is longer than to scale.
-    pub(super) broken: bool,
-    pub(super) style: ArrowStyle,
-    pub(super) form: Form,
+    pub(crate) broken: bool,
+    pub(crate) style: ArrowStyle,
+    pub(crate) form: Form,
 }
 
 impl Stroke {
-    pub(super) fn direction(&self) -> Point {
+    pub(crate) fn direction(&self) -> Point {
         unit(minus(self.head, self.tail)).unwrap_or([1.0, 0.0])
     }
 
-    pub(super) fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         length(minus(self.head, self.tail))
     }
 
@@ -61,7 +61,7 @@ impl Stroke {
         }
     }
 
-    pub(super) fn moved(&mut self, by: Point) {
+    pub(crate) fn moved(&mut self, by: Point) {
         self.tail = plus(self.tail, by);
         self.head = plus(self.head, by);
         self.start = plus(self.start, by);
@@ -69,7 +69,7 @@ impl Stroke {
 }
 
 /// The straight arrows of a panel: forces, the resultant, the velocity.
-pub(super) fn strokes(body: &FreeBody, view: &View, scales: &Scales) -> Vec<Stroke> {
+pub(crate) fn strokes(body: &FreeBody, view: &View, scales: &Scales) -> Vec<Stroke> {
     let forces = body.forces.iter().chain(&body.resultant).filter_map(|force| stroke(force, view, scales));
     let velocity = body.velocity.and_then(|velocity| motion(body, velocity, view, scales));
     let mut strokes: Vec<_> = forces.chain(velocity).collect();
@@ -98,7 +98,7 @@ fn motion(body: &FreeBody, velocity: Point, view: &View, scales: &Scales) -> Opt
 }
 
 /// Labels of the straight arrows, in their order.
-pub(super) fn stroke_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
+pub(crate) fn stroke_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
     let forces = body.forces.iter().chain(&body.resultant);
     let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow, digits));
     let velocity = body.velocity.map(|v| equation(&Label::symbol("V"), length(v), "m/s", digits));
@@ -106,7 +106,7 @@ pub(super) fn stroke_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
 }
 
 /// `symbol = value unit`; without a symbol the value alone.
-pub(super) fn equation(symbol: &Label, value: f64, unit: &str, digits: usize) -> Label {
+pub(crate) fn equation(symbol: &Label, value: f64, unit: &str, digits: usize) -> Label {
     // Rounded text passes through unchanged: powers of ten keep their raised exponent.
     let space = if unit == "deg" { "" } else { "\u{a0}" };
     let quantity = significant(value, digits).then(Label::plain(space)).then(Label::unit(unit));

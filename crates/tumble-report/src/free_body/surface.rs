@@ -12,7 +12,7 @@ use super::layout::View;
 /// Distance of hatching strokes along the surface, in pixels.
 const HATCH_STEP: f64 = 8.0;
 /// Depth of the hatching, in pixels.
-pub(super) const HATCH_DEPTH: f64 = 8.0;
+pub(crate) const HATCH_DEPTH: f64 = 8.0;
 /// Thickness of the surface, in pixels.
 const THICKNESS: f64 = 1.4;
 
@@ -33,30 +33,43 @@ impl Surface {
         Self { point, normal, name }
     }
 
-    pub(super) fn is_drawable(&self) -> bool {
+    pub(crate) fn is_drawable(&self) -> bool {
         self.point.into_iter().chain(self.normal).all(drawable) && unit(self.normal).is_some()
     }
 
     /// How far a world point lies above the surface, in metres.
-    pub(super) fn height(&self, point: Point) -> f64 {
+    pub(crate) fn height(&self, point: Point) -> f64 {
         let normal = unit(self.normal).unwrap_or_default();
         let [x, y] = minus(point, self.point);
         x * normal[0] + y * normal[1]
     }
 
     /// The point of the surface nearest to a world point.
-    pub(super) fn foot(&self, point: Point) -> Point {
+    pub(crate) fn foot(&self, point: Point) -> Point {
         along(point, unit(self.normal).unwrap_or_default(), -self.height(point))
     }
 
+    /// Where the surface is nearest to the lowest of some points, if anything there can be drawn.
+    pub(crate) fn foot_of_lowest(&self, points: &[Point]) -> Option<Point> {
+        let lowest = points.iter().min_by(|a, b| self.height(**a).total_cmp(&self.height(**b)))?;
+        self.is_drawable().then(|| self.foot(*lowest))
+    }
+
+    /// Lines that cover the surface and its hatching.
+    pub(crate) fn strip(&self, view: &View, area: &Rect) -> Vec<[Point; 2]> {
+        let Some(line) = self.visible(view, area) else { return Vec::new() };
+        let depths = [0.0, -HATCH_DEPTH / 2.0, -HATCH_DEPTH];
+        depths.map(|depth| line.map(|p| along(p, self.page_normal(), depth))).to_vec()
+    }
+
     /// The outward unit normal on the page.
-    pub(super) fn page_normal(&self) -> Point {
+    pub(crate) fn page_normal(&self) -> Point {
         let [x, y] = unit(self.normal).unwrap_or_default();
         [x, -y]
     }
 
     /// The visible part of the surface in `area`, on the page.
-    pub(super) fn visible(&self, view: &View, area: &Rect) -> Option<[Point; 2]> {
+    pub(crate) fn visible(&self, view: &View, area: &Rect) -> Option<[Point; 2]> {
         let [nx, ny] = self.page_normal();
         let foot = view.pixel(self.foot(view.world(area.centre())));
         let reach = times([-ny, nx], area.width.hypot(area.height));
@@ -65,7 +78,7 @@ impl Surface {
         (dx.hypot(dy) > HATCH_STEP).then_some(line)
     }
 
-    pub(super) fn draw(&self, view: &View, area: &Rect) -> Option<Element> {
+    pub(crate) fn draw(&self, view: &View, area: &Rect) -> Option<Element> {
         let line = self.visible(view, area)?;
         let mut hatching = PathData::default();
         self.hatching(line, area).iter().for_each(|stroke| hatching.add_polyline(stroke));

@@ -128,7 +128,8 @@ impl Shown<'_> {
             drawn.add_line(ring.points());
         }
         for surface in &self.body.surfaces {
-            self.add_strip(&mut drawn, surface.visible(self.view, self.area), surface.page_normal());
+            let strip = surface.strip(self.view, self.area);
+            strip.into_iter().for_each(|line| drawn.add_line(line.to_vec()));
         }
         angle_arms(self.body, self.view).into_iter().for_each(|arm| drawn.add_line(arm.to_vec()));
         self.angle_arc().into_iter().for_each(|arc| drawn.add_line(arc));
@@ -151,14 +152,6 @@ impl Shown<'_> {
         let mark = self.view.pixel(self.body.pose.centre());
         let mark = Rect::centred(mark, 2.0 * CENTRE_RADIUS, 2.0 * CENTRE_RADIUS);
         drawn.add_line(corners(&mark).to_vec());
-    }
-
-    /// The line of a surface with its hatching.
-    fn add_strip(&self, drawn: &mut Occupancy, line: Option<[Point; 2]>, normal: Point) {
-        if let Some(line) = line {
-            let depths = [0.0, -HATCH_DEPTH / 2.0, -HATCH_DEPTH];
-            depths.into_iter().for_each(|d| drawn.add_line(line.map(|p| along(p, normal, d)).to_vec()));
-        }
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::curves::Mark;
 use crate::free_body::{Kind, NamedPoint, Surface};
 use crate::outline::{Outline, Pose};
+use crate::scale::drawable;
 use crate::text::Label;
 
 /// A motion in one or several cases.
@@ -85,4 +86,21 @@ pub struct MovingForce {
     pub symbol: Label,
     /// Point of action (world, metres) and force (N) at every instant; not finite or zero where it does not act.
     pub samples: Vec<[[f64; 2]; 2]>,
+}
+
+impl Motion {
+    /// Left, lower, right and upper bound of all that moves and of the points, in metres; `None` if there is nothing.
+    pub fn extent(&self) -> Option<[f64; 4]> {
+        let bodies = self.bodies.iter().flat_map(|body| {
+            body.poses.iter().filter(|pose| pose.is_drawable()).flat_map(|pose| {
+                body.outlines.iter().flat_map(|outline| outline.extent(pose)).chain([pose.centre()])
+            })
+        });
+        let links = self.links.iter().flat_map(|link| link.ends.iter().flatten().copied());
+        let points = self.points.iter().map(|point| point.at);
+        let all = bodies.chain(links).chain(points);
+        let mut all = all.filter(|p| drawable(p[0]) && drawable(p[1])).map(|[x, y]| [x, y, x, y]);
+        let first = all.next()?;
+        Some(all.fold(first, |[l, b, r, t], [x, y, ..]| [l.min(x), b.min(y), r.max(x), t.max(y)]))
+    }
 }

@@ -57,7 +57,13 @@ impl Quantity {
     /// A quantity from words, the name of its symbol (`omega0`), a value printed with six digits, and a unit.
     pub fn number(name: impl Into<Text>, symbol: &str, value: f64, unit: &str) -> Self {
         let (name, symbol) = (name.into(), Text::symbol(symbol));
-        Self { name, symbol, value: significant(value, DIGITS).into(), unit: unit.to_owned(), ..Self::default() }
+        Self {
+            name,
+            symbol,
+            value: significant(value, DIGITS).into(),
+            unit: unit.to_owned(),
+            ..Self::default()
+        }
     }
 
     /// With the formula by which it was computed.

@@ -17,8 +17,13 @@
 
 mod analyze;
 mod animation;
+mod font_css;
+mod html;
 mod identify;
+mod json;
+mod markdown;
 mod math;
+mod mathml;
 mod model;
 mod picture;
 mod prose;
@@ -46,8 +51,8 @@ pub struct Report {
     pub intro: Vec<Text>,
     /// Where the numbers come from, as name and value: program, version, scene, hash.
     pub meta: Vec<(String, String)>,
-    /// A font for mathematics as CSS: `@font-face` rules with `data:` addresses.
-    /// Rules that would reach for anything else are left out.
+    /// A font for mathematics as CSS: a `@font-face` rule with a `data:` address, and the rule that gives
+    /// its family to `math`. CSS that reaches for anything outside the page is left out as a whole.
     pub math_font_css: Option<String>,
     /// What is given and what is sought.
     pub identify: Identify,
@@ -62,11 +67,11 @@ pub struct Report {
 impl Report {
     /// The page as one HTML file.
     pub fn html(&self) -> String {
-        String::new()
+        html::page(self)
     }
 
     /// The report as Markdown with LaTeX between dollar signs, and links to figure files.
     pub fn markdown(&self) -> String {
-        String::new()
+        markdown::document(self)
     }
 }

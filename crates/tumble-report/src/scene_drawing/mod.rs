@@ -1,9 +1,19 @@
 //! The scene at one instant: bodies, surfaces, pivots, springs, gravity and
 //! wind, to scale, with names.
 
+mod describe;
+mod layout;
+pub(crate) mod marks;
+mod tags;
+#[cfg(test)]
+mod tests;
+
+use layout::Layout;
+
 use crate::free_body::{AngleMark, NamedPoint, Surface};
 use crate::outline::{Outline, Pose};
 use crate::report::LinkKind;
+use crate::scale::drawable;
 use crate::svg::Svg;
 use crate::text::Label;
 
@@ -59,6 +69,30 @@ pub struct SceneLink {
 impl SceneDrawing {
     /// The drawing, with everything in it in words. Without anything it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
-        Svg::new(100.0, 100.0, self.title.to_plain())
+        Layout::new(self.drawable()).svg(describe::describe(self))
+    }
+
+    /// The part of it that can be drawn.
+    fn drawable(&self) -> Self {
+        let mut scene = self.clone();
+        let seen = |p: &[f64; 2]| p.iter().copied().all(drawable);
+        scene.bodies.retain(|body| body.pose.is_drawable());
+        for body in &mut scene.bodies {
+            let pose = body.pose;
+            body.outlines.retain(|outline| outline.extent(&pose).iter().all(seen));
+            body.velocity = body.velocity.take().filter(|(v, _)| seen(v));
+            body.rate = body.rate.take().filter(|(rate, _)| drawable(*rate) && *rate != 0.0);
+        }
+        scene.surfaces.retain(Surface::is_drawable);
+        scene.pivots.retain(|point| seen(&point.at));
+        scene.points.retain(|point| seen(&point.at));
+        scene.links.retain(|link| link.ends.iter().all(seen));
+        scene.angles.retain(|angle| {
+            let vertex = angle.vertex.unwrap_or_default();
+            seen(&vertex) && seen(&[angle.reference, angle.value])
+        });
+        scene.gravity = scene.gravity.filter(|(v, _)| seen(v));
+        scene.wind = scene.wind.filter(|(v, _)| seen(v));
+        scene
     }
 }

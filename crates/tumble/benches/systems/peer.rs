@@ -64,7 +64,7 @@ fn solve(problem: &Problem, tolerance: f64) -> f64 {
         Ok(_) => {
             let last = stepper.y_out().last().copied().unwrap_or(start);
             let states: Vec<f64> = problem.order.iter().map(|index| last[*index]).collect();
-            problem.distance(&states)
+            problem.peer_error(&states)
         }
         Err(_) => f64::INFINITY,
     }

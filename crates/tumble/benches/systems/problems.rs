@@ -1,7 +1,7 @@
 //! The systems: as models, as plain right-hand sides for the peer, and their references at 34 digits.
 
 use tumble::prelude::*;
-use tumble_mech::{Component, Drag, DragPlace};
+use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Release, Surface};
 
 /// A system with its answer.
 pub(crate) struct Problem {
@@ -10,6 +10,8 @@ pub(crate) struct Problem {
     until: f64,
     /// States at the end, in the model's order.
     reference: Vec<f64>,
+    /// What the peer comes to, where it is given another system.
+    peer_reference: Option<Vec<f64>>,
     /// What the peer starts from, and its rates.
     pub(crate) start: [f64; 6],
     pub(crate) rates: fn(&[f64; 6]) -> [f64; 6],
@@ -25,11 +27,12 @@ impl Problem {
     }
 
     pub(crate) fn error(&self, run: &Run) -> f64 {
-        self.distance(&run.trajectory.last_states().expect("ran"))
+        distance(&run.trajectory.last_states().expect("ran"), &self.reference)
     }
 
-    pub(crate) fn distance(&self, states: &[f64]) -> f64 {
-        states.iter().zip(&self.reference).map(|(a, b)| (a - b).abs() / b.abs().max(1.0)).fold(0.0, f64::max)
+    /// Error of the peer's states at the end.
+    pub(crate) fn peer_error(&self, states: &[f64]) -> f64 {
+        distance(states, self.peer_reference.as_ref().unwrap_or(&self.reference))
     }
 
     pub(crate) fn until(&self) -> f64 {
@@ -37,8 +40,12 @@ impl Problem {
     }
 }
 
+fn distance(states: &[f64], reference: &[f64]) -> f64 {
+    states.iter().zip(reference).map(|(a, b)| (a - b).abs() / b.abs().max(1.0)).fold(0.0, f64::max)
+}
+
 pub(crate) fn all() -> Vec<Problem> {
-    vec![wind_pendulum(), thrown_rod()]
+    vec![wind_pendulum(), thrown_rod(), rod_on_a_spring(), rigid_rod()]
 }
 
 /// Wind on the tip, T = 1 s, 20 s.
@@ -62,6 +69,7 @@ fn wind_pendulum() -> Problem {
         model,
         until: 20.0,
         reference,
+        peer_reference: None,
         start: [0.0; 6],
         rates,
         order: &[0, 1],
@@ -112,8 +120,69 @@ fn thrown_rod() -> Problem {
         model,
         until: 1.2,
         reference,
+        peer_reference: None,
         start,
         rates,
         order: &[0, 1, 2, 3, 4, 5],
     }
+}
+
+/// Bounces of a rod on a floor without friction, to 3 s.
+fn bouncing_rod(law: ContactLaw) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    model.add(Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(0.5 * KG));
+    let start = Start::default().at([0 * M, 2 * M]).velocity([2 * M / S, 0 * M / S]);
+    model.starts.push(("rod".into(), start.angle(0.6 * RAD).omega(2 * RAD / S)));
+    model.surface(Surface::floor("floor", 0 * M, law));
+    model
+}
+
+const BOUNCING_START: [f64; 6] = [0.0, 2.0, 2.0, 0.0, 0.6, 2.0];
+
+/// Ends pressed into a spring of 1e4 N/m: the peer integrates the one-sided force without looking for its beginnings.
+fn rod_on_a_spring() -> Problem {
+    let law =
+        ContactLaw::Spring { stiffness: 1e4 * N / M, damping: 0 * N * S / M, release: Release::AtZeroForce };
+    let model = bouncing_rod(law);
+    let reference = finest(&model);
+    Problem {
+        name: "rod on a spring floor",
+        model,
+        until: 3.0,
+        reference,
+        peer_reference: None,
+        start: BOUNCING_START,
+        rates: on_springs,
+        order: &[0, 1, 2, 3, 4, 5],
+    }
+}
+
+/// The same rod on a rigid elastic floor. The peer, which knows no impacts, is given the spring: the ratio compares two
+/// ways to make the same rod bounce, at equal error of each against its own answer.
+fn rigid_rod() -> Problem {
+    let model = bouncing_rod(ContactLaw::Rigid { restitution: tumble_expr::Expr::one() });
+    let reference = finest(&model);
+    let spring = rod_on_a_spring();
+    let peer_reference = Some(spring.reference.clone());
+    Problem { name: "rod on a rigid floor", model, reference, peer_reference, ..spring }
+}
+
+fn on_springs(y: &[f64; 6]) -> [f64; 6] {
+    let [_, height, vx, vy, angle, omega] = *y;
+    let (sin, cos) = angle.sin_cos();
+    let (mut fy, mut torque) = (0.0, 0.0);
+    for end in [-0.5, 0.5] {
+        let force = 1e4 * (-(height + end * sin)).max(0.0);
+        fy += force;
+        torque += end * cos * force;
+    }
+    [vx, vy, 0.0, fy / 0.5 - 9.81, omega, torque * 12.0 / 0.5]
+}
+
+/// The states at the end at the finest accuracy; `tests/bouncing_rod.rs` compares those with more digits.
+fn finest(model: &Model) -> Vec<f64> {
+    let accuracy = Accuracy::new(1e-14).expect("allowed");
+    let run = model.simulate_to(&[], 3 * S, accuracy).expect("smooth");
+    run.trajectory.last_states().expect("ran")
 }

@@ -1,0 +1,166 @@
+//! What an instant enters: parameters that change, impacts, surfaces that let go.
+
+use nalgebra::{DMatrix, DVector};
+use tumble_ode::{Event, Reason};
+
+use crate::contact::{Impulse, Phase};
+use crate::event::Action;
+use crate::ledger::books::Books;
+use crate::ledger::entry::Kind;
+use crate::ledger::lines::Key;
+use crate::ledger::stocks::{Motion, Stocks};
+use crate::mode::Mode;
+use crate::term::Law;
+
+/// Contacts that begin to last stop what is left of the motion towards them, which is at most this part of the largest
+/// momentum that the body has had: bounces are followed down to 1e-15 of its size, so their speeds down to some 1e-8.
+const SETTLED: f64 = 1e-6;
+/// Contacts whose impulses do not differ by more than this part are one to the balance.
+const ALIKE: f64 = 1e-12;
+
+/// Momentum along x and y, and angular momentum about the centre of mass.
+type Change = [f64; 3];
+
+impl Books<'_> {
+    /// Enters an event, by its index.
+    pub(super) fn enter_event(&mut self, index: usize) -> Result<(), Reason> {
+        let run = self.run;
+        let event = &run.trajectory.events[index];
+        let [before, after] = [event.mode_before, event.mode_after].map(|mode| &run.trajectory.modes[mode]);
+        let mut stocks = self.stocks(before, event.time, &event.before)?;
+        self.watch(&stocks);
+        if before.changes != after.changes {
+            let changed = Mode { changes: after.changes.clone(), ..before.clone() };
+            let then = self.stocks(&changed, event.time, &event.before)?;
+            self.enter_parameters(event, &stocks, &then);
+            stocks = then;
+        }
+        let then = self.stocks(after, event.time, &event.after)?;
+        self.watch(&then);
+        self.enter_impacts(index, &stocks, &then)?;
+        self.enter_releases(&stocks, &then);
+        Ok(())
+    }
+
+    /// What new values of parameters do to energies and momenta.
+    fn enter_parameters(&mut self, event: &Event, before: &Stocks, after: &Stocks) {
+        let events = &self.run.equations.model().events;
+        let sets = |tag: &&String| {
+            events.iter().any(|event| event.name == **tag && matches!(event.action, Action::Set(_)))
+        };
+        let name = event.tags.iter().filter(sets).cloned().collect::<Vec<String>>().join(", ");
+        for (body, (old, new)) in before.bodies.iter().zip(&after.bodies).enumerate() {
+            let change = |axis: usize| new.momentum[axis] - old.momentum[axis];
+            let change = [new.kinetic - old.kinetic, change(0), change(1), new.angular - old.angular];
+            if change != [0.0; 4] {
+                let kind = Kind::ParameterJump;
+                self.enter(Key { load: name.clone(), law: None, body: Some(body), kind }, change);
+            }
+        }
+        for (index, (old, new)) in before.potentials.iter().zip(&after.potentials).enumerate() {
+            self.enter_energy(index, Kind::ParameterJump, new - old);
+        }
+    }
+
+    /// Energy that surfaces keep to themselves when they let go, and that which they have when they push again.
+    fn enter_releases(&mut self, before: &Stocks, after: &Stocks) {
+        let lets_go = |pair: usize| self.run.equations.pairs()[pair].releases_early();
+        let early: Vec<usize> = (0..self.potentials.len())
+            .filter(|index| self.potentials[*index].pair.is_some_and(lets_go))
+            .collect();
+        for index in early {
+            self.enter_energy(index, Kind::Release, after.potentials[index] - before.potentials[index]);
+        }
+    }
+
+    fn enter_impacts(&mut self, index: usize, before: &Stocks, after: &Stocks) -> Result<(), Reason> {
+        let mut left: Vec<Change> =
+            before.bodies.iter().zip(&after.bodies).map(|(old, new)| change(old, new)).collect();
+        if left.iter().all(|change| *change == [0.0; 3]) {
+            return Ok(());
+        }
+        for impulse in self.run.impulses(index)? {
+            let taken = self.enter_impulse(&impulse, before, after);
+            subtract(&mut left[impulse.body], taken);
+        }
+        for (body, left) in left.into_iter().enumerate() {
+            for impulse in self.settled(index, body, left)? {
+                self.enter_impulse(&impulse, before, after);
+            }
+        }
+        Ok(())
+    }
+
+    /// Enters an impulse J with the work `J . (v_before + v_after) / 2`; what it does to the body's momenta.
+    fn enter_impulse(&mut self, impulse: &Impulse, before: &Stocks, after: &Stocks) -> Change {
+        let ([rx, ry], [jx, jy]) = (impulse.arm, impulse.impulse);
+        let [old, new] = [before, after].map(|stocks| &stocks.bodies[impulse.body]);
+        let omega = 0.5 * (old.omega + new.omega);
+        let mean = |axis: usize| 0.5 * (old.velocity[axis] + new.velocity[axis]);
+        let (vx, vy) = (mean(0) - omega * ry, mean(1) + omega * rx);
+        let angular = (old.place[0] + rx) * jy - (old.place[1] + ry) * jx;
+        let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
+        let law = Some(if is_pair { Law::Contact } else { Law::Reaction });
+        let (load, body) = (impulse.load.clone(), Some(impulse.body));
+        self.enter(Key { load, law, body, kind: Kind::Impact }, [jx * vx + jy * vy, jx, jy, angular]);
+        [jx, jy, rx * jy - ry * jx]
+    }
+
+    /// Impulses by which contacts that last, and the pivot, stop what is left of a body's motion towards them.
+    fn settled(&self, index: usize, body: usize, left: Change) -> Result<Vec<Impulse>, Reason> {
+        let event = &self.run.trajectory.events[index];
+        let mode = &self.run.trajectory.modes[event.mode_after];
+        let (equations, inputs) = (&self.run.equations, &self.run.inputs);
+        let pairs = equations.pairs();
+        let lasting = mode.contacts.iter().filter(|(_, phase)| Phase::is_lasting(*phase));
+        let lasting = lasting.map(|(pair, _)| &pairs[*pair]).filter(|pair| pair.body == body);
+        let mut names = vec![];
+        let mut formulas = vec![];
+        for pair in lasting {
+            names.push(pair.name.clone());
+            formulas.push([pair.arm().components(), pair.normal.components()].concat());
+        }
+        if names.is_empty() || left == [0.0; 3] {
+            return Ok(vec![]);
+        }
+        if let Some((name, arm)) = equations.pivot_arm(body) {
+            let [x, y] = [[1, 0], [0, 1]].map(|axis| axis.map(tumble_expr::Expr::from));
+            names.extend([name.clone(), name]);
+            formulas.extend([[arm.components(), &x].concat(), [arm.components(), &y].concat()]);
+        }
+        let values = equations.values(&formulas.concat(), mode, event.time, &event.after, inputs)?;
+        let impulses = solved(&names, values.as_slice(), body, left);
+        let largest = SETTLED * self.largest.momentum[body];
+        let is_small = |impulse: &Impulse| libm::hypot(impulse.impulse[0], impulse.impulse[1]) <= largest;
+        Ok(if impulses.iter().all(is_small) { impulses } else { vec![] })
+    }
+}
+
+fn change(old: &Motion, new: &Motion) -> Change {
+    let momentum = |axis: usize| new.momentum[axis] - old.momentum[axis];
+    [momentum(0), momentum(1), new.spin - old.spin]
+}
+
+fn subtract(left: &mut Change, taken: Change) {
+    left.iter_mut().zip(taken).for_each(|(left, taken)| *left -= taken);
+}
+
+/// Impulses along the given directions that make up a change of momenta, the least ones where more do; each contact has its
+/// arm and its direction among the values.
+fn solved(names: &[String], values: &[f64], body: usize, change: Change) -> Vec<Impulse> {
+    let columns: Vec<[f64; 4]> = values.chunks_exact(4).map(|v| [v[0], v[1], v[2], v[3]]).collect();
+    let matrix = DMatrix::from_fn(3, columns.len(), |row, column| {
+        let [rx, ry, nx, ny] = columns[column];
+        [nx, ny, rx * ny - ry * nx][row]
+    });
+    let decomposition = matrix.svd(true, true);
+    let sizes = decomposition.solve(&DVector::from_row_slice(&change), ALIKE);
+    let sizes = sizes.unwrap_or_else(|_| DVector::zeros(columns.len()));
+    let impulse = |((name, [rx, ry, nx, ny]), size): ((&String, &[f64; 4]), &f64)| Impulse {
+        load: name.clone(),
+        body,
+        arm: [*rx, *ry],
+        impulse: [nx * size, ny * size],
+    };
+    names.iter().zip(&columns).zip(&sizes).map(impulse).collect()
+}

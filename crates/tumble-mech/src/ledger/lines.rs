@@ -1,0 +1,196 @@
+//! The lines of one mode: every term of its equations, split into what a potential stands for and the rest, as numbers.
+
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Expr, Jets, Layout, Tape, Vector};
+use tumble_ode::{Piece, Reason};
+
+use crate::anchor::rate;
+use crate::equations::{Definitions, Equations};
+use crate::ledger::entry::Kind;
+use crate::ledger::potential::Potential;
+use crate::ledger::quadrature::{Amounts, Sample};
+use crate::mode::Mode;
+use crate::parameters::time_symbol;
+use crate::term::{Law, Term};
+
+/// To which entry a line belongs.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Key {
+    pub(super) load: String,
+    pub(super) law: Option<Law>,
+    pub(super) body: Option<usize>,
+    pub(super) kind: Kind,
+}
+
+/// A term with the velocity of its point.
+struct Line {
+    key: Key,
+    term: Term,
+    velocity: Vector,
+}
+
+/// All lines of a mode, ready to be evaluated.
+pub(super) struct Lines {
+    /// Terms, then the rates of potentials that are driven.
+    pub(super) keys: Vec<Key>,
+    /// How many of them are terms.
+    terms: usize,
+    jets: Jets<f64>,
+}
+
+/// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the ledger's.
+const OUTPUTS: usize = 8;
+
+impl Lines {
+    pub(super) fn new(
+        equations: &Equations,
+        potentials: &[Potential],
+        mode: &Mode,
+        inputs: &[f64],
+        about: &Vector,
+    ) -> Result<Self, Reason> {
+        let definitions = equations.definitions_of(mode);
+        let lines = lines(equations, potentials, mode, &definitions);
+        let mut outputs: Vec<Expr> =
+            lines.iter().flat_map(|line| outputs(equations, line, about, &definitions)).collect();
+        let mut keys: Vec<Key> = lines.into_iter().map(|line| line.key).collect();
+        let terms = keys.len();
+        for potential in potentials.iter().filter(|potential| potential.is_in(mode)) {
+            let driven = definitions.apply(&potential.driven);
+            if !driven.is_zero() {
+                keys.push(potential.key(None, Kind::Driven));
+                outputs.push(driven);
+            }
+        }
+        let jets = compiled(equations, mode, &outputs, inputs)?;
+        Ok(Self { keys, terms, jets })
+    }
+
+    /// Power, force and torque of every line at a reading of a piece's clock, per unit of the clock.
+    pub(super) fn sample(&mut self, piece: &Piece, s: f64) -> Sample {
+        self.jets.start(piece.time_at(s), &piece.states_at_clock(s), Branches::Free);
+        let (pace, mut sample) = (piece.clock_rate(s), Sample::default());
+        for line in 0..self.keys.len() {
+            let rates = if line < self.terms {
+                self.term(line, &mut sample.sizes)
+            } else {
+                self.driven(line, &mut sample.sizes)
+            };
+            sample.rates.push(rates.map(|rate| rate * pace));
+        }
+        sample.sizes = sample.sizes.map(|size| size * pace);
+        sample
+    }
+
+    fn term(&self, line: usize, sizes: &mut Amounts) -> Amounts {
+        let [vx, vy, fx, fy, couple, omega, rx, ry] =
+            std::array::from_fn(|which| self.jets.value_of(line * OUTPUTS + which));
+        let raise = |size: &mut f64, parts: &[f64]| {
+            *size = parts.iter().fold(*size, |size, part| size.max(part.abs()))
+        };
+        let [power, x, y, torque] = sizes;
+        raise(power, &[fx * vx, fy * vy, couple * omega]);
+        raise(torque, &[rx * fy, ry * fx, couple]);
+        raise(x, &[fx, fy]);
+        raise(y, &[fx, fy]);
+        [fx * vx + fy * vy + couple * omega, fx, fy, rx * fy - ry * fx + couple]
+    }
+
+    fn driven(&self, line: usize, sizes: &mut Amounts) -> Amounts {
+        let power = self.jets.value_of(self.terms * OUTPUTS + line - self.terms);
+        sizes[0] = sizes[0].max(power.abs());
+        [power, 0.0, 0.0, 0.0]
+    }
+}
+
+impl Potential {
+    /// Whether it is there in a mode.
+    pub(super) fn is_in(&self, mode: &Mode) -> bool {
+        self.pair.is_none_or(|pair| mode.pressed().any(|pressed| pressed == pair))
+    }
+
+    pub(super) fn key(&self, body: Option<usize>, kind: Kind) -> Key {
+        Key { load: self.load.clone(), law: Some(self.law), body, kind }
+    }
+
+    fn is_of(&self, term: &Term) -> bool {
+        self.load == term.load && self.law == term.law && self.body.is_none_or(|body| body == term.body)
+    }
+}
+
+fn lines(
+    equations: &Equations,
+    potentials: &[Potential],
+    mode: &Mode,
+    definitions: &Definitions,
+) -> Vec<Line> {
+    let mut taken = vec![0; potentials.len()];
+    let mut lines = vec![];
+    for term in equations.terms(mode) {
+        let velocity = velocity(equations, mode, &term);
+        let mut push = |kind: Kind, term: Term| {
+            let key = Key { load: term.load.clone(), law: Some(term.law), body: Some(term.body), kind };
+            lines.push(Line { key, term, velocity: velocity.clone() });
+        };
+        let Some(index) = potentials.iter().position(|potential| potential.is_of(&term)) else {
+            push(Kind::Work, term);
+            continue;
+        };
+        let elastic = &potentials[index].elastic[taken[index]];
+        taken[index] += 1;
+        let part = Term {
+            force: elastic.force.map(|component| definitions.apply(component)),
+            couple: definitions.apply(&elastic.couple),
+            ..term.clone()
+        };
+        if !potentials[index].is_whole {
+            let rest = Term { force: &term.force - &part.force, couple: &term.couple - &part.couple, ..term };
+            push(Kind::Work, rest);
+        }
+        push(Kind::Conservative, part);
+    }
+    lines
+}
+
+/// Velocity of a term's point, in kinematic symbols. What a pivot or a rigid surface holds moves as they do, so that at
+/// rest they do no work at all, not even that of rounding.
+fn velocity(equations: &Equations, mode: &Mode, term: &Term) -> Vector {
+    let body = &equations.model().bodies[term.body];
+    if term.law == Law::Reaction
+        && let Some(pivot) = equations.model().pivot_of(&body.name)
+    {
+        return rate(&pivot.world);
+    }
+    let mut held = mode.held().map(|pair| &equations.pairs()[pair]);
+    if let Some(pair) = held.find(|pair| term.law == Law::Contact && pair.name == term.load) {
+        return -pair.gap().derivative(&time_symbol()) * &pair.normal;
+    }
+    let motion = body.kinematics();
+    motion.velocity() + motion.omega() * term.arm.perpendicular()
+}
+
+fn outputs(equations: &Equations, line: &Line, about: &Vector, definitions: &Definitions) -> Vec<Expr> {
+    let motion = equations.model().bodies[line.term.body].kinematics();
+    let in_mode = |vector: &Vector| vector.map(|component| definitions.apply(component));
+    let velocity = in_mode(&line.velocity);
+    let place = in_mode(&(motion.position() - about)) + &line.term.arm;
+    let turning = [line.term.couple.clone(), definitions.apply(&motion.omega())];
+    let pairs = [velocity.components(), line.term.force.components(), &turning, place.components()];
+    pairs.concat()
+}
+
+/// An evaluator of formulas that are in the states of a mode.
+pub(super) fn compiled(
+    equations: &Equations,
+    mode: &Mode,
+    outputs: &[Expr],
+    inputs: &[f64],
+) -> Result<Jets<f64>, Reason> {
+    let layout = Layout {
+        states: equations.states(mode),
+        time: time_symbol(),
+        inputs: equations.model().parameters.symbols(),
+    };
+    Ok(Jets::new(Arc::new(Tape::compile(&layout, outputs)?), 0, inputs))
+}

@@ -1,0 +1,252 @@
+//! Books that are kept in time, through changes of parameters, and beside the motion.
+
+use tumble_expr::units::{KG, M, N, S};
+use tumble_expr::{Exponent, Expr, Vector};
+use tumble_ode::{Accuracy, Direction, Side};
+
+use crate::{
+    Action, Anchor, Body, ContactLaw, Entry, Event, Gravity, Kind, Ledger, Model, Run, Spring, Start,
+    Surface, time,
+};
+
+const G: f64 = 9.81;
+
+fn run(model: Model, until: f64, accuracy: f64) -> Run {
+    let accuracy = Accuracy::new(accuracy).expect("an accuracy that can be asked for");
+    model.simulate_to(&[], until * S, accuracy).map_err(|error| error.to_string()).expect("a motion")
+}
+
+#[track_caller]
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{found:?} is not {expected:?}");
+}
+
+/// The books about a point that nothing is at, every balance of which must close.
+#[track_caller]
+fn books(run: &Run, tolerance: f64) -> Ledger<'_> {
+    let ledger = Ledger::of(run, [0.3, -0.2]).expect("books");
+    assert!(ledger.energy.relative() < tolerance, "{:e}", ledger.energy.relative());
+    assert!(ledger.relative() < tolerance, "{:e}", ledger.relative());
+    ledger
+}
+
+#[track_caller]
+fn entry(ledger: &Ledger<'_>, load: &str, kind: Kind) -> Entry {
+    let mut known = ledger.entries.iter().filter(|entry| entry.load == load && entry.kind == kind);
+    known.next().unwrap_or_else(|| panic!("no entry {load} {kind:?} in {:#?}", ledger.entries)).clone()
+}
+
+fn has(ledger: &Ledger<'_>, load: &str, kind: Kind) -> bool {
+    ledger.entries.iter().any(|entry| entry.load == load && entry.kind == kind)
+}
+
+fn vertical() -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(G * M / (S * S));
+    model
+}
+
+fn here(x: f64, y: f64) -> Vector {
+    Vector::planar(x * M, y * M)
+}
+
+/// A mass of 2 kg on a line, between a wall and its rest place at 1 m, started at 1.5 m.
+fn oscillator(stiffness: Expr, damping: f64, wall: Vector) -> Model {
+    let mut model = Model::new();
+    let ball = model.add(Body::point("ball").mass(2 * KG));
+    model.interact(Spring {
+        name: "spring".into(),
+        ends: [Anchor::World(wall), Anchor::Material(ball.cm())],
+        stiffness,
+        rest_length: 1 * M,
+        damping: damping * KG / S,
+    });
+    model.starts.push(("ball".into(), Start::default().at([1.5 * M, 0 * M])));
+    model
+}
+
+/// 0.5 kg with 2 m/s onto a surface that gives way, without gravity.
+fn falling(law: ContactLaw, gravity: f64) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(gravity * M / (S * S));
+    model.add(Body::ball("ball", 0.1 * M).mass(0.5 * KG));
+    let start = Start::default().at([0.7 * M, 0.15 * M]).velocity([1 * M / S, -2 * M / S]);
+    model.starts.push(("ball".into(), start));
+    model.surface(Surface::floor("floor", 0 * M, law));
+    model
+}
+
+fn bouncing_rod(law: ContactLaw) -> Model {
+    let mut model = vertical();
+    let rod = model.add(Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(0.5 * KG));
+    let start = Start::default().at([0 * M, 2 * M]).velocity([2 * M / S, 0 * M / S]);
+    model.starts.push((rod.name, start.angle(Expr::from(0.6)).omega(2 / S)));
+    model.surface(Surface::floor("floor", 0 * M, law));
+    model
+}
+
+fn hertz(damping: f64) -> ContactLaw {
+    let root = (1 * M).powr(Exponent::new(3, 2));
+    ContactLaw::Hertz { stiffness: 1e6 * N / root, damping: damping * S / M }
+}
+
+fn rigid(e: f64) -> ContactLaw {
+    ContactLaw::Rigid { restitution: Expr::from(e) }
+}
+
+/// A damper fastened the other way round, and a spring without rest length.
+#[test]
+fn a_spring_s_ends_in_either_order() {
+    let mut model = Model::new();
+    let rod = model.add(Body::rod("rod", [-1 * M, 0 * M], [1 * M, 0 * M]).mass(3 * KG));
+    let tip = rod.at(&here(1.0, 0.0));
+    for (name, rest_length, damping) in [("a", 0.7, 0.3), ("b", 0.0, 0.0), ("c", 0.0, 0.4)] {
+        let ends = [Anchor::Material(tip.clone()), Anchor::World(here(2.0, 1.5))];
+        let (rest_length, damping) = (rest_length * M, damping * KG / S);
+        model.interact(Spring { name: name.into(), ends, stiffness: 5 * N / M, rest_length, damping });
+    }
+    let run = run(model, 3.0, 1e-12);
+    let ledger = books(&run, 1e-12);
+    for name in ["a", "b", "c"] {
+        let store = ledger.stores.iter().find(|store| store.load == name).expect("a store");
+        close(entry(&ledger, name, Kind::Conservative).work, store.start - store.end, 1e-11);
+        assert_eq!(has(&ledger, name, Kind::Work), name != "b");
+    }
+}
+
+/// A stiffness that is a formula of the time changes the energy of the spring with no body moving.
+#[test]
+fn a_softening_spring() {
+    let age = 1 + time() / (1 * S);
+    let run = run(oscillator(8 * N / M / (&age * &age), 0.0, here(0.0, 0.0)), 2.5, 1e-12);
+    let ledger = books(&run, 1e-12);
+    let driven = entry(&ledger, "spring", Kind::Driven).work;
+    close(driven, ledger.energy.end - ledger.energy.start, 1e-12);
+    assert!(driven < -0.5);
+}
+
+/// A stiffness that depends on the motion has no potential: all of it is work.
+#[test]
+fn a_spring_that_depends_on_the_motion_is_work() {
+    let place = Expr::symbol("ball.x", tumble_expr::Dimension::LENGTH);
+    let run = run(oscillator(4 * N / M * (1 + place / (1 * M)), 0.0, here(0.0, 0.0)), 5.0, 1e-12);
+    let ledger = books(&run, 1e-12);
+    assert!(ledger.stores.is_empty() && has(&ledger, "spring", Kind::Work));
+}
+
+#[test]
+fn a_parameter_that_jumps_changes_what_is_stored() {
+    let mut model = Model::new();
+    let k = model.parameters.set("k", 8 * N / M).expect("typed");
+    let with = oscillator(k, 0.0, here(0.0, 0.0));
+    let parameters = model.parameters;
+    model = Model { parameters, ..with };
+    // x = 1 + cos(2 t) / 2 m passes 1.25 m at pi / 6 s.
+    model.events.push(Event {
+        name: "stiffer".into(),
+        when: model.bodies[0].kinematics().position().x() - 1.25 * M,
+        direction: Direction::Falling,
+        action: Action::Set(vec![("k".into(), 18 * N / M)]),
+    });
+    let run = run(model, 0.8, 1e-12);
+    let ledger = books(&run, 1e-12);
+    let jump = entry(&ledger, "spring", Kind::ParameterJump);
+    close(jump.work, 10.0 * 0.0625 / 2.0, 1e-13);
+    close(ledger.energy.change, jump.work, 0.0);
+}
+
+/// A mass that jumps takes momentum and energy with it, under the event's name.
+#[test]
+fn a_mass_that_jumps() {
+    let mut model = vertical();
+    let mass = model.parameters.set("m", 2 * KG).expect("typed");
+    let ball = model.add(Body::point("ball").mass(mass));
+    model.starts.push(("ball".into(), Start::default().at([0 * M, 5 * M]).velocity([3 * M / S, 0 * M / S])));
+    model.events.push(Event {
+        name: "splits".into(),
+        when: ball.kinematics().position().y() - 4 * M,
+        direction: Direction::Falling,
+        action: Action::Set(vec![("m".into(), 0.5 * KG)]),
+    });
+    let run = run(model, 0.9, 1e-12);
+    let ledger = books(&run, 1e-13);
+    let jump = entry(&ledger, "splits", Kind::ParameterJump);
+    close(jump.work, -0.75 * (9.0 + 2.0 * G), 1e-13);
+    close(jump.impulse[0], -4.5, 1e-14);
+    close(entry(&ledger, "gravity", Kind::ParameterJump).work, -1.5 * G * 4.0, 1e-13);
+}
+
+/// One exact step turns the rod many times; its pivot's force turns with it.
+#[test]
+fn a_long_exact_step_is_resolved() {
+    let mut model = Model::new();
+    let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [1 * M, 0 * M]).mass(3 * KG));
+    model.pivot_at("axle", &rod, [0 * M, 0 * M], [0 * M, 0 * M]);
+    model.torque("motor", &rod, 2 * N * M);
+    let run = run(model, 10.0, 1e-12);
+    assert_eq!(run.trajectory.pieces.len(), 1);
+    books(&run, 1e-13);
+}
+
+/// At any time, in any mode, the books close, and they rise to what they are at the end.
+#[test]
+fn the_course_in_time() {
+    let run = run(falling(hertz(0.1), G), 3.0, 1e-12);
+    let mut ledger = books(&run, 1e-12);
+    let columns = ledger.columns();
+    assert_eq!(columns[..4], ["t", "kinetic", "potential", "energy"]);
+    assert!(columns.contains(&"work of gravity on ball (potential)".to_owned()), "{columns:?}");
+    let inside = run.contacts().into_iter().map(|contact| 0.3 * contact.start + 0.7 * contact.end);
+    let inside: Vec<f64> = inside.chain((0..=30).map(|i| 0.1 * f64::from(i))).collect();
+    for t in inside {
+        let at = ledger.at(t, Side::After).expect("books").expect("in the run");
+        assert!(at.energy_residual.abs() < 1e-11 && at.angular_momentum_residual.abs() < 1e-11, "{at:?}");
+        assert!(at.momentum_residual.iter().all(|residual| residual.abs() < 1e-11), "{at:?}");
+        let row = ledger.row(t, Side::After).expect("books").expect("in the run");
+        assert_eq!(row.len(), columns.len());
+        close(row[1] + row[2], row[3], 1e-15);
+        assert_eq!(row.last(), Some(&at.energy_residual));
+    }
+    let start = ledger.at(0.0, Side::Before).expect("books").expect("in the run");
+    assert!(start.work.iter().all(|work| *work == 0.0));
+    let end = ledger.at(3.0, Side::After).expect("books").expect("in the run");
+    for (work, entry) in end.work.iter().zip(&ledger.entries) {
+        assert_eq!(*work, entry.work);
+    }
+    let before = ledger.at(3.0, Side::Before).expect("books").expect("in the run");
+    for (work, entry) in before.work.iter().zip(&ledger.entries) {
+        close(*work, entry.work, 1e-14);
+    }
+    assert!(ledger.at(-0.1, Side::After).expect("books").is_none());
+    assert!(ledger.at(3.1, Side::After).expect("books").is_none());
+}
+
+/// Books change nothing of the motion, and are the same when kept again.
+#[test]
+fn the_motion_does_not_know_of_its_books() {
+    let bits = |run: &Run| -> Vec<u64> {
+        let pieces = run.trajectory.pieces.iter();
+        pieces.flat_map(|piece| piece.states.concat()).map(f64::to_bits).collect()
+    };
+    let with = run(bouncing_rod(hertz(0.05)), 3.0, 1e-12);
+    let before = bits(&with);
+    let entries = books(&with, 1e-11).entries;
+    assert_eq!(before, bits(&with));
+    assert_eq!(before, bits(&run(bouncing_rod(hertz(0.05)), 3.0, 1e-12)));
+    assert_eq!(entries, books(&with, 1e-11).entries);
+}
+
+/// Books of a run that was cut short by an event close too.
+#[test]
+fn a_run_that_stops() {
+    let mut model = falling(rigid(0.8), G);
+    model.events.push(Event {
+        name: "hit".into(),
+        when: model.bodies[0].kinematics().position().y() - 0.1 * M,
+        direction: Direction::Falling,
+        action: Action::Stop,
+    });
+    let run = run(model, 3.0, 1e-12);
+    assert!(run.trajectory.end() < Some(1.0));
+    books(&run, 1e-13);
+}

@@ -1,0 +1,58 @@
+use super::*;
+use crate::outline::{Outline, Pose};
+use crate::report::MovingBody;
+
+fn pendulum() -> Animation {
+    let times: Vec<f64> = (0..=60).map(|i| f64::from(i) / 30.0).collect();
+    let pose = |t: &f64| {
+        let angle = (3.0 * t).cos();
+        Pose { t: *t, x: 0.5 * angle.sin(), y: -0.5 * angle.cos(), angle }
+    };
+    let poses = times.iter().map(pose).collect();
+    let rod = Outline::Segment { from: [0.0, 0.5], to: [0.0, -0.5] };
+    let body = MovingBody { outlines: vec![rod], poses, trail: true, ..MovingBody::default() };
+    let motion = Motion { times, bodies: vec![body], ..Motion::default() };
+    Animation { cases: vec![motion], speed: 1.0, ..Animation::default() }
+}
+
+fn decoded(bytes: &[u8]) -> (u16, Vec<Frame<'static>>) {
+    let mut decoder = ::gif::Decoder::new(bytes).expect("a GIF");
+    let width = decoder.width();
+    let mut frames = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().expect("a frame") {
+        frames.push(frame.clone());
+    }
+    (width, frames)
+}
+
+#[test]
+fn it_lasts_as_long_as_the_motion_and_moves() {
+    let bytes = animation_gif(&pendulum(), 0, 200, 15.0).expect("an animation");
+    let (width, frames) = decoded(&bytes);
+    assert_eq!((width, frames.len()), (200, 31));
+    let shown: u32 = frames[..30].iter().map(|frame| u32::from(frame.delay)).sum();
+    assert_eq!(shown, 200, "two seconds");
+    assert!(
+        frames[1..].iter().all(|frame| frame.width > 10 && frame.width < 200),
+        "only what moves is drawn again"
+    );
+}
+
+#[test]
+fn equal_motions_give_equal_bytes() {
+    let gif = || animation_gif(&pendulum(), 0, 120, 5.0).expect("an animation");
+    assert_eq!(gif(), gif());
+}
+
+#[test]
+fn what_cannot_be_shown_is_refused() {
+    let mut animation = pendulum();
+    assert!(matches!(animation_gif(&animation, 1, 200, 15.0), Err(GifError::NoMotion { case: 1, cases: 1 })));
+    assert!(matches!(animation_gif(&animation, 0, 5, 15.0), Err(GifError::Width(5))));
+    assert!(matches!(animation_gif(&animation, 0, 200, f64::NAN), Err(GifError::Rate(_))));
+    animation.speed = 1e-6;
+    assert!(matches!(animation_gif(&animation, 0, 200, 15.0), Err(GifError::TooLong { .. })));
+    animation.cases[0].bodies[0].poses.iter_mut().for_each(|pose| pose.x = f64::NAN);
+    animation.speed = 1.0;
+    assert!(matches!(animation_gif(&animation, 0, 200, 15.0), Err(GifError::NoMotion { .. })));
+}

@@ -1,0 +1,319 @@
+// A motion that plays: bodies, links, trails, forces on request.
+
+const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+/** How long a motion takes on the screen if nobody says otherwise, in seconds. */
+const GOOD_LENGTH = 7;
+/** Steps of the slider. */
+const SLIDER = 1000;
+/** Seconds between pictures for readers who asked for less motion. */
+const CALM = 0.5;
+const HATCH = 8;
+
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** A case with its columns as numbers. */
+function readMotion(data) {
+  const bodies = data.bodies.map((body) => ({ ...body, x: decode(body.x), y: decode(body.y), angle: decode(body.angle) }));
+  const links = data.links.map((link) => ({ ...link, ends: link.ends.map(decode) }));
+  const forces = data.forces.map((force) => {
+    const [px, py, fx, fy] = force.samples.map(decode);
+    return { ...force, px, py, fx, fy };
+  });
+  return { ...data, times: decode(data.times), bodies, links, forces };
+}
+
+class Player {
+  constructor(figure, data) {
+    Object.assign(this, { figure, data, time: 0, index: 0, playing: false });
+    this.cases = data.cases.map(readMotion);
+    this.live = make("div", { class: "live" });
+    figure.prepend(this.live);
+    this.svg = draw("svg", { role: "img", "aria-label": data.description }, this.live);
+    this.addControls();
+    figure.classList.add("scripted");
+    this.choose(0);
+    this.watch();
+  }
+
+  addControls() {
+    const bar = make("div", { class: "bar", role: "group", "aria-label": "Motion" }, this.live);
+    this.button = make("button", { type: "button", class: "play" }, bar);
+    this.slider = make("input", { type: "range", min: 0, max: SLIDER, value: 0, "aria-label": "Time" }, bar);
+    this.readout = make("span", { class: "at" }, bar);
+    this.speed = this.select(bar, "Speed", SPEEDS.map((speed) => `${speed}×`));
+    if (this.cases.length > 1) {
+      const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
+      this.chooser = this.select(bar, "Case", this.cases.map(name));
+      this.chooser.addEventListener("change", () => {
+        this.choose(this.chooser.selectedIndex);
+        chosenCase.set(this.index, this);
+      });
+    }
+    if (this.cases.some((motion) => motion.forces.length)) this.forces = this.check(bar, "Forces", false);
+    if (this.cases.some((motion) => motion.bodies.some((body) => body.trail))) this.trails = this.check(bar, "Paths", true);
+    this.words = make("p", { class: "note" }, this.live);
+  }
+
+  select(bar, title, names) {
+    const label = make("label", {}, bar);
+    label.append(title);
+    const select = make("select", {}, label);
+    names.forEach((name, i) => (make("option", { value: i }, select).textContent = name));
+    return select;
+  }
+
+  check(bar, title, checked) {
+    const label = make("label", {}, bar);
+    const box = make("input", { type: "checkbox" }, label);
+    box.checked = checked;
+    label.append(title);
+    box.addEventListener("change", () => this.draw());
+    return box;
+  }
+
+  watch() {
+    this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
+    this.slider.addEventListener("input", () => {
+      this.pause();
+      this.seek(this.start + (this.duration * this.slider.value) / SLIDER);
+      clock.set(this.time, this);
+    });
+    this.svg.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
+    let width = 0;
+    new ResizeObserver(() => {
+      if (this.live.clientWidth && this.live.clientWidth !== width) {
+        width = this.live.clientWidth;
+        this.layOut();
+      }
+    }).observe(this.live);
+    clock.listen(this, (time) => {
+      if (!this.playing && time !== null) this.seek(time);
+    });
+    chosenCase.listen(this, (index) => {
+      if (index < this.cases.length) this.choose(index);
+    });
+    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
+    this.pause();
+  }
+
+  choose(index) {
+    this.index = index;
+    this.motion = this.cases[index];
+    if (this.chooser) this.chooser.selectedIndex = index;
+    const times = this.motion.times;
+    this.start = times[0] ?? 0;
+    this.duration = (times[times.length - 1] ?? 0) - this.start;
+    if (!this.speedChosen) {
+      const wanted = this.data.speed > 0 ? this.data.speed : this.duration / GOOD_LENGTH;
+      const far = (speed) => Math.abs(Math.log(speed / wanted));
+      this.speed.selectedIndex = SPEEDS.reduce((best, s, i) => (far(s) < far(SPEEDS[best]) ? i : best), 0);
+      this.speedChosen = true;
+    }
+    this.layOut();
+    this.seek(Math.min(Math.max(this.time, this.start), this.start + this.duration));
+  }
+
+  /** Scales for the width at hand; the same for all cases. */
+  layOut() {
+    const boxes = this.cases.map((motion) => motion.box).filter((box) => box);
+    const bound = (k, pick, otherwise) => (boxes.length ? pick(...boxes.map((box) => box[k])) : otherwise);
+    const low = [bound(0, Math.min, 0), bound(1, Math.min, 0)];
+    const high = [bound(2, Math.max, 1), bound(3, Math.max, 1)];
+    const size = [0, 1].map((k) => high[k] - low[k]);
+    const room = 0.09 * Math.max(...size, 1e-9);
+    const width = Math.max(this.live.clientWidth, 240);
+    const wide = size[0] + 2 * room;
+    const tall = size[1] + 2 * room;
+    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, 460);
+    this.scale = Math.min(width / wide, height / tall);
+    this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
+    this.size = [width, height];
+    this.arrows = new ArrowScale(this.cases, 0.3 * Math.min(width, height));
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.svg.setAttribute("height", height);
+    this.build();
+  }
+
+  pixel(x, y) {
+    const [width, height] = this.size;
+    return [width / 2 + (x - this.middle[0]) * this.scale, height / 2 - (y - this.middle[1]) * this.scale];
+  }
+
+  /** What does not change while it plays, and the parts that move. */
+  build() {
+    this.svg.replaceChildren();
+    for (const surface of this.motion.surfaces) this.drawSurface(surface);
+    this.drawScaleBar();
+    this.parts = this.motion.bodies.map((body, i) => this.buildBody(body, i));
+    this.linkLayer = draw("g", {}, this.svg);
+    for (const point of this.motion.points) this.drawPoint(point);
+    this.arrowLayer = draw("g", {}, this.svg);
+    this.draw();
+  }
+
+  drawSurface({ at: [x, y, nx, ny], name }) {
+    const size = Math.hypot(nx, ny);
+    const [ux, uy] = [nx / size, -ny / size];
+    const [px, py] = this.pixel(x, y);
+    const middle = [this.size[0] / 2 - px, this.size[1] / 2 - py];
+    const along = -uy * middle[0] + ux * middle[1];
+    const foot = [px - uy * along, py + ux * along];
+    const reach = Math.hypot(...this.size);
+    const at = (s, depth) => [foot[0] - uy * s - ux * depth, foot[1] + ux * s - uy * depth];
+    let strokes = "";
+    for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;
+    draw("path", { class: "hatch", d: strokes }, this.svg);
+    draw("path", { class: "ground", d: `M${at(-reach, 0)}L${at(reach, 0)}` }, this.svg);
+    const place = at(0, 24);
+    drawLabel(this.svg, name, { x: place[0], y: place[1] + 5, "text-anchor": "middle", class: "halo" });
+  }
+
+  drawPoint({ at, name }) {
+    const [x, y] = this.pixel(...at);
+    draw("circle", { class: "pin", cx: x, cy: y, r: 3.5 }, this.svg);
+    drawLabel(this.svg, name, { x: x + 8, y: y - 7, class: "halo" });
+  }
+
+  drawScaleBar() {
+    const most = 0.25 * this.size[0] / this.scale;
+    const power = 10 ** Math.floor(Math.log10(most));
+    const metres = [5, 2, 1].find((m) => m * power <= most) * power;
+    const [x, y, length] = [12, this.size[1] - 10, metres * this.scale];
+    draw("path", { class: "link", d: `M${x} ${y - 4}v8m0 -4h${length}m0 -4v8` }, this.svg);
+    draw("text", { x: x + length / 2, y: y - 6, "text-anchor": "middle", class: "halo" }, this.svg).textContent =
+      `${shown(metres, 3)}\u00a0m`;
+  }
+
+  buildBody(body, index) {
+    const style = `color:var(--c${index % 7})`;
+    const trail = draw("path", { class: "trail", style }, this.svg);
+    const group = draw("g", { class: "body", style }, this.svg);
+    for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+    const centre = draw("circle", { class: "pin", r: 2.4 }, this.svg);
+    return { trail, group, centre, path: body.trail ? this.trailPoints(body) : [] };
+  }
+
+  buildOutline(group, kind, n) {
+    if (kind === "rod") {
+      const width = Math.min(Math.max(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3), 9);
+      draw("line", { class: "rod", x1: n[0], y1: -n[1], x2: n[2], y2: -n[3], "stroke-width": width }, group);
+    } else if (kind === "circle") {
+      draw("circle", { class: "face", cx: n[0], cy: -n[1], r: n[2] }, group);
+      draw("line", { x1: n[0], y1: -n[1], x2: n[0] + n[2], y2: -n[1], "stroke-width": 1.6 }, group);
+    } else if (kind === "polygon") {
+      const points = n.map((v, i) => (i % 2 ? -v : v)).join(" ");
+      draw("polygon", { class: "face", points, "stroke-linejoin": "round" }, group);
+    } else {
+      draw("circle", { cx: n[0], cy: -n[1], r: 4 }, group);
+    }
+  }
+
+  trailPoints(body) {
+    return Array.from(body.x, (x, i) => this.pixel(x, body.y[i]).map((v) => v.toFixed(1)).join(" "));
+  }
+
+  /** The frame before a time, and how far the time is on the way to the next. */
+  frame() {
+    const times = this.motion.times;
+    let [low, high] = [0, times.length - 1];
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= this.time) low = middle;
+      else high = middle;
+    }
+    const span = times[high] - times[low];
+    return [low, Math.max(high, 0), span > 0 ? Math.min(Math.max((this.time - times[low]) / span, 0), 1) : 0];
+  }
+
+  draw() {
+    if (!this.parts || !this.motion.times.length) return;
+    const [low, high, part] = this.frame();
+    const between = (values) => values[low] + part * (values[high] - values[low]);
+    this.motion.bodies.forEach((body, i) => this.drawBody(body, this.parts[i], between, low));
+    this.linkLayer.replaceChildren();
+    for (const link of this.motion.links) this.drawLink(link, link.ends.map(between));
+    this.arrowLayer.replaceChildren();
+    if (this.forces?.checked) {
+      for (const force of this.motion.forces) {
+        const [px, py, fx, fy] = [force.px, force.py, force.fx, force.fy].map((values) => values[low]);
+        if (Number.isFinite(px + py + fx + fy)) drawArrow(this.arrowLayer, force, this.pixel(px, py), [fx, fy], this.arrows);
+      }
+    }
+    this.words.textContent = this.forces?.checked ? this.arrows.words() : "";
+    this.showTime();
+  }
+
+  drawBody(body, { trail, group, centre, path }, between, low) {
+    const [x, y] = this.pixel(between(body.x), between(body.y));
+    const there = Number.isFinite(x + y);
+    group.style.display = centre.style.display = there ? "" : "none";
+    if (!there) return;
+    const degrees = (-between(body.angle) * 180) / Math.PI;
+    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${degrees.toFixed(2)})`);
+    centre.setAttribute("cx", x);
+    centre.setAttribute("cy", y);
+    const shownPath = this.trails?.checked && path.length ? path.slice(0, low + 1) : [];
+    const points = shownPath.filter((point) => !point.includes("NaN"));
+    trail.setAttribute("d", points.length ? `M${points.join("L")}L${x} ${y}` : "");
+  }
+
+  drawLink({ kind }, [x0, y0, x1, y1]) {
+    const [a, b] = [this.pixel(x0, y0), this.pixel(x1, y1)];
+    if (![...a, ...b].every(Number.isFinite)) return;
+    const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+    const length = Math.hypot(dx, dy) || 1;
+    const at = (s, side) => [a[0] + dx * s - (dy / length) * side, a[1] + dy * s + (dx / length) * side];
+    const zigzag = [0.1, ...Array.from({ length: 10 }, (_, i) => 0.14 + 0.08 * i), 0.9];
+    const points = {
+      spring: [a, ...zigzag.map((s, i) => at(s, i === 0 || i === 11 ? 0 : i % 2 ? 6 : -6)), b],
+      damper: [a, at(0.35, 0), at(0.35, 6), at(0.65, 6), at(0.35, 6), at(0.35, -6), at(0.65, -6), at(0.35, -6), at(0.35, 0),
+        at(0.55, 0), at(0.55, 5), at(0.55, -5), at(0.55, 0), b],
+      thread: [a, b],
+    }[kind];
+    draw("polyline", { class: "link", points: points.join(" ") }, this.linkLayer);
+  }
+
+  showTime() {
+    this.slider.value = this.duration > 0 ? ((this.time - this.start) / this.duration) * SLIDER : 0;
+    const decimals = Math.max(0, 3 - Math.floor(Math.log10(this.duration || 1)));
+    const text = `${this.time.toFixed(Math.min(decimals, 9)).replace("-", "−")}\u00a0s`;
+    this.slider.setAttribute("aria-valuetext", text);
+    this.readout.replaceChildren();
+    make("i", {}, this.readout).textContent = "t";
+    this.readout.append(` = ${text}`);
+  }
+
+  seek(time) {
+    this.time = Math.min(Math.max(time, this.start), this.start + this.duration);
+    this.draw();
+  }
+
+  play() {
+    if (this.time >= this.start + this.duration - 1e-12) this.seek(this.start);
+    this.playing = true;
+    this.button.textContent = "Pause";
+    this.last = null;
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  pause() {
+    this.playing = false;
+    this.button.textContent = "Play";
+  }
+
+  tick(now) {
+    if (!this.playing) return;
+    const passed = this.last === null ? 0 : (now - this.last) / 1000;
+    if (this.last === null || !calm.matches || passed >= CALM) {
+      this.last = now;
+      this.seek(this.time + passed * SPEEDS[this.speed.selectedIndex]);
+      clock.set(this.time, this);
+    }
+    if (this.time >= this.start + this.duration - 1e-12) this.pause();
+    else requestAnimationFrame((next) => this.tick(next));
+  }
+}
+
+for (const figure of document.querySelectorAll("figure[data-motion]")) {
+  new Player(figure, DATA.motions[Number(figure.dataset.motion)]);
+}

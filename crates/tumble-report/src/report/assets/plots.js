@@ -1,0 +1,412 @@
+// Curves to look into: values under the pointer, zoom, curves switched off and on.
+
+const LEFT = 74, RIGHT = 14, TOP = 14, BELOW = 46;
+
+/** Round steps that are no finer than `least`; multiples of pi where asked. */
+function tickStep(least, pi) {
+  const base = pi ? least / Math.PI : least;
+  const power = 10 ** Math.floor(Math.log10(base));
+  const steps = pi && base < 1.01 ? [1 / 12, 1 / 6, 1 / 4, 1 / 2, 1] : [1, 2, 5, 10].map((m) => m * power);
+  const step = steps.find((s) => s >= base * 0.999) ?? steps[steps.length - 1];
+  return pi ? (base < 1 / 12 ? null : step * Math.PI) : step;
+}
+
+function piText(n, step) {
+  const twelfths = Math.round((n * step * 12) / Math.PI);
+  if (twelfths === 0) return "0";
+  const divisor = (a, b) => (b ? divisor(b, a % b) : a);
+  const common = divisor(Math.abs(twelfths), 12);
+  const [top, bottom] = [Math.abs(twelfths) / common, 12 / common];
+  return `${twelfths < 0 ? "−" : ""}${top === 1 ? "" : top}π${bottom === 1 ? "" : `/${bottom}`}`;
+}
+
+/** Places and texts of ticks over a range `[low, high]` for about `wanted` of them. */
+function ticks([low, high], wanted, pi) {
+  const least = (high - low) / Math.max(wanted, 1);
+  const multiple = pi ? tickStep(least, true) : null;
+  const step = multiple ?? tickStep(least, false);
+  const result = [];
+  for (let n = Math.ceil(low / step - 1e-9); n * step <= high + 1e-9 * step && result.length < 60; n += 1) {
+    const size = Math.max(Math.abs(low), Math.abs(high));
+    const digits = Math.max(1, Math.floor(Math.log10(size)) - Math.floor(Math.log10(step) + 1e-9) + 2);
+    result.push([n * step, multiple ? piText(n, step) : shown(n === 0 ? 0 : n * step, digits)]);
+  }
+  return result;
+}
+
+/** Bounds of numbers; gaps do not count. */
+function bounds(lists) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const list of lists)
+    for (const value of list) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  return low <= high ? [low, high] : [0, 1];
+}
+
+/** A range with something in it. */
+function opened([low, high], padding) {
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (high - low <= 1e-12 * size || high === low) {
+    const by = size > 0 ? 0.1 * size : 1;
+    return [low - by, high + by];
+  }
+  return [low - padding * (high - low), high + padding * (high - low)];
+}
+
+class Plot {
+  constructor(figure, data) {
+    Object.assign(this, { figure, data });
+    this.series = data.series.map((series) => this.readSeries(series));
+    this.forward = this.series.every((series) => series.forward);
+    this.xRange = this.forward || data.x.range ? 0 : 0.06;
+    this.live = make("div", { class: "live" });
+    figure.prepend(this.live);
+    this.addBar();
+    this.svg = draw("svg", { tabindex: "0", role: "img", "aria-label": this.spoken() }, this.live);
+    this.heard = make("p", { class: "heard", "aria-live": "polite" }, this.live);
+    figure.classList.add("scripted");
+    this.reset();
+    this.watch();
+  }
+
+  readSeries(series) {
+    const [x, y] = [decode(series.x), decode(series.y)];
+    // A gap has a place on the axis, so that samples stay in order.
+    x.forEach((value, i) => {
+      if (Number.isNaN(value)) {
+        x[i] = x[i - 1] ?? x.find(Number.isFinite) ?? 0;
+        y[i] = NaN;
+      }
+    });
+    const forward = x.every((value, i) => i === 0 || !(value < x[i - 1]));
+    return { ...series, x, y, forward, visible: true };
+  }
+
+  spoken() {
+    const keys = "Arrow keys move the cursor, plus and minus zoom, Escape shows all.";
+    return `${this.figure.dataset.name}. ${this.data.description} ${keys}`;
+  }
+
+  addBar() {
+    const bar = make("div", { class: "bar" }, this.live);
+    if (this.data.title.length) addLabel(make("span", { class: "title" }, bar), this.data.title);
+    this.series.forEach((series) => this.addKey(series, bar));
+    this.at = make("span", { class: "at" }, bar);
+    this.all = make("button", { type: "button", hidden: "" }, bar);
+    this.all.textContent = "Show all";
+    this.all.addEventListener("click", () => this.reset());
+  }
+
+  addKey(series, bar) {
+    const single = this.series.length === 1;
+    const key = make(single ? "span" : "button", { class: "key" }, bar);
+    series.key = key;
+    if (!single) {
+      key.type = "button";
+      key.setAttribute("aria-pressed", "true");
+      key.title = "Show or hide this curve";
+      key.addEventListener("click", () => this.toggle(series));
+    }
+    const sample = draw("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, key);
+    draw("line", { x1: 0, x2: 28, y1: 5, y2: 5, ...this.stroke(series) }, sample);
+    addLabel(make("span", {}, key), series.label.length ? series.label : this.data.y.name);
+    series.value = make("span", { class: "value" }, key);
+  }
+
+  stroke(series) {
+    const style = { class: "curve", stroke: `var(--c${series.style})` };
+    return series.dashes ? { ...style, "stroke-dasharray": series.dashes } : style;
+  }
+
+  toggle(series) {
+    series.visible = !series.visible;
+    series.key.setAttribute("aria-pressed", String(series.visible));
+    this.draw();
+  }
+
+  reset() {
+    const visible = this.series.filter((series) => series.visible);
+    const range = (axis, k, padding) => axis.range ?? opened(bounds(visible.map((s) => s[k])), padding);
+    this.window = [range(this.data.x, "x", this.xRange), range(this.data.y, "y", 0.06)];
+    this.all.hidden = true;
+    this.draw();
+  }
+
+  zoom(window) {
+    const wide = window.every(([low, high]) => high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high), 1e-290));
+    if (!wide) return;
+    this.window = window;
+    this.all.hidden = false;
+    this.draw();
+  }
+
+  watch() {
+    let width = 0;
+    new ResizeObserver(() => {
+      const now = this.live.clientWidth;
+      if (now && now !== width) {
+        width = now;
+        this.draw();
+      }
+    }).observe(this.live);
+    this.svg.addEventListener("pointermove", (event) => this.move(event));
+    this.svg.addEventListener("pointerdown", (event) => this.press(event));
+    this.svg.addEventListener("pointerup", (event) => this.release(event));
+    this.svg.addEventListener("pointercancel", () => this.drop());
+    this.svg.addEventListener("dblclick", () => this.reset());
+    this.svg.addEventListener("keydown", (event) => this.type(event));
+    if (this.data.time) clock.listen(this, (time) => this.show(time));
+  }
+
+  get size() {
+    const width = Math.max(this.live.clientWidth, 240);
+    return [width, Math.min(Math.max(0.52 * width, 230), 380)];
+  }
+
+  /** Pixels of a point of the diagram. */
+  pixel(x, y) {
+    const [width, height] = this.size;
+    const [[x0, x1], [y0, y1]] = this.window;
+    const part = [(x - x0) / (x1 - x0), (y - y0) / (y1 - y0)];
+    return [LEFT + part[0] * (width - LEFT - RIGHT), height - BELOW - part[1] * (height - TOP - BELOW)];
+  }
+
+  /** The point of the diagram under some pixels. */
+  point(px, py) {
+    const [width, height] = this.size;
+    const [[x0, x1], [y0, y1]] = this.window;
+    const part = [(px - LEFT) / (width - LEFT - RIGHT), (height - BELOW - py) / (height - TOP - BELOW)];
+    return [x0 + part[0] * (x1 - x0), y0 + part[1] * (y1 - y0)];
+  }
+
+  draw() {
+    const [width, height] = this.size;
+    this.svg.replaceChildren();
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.svg.setAttribute("height", height);
+    this.drawTicks(width, height);
+    const box = { x: LEFT, y: TOP, width: width - LEFT - RIGHT, height: height - TOP - BELOW };
+    const view = `${box.x} ${box.y} ${box.width} ${box.height}`;
+    const inside = draw("svg", { ...box, viewBox: view, style: `width:${box.width}px` }, this.svg);
+    for (const { at } of this.data.marks) {
+      const [x] = this.pixel(at, 0);
+      draw("line", { class: "mark", x1: x, x2: x, y1: TOP, y2: height - BELOW }, inside);
+    }
+    for (const series of this.series) if (series.visible) this.drawCurve(series, inside);
+    this.overlay = draw("g", {}, inside);
+    draw("rect", { class: "frame", ...box }, this.svg);
+    draw("rect", { class: "hit", ...box }, this.svg);
+    if (this.cursor) this.show(this.cursor.x);
+  }
+
+  drawTicks(width, height) {
+    const [xs, ys] = this.window;
+    const [bottom, right] = [height - BELOW, width - RIGHT];
+    for (const [value, text] of ticks(xs, (width - LEFT) / 90, this.data.x.pi)) {
+      const [x] = this.pixel(value, ys[0]);
+      draw("line", { class: "grid", x1: x, x2: x, y1: TOP, y2: bottom }, this.svg);
+      draw("text", { x, y: bottom + 17, "text-anchor": "middle" }, this.svg).textContent = text;
+    }
+    for (const [value, text] of ticks(ys, (height - BELOW) / 50, this.data.y.pi)) {
+      const [, y] = this.pixel(xs[0], value);
+      draw("line", { class: "grid", x1: LEFT, x2: right, y1: y, y2: y }, this.svg);
+      draw("text", { x: LEFT - 6, y: y + 5, "text-anchor": "end" }, this.svg).textContent = text;
+    }
+    const middle = [(LEFT + right) / 2, (TOP + bottom) / 2];
+    drawLabel(this.svg, this.data.x.title, { class: "name", x: middle[0], y: height - 8, "text-anchor": "middle" });
+    const turn = `translate(15 ${middle[1]}) rotate(-90)`;
+    drawLabel(this.svg, this.data.y.title, { class: "name", transform: turn, "text-anchor": "middle" });
+  }
+
+  drawCurve(series, parent) {
+    let path = "";
+    let pen = false;
+    for (let i = 0; i < series.x.length; i += 1) {
+      const [x, y] = this.pixel(series.x[i], series.y[i]);
+      if (Number.isFinite(x) && Number.isFinite(y)) {
+        const [a, b] = [x, y].map((v) => Math.min(Math.max(v, -1e5), 1e5).toFixed(1));
+        path += `${pen ? "L" : "M"}${a} ${b}`;
+        pen = true;
+      } else {
+        pen = false;
+      }
+    }
+    draw("path", { ...this.stroke(series), d: path }, parent);
+  }
+
+  place(event) {
+    const box = this.svg.getBoundingClientRect();
+    const scale = this.size[0] / box.width;
+    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+  }
+
+  move(event) {
+    const at = this.place(event);
+    if (this.start) {
+      this.drawBand(this.start, at);
+    } else {
+      this.hover(at);
+    }
+  }
+
+  press(event) {
+    if (event.button !== 0 || event.pointerType === "touch") return;
+    this.start = this.place(event);
+    this.svg.setPointerCapture(event.pointerId);
+  }
+
+  release(event) {
+    if (!this.start) return;
+    const [a, b] = [this.point(...this.start), this.point(...this.place(event))];
+    const [from, to] = [this.start, this.place(event)];
+    this.drop();
+    const moved = [0, 1].map((k) => Math.abs(to[k] - from[k]) > 9);
+    if (!moved[0] && !moved[1]) return;
+    this.zoom([0, 1].map((k) => (moved[k] ? [Math.min(a[k], b[k]), Math.max(a[k], b[k])] : this.window[k])));
+  }
+
+  drop() {
+    this.start = null;
+    this.band?.remove();
+  }
+
+  drawBand([x0, y0], [x1, y1]) {
+    this.band?.remove();
+    const [width, height] = this.size;
+    const [wide, tall] = [Math.abs(x1 - x0) > 9, Math.abs(y1 - y0) > 9];
+    const [left, right] = wide ? [Math.min(x0, x1), Math.max(x0, x1)] : [LEFT, width - RIGHT];
+    const [top, bottom] = tall ? [Math.min(y0, y1), Math.max(y0, y1)] : [TOP, height - BELOW];
+    const box = { x: left, y: top, width: right - left, height: bottom - top };
+    this.band = draw("rect", { class: "band", ...box }, this.overlay);
+  }
+
+  /** The sample nearest to some pixels: along x where curves run forward. */
+  nearest([px, py]) {
+    let best = null;
+    for (const series of this.series.filter((s) => s.visible))
+      for (let i = 0; i < series.x.length; i += 1) {
+        const [x, y] = this.pixel(series.x[i], series.y[i]);
+        const distance = this.forward ? Math.abs(x - px) : Math.hypot(x - px, y - py);
+        if (Number.isFinite(y) && (!best || distance < best.distance)) best = { series, i, distance };
+      }
+    return best;
+  }
+
+  hover(at) {
+    const best = this.nearest(at);
+    if (!best) return;
+    const x = best.series.x[best.i];
+    if (this.forward) {
+      this.show(x);
+    } else {
+      this.showSample(best);
+    }
+    if (this.data.time) clock.set(x, this);
+  }
+
+  /** The value of a curve at x: a sample, or between two samples. */
+  valueAt(series, x) {
+    const last = series.x.length - 1;
+    let [low, high] = [0, last];
+    if (last < 0 || x < series.x[0] || x > series.x[last]) return null;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (series.x[middle] <= x) low = middle;
+      else high = middle;
+    }
+    const span = series.x[high] - series.x[low];
+    const near = Math.abs(series.x[high] - x) < Math.abs(series.x[low] - x) ? high : low;
+    const tiny = 1e-6 * (series.x[last] - series.x[0]);
+    if (Math.abs(series.x[near] - x) <= tiny) return { value: series.y[near], exact: true };
+    const part = span > 0 ? (x - series.x[low]) / span : 0;
+    return { value: series.y[low] + part * (series.y[high] - series.y[low]), exact: false };
+  }
+
+  /** Puts the cursor at x with the values of all curves. */
+  show(x) {
+    if (!this.forward || x === null) return;
+    this.cursor = { x };
+    this.overlay.replaceChildren();
+    const height = this.size[1];
+    const [px] = this.pixel(x, 0);
+    draw("line", { class: "cursor", x1: px, x2: px, y1: TOP, y2: height - BELOW }, this.overlay);
+    for (const series of this.series) {
+      const found = series.visible ? this.valueAt(series, x) : null;
+      this.showValue(series, found);
+      if (found && Number.isFinite(found.value)) this.dot(series, x, found.value);
+    }
+    this.showAt(x);
+  }
+
+  showSample({ series, i }) {
+    this.overlay.replaceChildren();
+    for (const other of this.series) this.showValue(other, null);
+    this.showValue(series, { value: series.y[i], exact: true });
+    this.dot(series, series.x[i], series.y[i]);
+    this.showAt(series.x[i]);
+  }
+
+  dot(series, x, y) {
+    const [cx, cy] = this.pixel(x, y);
+    draw("circle", { cx, cy, r: 3.5, fill: `var(--c${series.style})` }, this.overlay);
+  }
+
+  showValue(series, found) {
+    const [low, high] = bounds([series.y]);
+    const text = found ? (found.exact ? "" : "≈ ") + inRange(found.value, high - low, found.exact ? 6 : 4) : "";
+    series.value.textContent = text;
+    if (found) {
+      series.value.append("\u00a0");
+      addLabel(series.value, this.data.y.unit);
+    }
+  }
+
+  showAt(x) {
+    const [low, high] = bounds(this.series.map((series) => series.x));
+    this.at.replaceChildren();
+    addLabel(this.at, this.data.x.name);
+    this.at.append(` = ${inRange(x, high - low)}\u00a0`);
+    addLabel(this.at, this.data.x.unit);
+  }
+
+  type(event) {
+    const act = {
+      ArrowLeft: () => this.step(event.shiftKey ? -10 : -1),
+      ArrowRight: () => this.step(event.shiftKey ? 10 : 1),
+      Home: () => this.step(-Infinity),
+      End: () => this.step(Infinity),
+      "+": () => this.magnify(0.5),
+      "-": () => this.magnify(2),
+      Escape: () => this.reset(),
+    }[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  /** Moves the cursor by samples of the first curve that is shown. */
+  step(by) {
+    const series = this.series.find((s) => s.visible && s.x.length);
+    if (!series) return;
+    const at = this.index ?? (this.cursor ? this.nearest(this.pixel(this.cursor.x, 0))?.i ?? 0 : 0);
+    this.index = Math.min(Math.max(at + by, 0), series.x.length - 1);
+    if (this.forward) this.show(series.x[this.index]);
+    else this.showSample({ series, i: this.index });
+    if (this.data.time) clock.set(series.x[this.index], this);
+    this.heard.textContent = `${this.at.textContent}; ` + this.series.filter((s) => s.value.textContent)
+      .map((s) => `${plain(s.label)} ${s.value.textContent}`).join("; ");
+  }
+
+  magnify(factor) {
+    const [[x0, x1], ys] = this.window;
+    const middle = this.cursor?.x ?? (x0 + x1) / 2;
+    if (factor > 1 && this.all.hidden) return;
+    this.zoom([[middle + (x0 - middle) * factor, middle + (x1 - middle) * factor], ys]);
+  }
+}
+
+for (const figure of document.querySelectorAll("figure[data-plot]")) {
+  new Plot(figure, DATA.plots[Number(figure.dataset.plot)]);
+}

@@ -1,0 +1,147 @@
+//! The data of curves for the page's scripts.
+
+use crate::axes::Axis;
+use crate::curves::{Mark, Series};
+use crate::font::Face;
+use crate::report::json::{Grid, list, number, object, string};
+use crate::report::picture::Plot;
+use crate::text::{Label, Level};
+use crate::theme::LineStyle;
+use crate::thin::{simplified, thinned};
+use crate::ticks::Ticking;
+
+/// Steps over the range of the data: values keep six digits of it.
+const STEPS: f64 = 2e6;
+/// Curves of fewer points are kept as they are, so that readers see true values.
+const MANY: usize = 3000;
+/// Curves of more points are judged on a page with this many pixels a side, to one pixel.
+const SIDE: f64 = 1e4;
+/// Columns of that page in which a longer curve keeps its extremes.
+const COLUMNS: f64 = 1000.0;
+
+/// A label as `[[text, face, level], ...]`.
+pub(super) fn label(label: &Label) -> String {
+    list(label.runs.iter().map(|run| {
+        let face = match run.face {
+            Face::Regular => "",
+            Face::Italic => "i",
+            Face::Bold => "b",
+        };
+        let level = match run.level {
+            Level::Base => "",
+            Level::Subscript => "sub",
+            Level::Superscript => "sup",
+        };
+        list([&run.text, face, level].map(string))
+    }))
+}
+
+/// A figure of curves.
+pub(super) fn plot_data(plot: &Plot, description: &str) -> String {
+    let figure = &plot.figure;
+    let series = figure.series.iter().enumerate().map(|(i, series)| series_data(i, series));
+    object([
+        ("title", label(&figure.title)),
+        ("description", string(description)),
+        ("time", plot.over_time.to_string()),
+        ("x", axis(&figure.x)),
+        ("y", axis(&figure.y)),
+        ("series", list(series)),
+        ("marks", list(figure.marks.iter().map(mark))),
+    ])
+}
+
+fn axis(axis: &Axis) -> String {
+    let range = axis.range.map_or("null".to_owned(), |range| list([number(range.low), number(range.high)]));
+    object([
+        ("title", label(&axis.title())),
+        ("name", label(&axis.label)),
+        ("unit", label(&Label::unit(&axis.unit))),
+        ("pi", (axis.ticking == Ticking::Pi).to_string()),
+        ("range", range),
+    ])
+}
+
+pub(super) fn mark(mark: &Mark) -> String {
+    object([("at", number(mark.at)), ("label", label(&mark.label))])
+}
+
+fn series_data(index: usize, series: &Series) -> String {
+    let (style, points) = (LineStyle::of(index), shortened(&series.points));
+    let column = |k: usize| {
+        let values = || points.iter().map(move |p| p[k]);
+        Grid::over(values(), STEPS).encode(values())
+    };
+    object([
+        ("label", label(&series.label)),
+        ("style", (index % crate::theme::PALETTE_SIZE).to_string()),
+        ("dashes", string(style.dashes)),
+        ("x", column(0)),
+        ("y", column(1)),
+    ])
+}
+
+/// A long curve from fewer of its own points.
+fn shortened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    if points.len() <= MANY {
+        return points.to_vec();
+    }
+    let pixels = |k: usize| {
+        let grid = crate::scale::Range::of(points.iter().map(|p| p[k])).unwrap_or_default().opened();
+        move |value: f64| (value - grid.low) / grid.span() * SIDE
+    };
+    let (x, y) = (pixels(0), pixels(1));
+    let forward = points.windows(2).all(|w| w[1][0] >= w[0][0]);
+    let mut kept: Vec<[f64; 2]> = Vec::new();
+    for piece in crate::thin::pieces(points.iter().copied()) {
+        let page: Vec<_> = piece.iter().map(|p| [x(p[0]), y(p[1])]).collect();
+        let short = if forward { thinned(&page, SIDE / COLUMNS) } else { page.clone() };
+        let short = simplified(&short, 1.0);
+        if !kept.is_empty() {
+            kept.push([f64::NAN; 2]);
+        }
+        kept.extend(originals(&page, &piece, &short));
+    }
+    kept
+}
+
+/// The points of `piece` whose places on the page were kept, in order.
+fn originals<'a>(
+    page: &'a [[f64; 2]],
+    piece: &'a [[f64; 2]],
+    kept: &'a [[f64; 2]],
+) -> impl Iterator<Item = [f64; 2]> + 'a {
+    let mut wanted = kept.iter().peekable();
+    page.iter().zip(piece).filter_map(move |(place, point)| {
+        (wanted.peek() == Some(&place)).then(|| {
+            wanted.next();
+            *point
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_curves_keep_true_points_and_their_shape() {
+        let wave = |i: i32| [f64::from(i) / 1e4, (f64::from(i) / 3e3).sin()];
+        let points: Vec<_> = (0..100_000).map(wave).collect();
+        let short = shortened(&points);
+        assert!(short.len() < 4000, "{}", short.len());
+        assert!(short.iter().all(|p| points.contains(p)));
+        let strays = |w: &[[f64; 2]]| {
+            let middle = f64::midpoint(w[0][0], w[1][0]);
+            (f64::midpoint(w[0][1], w[1][1]) - (middle / 0.3).sin()).abs()
+        };
+        assert!(short.windows(2).map(strays).fold(0.0, f64::max) < 4e-4);
+    }
+
+    #[test]
+    fn gaps_stay_gaps() {
+        let gap = |i: i32| [f64::from(i), if i == 2500 { f64::NAN } else { 0.0 }];
+        let short = shortened(&(0..5000).map(gap).collect::<Vec<_>>());
+        assert_eq!(short.iter().filter(|p| p[0].is_nan()).count(), 1);
+    }
+}

@@ -1,0 +1,98 @@
+//! Words, labels and formulas as HTML.
+
+use crate::font::Face;
+use crate::report::math::{Block, Definition, Math};
+use crate::report::mathml;
+use crate::report::prose::{Piece, Text};
+use crate::svg::escape;
+use crate::text::{Label, Level, Run};
+
+/// Running text.
+pub(super) fn text(text: &Text) -> String {
+    text.pieces.iter().map(piece).collect()
+}
+
+fn piece(piece: &Piece) -> String {
+    match piece {
+        Piece::Words(words) => escape(words),
+        Piece::Label(words) => label(words),
+        Piece::Math(formula) => math(formula),
+    }
+}
+
+/// A label with its italics, subscripts and superscripts.
+pub(super) fn label(label: &Label) -> String {
+    label.runs.iter().map(run).collect()
+}
+
+fn run(run: &Run) -> String {
+    let faced = wrapped(
+        escape(&run.text),
+        match run.face {
+            Face::Regular => "",
+            Face::Italic => "i",
+            Face::Bold => "b",
+        },
+    );
+    wrapped(
+        faced,
+        match run.level {
+            Level::Base => "",
+            Level::Subscript => "sub",
+            Level::Superscript => "sup",
+        },
+    )
+}
+
+fn wrapped(content: String, element: &str) -> String {
+    if element.is_empty() { content } else { format!("<{element}>{content}</{element}>") }
+}
+
+/// A formula; its text stands in where the MathML cannot be shown.
+pub(super) fn math(math: &Math) -> String {
+    let spoken = escape(&math.text);
+    if mathml::is_harmless(&math.mathml) {
+        let named = if spoken.is_empty() { String::new() } else { format!(" aria-label=\"{spoken}\"") };
+        return format!("<span class=\"math\" role=\"math\"{named}>{}</span>", math.mathml.trim());
+    }
+    let shown = if math.text.is_empty() { escape(&math.latex) } else { spoken };
+    if shown.is_empty() { shown } else { format!("<span class=\"math plain\">{shown}</span>") }
+}
+
+/// A block of formulas with the meaning of its symbols.
+pub(super) fn block(block: &Block) -> String {
+    let title = tagged("p", "block-title", &text(&block.title));
+    let lines: String = block.lines.iter().map(|line| tagged("div", "line", &math(line))).collect();
+    let definitions: String = block.definitions.iter().map(definition).collect();
+    let definitions = if definitions.is_empty() {
+        definitions
+    } else {
+        format!("<p class=\"where\">where</p>\n<dl class=\"where\">{definitions}</dl>\n")
+    };
+    format!("<div class=\"block\">\n{title}<div class=\"lines\">{lines}</div>\n{definitions}</div>\n")
+}
+
+fn definition(definition: &Definition) -> String {
+    let (symbol, meaning) = (math(&definition.symbol), text(&definition.meaning));
+    format!("<div><dt>{symbol}</dt><dd>{meaning}</dd></div>\n")
+}
+
+/// Content in an element of a class; nothing for no content.
+pub(super) fn tagged(element: &str, class: &str, content: &str) -> String {
+    match (content, class) {
+        ("", _) => String::new(),
+        (_, "") => format!("<{element}>{content}</{element}>\n"),
+        _ => format!("<{element} class=\"{class}\">{content}</{element}>\n"),
+    }
+}
+
+/// Paragraphs.
+pub(super) fn paragraphs(texts: &[Text]) -> String {
+    texts.iter().map(|p| tagged("p", "", &text(p))).collect()
+}
+
+/// A list; nothing for no items.
+pub(super) fn list(items: &[Text]) -> String {
+    let items: String = items.iter().map(|item| tagged("li", "", &text(item))).collect();
+    tagged("ul", "", &items)
+}

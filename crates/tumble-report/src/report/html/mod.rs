@@ -1,0 +1,13 @@
+//! The report as one page of HTML.
+
+mod data;
+mod figures;
+mod inline;
+mod motion;
+mod page;
+mod sections;
+mod tables;
+#[cfg(test)]
+mod tests;
+
+pub(super) use page::page;

@@ -1,0 +1,195 @@
+//! The data of a motion for the page's scripts, and the picture that stands for it without them.
+
+use super::data::{label, mark};
+use crate::free_body::{NamedPoint, Surface};
+use crate::numeral::significant;
+use crate::outline::{Outline, Pose};
+use crate::report::animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
+use crate::report::json::{Grid, list, number, object, string};
+use crate::stroboscope::Stroboscope;
+use crate::svg::Svg;
+use crate::track::Track;
+
+/// Steps over the range of places and of forces: finer than a screen shows.
+const STEPS: f64 = 1e4;
+/// Steps over the duration, so that instants agree with those of curves.
+const TIME_STEPS: f64 = 1e6;
+/// Frames of one case, at most and at least, and numbers of all cases together: about a megabyte.
+const MOST_FRAMES: usize = 1500;
+const LEAST_FRAMES: usize = 120;
+const MOST_NUMBERS: usize = 300_000;
+/// Instants in the picture that stands for the motion.
+const INSTANTS: usize = 13;
+
+/// The first case as a stroboscopic picture, described in words.
+pub(super) fn still(animation: &Animation) -> Svg {
+    let motion = animation.cases.first();
+    let tracks = motion.map(|motion| motion.bodies.iter().map(|b| track(motion, b)).collect());
+    let surfaces = motion.map(|motion| motion.surfaces.clone()).unwrap_or_default();
+    let picture = Stroboscope { tracks: tracks.unwrap_or_default(), surfaces, ..Stroboscope::default() };
+    let mut svg = picture.svg().described(description(animation));
+    let title = animation.title.to_plain();
+    svg.title = if title.is_empty() { "Motion".to_owned() } else { title };
+    svg
+}
+
+fn track(motion: &Motion, body: &MovingBody) -> Track {
+    let timed = motion.times.iter().zip(&body.poses).map(|(t, pose)| Pose { t: *t, ..*pose });
+    let poses: Vec<Pose> = timed.collect();
+    let (from, to) =
+        (motion.times.first().copied().unwrap_or(0.0), motion.times.last().copied().unwrap_or(0.0));
+    let instant = |i: usize| from + (to - from) * i as f64 / (INSTANTS - 1) as f64;
+    let nearest =
+        |i: usize| poses.iter().min_by(|a, b| (a.t - instant(i)).abs().total_cmp(&(b.t - instant(i)).abs()));
+    Track {
+        label: body.name.clone(),
+        shapes: body.outlines.clone(),
+        poses: (0..INSTANTS).filter_map(nearest).copied().collect(),
+        trace: poses.iter().map(Pose::centre).collect(),
+    }
+}
+
+fn description(animation: &Animation) -> String {
+    if !animation.description.is_empty() {
+        return animation.description.clone();
+    }
+    let words = animation.cases.iter().take(1).flat_map(|motion| motion.bodies.iter().filter_map(ends));
+    words.collect::<Vec<_>>().join(" ")
+}
+
+fn ends(body: &MovingBody) -> Option<String> {
+    let place = |pose: &Pose| {
+        let [x, y, degrees] = [pose.x, pose.y, pose.angle.to_degrees()].map(|v| significant(v, 3).to_plain());
+        format!("({x}, {y}) m at {degrees} degrees")
+    };
+    let (first, last) = (body.poses.first()?, body.poses.last()?);
+    let name = if body.name.is_empty() { "The body".to_owned() } else { body.name.to_plain() };
+    Some(format!("{name} moves from {} to {}.", place(first), place(last)))
+}
+
+/// All cases of a motion.
+pub(super) fn motion_data(animation: &Animation, description: &str) -> String {
+    let frames = |motion: &Motion| frames(motion, animation.cases.len());
+    object([
+        ("title", label(&animation.title)),
+        ("description", string(description)),
+        ("speed", number(animation.speed)),
+        ("cases", list(animation.cases.iter().map(|motion| case(motion, &frames(motion))))),
+    ])
+}
+
+/// The frames that are kept: evenly spread in time, with both neighbours of every event.
+fn frames(motion: &Motion, cases: usize) -> Vec<usize> {
+    let numbers = 1 + 3 * motion.bodies.len() + 4 * (motion.links.len() + motion.forces.len());
+    let most = (MOST_NUMBERS / (numbers * cases.max(1))).clamp(LEAST_FRAMES, MOST_FRAMES);
+    let count = motion.times.len();
+    if count <= most {
+        return (0..count).collect();
+    }
+    let (from, to) = (motion.times[0], motion.times[count - 1]);
+    let at = |t: f64| motion.times.partition_point(|other| *other < t).min(count - 1);
+    let even = (0..most).map(|i| at(from + (to - from) * i as f64 / (most - 1) as f64));
+    let events = motion.events.iter().take(most).map(|event| at(event.at));
+    let mut kept: Vec<usize> = even.chain(events.flat_map(|i| [i.saturating_sub(1), i])).collect();
+    kept.push(count - 1);
+    kept.sort_unstable();
+    kept.dedup();
+    kept
+}
+
+fn case(motion: &Motion, frames: &[usize]) -> String {
+    let times = || frames.iter().map(|i| motion.times[*i]);
+    object([
+        ("name", label(&motion.name)),
+        ("times", Grid::over(times(), TIME_STEPS).encode(times())),
+        ("bodies", list(motion.bodies.iter().map(|b| body(b, frames)))),
+        ("links", list(motion.links.iter().map(|l| link(l, frames)))),
+        ("forces", list(motion.forces.iter().map(|f| force(f, frames)))),
+        ("surfaces", list(motion.surfaces.iter().filter(|s| s.is_drawable()).map(surface))),
+        ("points", list(motion.points.iter().map(point))),
+        ("events", list(motion.events.iter().map(mark))),
+        ("box", motion.extent().map_or("null".to_owned(), |bounds| list(bounds.map(number)))),
+    ])
+}
+
+/// The values at the kept frames; the last one stays where there are too few.
+fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> String {
+    let values: Vec<f64> = frames.iter().filter_map(|i| values.get(*i).or(values.last()).map(&of)).collect();
+    Grid::over(values.iter().copied(), STEPS).encode(values.iter().copied())
+}
+
+fn body(body: &MovingBody, frames: &[usize]) -> String {
+    object([
+        ("name", label(&body.name)),
+        ("trail", body.trail.to_string()),
+        ("outlines", list(body.outlines.iter().map(outline))),
+        ("x", at_frames(&body.poses, frames, |pose| pose.x)),
+        ("y", at_frames(&body.poses, frames, |pose| pose.y)),
+        ("angle", at_frames(&body.poses, frames, |pose| pose.angle)),
+    ])
+}
+
+fn outline(outline: &Outline) -> String {
+    let (name, numbers) = match outline {
+        Outline::Segment { from, to } => ("rod", vec![from[0], from[1], to[0], to[1]]),
+        Outline::Circle { centre, radius } => ("circle", vec![centre[0], centre[1], *radius]),
+        Outline::Polygon(corners) => ("polygon", corners.iter().flatten().copied().collect()),
+        Outline::Point(at) => ("point", at.to_vec()),
+    };
+    list(std::iter::once(string(name)).chain(numbers.into_iter().map(number)))
+}
+
+fn link(link: &MovingLink, frames: &[usize]) -> String {
+    let kind = match link.kind {
+        LinkKind::Spring => "spring",
+        LinkKind::Damper => "damper",
+        LinkKind::Thread => "thread",
+    };
+    let column = |end: usize, k: usize| at_frames(&link.ends, frames, |ends| ends[end][k]);
+    let ends = list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)]);
+    object([("name", label(&link.name)), ("kind", string(kind)), ("ends", ends)])
+}
+
+fn force(force: &MovingForce, frames: &[usize]) -> String {
+    let column = |part: usize, k: usize| at_frames(&force.samples, frames, |sample| sample[part][k]);
+    let style = force.kind.style();
+    object([
+        ("kind", string(force.kind.name())),
+        ("dashes", string(style.dashes)),
+        ("thickness", number(style.thickness)),
+        ("symbol", label(&force.symbol)),
+        ("samples", list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)])),
+    ])
+}
+
+fn surface(surface: &Surface) -> String {
+    let numbers = surface.point.into_iter().chain(surface.normal).map(number);
+    object([("at", list(numbers)), ("name", label(&surface.name))])
+}
+
+fn point(point: &NamedPoint) -> String {
+    object([("at", list(point.at.map(number))), ("name", label(&point.name))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curves::Mark;
+
+    #[test]
+    fn long_motions_keep_their_ends_and_events() {
+        let times: Vec<f64> = (0..100_000).map(|i| f64::from(i) * 1e-4).collect();
+        let events = vec![Mark { at: 3.333_35, ..Mark::default() }];
+        let motion = Motion { times, events, ..Motion::default() };
+        let kept = frames(&motion, 2);
+        assert!(kept.len() <= MOST_FRAMES + 3);
+        assert!(kept.contains(&0) && kept.contains(&99_999));
+        assert!(kept.contains(&33_333) && kept.contains(&33_334));
+    }
+
+    #[test]
+    fn poses_that_lack_at_the_end_stay() {
+        let shown = at_frames(&[1.0, 2.0], &[0, 1, 2], |v| *v);
+        assert!(shown.ends_with("[0,10000,0]]"), "{shown}");
+    }
+}

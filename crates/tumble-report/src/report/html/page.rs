@@ -1,0 +1,98 @@
+//! The frame of the page: head, title, contents, sections, data, scripts.
+
+use super::inline::{paragraphs, tagged};
+use crate::report::{Report, font_css, json};
+use crate::svg::escape;
+
+const STYLE: &str = include_str!("../assets/report.css");
+
+/// Scripts in the order in which they run.
+const SCRIPTS: [&str; 5] = [
+    include_str!("../assets/common.js"),
+    include_str!("../assets/plots.js"),
+    include_str!("../assets/arrows.js"),
+    include_str!("../assets/motion.js"),
+    include_str!("../assets/folds.js"),
+];
+
+/// Names of the four moves with their anchors.
+const MOVES: [(&str, &str); 4] =
+    [("identify", "Identify"), ("model", "Model"), ("solve", "Solve"), ("analyze", "Analyze")];
+
+/// What gathers while the page is written.
+#[derive(Debug, Default)]
+pub(super) struct Page {
+    /// Figures so far: their numbers and anchors.
+    pub(super) figures: usize,
+    /// Data of curves, as JSON.
+    pub(super) plots: Vec<String>,
+    /// Data of the animation, as JSON.
+    pub(super) motions: Vec<String>,
+}
+
+/// The page.
+pub(crate) fn page(report: &Report) -> String {
+    let mut page = Page::default();
+    let sections = [
+        page.identify(&report.identify),
+        page.model(&report.model),
+        page.solve(&report.solve),
+        page.analyze(&report.analyze),
+    ];
+    let sections: String =
+        MOVES.iter().zip(&sections).enumerate().map(|(i, (m, s))| section(i + 1, m, s)).collect();
+    let (head, header) = (head(report), header(report));
+    let (data, scripts) = (page.data(), SCRIPTS.concat());
+    let language = if report.language.is_empty() {
+        String::new()
+    } else {
+        format!(" lang=\"{}\"", escape(&report.language))
+    };
+    format!(
+        "<!doctype html>\n<html{language}>\n{head}<body>\n{header}<main>\n{sections}</main>\n{}\
+         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n</body>\n</html>\n",
+        footer(&report.meta)
+    )
+}
+
+impl Page {
+    fn data(&self) -> String {
+        let (plots, motions) = (json::list(self.plots.clone()), json::list(self.motions.clone()));
+        json::object([("plots", plots), ("motions", motions)])
+    }
+}
+
+fn head(report: &Report) -> String {
+    let font = report.math_font_css.as_deref().and_then(font_css::harmless).unwrap_or_default();
+    format!(
+        "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{}</title>\n<style>\n{STYLE}{font}\n</style>\n</head>\n",
+        escape(&report.title)
+    )
+}
+
+fn header(report: &Report) -> String {
+    let links: String =
+        MOVES.iter().map(|(id, name)| format!("<li><a href=\"#{id}\">{name}</a></li>")).collect();
+    format!(
+        "<header>\n<h1>{}</h1>\n{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
+        escape(&report.title),
+        paragraphs(&report.intro)
+    )
+}
+
+fn section(number: usize, (id, name): &(&str, &str), content: &str) -> String {
+    let content = if content.is_empty() { "<p class=\"note\">Nothing is said here.</p>\n" } else { content };
+    format!(
+        "<section id=\"{id}\" aria-labelledby=\"{id}-heading\">\n<h2 id=\"{id}-heading\">\
+         <span class=\"move\">{number}</span> {name}</h2>\n{content}</section>\n"
+    )
+}
+
+fn footer(meta: &[(String, String)]) -> String {
+    let row = |(name, value): &(String, String)| {
+        format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
+    };
+    let rows = tagged("dl", "facts", &meta.iter().map(row).collect::<String>());
+    tagged("footer", "", &rows)
+}

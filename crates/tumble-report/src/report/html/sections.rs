@@ -1,0 +1,135 @@
+//! The sections of the page, in order.
+
+use super::inline::{block, label, paragraphs, tagged, text};
+use super::page::Page;
+use super::tables::{bodies, checks, facts, forces, quantities, table, titled_list};
+use crate::report::analyze::{Analyze, Books, Case, Check};
+use crate::report::identify::Identify;
+use crate::report::math::Block;
+use crate::report::model::{BodyModel, Mode, Model};
+use crate::report::solve::{Phase, Solve};
+use crate::report::table::Table;
+
+impl Page {
+    /// What is given and what is sought.
+    pub(super) fn identify(&mut self, identify: &Identify) -> String {
+        let scene = identify.scene.as_ref().map(|picture| self.picture(picture)).unwrap_or_default();
+        [
+            paragraphs(&identify.intro),
+            scene,
+            bodies(&identify.bodies),
+            quantities("Parameters", &identify.parameters),
+            quantities("At the start", &identify.initial),
+            titled_list("Sought", &identify.sought),
+        ]
+        .concat()
+    }
+
+    /// Forces, laws, equations.
+    pub(super) fn model(&mut self, model: &Model) -> String {
+        let bodies: String = model.bodies.iter().map(|body| self.body_model(body)).collect();
+        let heading = if model.modes.is_empty() { "" } else { "<h3>Equations of motion</h3>\n" };
+        let modes: String = model.modes.iter().map(mode).collect();
+        let assumptions = titled_list("Assumptions", &model.assumptions);
+        [paragraphs(&model.intro), assumptions, bodies, heading.to_owned(), modes].concat()
+    }
+
+    fn body_model(&mut self, body: &BodyModel) -> String {
+        let diagrams: String = body.diagrams.iter().map(|picture| self.picture(picture)).collect();
+        let forces = forces(&body.forces);
+        format!("{}{diagrams}{forces}{}", tagged("h3", "", &text(&body.name)), blocks(&body.laws))
+    }
+
+    /// The solution.
+    pub(super) fn solve(&mut self, solve: &Solve) -> String {
+        let phases: String = solve.phases.iter().map(phase).collect();
+        [paragraphs(&solve.intro), phases, facts(&solve.method), tables(&solve.tables)].concat()
+    }
+
+    /// What the solution says.
+    pub(super) fn analyze(&mut self, analyze: &Analyze) -> String {
+        let animation = analyze.animation.as_ref().map(|a| self.animation(a)).unwrap_or_default();
+        let plots = self.plots(&analyze.plots);
+        let pictures = self.pictures(&analyze.pictures);
+        let comparison = analyze.comparison.as_ref().map(table).unwrap_or_default();
+        let cases = self.cases(&analyze.cases);
+        [
+            paragraphs(&analyze.intro),
+            titled_list("Findings", &analyze.findings),
+            animation,
+            plots,
+            pictures,
+            comparison,
+            cases,
+            titled_checks(&analyze.checks),
+        ]
+        .concat()
+    }
+
+    /// Cases as panels; scripts turn them into tabs.
+    fn cases(&mut self, cases: &[Case]) -> String {
+        match cases {
+            [] => String::new(),
+            [only] => self.case(only, 3),
+            _ => {
+                let panels: String = cases.iter().enumerate().map(|(i, case)| self.panel(i, case)).collect();
+                format!("<h3>The cases one by one</h3>\n<div class=\"cases\">\n{panels}</div>\n")
+            }
+        }
+    }
+
+    fn panel(&mut self, index: usize, case: &Case) -> String {
+        let (number, content) = (index + 1, self.case(case, 5));
+        let name = if case.name.is_empty() { format!("Case {number}") } else { label(&case.name) };
+        format!(
+            "<section class=\"case\" id=\"case-{number}\" aria-labelledby=\"case-{number}-name\">\n\
+             <h4 id=\"case-{number}-name\">{name}</h4>\n{content}</section>\n"
+        )
+    }
+
+    /// What belongs to a case, with headings of the given level.
+    fn case(&mut self, case: &Case, level: u8) -> String {
+        let plots = self.plots(&case.plots);
+        let pictures = self.pictures(&case.pictures);
+        let books = case.books.as_ref().map(|books| self.books(books, level)).unwrap_or_default();
+        [paragraphs(&case.intro), plots, pictures, books, tables(&case.tables), titled_checks(&case.checks)]
+            .concat()
+    }
+
+    fn books(&mut self, books: &Books, level: u8) -> String {
+        let plots = self.plots(&books.plots);
+        let heading = format!("<h{level}>Energy and the books</h{level}>\n");
+        [heading, paragraphs(&books.intro), tables(&books.tables), plots].concat()
+    }
+}
+
+fn mode(mode: &Mode) -> String {
+    let name = tagged("h4", "", &text(&mode.name));
+    format!("{name}{}{}", tagged("p", "", &text(&mode.holds)), blocks(&mode.equations))
+}
+
+fn phase(phase: &Phase) -> String {
+    let (name, span) = (tagged("h3", "", &text(&phase.name)), tagged("p", "", &text(&phase.span)));
+    let numbers = blocks(&phase.numbers);
+    let numbers = if numbers.is_empty() { numbers } else { format!("<p>With numbers:</p>\n{numbers}") };
+    format!("{name}{span}{}{numbers}", blocks(&phase.symbols))
+}
+
+fn blocks(blocks: &[Block]) -> String {
+    blocks.iter().map(block).collect()
+}
+
+fn tables(tables: &[Table]) -> String {
+    tables.iter().map(table).collect()
+}
+
+/// Checks; those that failed are counted in words as well.
+fn titled_checks(all: &[Check]) -> String {
+    let failed = all.iter().filter(|check| !check.passed).count();
+    let summary = if failed == 0 {
+        String::new()
+    } else {
+        format!("<p class=\"failed\">{failed} of {} checks failed.</p>\n", all.len())
+    };
+    summary + &checks(all)
+}

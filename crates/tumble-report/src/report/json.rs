@@ -1,0 +1,95 @@
+//! A small writer of JSON that may stand in a script element of a page.
+
+use std::fmt::Write;
+
+/// A text in quotes. What could end a script element or a line of a script is escaped.
+pub(super) fn string(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '<' | '>' | '&' | '\'' | '\u{2028}' | '\u{2029}' | '\u{7f}'..='\u{9f}' | '\0'..='\u{1f}' => {
+                // Writing to a string cannot fail.
+                write!(out, "\\u{:04x}", u32::from(c)).unwrap_or_default();
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// A number; what is none becomes `null`.
+pub(super) fn number(value: f64) -> String {
+    if value.is_finite() { format!("{value}") } else { "null".to_owned() }
+}
+
+/// A list of finished values.
+pub(super) fn list(values: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", values.into_iter().collect::<Vec<_>>().join(","))
+}
+
+/// Finished values by name.
+pub(super) fn object<const N: usize>(fields: [(&str, String); N]) -> String {
+    let fields = fields.map(|(name, value)| format!("{}:{value}", string(name)));
+    format!("{{{}}}", fields.join(","))
+}
+
+/// Numbers as multiples of a step from an origin, each as its difference to
+/// the last one: short for smooth data. `null` is a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grid {
+    origin: f64,
+    step: f64,
+}
+
+impl Grid {
+    /// A grid of `steps` steps over the finite values.
+    pub(super) fn over(values: impl IntoIterator<Item = f64>, steps: f64) -> Self {
+        let range = crate::scale::Range::of(values).unwrap_or_default();
+        // One step of a constant is never used; it must only not be zero.
+        let step = if range.span() > 0.0 { range.span() / steps } else { 1.0 };
+        Self { origin: range.low, step }
+    }
+
+    /// `[origin, step, [differences]]`.
+    pub(super) fn encode(&self, values: impl IntoIterator<Item = f64>) -> String {
+        let mut last = 0i64;
+        let differences = values.into_iter().map(|value| {
+            let n = (value - self.origin) / self.step;
+            // Beyond this the difference of two numbers is no longer exact.
+            if n.is_nan() || n.abs() > 1e15 {
+                return "null".to_owned();
+            }
+            let n = n.round() as i64;
+            (n - std::mem::replace(&mut last, n)).to_string()
+        });
+        let differences = list(differences);
+        list([number(self.origin), number(self.step), differences])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_cannot_leave_a_script() {
+        let shown = string("</script><!-- \u{2028}\u{2029}\"\\\n\0");
+        assert_eq!(shown, r#""\u003c/script\u003e\u003c!-- \u2028\u2029\"\\\u000a\u0000""#);
+    }
+
+    #[test]
+    fn numbers_are_json() {
+        assert_eq!([0.5, -3.0, f64::NAN, 1e21].map(number), ["0.5", "-3", "null", "1000000000000000000000"]);
+    }
+
+    #[test]
+    fn grids_keep_what_they_promise() {
+        let values = [0.0, 0.25, f64::NAN, 1.0, 0.5];
+        assert_eq!(Grid::over(values, 100.0).encode(values), "[0,0.01,[0,25,null,75,-50]]");
+        assert_eq!(Grid::over([7.0, 7.0], 100.0).encode([7.0, 7.0]), "[7,1,[0,0]]");
+        assert_eq!(Grid::over([], 100.0).encode([]), "[0,0.01,[]]");
+    }
+}

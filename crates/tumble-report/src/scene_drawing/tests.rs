@@ -1,0 +1,75 @@
+use super::*;
+use crate::text::Label;
+
+fn scene() -> SceneDrawing {
+    let rod = Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] };
+    let body = SceneBody {
+        name: Label::plain("rod"),
+        pose: Pose { t: 0.0, x: 0.3, y: 2.0, angle: 0.6 },
+        outlines: vec![rod],
+        velocity: Some(([2.0, 0.0], Label::equation("v0", "2", "m/s"))),
+        rate: Some((-2.0, Label::equation("omega0", "-2", "rad/s"))),
+    };
+    SceneDrawing {
+        title: Label::plain("Start"),
+        bodies: vec![body],
+        surfaces: vec![Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor"))],
+        pivots: vec![NamedPoint { name: Label::symbol("A"), at: [-1.0, 2.5] }],
+        points: vec![NamedPoint { name: Label::symbol("P"), at: [0.7, 2.3] }],
+        links: vec![SceneLink {
+            name: Label::plain("spring"),
+            kind: LinkKind::Spring,
+            ends: [[-1.0, 2.5], [-0.1, 1.7]],
+        }],
+        angles: vec![AngleMark::horizontal(Label::symbol("theta"), 0.6)],
+        gravity: Some(([0.0, -9.81], Label::symbol("g"))),
+        wind: Some(([3.0, 0.0], Label::symbol("w"))),
+    }
+}
+
+#[test]
+fn everything_is_drawn_and_said() {
+    let svg = scene().svg();
+    let drawn = svg.to_string();
+    for word in ["rod", "floor", "spring", "−2\u{a0}rad/s"] {
+        assert!(drawn.contains(word), "{word}");
+    }
+    let said = "Surface floor through (0, 0) m, its normal (0, 1). Spring spring from (−1, 2.5) m";
+    assert!(svg.description.contains(said), "{}", svg.description);
+    assert_eq!(drawn, scene().svg().to_string());
+}
+
+#[test]
+fn labels_do_not_cover_each_other() {
+    let layout = Layout::new(scene());
+    let labels = layout.labels();
+    assert_eq!(labels.len(), 8, "names of body, floor, pivot, point, spring, and three symbols");
+    for (i, a) in labels.iter().enumerate() {
+        assert!(layout.axes.area.encloses(&a.place), "{:?}", a.label);
+        assert!(labels[..i].iter().all(|b| a.place.overlap(&b.place) == 0.0), "{:?}", a.label);
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_left_out() {
+    let mut scene = scene();
+    scene.bodies[0].pose.x = f64::NAN;
+    scene.surfaces[0].normal = [0.0, 0.0];
+    scene.links[0].ends[0][0] = f64::INFINITY;
+    scene.gravity = Some(([f64::NAN, 0.0], Label::symbol("g")));
+    let drawn = scene.svg().to_string();
+    assert!(!drawn.contains("NaN") && !drawn.contains("inf\""));
+    assert!(SceneDrawing::default().svg().to_string().contains("no data"));
+}
+
+#[test]
+fn markup_in_names_is_shown() {
+    let mut scene = scene();
+    let hostile = Label::plain("</svg><script>");
+    scene.title = hostile.clone();
+    scene.bodies[0].name = hostile.clone();
+    scene.surfaces[0].name = hostile.clone();
+    scene.pivots[0].name = hostile.clone();
+    scene.gravity = Some(([0.0, -1.0], hostile));
+    assert!(!scene.svg().to_string().contains("<script"));
+}

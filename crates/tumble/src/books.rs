@@ -1,0 +1,136 @@
+//! The books of a run as numbers: energies along it, what every load did, and what is left unexplained.
+
+use serde::Serialize;
+use tumble_mech::{Balance as LedgerBalance, BodyBalance, Entry as LedgerEntry, Ledger};
+use tumble_ode::Side;
+
+use crate::case::Case;
+use crate::output::{Folder, OutputError};
+use crate::pipeline::PipelineError;
+use crate::tables::number;
+
+/// Rows of `books.csv`, beside both sides of each event.
+const ROWS: usize = 500;
+/// Angular momentum is about the world's origin.
+const ABOUT: [f64; 2] = [0.0; 2];
+
+/// Energy, momentum and what changed them, of one run.
+#[derive(Clone, Debug)]
+pub struct Books {
+    /// Names of the columns of [`Books::rows`]: time (s), energies and works (J).
+    pub columns: Vec<String>,
+    /// The energies along the run.
+    pub rows: Vec<Vec<f64>>,
+    /// What every load did, each with a name that no other has.
+    pub entries: Vec<(String, LedgerEntry)>,
+    /// Kinetic and potential energy of all bodies, J.
+    pub energy: LedgerBalance,
+    /// Momentum (N s) and angular momentum about the origin (N m s) of all bodies.
+    pub total: BodyBalance,
+    /// The largest of all residuals, relative to what it is a residual of.
+    pub relative: f64,
+}
+
+impl Books {
+    /// The books of a run; `None` where nothing moved.
+    pub(crate) fn of(case: &Case) -> Result<Option<Self>, PipelineError> {
+        let run = &case.run;
+        if run.trajectory.pieces.is_empty() {
+            return Ok(None);
+        }
+        let mut ledger = Ledger::of(run, ABOUT)?;
+        let mut rows = vec![];
+        for (time, side) in times(run) {
+            rows.extend(ledger.row(time, side)?);
+        }
+        let entries = ledger.entries.iter().enumerate();
+        Ok(Some(Self {
+            columns: ledger.columns(),
+            rows,
+            entries: entries.map(|(index, entry)| (ledger.name_of(index), entry.clone())).collect(),
+            energy: ledger.energy.clone(),
+            total: ledger.total.clone(),
+            relative: ledger.relative(),
+        }))
+    }
+
+    /// Writes `books.csv` beside the other tables of the run.
+    pub(crate) fn write(&self, case: &Case, folder: &Folder) -> Result<(), OutputError> {
+        let mut table = csv::Writer::from_path(folder.path(&format!("{}/books.csv", case.folder()))?)?;
+        let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
+        table.write_record(self.columns.iter().map(units))?;
+        for row in &self.rows {
+            table.write_record(row.iter().map(|value| number(*value)))?;
+        }
+        table.flush().map_err(csv::Error::from)?;
+        Ok(())
+    }
+}
+
+/// Equal steps, and both sides of each event.
+fn times(run: &tumble_mech::Run) -> Vec<(f64, Side)> {
+    let end = run.trajectory.end().unwrap_or(0.0);
+    let steps = (0..=ROWS).map(|row| (end * row as f64 / ROWS as f64, Side::After));
+    let events = run.trajectory.events.iter();
+    let sides = events.flat_map(|event| [(event.time, Side::Before), (event.time, Side::After)]);
+    let mut times: Vec<(f64, Side)> = steps.chain(sides).collect();
+    let order = |side: Side| u8::from(side == Side::After);
+    times.sort_by(|a, b| a.0.total_cmp(&b.0).then(order(a.1).cmp(&order(b.1))));
+    times.dedup();
+    times
+}
+
+/// The books in `summary.json`.
+#[derive(Serialize)]
+pub(crate) struct Summary {
+    energy: BalanceSummary,
+    momentum: [BalanceSummary; 2],
+    angular_momentum: BalanceSummary,
+    largest_relative_residual: f64,
+    entries: Vec<EntrySummary>,
+}
+
+#[derive(Serialize)]
+struct BalanceSummary {
+    start: f64,
+    end: f64,
+    accounted: f64,
+    residual: f64,
+}
+
+#[derive(Serialize)]
+struct EntrySummary {
+    name: String,
+    kind: String,
+    counts_as_work: bool,
+    work: f64,
+    impulse: [f64; 2],
+    angular_impulse: f64,
+}
+
+impl Summary {
+    pub(crate) fn of(books: &Books) -> Self {
+        let balance = |balance: &LedgerBalance| BalanceSummary {
+            start: balance.start,
+            end: balance.end,
+            accounted: balance.change,
+            residual: balance.residual,
+        };
+        let entry = |(name, entry): &(String, LedgerEntry)| EntrySummary {
+            name: name.clone(),
+            kind: format!("{:?}", entry.kind).to_lowercase(),
+            counts_as_work: entry.counts(),
+            work: entry.work,
+            impulse: entry.impulse,
+            angular_impulse: entry.angular_impulse,
+        };
+        let [x, y] = &books.total.momentum;
+        Self {
+            energy: balance(&books.energy),
+            momentum: [balance(x), balance(y)],
+            angular_momentum: balance(&books.total.angular_momentum),
+            largest_relative_residual: books.relative,
+            entries: books.entries.iter().map(entry).collect(),
+        }
+    }
+}

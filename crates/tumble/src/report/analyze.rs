@@ -1,0 +1,106 @@
+//! What the motion says: curves, pictures, books, checks, and what was found.
+
+use tumble_report::report::{Analyze, Case as CaseShown, Check, Column, Picture, Plot, Table, Text};
+use tumble_scene::Study;
+
+use super::names::{Names, quantity};
+use super::{animation, books, findings};
+use crate::case::Case;
+use crate::checks::CheckResult;
+use crate::figures;
+use crate::pipeline::PipelineError;
+
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Analyze, PipelineError> {
+    Ok(Analyze {
+        intro: vec![],
+        animation: Some(animation::of(study, names, cases)?),
+        plots: plots(study, cases)?,
+        pictures: pictures(study, cases)?,
+        comparison: comparison(study, names, cases)?,
+        cases: cases.iter().map(|case| one(study, case)).collect::<Result<_, _>>()?,
+        checks: vec![],
+        findings: findings::of(study, names, cases)?,
+    })
+}
+
+fn plots(study: &Study, cases: &[Case]) -> Result<Vec<Plot>, PipelineError> {
+    let plot = |plot: &tumble_scene::Plot| {
+        let figure = figures::curves(study, cases, plot)?;
+        let shown = match plot.x {
+            None => Plot::over_time(figure, Text::default()),
+            Some(_) => Plot::new(figure, Text::default()),
+        };
+        Ok(shown.stored(format!("{}.svg", plot.name)))
+    };
+    study.plots.iter().map(plot).collect()
+}
+
+fn pictures(study: &Study, cases: &[Case]) -> Result<Vec<Picture>, PipelineError> {
+    let picture = |asked: &tumble_scene::Stroboscope| {
+        let svg = figures::picture(study, cases, asked)?.svg();
+        Ok(Picture::new(svg, Text::default()).stored(format!("{}.svg", asked.name)))
+    };
+    study.stroboscopes.iter().map(picture).collect()
+}
+
+/// The runs of a sweep side by side.
+fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Table>, PipelineError> {
+    if cases.len() < 2 {
+        return Ok(None);
+    }
+    let curves: Vec<_> = study.plots.iter().filter(|plot| plot.x.is_none()).flat_map(|plot| &plot.y).collect();
+    let mut columns = vec![Column::words("Run"), Column::numbers("Events")];
+    for curve in &curves {
+        let unit = &curve.quantity.unit;
+        let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
+        let head = |what: &str| Text::from(format!("{what} ")).and(names.label(&curve.text)).and(unit.clone());
+        columns.extend([Column::numbers(head("least")), Column::numbers(head("greatest")), Column::numbers(head("last"))]);
+    }
+    let mut table = Table::new("The runs side by side", columns);
+    for case in cases {
+        let formulas: Vec<_> = curves.iter().map(|curve| curve.quantity.formula.clone()).collect();
+        let rows = crate::tables::sample(&study.with(&case.parameters), &case.run, &formulas)?;
+        let mut cells = vec![
+            Text::from(figures::case_label(case)),
+            case.run.trajectory.events.len().to_string().into(),
+        ];
+        for index in 0..curves.len() {
+            let values = || rows.iter().map(|row| row.values[index]);
+            let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+            cells.extend([least, most, values().last().unwrap_or(f64::NAN)].map(|value| quantity(value, "")));
+        }
+        table.rows.push(cells);
+    }
+    Ok(Some(table))
+}
+
+fn one(study: &Study, case: &Case) -> Result<CaseShown, PipelineError> {
+    let stopped = case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
+    let units = study.checks.iter().map(|check| check.that.quantity.unit.as_str());
+    Ok(CaseShown {
+        name: figures::case_label(case),
+        intro: stopped.into_iter().collect(),
+        books: books::of(case),
+        checks: case.checks.iter().zip(units).map(|(check, unit)| shown(check, unit)).collect(),
+        ..CaseShown::default()
+    })
+}
+
+fn shown(check: &CheckResult, unit: &str) -> Check {
+    let what = Text::from(format!("{}: {}", check.name, check.that));
+    let at = if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
+    Check {
+        what: what.and(at),
+        expected: precise(check.expected, unit),
+        found: precise(check.found, unit),
+        within: precise(check.within, unit),
+        passed: check.holds,
+    }
+}
+
+/// Every digit: what was compared.
+fn precise(value: f64, unit: &str) -> Text {
+    let number = if value.is_finite() { format!("{value:?}") } else { "–".to_owned() };
+    let number = Text::from(number.replace('-', "−"));
+    if unit.is_empty() { number } else { number.and("\u{a0}").and(tumble_report::Label::unit(unit)) }
+}

@@ -1,0 +1,196 @@
+//! The motion as it plays in the page, and the picture of its start.
+
+use std::collections::BTreeMap;
+
+use tumble_expr::{Expr, Substitution};
+use tumble_mech::{Body, Forces, Gravity, Run, joined, place_symbols};
+use tumble_ode::Side;
+use tumble_report::curves::Mark;
+use tumble_report::free_body::NamedPoint;
+use tumble_report::report::{
+    Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink, Picture, Text,
+};
+use tumble_report::{Label, Pose, SceneBody, SceneDrawing, SceneLink};
+use tumble_scene::Study;
+
+use super::names::Names;
+use crate::case::Case;
+use crate::figures::{case_label, outlines, poses, surfaces};
+use crate::free_bodies::kind;
+use crate::pipeline::PipelineError;
+
+/// Frames of a run: smooth at the speed at which it first plays.
+const FRAMES: usize = 400;
+/// More marks than this cannot be told apart on a slider.
+const MOST_MARKS: usize = 40;
+
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Animation, PipelineError> {
+    let motions = cases.iter().map(|case| motion(&study.with(&case.parameters), names, case));
+    Ok(Animation {
+        title: Label::markup(&study.title),
+        description: String::new(),
+        cases: motions.collect::<Result<_, _>>()?,
+        speed: 0.0,
+    })
+}
+
+fn motion(study: &Study, names: &Names, case: &Case) -> Result<Motion, PipelineError> {
+    let run = &case.run;
+    let times = times(run);
+    let body = |body: &tumble_mech::Body| -> Result<MovingBody, PipelineError> {
+        Ok(MovingBody {
+            name: Label::plain(&body.name),
+            outlines: outlines(study, body)?,
+            poses: poses(run, body, times.iter().copied())?,
+            trail: study.model.pivot_of(&body.name).is_none(),
+        })
+    };
+    let bodies = study.model.bodies.iter().map(body).collect::<Result<Vec<_>, _>>()?;
+    Ok(Motion {
+        name: case_label(case),
+        forces: forces(run, names, &times, &bodies)?,
+        surfaces: surfaces(study, run)?,
+        points: points(study, run)?,
+        events: marks(run),
+        links: links(study, run, &times)?,
+        bodies,
+        times,
+    })
+}
+
+fn times(run: &Run) -> Vec<f64> {
+    let end = run.trajectory.end().unwrap_or(0.0);
+    (0..=FRAMES).map(|frame| end * frame as f64 / FRAMES as f64).collect()
+}
+
+/// Every load that acts at any time, by body and name.
+fn forces(
+    run: &Run,
+    names: &Names,
+    times: &[f64],
+    bodies: &[MovingBody],
+) -> Result<Vec<MovingForce>, PipelineError> {
+    let nothing = [[f64::NAN; 2]; 2];
+    let mut observer = Forces::of(run);
+    let mut found: BTreeMap<(usize, String), MovingForce> = BTreeMap::new();
+    for (frame, time) in times.iter().enumerate() {
+        for force in joined(&observer.at(*time, Side::After)?) {
+            let pose: Pose = bodies[force.body].poses.get(frame).copied().unwrap_or_default();
+            let symbol = || Label::symbol(names.shown(&force.load));
+            let entry = found.entry((force.body, force.load.clone())).or_insert_with(|| MovingForce {
+                kind: kind(force.law),
+                symbol: symbol(),
+                samples: vec![nothing; times.len()],
+            });
+            let point = [pose.x + force.arm[0], pose.y + force.arm[1]];
+            entry.samples[frame] = [point, force.force];
+        }
+    }
+    Ok(found.into_values().filter(|force| force.samples.iter().any(|[_, f]| f[0].hypot(f[1]) > 0.0)).collect())
+}
+
+/// Pivots, where they are at the start.
+fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, PipelineError> {
+    let mut found = vec![];
+    for pivot in &study.model.pivots {
+        let Some(at) = run.observe(pivot.world.components())?.at(0.0, Side::After) else { continue };
+        found.push(NamedPoint { name: Label::plain(&pivot.name), at: [at[0], at[1]] });
+    }
+    Ok(found)
+}
+
+fn marks(run: &Run) -> Vec<Mark> {
+    let events = &run.trajectory.events;
+    if events.len() > MOST_MARKS {
+        return vec![];
+    }
+    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&event.tags.join(", ")) }).collect()
+}
+
+/// Springs and dampers with the places of their ends.
+fn links(study: &Study, run: &Run, times: &[f64]) -> Result<Vec<MovingLink>, PipelineError> {
+    let mut found = vec![];
+    for interaction in &study.model.interactions {
+        let Some([a, b]) = interaction.ends() else { continue };
+        let formulas = [a.components(), b.components()].concat();
+        let mut observer = run.observe(&formulas)?;
+        let ends = times.iter().map(|time| match observer.at(*time, Side::After) {
+            Some(at) => [[at[0], at[1]], [at[2], at[3]]],
+            None => [[f64::NAN; 2]; 2],
+        });
+        found.push(MovingLink {
+            name: Label::plain(interaction.name()),
+            kind: LinkKind::Spring,
+            ends: ends.collect(),
+        });
+    }
+    Ok(found)
+}
+
+/// The scene at its start.
+pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Option<Picture>, PipelineError> {
+    let run = &case.run;
+    let bodies = study.model.bodies.iter().map(|body| scene_body(study, names, run, body));
+    let links = links(study, run, &[0.0])?.into_iter().map(|link| SceneLink {
+        name: link.name,
+        kind: link.kind,
+        ends: link.ends.first().copied().unwrap_or_default(),
+    });
+    let drawing = SceneDrawing {
+        title: Label::default(),
+        bodies: bodies.collect::<Result<_, _>>()?,
+        surfaces: surfaces(study, run)?,
+        pivots: points(study, run)?,
+        points: named_points(study, run)?,
+        links: links.collect(),
+        angles: vec![],
+        gravity: gravity(study)?,
+        wind: wind(study, run)?,
+    };
+    Ok(Some(Picture::new(drawing.svg(), Text::from("The start"))))
+}
+
+fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<SceneBody, PipelineError> {
+    let motion = body.kinematics();
+    let v = motion.velocity();
+    let formulas = [v.x().clone(), v.y().clone(), motion.omega()];
+    let values = run.observe(&formulas)?.at(0.0, Side::After).unwrap_or(vec![0.0; 3]);
+    let moves = values[0].hypot(values[1]) > 0.0 && study.model.pivot_of(&body.name).is_none();
+    let rate = (values[2] != 0.0).then(|| (values[2], names.label(&motion.omega_symbol().name)));
+    Ok(SceneBody {
+        name: Label::plain(&body.name),
+        pose: poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default(),
+        outlines: outlines(study, body)?,
+        velocity: moves.then(|| ([values[0], values[1]], Label::symbol("v"))),
+        rate,
+    })
+}
+
+fn named_points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, PipelineError> {
+    let mut found = vec![];
+    for body in &study.model.bodies {
+        for (name, at) in &body.points {
+            let place = body.at(at).position();
+            let Some(at) = run.observe(place.components())?.at(0.0, Side::After) else { continue };
+            found.push(NamedPoint { name: Label::plain(name), at: [at[0], at[1]] });
+        }
+    }
+    Ok(found)
+}
+
+fn gravity(study: &Study) -> Result<Option<([f64; 2], Label)>, PipelineError> {
+    let Gravity::Vertical(g) = &study.model.gravity else { return Ok(None) };
+    let value = study.number(g)?;
+    Ok((value != 0.0).then(|| ([0.0, -value], Label::symbol("g"))))
+}
+
+/// The air at the start, at the world's origin.
+fn wind(study: &Study, run: &Run) -> Result<Option<([f64; 2], Label)>, PipelineError> {
+    let mut origin = Substitution::default();
+    for symbol in place_symbols() {
+        origin.insert(symbol, Expr::zero());
+    }
+    let air = study.model.wind.0.map(|component| origin.apply(component));
+    let at = run.observe(air.components())?.at(0.0, Side::After).unwrap_or(vec![0.0; 2]);
+    Ok((at[0].hypot(at[1]) > 0.0).then(|| ([at[0], at[1]], Label::symbol("w"))))
+}

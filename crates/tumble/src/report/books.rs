@@ -1,0 +1,86 @@
+//! Energy, momentum, and what changed them, as tables and a figure.
+
+use tumble_mech::Balance as LedgerBalance;
+use tumble_report::report::{Books as Shown, Column, Plot, Table, Text};
+use tumble_report::{Axis, CurveFigure, Label, Series};
+
+use super::names::quantity;
+use crate::books::Books;
+use crate::case::Case;
+
+/// Columns of the books that every run has, before those of the works.
+const ENERGIES: [(&str, usize); 3] = [("kinetic", 1), ("potential", 2), ("total", 3)];
+
+pub(super) fn of(case: &Case) -> Option<Shown> {
+    let books = case.books.as_ref()?;
+    Some(Shown {
+        intro: vec![
+            "The energy changes by the work of the loads that have no potential, momentum by their impulses. \
+             What is left is the residual: rounding, and what the integration left out."
+                .into(),
+        ],
+        tables: vec![balances(books), entries(books)],
+        plots: vec![Plot::over_time(energies(books), "Energies"), Plot::over_time(residual(books), "Residual of the energy")],
+    })
+}
+
+fn balances(books: &Books) -> Table {
+    let columns = vec![
+        Column::words("Balance"),
+        Column::numbers("At the start"),
+        Column::numbers("At the end"),
+        Column::numbers("Accounted for"),
+        Column::numbers("Residual"),
+    ];
+    let row = |name: &str, unit: &str, balance: &LedgerBalance| {
+        let values = [balance.start, balance.end, balance.change, balance.residual];
+        let name = Text::from(format!("{name} (")).and(Label::unit(unit)).and(")");
+        std::iter::once(name).chain(values.map(|value| quantity(value, ""))).collect()
+    };
+    let [x, y] = &books.total.momentum;
+    Table::new("The books", columns)
+        .row(row("Energy", "J", &books.energy))
+        .row(row("Momentum, x", "N*s", x))
+        .row(row("Momentum, y", "N*s", y))
+        .row(row("Angular momentum about the origin", "N*m*s", &books.total.angular_momentum))
+}
+
+fn entries(books: &Books) -> Table {
+    let with = |words: &str, unit: &str| Text::from(format!("{words} (")).and(Label::unit(unit)).and(")");
+    let columns = vec![
+        Column::words("Load"),
+        Column::numbers(with("Work", "J")),
+        Column::numbers(with("Impulse, x", "N*s")),
+        Column::numbers(with("Impulse, y", "N*s")),
+        Column::numbers(with("Angular impulse", "N*m*s")),
+    ];
+    let mut table = Table::new("What every load did", columns);
+    for (name, entry) in &books.entries {
+        let values = [entry.work, entry.impulse[0], entry.impulse[1], entry.angular_impulse];
+        let cells = values.map(|value| quantity(value, ""));
+        table.rows.push(std::iter::once(Text::from(name.as_str())).chain(cells).collect());
+    }
+    if books.entries.iter().any(|(_, entry)| !entry.counts()) {
+        table.notes.push("Work marked (potential) is already in the potential energy.".into());
+    }
+    table
+}
+
+fn energies(books: &Books) -> CurveFigure {
+    let series = ENERGIES.map(|(name, column)| Series {
+        label: Label::plain(name),
+        points: books.rows.iter().map(|row| [row[0], row[column]]).collect(),
+    });
+    figure("Energies", "E", series.into())
+}
+
+fn residual(books: &Books) -> CurveFigure {
+    let points = books.rows.iter().map(|row| [row[0], row.last().copied().unwrap_or(0.0)]).collect();
+    figure("Residual of the energy", "E", vec![Series { label: Label::default(), points }])
+}
+
+fn figure(title: &str, symbol: &str, series: Vec<Series>) -> CurveFigure {
+    let x = Axis::new(Label::symbol("t"), "s");
+    let y = Axis::new(Label::symbol(symbol), "J");
+    CurveFigure { series, ..CurveFigure::new(Label::plain(title), x, y) }
+}

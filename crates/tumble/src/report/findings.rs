@@ -1,0 +1,215 @@
+//! What was found, in words: each by a rule with its threshold, and nothing where the rule does not hold.
+//!
+//! | finding | rule |
+//! |---|---|
+//! | apex | a free body's centre stops rising: `vy` passes zero downwards; the first [`MOST_LISTED`] |
+//! | range | a free body in a vertical plane is farther from its start, to the side, than its own size |
+//! | rotations | a body has turned by at least one full turn |
+//! | bounces | a body has touched a surface more than once, or for a time |
+//! | rest | nothing moves faster than [`AT_REST`] of its greatest speed, up to the end |
+//! | period | a pivoted body turns back at intervals that agree to [`REPEATS`] |
+//! | resonance | one run of a sweep swings by [`STANDS_OUT`] times the median of all |
+
+use tumble_expr::Expr;
+use tumble_mech::{Body, Gravity, Run};
+use tumble_ode::Side;
+use tumble_report::report::Text;
+use tumble_scene::Study;
+
+use super::names::{Names, quantity};
+use crate::case::Case;
+use crate::figures::case_label;
+use crate::pipeline::PipelineError;
+
+/// Instants at which the motion is looked at.
+const SAMPLES: usize = 4000;
+/// Halvings that locate an instant between two samples to the last digit.
+const HALVINGS: usize = 60;
+/// More of one kind are counted, not listed.
+const MOST_LISTED: usize = 3;
+/// Part of the greatest speed below which a body rests.
+const AT_REST: f64 = 1e-9;
+/// Relative difference within which intervals are one period.
+const REPEATS: f64 = 1e-7;
+/// A run this many times the median of a sweep stands out.
+const STANDS_OUT: f64 = 2.0;
+
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Vec<Text>, PipelineError> {
+    let mut found = vec![];
+    for case in cases {
+        let case_study = study.with(&case.parameters);
+        for body in &study.model.bodies {
+            let seen = Seen { study: &case_study, run: &case.run, body };
+            for text in seen.findings(names)? {
+                let label = case_label(case);
+                found.push(if label.is_empty() { text } else { Text::from(label).and(": ").and(text) });
+            }
+        }
+    }
+    found.extend(resonance(study, cases)?);
+    Ok(found)
+}
+
+/// One body in one run.
+struct Seen<'a> {
+    study: &'a Study,
+    run: &'a Run,
+    body: &'a Body,
+}
+
+impl Seen<'_> {
+    fn findings(&self, names: &Names) -> Result<Vec<Text>, PipelineError> {
+        let is_free = self.study.model.pivot_of(&self.body.name).is_none();
+        let falls = matches!(self.study.model.gravity, Gravity::Vertical(_));
+        let mut found = vec![];
+        if is_free && falls {
+            found.extend(self.apex()?);
+            found.extend(self.range()?);
+        }
+        found.extend(self.rotations()?);
+        found.extend(self.bounces());
+        found.extend(self.rest()?);
+        if !is_free {
+            found.extend(self.period(names)?);
+        }
+        Ok(found)
+    }
+
+    fn end(&self) -> f64 {
+        self.run.trajectory.end().unwrap_or(0.0)
+    }
+
+    fn values(&self, formula: &Expr) -> Result<Vec<(f64, f64)>, PipelineError> {
+        let mut observer = self.run.observe(std::slice::from_ref(formula))?;
+        let times = (0..=SAMPLES).map(|index| self.end() * index as f64 / SAMPLES as f64);
+        Ok(times.filter_map(|time| Some((time, observer.at(time, Side::After)?[0]))).collect())
+    }
+
+    /// Instants at which a smooth quantity passes zero downwards.
+    fn falls_through_zero(&self, formula: &Expr) -> Result<Vec<f64>, PipelineError> {
+        let values = self.values(formula)?;
+        let events: Vec<f64> = self.run.trajectory.events.iter().map(|event| event.time).collect();
+        let mut observer = self.run.observe(std::slice::from_ref(formula))?;
+        let mut found = vec![];
+        for pair in values.windows(2) {
+            let ((mut low, before), (mut high, after)) = (pair[0], pair[1]);
+            // A jump at an event is no passing.
+            let jumps = events.iter().any(|event| low <= *event && *event <= high);
+            if jumps || !(before > 0.0 && after <= 0.0) {
+                continue;
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                let positive = observer.at(middle, Side::After).is_some_and(|values| values[0] > 0.0);
+                *(if positive { &mut low } else { &mut high }) = middle;
+            }
+            found.push(high);
+        }
+        Ok(found)
+    }
+
+    fn at(&self, time: f64, formula: &Expr) -> Result<f64, PipelineError> {
+        let values = self.run.observe(std::slice::from_ref(formula))?.at(time, Side::After);
+        Ok(values.map_or(f64::NAN, |values| values[0]))
+    }
+
+    fn name(&self) -> &str {
+        &self.body.name
+    }
+
+    fn apex(&self) -> Result<Vec<Text>, PipelineError> {
+        let motion = self.body.kinematics();
+        let tops = self.falls_through_zero(motion.velocity().y())?;
+        let mut found = vec![];
+        for time in tops.iter().take(MOST_LISTED) {
+            let height = self.at(*time, motion.position().y())?;
+            let words = Text::from(format!("The centre of {} is highest, ", self.name()));
+            found.push(words.and(quantity(height, "m")).and(", at ").and(quantity(*time, "s")).and("."));
+        }
+        if tops.len() > MOST_LISTED {
+            let more = tops.len() - MOST_LISTED;
+            found.push(format!("It has {more} more highest points.").into());
+        }
+        Ok(found)
+    }
+
+    fn range(&self) -> Result<Option<Text>, PipelineError> {
+        let x = self.body.kinematics().position().x().clone();
+        let distance = self.at(self.end(), &x)? - self.at(0.0, &x)?;
+        let size = self.study.number(&(self.body.reach() * 2))?;
+        let words = Text::from(format!("{} gets ", self.name()));
+        let side = if distance > 0.0 { " to the right of" } else { " to the left of" };
+        let found = words.and(quantity(distance.abs(), "m")).and(side).and(" where it began.");
+        Ok((distance.abs() > size.max(f64::MIN_POSITIVE)).then_some(found))
+    }
+
+    fn rotations(&self) -> Result<Option<Text>, PipelineError> {
+        let angle = self.body.kinematics().angle();
+        let turns = (self.at(self.end(), &angle)? - self.at(0.0, &angle)?) / std::f64::consts::TAU;
+        let way = if turns > 0.0 { "counter-clockwise" } else { "clockwise" };
+        let words = Text::from(format!("{} turns by ", self.name()));
+        Ok((turns.abs() >= 1.0).then(|| words.and(quantity(turns.abs(), "rev")).and(format!(" {way}."))))
+    }
+
+    fn bounces(&self) -> Option<Text> {
+        let pairs = self.run.equations.pairs();
+        let model = self.run.equations.model();
+        let own = |pair: usize| model.bodies[pairs[pair].body].name == self.body.name;
+        let contacts: Vec<_> =
+            self.run.contacts().into_iter().filter(|contact| own(contact.pair)).collect();
+        let first = contacts.first()?;
+        let words = Text::from(format!("{} touches {} times, first at ", self.name(), contacts.len()));
+        let mut words = words.and(quantity(first.start, "s"));
+        if let Some(last) = contacts.iter().rfind(|contact| contact.is_open) {
+            words = words.and(", and stays from ").and(quantity(last.start, "s")).and(" on");
+        }
+        Some(words.and("."))
+    }
+
+    fn rest(&self) -> Result<Option<Text>, PipelineError> {
+        let values = self.values(&self.body.kinetic_energy())?;
+        let most = values.iter().map(|(_, energy)| *energy).fold(0.0, f64::max);
+        let moves = |energy: f64| energy > AT_REST * AT_REST * most;
+        let last = values.iter().rposition(|(_, energy)| moves(*energy));
+        Ok(match last {
+            Some(last) if last + 1 < values.len() && most > 0.0 => {
+                let words = Text::from(format!("{} rests from ", self.name()));
+                Some(words.and(quantity(values[last + 1].0, "s")).and(" on."))
+            }
+            _ => None,
+        })
+    }
+
+    fn period(&self, _: &Names) -> Result<Option<Text>, PipelineError> {
+        let turns = self.falls_through_zero(&self.body.kinematics().omega())?;
+        let intervals: Vec<f64> = turns.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let [first, rest @ ..] = &intervals[..] else { return Ok(None) };
+        let repeats = !rest.is_empty() && rest.iter().all(|next| (next - first).abs() <= REPEATS * first);
+        let mean = intervals.iter().sum::<f64>() / intervals.len() as f64;
+        let words = Text::from(format!("{} repeats its motion every ", self.name()));
+        Ok(repeats.then(|| words.and(quantity(mean, "s")).and(".")))
+    }
+}
+
+/// The run of a sweep that swings farthest, where it stands out.
+fn resonance(study: &Study, cases: &[Case]) -> Result<Option<Text>, PipelineError> {
+    let pivoted = study.model.bodies.iter().find(|body| study.model.pivot_of(&body.name).is_some());
+    let (Some(body), true) = (pivoted, cases.len() >= 3) else { return Ok(None) };
+    let mut swings = vec![];
+    for case in cases {
+        let seen = Seen { study, run: &case.run, body };
+        let values = seen.values(&body.kinematics().angle())?;
+        let least = values.iter().map(|(_, angle)| *angle).fold(f64::INFINITY, f64::min);
+        let most = values.iter().map(|(_, angle)| *angle).fold(f64::NEG_INFINITY, f64::max);
+        swings.push(most - least);
+    }
+    let mut sorted = swings.clone();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted[sorted.len() / 2];
+    let (index, widest) =
+        swings.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).expect("there are runs");
+    let words = Text::from(format!("{} swings farthest with ", body.name)).and(case_label(&cases[index]));
+    let words = words.and(": through ").and(quantity(*widest, "rad"));
+    let found = words.and(format!(", {:.1} times the median of the runs.", widest / median));
+    Ok((*widest > STANDS_OUT * median).then_some(found))
+}

@@ -1,0 +1,121 @@
+//! What is given and what is sought.
+
+use tumble_expr::{Dimension, Expr};
+use tumble_mech::{Body, Shape};
+use tumble_ode::Side;
+use tumble_report::report::{BodyRow, Identify, Quantity, Text};
+use tumble_scene::Study;
+
+use super::names::{Names, quantity};
+use crate::case::Case;
+use crate::pipeline::PipelineError;
+use crate::tables::{is_angle, unit};
+
+pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Identify, PipelineError> {
+    let bodies = study.model.bodies.iter().map(|body| row(study, names, body));
+    Ok(Identify {
+        intro: vec![],
+        scene: super::animation::drawing(study, names, case)?,
+        bodies: bodies.collect::<Result<_, _>>()?,
+        parameters: parameters(study, names)?,
+        initial: initial(study, names, case),
+        sought: sought(study, names),
+    })
+}
+
+fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, PipelineError> {
+    let mass = body.mass_properties();
+    let given = |name: &str, symbol: &str, formula: &Expr, unit: &str| -> Result<Quantity, PipelineError> {
+        let found = Quantity {
+            name: name.into(),
+            symbol: Text::symbol(symbol),
+            value: quantity(study.number(formula)?, ""),
+            unit: unit.to_owned(),
+            ..Quantity::default()
+        };
+        let is_formula = formula.as_number().is_none();
+        Ok(if is_formula { found.by(names.equation(symbol, formula)) } else { found })
+    };
+    Ok(BodyRow {
+        name: body.name.as_str().into(),
+        shape: shape(body).into(),
+        properties: vec![
+            given("mass", "M", &mass.mass, "kg")?,
+            given("centre of mass, x", "x_c", mass.centre.x(), "m")?,
+            given("centre of mass, y", "y_c", mass.centre.y(), "m")?,
+            given("moment of inertia about it", "I", &mass.inertia, "kg*m^2")?,
+        ],
+    })
+}
+
+fn shape(body: &Body) -> String {
+    let one = |shape: &Shape| match shape {
+        Shape::Point { .. } => "a point",
+        Shape::Rod { .. } => "a thin uniform rod",
+        Shape::Disk { .. } => "a uniform disk",
+        Shape::Ring { .. } => "a thin ring",
+        Shape::Ball { .. } => "a solid ball",
+        Shape::Shell { .. } => "a thin spherical shell",
+        Shape::Box { .. } => "a uniform box",
+        Shape::Polygon { .. } => "a uniform polygon",
+    };
+    match (&body.parts[..], &body.stated) {
+        ([only], None) => one(&only.shape).to_owned(),
+        ([], _) => "mass and inertia are given".to_owned(),
+        (_, Some(_)) => "its mass and inertia are given, its shape is drawn".to_owned(),
+        (parts, None) => format!("{} parts joined rigidly", parts.len()),
+    }
+}
+
+fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, PipelineError> {
+    let all = study.model.parameters.formulas();
+    all.map(|(symbol, formula)| {
+        let value = study.number(&symbol.clone().into())?;
+        let found = Quantity {
+            name: symbol.name.to_string().into(),
+            symbol: names.label(&symbol.name).into(),
+            value: quantity(value, ""),
+            unit: if symbol.dimension == Dimension::NONE { String::new() } else { unit(symbol.dimension, false) },
+            ..Quantity::default()
+        };
+        Ok(if formula.symbols().is_empty() { found } else { found.by(names.formula(formula)) })
+    })
+    .collect()
+}
+
+/// The states just before anything happens.
+fn initial(study: &Study, names: &Names, case: &Case) -> Vec<Quantity> {
+    let run = &case.run;
+    let states = run.equations.states(&tumble_mech::Mode::default());
+    let first = run.trajectory.events.first().filter(|event| event.time == 0.0);
+    let values = match first {
+        Some(event) => event.before.clone(),
+        None => run.trajectory.states_at(0.0, Side::After).unwrap_or_default(),
+    };
+    let _ = study;
+    let row = |(symbol, value): (tumble_expr::Symbol, f64)| Quantity {
+        name: symbol.name.to_string().into(),
+        symbol: names.label(&symbol.name).into(),
+        value: quantity(value, ""),
+        unit: unit(symbol.dimension, is_angle(&symbol)),
+        ..Quantity::default()
+    };
+    states.into_iter().zip(values).map(row).collect()
+}
+
+/// What the figures and the checks ask for.
+fn sought(study: &Study, names: &Names) -> Vec<Text> {
+    let of_time = |text: &str| Text::from(names.label(text)).and("(t)");
+    let mut sought = vec![];
+    for curve in study.plots.iter().flat_map(|plot| &plot.y) {
+        let text = of_time(&curve.text);
+        if !sought.contains(&text) {
+            sought.push(text);
+        }
+    }
+    let forces = study.free_bodies.iter();
+    sought.extend(forces.map(|sheet| {
+        Text::from(format!("the forces on {}", study.model.bodies[sheet.body].name))
+    }));
+    sought
+}

@@ -1,0 +1,84 @@
+//! The report of a study: what it says of the model, the equations and the motion, as plain data for the page.
+//!
+//! Everything in it is read from what ran: equations from the graph that was integrated, forces from its terms, numbers
+//! from the trajectory.
+
+mod analyze;
+mod animation;
+mod books;
+mod findings;
+mod identify;
+mod model;
+mod names;
+mod solve;
+
+use tumble_report::report::Report;
+use tumble_scene::Study;
+
+use crate::case::Case;
+use crate::output::Folder;
+use crate::pipeline::PipelineError;
+use crate::summary::Source;
+
+use names::Names;
+
+/// How a report is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// One page that opens in any browser: `report.html`.
+    #[default]
+    Html,
+    /// Text with formulas and links to the figures: `report.md`.
+    Markdown,
+    /// None.
+    None,
+}
+
+/// Writes the report of a study beside its figures.
+pub(crate) fn write(
+    source: &Source,
+    study: &Study,
+    cases: &[Case],
+    folder: &Folder,
+    form: Form,
+) -> Result<(), PipelineError> {
+    let (file, text) = match form {
+        Form::None => return Ok(()),
+        Form::Html => ("report.html", build(source, study, cases)?.html()),
+        Form::Markdown => ("report.md", build(source, study, cases)?.markdown()),
+    };
+    Ok(folder.write(file, text.as_bytes())?)
+}
+
+/// Identify, model, solve, analyze.
+fn build(source: &Source, study: &Study, cases: &[Case]) -> Result<Report, PipelineError> {
+    let first = study.with(&cases[0].parameters);
+    let names = Names::of(&first)?;
+    Ok(Report {
+        title: study.title.clone(),
+        language: "en".to_owned(),
+        intro: vec![],
+        meta: meta(source),
+        math_font_css: Some(tumble_math::page_font().to_owned()).filter(|css| !css.is_empty()),
+        identify: identify::of(&first, &names, &cases[0])?,
+        model: model::of(&first, &names, &cases[0])?,
+        solve: solve::of(&first, &names, cases)?,
+        analyze: analyze::of(study, &names, cases)?,
+    })
+}
+
+/// The motion of every run, to be drawn frame by frame.
+#[cfg(feature = "png")]
+pub(crate) fn animation(study: &Study, cases: &[Case]) -> Result<tumble_report::report::Animation, PipelineError> {
+    let first = study.with(&cases[0].parameters);
+    animation::of(study, &Names::of(&first)?, cases)
+}
+
+fn meta(source: &Source) -> Vec<(String, String)> {
+    let program = format!("tumble {}", env!("CARGO_PKG_VERSION"));
+    vec![
+        ("Scene".to_owned(), source.name.clone()),
+        ("SHA-256 of the scene".to_owned(), crate::summary::hash(&source.bytes)),
+        ("Program".to_owned(), program),
+    ]
+}

@@ -1,0 +1,370 @@
+//! Forces, laws and equations of motion, as they were integrated.
+
+use tumble_expr::{Expr, Symbol, Vector, is_identically_zero};
+use tumble_math::{Left, Mark, Math as Formula, MathError, Notation, Shown};
+use tumble_mech::{Equations, Law, Mode, Phase, Term};
+use tumble_report::report::{Block, BodyModel, ForceRow, Math, Mode as ModeShown, Model, Picture, Text};
+use tumble_scene::{FreeBody, Instant, Study};
+
+use super::names::{Names, math, words};
+use crate::case::Case;
+use crate::free_bodies;
+use crate::pipeline::PipelineError;
+
+/// More modes than this are told of in the table of events only.
+const MOST_MODES: usize = 6;
+
+pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Model, PipelineError> {
+    let bodies = (0..study.model.bodies.len()).map(|body| one(study, names, case, body));
+    Ok(Model {
+        intro: vec![],
+        assumptions: assumptions(study),
+        bodies: bodies.collect::<Result<_, _>>()?,
+        modes: modes(study, names, case),
+    })
+}
+
+/// What the laws in use take for granted.
+fn assumptions(study: &Study) -> Vec<Text> {
+    let model = &study.model;
+    let said = [
+        (true, "The bodies are rigid and move in one plane."),
+        (
+            matches!(model.gravity, tumble_mech::Gravity::Horizontal(_)),
+            "The plane is horizontal: weight and support cancel out of it.",
+        ),
+        (!model.pivots.is_empty(), "Pivots have no friction."),
+        (!model.surfaces.is_empty(), "Surfaces have no friction: they push along their normals only."),
+        (
+            model.surfaces.iter().any(|s| matches!(s.law, tumble_mech::ContactLaw::Rigid { .. })),
+            "An impact on a rigid surface takes no time.",
+        ),
+    ];
+    said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
+}
+
+fn one(study: &Study, names: &Names, case: &Case, body: usize) -> Result<BodyModel, PipelineError> {
+    Ok(BodyModel {
+        name: study.model.bodies[body].name.as_str().into(),
+        diagrams: diagrams(study, case, body)?,
+        forces: forces(names, case, body),
+        laws: vec![laws(study, names, case, body)],
+    })
+}
+
+fn diagrams(study: &Study, case: &Case, body: usize) -> Result<Vec<Picture>, PipelineError> {
+    let asked: Vec<&FreeBody> = study.free_bodies.iter().filter(|sheet| sheet.body == body).collect();
+    let time = busiest(case, body);
+    let own = FreeBody {
+        name: String::new(),
+        title: Some(format!("Forces on {}", study.model.bodies[body].name)),
+        body,
+        at: vec![(Instant { text: String::new(), time: time * tumble_expr::units::S }, String::new())],
+    };
+    let sheets = if asked.is_empty() { vec![&own] } else { asked };
+    let picture = |sheet: &FreeBody| -> Result<Picture, PipelineError> {
+        let svg = free_bodies::sheet(study, case, sheet)?.svg();
+        let picture = Picture::new(svg, Text::default());
+        Ok(if sheet.name.is_empty() { picture } else { picture.stored(format!("{}.svg", sheet.name)) })
+    };
+    sheets.into_iter().map(picture).collect()
+}
+
+/// The middle of the first step on which most loads act on a body, s: worth a diagram where the study asks for none.
+fn busiest(case: &Case, body: usize) -> f64 {
+    let trajectory = &case.run.trajectory;
+    let loads = |mode: &Mode| {
+        let terms = case.run.equations.shown_terms(mode);
+        loads_of(&terms, body).len()
+    };
+    let by_mode: Vec<usize> = trajectory.modes.iter().map(loads).collect();
+    let most = trajectory.pieces.iter().map(|piece| by_mode[piece.mode]).max();
+    let found = trajectory.pieces.iter().find(|piece| Some(by_mode[piece.mode]) == most);
+    found.map_or(0.0, |piece| 0.5 * (piece.start + piece.end))
+}
+
+/// A row for each load on a body, in the first mode in which it acts.
+fn forces(names: &Names, case: &Case, body: usize) -> Vec<ForceRow> {
+    let equations = &case.run.equations;
+    let mut seen: Vec<String> = vec![];
+    let mut rows = vec![];
+    for mode in &case.run.trajectory.modes {
+        let terms = equations.shown_terms(mode);
+        for load in loads_of(&terms, body) {
+            if !seen.contains(&load) {
+                let own: Vec<&Term> =
+                    terms.iter().filter(|term| term.body == body && term.load == load).collect();
+                rows.push(row(names, equations, &own));
+                seen.push(load);
+            }
+        }
+    }
+    rows
+}
+
+fn loads_of(terms: &[Term], body: usize) -> Vec<String> {
+    let mut loads: Vec<String> = vec![];
+    for term in terms.iter().filter(|term| term.body == body) {
+        if !loads.contains(&term.load) {
+            loads.push(term.load.clone());
+        }
+    }
+    loads
+}
+
+fn row(names: &Names, equations: &Equations, terms: &[&Term]) -> ForceRow {
+    let term = terms[0];
+    let symbol = math(&Formula::symbol(&force_symbol(names, term)));
+    if terms.len() > 1 {
+        let sum = format!("sum over {} points along the body", terms.len());
+        let row = ForceRow { name: name_of(term).into(), symbol, formula: words(&sum), ..ForceRow::default() };
+        return ForceRow { point: "along the body".into(), torque: words("sum of the points' torques"), ..row };
+    }
+    let formula = match term.law {
+        Law::Reaction => words("what keeps the point in its place: M A less all other forces"),
+        Law::Torque | Law::Torsion => names.formula(&term.couple),
+        _ => vector(names, &term.force),
+    };
+    ForceRow {
+        name: name_of(term).into(),
+        symbol,
+        formula,
+        point: point(equations, term).into(),
+        torque: match term.law {
+            Law::Reaction => words("r × F"),
+            _ => names.formula(&term.torque()),
+        },
+    }
+}
+
+fn name_of(term: &Term) -> String {
+    match term.law {
+        Law::Weight => "weight".to_owned(),
+        Law::Contact => format!("contact {}", term.load),
+        Law::Reaction => format!("reaction of {}", term.load),
+        _ => term.load.clone(),
+    }
+}
+
+fn force_symbol(names: &Names, term: &Term) -> String {
+    let last = term.load.rsplit('.').next().unwrap_or(&term.load);
+    let own = names.shown(&term.load);
+    match term.law {
+        _ if own != term.load => own.to_owned(),
+        Law::Weight => "W".to_owned(),
+        Law::Contact => format!("N_{last}"),
+        Law::Reaction => format!("R_{last}"),
+        Law::Torque | Law::Torsion => format!("tau_{last}"),
+        _ => format!("F_{last}"),
+    }
+}
+
+/// Where a force acts, in words.
+fn point(equations: &Equations, term: &Term) -> String {
+    if term.arm.components().iter().all(is_identically_zero) {
+        return "centre of mass".to_owned();
+    }
+    let body = &equations.model().bodies[term.body];
+    let is_there = |(_, at): &&(String, Vector)| {
+        let arm = body.at(at).world_arm();
+        (&arm - &term.arm).components().iter().all(is_identically_zero)
+    };
+    match (term.law, body.points.iter().find(is_there)) {
+        (_, Some((name, _))) => format!("{}.{name}", body.name),
+        (Law::Contact, None) => term.load.clone(),
+        (Law::Reaction, None) => term.load.clone(),
+        (Law::Torque | Law::Torsion, None) => "everywhere".to_owned(),
+        _ => "its point of action".to_owned(),
+    }
+}
+
+fn vector(names: &Names, v: &Vector) -> Math {
+    let part = |component: &Expr| -> Formula {
+        let shown = names.notation().clone().without_automatic_names().formula(component);
+        match shown {
+            Ok(shown) => shown.lines.into_iter().next().map_or(Formula::Row(vec![]), |line| line.right),
+            Err(error) => Formula::Text(error.to_string()),
+        }
+    };
+    math(&Formula::Matrix(v.components().iter().map(|component| vec![part(component)]).collect()))
+}
+
+/// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
+fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
+    let equations = &case.run.equations;
+    let kinematics = study.model.bodies[body].kinematics();
+    let mass = equations.mass_properties(body);
+    let mut terms: Vec<Term> = vec![];
+    for term in case.run.trajectory.modes.iter().flat_map(|mode| equations.shown_terms(mode)) {
+        if term.body == body && !terms.iter().any(|known| known.load == term.load) {
+            terms.push(term);
+        }
+    }
+    let component = |axis: usize| {
+        let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
+        let letter = ["x", "y"][axis];
+        let symbol = |term: &Term| -> Expr {
+            let name = format!("{},{letter}", force_symbol(names, term));
+            Symbol::new(name, tumble_expr::Dimension::FORCE).into()
+        };
+        parts.map(symbol).fold(Expr::zero(), |sum, force| sum + force)
+    };
+    let torque = terms.iter().filter(|term| !is_identically_zero(&term.torque()));
+    let torque = torque.map(|term| {
+        let name = format!("tau_{}", force_symbol(names, term).replace('_', ","));
+        Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
+    });
+    let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);
+    let m: Expr = Symbol::new("M", tumble_expr::Dimension::MASS).into();
+    let inertia: Expr = Symbol::new("I", tumble_expr::Dimension::INERTIA).into();
+    let [ax, ay] = kinematics.acceleration_symbols();
+    let left = |factor: &Expr, symbol: &Symbol| {
+        Left::times(factor, Formula::symbol(names.shown(&symbol.name)))
+    };
+    // The right sides are accelerations: the factor of the left side is multiplied on.
+    let mut lines = vec![
+        (left(&m, &ax), component(0) / &m),
+        (left(&m, &ay), component(1) / &m),
+    ];
+    if !is_identically_zero(&mass.inertia) {
+        lines.push((left(&inertia, &kinematics.alpha_symbol()), torque / &inertia));
+    }
+    names.block("Newton's laws", &lines)
+}
+
+/// The equations of motion in each mode that the motion went through.
+fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
+    let modes = &case.run.trajectory.modes;
+    let shown = modes.iter().take(MOST_MODES).map(|mode| ModeShown {
+        name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
+        holds: Text::default(),
+        equations: (0..study.model.bodies.len()).map(|body| equations_of(study, names, case, mode, body)).collect(),
+    });
+    shown.collect()
+}
+
+/// What touches and what acts: `floor.rod.tip pressed, kick acts`.
+pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
+    let equations = &case.run.equations;
+    let touching = mode.contacts.iter().map(|(pair, phase)| {
+        let how = match phase {
+            Phase::Pressed => "pressed",
+            Phase::Released => "released",
+            Phase::Resting => "resting",
+            Phase::Settling => "settling",
+            Phase::Idle => "touching",
+        };
+        format!("{} {how}", equations.pairs()[*pair].name)
+    });
+    let windows = equations.windows().iter().zip(&mode.windows);
+    let acting = windows.map(|(window, acts)| match acts {
+        true => format!("{} acts", window.load),
+        false => format!("without {}", window.load),
+    });
+    let changed = mode.changes.iter().map(|event| format!("after {}", study.model.events[*event].name));
+    let all: Vec<String> = touching.chain(acting).chain(changed).collect();
+    match (all.is_empty(), study.model.surfaces.is_empty()) {
+        (false, _) => all.join(", "),
+        (true, false) => "nothing touches".to_owned(),
+        (true, true) => "all the time".to_owned(),
+    }
+}
+
+fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Block {
+    let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
+    let motion = Motion::of(study, names, case, mode, body);
+    super::names::block(title.into(), motion.shown())
+}
+
+/// The equations of motion of one body in one mode, with the names they are shown by.
+struct Motion {
+    notation: Notation,
+    lines: Vec<(Left, Expr)>,
+}
+
+impl Motion {
+    fn of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Self {
+        let equations = &case.run.equations;
+        let model_body = &study.model.bodies[body];
+        let kinematics = model_body.kinematics();
+        let mass = equations.mass_properties(body);
+        let in_states = |symbol: Symbol| equations.in_states(mode, &symbol.into());
+        let notation = names.notation().clone();
+        if study.model.pivot_of(&model_body.name).is_some() {
+            let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
+            let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
+            return Self { notation, lines: vec![(left, in_states(kinematics.alpha_symbol()))] };
+        }
+        let times = |factor: &Expr, symbol: &Symbol| {
+            let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+            (left, in_states(symbol.clone()))
+        };
+        let [ax, ay] = kinematics.acceleration_symbols();
+        let mut lines = vec![times(&mass.mass, &ax), times(&mass.mass, &ay)];
+        if !is_identically_zero(&mass.inertia) {
+            lines.push(times(&mass.inertia, &kinematics.alpha_symbol()));
+        }
+        Self { notation, lines }
+    }
+
+    fn shown(&self) -> Result<Shown, MathError> {
+        self.notation.equations(&self.lines)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pipeline::{self, Options};
+    use tumble_ode::Side;
+
+    /// Rounding of formulas in another order of operations.
+    const ROUNDING: f64 = 1e-9;
+
+    /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
+    #[test]
+    fn printed_equations_are_those_that_were_integrated() {
+        let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+        let mut compared = 0;
+        for folder in std::fs::read_dir(scenes).expect("the scenes") {
+            let scene = folder.expect("readable").path().join("scene.toml");
+            let out = tempfile::tempdir().expect("a folder");
+            let options = Options {
+                out: out.path().to_owned(),
+                no_figures: true,
+                report: crate::ReportForm::None,
+                ..Options::default()
+            };
+            let outcome = pipeline::run(&scene, &options).expect("a motion");
+            let case = &outcome.cases[0];
+            let study = outcome.study.with(&case.parameters);
+            let names = Names::of(&study).expect("names");
+            for mode in 0..case.run.trajectory.modes.len().min(MOST_MODES) {
+                for body in 0..study.model.bodies.len() {
+                    compared += compare(&study, &names, case, mode, body);
+                }
+            }
+        }
+        assert!(compared > 20, "{compared}");
+    }
+
+    fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
+        let trajectory = &case.run.trajectory;
+        let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
+        let shown = motion.shown().expect("it can be shown");
+        let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
+        let mut compared = 0;
+        for (line, (left, right)) in shown.lines.iter().zip(&motion.lines) {
+            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * right);
+            let mut both = case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
+            for piece in &pieces {
+                let middle = 0.5 * (piece.start + piece.end);
+                let values = both.at(middle, Side::After).expect("within the run");
+                let scale = values[1].abs().max(1e-3);
+                assert!((values[0] - values[1]).abs() <= ROUNDING * scale, "{values:?}: {}", shown.text());
+                compared += 1;
+            }
+        }
+        compared
+    }
+}

@@ -1,0 +1,170 @@
+//! How the names of a scene are written in formulas and in running text.
+
+use std::collections::BTreeMap;
+
+use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
+use tumble_math::{Left, Notation, Shown, latex, mathml, text};
+use tumble_report::report::{Block, Definition, Math, Text};
+use tumble_report::{Label, numeral};
+use tumble_scene::Study;
+
+use crate::pipeline::PipelineError;
+
+/// Digits of numbers in running text.
+const DIGITS: usize = 6;
+
+pub(crate) struct Names {
+    /// Shown names by names of the scene.
+    symbols: BTreeMap<String, String>,
+    notation: Notation,
+}
+
+impl Names {
+    /// Those of a study: the user's own symbols first, then the usual letters.
+    pub(crate) fn of(study: &Study) -> Result<Self, PipelineError> {
+        let mut symbols = usual(study);
+        symbols.extend(study.symbols.iter().map(|(name, symbol)| (name.clone(), symbol.clone())));
+        let mut notation = Notation::new();
+        for (name, shown) in &symbols {
+            notation = notation.name(name.clone(), shown.clone());
+        }
+        let mut positive = vec![];
+        for symbol in study.model.parameters.symbols() {
+            let is_size = [Dimension::LENGTH, Dimension::MASS].contains(&symbol.dimension);
+            if is_size && study.number(&symbol.clone().into())? > 0.0 {
+                positive.push(symbol.name.to_string());
+            }
+        }
+        let mut notation = notation.positive(positive);
+        for (name, inertia) in inertias(study) {
+            notation = notation.define(name, &inertia);
+        }
+        Ok(Self { symbols, notation })
+    }
+
+    /// What a name is shown as: `theta` for `rod.angle`.
+    pub(crate) fn shown<'n>(&'n self, name: &'n str) -> &'n str {
+        self.symbols.get(name).map_or(name, String::as_str)
+    }
+
+    pub(crate) fn label(&self, name: &str) -> Label {
+        let symbols = self.symbols.iter().map(|(name, symbol)| (&**name, &**symbol));
+        Label::name(name, &symbols.collect::<Vec<_>>())
+    }
+
+    pub(crate) fn notation(&self) -> &Notation {
+        &self.notation
+    }
+
+    /// A formula on one line, whatever its length.
+    pub(crate) fn formula(&self, formula: &Expr) -> Math {
+        match self.notation.clone().without_automatic_names().formula(formula) {
+            Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
+            Err(error) => words(&error.to_string()),
+        }
+    }
+
+    /// An equation on one line.
+    pub(crate) fn equation(&self, left: &str, right: &Expr) -> Math {
+        let left = Left::symbol(tumble_math::Math::symbol(left));
+        match self.notation.clone().without_automatic_names().equation(left, right) {
+            Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
+            Err(error) => words(&error.to_string()),
+        }
+    }
+
+    /// Equations with what follows "where"; what cannot be shown says so.
+    pub(crate) fn block(&self, title: impl Into<Text>, equations: &[(Left, Expr)]) -> Block {
+        block(title.into(), self.notation.equations(equations))
+    }
+}
+
+/// Shown equations as a block of the report.
+pub(crate) fn block(title: Text, shown: Result<Shown, tumble_math::MathError>) -> Block {
+    let shown = match shown {
+        Ok(shown) => shown,
+        Err(error) => return Block { title, lines: vec![words(&error.to_string())], definitions: vec![] },
+    };
+    let definition = |line: &tumble_math::Line| Definition { symbol: math(&line.math()), meaning: Text::default() };
+    Block {
+        title,
+        lines: shown.lines.iter().map(|line| math(&line.math())).collect(),
+        definitions: shown.definitions.iter().map(definition).collect(),
+    }
+}
+
+/// The same in the three notations of a report.
+pub(crate) fn math(formula: &tumble_math::Math) -> Math {
+    Math { mathml: mathml(formula), latex: latex(formula), text: text(formula) }
+}
+
+/// Words in the place of a formula.
+pub(crate) fn words(words: &str) -> Math {
+    math(&tumble_math::Math::Text(words.to_owned()))
+}
+
+/// A value with its unit.
+pub(crate) fn quantity(value: f64, unit: &str) -> Text {
+    let number = numeral::significant(value, DIGITS);
+    match unit.is_empty() {
+        true => number.into(),
+        false => number.then(Label::plain("\u{a0}")).then(Label::unit(unit)).into(),
+    }
+}
+
+/// Moments of inertia of free bodies that are worth a name: the parameter's that is one, else I.
+fn inertias(study: &Study) -> Vec<(String, Expr)> {
+    let parameters: Vec<(&Symbol, &Expr)> = study.model.parameters.formulas().collect();
+    let several = study.model.bodies.len() > 1;
+    let mut found = vec![];
+    for body in study.model.bodies.iter().filter(|body| study.model.pivot_of(&body.name).is_none()) {
+        let inertia = body.mass_properties().inertia;
+        // A number is shorter than a name for it.
+        if inertia.symbols().is_empty() {
+            continue;
+        }
+        let same = |(symbol, formula): &&(&Symbol, &Expr)| {
+            symbol.dimension == Dimension::INERTIA && is_identically_zero(&(*formula - &inertia))
+        };
+        let own = if several { format!("I_{}", body.name) } else { "I".to_owned() };
+        let taken = parameters.iter().any(|(symbol, _)| *symbol.name == *own);
+        match parameters.iter().find(same) {
+            Some((symbol, _)) => found.push((symbol.name.to_string(), inertia)),
+            None if !taken => found.push((own, inertia)),
+            None => {}
+        }
+    }
+    found
+}
+
+/// The usual letters: those of the only body stand alone, those of several have its name.
+fn usual(study: &Study) -> BTreeMap<String, String> {
+    const LETTERS: [(&str, &str); 9] = [
+        ("x", "x"),
+        ("y", "y"),
+        ("angle", "theta"),
+        ("vx", "v_x"),
+        ("vy", "v_y"),
+        ("omega", "omega"),
+        ("ax", "A_x"),
+        ("ay", "A_y"),
+        ("alpha", "alpha"),
+    ];
+    let bodies = &study.model.bodies;
+    let mut symbols = BTreeMap::new();
+    for body in bodies {
+        for (name, letter) in LETTERS {
+            let shown = match (bodies.len(), letter.contains('_')) {
+                (1, _) => letter.to_owned(),
+                (_, true) => format!("{letter},{}", body.name),
+                (_, false) => format!("{letter}_{}", body.name),
+            };
+            symbols.insert(format!("{}.{name}", body.name), shown);
+        }
+    }
+    for pair in study.model.pairs() {
+        let feature = pair.name.rsplit('.').next().unwrap_or_default();
+        symbols.insert(format!("{}.normal", pair.name), format!("N_{feature}"));
+    }
+    symbols
+}

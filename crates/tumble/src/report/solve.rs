@@ -1,0 +1,247 @@
+//! Closed forms where there are any, and how the rest was integrated.
+
+use tumble_expr::{Dimension, Expr, Substitution, Symbol};
+use tumble_math::{Left, Math as Formula, Motion, integrate_twice, polynomial_in};
+use tumble_mech::{Body, Mode, Run};
+use tumble_ode::{Cause, Event};
+use tumble_report::report::{Column, Math, Phase, Solve, Table, Text};
+use tumble_report::{Label, numeral};
+use tumble_scene::Study;
+
+use super::model::mode_name;
+use super::names::{Names, quantity, words};
+use crate::case::Case;
+use crate::pipeline::PipelineError;
+
+/// Phases beyond these are told of by the table of events.
+const MOST_PHASES: usize = 4;
+/// Digits of numbers in closed forms.
+const DIGITS: usize = 6;
+
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, PipelineError> {
+    let phases = phases(study, names, &cases[0])?;
+    let intro = match (phases.is_empty(), &cases[0].run.trajectory.work) {
+        (false, work) if work.exact_steps == work.steps => {
+            "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form."
+        }
+        (false, _) => "The motion begins with phases that are known in closed form; the rest was integrated.",
+        (true, _) => "The equations have no closed form that the program knows: they were integrated.",
+    };
+    Ok(Solve {
+        intro: vec![intro.into()],
+        phases,
+        method: method(study, cases),
+        tables: cases.iter().map(events).collect(),
+    })
+}
+
+fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
+    let row = |name: &str, value: &dyn Fn(&Case) -> String| {
+        let mut values: Vec<String> = cases.iter().map(value).collect();
+        values.dedup();
+        (Text::from(name), Text::from(values.join(", ")))
+    };
+    let work = |case: &Case| case.run.trajectory.work;
+    let mut rows = vec![
+        row("Method", &|_| "Taylor series, each step checked against the equations".to_owned()),
+        row("Accuracy asked", &|_| format!("{:e}", study.accuracy.value())),
+        row("Order of the series", &|case| case.run.trajectory.order.to_string()),
+        row("Steps", &|case| work(case).steps.to_string()),
+        row("of them exact, the motion being a polynomial", &|case| work(case).exact_steps.to_string()),
+        row("Steps shortened and repeated", &|case| work(case).rejected.to_string()),
+        row("Sets of equations, one for each way of touching", &|case| work(case).modes.to_string()),
+    ];
+    if cases.iter().any(|case| case.run.quadrature.is_some()) {
+        rows.push(row("Points along lines that stand for integrals", &|case| {
+            case.run.quadrature.map_or_else(String::new, |found| format!("{}", found.nodes))
+        }));
+    }
+    if let Some(refusal) = cases.iter().find_map(|case| case.refusal.as_ref()) {
+        rows.push((Text::from("Stopped"), Text::from(refusal.to_string())));
+    }
+    rows
+}
+
+/// A row an event.
+fn events(case: &Case) -> Table {
+    let caption = if case.label.is_empty() { "Events".to_owned() } else { format!("Events, {}", case.label) };
+    let heading = Text::from(Label::symbol("t")).and(" (s)");
+    let columns = vec![Column::numbers(heading), Column::words("What happens")];
+    let row = |event: &Event| vec![quantity(event.time, ""), event.tags.join(", ").into()];
+    let mut table = Table::new(caption, columns);
+    table.rows = case.run.trajectory.events.iter().map(row).collect();
+    if table.rows.is_empty() {
+        table.notes.push("Nothing happens on the way.".into());
+    }
+    table
+}
+
+/// A coordinate of a body with its velocity and acceleration.
+struct Coordinate {
+    position: Symbol,
+    velocity: Symbol,
+    acceleration: Symbol,
+    start: (Expr, Expr),
+}
+
+/// Stretches from the start on in which every acceleration is a polynomial in time.
+fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, PipelineError> {
+    let run = &case.run;
+    let mut coordinates: Vec<Coordinate> =
+        study.model.bodies.iter().flat_map(|body| coordinates(study, body)).collect();
+    let mut begins = Expr::zero() * tumble_expr::units::S;
+    let mut found = vec![];
+    let mut known = true;
+    for (number, (mode, ends)) in stretches(run).into_iter().take(MOST_PHASES).enumerate() {
+        let elapsed = Symbol::new(if number == 0 { "t" } else { "tau" }, Dimension::TIME);
+        let Some(motions) = motions(run, mode, &coordinates, &begins, &elapsed) else { break };
+        found.push(phase(study, case, names, mode, (&begins, &elapsed), &coordinates, &motions)?);
+        // An end at a time that only the run knows has no formula: the closed forms end there.
+        known = known && ends.is_some();
+        let Some(end) = ends.filter(|_| known) else { break };
+        let mut at_end = Substitution::default();
+        at_end.insert(elapsed, &end - &begins);
+        for (coordinate, motion) in coordinates.iter_mut().zip(motions) {
+            coordinate.start = (at_end.apply(&motion.position), at_end.apply(&motion.velocity));
+        }
+        begins = end;
+    }
+    Ok(found)
+}
+
+/// The modes one after the other, each with the formula of the time at which it ends, where there is one.
+fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
+    let trajectory = &run.trajectory;
+    let schedule: Vec<Expr> = run.equations.scheduled_times();
+    let end = |event: &Event| match &event.causes[..] {
+        [Cause::Scheduled(index), ..] => schedule.get(*index).cloned(),
+        _ => None,
+    };
+    let Some(first) = trajectory.pieces.first() else { return vec![] };
+    let changes: Vec<&Event> = trajectory.events.iter().filter(|event| event.mode_before != event.mode_after).collect();
+    let mut found = vec![];
+    let mut mode = first.mode;
+    for event in changes {
+        found.push((&trajectory.modes[mode], end(event)));
+        mode = event.mode_after;
+    }
+    found.push((&trajectory.modes[mode], None));
+    found
+}
+
+fn coordinates(study: &Study, body: &Body) -> Vec<Coordinate> {
+    let start = study.model.start_of(&body.name);
+    let k = body.kinematics();
+    let centre = body.mass_properties().centre;
+    let at = start.at.unwrap_or(centre);
+    let value = |formula: Option<Expr>| formula.unwrap_or_else(Expr::zero);
+    let turning = Coordinate {
+        position: k.angle_symbol(),
+        velocity: k.omega_symbol(),
+        acceleration: k.alpha_symbol(),
+        start: (value(start.angle), value(start.omega)),
+    };
+    if study.model.pivot_of(&body.name).is_some() {
+        return vec![turning];
+    }
+    let ([x, y], [vx, vy], [ax, ay]) = (k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols());
+    let speed = |axis: usize| start.velocity.as_ref().map_or_else(Expr::zero, |v| v[axis].clone());
+    vec![
+        Coordinate { position: x, velocity: vx, acceleration: ax, start: (at[0].clone(), speed(0)) },
+        Coordinate { position: y, velocity: vy, acceleration: ay, start: (at[1].clone(), speed(1)) },
+        turning,
+    ]
+}
+
+fn motions(
+    run: &Run,
+    mode: &Mode,
+    coordinates: &[Coordinate],
+    begins: &Expr,
+    elapsed: &Symbol,
+) -> Option<Vec<Motion>> {
+    let inputs = run.equations.model().parameters.symbols();
+    let time = Symbol::new("t", Dimension::TIME);
+    let one = |coordinate: &Coordinate| {
+        let acceleration = run.equations.in_states(mode, &coordinate.acceleration.clone().into());
+        let given = |symbol: &Symbol| *symbol == time || inputs.contains(symbol);
+        if !acceleration.symbols().iter().all(given) {
+            return None;
+        }
+        let (position, velocity) = &coordinate.start;
+        integrate_twice(&acceleration, (&time, begins), elapsed, (position, velocity))
+    };
+    coordinates.iter().map(one).collect()
+}
+
+fn phase(
+    study: &Study,
+    case: &Case,
+    names: &Names,
+    mode: &Mode,
+    (begins, elapsed): (&Expr, &Symbol),
+    coordinates: &[Coordinate],
+    motions: &[Motion],
+) -> Result<Phase, PipelineError> {
+    let mut lines = vec![];
+    let mut numbers: Vec<Math> = vec![];
+    for (coordinate, motion) in coordinates.iter().zip(motions) {
+        for (symbol, formula) in
+            [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)]
+        {
+            let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+            lines.push((left, formula.clone()));
+            numbers.push(with_numbers(study, names, symbol, formula, elapsed)?);
+        }
+    }
+    let mut symbols = names.block("", &lines);
+    if *elapsed.name != *"t" {
+        let since: Expr = Expr::symbol("t", Dimension::TIME) - begins;
+        let symbol = names.equation("tau", &since);
+        symbols.definitions.push(tumble_report::report::Definition { symbol, meaning: Text::default() });
+    }
+    let from = study.number(begins)?;
+    Ok(Phase {
+        name: mode_name(study, case, mode).into(),
+        span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")),
+        symbols: vec![symbols],
+        numbers: vec![tumble_report::report::Block { lines: numbers, ..Default::default() }],
+    })
+}
+
+/// The polynomial with its coefficients as numbers, SI units.
+fn with_numbers(
+    study: &Study,
+    names: &Names,
+    symbol: &Symbol,
+    formula: &Expr,
+    elapsed: &Symbol,
+) -> Result<Math, PipelineError> {
+    let coefficients = polynomial_in(formula, elapsed).unwrap_or_default();
+    let shown_time = if *elapsed.name == *"t" { "t" } else { "τ" };
+    let mut text = String::new();
+    for (degree, coefficient) in coefficients.iter().enumerate() {
+        let value = study.number(coefficient)?;
+        if value == 0.0 {
+            continue;
+        }
+        let number = numeral::significant(value.abs(), DIGITS).to_plain();
+        let sign = match (text.is_empty(), value < 0.0) {
+            (true, true) => "−",
+            (true, false) => "",
+            (false, true) => " − ",
+            (false, false) => " + ",
+        };
+        let power = match degree {
+            0 => String::new(),
+            1 => format!("\u{a0}{shown_time}"),
+            2 => format!("\u{a0}{shown_time}²"),
+            3 => format!("\u{a0}{shown_time}³"),
+            _ => format!("\u{a0}{shown_time}^{degree}"),
+        };
+        text += &format!("{sign}{number}{power}");
+    }
+    let text = if text.is_empty() { "0".to_owned() } else { text };
+    let left = tumble_math::text(&names.notation().symbol(&symbol.name));
+    Ok(words(&format!("{left} = {text}")))
+}
