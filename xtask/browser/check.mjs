@@ -4,6 +4,8 @@
 //
 // A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
 // machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
+// A page with a motion must play it, one with curves must answer a pointer, and none may be wider than a narrow window
+// or fail to print.
 // Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
 
 import { mkdtemp, rm } from "node:fs/promises";
@@ -21,6 +23,7 @@ const FLAGS = [
   "--disable-component-update",
   "--disable-sync",
 ];
+const NARROW = 400;
 const LOCAL = /^(file|data|blob|about):/;
 
 function watch(page, faults) {
@@ -43,8 +46,49 @@ async function open(browser, path, screenshot) {
   await page.goto(pathToFileURL(path).href, { waitUntil: "load", timeout: 60_000 });
   await page.waitForTimeout(300);
   await page.screenshot({ path: screenshot, fullPage: true });
+  faults.push(...(await played(page)), ...(await pointed(page)), ...(await narrowed(page)), ...(await printed(page)));
   await page.close();
   return faults;
+}
+
+// The motion advances when its button is pressed, and the time that is shown with it.
+async function played(page) {
+  const button = page.locator("figure[data-motion] button.play").first();
+  if ((await button.count()) === 0) return [];
+  const slider = page.locator("figure[data-motion] input[type=range]").first();
+  const before = Number(await slider.inputValue());
+  await button.click();
+  await page.waitForTimeout(700);
+  const after = Number(await slider.inputValue());
+  await button.click();
+  return after > before ? [] : [`the motion does not play: its slider stays at ${before}`];
+}
+
+// Curves tell their values under the pointer.
+async function pointed(page) {
+  const hit = page.locator("figure[data-plot] .hit").first();
+  if ((await hit.count()) === 0) return [];
+  await hit.scrollIntoViewIfNeeded();
+  const box = await hit.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.4, box.y + box.height * 0.5);
+  await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.5);
+  await page.waitForTimeout(200);
+  const cursors = await page.locator("figure[data-plot] .cursor").count();
+  return cursors > 0 ? [] : ["curves do not answer the pointer"];
+}
+
+async function narrowed(page) {
+  const size = page.viewportSize();
+  await page.setViewportSize({ width: NARROW, height: 800 });
+  await page.waitForTimeout(200);
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  await page.setViewportSize(size);
+  return width <= NARROW ? [] : [`in a window of ${NARROW} pixels the page is ${width} wide`];
+}
+
+async function printed(page) {
+  const pdf = await page.pdf({ format: "A4" });
+  return pdf.length > 1000 ? [] : ["the page does not print"];
 }
 
 function screenshotName(path) {

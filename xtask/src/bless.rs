@@ -25,6 +25,10 @@ const FIGURES: &[(&str, &str)] = &[
     ("05-shuttlecock/flight.svg", "shuttlecock.svg"),
     ("06-curve-ball/path.svg", "curve-ball.svg"),
     ("07-measured-gust/theta.svg", "measured-gust.svg"),
+    ("03-bouncing-rod/contact.svg", "bouncing-rod.svg"),
+    ("08-rigid-rod/bounces.svg", "rigid-rod.svg"),
+    ("09-bouncing-ball/height.svg", "bouncing-ball.svg"),
+    ("10-falling-rod/forces.svg", "falling-rod.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.

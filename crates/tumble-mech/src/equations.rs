@@ -151,23 +151,29 @@ impl Equations {
 
     /// What every kinematic symbol stands for in a mode.
     pub(crate) fn definitions_of(&self, mode: &Mode) -> Definitions {
-        Definitions { kinematic: self.definitions_in(mode), changes: self.changes(mode) }
+        let all: Vec<usize> = (0..self.bodies.len()).collect();
+        Definitions { kinematic: self.definitions_in(mode, &all), changes: self.changes(mode) }
+    }
+
+    /// The same, accelerations and contact forces of one body only: what its own contacts need.
+    pub(crate) fn definitions_about(&self, mode: &Mode, body: usize) -> Definitions {
+        Definitions { kinematic: self.definitions_in(mode, &[body]), changes: self.changes(mode) }
     }
 
     /// Formulas for all kinematic symbols that are not states.
     ///
     /// Positions and velocities are found first: an acceleration's formula holds them.
-    pub(crate) fn definitions_in(&self, mode: &Mode) -> Substitution {
+    fn definitions_in(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
         let acting = self.acting(mode);
         let mut all = self.definitions.clone();
-        let forces = self.contact_forces(mode);
-        for (index, body) in self.bodies.iter().enumerate() {
-            let accelerations = body.accelerations(&on_body(&acting, index));
+        let forces = self.contact_forces(mode, bodies);
+        for &index in bodies {
+            let accelerations = self.bodies[index].accelerations(&on_body(&acting, index));
             for (symbol, formula) in accelerations {
                 all.insert(symbol, self.definitions.apply(&forces.apply(&formula)));
             }
         }
-        for pair in &self.pairs.all {
+        for pair in self.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
             let force: Expr = pair.force_symbol().into();
             all.insert(pair.force_symbol(), self.definitions.apply(&forces.apply(&force)));
         }
@@ -175,9 +181,9 @@ impl Equations {
     }
 
     /// Normal forces of all pairs in a mode, in kinematic symbols without accelerations: zero where they are apart.
-    fn contact_forces(&self, mode: &Mode) -> Substitution {
+    fn contact_forces(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
         let mut forces = Substitution::default();
-        for pair in &self.pairs.all {
+        for pair in self.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
             forces.insert(pair.force_symbol(), Expr::zero());
         }
         for pair in mode.pressed().map(|pair| &self.pairs.all[pair]) {
@@ -186,7 +192,8 @@ impl Equations {
         }
         let acting = self.acting(mode);
         let mut held_forces = vec![];
-        for (index, body) in self.bodies.iter().enumerate() {
+        for &index in bodies {
+            let body = &self.bodies[index];
             let held: Vec<&Pair> = self.held_on(mode, index).collect();
             if held.is_empty() {
                 continue;
@@ -203,6 +210,20 @@ impl Equations {
             forces.insert(symbol, force);
         }
         forces
+    }
+
+    /// The terms on one body in a mode, reactions left out, in the states of the mode.
+    pub(crate) fn terms_on(&self, mode: &Mode, body: usize) -> Vec<Term> {
+        let definitions = self.definitions_about(mode, body);
+        let acting = self.acting(mode);
+        let in_mode = |formula: &Expr| definitions.apply(formula);
+        let in_states = |term: &&Term| Term {
+            arm: term.arm.map(in_mode),
+            force: term.force.map(in_mode),
+            couple: in_mode(&term.couple),
+            ..(*term).clone()
+        };
+        on_body(&acting, body).iter().map(in_states).collect()
     }
 
     /// Pairs of a body that rigid surfaces hold in a mode.

@@ -34,10 +34,14 @@ impl Mode {
         self.contacts.sort_unstable();
     }
 
-    /// The same mode without lasting contacts of a body.
+    /// The same mode as far as a body's free motion depends on it: without its lasting contacts and those of others,
+    /// except where they are states.
     pub(crate) fn without_support(&self, pairs: &[Pair], body: usize) -> Self {
         let mut mode = self.clone();
-        mode.contacts.retain(|(pair, phase)| pairs[*pair].body != body || !phase.is_lasting());
+        mode.contacts.retain(|(pair, phase)| {
+            let (own, is_state) = (pairs[*pair].body == body, pairs[*pair].is_hertzian());
+            if own { !phase.is_lasting() } else { is_state && *phase == Phase::Pressed }
+        });
         mode
     }
 

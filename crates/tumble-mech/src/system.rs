@@ -2,6 +2,7 @@
 
 use tumble_ode::{Candidate, Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
 
+use crate::contact::Impulses;
 use crate::equations::Equations;
 use crate::event::Action;
 use crate::load::Moment;
@@ -54,7 +55,7 @@ impl Equations {
     pub(crate) fn transition(
         &self,
         at: &Crossing<'_, Mode>,
-    ) -> Result<(Jump<Mode>, Vec<(usize, f64)>), Reason> {
+    ) -> Result<(Jump<Mode>, Impulses), Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
         for cause in at.causes {
             match cause {

@@ -93,7 +93,7 @@ impl Candidates {
             let is_beyond = watch.direction != Direction::Both && watch.direction.allows(here);
             watch.clearance = if is_beyond { 0.0 } else { here.abs() };
             // NaN counts as near: the expansion then says what is wrong.
-            if !(watch.clearance > needed) {
+            if watch.clearance <= needed || watch.clearance.is_nan() {
                 near.push((index, watch.expand(expansion, here, order)?));
             }
         }

@@ -5,7 +5,7 @@
 mod mutations;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -19,8 +19,45 @@ const MUCH: u64 = 1 << 20;
 /// How often the clock and the memory are looked at.
 const TICK: Duration = Duration::from_millis(50);
 
-/// What one core reads, and since when.
-type Work = Mutex<Option<(Instant, String)>>;
+/// One in so many has its mistakes drawn, which takes longer than to find them.
+const SHOWN: u64 = 8;
+
+/// What one core reads, since when, and the clock of its thread.
+#[derive(Clone)]
+struct Reading {
+    since: Instant,
+    clock: Clock,
+    text: String,
+}
+
+type Work = Mutex<Option<Reading>>;
+
+/// How long a thread has worked: on a busy machine that is less than the time that has passed.
+#[derive(Clone)]
+struct Clock {
+    file: PathBuf,
+    start: Duration,
+}
+
+impl Clock {
+    /// Of the thread that calls this.
+    fn start() -> Self {
+        let thread = std::fs::read_link("/proc/thread-self").unwrap_or_default();
+        let file = Path::new("/proc").join(thread).join("schedstat");
+        let start = worked(&file).unwrap_or_default();
+        Self { file, start }
+    }
+
+    fn elapsed(&self, since: Instant) -> Duration {
+        worked(&self.file).map_or_else(|| since.elapsed(), |worked| worked.saturating_sub(self.start))
+    }
+}
+
+/// What the system says that a thread has worked, where it does.
+fn worked(file: &Path) -> Option<Duration> {
+    let text = std::fs::read_to_string(file).ok()?;
+    text.split(' ').next()?.parse().ok().map(Duration::from_nanos)
+}
 
 struct Hunt {
     corpus: Corpus,
@@ -70,8 +107,9 @@ impl Hunt {
             }
             let mut random = Random::new(self.seed.wrapping_mul(0x1_0000_0000).wrapping_add(number));
             let text = self.corpus.scene(&mut random);
-            set(work, Some((Instant::now(), text.clone())));
-            let outcome = catch_unwind(AssertUnwindSafe(|| survives(&text, &self.corpus.files)));
+            set(work, Some(Reading { since: Instant::now(), clock: Clock::start(), text: text.clone() }));
+            let outcome =
+                catch_unwind(AssertUnwindSafe(|| survives(&text, &self.corpus.files, number % SHOWN == 0)));
             if let Err(panic) = outcome {
                 let said = panic.downcast_ref::<String>().cloned();
                 let said = said.or_else(|| panic.downcast_ref::<&str>().map(|said| (*said).to_owned()));
@@ -89,14 +127,13 @@ impl Hunt {
             let much = memory().is_some_and(|held| held > MUCH);
             for (work, told) in self.work.iter().zip(&mut told) {
                 let now = work.lock().unwrap_or_else(PoisonError::into_inner).clone();
-                let Some((since, text)) = now.filter(|(since, _)| *told != Some(*since)) else { continue };
-                if since.elapsed() > LONG || much {
+                let Some(Reading { since, clock, text }) = now.filter(|now| *told != Some(now.since)) else {
+                    continue;
+                };
+                let lasted = clock.elapsed(since);
+                if lasted > LONG || much {
                     *told = Some(since);
-                    self.report(
-                        if much { "memory" } else { "long" },
-                        &format!("{:?}", since.elapsed()),
-                        &text,
-                    );
+                    self.report(if much { "memory" } else { "long" }, &format!("{lasted:?}"), &text);
                 }
             }
             if start.elapsed() > next {
@@ -124,7 +161,7 @@ impl Hunt {
     }
 }
 
-fn set(work: &Work, what: Option<(Instant, String)>) {
+fn set(work: &Work, what: Option<Reading>) {
     *work.lock().unwrap_or_else(PoisonError::into_inner) = what;
 }
 

@@ -1,21 +1,91 @@
 //! Formulas that are shown: any quantity of the motion.
 
-use tumble_expr::{Binary, Dimension, Expr, Node, Unary, language};
+use tumble_expr::{Binary, Dimension, Expr, Node, Unary, Unit, language};
 
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
 use crate::document::Field;
 use crate::draft::Draft;
-use crate::formula::Want;
-use crate::names::Level;
+use crate::formula::{self, Text, Want};
+use crate::names::{Level, Names};
 use crate::study::{Curve, Quantity};
+use crate::unit_text;
 
 /// A formula that may hold every name of the scene.
 pub(crate) fn read(draft: &mut Draft, field: &Field) -> Option<Curve> {
+    let text = draft.text(field, Want::any())?;
+    of_text(draft, text)
+}
+
+fn of_text(draft: &mut Draft, text: Text) -> Option<Curve> {
     let want = Want { moments: true, ..Want::any().at(Level::Output) };
-    let formula = draft.number(field, want)?;
-    let text = draft.text(field, want)?.text;
-    let parsed = language::parse(&text).ok();
+    let value = formula::number(&draft.names, &text, want);
+    let value = draft.all_noted(value)?;
+    let parsed = language::parse(&text.text).ok();
     let names = parsed.iter().flat_map(|formula| formula.names()).map(|name| name.name);
-    Some(Curve { quantity: quantity(formula, names), text: text.clone() })
+    Some(Curve { quantity: quantity(value, names), text: text.text.clone() })
+}
+
+/// The curve of a check, which is in SI units: its `equals` and `within` say theirs.
+pub(crate) fn in_si(draft: &mut Draft, field: &Field) -> Option<Curve> {
+    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else { return read(draft, field) };
+    let message = format!("`in {}` is for the axes of figures", unit.trim());
+    let mistake = Diagnostic::new(Code::Choice, field.span.clone(), message).label("not an axis");
+    draft.note(mistake.help(format!(
+        "write `{} = \"{}\"`; `equals` and `within` say their own units",
+        field.key,
+        before.trim()
+    )));
+    None
+}
+
+/// Between a formula and the unit that an axis shows it in.
+const IN: &str = " in ";
+
+/// The same, perhaps in a unit of its own: `"rod.angle in deg"`. The formula's values are then numbers of that unit.
+pub(crate) fn on_axis(draft: &mut Draft, field: &Field) -> Option<Curve> {
+    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else { return read(draft, field) };
+    let written = draft.text(field, Want::any())?;
+    let part = |start: usize, text: &str| Text {
+        text: text.to_owned(),
+        origin: written.origin.part(start..start + text.len()),
+        ..written.clone()
+    };
+    let chain = part(written.text.len() - unit.len(), unit);
+    let si = of_text(draft, part(0, before))?;
+    let one = one_of(draft, &chain, &si.quantity)?;
+    let size = one / (1 * Unit(si.quantity.dimension));
+    let unit = unit.trim().to_owned();
+    let quantity = Quantity { formula: si.quantity.formula / size, unit, ..si.quantity };
+    Some(Curve { text: written.text, quantity })
+}
+
+/// The formula and its unit. No formula goes on with a word behind a space, so that nothing else can be meant.
+pub(crate) fn in_unit(text: &str) -> Option<(&str, &str)> {
+    let (before, unit) = text.rsplit_once(IN)?;
+    let begins = unit.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '%');
+    (begins && !before.trim().is_empty()).then_some((before, unit))
+}
+
+/// One of the unit, which must measure what the formula does, and an angle where that is one.
+fn one_of(draft: &mut Draft, chain: &Text, shown: &Quantity) -> Option<Expr> {
+    let angle = shown.unit.starts_with("rad");
+    let want = Want { angle, ..Want::constant(shown.dimension) };
+    let one = Text {
+        text: format!("1 {}", chain.text.trim()),
+        origin: chain.origin.without_parts(),
+        ..chain.clone()
+    };
+    let number = formula::number(&Names::default(), &one, want);
+    draft.all_noted(number).filter(|_| {
+        let is_unit = unit_text::unit(chain.text.trim()).is_some();
+        if !is_unit {
+            let message = format!("`{}` is more than a unit", chain.text.trim());
+            let mistake = Diagnostic::new(Code::Choice, chain.origin.whole(), message);
+            draft.note(mistake.help("behind `in` stands a unit alone, such as `deg` or `km/h`"));
+        }
+        is_unit
+    })
 }
 
 /// A formula that was written with these names.

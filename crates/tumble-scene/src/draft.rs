@@ -42,7 +42,15 @@ pub(crate) struct Draft {
     pub(crate) files: BTreeMap<String, io::Result<Vec<u8>>>,
 }
 
+/// Mistakes of a scene that has more are mostly echoes of each other, and each costs the time to find its cure.
+const MOST_MISTAKES: usize = 200;
+
 impl Draft {
+    /// Whether there are so many mistakes that more would help nobody.
+    pub(crate) fn is_full(&self) -> bool {
+        self.mistakes.len() >= MOST_MISTAKES
+    }
+
     /// A draft of which only the texts are known.
     pub(crate) fn begin(name: &str, text: &str, overrides: &[Override]) -> Self {
         let scene = Source { name: name.to_owned(), text: text.to_owned() };

@@ -92,6 +92,22 @@ fn canonical(names: &Names, name: &str) -> Option<String> {
     PARTS.contains(&part).then(|| format!("{pair}.contact[{count}].{part}"))
 }
 
+/// A contact with no surface, or nearly an event.
+fn unknown(names: &Names, name: &str, stem: &str, allowed: bool, span: &Span) -> Option<Diagnostic> {
+    let mistake = |code, message: String, help: String| {
+        Diagnostic::new(code, span.clone(), message).label("unknown name").help(help)
+    };
+    let surfaces = names.surfaces.iter().map(String::as_str);
+    if name.contains(".contact[") && !names.bodies.iter().any(|body| body == stem) {
+        let help = crate::suggest::name(stem, "surfaces", surfaces);
+        return Some(mistake(Code::UnknownPoint, format!("there is no surface `{stem}`"), help));
+    }
+    let events = names.events.iter().map(String::as_str);
+    let near = crate::suggest::nearest(stem, events).filter(|_| allowed && !name.contains('.'))?;
+    let known = Code::Formula(tumble_expr::language::Code::UnknownName);
+    Some(mistake(known, format!("nothing is named `{stem}`"), format!("did you mean the event \"{near}\"?")))
+}
+
 /// What is wrong with a name that speaks of a contact or an event, if it does; `allowed` says whether it may here.
 pub(crate) fn explain(names: &Names, name: &str, allowed: bool, span: &Span) -> Option<Diagnostic> {
     let stem = name.split(['[', '.']).next().unwrap_or(name);
@@ -99,7 +115,7 @@ pub(crate) fn explain(names: &Names, name: &str, allowed: bool, span: &Span) -> 
     let is_contact = names.surfaces.iter().any(|surface| surface == stem) && name.contains(".contact");
     let mistake = |code, message: String| Diagnostic::new(code, span.clone(), message);
     if !is_event && !is_contact {
-        return None;
+        return unknown(names, name, stem, allowed, span);
     }
     if !allowed {
         let what =

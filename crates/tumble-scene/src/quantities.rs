@@ -55,8 +55,8 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
     for surface in &model.surfaces {
         let of_surface = || pairs.iter().filter(|pair| pair.name.starts_with(&format!("{}.", surface.name)));
         for pair in of_surface() {
-            let body = pair.name.rsplit_once('.').map_or("", |(body, _)| body);
-            names.touching.extend([pair.name.clone(), body.to_owned()]);
+            let body = format!("{}.{}", surface.name, model.bodies[pair.body].name);
+            names.touching.extend([pair.name.clone(), body]);
             names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
             names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
         }

@@ -101,6 +101,9 @@ impl Draft {
     /// Everything that was not asked for is unknown.
     pub(crate) fn done(&mut self, table: Table) {
         for field in &table.fields {
+            if self.is_full() {
+                break;
+            }
             let message = format!("`{}` has no key `{}`", table.title, field.key);
             let mistake = Diagnostic::new(Code::UnknownKey, field.key_span.clone(), message);
             self.note(mistake.label("unknown key").help(suggest::key(field.key, &table.asked)));

@@ -70,11 +70,11 @@ impl Study {
 /// Something that can be shown: a named formula of the motion.
 #[derive(Clone, Debug)]
 pub struct Quantity {
-    /// The formula; it may hold any kinematic symbol, accelerations included.
+    /// The formula; it may hold any kinematic symbol, accelerations included. Its values are numbers of `unit`.
     pub formula: Expr,
     /// What it measures.
     pub dimension: Dimension,
-    /// Its unit as it is shown: `rad/s`, `N`, `J`; empty for a pure number.
+    /// Its unit as it is shown: `rad/s`, `N`, `J`, or another that a figure asks for; empty for a pure number.
     pub unit: String,
 }
 

@@ -1,10 +1,22 @@
 //! What was probably meant.
 
+/// Longer words, characters, are not slips of a name.
+const LONGEST: usize = 100;
+/// Only so many words are compared: the time is the product of both lengths, for each of them.
+const MOST_WORDS: usize = 5000;
+
 /// The word fewest slips away, if they are few.
 pub(crate) fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
-    let scored = words.into_iter().map(|known| (slips(word, known), known));
+    let length = word.chars().count();
+    let most = length.div_ceil(3);
+    if length > LONGEST {
+        return None;
+    }
+    let near =
+        words.into_iter().take(MOST_WORDS).filter(|known| known.chars().count().abs_diff(length) <= most);
+    let scored = near.map(|known| (slips(word, known), known));
     let (least, best) = scored.min_by_key(|(slips, _)| *slips)?;
-    (least <= word.chars().count().div_ceil(3)).then_some(best)
+    (least <= most).then_some(best)
 }
 
 fn slips(word: &str, known: &str) -> usize {

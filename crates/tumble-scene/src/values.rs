@@ -10,6 +10,9 @@ use crate::study::Instant;
 /// More samples than this are a slip of the unit.
 const MAX_SAMPLES: f64 = 1e6;
 
+/// Numbers near a larger angle, rad, are more than 1e-7 apart, so that its sine has lost half its digits.
+const LARGEST_ANGLE: f64 = 1e9;
+
 /// Notes every number that makes no sense.
 pub(crate) fn check(draft: &mut Draft) {
     let Some(until) = value(draft, "until", draft.until.clone()) else { return };
@@ -22,6 +25,13 @@ pub(crate) fn check(draft: &mut Draft) {
     let distances: Vec<_> = outputs.into_iter().chain(pictures).collect();
     for (what, every) in distances {
         check_distance(draft, &what, every, until);
+    }
+    for plot in draft.plots.clone() {
+        let ends = plot.during.iter().flatten().map(|end| end.time.clone());
+        check_window(draft, &format!("during of `{}`", plot.name), ends.collect(), until);
+    }
+    for (body, start) in draft.model.starts.clone() {
+        check_angle(draft, &format!("start of `{body}`"), start.angle);
     }
     for sheet in draft.free_bodies.clone() {
         for (at, _) in &sheet.at {
@@ -64,6 +74,9 @@ fn check_distance(draft: &mut Draft, what: &str, every: Expr, until: f64) {
     let Some(every) = value(draft, what, Some(every)) else { return };
     if every <= 0.0 {
         note(draft, Code::Value, what, format!("every {every} s: this must be positive"), "must be positive");
+    } else if every > until {
+        let message = format!("every {every} s is longer than the run, which lasts {until} s");
+        note(draft, Code::OutsideRun, what, message, "longer than the run");
     } else if until / every > MAX_SAMPLES {
         let message =
             format!("every {every} s makes about {:.0e} samples, more than {MAX_SAMPLES:.0e}", until / every);
@@ -77,6 +90,28 @@ fn check_time(draft: &mut Draft, what: &str, at: &Instant, until: f64) {
     if !(0.0..=until).contains(&at) {
         let message = format!("{at} s is outside of the run, which lasts from 0 to {until} s");
         note(draft, Code::OutsideRun, what, message, "outside of the run");
+    }
+}
+
+/// The ends of a span of time, as far as they are known before the run.
+fn check_window(draft: &mut Draft, what: &str, ends: Vec<Expr>, until: f64) {
+    let ends: Option<Vec<f64>> = ends.into_iter().map(|end| value(draft, what, Some(end))).collect();
+    let Some([from, to]) = ends.as_deref() else { return };
+    if from >= to {
+        let message = format!("a figure from {from} s to {to} s shows nothing");
+        note(draft, Code::Window, what, message, "ends before it begins");
+    } else if *from >= until || *to <= 0.0 {
+        let message = format!("{from} s to {to} s is outside of the run, which lasts from 0 to {until} s");
+        note(draft, Code::OutsideRun, what, message, "outside of the run");
+    }
+}
+
+fn check_angle(draft: &mut Draft, what: &str, angle: Option<Expr>) {
+    let Some(angle) = value(draft, what, angle) else { return };
+    if angle.abs() > LARGEST_ANGLE {
+        let message =
+            format!("an angle of {angle:e} rad points nowhere: numbers of that size are too far apart");
+        note(draft, Code::Value, what, message, &format!("at most {LARGEST_ANGLE:e} rad"));
     }
 }
 

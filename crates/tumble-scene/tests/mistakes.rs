@@ -1,7 +1,11 @@
 //! Every mistake: its code, the words it underlines, and part of what it says.
 
+#[path = "common/bad_rows.rs"]
+mod bad_rows;
 #[path = "common/beside.rs"]
 mod beside;
+#[path = "common/book.rs"]
+mod book;
 #[path = "common/rows.rs"]
 mod rows;
 
@@ -317,6 +321,30 @@ fn mistakes_of_formulas() {
 #[test]
 fn mistakes_of_values() {
     table(SCENE, VALUES);
+}
+
+#[test]
+fn mistakes_of_haste() {
+    for rows in [bad_rows::NUMBERS, bad_rows::MOTIONS, bad_rows::SWEEPS, bad_rows::FIGURES, bad_rows::FILES] {
+        table(SCENE, rows);
+    }
+}
+
+#[test]
+fn the_book_lists_these_mistakes() {
+    let chapters = [
+        ("The file as TOML", TOML),
+        ("Sections and keys", STRUCTURE),
+        ("Bodies and loads", BODIES),
+        ("Numbers and their signs", bad_rows::NUMBERS),
+        ("Formulas", FORMULAS),
+        ("Values", VALUES),
+        ("Motions", bad_rows::MOTIONS),
+        ("Sweeps", bad_rows::SWEEPS),
+        ("Figures and checks", bad_rows::FIGURES),
+        ("Files", bad_rows::FILES),
+    ];
+    book::same_page(SCENE, &chapters);
 }
 
 #[test]

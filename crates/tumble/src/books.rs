@@ -48,8 +48,8 @@ impl Books {
             columns: ledger.columns(),
             rows,
             entries: entries.map(|(index, entry)| (ledger.name_of(index), entry.clone())).collect(),
-            energy: ledger.energy.clone(),
-            total: ledger.total.clone(),
+            energy: ledger.energy,
+            total: ledger.total,
             relative: ledger.relative(),
         }))
     }
@@ -70,7 +70,7 @@ impl Books {
 /// Equal steps, and both sides of each event.
 fn times(run: &tumble_mech::Run) -> Vec<(f64, Side)> {
     let end = run.trajectory.end().unwrap_or(0.0);
-    let steps = (0..=ROWS).map(|row| (end * row as f64 / ROWS as f64, Side::After));
+    let steps = (0..=ROWS).map(|row| ((end * row as f64 / ROWS as f64).min(end), Side::After));
     let events = run.trajectory.events.iter();
     let sides = events.flat_map(|event| [(event.time, Side::Before), (event.time, Side::After)]);
     let mut times: Vec<(f64, Side)> = steps.chain(sides).collect();

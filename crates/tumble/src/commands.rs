@@ -147,6 +147,9 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     }
 }
 
+/// Smaller numbers are written with a power of ten.
+const SMALL: f64 = 1e-5;
+
 /// How a command ended, worst last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Ending {
@@ -274,13 +277,18 @@ fn describe_case(case: &Case) {
         let (that, at) = (&check.that, check.at);
         let expected = match check.holds {
             true => String::new(),
-            false => format!(", expected {} within {:?}", check.expected, check.within),
+            false => format!(", expected {} within {:?}", short(check.expected), check.within),
         };
-        say!("  check {}: {that} = {} at {at} s {verdict}{expected}", check.name, check.found);
+        say!("  check {}: {that} = {} at {at} s {verdict}{expected}", check.name, short(check.found));
     }
     if let Some(refusal) = &case.refusal {
         say!("  incomplete: {refusal}");
     }
+}
+
+/// All digits, and no row of zeros.
+fn short(value: f64) -> String {
+    if value != 0.0 && value.abs() < SMALL { format!("{value:e}") } else { value.to_string() }
 }
 
 /// Whether a claim is about a time that the motion does not have.

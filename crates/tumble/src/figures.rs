@@ -76,7 +76,12 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
     let title = Label::markup(plot.title.as_deref().unwrap_or(&study.title));
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
     for case in cases {
-        let Some(rows) = rows(&study.with(&case.parameters), case, plot, &formulas)? else { continue };
+        let of_case = study.with(&case.parameters);
+        let moments = Moments::of(&of_case, &case.run);
+        // What waits for something that does not happen in this run has no curve.
+        let known: Option<Vec<Expr>> = formulas.iter().map(|formula| moments.known(formula)).collect();
+        let Some(known) = known else { continue };
+        let Some(rows) = rows(&of_case, case, plot, &known)? else { continue };
         for (index, curve) in plot.y.iter().enumerate() {
             let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
             // One curve a run needs no name: the axis says what it is.

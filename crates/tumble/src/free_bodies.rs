@@ -23,11 +23,12 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, 
     let drawing = Drawing { study, run: &case.run, body: asked.body };
     let mut sheet =
         Sheet { title: Label::markup(asked.title.as_deref().unwrap_or(&study.title)), ..Sheet::default() };
+    let end = case.run.trajectory.end().unwrap_or(0.0);
     let mut missing = vec![];
     for (instant, label) in &asked.at {
         match moments.time(instant)? {
-            Some(time) => sheet.panels.push(drawing.panel(label, time)?),
-            None => missing.push(instant.text.as_str()),
+            Some(time) if (0.0..=end).contains(&time) => sheet.panels.push(drawing.panel(label, time)?),
+            _ => missing.push(instant.text.as_str()),
         }
     }
     if !missing.is_empty() {

@@ -45,7 +45,7 @@ fn closes(scene: &str, run: &Run, body: usize) {
     let mut forces = Forces::of(run);
     let end = run.trajectory.end().expect("a motion");
     for index in 0..=INSTANTS {
-        let time = end * index as f64 / INSTANTS as f64;
+        let time = (end * index as f64 / INSTANTS as f64).min(end);
         let needed = needed.at(time, Side::After).expect("within the run");
         let all = joined(&forces.at(time, Side::After).expect("forces of the motion"));
         let own: Vec<_> = all.iter().filter(|force| force.body == body).collect();

@@ -204,6 +204,10 @@ fn raised(c: char) -> Option<char> {
 }
 
 fn paired((from, to): (&str, &str), c: char) -> Option<char> {
+    // Most text is ASCII, and nothing of that is paired.
+    if c.is_ascii() {
+        return None;
+    }
     let at = from.chars().position(|other| other == c)?;
     to.chars().nth(at)
 }

@@ -16,11 +16,18 @@ pub(crate) enum Change {
     Start,
     /// A lasting contact ends.
     End,
+    /// A body that a surface has let go inside itself is out of it.
+    Clear,
 }
 
 impl Change {
-    const ALL: [(Self, &'static str); 4] =
-        [(Self::Impact, "impact"), (Self::Cascade, "cascade"), (Self::Start, "start"), (Self::End, "end")];
+    const ALL: [(Self, &'static str); 5] = [
+        (Self::Impact, "impact"),
+        (Self::Cascade, "cascade"),
+        (Self::Start, "start"),
+        (Self::End, "end"),
+        (Self::Clear, "clear"),
+    ];
 
     fn word(self) -> &'static str {
         Self::ALL.iter().find(|(change, _)| *change == self).map_or("", |(_, word)| word)
@@ -79,7 +86,7 @@ pub(crate) fn contacts(pairs: &[Pair], trajectory: &Trajectory<Mode>) -> Vec<Con
             match change {
                 Change::Impact => found.push(contact(*time, true)),
                 Change::Start => found.push(contact(end, false)),
-                Change::Cascade => {}
+                Change::Cascade | Change::Clear => {}
                 Change::End => {
                     if let Some(open) = found.iter_mut().rev().find(|open| open.pair == pair && open.is_open)
                     {

@@ -20,4 +20,4 @@ pub use interval::{Contact, Impulse};
 pub use pair::Pair;
 pub(crate) use pairs::Pairs;
 pub use phase::Phase;
-pub(crate) use touch::TouchTapes;
+pub(crate) use touch::{Impulses, TouchTapes};

@@ -134,7 +134,7 @@ impl Equations {
         let (after, change) = match (watched, before) {
             (Watched::Force, Some(Phase::Pressed)) => (Some(Phase::Released), Some(Change::End)),
             (Watched::Force, _) => (Some(Phase::Pressed), Some(Change::Start)),
-            (_, Some(Phase::Released)) => (None, None),
+            (_, Some(Phase::Released)) => (None, Some(Change::Clear)),
             _ => (None, Some(Change::End)),
         };
         jump.mode.set_phase(index, after);

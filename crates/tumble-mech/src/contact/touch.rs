@@ -12,7 +12,7 @@ use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
 use crate::surface::ContactLaw;
-use crate::term::{Law, Term};
+use crate::term::Term;
 
 /// Where and when.
 #[derive(Clone, Copy)]
@@ -28,6 +28,9 @@ pub(crate) struct Now<'a> {
 /// Rounding may leave of a velocity that came to rest this part of the largest there was, in units of what `STANDS`
 /// makes of it.
 const LEFT: f64 = 1e-3;
+
+/// Impulses along the normals by the index of the pair, N s.
+pub(crate) type Impulses = Vec<(usize, f64)>;
 
 /// One body's pairs at an instant, by their order among the body's own.
 pub(crate) struct Touch {
@@ -55,7 +58,9 @@ pub(crate) struct Touch {
 
 /// Tapes by body and mode, built when first needed.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct TouchTapes(Arc<Mutex<HashMap<(usize, Mode), Arc<Tape>>>>);
+pub(crate) struct TouchTapes(Arc<Mutex<Known>>);
+
+type Known = HashMap<(usize, Mode), Arc<Tape>>;
 
 /// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
 const BEFORE_ROW: usize = 4;
@@ -152,7 +157,7 @@ impl Equations {
         };
         let velocities: Vec<_> =
             self.velocity_states(body).into_iter().map(|state| layout.states[state].clone()).collect();
-        let definitions = self.definitions_of(mode);
+        let definitions = self.definitions_about(mode, body);
         let mut outputs: Vec<Expr> = vec![];
         for pair in pairs.iter().map(|pair| &self.pairs()[*pair]) {
             let restitution = match &pair.law {
@@ -181,9 +186,7 @@ impl Equations {
 
     /// Sizes of all forces and torques on a body, lasting contacts left out, added up without signs: one for each velocity.
     fn pushes(&self, body: usize, mode: &Mode) -> Vec<Expr> {
-        let terms = self.terms(mode);
-        let terms: Vec<_> =
-            terms.iter().filter(|term| term.body == body && term.law != Law::Reaction).collect();
+        let terms = self.terms_on(mode, body);
         let total =
             |of: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + of(term).abs());
         match self.pivot_arm(body) {
@@ -193,7 +196,8 @@ impl Equations {
                 total(&Term::torque),
             ],
             Some((_, arm)) => {
-                let arm = arm.map(|part| self.in_states(mode, part));
+                let definitions = self.definitions_about(mode, body);
+                let arm = arm.map(|part| definitions.apply(part));
                 vec![total(&|term| term.torque_about(&(&term.arm - &arm)))]
             }
         }

@@ -18,7 +18,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.noted(fit_file(field));
     let name = field.key;
-    let that = draft.required(table, "that", "\"rod.angle\"").and_then(|field| curve::read(draft, &field));
+    let that = draft.required(table, "that", "\"rod.angle\"").and_then(|field| curve::in_si(draft, &field));
     let want = that
         .as_ref()
         .map_or(Want::any(), |curve| Want { dimension: Some(curve.quantity.dimension), ..Want::any() });

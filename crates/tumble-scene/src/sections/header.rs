@@ -14,7 +14,8 @@ pub(super) fn version(draft: &mut Draft, field: &Field) {
         DeValue::Integer(_) => {
             let message = "this program reads version 1 of the scene language";
             let mistake = Diagnostic::new(Code::Version, field.span.clone(), message);
-            draft.note(mistake.label("another version").help("write `version = 1`"));
+            let help = "write `version = 1`; what that means does not change, and a scene of a later version needs a later program";
+            draft.note(mistake.label("another version").help(help));
         }
         _ => draft.wrong_type(field, "the number 1"),
     }

@@ -88,6 +88,9 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     draft.names.events = second_names(&top, "event");
     draft.names.surfaces = second_names(&top, "surface");
     for section in SECTIONS {
+        if draft.is_full() {
+            return;
+        }
         match (top.iter().find(|field| field.key == section.key), section.needed) {
             (Some(field), _) => (section.read)(draft, field),
             (None, Some(example)) => draft.note(missing(section.key, example)),
@@ -136,6 +139,9 @@ fn each(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &Field, &mut Ta
         return draft.wrong_type(section, &expected);
     };
     for field in fields(table) {
+        if draft.is_full() {
+            return;
+        }
         let Some(inner) = field.value.as_table() else {
             draft.note(unnamed(section.key, &field));
             continue;

@@ -29,6 +29,9 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
         }
     }
     for index in in_order(draft, &parameters) {
+        if draft.is_full() {
+            return;
+        }
         define(draft, &parameters[index]);
     }
 }

@@ -18,9 +18,12 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.words(&field));
-    let x = table.take("x").map(|field| curve::read(draft, &field));
+    let x = table.take("x").map(|field| curve::on_axis(draft, &field));
     let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| curves(draft, &field));
-    let during = table.take("during").map(|field| moments::pair(draft, &field));
+    let during = table.take("during").map(|given| {
+        draft.remember(format!("during of `{}`", field.key), &given.span);
+        moments::pair(draft, &given)
+    });
     let (Some(y), None | Some(Some(_)), None | Some(Some(_))) = (y, &x, &during) else { return };
     let (x, during) = (x.flatten(), during.flatten());
     draft.plots.push(Plot { name: field.key.to_owned(), title, x, y, during });
@@ -32,14 +35,31 @@ fn curves(draft: &mut Draft, field: &Field) -> Option<Vec<Curve>> {
     if fields.is_empty() {
         draft.note(Diagnostic::new(Code::Length, field.span.clone(), "this figure has no curve"));
     }
-    let curves: Vec<_> = fields.iter().map(|field| curve::read(draft, field)).collect();
+    let curves: Vec<_> = fields.iter().map(|field| curve::on_axis(draft, field)).collect();
     let curves = curves.into_iter().collect::<Option<Vec<_>>>()?;
     let first = curves.first()?.quantity.dimension;
     let unlike = curves.iter().position(|curve| curve.quantity.dimension != first);
     if let Some(other) = unlike {
         draft.note(unlike_curves([&fields[0], &fields[other]], [first, curves[other].quantity.dimension]));
     }
-    unlike.is_none().then_some(curves)
+    let unit = |curve: &Curve| curve::in_unit(&curve.text).map(|(_, unit)| unit.trim().to_owned());
+    let other = curves.iter().position(|curve| unit(curve) != unit(&curves[0]));
+    if let Some(other) = other.filter(|_| unlike.is_none()) {
+        draft.note(unlike_units([&fields[0], &fields[other]], [&curves[0], &curves[other]]));
+    }
+    (unlike.is_none() && other.is_none()).then_some(curves)
+}
+
+fn unlike_units(fields: [&Field; 2], curves: [&Curve; 2]) -> Diagnostic {
+    let [first, other] = curves.map(|curve| match curve.quantity.unit.as_str() {
+        "" => "no unit".to_owned(),
+        unit => format!("`{unit}`"),
+    });
+    let message = format!("this figure would show {first} and {other} on one axis");
+    Diagnostic::new(Code::UnlikeCurves, fields[1].span.clone(), message)
+        .label(other)
+        .also(fields[0].span.clone(), first)
+        .help("write the same `in UNIT` behind each formula")
 }
 
 fn unlike_curves(fields: [&Field; 2], dimensions: [Dimension; 2]) -> Diagnostic {

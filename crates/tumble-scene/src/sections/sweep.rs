@@ -1,6 +1,6 @@
 //! `[sweep]`: parameters that take several values, one run each.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use tumble_expr::{Binary, Expr, Node, Substitution};
@@ -22,6 +22,9 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
     let mut axes = vec![];
     for field in &fields {
         let values = draft.parameter(field).and_then(|want| values(draft, field, want));
+        if let Some(values) = &values {
+            refuse_same(draft, field, values);
+        }
         // What the command line sets takes that value only.
         let is_set = draft.settings.iter().any(|setting| setting.name == field.key);
         axes.extend(values.filter(|_| !is_set).map(|values| (field, values)));
@@ -32,6 +35,21 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
         let closed: Vec<_> = values.iter().map(|value| closed(draft, field, &swept, value)).collect();
         let Some(values) = closed.into_iter().collect::<Option<Vec<_>>>() else { continue };
         draft.sweep.push(SweepAxis { parameter: field.key.to_owned(), values });
+    }
+}
+
+/// Two runs of one label are one run twice, or cannot be told apart in a legend.
+fn refuse_same(draft: &mut Draft, field: &Field, values: &[SweepValue]) {
+    let mut seen = BTreeMap::new();
+    let elements = field.elements();
+    let span = |at: usize| elements.as_ref().map_or(field.span.clone(), |all| all[at].span.clone());
+    for (at, value) in values.iter().enumerate() {
+        let Some(first) = seen.insert(value.label.as_str(), at) else { continue };
+        let message = format!("two runs of this sweep are called \"{}\"", value.label);
+        let mistake = Diagnostic::new(Code::NameTaken, span(at), message).label("again here");
+        let mistake = if span(first) == span(at) { mistake } else { mistake.also(span(first), "first here") };
+        draft.note(mistake.help("take each value once, and give each its own label"));
+        return;
     }
 }
 

@@ -238,7 +238,9 @@ impl Corpus {
     fn changed(&self, text: &str, random: &mut Random) -> String {
         match random.below(24) {
             0 => bytes(text, random),
-            1 => in_lines(text, random, |lines, at, _| drop(lines.remove(at))),
+            1 => in_lines(text, random, |lines, at, _| {
+                lines.remove(at);
+            }),
             2 => in_lines(text, random, |lines, at, _| lines.insert(at, lines[at])),
             3 => in_lines(text, random, |lines, at, random| {
                 let other = random.below(lines.len());
@@ -261,8 +263,8 @@ impl Corpus {
     }
 }
 
-/// Reads a scene and shows its mistakes; panics where they point outside of the text or are none.
-pub(crate) fn survives(text: &str, files: &dyn Files) {
+/// Reads a scene and, if asked to, shows its mistakes; panics where they point outside of the text or are none.
+pub(crate) fn survives(text: &str, files: &dyn Files, shown: bool) {
     let Err(mistakes) = read_in("scene.toml", text, &[], files) else { return };
     assert!(!mistakes.list.is_empty(), "refused without a mistake");
     for mistake in &mistakes.list {
@@ -271,7 +273,7 @@ pub(crate) fn survives(text: &str, files: &dyn Files) {
         assert!(inside, "{mistake:?}");
         assert!(!mistake.message.is_empty(), "{mistake:?}");
     }
-    assert!(!mistakes.render(false, 80).is_empty());
+    assert!(!shown || !mistakes.render(false, 80).is_empty());
 }
 
 /// Numbers that a seed decides.

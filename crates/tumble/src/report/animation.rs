@@ -60,7 +60,7 @@ fn motion(study: &Study, names: &Names, case: &Case) -> Result<Motion, PipelineE
 
 fn times(run: &Run) -> Vec<f64> {
     let end = run.trajectory.end().unwrap_or(0.0);
-    (0..=FRAMES).map(|frame| end * frame as f64 / FRAMES as f64).collect()
+    (0..=FRAMES).map(|frame| (end * frame as f64 / FRAMES as f64).min(end)).collect()
 }
 
 /// Every load that acts at any time, by body and name.

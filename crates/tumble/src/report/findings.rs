@@ -81,7 +81,7 @@ impl Seen<'_> {
 
     fn values(&self, formula: &Expr) -> Result<Vec<(f64, f64)>, PipelineError> {
         let mut observer = self.run.observe(std::slice::from_ref(formula))?;
-        let times = (0..=SAMPLES).map(|index| self.end() * index as f64 / SAMPLES as f64);
+        let times = (0..=SAMPLES).map(|index| (self.end() * index as f64 / SAMPLES as f64).min(self.end()));
         Ok(times.filter_map(|time| Some((time, observer.at(time, Side::After)?[0]))).collect())
     }
 

@@ -1,6 +1,6 @@
 //! What is given and what is sought.
 
-use tumble_expr::{Dimension, Expr};
+use tumble_expr::{Dimension, Expr, is_identically_zero};
 use tumble_mech::{Body, Shape};
 use tumble_ode::Side;
 use tumble_report::report::{BodyRow, Identify, Quantity, Text};
@@ -33,7 +33,8 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, PipelineErr
             unit: unit.to_owned(),
             ..Quantity::default()
         };
-        let is_formula = formula.as_number().is_none();
+        // A number, or a parameter, says all by itself.
+        let is_formula = formula.children().len() > 1 && !is_identically_zero(formula);
         Ok(if is_formula { found.by(names.equation(symbol, formula)) } else { found })
     };
     Ok(BodyRow {

@@ -189,23 +189,34 @@ fn vector(names: &Names, v: &Vector) -> Math {
     math(&Formula::Matrix(v.components().iter().map(|component| vec![part(component)]).collect()))
 }
 
+/// A symbol with one more letter below it: `N_tip,y`, `W_y`.
+fn below(symbol: &str, letter: &str) -> String {
+    let separator = if symbol.contains('_') { ',' } else { '_' };
+    format!("{symbol}{separator}{letter}")
+}
+
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
 fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
-    let equations = &case.run.equations;
+    let modes = case.run.trajectory.modes.iter();
+    let terms = modes.flat_map(|mode| case.run.equations.shown_terms(mode));
+    let terms = distinct(terms.filter(|term| term.body == body).collect());
+    laws_of(study, names, case, (body, &terms), "Newton's laws")
+}
+
+fn laws_of(
+    study: &Study,
+    names: &Names,
+    case: &Case,
+    (body, terms): (usize, &[Term]),
+    title: &str,
+) -> Block {
     let kinematics = study.model.bodies[body].kinematics();
-    let mass = equations.mass_properties(body);
-    let mut terms: Vec<Term> = vec![];
-    for term in case.run.trajectory.modes.iter().flat_map(|mode| equations.shown_terms(mode)) {
-        if term.body == body && !terms.iter().any(|known| known.load == term.load) {
-            terms.push(term);
-        }
-    }
+    let mass = case.run.equations.mass_properties(body);
     let component = |axis: usize| {
         let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
         let letter = ["x", "y"][axis];
         let symbol = |term: &Term| -> Expr {
-            let name = format!("{},{letter}", force_symbol(names, term));
-            Symbol::new(name, tumble_expr::Dimension::FORCE).into()
+            Symbol::new(below(&force_symbol(names, term), letter), tumble_expr::Dimension::FORCE).into()
         };
         parts.map(symbol).fold(Expr::zero(), |sum, force| sum + force)
     };
@@ -229,7 +240,7 @@ fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
     if !is_identically_zero(&mass.inertia) {
         lines.push((left(&inertia, &kinematics.alpha_symbol()), torque / &inertia));
     }
-    names.block("Newton's laws", &lines)
+    names.block(title, &lines)
 }
 
 /// The equations of motion in each mode that the motion went through.
@@ -272,8 +283,31 @@ pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
 
 fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Block {
     let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
+    let terms = case.run.equations.shown_terms(mode);
+    if is_summed(&terms, body) {
+        let by_name = format!("{title} with forces by their names: one of them is a sum over points along the body");
+        let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
+        return laws_of(study, names, case, (body, &distinct(terms)), by_name.trim_start());
+    }
     let motion = Motion::of(study, names, case, mode, body);
     super::names::block(title.into(), motion.shown())
+}
+
+/// Whether a load on a body is a sum over points along it: too long to be read term by term.
+fn is_summed(terms: &[Term], body: usize) -> bool {
+    let own: Vec<&str> = terms.iter().filter(|term| term.body == body).map(|term| term.load.as_str()).collect();
+    own.iter().enumerate().any(|(index, load)| own[..index].contains(load))
+}
+
+/// The first term of each load.
+fn distinct(terms: Vec<Term>) -> Vec<Term> {
+    let mut found: Vec<Term> = vec![];
+    for term in terms {
+        if !found.iter().any(|known| known.load == term.load) {
+            found.push(term);
+        }
+    }
+    found
 }
 
 /// The equations of motion of one body in one mode, with the names they are shown by.
@@ -350,6 +384,9 @@ mod tests {
 
     fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
         let trajectory = &case.run.trajectory;
+        if is_summed(&case.run.equations.shown_terms(&trajectory.modes[mode]), body) {
+            return 0;
+        }
         let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
         let shown = motion.shown().expect("it can be shown");
         let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();

@@ -16,6 +16,8 @@ const DIGITS: usize = 6;
 pub(crate) struct Names {
     /// Shown names by names of the scene.
     symbols: BTreeMap<String, String>,
+    /// Without names for moments of inertia.
+    plain: Notation,
     notation: Notation,
 }
 
@@ -35,11 +37,12 @@ impl Names {
                 positive.push(symbol.name.to_string());
             }
         }
-        let mut notation = notation.positive(positive);
+        let plain = notation.positive(positive);
+        let mut notation = plain.clone();
         for (name, inertia) in inertias(study) {
             notation = notation.define(name, &inertia);
         }
-        Ok(Self { symbols, notation })
+        Ok(Self { symbols, plain, notation })
     }
 
     /// What a name is shown as: `theta` for `rod.angle`.
@@ -64,10 +67,10 @@ impl Names {
         }
     }
 
-    /// An equation on one line.
+    /// What a symbol stands for, on one line: no name of its own making is in it.
     pub(crate) fn equation(&self, left: &str, right: &Expr) -> Math {
         let left = Left::symbol(tumble_math::Math::symbol(left));
-        match self.notation.clone().without_automatic_names().equation(left, right) {
+        match self.plain.clone().without_automatic_names().equation(left, right) {
             Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
             Err(error) => words(&error.to_string()),
         }

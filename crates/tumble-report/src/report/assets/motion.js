@@ -1,6 +1,8 @@
 // A motion that plays: bodies, links, trails, forces on request.
 
-const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+/** Seconds of motion for a second of the reader's: those near a good one are offered. */
+const SPEEDS = Array.from({ length: 45 }, (_, i) => Number(`${[1, 2, 5][i % 3]}e${Math.floor(i / 3) - 8}`));
+const NEAR_SPEED = 60;
 /** How long a motion takes on the screen if nobody says otherwise, in seconds. */
 const GOOD_LENGTH = 7;
 /** Steps of the slider. */
@@ -29,10 +31,21 @@ class Player {
     this.live = make("div", { class: "live" });
     figure.prepend(this.live);
     this.svg = draw("svg", { role: "img", "aria-label": data.description }, this.live);
+    this.speeds = this.goodSpeeds();
     this.addControls();
     figure.classList.add("scripted");
     this.choose(0);
     this.watch();
+  }
+
+  /** Speeds to choose from, with the wanted one among them. */
+  goodSpeeds() {
+    const length = ({ times }) => (times.length ? times[times.length - 1] - times[0] : 0);
+    const longest = Math.max(...this.cases.map(length));
+    this.wanted = this.data.speed > 0 ? this.data.speed : longest / GOOD_LENGTH || 1;
+    const near = SPEEDS.filter((speed) => Math.abs(Math.log(speed / this.wanted)) < Math.log(NEAR_SPEED));
+    const speeds = this.data.speed > 0 ? [...near, this.data.speed] : near;
+    return speeds.length ? [...new Set(speeds)].sort((a, b) => a - b) : [this.wanted];
   }
 
   addControls() {
@@ -40,7 +53,9 @@ class Player {
     this.button = make("button", { type: "button", class: "play" }, bar);
     this.slider = make("input", { type: "range", min: 0, max: SLIDER, value: 0, "aria-label": "Time" }, bar);
     this.readout = make("span", { class: "at" }, bar);
-    this.speed = this.select(bar, "Speed", SPEEDS.map((speed) => `${speed}×`));
+    this.speed = this.select(bar, "Speed", this.speeds.map((speed) => `${shown(speed, 3)}\u00a0×`));
+    const far = (speed) => Math.abs(Math.log(speed / this.wanted));
+    this.speed.selectedIndex = this.speeds.reduce((best, s, i) => (far(s) < far(this.speeds[best]) ? i : best), 0);
     if (this.cases.length > 1) {
       const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
       this.chooser = this.select(bar, "Case", this.cases.map(name));
@@ -103,12 +118,6 @@ class Player {
     const times = this.motion.times;
     this.start = times[0] ?? 0;
     this.duration = (times[times.length - 1] ?? 0) - this.start;
-    if (!this.speedChosen) {
-      const wanted = this.data.speed > 0 ? this.data.speed : this.duration / GOOD_LENGTH;
-      const far = (speed) => Math.abs(Math.log(speed / wanted));
-      this.speed.selectedIndex = SPEEDS.reduce((best, s, i) => (far(s) < far(SPEEDS[best]) ? i : best), 0);
-      this.speedChosen = true;
-    }
     this.layOut();
     this.seek(Math.min(Math.max(this.time, this.start), this.start + this.duration));
   }
@@ -164,7 +173,9 @@ class Player {
     for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;
     draw("path", { class: "hatch", d: strokes }, this.svg);
     draw("path", { class: "ground", d: `M${at(-reach, 0)}L${at(reach, 0)}` }, this.svg);
-    const place = at(0, 24);
+    // Below the hatching, or above the surface where there is no room.
+    const below = at(0, 22);
+    const place = below[1] < this.size[1] - 8 ? below : at(0, -12);
     drawLabel(this.svg, name, { x: place[0], y: place[1] + 5, "text-anchor": "middle", class: "halo" });
   }
 
@@ -178,7 +189,7 @@ class Player {
     const most = 0.25 * this.size[0] / this.scale;
     const power = 10 ** Math.floor(Math.log10(most));
     const metres = [5, 2, 1].find((m) => m * power <= most) * power;
-    const [x, y, length] = [12, this.size[1] - 10, metres * this.scale];
+    const [x, y, length] = [12, 28, metres * this.scale];
     draw("path", { class: "link", d: `M${x} ${y - 4}v8m0 -4h${length}m0 -4v8` }, this.svg);
     draw("text", { x: x + length / 2, y: y - 6, "text-anchor": "middle", class: "halo" }, this.svg).textContent =
       `${shown(metres, 3)}\u00a0m`;
@@ -306,7 +317,7 @@ class Player {
     const passed = this.last === null ? 0 : (now - this.last) / 1000;
     if (this.last === null || !calm.matches || passed >= CALM) {
       this.last = now;
-      this.seek(this.time + passed * SPEEDS[this.speed.selectedIndex]);
+      this.seek(this.time + passed * this.speeds[this.speed.selectedIndex]);
       clock.set(this.time, this);
     }
     if (this.time >= this.start + this.duration - 1e-12) this.pause();

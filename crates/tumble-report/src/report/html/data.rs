@@ -1,5 +1,7 @@
 //! The data of curves for the page's scripts.
 
+use std::cmp::Ordering;
+
 use crate::axes::Axis;
 use crate::curves::{Mark, Series};
 use crate::font::Face;
@@ -14,8 +16,10 @@ use crate::ticks::Ticking;
 const STEPS: f64 = 2e6;
 /// Curves of fewer points are kept as they are, so that readers see true values.
 const MANY: usize = 3000;
-/// Curves of more points are judged on a page with this many pixels a side, to one pixel.
+/// Curves of more points are judged on a page of this width and height in pixels, to one pixel. Those that
+/// run forward are judged on a page so wide that no curve is steep: distances from them are upright.
 const SIDE: f64 = 1e4;
+const WIDE: f64 = 1e7;
 /// Columns of that page in which a longer curve keeps its extremes.
 const COLUMNS: f64 = 1000.0;
 
@@ -86,17 +90,18 @@ fn shortened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     if points.len() <= MANY {
         return points.to_vec();
     }
-    let pixels = |k: usize| {
+    let forward = points.windows(2).all(|w| w[1][0].partial_cmp(&w[0][0]) != Some(Ordering::Less));
+    let width = if forward { WIDE } else { SIDE };
+    let pixels = |k: usize, side: f64| {
         let grid = crate::scale::Range::of(points.iter().map(|p| p[k])).unwrap_or_default().opened();
-        move |value: f64| (value - grid.low) / grid.span() * SIDE
+        move |value: f64| (value - grid.low) / grid.span() * side
     };
-    let (x, y) = (pixels(0), pixels(1));
-    let forward = points.windows(2).all(|w| w[1][0] >= w[0][0]);
+    let (x, y) = (pixels(0, width), pixels(1, SIDE));
     let mut kept: Vec<[f64; 2]> = Vec::new();
     for piece in crate::thin::pieces(points.iter().copied()) {
         let page: Vec<_> = piece.iter().map(|p| [x(p[0]), y(p[1])]).collect();
-        let short = if forward { thinned(&page, SIDE / COLUMNS) } else { page.clone() };
-        let short = simplified(&short, 1.0);
+        let short = if forward { thinned(&page, WIDE / COLUMNS) } else { page.clone() };
+        let short = simplified(&short, 8.0);
         if !kept.is_empty() {
             kept.push([f64::NAN; 2]);
         }
@@ -112,12 +117,14 @@ fn originals<'a>(
     kept: &'a [[f64; 2]],
 ) -> impl Iterator<Item = [f64; 2]> + 'a {
     let mut wanted = kept.iter().peekable();
-    page.iter().zip(piece).filter_map(move |(place, point)| {
-        (wanted.peek() == Some(&place)).then(|| {
+    let is_wanted = move |(place, _): &(&[f64; 2], &[f64; 2])| {
+        let hit = wanted.peek() == Some(place);
+        if hit {
             wanted.next();
-            *point
-        })
-    })
+        }
+        hit
+    };
+    page.iter().zip(piece).filter(is_wanted).map(|(_, point)| *point)
 }
 
 #[cfg(test)]

@@ -100,7 +100,7 @@ fn curve(figure: &CurveFigure, series: &Series) -> String {
     let name = title(&series.label, "The curve");
     let mut finite = series.points.iter().filter(|p| p[0].is_finite() && p[1].is_finite());
     let Some(first) = finite.next() else { return format!("{name}: no data.") };
-    let last = finite.last().unwrap_or(first);
+    let last = finite.next_back().unwrap_or(first);
     let bounds = Range::of(series.points.iter().map(|p| p[1])).unwrap_or_default();
     let [from, to, low, high] = [first[1], last[1], bounds.low, bounds.high].map(shown);
     let unit = Label::unit(&figure.y.unit).to_plain();

@@ -1,2 +1,235 @@
+use crate::curves::{CurveFigure, Mark};
+use crate::free_body::{NamedPoint, Surface};
+use crate::outline::{Outline, Pose};
+use crate::report::*;
+use crate::svg::Svg;
+use crate::{Axis, Label};
+
+/// Ends every kind of context that it could stand in.
+const HOSTILE: &str = "</script></style></title></svg></math><script>alert(1)</script><img src=x onerror=alert(1)>\"'><!--\u{2028}]]>";
+
+fn words() -> Text {
+    Text::words(HOSTILE).and(Label::plain(HOSTILE)).and(formula())
+}
+
+fn label() -> Label {
+    Label::plain(HOSTILE)
+}
+
+fn formula() -> Math {
+    Math { mathml: format!("<math><mi>{HOSTILE}</mi></math>"), latex: HOSTILE.into(), text: HOSTILE.into() }
+}
+
+fn picture() -> Picture {
+    Picture::new(Svg::new(10.0, 10.0, HOSTILE).described(HOSTILE), words()).stored(HOSTILE)
+}
+
+fn plot() -> Plot {
+    let axis = || Axis::new(label(), HOSTILE);
+    let mut figure = CurveFigure::new(label(), axis(), axis()).series(label(), vec![[0.0, 1.0], [1.0, 2.0]]);
+    figure.marks.push(Mark { at: 0.5, label: label() });
+    Plot { description: HOSTILE.into(), ..Plot::over_time(figure, words()).stored(HOSTILE) }
+}
+
+fn table() -> Table {
+    let row = vec![words(), words()];
+    Table {
+        notes: vec![words()],
+        ..Table::new(words(), vec![Column::words(words()), Column::numbers(words())])
+    }
+    .row(row)
+}
+
+fn quantity() -> Quantity {
+    let (name, symbol, value, note) = (words(), words(), words(), words());
+    Quantity { name, symbol, value, unit: HOSTILE.into(), formula: Some(formula()), note }
+}
+
+fn block() -> Block {
+    let definition = Definition { symbol: formula(), meaning: words() };
+    Block { title: words(), lines: vec![formula()], definitions: vec![definition] }
+}
+
+fn motion() -> Motion {
+    let body = MovingBody {
+        name: label(),
+        outlines: vec![Outline::Point([0.0, 0.0])],
+        poses: vec![Pose::default(), Pose { x: 1.0, ..Pose::default() }],
+        trail: true,
+    };
+    let force =
+        MovingForce { symbol: label(), samples: vec![[[0.0; 2], [1.0, 0.0]]], ..MovingForce::default() };
+    Motion {
+        name: label(),
+        times: vec![0.0, 1.0],
+        bodies: vec![body],
+        links: vec![MovingLink { name: label(), ends: vec![[[0.0; 2], [1.0; 2]]], ..MovingLink::default() }],
+        forces: vec![force],
+        surfaces: vec![Surface::new([0.0; 2], [0.0, 1.0], label())],
+        points: vec![NamedPoint { name: label(), at: [0.0; 2] }],
+        events: vec![Mark { at: 0.5, label: label() }],
+    }
+}
+
+fn check() -> Check {
+    Check { what: words(), expected: words(), found: words(), within: words(), passed: false }
+}
+
+fn case() -> Case {
+    let books = Books { intro: vec![words()], tables: vec![table()], plots: vec![plot()] };
+    Case {
+        name: label(),
+        intro: vec![words()],
+        plots: vec![plot()],
+        pictures: vec![picture()],
+        books: Some(books),
+        tables: vec![table()],
+        checks: vec![check()],
+    }
+}
+
+/// A report with hostile text in every field.
+fn hostile() -> Report {
+    let force =
+        ForceRow { name: words(), symbol: formula(), formula: formula(), point: words(), torque: formula() };
+    Report {
+        title: HOSTILE.into(),
+        language: HOSTILE.into(),
+        intro: vec![words()],
+        meta: vec![(HOSTILE.into(), HOSTILE.into())],
+        math_font_css: Some(HOSTILE.into()),
+        identify: Identify {
+            intro: vec![words()],
+            scene: Some(picture()),
+            bodies: vec![BodyRow { name: words(), shape: words(), properties: vec![quantity()] }],
+            parameters: vec![quantity()],
+            initial: vec![quantity()],
+            sought: vec![words()],
+        },
+        model: Model {
+            intro: vec![words()],
+            assumptions: vec![words()],
+            bodies: vec![BodyModel {
+                name: words(),
+                diagrams: vec![picture()],
+                forces: vec![force],
+                laws: vec![block()],
+            }],
+            modes: vec![Mode { name: words(), holds: words(), equations: vec![block()] }],
+        },
+        solve: Solve {
+            intro: vec![words()],
+            phases: vec![Phase {
+                name: words(),
+                span: words(),
+                symbols: vec![block()],
+                numbers: vec![block()],
+            }],
+            method: vec![(words(), words())],
+            tables: vec![table()],
+        },
+        analyze: Analyze {
+            intro: vec![words()],
+            animation: Some(Animation {
+                title: label(),
+                description: HOSTILE.into(),
+                cases: vec![motion(), motion()],
+                speed: f64::NAN,
+            }),
+            plots: vec![plot()],
+            pictures: vec![picture()],
+            comparison: Some(table()),
+            cases: vec![case(), case()],
+            checks: vec![check()],
+            findings: vec![words()],
+        },
+    }
+}
+
+/// The page without what is ours: the two scripts' tags.
+fn foreign(html: &str) -> String {
+    let html = html.replacen("<script type=\"application/json\"", "", 1).replacen("<script>\n", "", 1);
+    html.replacen("</script>\n//", "", 1).replacen("</script>\n</body>", "", 1)
+}
+
 #[test]
-fn x() {}
+fn nothing_from_a_scene_is_run() {
+    let html = foreign(&hostile().html());
+    let lower = html.to_ascii_lowercase();
+    for tag in ["<script", "</script", "<img", "<!--", "]]>\""] {
+        assert!(!lower.contains(tag), "{tag}");
+    }
+    assert!(html.contains("&lt;script&gt;alert(1)&lt;/script&gt;"), "it is shown");
+    assert_eq!(lower.matches("</style").count(), 1);
+    assert_eq!(lower.matches("</title").count(), 1 + lower.matches("<title id=").count());
+}
+
+#[test]
+fn nothing_from_a_scene_is_markup_in_markdown() {
+    let shown = hostile().markdown();
+    for tag in ["<script", "</script", "<img", "<!--", "\u{2028}"] {
+        assert!(!shown.contains(tag), "{tag}");
+    }
+}
+
+#[test]
+fn the_data_is_json_and_complete() {
+    let html = hostile().html();
+    let start = html.find("id=\"report-data\">").expect("the data") + "id=\"report-data\">".len();
+    let data = &html[start..start + html[start..].find("</script>").expect("its end")];
+    assert!(!data.contains(['<', '>', '&', '\u{2028}']) && !data.contains("NaN"));
+    assert_eq!(data.matches("\"dashes\":\"\",\"x\":").count(), 5, "a curve for every plot");
+    assert_eq!(data.matches("\"times\":").count(), 2);
+}
+
+#[test]
+fn the_page_needs_no_network() {
+    let html = Report::default().html().replace("http://www.w3.org/2000/svg", "");
+    for word in ["http:", "https:", "@import", "url(", "src=", "fetch(", "import("] {
+        assert!(!html.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn every_figure_has_a_number_and_a_description() {
+    let mut report = Report::default();
+    let figure = CurveFigure::new(
+        Label::plain("Height"),
+        Axis::new(Label::symbol("t"), "s"),
+        Axis::new(Label::symbol("y"), "m"),
+    )
+    .series(Label::default(), vec![[0.0, 2.0], [1.0, -1.5]]);
+    report.analyze.plots = vec![Plot::over_time(figure, ""); 2];
+    let html = report.html();
+    assert_eq!(html.matches("<figure ").count(), 2);
+    assert!(html.contains("aria-labelledby=\"figure-2-title\" aria-describedby=\"figure-2-description\""));
+    assert!(html.contains("The curve: from 2 to −1.5, between −1.5 and 2 m."));
+    assert!(html.contains("Figure 2."));
+}
+
+#[test]
+fn long_tables_fold_after_twenty_rows() {
+    let row = |i: usize| vec![Text::words(i.to_string())];
+    let mut table = Table::new("Events", vec![Column::numbers("No.")]);
+    table.rows = (0..20).map(row).collect();
+    let mut report = Report { solve: Solve { tables: vec![table], ..Solve::default() }, ..Report::default() };
+    assert!(!report.html().contains("data-long>"));
+    report.solve.tables[0].rows.push(row(20));
+    assert_eq!(report.html().matches("<tr class=\"more\">").count(), 1);
+}
+
+#[test]
+fn formulas_stand_as_they_came_and_speak() {
+    let mathml = "<math><mi>x</mi></math>".to_owned();
+    let math = Math { mathml, latex: "x".into(), text: "the \"x\"".into() };
+    let report = Report { intro: vec![math.into()], ..Report::default() };
+    let shown =
+        "<span class=\"math\" role=\"math\" aria-label=\"the &quot;x&quot;\"><math><mi>x</mi></math></span>";
+    assert!(report.html().contains(shown));
+}
+
+#[test]
+fn equal_reports_give_equal_bytes() {
+    assert_eq!(hostile().html(), hostile().html());
+    assert_eq!(hostile().markdown(), hostile().markdown());
+}

@@ -1,0 +1,166 @@
+//! More mistakes, of what people write in haste.
+
+use crate::rows::Row;
+
+pub(crate) const NUMBERS: &[Row] = &[
+    ("mass = \"m\"\npoints", "mass = \"1,5 kg\"\npoints", "E0105 1,5", "1.5"),
+    ("mass = \"m\"\npoints", "mass = \"1.5.2 kg\"\npoints", "E0104 1.5.2", ""),
+    ("mass = \"m\"\npoints", "mass = \"1e kg\"\npoints", "E0104 1e", ""),
+    ("mass = \"m\"\npoints", "mass = \"1e400 kg\"\npoints", "E0517 \"1e400 kg\"", "finite"),
+    ("mass = \"m\"\npoints", "mass = 1.5.2\npoints", "E0501 ", "TOML"),
+    ("mass = \"m\"\npoints", "mass = \"-1 kg\"\npoints", "E0530 \"-1 kg\"", "must be positive"),
+    ("mass = \"m\"\npoints", "mass = \"1 kg/0\"\npoints", "E0517 \"1 kg/0\"", "finite"),
+    ("mass = \"m\"\npoints", "mass = \"1 kq\"\npoints", "E0201 kq", "did you mean `kg`?"),
+    ("mass = \"m\"\npoints", "mass = \"1 кg\"\npoints", "E0102 к", "Latin"),
+    ("half = \"L/2\"", "half = \"L·2\"", "E0102 ·", "*"),
+    ("half = \"L/2\"", "half = \"L/2)\"", "E0108 )", ""),
+    ("half = \"L/2\"", "half = \"sqrt(L, L)\"", "E0303 sqrt(L, L)", ""),
+    ("half = \"L/2\"", "half = \"max()\"", "E0303 max()", ""),
+    ("\"w(t)\" = \"2", "\"w(t)\" = \"w(t)*2", "E0304 w(t)", ""),
+];
+
+pub(crate) const MOTIONS: &[Row] = &[
+    ("angle = \"10 deg\"", "angle = \"1e300 rad\"", "E0530 start", "points nowhere"),
+    (
+        "start = { angle = \"10 deg\", omega = 0 }",
+        "start = { at = [0, \"1 m\"] }",
+        "E0537 start",
+        "its pivot says where it is",
+    ),
+    ("during = [0, \"T\"]", "during = [0, \"T\"]\nmass = \"1 kg\"", "E0511 mass", "the keys are"),
+    (
+        "[output]",
+        "[event.w]\nwhen = \"rod.x rises\"\n[output]",
+        "E0523 w | w && E0529 \"rod.x rises\"",
+        "how it passes",
+    ),
+    (
+        "[output]",
+        "[event.e]\nwhen = \"rod.x rises through 1 s\"\n[output]",
+        "E0404 1 s",
+        "expected a length (m), found a time (s)",
+    ),
+    (
+        "[output]",
+        "[surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 1.5 }\n[output]",
+        "E0530 1.5",
+        "from 0 to 1",
+    ),
+    (
+        "[output]",
+        "[surface.floor]\nthrough = [0, \"1 m\"]\nrigid = { restitution = 1 }\non = \"ball\"\n[output]",
+        "E0539 start",
+        "farther out",
+    ),
+    (
+        "[output]",
+        "[spring.s]\nbetween = [\"rod.tip\", \"rod.cm\"]\nstiffness = \"1 N/m\"\nrest_length = 0\n[output]",
+        "E0519 [\"rod.tip\", \"rod.cm\"]",
+        "one rigid body",
+    ),
+    (
+        "ball = { radius = \"0.1 m\" }",
+        "ball = { radius = \"0.1 m\" }\ncentre = [0, 0]\ninertia = \"-1 kg*m^2\"",
+        "E0530 \"-1 kg*m^2\"",
+        "",
+    ),
+];
+
+pub(crate) const SWEEPS: &[Row] = &[
+    (
+        "[output]",
+        "[sweep]\nT = [\"1 s\", \"1 s\"]\n[output]",
+        "E0523 \"1 s\" | \"1 s\"",
+        "take each value once",
+    ),
+    (
+        "[output]",
+        "[sweep]\nT = [{ value = \"1 s\", label = \"a\" }, { value = \"2 s\", label = \"a\" }]\n[output]",
+        "E0523 { value = \"2 s\", label = \"a\" } | { value = \"1 s\", label = \"a\" }",
+        "are called \"a\"",
+    ),
+    (
+        "[output]",
+        "[sweep]\nT = { from = \"1 s\", to = \"2 s\", count = 1000000 }\n[output]",
+        "E0532 1000000",
+        "from 2 to 10000 values",
+    ),
+    (
+        "[output]",
+        "[sweep]\nT = { from = \"1 s\", to = \"2 s\", count = 1000 }\nm = { from = \"1 kg\", to = \"2 kg\", count = 1000 }\n[output]",
+        "E0532 sweep",
+        "1000000 runs",
+    ),
+    ("[output]", "[sweep]\nTT = [\"1 s\"]\n[output]", "E0540 TT", "did you mean \"T\"?"),
+    ("[output]", "[sweep]\nT = []\n[output]", "E0515 []", "no value"),
+];
+
+pub(crate) const FIGURES: &[Row] = &[
+    ("every = \"10 ms\"", "every = \"5 ns\"", "E0201 ns", "unit"),
+    ("every = \"10 ms\"", "every = \"0.005 us\"", "E0532 \"0.005 us\"", "about 1e9 samples"),
+    ("every = \"10 ms\"", "every = \"6 s\"", "E0533 \"6 s\"", "longer than the run"),
+    ("within = \"10 rad\"", "within = \"10 rad\"\nat = \"-1 s\"", "E0533 \"-1 s\"", "outside of the run"),
+    ("[plot.angle]", "[plot.\"../angle\"]", "E0522 \"../angle\"", "is not a name"),
+    ("[stroboscope.all]", "[stroboscope.angle]", "E0523 angle | angle", "figures become files"),
+    ("y = \"rod.angle\"", "y = \"rod.angle in degrees\"", "E0201 degrees", "deg"),
+    ("y = \"rod.angle\"", "y = \"rod.angle in m\"", "E0204 m", "angle"),
+    ("y = \"rod.angle\"", "y = \"rod.x in kg\"", "E0404 kg", "a length (m)"),
+    ("y = \"rod.angle\"", "y = \"rod.x in m + m\"", "E0523 m + m", "a unit alone"),
+    (
+        "y = \"rod.angle\"",
+        "y = [\"rod.x in cm\", \"rod.y\"]",
+        "E0527 \"rod.y\" | \"rod.x in cm\"",
+        "write the same `in UNIT` behind each formula",
+    ),
+    (
+        "that = \"rod.angle\"",
+        "that = \"rod.angle in deg\"",
+        "E0518 \"rod.angle in deg\"",
+        "say their own units",
+    ),
+    (
+        "y = \"rod.angle\"",
+        "y = \"rod.angle\"\nduring = [\"2 s\", \"1 s\"]",
+        "E0531 [\"2 s\", \"1 s\"]",
+        "shows nothing",
+    ),
+    (
+        "y = \"rod.angle\"",
+        "y = \"rod.angle\"\nduring = [\"6 s\", \"7 s\"]",
+        "E0533 [\"6 s\", \"7 s\"]",
+        "outside of the run",
+    ),
+    (
+        "y = \"rod.angle\"",
+        "y = \"rod.angle\"\nduring = [0, \"flor.contact[1].end\"]\n[surface.floor]\nthrough = [0, \"-9 m\"]\nrigid = { restitution = 1 }\n[plot.other]\ny = \"rod.x\"",
+        "E0521 flor.contact[1].end",
+        "did you mean \"floor\"?",
+    ),
+    (
+        "within = \"10 rad\"",
+        "within = \"10 rad\"\nat = \"apx\"\n[event.apex]\nwhen = \"rod.vx rises through 0 m/s\"",
+        "E0301 apx",
+        "did you mean the event \"apex\"?",
+    ),
+];
+
+pub(crate) const FILES: &[Row] = &[
+    (
+        "[output]",
+        "[table.g]\nfile = \"../gust.csv\"\ncolumns = [\"t\", \"w\"]\ninterpolation = \"linear\"\noutside = \"hold\"\n[output]",
+        "E0550 \"../gust.csv\"",
+        "beside the scene",
+    ),
+    (
+        "[output]",
+        "[table.g]\nfile = \"/etc/passwd\"\ncolumns = [\"t\", \"w\"]\ninterpolation = \"linear\"\noutside = \"hold\"\n[output]",
+        "E0550 \"/etc/passwd\"",
+        "leads out of the scene's folder",
+    ),
+    (
+        "[output]",
+        "[table.g]\nfile = \"none.csv\"\ncolumns = [\"t\", \"w\"]\ninterpolation = \"linear\"\noutside = \"hold\"\n[output]",
+        "E0551 \"none.csv\"",
+        "cannot be read",
+    ),
+];

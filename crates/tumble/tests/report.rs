@@ -1,0 +1,82 @@
+//! The report of every scene: it says what the summary says, shows what a scene calls itself and runs none of it.
+
+mod common;
+
+use common::{folder, read, repository, scenes, write};
+use serde_json::Value;
+use tumble::ReportForm;
+use tumble::pipeline::{self, Options, Outcome};
+
+/// A report is one file that is mailed and opened on telephones.
+const LARGEST: usize = 2 << 20;
+
+fn run(scene: &std::path::Path, out: &std::path::Path, report: ReportForm) -> Outcome {
+    let options = Options { out: out.to_owned(), report, ..Options::default() };
+    pipeline::run(scene, &options).expect("a motion")
+}
+
+#[test]
+fn numbers_are_those_of_the_summary() {
+    for (name, scene) in scenes() {
+        let out = folder();
+        let outcome = run(&scene, out.path(), ReportForm::Html);
+        let page = read(&outcome.folder.join("report.html"));
+        assert!(page.len() < LARGEST, "{name}: {} bytes", page.len());
+        let summary: Value = serde_json::from_str(&read(&outcome.folder.join("summary.json"))).expect("JSON");
+        let mut compared = 0;
+        for run in summary["runs"].as_array().expect("runs") {
+            for check in run["checks"].as_array().expect("checks") {
+                let found = check["found"].as_f64().expect("a number");
+                let shown = format!("{found:?}").replace('-', "−");
+                assert!(page.contains(&shown), "{name}: {shown} of check {} is not in the report", check["name"]);
+                compared += 1;
+            }
+            let steps = run["numerics"]["steps"].as_u64().expect("steps").to_string();
+            assert!(page.contains(&steps), "{name}: {steps} steps");
+            assert!(run["books"]["largest_relative_residual"].as_f64().expect("a number") < 1e-8, "{name}");
+        }
+        assert!(compared > 0, "{name} has checks");
+    }
+}
+
+#[test]
+fn markdown_links_to_the_figures() {
+    let out = folder();
+    let outcome = run(&repository("scenes/04-kicked-ball/scene.toml"), out.path(), ReportForm::Markdown);
+    let text = read(&outcome.folder.join("report.md"));
+    assert!(!outcome.folder.join("report.html").exists());
+    for figure in ["x.svg", "ball.svg"] {
+        assert!(text.contains(figure) && outcome.folder.join(figure).is_file(), "{figure}");
+    }
+    for move_ in ["Identify", "Model", "Solve", "Analyze"] {
+        assert!(text.contains(move_), "{move_}");
+    }
+}
+
+/// What a scene says is shown, never run.
+#[test]
+fn a_scene_s_texts_are_shown_and_not_run() {
+    let evil = "<script>alert(1)</script><img src=x onerror=alert(2)>";
+    let scene = read(&repository("scenes/04-kicked-ball/scene.toml"));
+    let scene = scene.replacen("title = \"", &format!("title = \"{evil}"), 2);
+    let place = folder();
+    let file = place.path().join("scene.toml");
+    write(&file, &scene);
+    let outcome = run(&file, place.path(), ReportForm::Html);
+    let page = read(&outcome.folder.join("report.html"));
+    assert!(!page.contains("<script>alert") && !page.contains("<img src=x"), "it would run");
+    assert!(page.contains("&lt;script&gt;alert(1)"), "it is shown");
+}
+
+/// The closed forms of the textbook's kicked ball.
+#[test]
+fn the_kicked_ball_is_solved_in_symbols() {
+    let out = folder();
+    let outcome = run(&repository("scenes/04-kicked-ball/scene.toml"), out.path(), ReportForm::Html);
+    let page = read(&outcome.folder.join("report.html"));
+    for formula in
+        ["M A_x = F", "I α = −y F", "X = F t²/(2 M)", "θ = −y F t²/(2 I)", "V = F dt/M", "ω = −y F dt/I"]
+    {
+        assert!(page.contains(formula), "{formula}");
+    }
+}
