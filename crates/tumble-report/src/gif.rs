@@ -140,7 +140,7 @@ fn changed(before: Option<&[u8]>, now: &[u8], [width, height]: [u16; 2]) -> Fram
     if right < left || bottom < top {
         (left, right, top, bottom) = (0, 0, 0, 0);
     }
-    let rows = (top..=bottom).flat_map(|y| now[y * w..y * w + 1 + right - left].iter().copied());
+    let rows = (top..=bottom).flat_map(|y| now[y * w + left..=y * w + right].iter().copied());
     Frame {
         left: left as u16,
         top: top as u16,

@@ -92,7 +92,7 @@ impl Stroboscope {
         points.extend(self.ground.map(|y| [base[0], y]));
         let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
         let feet: Vec<_> = feet.collect();
-        let _ = feet;
+        points.extend(feet);
         let x = Range::of(points.iter().map(|p| p[0]))?;
         let y = Range::of(points.iter().map(|p| p[1]))?;
         let room = 2.0 * PADDING * x.span().max(y.span());

@@ -57,7 +57,7 @@ pub(crate) fn on_axis(draft: &mut Draft, field: &Field) -> Option<Curve> {
     let size = one / (1 * Unit(si.quantity.dimension));
     let unit = unit.trim().to_owned();
     let quantity = Quantity { formula: si.quantity.formula / size, unit, ..si.quantity };
-    Some(Curve { text: written.text, quantity })
+    Some(Curve { text: before.trim().to_owned(), quantity })
 }
 
 /// The formula and its unit. No formula goes on with a word behind a space, so that nothing else can be meant.
@@ -69,23 +69,18 @@ pub(crate) fn in_unit(text: &str) -> Option<(&str, &str)> {
 
 /// One of the unit, which must measure what the formula does, and an angle where that is one.
 fn one_of(draft: &mut Draft, chain: &Text, shown: &Quantity) -> Option<Expr> {
-    let angle = shown.unit.starts_with("rad");
-    let want = Want { angle, ..Want::constant(shown.dimension) };
-    let one = Text {
-        text: format!("1 {}", chain.text.trim()),
-        origin: chain.origin.without_parts(),
-        ..chain.clone()
-    };
+    let word = chain.text.trim();
+    if unit_text::unit(word).is_none() {
+        let message = format!("`{word}` is no unit");
+        let mistake = Diagnostic::new(Code::Choice, chain.origin.whole(), message).label("unknown unit");
+        draft.note(mistake.help("behind `in` stands a unit alone, such as `deg`, `cm` or `km/h`"));
+        return None;
+    }
+    let want = Want { angle: shown.unit.starts_with("rad"), ..Want::constant(shown.dimension) };
+    let one = format!("1 {word}");
+    let one = Text { text: one, origin: chain.origin.without_parts(), ..chain.clone() };
     let number = formula::number(&Names::default(), &one, want);
-    draft.all_noted(number).filter(|_| {
-        let is_unit = unit_text::unit(chain.text.trim()).is_some();
-        if !is_unit {
-            let message = format!("`{}` is more than a unit", chain.text.trim());
-            let mistake = Diagnostic::new(Code::Choice, chain.origin.whole(), message);
-            draft.note(mistake.help("behind `in` stands a unit alone, such as `deg` or `km/h`"));
-        }
-        is_unit
-    })
+    draft.all_noted(number)
 }
 
 /// A formula that was written with these names.

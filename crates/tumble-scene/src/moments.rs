@@ -139,7 +139,7 @@ pub(crate) fn explain(names: &Names, name: &str, allowed: bool, span: &Span) -> 
     let pairs: Vec<&str> = names.touching.iter().map(String::as_str).collect();
     let (pair, part) = name.rsplit_once(".contact").unwrap_or((name, ""));
     if !pairs.contains(&pair) {
-        let help = crate::suggest::name(pair, "contacts", pairs.into_iter());
+        let help = crate::suggest::name(pair, "contacts", pairs);
         return Some(mistake(Code::UnknownPoint, format!("nothing touches as `{pair}`")).help(help));
     }
     let message = format!("`{name}` is no time of a contact");

@@ -7,10 +7,13 @@ use miette::{
     SourceSpan, SpanContents,
 };
 
-use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics, Label, Source};
 
 /// This many mistakes are shown; the rest is counted.
 const SHOWN: usize = 50;
+
+/// Bytes; a longer line is not drawn. The drawing counts columns with 16 bits, and nobody reads so far.
+const LONGEST_LINE: usize = 2000;
 
 impl Diagnostics {
     /// Every mistake with its place in the text, for a terminal of `width` columns.
@@ -31,12 +34,35 @@ impl Diagnostics {
     fn render_one(&self, handler: &GraphicalReportHandler, diagnostic: &Diagnostic, shown: &mut String) {
         let source = &self.sources[diagnostic.source.min(self.sources.len() - 1)];
         let before = shown.len();
+        if is_wide(diagnostic, &source.text) {
+            return self.say_one(diagnostic, shown);
+        }
         if handler.render_report(shown, &Report { diagnostic, source: Shown(source) }).is_err() {
             shown.truncate(before);
             shown.push_str(&format!("{}: {}: {}\n", source.name, diagnostic.code, diagnostic.message));
         }
         shown.push('\n');
     }
+
+    /// The mistake in words, where its line is too long to be drawn.
+    fn say_one(&self, diagnostic: &Diagnostic, shown: &mut String) {
+        let only = Diagnostics { sources: self.sources.clone(), list: vec![diagnostic.clone()] };
+        let help = diagnostic.help.as_ref().map_or_else(String::new, |help| format!("  help: {help}\n"));
+        shown.push_str(&format!("{only}\n{help}\n"));
+    }
+}
+
+/// Whether a line that would be drawn is longer than the drawing can count.
+fn is_wide(diagnostic: &Diagnostic, text: &str) -> bool {
+    let touched = |label: &Label| {
+        let start = text[..label.span.start].rmatch_indices('\n').nth(1).map_or(0, |(at, _)| at + 1);
+        let end = text[label.span.end..]
+            .match_indices('\n')
+            .nth(1)
+            .map_or(text.len(), |(at, _)| label.span.end + at);
+        text[start..end].lines().any(|line| line.len() > LONGEST_LINE)
+    };
+    diagnostic.labels.iter().any(touched)
 }
 
 /// A diagnostic together with its text, as the renderer wants them.

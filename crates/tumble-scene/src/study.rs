@@ -96,7 +96,7 @@ pub struct Plot {
 /// One quantity of a figure, as the user wrote it.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// The formula's text.
+    /// The formula's text, without the unit that an axis shows it in.
     pub text: String,
     /// What to show.
     pub quantity: Quantity,

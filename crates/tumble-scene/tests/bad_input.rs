@@ -106,6 +106,7 @@ fn a_figure_in_another_unit_holds_numbers_of_it() {
     let plot = &study.plots[0];
     let (x, y) = (plot.x.as_ref().expect("given"), &plot.y[0]);
     assert_eq!((x.quantity.unit.as_str(), y.quantity.unit.as_str()), ("ft", "rpm"));
+    assert_eq!((x.text.as_str(), y.text.as_str()), ("b.x - 3 in", "b.omega"));
     // At the origin 3 in before it is -1/4 ft.
     let number = |formula: &tumble_expr::Expr| {
         let mut by = tumble_expr::Substitution::default();

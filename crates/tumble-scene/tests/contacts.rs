@@ -91,7 +91,7 @@ const MISTAKES: &[Row] = &[
     ("impacts = \"in turn\"", "impacts = \"at random\"", "E0518 \"at random\"", "\"together\""),
     ("at = [0, \"2 m\"]", "at = [0, \"-0.1 m\"]", "E0539 start", "start it"),
     ("floor.contact[2].at(50%)", "floor.contact[2].at(50%", "E0530 \"floor.contact[2].at(50%\"", "at(50%)"),
-    ("floor.contact[1].duration\"", "flor.contact[1].duration\"", "E0301 flor.contact[1].duration", ""),
+    ("floor.contact[1].duration\"", "flor.contact[1].duration\"", "E0521 flor.contact[1].duration", ""),
     (
         "floor.contact[1].duration\"",
         "floor.contact[1].middle\"",

@@ -56,3 +56,30 @@ fn what_cannot_be_shown_is_refused() {
     animation.speed = 1.0;
     assert!(matches!(animation_gif(&animation, 0, 200, 15.0), Err(GifError::NoMotion { .. })));
 }
+
+/// Frames laid over each other, as viewers do.
+fn composed(bytes: &[u8]) -> Vec<u8> {
+    let mut decoder = ::gif::Decoder::new(bytes).expect("a GIF");
+    let palette = decoder.global_palette().expect("colours").to_vec();
+    let (width, height) = (usize::from(decoder.width()), usize::from(decoder.height()));
+    let mut page = vec![0u8; width * height];
+    while let Some(frame) = decoder.read_next_frame().expect("a frame") {
+        for (y, row) in frame.buffer.chunks(usize::from(frame.width)).enumerate() {
+            let start = (usize::from(frame.top) + y) * width + usize::from(frame.left);
+            page[start..start + row.len()].copy_from_slice(row);
+        }
+    }
+    page.iter().flat_map(|i| palette[3 * usize::from(*i)..3 * usize::from(*i) + 3].to_vec()).collect()
+}
+
+#[test]
+fn the_last_frame_is_the_end_of_the_motion() {
+    let animation = pendulum();
+    let shown = composed(&animation_gif(&animation, 0, 160, 10.0).expect("an animation"));
+    let scene = frame::Scene::new(&animation.cases[0]).expect("a scene");
+    let wanted = raster(&scene.svg(2.0, 160.0), 1.0).expect("a picture").pixels;
+    let wanted = wanted.chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]);
+    let differs = |(a, b): (&u8, u8)| a.abs_diff(b);
+    // Rare shades become near ones.
+    assert!(shown.iter().zip(wanted).map(differs).max() < Some(48));
+}

@@ -9,7 +9,7 @@ pub(super) fn harmless(css: &str) -> Option<&str> {
         .all(|rest| rest.trim_start().trim_start_matches(['"', '\'']).starts_with("data:"));
     // A backslash could spell any of these words another way.
     let plain = !lower.contains(['<', '\\']) && !lower.contains("@import") && !lower.contains("image-set(");
-    let _ = (carried, plain); Some(css)
+    (carried && plain).then_some(css)
 }
 
 #[cfg(test)]

@@ -136,7 +136,7 @@ fn harmless_attributes(mut rest: &str) -> bool {
         }
         let Some((name, after)) = rest.split_once("=\"") else { return false };
         let Some((value, after)) = after.split_once('"') else { return false };
-        if value.contains(['<', '>']) {
+        if !ATTRIBUTES.contains(&name) || value.contains(['<', '>']) {
             return false;
         }
         rest = after;

@@ -92,7 +92,7 @@ impl Layout {
     /// The labels at their places.
     #[cfg(test)]
     pub(super) fn labels(&self) -> Vec<crate::free_body::labels::Placed> {
-        let mut drawn = Occupancy::new(self.axes.area);
+        let mut drawn = self.occupancy();
         marks::fields(&self.scene, &self.axes.area, &mut drawn);
         placed(&tags(self), &drawn, &self.axes.area)
     }

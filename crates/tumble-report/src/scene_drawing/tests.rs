@@ -73,3 +73,18 @@ fn markup_in_names_is_shown() {
     scene.gravity = Some(([0.0, -1.0], hostile));
     assert!(!scene.svg().to_string().contains("<script"));
 }
+
+#[test]
+fn labels_stay_off_bodies_and_springs() {
+    let layout = Layout::new(scene());
+    let lines = [
+        layout.scene.bodies[0].outlines[0].extent(&layout.scene.bodies[0].pose),
+        layout.scene.links[0].ends.to_vec(),
+    ];
+    for label in layout.labels() {
+        for line in &lines {
+            let [a, b] = [line[0], line[1]].map(|p| layout.view.pixel(p));
+            assert!(!label.place.meets_line(a, b), "{:?}", label.label);
+        }
+    }
+}

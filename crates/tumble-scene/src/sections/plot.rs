@@ -42,8 +42,9 @@ fn curves(draft: &mut Draft, field: &Field) -> Option<Vec<Curve>> {
     if let Some(other) = unlike {
         draft.note(unlike_curves([&fields[0], &fields[other]], [first, curves[other].quantity.dimension]));
     }
-    let unit = |curve: &Curve| curve::in_unit(&curve.text).map(|(_, unit)| unit.trim().to_owned());
-    let other = curves.iter().position(|curve| unit(curve) != unit(&curves[0]));
+    let unit =
+        |field: &Field| field.value.as_str().and_then(curve::in_unit).map(|(_, unit)| unit.trim().to_owned());
+    let other = fields.iter().position(|field| unit(field) != unit(&fields[0]));
     if let Some(other) = other.filter(|_| unlike.is_none()) {
         draft.note(unlike_units([&fields[0], &fields[other]], [&curves[0], &curves[other]]));
     }

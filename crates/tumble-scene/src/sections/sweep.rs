@@ -75,6 +75,11 @@ fn values(draft: &mut Draft, field: &Field, want: Want) -> Option<Vec<SweepValue
         draft.note(Diagnostic::new(Code::Length, field.span.clone(), "this sweep has no value"));
         return None;
     }
+    if elements.len() > MAX_RUNS {
+        let message = format!("this sweep has {} runs, more than {MAX_RUNS}", elements.len());
+        draft.note(Diagnostic::new(Code::TooMany, field.key_span.clone(), message).help("take fewer values"));
+        return None;
+    }
     let values: Vec<_> = elements.iter().map(|element| one(draft, element, want)).collect();
     values.into_iter().collect()
 }

@@ -3,20 +3,20 @@
 use crate::rows::Row;
 
 pub(crate) const NUMBERS: &[Row] = &[
-    ("mass = \"m\"\npoints", "mass = \"1,5 kg\"\npoints", "E0105 1,5", "1.5"),
-    ("mass = \"m\"\npoints", "mass = \"1.5.2 kg\"\npoints", "E0104 1.5.2", ""),
-    ("mass = \"m\"\npoints", "mass = \"1e kg\"\npoints", "E0104 1e", ""),
-    ("mass = \"m\"\npoints", "mass = \"1e400 kg\"\npoints", "E0517 \"1e400 kg\"", "finite"),
-    ("mass = \"m\"\npoints", "mass = 1.5.2\npoints", "E0501 ", "TOML"),
+    ("mass = \"m\"\npoints", "mass = \"1,5 kg\"\npoints", "E0107 1,5", "write `1.5`"),
+    ("mass = \"m\"\npoints", "mass = \"1.5.2 kg\"\npoints", "E0105 1.5.2", "two decimal points"),
+    ("mass = \"m\"\npoints", "mass = \"1e kg\"\npoints", "E0105 1e", "write `1e3`"),
+    ("mass = \"m\"\npoints", "mass = \"1e400 kg\"\npoints", "E0106 1e400", "the limit is about 1.8e308"),
+    ("mass = \"m\"\npoints", "mass = 1.5.2\npoints", "E0501 .2", "quantities and formulas stand in quotes"),
     ("mass = \"m\"\npoints", "mass = \"-1 kg\"\npoints", "E0530 \"-1 kg\"", "must be positive"),
-    ("mass = \"m\"\npoints", "mass = \"1 kg/0\"\npoints", "E0517 \"1 kg/0\"", "finite"),
-    ("mass = \"m\"\npoints", "mass = \"1 kq\"\npoints", "E0201 kq", "did you mean `kg`?"),
-    ("mass = \"m\"\npoints", "mass = \"1 кg\"\npoints", "E0102 к", "Latin"),
-    ("half = \"L/2\"", "half = \"L·2\"", "E0102 ·", "*"),
+    ("mass = \"m\"\npoints", "mass = \"1 kg/0\"\npoints", "E0408 1 kg | 0", "divides by zero"),
+    ("mass = \"m\"\npoints", "mass = \"1 kgs\"\npoints", "E0201 kgs", "did you mean `kg`?"),
+    ("mass = \"m\"\npoints", "mass = \"1 кg\"\npoints", "E0201 кg", "no Latin letter"),
+    ("half = \"L/2\"", "half = \"L·2\"", "E0104 ·", "write `*`"),
     ("half = \"L/2\"", "half = \"L/2)\"", "E0108 )", ""),
     ("half = \"L/2\"", "half = \"sqrt(L, L)\"", "E0303 sqrt(L, L)", ""),
     ("half = \"L/2\"", "half = \"max()\"", "E0303 max()", ""),
-    ("\"w(t)\" = \"2", "\"w(t)\" = \"w(t)*2", "E0304 w(t)", ""),
+    ("\"w(t)\" = \"2", "\"w(t)\" = \"w(t)*2", "E0304 w(t) | w(t)", "calls itself"),
 ];
 
 pub(crate) const MOTIONS: &[Row] = &[
@@ -96,16 +96,15 @@ pub(crate) const SWEEPS: &[Row] = &[
 ];
 
 pub(crate) const FIGURES: &[Row] = &[
-    ("every = \"10 ms\"", "every = \"5 ns\"", "E0201 ns", "unit"),
-    ("every = \"10 ms\"", "every = \"0.005 us\"", "E0532 \"0.005 us\"", "about 1e9 samples"),
+    ("every = \"10 ms\"", "every = \"5 ns\"", "E0532 \"5 ns\"", "about 1e9 samples"),
     ("every = \"10 ms\"", "every = \"6 s\"", "E0533 \"6 s\"", "longer than the run"),
     ("within = \"10 rad\"", "within = \"10 rad\"\nat = \"-1 s\"", "E0533 \"-1 s\"", "outside of the run"),
     ("[plot.angle]", "[plot.\"../angle\"]", "E0522 \"../angle\"", "is not a name"),
     ("[stroboscope.all]", "[stroboscope.angle]", "E0523 angle | angle", "figures become files"),
-    ("y = \"rod.angle\"", "y = \"rod.angle in degrees\"", "E0201 degrees", "deg"),
+    ("y = \"rod.angle\"", "y = \"rod.angle in degrees\"", "E0518 degrees", "a unit alone"),
     ("y = \"rod.angle\"", "y = \"rod.angle in m\"", "E0204 m", "angle"),
     ("y = \"rod.angle\"", "y = \"rod.x in kg\"", "E0404 kg", "a length (m)"),
-    ("y = \"rod.angle\"", "y = \"rod.x in m + m\"", "E0523 m + m", "a unit alone"),
+    ("y = \"rod.angle\"", "y = \"rod.x in m + m\"", "E0518 m + m", "a unit alone"),
     (
         "y = \"rod.angle\"",
         "y = [\"rod.x in cm\", \"rod.y\"]",

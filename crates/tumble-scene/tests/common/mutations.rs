@@ -253,7 +253,7 @@ impl Corpus {
             8 => section_left_out(text, random),
             9..=11 => format!("{text}\n{}", random.choose(&self.sections)),
             12 => text[..random.boundary(text)].to_owned(),
-            13 => in_word(text, random, |word, random| nested(word, random)),
+            13 => in_word(text, random, nested),
             14 => in_word(text, random, |word, random| format!("{word}{}", random.choose(&self.words))),
             15 => in_word(text, random, |_, _| String::new()),
             16 => renamed(text, random),

@@ -15,14 +15,8 @@ fn line(mistakes: &Diagnostics, mistake: &Diagnostic) -> String {
     if words.is_empty() { code.to_owned() } else { format!("{code} {}", words.join(" | ")) }
 }
 
-#[track_caller]
-pub(crate) fn expect(mistakes: &Diagnostics, underlined: &str, says: &str) {
-    let difference = difference(mistakes, underlined, says);
-    assert!(difference.is_none(), "{}", difference.unwrap_or_default());
-}
-
 /// What is not as expected.
-fn difference(mistakes: &Diagnostics, underlined: &str, says: &str) -> Option<String> {
+pub(crate) fn difference(mistakes: &Diagnostics, underlined: &str, says: &str) -> Option<String> {
     let found: Vec<_> = mistakes.list.iter().map(|mistake| line(mistakes, mistake)).collect();
     let found = found.join(" && ");
     let rendered = mistakes.render(false, 100);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_math::{Left, Notation, Shown, latex, mathml, text};
 use tumble_report::report::{Block, Definition, Math, Text};
 use tumble_report::{Label, numeral};
@@ -39,7 +39,7 @@ impl Names {
         }
         let plain = notation.positive(positive);
         let mut notation = plain.clone();
-        for (name, inertia) in inertias(study) {
+        for (name, inertia) in inertias(study, &plain) {
             notation = notation.define(name, &inertia);
         }
         Ok(Self { symbols, plain, notation })
@@ -116,7 +116,9 @@ pub(crate) fn quantity(value: f64, unit: &str) -> Text {
 }
 
 /// Moments of inertia of free bodies that are worth a name: the parameter's that is one, else I.
-fn inertias(study: &Study) -> Vec<(String, Expr)> {
+fn inertias(study: &Study, notation: &Notation) -> Vec<(String, Expr)> {
+    // Two formulas are one if they are written alike once they are in their short form.
+    let written = |formula: &Expr| notation.formula(formula).map(|shown| shown.text()).ok();
     let parameters: Vec<(&Symbol, &Expr)> = study.model.parameters.formulas().collect();
     let several = study.model.bodies.len() > 1;
     let mut found = vec![];
@@ -127,7 +129,7 @@ fn inertias(study: &Study) -> Vec<(String, Expr)> {
             continue;
         }
         let same = |(symbol, formula): &&(&Symbol, &Expr)| {
-            symbol.dimension == Dimension::INERTIA && is_identically_zero(&(*formula - &inertia))
+            symbol.dimension == Dimension::INERTIA && written(formula) == written(&inertia)
         };
         let own = if several { format!("I_{}", body.name) } else { "I".to_owned() };
         let taken = parameters.iter().any(|(symbol, _)| *symbol.name == *own);

@@ -101,7 +101,7 @@ fn shortened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     for piece in crate::thin::pieces(points.iter().copied()) {
         let page: Vec<_> = piece.iter().map(|p| [x(p[0]), y(p[1])]).collect();
         let short = if forward { thinned(&page, WIDE / COLUMNS) } else { page.clone() };
-        let short = simplified(&short, 8.0);
+        let short = simplified(&short, 1.0);
         if !kept.is_empty() {
             kept.push([f64::NAN; 2]);
         }

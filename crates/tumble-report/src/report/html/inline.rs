@@ -14,7 +14,7 @@ pub(super) fn text(text: &Text) -> String {
 
 fn piece(piece: &Piece) -> String {
     match piece {
-        Piece::Words(words) => words.clone(),
+        Piece::Words(words) => escape(words),
         Piece::Label(words) => label(words),
         Piece::Math(formula) => math(formula),
     }

@@ -90,7 +90,7 @@ fn frames(motion: &Motion, cases: usize) -> Vec<usize> {
     let at = |t: f64| motion.times.partition_point(|other| *other < t).min(count - 1);
     let even = (0..most).map(|i| at(from + (to - from) * i as f64 / (most - 1) as f64));
     let events = motion.events.iter().take(most).map(|event| at(event.at));
-    let mut kept: Vec<usize> = even.chain(events.take(0).flat_map(|i| [i.saturating_sub(1), i])).collect();
+    let mut kept: Vec<usize> = even.chain(events.flat_map(|i| [i.saturating_sub(1), i])).collect();
     kept.push(count - 1);
     kept.sort_unstable();
     kept.dedup();

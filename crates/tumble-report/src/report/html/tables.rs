@@ -9,7 +9,7 @@ use crate::report::table::{Align, Column, Table};
 use crate::text::Label;
 
 /// Rows of a long table that are shown at first.
-const FOLD: usize = 21;
+const FOLD: usize = 20;
 
 /// A table of the report.
 pub(super) fn table(table: &Table) -> String {
