@@ -83,7 +83,9 @@ fn compiled(run: &Run, mode: usize) -> Result<(Vec<Term>, Jets<f64>), Reason> {
     let terms = equations.terms(mode);
     let outputs: Vec<Expr> = terms
         .iter()
-        .flat_map(|term| [term.arm.components(), term.force.components(), std::slice::from_ref(&term.couple)].concat())
+        .flat_map(|term| {
+            [term.arm.components(), term.force.components(), std::slice::from_ref(&term.couple)].concat()
+        })
         .collect();
     let layout = Layout {
         states: equations.states(mode),

@@ -52,10 +52,7 @@ impl Hybrid for Equations {
 impl Equations {
     /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,
     /// which see all forces that act from now on. With the impulses of impacts, by pair, N s.
-    pub(crate) fn transition(
-        &self,
-        at: &Crossing<'_, Mode>,
-    ) -> Result<(Jump<Mode>, Impulses), Reason> {
+    pub(crate) fn transition(&self, at: &Crossing<'_, Mode>) -> Result<(Jump<Mode>, Impulses), Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
         for cause in at.causes {
             match cause {

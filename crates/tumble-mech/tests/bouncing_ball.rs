@@ -106,8 +106,7 @@ fn off_a_slope() {
     let fall = 1.1 - 0.1 * 2.0_f64.sqrt();
     close(hit.start, (2.0 * fall / 9.8).sqrt(), 1e-14);
     let ball = run.equations.model().bodies[0].kinematics();
-    let [vx, vy] =
-        at(&run, hit.start, [ball.velocity().x().clone(), ball.velocity().y().clone()]);
+    let [vx, vy] = at(&run, hit.start, [ball.velocity().x().clone(), ball.velocity().y().clone()]);
     close(vx, (2.0 * 9.8 * fall).sqrt(), 1e-14);
     close(vy, 0.0, 1e-14);
 }
@@ -133,7 +132,8 @@ fn a_shaken_floor_throws_when_it_outpaces_gravity() {
         let mut model = disk(0.0, 0.0, 0.0);
         let path = amplitude * M * (time() * (10 / S)).sin();
         model.surfaces[0] = Surface::floor("floor", path, rigid(0.0));
-        model.starts[0].1 = Start::default().at([0 * M, 0.1 * M]).velocity([0 * M / S, amplitude * 10.0 * M / S]);
+        model.starts[0].1 =
+            Start::default().at([0 * M, 0.1 * M]).velocity([0 * M / S, amplitude * 10.0 * M / S]);
         let run = run(model, 0.5, 1e-12);
         let contacts = run.contacts();
         assert_eq!(contacts[0].start, 0.0);

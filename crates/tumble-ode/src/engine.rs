@@ -259,7 +259,8 @@ impl Engine {
             expansion.turnings.iter().enumerate().filter(|(turning, _)| active.turnings[*turning])
         {
             let slope = derivative(&turn.square);
-            let least = crossings(&slope, usize::from(self.sides.zero_turnings[turning])).filter(|(_, to)| *to > 0.0);
+            let least =
+                crossings(&slope, usize::from(self.sides.zero_turnings[turning])).filter(|(_, to)| *to > 0.0);
             let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
             hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
         }
@@ -273,7 +274,8 @@ impl Engine {
                 let mut distance = series.clone();
                 distance[0] -= knot;
                 let beyond = if direction > 0.0 { segment + 1 } else { segment.saturating_sub(1) };
-                let outward = crossings(&distance, usize::from(distance[0] == 0.0)).filter(|(_, to)| *to == direction);
+                let outward =
+                    crossings(&distance, usize::from(distance[0] == 0.0)).filter(|(_, to)| *to == direction);
                 hits.extend(outward.take(1).map(|(at, _)| (at, Hit::Knot(lookup, beyond))));
             }
         }

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use thiserror::Error;
 
+use crate::check::Verdict;
 use crate::compiled::{Compiled, beside};
 use crate::engine::{Engine, Hit};
-use crate::check::Verdict;
 use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::order::{order, reach};
@@ -198,12 +198,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// Begins a mode; `zeros` are the guards that are zero now, each with how many of its derivatives.
-    fn enter(
-        &mut self,
-        mode: H::Mode,
-        states: Vec<f64>,
-        zeros: &[(String, usize)],
-    ) -> Result<usize, Reason> {
+    fn enter(&mut self, mode: H::Mode, states: Vec<f64>, zeros: &[(String, usize)]) -> Result<usize, Reason> {
         let index = match self.known.get(&mode) {
             Some(&index) => index,
             None => self.compile(mode)?,

@@ -5,11 +5,11 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use tumble::{Case, ReportForm};
 use tumble::gallery::{self, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
+use tumble::{Case, ReportForm};
 
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};

@@ -157,7 +157,11 @@ fn label(study: &Study, curve: &Curve) -> Label {
     Label::name(&curve.text, &symbols)
 }
 
-pub(crate) fn picture(study: &Study, cases: &[Case], stroboscope: &Stroboscope) -> Result<Picture, PipelineError> {
+pub(crate) fn picture(
+    study: &Study,
+    cases: &[Case],
+    stroboscope: &Stroboscope,
+) -> Result<Picture, PipelineError> {
     let several = stroboscope.bodies.len() > 1;
     let mut picture = Picture {
         title: Label::markup(stroboscope.title.as_deref().unwrap_or(&study.title)),

@@ -83,15 +83,19 @@ fn entry(outcome: &Outcome) -> Entry {
         caption: name.clone(),
     };
     let link = |file: String| Link { path: path(&file), text: file };
-    let tables = outcome
-        .cases
-        .iter()
-        .flat_map(|case| ["trajectory.csv", "events.csv", "books.csv"].map(|table| format!("{}/{table}", case.folder())));
+    let tables = outcome.cases.iter().flat_map(|case| {
+        ["trajectory.csv", "events.csv", "books.csv"].map(|table| format!("{}/{table}", case.folder()))
+    });
     Entry {
         title: outcome.study.title.clone(),
         summary: outcome.cases.iter().flat_map(summary).collect(),
         figures: outcome.figures.iter().map(figure).collect(),
-        data: ["report.html", "summary.json"].map(str::to_owned).into_iter().chain(tables).map(link).collect(),
+        data: ["report.html", "summary.json"]
+            .map(str::to_owned)
+            .into_iter()
+            .chain(tables)
+            .map(link)
+            .collect(),
     }
 }
 

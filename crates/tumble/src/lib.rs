@@ -47,8 +47,8 @@ mod tables;
 pub use books::Books;
 pub use case::Case;
 pub use checks::CheckResult;
-pub use report::Form as ReportForm;
 pub use pipeline::{Options, Outcome, PipelineError};
+pub use report::Form as ReportForm;
 
 /// The programs in the documents, compiled and run as tests of the documentation.
 #[cfg(doctest)]

@@ -136,7 +136,8 @@ pub fn animate(path: &Path, options: &Options, how: &AnimationOptions) -> Result
     let animation = report::animation(&study, &cases)?;
     let gif = tumble_report::animation_gif(&animation, how.run.wrapping_sub(1), how.width, how.rate)?;
     let to = how.to.clone().unwrap_or_else(|| options.out.join(format!("{}.gif", source.name)));
-    let failed = |error: std::io::Error| PipelineError::Animation { path: to.clone(), reason: error.to_string() };
+    let failed =
+        |error: std::io::Error| PipelineError::Animation { path: to.clone(), reason: error.to_string() };
     if let Some(folder) = to.parent() {
         std::fs::create_dir_all(folder).map_err(failed)?;
     }

@@ -60,7 +60,8 @@ fn closes(scene: &str, run: &Run, body: usize) {
             terms(&|force| force.force[1]),
             terms(&tumble_mech::Force::torque),
         ];
-        let arms = own.iter().map(|f| f.arm[0].hypot(f.arm[1]) * f.force[0].hypot(f.force[1])).fold(0.0, f64::max);
+        let arms =
+            own.iter().map(|f| f.arm[0].hypot(f.arm[1]) * f.force[0].hypot(f.force[1])).fold(0.0, f64::max);
         for (axis, ((sum, largest), needed)) in sums.into_iter().zip(needed).enumerate() {
             let scale = largest.max(if axis == 2 { arms } else { 0.0 }).max(needed.abs());
             assert!(

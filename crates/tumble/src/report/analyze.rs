@@ -48,25 +48,30 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
     if cases.len() < 2 {
         return Ok(None);
     }
-    let curves: Vec<_> = study.plots.iter().filter(|plot| plot.x.is_none()).flat_map(|plot| &plot.y).collect();
+    let curves: Vec<_> =
+        study.plots.iter().filter(|plot| plot.x.is_none()).flat_map(|plot| &plot.y).collect();
     let mut columns = vec![Column::words("Run"), Column::numbers("Events")];
     for curve in &curves {
         let unit = &curve.quantity.unit;
         let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
-        let head = |what: &str| Text::from(format!("{what} ")).and(names.label(&curve.text)).and(unit.clone());
-        columns.extend([Column::numbers(head("least")), Column::numbers(head("greatest")), Column::numbers(head("last"))]);
+        let head =
+            |what: &str| Text::from(format!("{what} ")).and(names.label(&curve.text)).and(unit.clone());
+        columns.extend([
+            Column::numbers(head("least")),
+            Column::numbers(head("greatest")),
+            Column::numbers(head("last")),
+        ]);
     }
     let mut table = Table::new("The runs side by side", columns);
     for case in cases {
         let formulas: Vec<_> = curves.iter().map(|curve| curve.quantity.formula.clone()).collect();
         let rows = crate::tables::sample(&study.with(&case.parameters), &case.run, &formulas)?;
-        let mut cells = vec![
-            Text::from(figures::case_label(case)),
-            case.run.trajectory.events.len().to_string().into(),
-        ];
+        let mut cells =
+            vec![Text::from(figures::case_label(case)), case.run.trajectory.events.len().to_string().into()];
         for index in 0..curves.len() {
             let values = || rows.iter().map(|row| row.values[index]);
-            let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+            let (least, most) =
+                (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
             cells.extend([least, most, values().last().unwrap_or(f64::NAN)].map(|value| quantity(value, "")));
         }
         table.rows.push(cells);
@@ -75,7 +80,8 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
 }
 
 fn one(study: &Study, case: &Case) -> Result<CaseShown, PipelineError> {
-    let stopped = case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
+    let stopped =
+        case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
     let units = study.checks.iter().map(|check| check.that.quantity.unit.as_str());
     Ok(CaseShown {
         name: figures::case_label(case),
@@ -88,7 +94,8 @@ fn one(study: &Study, case: &Case) -> Result<CaseShown, PipelineError> {
 
 fn shown(check: &CheckResult, unit: &str) -> Check {
     let what = Text::from(format!("{}: {}", check.name, check.that));
-    let at = if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
+    let at =
+        if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
     Check {
         what: what.and(at),
         expected: precise(check.expected, unit),

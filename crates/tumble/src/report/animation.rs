@@ -86,7 +86,10 @@ fn forces(
             entry.samples[frame] = [point, force.force];
         }
     }
-    Ok(found.into_values().filter(|force| force.samples.iter().any(|[_, f]| f[0].hypot(f[1]) > 0.0)).collect())
+    Ok(found
+        .into_values()
+        .filter(|force| force.samples.iter().any(|[_, f]| f[0].hypot(f[1]) > 0.0))
+        .collect())
 }
 
 /// Pivots, where they are at the start.

@@ -20,7 +20,10 @@ pub(super) fn of(case: &Case) -> Option<Shown> {
                 .into(),
         ],
         tables: vec![balances(books), entries(books)],
-        plots: vec![Plot::over_time(energies(books), "Energies"), Plot::over_time(residual(books), "Residual of the energy")],
+        plots: vec![
+            Plot::over_time(energies(books), "Energies"),
+            Plot::over_time(residual(books), "Residual of the energy"),
+        ],
     })
 }
 

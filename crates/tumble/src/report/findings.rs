@@ -155,8 +155,7 @@ impl Seen<'_> {
         let pairs = self.run.equations.pairs();
         let model = self.run.equations.model();
         let own = |pair: usize| model.bodies[pairs[pair].body].name == self.body.name;
-        let contacts: Vec<_> =
-            self.run.contacts().into_iter().filter(|contact| own(contact.pair)).collect();
+        let contacts: Vec<_> = self.run.contacts().into_iter().filter(|contact| own(contact.pair)).collect();
         let first = contacts.first()?;
         let words = Text::from(format!("{} touches {} times, first at ", self.name(), contacts.len()));
         let mut words = words.and(quantity(first.start, "s"));

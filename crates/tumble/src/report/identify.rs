@@ -76,7 +76,11 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, PipelineErr
             name: symbol.name.to_string().into(),
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
-            unit: if symbol.dimension == Dimension::NONE { String::new() } else { unit(symbol.dimension, false) },
+            unit: if symbol.dimension == Dimension::NONE {
+                String::new()
+            } else {
+                unit(symbol.dimension, false)
+            },
             ..Quantity::default()
         };
         Ok(if formula.symbols().is_empty() { found } else { found.by(names.formula(formula)) })
@@ -115,8 +119,8 @@ fn sought(study: &Study, names: &Names) -> Vec<Text> {
         }
     }
     let forces = study.free_bodies.iter();
-    sought.extend(forces.map(|sheet| {
-        Text::from(format!("the forces on {}", study.model.bodies[sheet.body].name))
-    }));
+    sought.extend(
+        forces.map(|sheet| Text::from(format!("the forces on {}", study.model.bodies[sheet.body].name))),
+    );
     sought
 }

@@ -69,7 +69,10 @@ fn build(source: &Source, study: &Study, cases: &[Case]) -> Result<Report, Pipel
 
 /// The motion of every run, to be drawn frame by frame.
 #[cfg(feature = "png")]
-pub(crate) fn animation(study: &Study, cases: &[Case]) -> Result<tumble_report::report::Animation, PipelineError> {
+pub(crate) fn animation(
+    study: &Study,
+    cases: &[Case],
+) -> Result<tumble_report::report::Animation, PipelineError> {
     let first = study.with(&cases[0].parameters);
     animation::of(study, &Names::of(&first)?, cases)
 }

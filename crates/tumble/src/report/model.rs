@@ -117,8 +117,13 @@ fn row(names: &Names, equations: &Equations, terms: &[&Term]) -> ForceRow {
     let symbol = math(&Formula::symbol(&force_symbol(names, term)));
     if terms.len() > 1 {
         let sum = format!("sum over {} points along the body", terms.len());
-        let row = ForceRow { name: name_of(term).into(), symbol, formula: words(&sum), ..ForceRow::default() };
-        return ForceRow { point: "along the body".into(), torque: words("sum of the points' torques"), ..row };
+        let row =
+            ForceRow { name: name_of(term).into(), symbol, formula: words(&sum), ..ForceRow::default() };
+        return ForceRow {
+            point: "along the body".into(),
+            torque: words("sum of the points' torques"),
+            ..row
+        };
     }
     let formula = match term.law {
         Law::Reaction => words("what keeps the point in its place: M A less all other forces"),
@@ -203,13 +208,7 @@ fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
     laws_of(study, names, case, (body, &terms), "Newton's laws")
 }
 
-fn laws_of(
-    study: &Study,
-    names: &Names,
-    case: &Case,
-    (body, terms): (usize, &[Term]),
-    title: &str,
-) -> Block {
+fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[Term]), title: &str) -> Block {
     let kinematics = study.model.bodies[body].kinematics();
     let mass = case.run.equations.mass_properties(body);
     let component = |axis: usize| {
@@ -229,14 +228,10 @@ fn laws_of(
     let m: Expr = Symbol::new("M", tumble_expr::Dimension::MASS).into();
     let inertia: Expr = Symbol::new("I", tumble_expr::Dimension::INERTIA).into();
     let [ax, ay] = kinematics.acceleration_symbols();
-    let left = |factor: &Expr, symbol: &Symbol| {
-        Left::times(factor, Formula::symbol(names.shown(&symbol.name)))
-    };
+    let left =
+        |factor: &Expr, symbol: &Symbol| Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
     // The right sides are accelerations: the factor of the left side is multiplied on.
-    let mut lines = vec![
-        (left(&m, &ax), component(0) / &m),
-        (left(&m, &ay), component(1) / &m),
-    ];
+    let mut lines = vec![(left(&m, &ax), component(0) / &m), (left(&m, &ay), component(1) / &m)];
     if !is_identically_zero(&mass.inertia) {
         lines.push((left(&inertia, &kinematics.alpha_symbol()), torque / &inertia));
     }
@@ -249,7 +244,9 @@ fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
     let shown = modes.iter().take(MOST_MODES).map(|mode| ModeShown {
         name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
         holds: Text::default(),
-        equations: (0..study.model.bodies.len()).map(|body| equations_of(study, names, case, mode, body)).collect(),
+        equations: (0..study.model.bodies.len())
+            .map(|body| equations_of(study, names, case, mode, body))
+            .collect(),
     });
     shown.collect()
 }
@@ -285,7 +282,8 @@ fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: us
     let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
     let terms = case.run.equations.shown_terms(mode);
     if is_summed(&terms, body) {
-        let by_name = format!("{title} with forces by their names: one of them is a sum over points along the body");
+        let by_name =
+            format!("{title} with forces by their names: one of them is a sum over points along the body");
         let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
         return laws_of(study, names, case, (body, &distinct(terms)), by_name.trim_start());
     }
@@ -295,7 +293,8 @@ fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: us
 
 /// Whether a load on a body is a sum over points along it: too long to be read term by term.
 fn is_summed(terms: &[Term], body: usize) -> bool {
-    let own: Vec<&str> = terms.iter().filter(|term| term.body == body).map(|term| term.load.as_str()).collect();
+    let own: Vec<&str> =
+        terms.iter().filter(|term| term.body == body).map(|term| term.load.as_str()).collect();
     own.iter().enumerate().any(|(index, load)| own[..index].contains(load))
 }
 
@@ -393,7 +392,8 @@ mod tests {
         let mut compared = 0;
         for (line, (left, right)) in shown.lines.iter().zip(&motion.lines) {
             let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * right);
-            let mut both = case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
+            let mut both =
+                case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
             for piece in &pieces {
                 let middle = 0.5 * (piece.start + piece.end);
                 let values = both.at(middle, Side::After).expect("within the run");

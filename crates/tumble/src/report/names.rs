@@ -88,7 +88,8 @@ pub(crate) fn block(title: Text, shown: Result<Shown, tumble_math::MathError>) -
         Ok(shown) => shown,
         Err(error) => return Block { title, lines: vec![words(&error.to_string())], definitions: vec![] },
     };
-    let definition = |line: &tumble_math::Line| Definition { symbol: math(&line.math()), meaning: Text::default() };
+    let definition =
+        |line: &tumble_math::Line| Definition { symbol: math(&line.math()), meaning: Text::default() };
     Block {
         title,
         lines: shown.lines.iter().map(|line| math(&line.math())).collect(),

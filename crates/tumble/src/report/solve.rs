@@ -118,7 +118,8 @@ fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
         _ => None,
     };
     let Some(first) = trajectory.pieces.first() else { return vec![] };
-    let changes: Vec<&Event> = trajectory.events.iter().filter(|event| event.mode_before != event.mode_after).collect();
+    let changes: Vec<&Event> =
+        trajectory.events.iter().filter(|event| event.mode_before != event.mode_after).collect();
     let mut found = vec![];
     let mut mode = first.mode;
     for event in changes {
