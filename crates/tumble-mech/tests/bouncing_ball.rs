@@ -39,7 +39,7 @@ fn bounces_accumulate_at_their_limit() {
         }
         assert!(hits.len() > 15, "{}", hits.len());
         assert_eq!((rest.len(), run.cascades()), (1, 1));
-        close(rest[0].start, 1.35526185435787686, if floor == 0.0 { 1e-15 } else { 1e-13 });
+        close(rest[0].start, 1.355_261_854_357_877, if floor == 0.0 { 1e-15 } else { 1e-13 });
         let ball = run.equations.model().bodies[0].kinematics();
         let [x, y] = at(&run, 2.0, [ball.position().x().clone(), ball.position().y().clone()]);
         close(x, 6.0, 1e-14);

@@ -108,8 +108,9 @@ impl Hunt {
             let mut random = Random::new(self.seed.wrapping_mul(0x1_0000_0000).wrapping_add(number));
             let text = self.corpus.scene(&mut random);
             set(work, Some(Reading { since: Instant::now(), clock: Clock::start(), text: text.clone() }));
-            let outcome =
-                catch_unwind(AssertUnwindSafe(|| survives(&text, &self.corpus.files, number % SHOWN == 0)));
+            let outcome = catch_unwind(AssertUnwindSafe(|| {
+                survives(&text, &self.corpus.files, number.is_multiple_of(SHOWN))
+            }));
             if let Err(panic) = outcome {
                 let said = panic.downcast_ref::<String>().cloned();
                 let said = said.or_else(|| panic.downcast_ref::<&str>().map(|said| (*said).to_owned()));

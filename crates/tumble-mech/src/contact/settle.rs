@@ -33,6 +33,9 @@ pub(crate) struct Touched {
     pub(crate) lifted: BTreeSet<usize>,
 }
 
+/// Contacts that last, by position, and the accelerations of all gaps then.
+type Held = (Vec<(usize, Phase)>, DVector<f64>);
+
 /// Velocities and contacts of one body while they are settled.
 struct Settling<'a> {
     equations: &'a Equations,
@@ -185,7 +188,7 @@ impl<'a> Settling<'a> {
 
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
     /// accelerations of all gaps; `None` if one of `all` would close.
-    fn hold(&self, some: &[usize], all: &[usize]) -> Option<(Vec<(usize, Phase)>, DVector<f64>)> {
+    fn hold(&self, some: &[usize], all: &[usize]) -> Option<Held> {
         let free = DVector::from_fn(some.len(), |i, _| self.touch.free[some[i]]);
         let (set, push) = pushing(&self.response(some), &free)?;
         let push = self.whole(some, &push);
