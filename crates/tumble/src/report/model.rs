@@ -11,6 +11,10 @@ use crate::case::Case;
 use crate::free_bodies;
 use crate::pipeline::PipelineError;
 
+/// Equations of more signs than these are not read by anybody: forces stand in them by name, ...
+const MOST_SIGNS: usize = 800;
+/// ... and in tables formulas of more than these are only counted.
+const MOST_SIGNS_IN_TABLE: usize = 120;
 /// More modes than this are told of in the table of events only.
 const MOST_MODES: usize = 6;
 
@@ -133,12 +137,20 @@ fn row(names: &Names, equations: &Equations, terms: &[&Term]) -> ForceRow {
     ForceRow {
         name: name_of(term).into(),
         symbol,
-        formula,
+        formula: readable(formula),
         point: point(equations, term).into(),
         torque: match term.law {
             Law::Reaction => words("r × F"),
-            _ => names.formula(&term.torque()),
+            _ => readable(names.formula(&term.torque())),
         },
+    }
+}
+
+/// The formula, or words where it is too long for a table.
+fn readable(formula: Math) -> Math {
+    match formula.text.chars().count() {
+        signs if signs > MOST_SIGNS_IN_TABLE => words(&format!("a formula of {signs} signs")),
+        _ => formula,
     }
 }
 
@@ -281,21 +293,15 @@ pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
 fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Block {
     let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
     let terms = case.run.equations.shown_terms(mode);
-    if is_summed(&terms, body) {
-        let by_name =
-            format!("{title} with forces by their names: one of them is a sum over points along the body");
-        let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
-        return laws_of(study, names, case, (body, &distinct(terms)), by_name.trim_start());
+    let written = Motion::of(study, names, case, mode, body).shown();
+    let signs = written.as_ref().map_or(usize::MAX, |shown| shown.text().chars().count());
+    if signs <= MOST_SIGNS {
+        return super::names::block(title.into(), written);
     }
-    let motion = Motion::of(study, names, case, mode, body);
-    super::names::block(title.into(), motion.shown())
-}
-
-/// Whether a load on a body is a sum over points along it: too long to be read term by term.
-fn is_summed(terms: &[Term], body: usize) -> bool {
-    let own: Vec<&str> =
-        terms.iter().filter(|term| term.body == body).map(|term| term.load.as_str()).collect();
-    own.iter().enumerate().any(|(index, load)| own[..index].contains(load))
+    let title =
+        format!("{title} With the forces by their names: written out, these equations would fill pages");
+    let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
+    laws_of(study, names, case, (body, &distinct(terms)), title.trim_start())
 }
 
 /// The first term of each load.
@@ -383,9 +389,6 @@ mod tests {
 
     fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
         let trajectory = &case.run.trajectory;
-        if is_summed(&case.run.equations.shown_terms(&trajectory.modes[mode]), body) {
-            return 0;
-        }
         let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
         let shown = motion.shown().expect("it can be shown");
         let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
