@@ -301,8 +301,8 @@ impl Engine {
             // Where rounding has left it beyond zero, so far that the arc ahead does not come back from there, the arc
             // is taken from zero.
             let at = match zeros {
-                1 if direction.allows(series[0]) => first(0).min(first(1)),
-                1 => first(0),
+                0 | 1 if direction.allows(series[0]) => first(0).min(first(1)),
+                0 | 1 => first(0),
                 _ => first(zeros),
             };
             hits.extend(at.is_finite().then_some((at, Hit::Guard(guard))));

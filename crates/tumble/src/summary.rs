@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use sha2::{Digest, Sha256};
-use tumble_mech::Run;
+use tumble_mech::{Run, Simultaneous};
 use tumble_scene::Study;
 
 use crate::case::Case;
@@ -105,7 +105,20 @@ struct Numerics {
     modes: u64,
     sign_changes: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
+    contacts: Option<Contacts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     quadrature: Option<Quadrature>,
+}
+
+/// Where there are surfaces.
+#[derive(Serialize)]
+struct Contacts {
+    /// Contacts, impacts included.
+    count: usize,
+    /// Times that impacts following each other ever faster have ended in contact.
+    cascades: usize,
+    /// How impacts of one body at one instant were taken.
+    simultaneous: &'static str,
 }
 
 /// Sums that stand for integrals along lines.
@@ -204,12 +217,22 @@ fn numerics(study: &Study, run: &Run) -> Numerics {
         rejected_steps: work.rejected,
         modes: work.modes,
         sign_changes: work.flips,
+        contacts: contacts(study, run),
         quadrature: run.quadrature.map(|found| Quadrature {
             nodes: found.nodes,
             change: found.change,
             settled: found.settled,
         }),
     }
+}
+
+fn contacts(study: &Study, run: &Run) -> Option<Contacts> {
+    let simultaneous = match study.model.simultaneous {
+        Simultaneous::Together => "together",
+        Simultaneous::InTurn => "in turn",
+    };
+    let found = Contacts { count: run.contacts().len(), cascades: run.cascades(), simultaneous };
+    (!study.model.surfaces.is_empty()).then_some(found)
 }
 
 fn end(run: &Run) -> End {

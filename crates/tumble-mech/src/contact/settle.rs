@@ -256,7 +256,9 @@ impl<'a> Settling<'a> {
 
     /// Whether a gap neither opens nor closes, but for rounding.
     fn stands(&self, position: usize) -> bool {
-        let speed = self.speed[position].max(self.touch.speed[position]);
+        // What the largest impulse would do here: impulses are found to a rounding of the largest.
+        let pushed = self.touch.response[(position, position)] * self.impulses.amax();
+        let speed = self.speed[position].max(self.touch.speed[position]).max(pushed);
         self.touch.rate[position].abs() <= STANDS * speed
     }
 

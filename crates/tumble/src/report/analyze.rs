@@ -19,7 +19,7 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Analyze
         comparison: comparison(study, names, cases)?,
         cases: cases.iter().map(|case| one(study, case)).collect::<Result<_, _>>()?,
         checks: vec![],
-        findings: findings::of(study, names, cases)?,
+        findings: findings::of(study, cases)?,
     })
 }
 
@@ -72,7 +72,9 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
             let values = || rows.iter().map(|row| row.values[index]);
             let (least, most) =
                 (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-            cells.extend([least, most, values().next_back().unwrap_or(f64::NAN)].map(|value| quantity(value, "")));
+            cells.extend(
+                [least, most, values().next_back().unwrap_or(f64::NAN)].map(|value| quantity(value, "")),
+            );
         }
         table.rows.push(cells);
     }

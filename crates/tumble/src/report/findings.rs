@@ -7,6 +7,7 @@
 //! | rotations | a body has turned by at least one full turn |
 //! | bounces | a body has touched a surface more than once, or for a time |
 //! | rest | nothing moves faster than [`AT_REST`] of its greatest speed, up to the end |
+//! | energy | the work of a load that has no potential is more than [`MATTERS`] of the energies in the run |
 //! | period | a pivoted body turns back at intervals that agree to [`REPEATS`] |
 //! | resonance | one run of a sweep swings by [`STANDS_OUT`] times the median of all |
 
@@ -16,7 +17,7 @@ use tumble_ode::Side;
 use tumble_report::report::Text;
 use tumble_scene::Study;
 
-use super::names::{Names, quantity};
+use super::names::quantity;
 use crate::case::Case;
 use crate::figures::case_label;
 use crate::pipeline::PipelineError;
@@ -29,22 +30,27 @@ const HALVINGS: usize = 60;
 const MOST_LISTED: usize = 3;
 /// Part of the greatest speed below which a body rests.
 const AT_REST: f64 = 1e-9;
+/// Part of the energies in a run from which on the work of a load is told.
+const MATTERS: f64 = 0.01;
 /// Relative difference within which intervals are one period.
 const REPEATS: f64 = 1e-7;
 /// A run this many times the median of a sweep stands out.
 const STANDS_OUT: f64 = 2.0;
 
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Vec<Text>, PipelineError> {
+pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineError> {
     let mut found = vec![];
     for case in cases {
         let case_study = study.with(&case.parameters);
         for body in &study.model.bodies {
             let seen = Seen { study: &case_study, run: &case.run, body };
-            for text in seen.findings(names)? {
+            for text in seen.findings()? {
                 let label = case_label(case);
                 found.push(if label.is_empty() { text } else { Text::from(label).and(": ").and(text) });
             }
         }
+    }
+    for case in cases {
+        found.extend(works(case));
     }
     found.extend(resonance(study, cases)?);
     Ok(found)
@@ -58,7 +64,7 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    fn findings(&self, names: &Names) -> Result<Vec<Text>, PipelineError> {
+    fn findings(&self) -> Result<Vec<Text>, PipelineError> {
         let is_free = self.study.model.pivot_of(&self.body.name).is_none();
         let falls = matches!(self.study.model.gravity, Gravity::Vertical(_));
         let mut found = vec![];
@@ -70,7 +76,7 @@ impl Seen<'_> {
         found.extend(self.bounces());
         found.extend(self.rest()?);
         if !is_free {
-            found.extend(self.period(names)?);
+            found.extend(self.period()?);
         }
         Ok(found)
     }
@@ -179,7 +185,7 @@ impl Seen<'_> {
         })
     }
 
-    fn period(&self, _: &Names) -> Result<Option<Text>, PipelineError> {
+    fn period(&self) -> Result<Option<Text>, PipelineError> {
         let turns = self.falls_through_zero(&self.body.kinematics().omega())?;
         let intervals: Vec<f64> = turns.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let [first, rest @ ..] = &intervals[..] else { return Ok(None) };
@@ -188,6 +194,20 @@ impl Seen<'_> {
         let words = Text::from(format!("{} repeats its motion every ", self.name()));
         Ok(repeats.then(|| words.and(quantity(mean, "s")).and(".")))
     }
+}
+
+/// Loads that have taken out or put in much energy.
+fn works(case: &Case) -> Vec<Text> {
+    let Some(books) = &case.books else { return vec![] };
+    let matters = |work: f64| work.abs() > MATTERS * books.energy.scale;
+    let told = books.entries.iter().filter(|(_, entry)| entry.counts() && matters(entry.work));
+    let text = |(name, entry): &(String, tumble_mech::Entry)| {
+        let does = if entry.work < 0.0 { "takes out" } else { "puts in" };
+        let words = Text::from(format!("{name} {does} ")).and(quantity(entry.work.abs(), "J")).and(".");
+        let label = case_label(case);
+        if label.is_empty() { words } else { Text::from(label).and(": ").and(words) }
+    };
+    told.map(text).collect()
 }
 
 /// The run of a sweep that swings farthest, where it stands out.

@@ -18,7 +18,7 @@ pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Identify, 
         scene: super::animation::drawing(study, names, case)?,
         bodies: bodies.collect::<Result<_, _>>()?,
         parameters: parameters(study, names)?,
-        initial: initial(study, names, case),
+        initial: initial(names, case),
         sought: sought(study, names),
     })
 }
@@ -89,7 +89,7 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, PipelineErr
 }
 
 /// The states just before anything happens.
-fn initial(study: &Study, names: &Names, case: &Case) -> Vec<Quantity> {
+fn initial(names: &Names, case: &Case) -> Vec<Quantity> {
     let run = &case.run;
     let states = run.equations.states(&tumble_mech::Mode::default());
     let first = run.trajectory.events.first().filter(|event| event.time == 0.0);
@@ -97,7 +97,6 @@ fn initial(study: &Study, names: &Names, case: &Case) -> Vec<Quantity> {
         Some(event) => event.before.clone(),
         None => run.trajectory.states_at(0.0, Side::After).unwrap_or_default(),
     };
-    let _ = study;
     let row = |(symbol, value): (tumble_expr::Symbol, f64)| Quantity {
         name: symbol.name.to_string().into(),
         symbol: names.label(&symbol.name).into(),
