@@ -1,8 +1,6 @@
 //! From a model to equations of motion: a hybrid system whose terms are known by law, body and point.
 
-use std::sync::Arc;
-
-use tumble_expr::{Branches, Expr, Jets, Layout, Substitution, Symbol, Tape, Vector, is_identically_zero};
+use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_ode::{Invariant, ScaleGroup};
 
 use crate::contact::{Pair, Pairs, TouchTapes};
@@ -16,7 +14,6 @@ use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
 use crate::model::Model;
-use crate::parameters::time_symbol;
 use crate::term::Term;
 
 /// The equations of motion of a model, for every mode and every value of the parameters.
@@ -331,16 +328,6 @@ impl Equations {
         let body = &self.model.bodies[body];
         let pivot = self.model.pivot_of(&body.name)?;
         Some((pivot.name.clone(), body.at(&pivot.point).world_arm()))
-    }
-
-    /// Largest extent of a body, m; zero where it has none.
-    pub(crate) fn size(&self, body: usize, inputs: &[f64]) -> f64 {
-        let reach = self.model.bodies[body].reach() * 2;
-        let layout = Layout { states: vec![], time: time_symbol(), inputs: self.model.parameters.symbols() };
-        let Ok(tape) = Tape::compile(&layout, &[reach]) else { return 0.0 };
-        let mut jets = Jets::new(Arc::new(tape), 0, inputs);
-        jets.start(f64::NAN, &[], Branches::Free);
-        jets.value_of(0)
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.

@@ -1,12 +1,10 @@
 //! The forces of a run at any time: the terms that were integrated, as numbers.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_expr::{Branches, Expr, Jets};
 use tumble_ode::{Reason, Side};
 
-use crate::parameters::time_symbol;
 use crate::run::Run;
 use crate::term::{Law, Term};
 
@@ -87,12 +85,7 @@ fn compiled(run: &Run, mode: usize) -> Result<(Vec<Term>, Jets<f64>), Reason> {
             [term.arm.components(), term.force.components(), std::slice::from_ref(&term.couple)].concat()
         })
         .collect();
-    let layout = Layout {
-        states: equations.states(mode),
-        time: time_symbol(),
-        inputs: equations.model().parameters.symbols(),
-    };
-    let jets = Jets::new(Arc::new(Tape::compile(&layout, &outputs)?), 0, &run.inputs);
+    let jets = equations.compiled(mode, &outputs, &run.inputs)?;
     Ok((terms, jets))
 }
 

@@ -12,6 +12,7 @@ mod coordinates;
 mod energy;
 mod equations;
 mod error;
+mod evaluator;
 mod event;
 mod forces;
 mod gauss;

@@ -1,13 +1,10 @@
 //! Quantities along a trajectory: any formula of the bodies' motion, accelerations included.
 
-use std::sync::Arc;
-
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_expr::{Branches, Expr, Jets};
 use tumble_ode::{Reason, Side, Trajectory};
 
 use crate::equations::Equations;
 use crate::mode::Mode;
-use crate::parameters::time_symbol;
 
 /// Evaluates formulas at any time of one trajectory.
 pub struct Observer<'a> {
@@ -24,17 +21,9 @@ impl<'a> Observer<'a> {
         inputs: &[f64],
         formulas: &[Expr],
     ) -> Result<Self, Reason> {
-        let tape = |mode: &Mode| -> Result<Jets<f64>, Reason> {
-            let layout = Layout {
-                states: equations.states(mode),
-                time: time_symbol(),
-                inputs: equations.model().parameters.symbols(),
-            };
-            let definitions = equations.definitions_of(mode);
-            let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
-            Ok(Jets::new(Arc::new(Tape::compile(&layout, &formulas)?), 0, inputs))
-        };
-        let tapes = trajectory.modes.iter().map(tape).collect::<Result<_, _>>()?;
+        let modes = trajectory.modes.iter();
+        let tapes =
+            modes.map(|mode| equations.evaluator(mode, formulas, inputs)).collect::<Result<_, _>>()?;
         Ok(Self { trajectory, tapes })
     }
 

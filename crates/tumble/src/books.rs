@@ -7,7 +7,7 @@ use tumble_ode::Side;
 use crate::case::Case;
 use crate::output::{Folder, OutputError};
 use crate::pipeline::PipelineError;
-use crate::tables::number;
+use crate::tables::{equal_times, number};
 
 /// Rows of `books.csv`, beside both sides of each event.
 const ROWS: usize = 500;
@@ -69,8 +69,7 @@ impl Books {
 
 /// Equal steps, and both sides of each event.
 fn times(run: &tumble_mech::Run) -> Vec<(f64, Side)> {
-    let end = run.trajectory.end().unwrap_or(0.0);
-    let steps = (0..=ROWS).map(|row| ((end * row as f64 / ROWS as f64).min(end), Side::After));
+    let steps = equal_times(run, ROWS).map(|time| (time, Side::After));
     let events = run.trajectory.events.iter();
     let sides = events.flat_map(|event| [(event.time, Side::Before), (event.time, Side::After)]);
     let mut times: Vec<(f64, Side)> = steps.chain(sides).collect();

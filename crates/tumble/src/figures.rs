@@ -165,7 +165,7 @@ pub(crate) fn picture(
     let several = stroboscope.bodies.len() > 1;
     let mut picture = Picture {
         title: Label::markup(stroboscope.title.as_deref().unwrap_or(&study.title)),
-        surfaces: surfaces(study, &cases[0].run)?,
+        surfaces: surfaces(study, &cases[0].run, 0.0)?,
         ..Picture::default()
     };
     for case in cases {
@@ -214,12 +214,12 @@ pub(crate) fn poses(
     Ok(times.filter_map(pose).collect())
 }
 
-/// What bodies meet, where it is at the start.
-pub(crate) fn surfaces(study: &Study, run: &Run) -> Result<Vec<Surface>, PipelineError> {
+/// What bodies meet, where it is at a time, s.
+pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surface>, PipelineError> {
     let mut found = vec![];
     for surface in &study.model.surfaces {
         let formulas = [surface.through.components(), surface.normal.components()].concat();
-        let Some(at) = run.observe(&formulas)?.at(0.0, Side::After) else { continue };
+        let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
         found.push(Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name)));
     }
     Ok(found)

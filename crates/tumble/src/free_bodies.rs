@@ -7,9 +7,10 @@ use tumble_report::{Label, Pose};
 use tumble_scene::{FreeBody as Asked, Study};
 
 use crate::case::Case;
-use crate::figures::{outlines, poses};
+use crate::figures::{outlines, poses, surfaces};
 use crate::moments::Moments;
 use crate::pipeline::PipelineError;
+use crate::symbols;
 
 /// Surfaces farther from the body than this many times its size are left out of its diagrams.
 const NEAR: f64 = 1.5;
@@ -83,7 +84,7 @@ impl Drawing<'_> {
         let own: Vec<Force> = joined(&all).into_iter().filter(|force| force.body == self.body).collect();
         let largest = own.iter().map(|force| force.torque().abs()).fold(0.0, f64::max);
         for force in &own {
-            let (kind, symbol) = (kind(force.law), self.force_symbol(force));
+            let (kind, symbol) = (kind(force.law), symbols::force_label(self.study, &force.load, force.law));
             let is_force = force.law != Law::Torque && force.law != Law::Torsion;
             if is_force {
                 let point = [pose.x + force.arm[0], pose.y + force.arm[1]];
@@ -105,7 +106,7 @@ impl Drawing<'_> {
         let weight = self.study.number(&(body.mass_properties().mass * g))?;
         let height = self.study.number(&body.reach())?;
         let outlines = outlines(self.study, body)?;
-        let names = (Label::markup("$m$ $g$"), weight);
+        let names = (symbols::weight(), weight);
         Ok((weight > 0.0).then(|| SideView::resting(outlines, height, names, (Label::symbol("N"), weight))))
     }
 
@@ -124,21 +125,26 @@ impl Drawing<'_> {
         let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
         let kind = if is_pair { Kind::Contact } else { Kind::Reaction };
         let point = [pose.x + impulse.arm[0], pose.y + impulse.arm[1]];
-        Arrow::new(kind, Label::symbol(&format!("J_{}", last(&impulse.load))), point, impulse.impulse)
+        Arrow::new(
+            kind,
+            Label::symbol(&format!("J_{}", symbols::last(&impulse.load))),
+            point,
+            impulse.impulse,
+        )
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, PipelineError> {
         let reach = self.study.number(&body.reach())?;
+        let all = surfaces(self.study, self.run, time)?;
+        let of_model = self.study.model.surfaces.iter();
+        let met = all.into_iter().zip(of_model).filter(|(_, surface)| surface.meets(&body.name));
         let mut found: Vec<Surface> = vec![];
-        for surface in self.study.model.surfaces.iter().filter(|surface| surface.meets(&body.name)) {
-            let formulas = [surface.through.components(), surface.normal.components()].concat();
-            let Some(values) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
-            let [px, py, nx, ny] = [values[0], values[1], values[2], values[3]];
+        for Surface { point: [px, py], normal: [nx, ny], name } in met.map(|(drawn, _)| drawn) {
             let distance = nx * (pose.x - px) + ny * (pose.y - py);
             // The point of the surface that is nearest to the body.
             let foot = [pose.x - distance * nx, pose.y - distance * ny];
             if distance.abs() <= 2.0 * NEAR * reach.max(f64::MIN_POSITIVE) {
-                found.push(Surface::new(foot, [nx, ny], Label::plain(&surface.name)));
+                found.push(Surface::new(foot, [nx, ny], name));
             }
         }
         Ok(found)
@@ -151,25 +157,6 @@ impl Drawing<'_> {
             _ => Label::name(name, &symbols.collect::<Vec<_>>()),
         }
     }
-
-    /// What the user calls it, or the usual letter with the load's name.
-    fn force_symbol(&self, force: &Force) -> Label {
-        let name = &force.load;
-        if self.study.symbols.contains_key(name) {
-            return self.symbol(name);
-        }
-        match force.law {
-            Law::Weight => Label::markup("$m$ $g$"),
-            Law::Contact => Label::symbol(&format!("N_{}", last(name))),
-            Law::Reaction => Label::symbol(&format!("R_{}", last(name))),
-            Law::Torque | Law::Torsion => Label::symbol(&format!("tau_{name}")),
-            _ => Label::symbol(&format!("F_{name}")),
-        }
-    }
-}
-
-fn last(name: &str) -> &str {
-    name.rsplit('.').next().unwrap_or(name)
 }
 
 pub(crate) fn kind(law: Law) -> Kind {

@@ -42,6 +42,7 @@ mod free_bodies;
 mod moments;
 mod report;
 mod summary;
+mod symbols;
 mod tables;
 
 pub use books::Books;

@@ -64,6 +64,12 @@ fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, Pipelin
     Ok(rows)
 }
 
+/// The ends of equal parts of a run, from its start on, s.
+pub(crate) fn equal_times(run: &Run, parts: usize) -> impl Iterator<Item = f64> {
+    let end = run.trajectory.end().unwrap_or(0.0);
+    (0..=parts).map(move |index| (end * index as f64 / parts as f64).min(end))
+}
+
 /// Equal steps from the start, and the end.
 fn times(study: &Study, run: &Run) -> Result<Vec<f64>, PipelineError> {
     let end = run.trajectory.end().unwrap_or(0.0);

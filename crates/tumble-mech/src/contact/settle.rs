@@ -17,7 +17,7 @@ use crate::laws::impact::impulses;
 use crate::mode::Mode;
 
 /// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
-const STANDS: f64 = 1e-12;
+pub(crate) const STANDS: f64 = 1e-12;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
 const BALANCED: f64 = 1e-10;
 
@@ -127,7 +127,7 @@ impl<'a> Settling<'a> {
             return None;
         }
         let model = self.equations.model();
-        let size = self.equations.size(self.body, self.now.inputs);
+        let size = self.touch.size;
         let lowest = LOWEST * if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
         let is_low = |position: &usize| {
             let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();

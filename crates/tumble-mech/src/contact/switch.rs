@@ -2,21 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use nalgebra::DVector;
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
 use tumble_ode::{Cause, Crossing, Event, Jump, Reason, Trajectory};
 
 use crate::contact::interval::{Change, Impulse};
 use crate::contact::pair::Watched;
 use crate::contact::phase::Phase;
-use crate::contact::settle::Touched;
+use crate::contact::settle::{STANDS, Touched};
 use crate::contact::touch::Now;
 use crate::equations::Equations;
 use crate::mode::Mode;
-use crate::parameters::time_symbol;
-
-/// A gap whose rate is below this part of the speeds it is made of stands still.
-const STANDS: f64 = 1e-12;
 
 /// What the integrator saw of contacts, by pair.
 #[derive(Clone, Debug, Default)]
@@ -224,26 +218,5 @@ impl Equations {
             impulse = [impulse[0] - other.impulse[0], impulse[1] - other.impulse[1]];
         }
         Ok(Some(Impulse { load: name, body, arm: [arm[0], arm[1]], impulse }))
-    }
-
-    /// Values of formulas in a mode.
-    pub(crate) fn values(
-        &self,
-        formulas: &[Expr],
-        mode: &Mode,
-        time: f64,
-        states: &[f64],
-        inputs: &[f64],
-    ) -> Result<DVector<f64>, Reason> {
-        let layout = Layout {
-            states: self.states(mode),
-            time: time_symbol(),
-            inputs: self.model().parameters.symbols(),
-        };
-        let definitions = self.definitions_of(mode);
-        let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
-        let mut jets = Jets::new(std::sync::Arc::new(Tape::compile(&layout, &formulas)?), 0, inputs);
-        jets.start(time, states, Branches::Free);
-        Ok(DVector::from_fn(formulas.len(), |index, _| jets.value_of(index)))
     }
 }

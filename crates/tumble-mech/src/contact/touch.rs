@@ -4,13 +4,12 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_expr::{Branches, Expr, Jets, Tape};
 use tumble_ode::Reason;
 
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::mode::Mode;
-use crate::parameters::time_symbol;
 use crate::surface::ContactLaw;
 use crate::term::Term;
 
@@ -34,6 +33,8 @@ pub(crate) type Impulses = Vec<(usize, f64)>;
 
 /// One body's pairs at an instant, by their order among the body's own.
 pub(crate) struct Touch {
+    /// Largest extent of the body, m; zero where it has none.
+    pub(crate) size: f64,
     /// Index of each among all pairs.
     pub(crate) pairs: Vec<usize>,
     /// m
@@ -114,6 +115,7 @@ impl Equations {
             (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
         };
         let touch = Touch {
+            size: jets.value_of(after_rows + 2 * dofs),
             gap: DVector::from_fn(n, |pair, _| {
                 let series = jets.output(pair * (BEFORE_ROW + dofs));
                 series[0] + series[1]
@@ -150,11 +152,7 @@ impl Equations {
     }
 
     fn build_touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
-        let layout = Layout {
-            states: self.states(mode),
-            time: time_symbol(),
-            inputs: self.model().parameters.symbols(),
-        };
+        let layout = self.layout(mode);
         let velocities: Vec<_> =
             self.velocity_states(body).into_iter().map(|state| layout.states[state].clone()).collect();
         let definitions = self.definitions_about(mode, body);
@@ -173,6 +171,7 @@ impl Equations {
         }
         outputs.extend(self.inverse_masses(body).iter().map(|formula| definitions.apply(formula)));
         outputs.extend(self.pushes(body, mode));
+        outputs.push(self.model().bodies[body].reach() * 2);
         Ok(Tape::compile(&layout, &outputs)?)
     }
 

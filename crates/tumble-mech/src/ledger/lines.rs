@@ -1,8 +1,6 @@
 //! The lines of one mode: every term of its equations, split into what a potential stands for and the rest, as numbers.
 
-use std::sync::Arc;
-
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape, Vector};
+use tumble_expr::{Branches, Expr, Jets, Vector};
 use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
@@ -63,7 +61,7 @@ impl Lines {
                 outputs.push(driven);
             }
         }
-        let jets = compiled(equations, mode, &outputs, inputs)?;
+        let jets = equations.compiled(mode, &outputs, inputs)?;
         Ok(Self { keys, terms, jets })
     }
 
@@ -178,19 +176,4 @@ fn outputs(equations: &Equations, line: &Line, about: &Vector, definitions: &Def
     let turning = [line.term.couple.clone(), definitions.apply(&motion.omega())];
     let pairs = [velocity.components(), line.term.force.components(), &turning, place.components()];
     pairs.concat()
-}
-
-/// An evaluator of formulas that are in the states of a mode.
-pub(super) fn compiled(
-    equations: &Equations,
-    mode: &Mode,
-    outputs: &[Expr],
-    inputs: &[f64],
-) -> Result<Jets<f64>, Reason> {
-    let layout = Layout {
-        states: equations.states(mode),
-        time: time_symbol(),
-        inputs: equations.model().parameters.symbols(),
-    };
-    Ok(Jets::new(Arc::new(Tape::compile(&layout, outputs)?), 0, inputs))
 }

@@ -4,7 +4,6 @@ use tumble_expr::{Branches, Expr, Jets, Vector};
 use tumble_ode::Reason;
 
 use crate::equations::Equations;
-use crate::ledger::lines::compiled;
 use crate::ledger::potential::Potential;
 use crate::mode::Mode;
 
@@ -84,10 +83,8 @@ impl Stocktaking {
         }
         let energy = |known: &Potential| if known.is_in(mode) { known.energy.clone() } else { Expr::zero() };
         outputs.extend(potentials.iter().map(energy));
-        let definitions = equations.definitions_of(mode);
-        let outputs: Vec<Expr> = outputs.iter().map(|formula| definitions.apply(formula)).collect();
         let bodies = equations.model().bodies.len();
-        Ok(Self { jets: compiled(equations, mode, &outputs, inputs)?, bodies })
+        Ok(Self { jets: equations.evaluator(mode, &outputs, inputs)?, bodies })
     }
 
     pub(super) fn take(&mut self, time: f64, states: &[f64]) -> Stocks {

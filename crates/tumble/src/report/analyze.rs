@@ -13,7 +13,7 @@ use crate::pipeline::PipelineError;
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Analyze, PipelineError> {
     Ok(Analyze {
         intro: vec![],
-        animation: Some(animation::of(study, names, cases)?),
+        animation: Some(animation::of(study, cases)?),
         plots: plots(study, cases)?,
         pictures: pictures(study, cases)?,
         comparison: comparison(study, names, cases)?,

@@ -18,14 +18,16 @@ use crate::case::Case;
 use crate::figures::{case_label, outlines, poses, surfaces};
 use crate::free_bodies::kind;
 use crate::pipeline::PipelineError;
+use crate::symbols;
+use crate::tables::equal_times;
 
 /// Frames of a run: smooth at the speed at which it first plays.
 const FRAMES: usize = 400;
 /// More marks than this cannot be told apart on a slider.
 const MOST_MARKS: usize = 40;
 
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Animation, PipelineError> {
-    let motions = cases.iter().map(|case| motion(&study.with(&case.parameters), names, case));
+pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Animation, PipelineError> {
+    let motions = cases.iter().map(|case| motion(&study.with(&case.parameters), case));
     Ok(Animation {
         title: Label::markup(&study.title),
         description: String::new(),
@@ -34,9 +36,9 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Animati
     })
 }
 
-fn motion(study: &Study, names: &Names, case: &Case) -> Result<Motion, PipelineError> {
+fn motion(study: &Study, case: &Case) -> Result<Motion, PipelineError> {
     let run = &case.run;
-    let times = times(run);
+    let times: Vec<f64> = equal_times(run, FRAMES).collect();
     let body = |body: &tumble_mech::Body| -> Result<MovingBody, PipelineError> {
         Ok(MovingBody {
             name: Label::plain(&body.name),
@@ -48,8 +50,8 @@ fn motion(study: &Study, names: &Names, case: &Case) -> Result<Motion, PipelineE
     let bodies = study.model.bodies.iter().map(body).collect::<Result<Vec<_>, _>>()?;
     Ok(Motion {
         name: case_label(case),
-        forces: forces(run, names, &times, &bodies)?,
-        surfaces: surfaces(study, run)?,
+        forces: forces(study, run, &times, &bodies)?,
+        surfaces: surfaces(study, run, 0.0)?,
         points: points(study, run)?,
         events: marks(run),
         links: links(study, run, &times)?,
@@ -58,15 +60,10 @@ fn motion(study: &Study, names: &Names, case: &Case) -> Result<Motion, PipelineE
     })
 }
 
-fn times(run: &Run) -> Vec<f64> {
-    let end = run.trajectory.end().unwrap_or(0.0);
-    (0..=FRAMES).map(|frame| (end * frame as f64 / FRAMES as f64).min(end)).collect()
-}
-
 /// Every load that acts at any time, by body and name.
 fn forces(
+    study: &Study,
     run: &Run,
-    names: &Names,
     times: &[f64],
     bodies: &[MovingBody],
 ) -> Result<Vec<MovingForce>, PipelineError> {
@@ -76,10 +73,9 @@ fn forces(
     for (frame, time) in times.iter().enumerate() {
         for force in joined(&observer.at(*time, Side::After)?) {
             let pose: Pose = bodies[force.body].poses.get(frame).copied().unwrap_or_default();
-            let symbol = || Label::symbol(names.shown(&force.load));
             let entry = found.entry((force.body, force.load.clone())).or_insert_with(|| MovingForce {
                 kind: kind(force.law),
-                symbol: symbol(),
+                symbol: symbols::force_label(study, &force.load, force.law),
                 samples: vec![nothing; times.len()],
             });
             let point = [pose.x + force.arm[0], pose.y + force.arm[1]];
@@ -142,7 +138,7 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
     let drawing = SceneDrawing {
         title: Label::default(),
         bodies: bodies.collect::<Result<_, _>>()?,
-        surfaces: surfaces(study, run)?,
+        surfaces: surfaces(study, run, 0.0)?,
         pivots: points(study, run)?,
         points: named_points(study, run)?,
         links: links.collect(),

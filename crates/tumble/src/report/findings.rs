@@ -21,6 +21,7 @@ use super::names::quantity;
 use crate::case::Case;
 use crate::figures::case_label;
 use crate::pipeline::PipelineError;
+use crate::tables::equal_times;
 
 /// Instants at which the motion is looked at.
 const SAMPLES: usize = 4000;
@@ -87,8 +88,9 @@ impl Seen<'_> {
 
     fn values(&self, formula: &Expr) -> Result<Vec<(f64, f64)>, PipelineError> {
         let mut observer = self.run.observe(std::slice::from_ref(formula))?;
-        let times = (0..=SAMPLES).map(|index| (self.end() * index as f64 / SAMPLES as f64).min(self.end()));
-        Ok(times.filter_map(|time| Some((time, observer.at(time, Side::After)?[0]))).collect())
+        Ok(equal_times(self.run, SAMPLES)
+            .filter_map(|time| Some((time, observer.at(time, Side::After)?[0])))
+            .collect())
     }
 
     /// Instants at which a smooth quantity passes zero downwards.

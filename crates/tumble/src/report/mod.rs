@@ -73,8 +73,7 @@ pub(crate) fn animation(
     study: &Study,
     cases: &[Case],
 ) -> Result<tumble_report::report::Animation, PipelineError> {
-    let first = study.with(&cases[0].parameters);
-    animation::of(study, &Names::of(&first)?, cases)
+    animation::of(study, cases)
 }
 
 fn meta(source: &Source) -> Vec<(String, String)> {

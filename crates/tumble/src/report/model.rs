@@ -10,6 +10,7 @@ use super::names::{Names, math, words};
 use crate::case::Case;
 use crate::free_bodies;
 use crate::pipeline::PipelineError;
+use crate::symbols;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name, ...
 const MOST_SIGNS: usize = 800;
@@ -51,7 +52,7 @@ fn one(study: &Study, names: &Names, case: &Case, body: usize) -> Result<BodyMod
     Ok(BodyModel {
         name: study.model.bodies[body].name.as_str().into(),
         diagrams: diagrams(study, case, body)?,
-        forces: forces(names, case, body),
+        forces: forces(study, names, case, body),
         laws: vec![laws(study, names, case, body)],
     })
 }
@@ -88,7 +89,7 @@ fn busiest(case: &Case, body: usize) -> f64 {
 }
 
 /// A row for each load on a body, in the first mode in which it acts.
-fn forces(names: &Names, case: &Case, body: usize) -> Vec<ForceRow> {
+fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRow> {
     let equations = &case.run.equations;
     let mut seen: Vec<String> = vec![];
     let mut rows = vec![];
@@ -98,7 +99,7 @@ fn forces(names: &Names, case: &Case, body: usize) -> Vec<ForceRow> {
             if !seen.contains(&load) {
                 let own: Vec<&Term> =
                     terms.iter().filter(|term| term.body == body && term.load == load).collect();
-                rows.push(row(names, equations, &own));
+                rows.push(row(study, names, equations, &own));
                 seen.push(load);
             }
         }
@@ -116,9 +117,9 @@ fn loads_of(terms: &[Term], body: usize) -> Vec<String> {
     loads
 }
 
-fn row(names: &Names, equations: &Equations, terms: &[&Term]) -> ForceRow {
+fn row(study: &Study, names: &Names, equations: &Equations, terms: &[&Term]) -> ForceRow {
     let term = terms[0];
-    let symbol = math(&Formula::symbol(&force_symbol(names, term)));
+    let symbol = math(&Formula::symbol(&symbols::force(study, &term.load, term.law)));
     if terms.len() > 1 {
         let sum = format!("sum over {} points along the body", terms.len());
         let row =
@@ -160,19 +161,6 @@ fn name_of(term: &Term) -> String {
         Law::Contact => format!("contact {}", term.load),
         Law::Reaction => format!("reaction of {}", term.load),
         _ => term.load.clone(),
-    }
-}
-
-fn force_symbol(names: &Names, term: &Term) -> String {
-    let last = term.load.rsplit('.').next().unwrap_or(&term.load);
-    let own = names.shown(&term.load);
-    match term.law {
-        _ if own != term.load => own.to_owned(),
-        Law::Weight => "W".to_owned(),
-        Law::Contact => format!("N_{last}"),
-        Law::Reaction => format!("R_{last}"),
-        Law::Torque | Law::Torsion => format!("tau_{last}"),
-        _ => format!("F_{last}"),
     }
 }
 
@@ -227,13 +215,17 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
         let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
         let letter = ["x", "y"][axis];
         let symbol = |term: &Term| -> Expr {
-            Symbol::new(below(&force_symbol(names, term), letter), tumble_expr::Dimension::FORCE).into()
+            Symbol::new(
+                below(&symbols::force(study, &term.load, term.law), letter),
+                tumble_expr::Dimension::FORCE,
+            )
+            .into()
         };
         parts.map(symbol).fold(Expr::zero(), |sum, force| sum + force)
     };
     let torque = terms.iter().filter(|term| !is_identically_zero(&term.torque()));
     let torque = torque.map(|term| {
-        let name = format!("tau_{}", force_symbol(names, term).replace('_', ","));
+        let name = format!("tau_{}", symbols::force(study, &term.load, term.law).replace('_', ","));
         Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
     });
     let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);

@@ -1,0 +1,53 @@
+//! Formulas of the motion as numbers, in the states of a mode.
+
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_ode::Reason;
+
+use crate::equations::Equations;
+use crate::mode::Mode;
+use crate::parameters::time_symbol;
+
+impl Equations {
+    /// What formulas in the states of a mode run on.
+    pub(crate) fn layout(&self, mode: &Mode) -> Layout {
+        Layout { states: self.states(mode), time: time_symbol(), inputs: self.model().parameters.symbols() }
+    }
+
+    /// An evaluator of values of formulas that are in the states of a mode already.
+    pub(crate) fn compiled(
+        &self,
+        mode: &Mode,
+        formulas: &[Expr],
+        inputs: &[f64],
+    ) -> Result<Jets<f64>, Reason> {
+        Ok(Jets::new(Arc::new(Tape::compile(&self.layout(mode), formulas)?), 0, inputs))
+    }
+
+    /// An evaluator of values of formulas of any kinematic symbols, accelerations and contact forces included.
+    pub(crate) fn evaluator(
+        &self,
+        mode: &Mode,
+        formulas: &[Expr],
+        inputs: &[f64],
+    ) -> Result<Jets<f64>, Reason> {
+        let definitions = self.definitions_of(mode);
+        let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
+        self.compiled(mode, &formulas, inputs)
+    }
+
+    /// Values of such formulas at one instant.
+    pub(crate) fn values(
+        &self,
+        formulas: &[Expr],
+        mode: &Mode,
+        time: f64,
+        states: &[f64],
+        inputs: &[f64],
+    ) -> Result<Vec<f64>, Reason> {
+        let mut jets = self.evaluator(mode, formulas, inputs)?;
+        jets.start(time, states, Branches::Free);
+        Ok((0..formulas.len()).map(|index| jets.value_of(index)).collect())
+    }
+}
