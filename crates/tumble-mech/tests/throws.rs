@@ -248,6 +248,22 @@ fn a_hundred_thousand_throws() {
     throws(100_000, 2);
 }
 
+/// A box that turns by more than half a circle in its arc: the terms of its gap's series are larger than their sum.
+#[test]
+fn a_long_turn_ends_where_the_corner_touches() {
+    let start = [
+        4.346292056680474,
+        1.9270421901082109,
+        0.9027843061818306,
+        -2.060729853268083,
+        -1.8937726788258544,
+        1.9181254912018595,
+        0.6174164618993925,
+    ];
+    let plate = &kinds()[1];
+    assert_eq!(compare_hits(plate, &plate.throw(&start, 1.5, 1e-12), &start, 3), 3);
+}
+
 /// Impulses and rates afterwards are complementary: what pushes more than it must has stopped, what opens faster than its
 /// restitution says was not pushed.
 #[test]

@@ -12,7 +12,7 @@ use crate::Reason;
 use crate::compiled::fixed;
 use crate::expansion::Expansion;
 use crate::hybrid::{Candidate, Direction};
-use crate::polynomial::value;
+use crate::polynomial::{slope, value};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 
@@ -20,6 +20,10 @@ use crate::scale::Scales;
 const SLACK: f64 = 4.0;
 /// Rounding errors of a series' value, in units of the last place of its largest term.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// Rounding errors of a value, in units of the last place of the lengths it is the difference of.
+const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
+const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
 
@@ -129,6 +133,23 @@ impl Candidates {
             }
         }
         worst
+    }
+
+    /// How much later than `s` one is zero by its value, where its series misses that by more than the value's rounding:
+    /// the terms of a long step's series are larger than their sum.
+    pub(crate) fn delay(
+        &mut self,
+        index: usize,
+        expansion: &Expansion,
+        s: f64,
+        scales: &Scales,
+    ) -> Option<f64> {
+        let (_, series) = expansion.near.iter().find(|(near, _)| *near == index)?;
+        let watch = &mut self.all[index];
+        let here = watch.value(expansion, s);
+        let delay = -here / slope(series, s);
+        let is_told = here.abs() > VALUE_ROUNDING * scales.of(watch.group) && s + delay > 0.0;
+        (is_told && watch.value(expansion, s + delay).abs() < here.abs() * BETTER).then_some(delay)
     }
 }
 

@@ -268,7 +268,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             let verdict = self.verdict(mode, expansion, &step);
             if verdict.excess <= 1.0 {
                 self.trajectory.work.exact_steps += u64::from(exact);
-                return Ok(step);
+                return Ok(self.polished(mode, expansion, step, end));
             }
             self.trajectory.work.rejected += 1;
             let shrink = libm::pow(verdict.excess, -1.0 / expansion.order() as f64);
@@ -306,6 +306,18 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             None => step,
             // Up to what happens first the clock runs forwards; beyond, it need not, so the step is fitted anew.
             Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), end) },
+        }
+    }
+
+    /// A step to where the candidate that cuts it is zero by its value.
+    fn polished(&mut self, mode: usize, expansion: &Expansion, step: Step, end: f64) -> Step {
+        let Engine { system, candidates, .. } = &mut self.engines[mode];
+        let candidate =
+            |hit: &Hit| if let Hit::Guard(guard) = hit { guard.checked_sub(system.guards) } else { None };
+        let hit = step.hits.iter().find_map(candidate);
+        match hit.and_then(|hit| candidates.delay(hit, expansion, step.length, &self.scales)) {
+            None => step,
+            Some(delay) => Step { hits: step.hits, ..self.fit(expansion, step.length + delay, end) },
         }
     }
 

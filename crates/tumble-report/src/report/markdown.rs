@@ -322,7 +322,7 @@ mod tests {
     #[test]
     fn formulas_become_latex_and_figures_links() {
         let mut report = Report { title: "A rod".into(), ..Report::default() };
-        let law = Math { latex: "m a = F".into(), text: "m a = F".into(), mathml: String::new() };
+        let law = Math { latex: "m a = F".into(), text: "m a = F".into(), ..Math::default() };
         report.model.modes.push(Mode {
             equations: vec![Block { lines: vec![law.clone()], ..Block::default() }],
             ..Mode::default()

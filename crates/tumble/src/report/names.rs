@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use tumble_expr::{Dimension, Expr, Symbol};
-use tumble_math::{Left, Notation, Shown, latex, mathml, text};
+use tumble_math::{Left, Notation, Shown, latex, mathml, text, typst};
 use tumble_report::report::{Block, Definition, Math, Text};
 use tumble_report::{Label, numeral};
 use tumble_scene::Study;
@@ -97,9 +97,9 @@ pub(crate) fn block(title: Text, shown: Result<Shown, tumble_math::MathError>) -
     }
 }
 
-/// The same in the three notations of a report.
+/// The same in the notations of a report.
 pub(crate) fn math(formula: &tumble_math::Math) -> Math {
-    Math { mathml: mathml(formula), latex: latex(formula), text: text(formula) }
+    Math { mathml: mathml(formula), latex: latex(formula), typst: typst(formula), text: text(formula) }
 }
 
 /// Words in the place of a formula.
