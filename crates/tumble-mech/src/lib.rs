@@ -34,6 +34,7 @@ mod start;
 mod surface;
 mod system;
 mod term;
+mod trust;
 
 pub use air::Wind;
 pub use anchor::{Anchor, place_symbols};
@@ -64,3 +65,4 @@ pub use shape::Shape;
 pub use start::Start;
 pub use surface::{ContactLaw, Release, Surface};
 pub use term::{Law, Term};
+pub use trust::{Errors, Horizon, Parting, Trust};

@@ -100,9 +100,19 @@ impl Run {
         parameters: &Parameters,
         until: f64,
         accuracy: Accuracy,
-        mut progress: impl FnMut(f64),
+        progress: impl FnMut(f64),
     ) -> Result<Self, RunError> {
         let start = equations.start(parameters)?;
+        Self::from_start(equations, start, until, accuracy, progress)
+    }
+
+    pub(crate) fn from_start(
+        equations: Equations,
+        start: tumble_ode::Start<Mode>,
+        until: f64,
+        accuracy: Accuracy,
+        mut progress: impl FnMut(f64),
+    ) -> Result<Self, RunError> {
         let inputs = start.inputs.clone();
         let mut solver = Solver::new(&equations, start, until, accuracy);
         let mut refusal = None;

@@ -2,40 +2,8 @@
 
 mod common;
 
-use common::{at, run};
-use tumble_expr::Expr;
-use tumble_expr::units::{KG, M, N, S};
-use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Start, Surface};
-
-fn bouncing_rod(law: ContactLaw) -> Model {
-    let mut model = Model::new();
-    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
-    let rod = Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(0.5 * KG);
-    let rod = rod.with_point("minus", [-0.5 * M, 0 * M]).with_point("plus", [0.5 * M, 0 * M]);
-    let start = Start::default().at([0 * M, 2 * M]).velocity([2 * M / S, 0 * M / S]);
-    model.starts.push(("rod".into(), start.angle(Expr::from(0.6)).omega(2 / S)));
-    model.add(rod);
-    model.surface(Surface::floor("floor", 0 * M, law));
-    model
-}
-
-fn spring() -> ContactLaw {
-    ContactLaw::Spring { stiffness: 1e4 * N / M, damping: 0 * N * S / M, release: Release::AtZeroForce }
-}
-
-fn rigid(e: f64) -> ContactLaw {
-    ContactLaw::Rigid { restitution: Expr::from(e) }
-}
-
-fn reference(which: &str) -> serde_json::Value {
-    let text = include_str!("../../tumble/tests/reference/systems.json");
-    let json: serde_json::Value = serde_json::from_str(text).expect("valid JSON");
-    json["bouncing_rod"][which].clone()
-}
-
-fn number(value: &serde_json::Value) -> f64 {
-    value.as_str().map_or_else(|| value.as_f64(), |text| text.parse().ok()).expect("a number")
-}
+use common::{at, bouncing_rod, number, reference, rigid, run, spring};
+use tumble_mech::Run;
 
 fn state(run: &Run, time: f64) -> [f64; 6] {
     let rod = run.equations.model().bodies[0].kinematics();
@@ -69,7 +37,7 @@ fn same_hits(run: &Run, expected: &serde_json::Value, tolerance: impl Fn(usize) 
 
 #[test]
 fn on_a_spring() {
-    let expected = reference("spring_1e4_lossless");
+    let expected = &reference("bouncing_rod")["spring_1e4_lossless"];
     let run = run(bouncing_rod(spring()), 5.0, 1e-13);
     println!("{:?}", run.trajectory.work);
     same_hits(&run, &expected["touchdowns"], |_| 1e-10);
@@ -84,7 +52,7 @@ fn on_a_spring() {
 
 #[test]
 fn elastic() {
-    let expected = reference("rigid_e1");
+    let expected = &reference("bouncing_rod")["rigid_e1"];
     let run = run(bouncing_rod(rigid(1.0)), 5.0, 1e-13);
     println!("{:?}", run.trajectory.work);
     // Perturbations grow to 1e9 times themselves within the run.
@@ -97,7 +65,7 @@ fn elastic() {
 
 #[test]
 fn with_losses_until_it_lies_flat() {
-    let expected = reference("rigid_e0.7");
+    let expected = &reference("bouncing_rod")["rigid_e0.7"];
     let run = run(bouncing_rod(rigid(0.7)), 5.0, 1e-13);
     println!("{:?}", run.trajectory.work);
     same_hits(&run, &expected["hits"], |_| 1e-12);

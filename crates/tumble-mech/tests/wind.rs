@@ -2,39 +2,16 @@
 
 mod common;
 
-use common::{at, close, hinged_rod, run};
+use common::{at, close, number, reference, run, wind_pendulum};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Gravity, Model, Start};
-use tumble_mech::{PointRef, time};
-
-/// `wind_pendulum_tip` of `reference/systems.json`: the wind acts on the tip, across the rod.
-fn wind_pendulum(period: f64) -> Model {
-    let (mut model, rod) = hinged_rod();
-    let length = 1 * M;
-    let phase = 2 * Expr::pi() * time() / (period * S);
-    let wind = 0.5 * (20 * M / S) * (1 + phase.cos());
-    let kinematics = rod.kinematics();
-    let u = wind * kinematics.angle().cos() - &length * kinematics.omega();
-    let drag = 0.03 * KG / M * u.abs() * u;
-    model.torque("air", &rod, length * drag);
-    model
-}
-
-fn reference(period: &str) -> serde_json::Value {
-    let text = include_str!("../../tumble/tests/reference/systems.json");
-    let json: serde_json::Value = serde_json::from_str(text).expect("valid JSON");
-    json["wind_pendulum_tip"]["runs"][period].clone()
-}
-
-fn number(value: &serde_json::Value) -> f64 {
-    value.as_str().map_or_else(|| value.as_f64(), |text| text.parse().ok()).expect("a number")
-}
+use tumble_mech::PointRef;
 
 #[test]
 fn the_pendulum_in_the_wind() {
     for (name, period) in [("0.5", 0.5), ("1.0", 1.0), ("2.0", 2.0), ("4.0", 4.0)] {
-        let expected = reference(name);
+        let expected = &reference("wind_pendulum_tip")["runs"][name];
         let run = run(wind_pendulum(period), 20.0, 1e-13);
         let rod = run.equations.model().bodies[0].kinematics();
         let [theta, omega] = at(&run, 20.0, [rod.angle(), rod.omega()]);

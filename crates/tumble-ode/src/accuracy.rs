@@ -21,6 +21,12 @@ impl Accuracy {
 
     /// Errors of many steps add up and grow: each is held to this much of the whole.
     const LOCAL_MARGIN: f64 = 1e-3;
+    /// Runs this far apart in tolerance have orders four apart, and the error of one is small beside the other's.
+    const OTHER: f64 = 1e3;
+    /// A run that is coarser for want of a finer one: other steps, and an error that is not much larger.
+    const COARSE: f64 = 10.0;
+    /// Runs closer than this in tolerance would take nearly the same steps.
+    const APART: f64 = 4.0;
     /// Half a unit in the last place: no step can be held to less.
     const LOCAL_FLOOR: f64 = f64::EPSILON / 2.0;
 
@@ -28,6 +34,18 @@ impl Accuracy {
     pub fn new(value: f64) -> Result<Self, AccuracyError> {
         let allowed = Self::FINEST..=Self::COARSEST;
         if allowed.contains(&value) { Ok(Self(value)) } else { Err(AccuracyError(value)) }
+    }
+
+    /// Tighter by so much that the steps have another order; the finest where there is none.
+    pub fn finer(self) -> Self {
+        Self((self.0 / Self::OTHER).max(Self::FINEST))
+    }
+
+    /// The accuracy of a second run that is to tell the error of one to this accuracy: finer where steps can be held to
+    /// that, else coarser.
+    pub fn independent(self) -> Self {
+        let floor = Self::LOCAL_FLOOR / Self::LOCAL_MARGIN;
+        if self.0 >= Self::APART * floor { self.finer() } else { Self(floor * Self::COARSE) }
     }
 
     /// The number.

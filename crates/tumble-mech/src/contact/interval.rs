@@ -38,6 +38,12 @@ impl Change {
         format!("{}.{}", pair.name, self.word())
     }
 
+    /// Whether impacts that follow each other ever faster end there.
+    pub(crate) fn ends_cascade(event: &Event) -> bool {
+        let is_cascade = |tag: &String| Self::read(tag).is_some_and(|(_, change)| change == Self::Cascade);
+        event.tags.iter().any(is_cascade)
+    }
+
     /// The pair's name and the change that a tag tells of.
     fn read(tag: &str) -> Option<(&str, Self)> {
         let (pair, word) = tag.rsplit_once('.')?;
@@ -101,8 +107,7 @@ pub(crate) fn contacts(pairs: &[Pair], trajectory: &Trajectory<Mode>) -> Vec<Con
 
 /// How many cascades of impacts have come to an end in contact.
 pub(crate) fn cascades(trajectory: &Trajectory<Mode>) -> usize {
-    let is_cascade = |tag: &String| Change::read(tag).is_some_and(|(_, change)| change == Change::Cascade);
-    trajectory.events.iter().filter(|event| event.tags.iter().any(is_cascade)).count()
+    trajectory.events.iter().filter(|event| Change::ends_cascade(event)).count()
 }
 
 impl crate::Run {

@@ -16,6 +16,7 @@ mod switch;
 mod touch;
 
 pub use feature::Feature;
+pub(crate) use interval::Change;
 pub use interval::{Contact, Impulse};
 pub use pair::Pair;
 pub(crate) use pairs::Pairs;

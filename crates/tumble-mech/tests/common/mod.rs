@@ -2,8 +2,8 @@
 #![allow(dead_code)]
 
 use tumble_expr::Expr;
-use tumble_expr::units::{KG, M, S};
-use tumble_mech::{Body, Gravity, Model, Run};
+use tumble_expr::units::{KG, M, N, S};
+use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Start, Surface, time};
 use tumble_ode::Accuracy;
 
 /// Integrates a model from time 0.
@@ -33,6 +33,51 @@ pub(crate) fn hinged_rod() -> (Model, Body) {
     let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
     model.pivot_at("hinge", &rod, [0 * M, 0 * M], [0 * M, 0 * M]);
     (model, rod)
+}
+
+/// One system of `reference/systems.json`.
+pub(crate) fn reference(system: &str) -> serde_json::Value {
+    let text = include_str!("../../../tumble/tests/reference/systems.json");
+    let json: serde_json::Value = serde_json::from_str(text).expect("valid JSON");
+    json[system].clone()
+}
+
+pub(crate) fn number(value: &serde_json::Value) -> f64 {
+    value.as_str().map_or_else(|| value.as_f64(), |text| text.parse().ok()).expect("a number")
+}
+
+/// `wind_pendulum_tip` of `reference/systems.json`: the wind acts on the tip, across the rod.
+pub(crate) fn wind_pendulum(period: f64) -> Model {
+    let (mut model, rod) = hinged_rod();
+    let length = 1 * M;
+    let phase = 2 * Expr::pi() * time() / (period * S);
+    let wind = 0.5 * (20 * M / S) * (1 + phase.cos());
+    let kinematics = rod.kinematics();
+    let u = wind * kinematics.angle().cos() - &length * kinematics.omega();
+    let drag = 0.03 * KG / M * u.abs() * u;
+    model.torque("air", &rod, length * drag);
+    model
+}
+
+/// `bouncing_rod` of `reference/systems.json`, on a floor of that kind.
+pub(crate) fn bouncing_rod(law: ContactLaw) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    let rod = Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(0.5 * KG);
+    let rod = rod.with_point("minus", [-0.5 * M, 0 * M]).with_point("plus", [0.5 * M, 0 * M]);
+    let start = Start::default().at([0 * M, 2 * M]).velocity([2 * M / S, 0 * M / S]);
+    model.starts.push(("rod".into(), start.angle(Expr::from(0.6)).omega(2 / S)));
+    model.add(rod);
+    model.surface(Surface::floor("floor", 0 * M, law));
+    model
+}
+
+pub(crate) fn spring() -> ContactLaw {
+    ContactLaw::Spring { stiffness: 1e4 * N / M, damping: 0 * N * S / M, release: Release::AtZeroForce }
+}
+
+pub(crate) fn rigid(e: f64) -> ContactLaw {
+    ContactLaw::Rigid { restitution: Expr::from(e) }
 }
 
 /// Nodes and weights of Gauss and Legendre on (-1, 1), the positive half.

@@ -1,0 +1,96 @@
+//! Which stretches of two runs of one motion belong together.
+
+use tumble_ode::{Event, Trajectory};
+
+use crate::contact::Change;
+use crate::mode::Mode;
+use crate::run::Run;
+use crate::trust::{Horizon, Parting};
+
+/// Two cascades end at one time if that differs by no more than this part of it: their last impacts need not match.
+const SAME_LIMIT: f64 = 1e-6;
+
+/// Stretches of two runs between events that both have.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Phases {
+    /// Start and end of each, s, in the first run and in the second.
+    pub(super) all: Vec<[Stretch; 2]>,
+    /// Where the two part, if they do.
+    pub(super) parting: Option<Horizon>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stretch {
+    pub(super) start: f64,
+    pub(super) end: f64,
+}
+
+/// Walks along both runs, event by event, as far as they agree.
+pub(super) fn phases(first: &Run, second: &Run) -> Phases {
+    let runs = [&first.trajectory, &second.trajectory];
+    let ends = runs.map(|run| run.end().unwrap_or(0.0));
+    let mut found = Phases::default();
+    let (mut from, mut at) = ([0.0; 2], [0; 2]);
+    loop {
+        let events = [0, 1].map(|run| runs[run].events.get(at[run]));
+        let next = match events {
+            [None, None] => break,
+            [Some(a), Some(b)] if is_same(runs, [a, b]) => at.map(|index| index + 1),
+            _ => match after_cascades(runs, at) {
+                Some(next) => next,
+                None => {
+                    let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
+                    found.part(from, times, events);
+                    return found;
+                }
+            },
+        };
+        let to = [0, 1].map(|run| runs[run].events[next[run] - 1].time);
+        found.push(from, to);
+        (from, at) = (to, next);
+    }
+    found.push(from, ends);
+    // One of them stopped early, without an event.
+    let last = ends[0].min(ends[1]);
+    if ends[1] < ends[0] && !runs[0].events.last().is_some_and(|event| event.time == ends[0]) {
+        found.parting = Some(Horizon { time: last, reason: Parting::Refused });
+    }
+    found
+}
+
+impl Phases {
+    fn push(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.all.push([0, 1].map(|run| Stretch { start: from[run], end: to[run] }));
+    }
+
+    fn part(&mut self, from: [f64; 2], to: [f64; 2], events: [Option<&Event>; 2]) {
+        let time = to[0].min(to[1]);
+        let tags = |event: Option<&Event>| {
+            event.filter(|event| event.time <= time).map(|event| event.tags.clone()).unwrap_or_default()
+        };
+        self.push(from, [time.max(from[0]), time.max(from[1])]);
+        let reason = Parting::Events { first: tags(events[0]), second: tags(events[1]) };
+        self.parting = Some(Horizon { time, reason });
+    }
+}
+
+/// Whether the same things happen, between the same modes.
+fn is_same(runs: [&Trajectory<Mode>; 2], [a, b]: [&Event; 2]) -> bool {
+    let mode = |run: usize, index: usize| &runs[run].modes[index];
+    a.tags == b.tags
+        && mode(0, a.mode_before) == mode(1, b.mode_before)
+        && mode(0, a.mode_after) == mode(1, b.mode_after)
+}
+
+/// The events after the next ends of cascades, where these are the same in both.
+fn after_cascades(runs: [&Trajectory<Mode>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
+    let next = |run: usize| {
+        let rest = runs[run].events.iter().enumerate().skip(at[run]);
+        rest.filter(|(_, event)| Change::ends_cascade(event)).map(|(index, _)| index).next()
+    };
+    let [a, b] = [next(0)?, next(1)?];
+    let events = [&runs[0].events[a], &runs[1].events[b]];
+    let apart = (events[0].time - events[1].time).abs();
+    let is_limit = events[0].tags == events[1].tags && apart <= SAME_LIMIT * events[0].time;
+    is_limit.then_some([a + 1, b + 1])
+}
