@@ -5,8 +5,8 @@ mod common;
 use common::{at, close, number, reference, run, wind_pendulum};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, Gravity, Model, Start};
 use tumble_mech::PointRef;
+use tumble_mech::{Body, Gravity, Model, Start};
 
 #[test]
 fn the_pendulum_in_the_wind() {

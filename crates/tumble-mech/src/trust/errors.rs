@@ -8,6 +8,8 @@ use crate::run::{Run, RunError};
 use crate::trust::phases::{Phases, Stretch};
 use crate::trust::{ROUNDINGS, SAFETY};
 
+/// Phases shorter than this part of the longest so far are blows: what is off within one passes with it.
+const BRIEF: f64 = 0.05;
 /// Parts of a step at whose ends the two runs are compared.
 const PARTS: usize = 4;
 
@@ -30,7 +32,7 @@ impl Errors {
         let mut both = [run.observe(formulas)?, second.observe(formulas)?];
         let rounding = ROUNDINGS * f64::EPSILON + run.quadrature.map_or(0.0, |quadrature| quadrature.change);
         let (mut apart, mut size) = (vec![0.0_f64; formulas.len()], vec![0.0_f64; formulas.len()]);
-        let mut rows = vec![];
+        let (mut rows, mut longest) = (vec![], 0.0_f64);
         let mut phases = phases.all.iter();
         let mut phase = phases.next();
         for piece in run.trajectory.pieces.iter().take_while(|piece| piece.start < until) {
@@ -38,13 +40,18 @@ impl Errors {
                 phase = phases.next();
             }
             let Some(phase) = phase else { break };
+            let length = phase[0].end - phase[0].start;
+            longest = longest.max(length);
+            let is_brief = length < BRIEF * longest;
             for part in 0..=PARTS {
                 let time = piece.start + (piece.end - piece.start) * part as f64 / PARTS as f64;
                 let (time, side) =
                     if part == PARTS { (piece.end, Side::Before) } else { (time, Side::After) };
                 let Some(found) = Compared::at(&mut both, *phase, (time, side)) else { continue };
                 let stated = found.differences().enumerate().map(|(index, (now, later))| {
-                    apart[index] = larger(apart[index], later);
+                    if !is_brief {
+                        apart[index] = larger(apart[index], later);
+                    }
                     size[index] = larger(size[index], found.here[index].abs());
                     SAFETY * larger(apart[index], now) + rounding * size[index]
                 });

@@ -9,8 +9,8 @@
 //! SAFETY max(d(t), max over t' <= t of c(t'))  +  (ROUNDINGS eps + q) max over t' <= t of |f1(t')|
 //! ```
 //!
-//! with d the difference at equal times; c the smaller of d and the difference at equal times since the last event, so that
-//! a short blow that comes a little late spoils no digits after it; and q the change that the last doubling of Gauss nodes
+//! with d the difference at equal times; c the smaller of d and the difference at equal times since the last event, outside
+//! of phases that are much shorter than others: a short blow that comes a little late spoils no digits after it; and q the change that the last doubling of Gauss nodes
 //! made, where there are lines of them.
 //!
 //! # Symbols and units
@@ -92,6 +92,19 @@ pub enum Parting {
     },
     /// The second run was refused here.
     Refused,
+}
+
+impl std::fmt::Display for Parting {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let list = |tags: &[String]| if tags.is_empty() { "nothing".to_owned() } else { tags.join(", ") };
+        match self {
+            Self::Grown => write!(f, "two runs that began alike have come apart"),
+            Self::Events { first, second } => {
+                write!(f, "{} happens, and {} in a run that began alike", list(first), list(second))
+            }
+            Self::Refused => write!(f, "a run that began alike was refused"),
+        }
+    }
 }
 
 impl Run {
@@ -176,6 +189,13 @@ impl Trust {
     /// Errors of formulas of the motion along it; `run` is the motion that this is about.
     pub fn errors(&self, run: &Run, formulas: &[Expr]) -> Result<Errors, RunError> {
         Errors::of(run, &self.second, &self.phases, self.end(), formulas)
+    }
+
+    /// Error of the time of an event, s; `None` where nothing can be said of it.
+    pub fn event_error(&self, time: f64) -> Option<f64> {
+        let phase = self.phases.all.iter().find(|[here, _]| here.end == time)?;
+        let apart = (phase[0].end - phase[1].end).abs();
+        (time < self.end()).then_some(SAFETY * apart + ROUNDINGS * f64::EPSILON * time)
     }
 
     fn is_better(&self, other: &Self) -> bool {
