@@ -4,12 +4,13 @@ use anyhow::Result;
 
 use crate::steps::Step;
 use crate::workspace::Workspace;
-use crate::{browser, references, tidy};
+use crate::{browser, debian, references, tidy};
 
 const FORMATTING: Step = Step { name: "formatting", run: formatting };
 const LINTS: Step = Step { name: "lints", run: lints };
 const TESTS: Step = Step { name: "tests", run: tests };
 const DOCUMENTATION: Step = Step { name: "documentation", run: documentation };
+const PDF: Step = Step { name: "pdf", run: pdf };
 const TIDY: Step = Step { name: "tidy", run: tidy::run };
 const REFERENCES: Step = Step { name: "references", run: references::compare };
 const BROWSER: Step = Step { name: "browser", run: browser::run };
@@ -24,10 +25,10 @@ pub(crate) fn test() -> Vec<Step> {
     vec![FORMATTING, LINTS, TESTS, DOCUMENTATION, TIDY]
 }
 
-/// [`test()`] and what needs Python, Node and Chromium.
+/// [`test()`] and what needs Python, Node, Chromium, and minutes for the typesetter.
 pub(crate) fn test_all() -> Vec<Step> {
     let mut steps = test();
-    steps.extend([REFERENCES, BROWSER]);
+    steps.extend([REFERENCES, BROWSER, PDF]);
     steps
 }
 
@@ -62,6 +63,13 @@ fn tests(workspace: &Workspace) -> Result<()> {
 
 fn documentation(workspace: &Workspace) -> Result<()> {
     workspace.cargo(["doc", "--workspace", "--no-deps", "--locked"]).env("RUSTDOCFLAGS", "-D warnings").run()
+}
+
+/// The tests of the feature `pdf`, which read with Poppler what was written.
+fn pdf(workspace: &Workspace) -> Result<()> {
+    debian::program("pdftotext", "poppler-utils", workspace)?;
+    let arguments = ["test", "-p", "tumble", "-p", "tumble-report", "--features", "tumble/pdf", "--locked"];
+    workspace.cargo(arguments).args(["--lib", "--test", "pdf"]).run()
 }
 
 #[cfg(test)]

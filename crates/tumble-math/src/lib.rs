@@ -1,8 +1,8 @@
 //! Formulas as mathematics for people: short, in the usual order, and the very formulas that are integrated.
 //!
 //! [`Notation`] turns a [`tumble_expr::Expr`] by exact algebra into [`Math`], a small tree of what stands on paper, and
-//! [`mathml`], [`latex`], [`typst`](typst()) and [`text`] write it down. Each [`Line`] keeps what it shows as a formula, so that anyone can
-//! put both to the test. [`page_font`] makes pages independent of the reader's fonts.
+//! [`mathml`], [`latex`], [`typst()`] and [`text`] write it down. Each [`Line`] keeps what it shows as a formula, so that
+//! anyone can put both to the test. [`page_font`] makes pages independent of the reader's fonts.
 //!
 //! ```
 //! use tumble_expr::{Dimension, Expr, units::S};

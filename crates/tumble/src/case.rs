@@ -1,6 +1,6 @@
 //! The runs of a study: one, or one for every combination of swept parameters.
 
-use tumble_mech::{Parameters, Run, RunError};
+use tumble_mech::{Parameters, Run, RunError, Trust};
 use tumble_ode::Refusal;
 use tumble_scene::Study;
 
@@ -20,6 +20,8 @@ pub struct Case {
     pub parameters: Parameters,
     /// The motion, as far as it was found.
     pub run: Run,
+    /// How far it can be trusted; nothing is known of a motion that stopped early.
+    pub trust: Option<Trust>,
     /// Why it stopped early, if it did.
     pub refusal: Option<Refusal>,
     /// The scene's claims, each with what was found.
@@ -72,17 +74,18 @@ impl Case {
         let until = study.number(&study.until)?;
         let title = if label.is_empty() { study.title.clone() } else { label.clone() };
         let progress = Progress::new(&title, until, visible);
-        let model = study.model.clone();
-        let found = Run::refined(model, &parameters, until, study.accuracy, |time| progress.reached(time));
-        let (run, refusal) = match found {
-            Ok(run) => (run, None),
+        let reached = |time| progress.reached(time);
+        let found = Run::trusted(&study.model, &parameters, until, study.accuracy, reached);
+        let (run, trust, refusal) = match found {
+            Ok((run, trust)) => (run, Some(trust), None),
             Err(RunError::Refused { refusal, partial }) if !partial.trajectory.pieces.is_empty() => {
-                (*partial, Some(refusal))
+                (*partial, None, Some(refusal))
             }
             Err(error) => return Err(error.into()),
         };
-        let checks = checks::evaluate(study, &run, refusal.is_none())?;
-        Ok(Self { number, label, parameters, run, refusal, checks, books: None })
+        let mut case = Self { number, label, parameters, run, trust, refusal, checks: vec![], books: None };
+        case.checks = checks::evaluate(study, &case)?;
+        Ok(case)
     }
 
     /// Whether the motion reached its end and every claim holds.

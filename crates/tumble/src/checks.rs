@@ -1,9 +1,10 @@
 //! The scene's claims, held against the motion.
 
-use tumble_mech::Run;
 use tumble_ode::Side;
 use tumble_scene::{Check, Study};
 
+use crate::case::Case;
+use crate::digits;
 use crate::moments::Moments;
 use crate::pipeline::PipelineError;
 
@@ -22,16 +23,26 @@ pub struct CheckResult {
     pub expected: f64,
     /// Largest difference allowed, SI units.
     pub within: f64,
+    /// Error stated of what was found less what was claimed, SI units; `None` where nothing is known of it.
+    pub error: Option<f64>,
     /// Whether the claim holds.
     pub holds: bool,
 }
 
-/// Holds every claim against a motion; `complete` says whether it was found to its end.
-pub(crate) fn evaluate(study: &Study, run: &Run, complete: bool) -> Result<Vec<CheckResult>, PipelineError> {
-    study.checks.iter().map(|check| one(study, run, complete, check)).collect()
+impl CheckResult {
+    /// Whether the motion is known well enough to say that the claim holds.
+    pub fn is_sure(&self) -> bool {
+        self.error.is_some_and(|error| error <= self.within)
+    }
 }
 
-fn one(study: &Study, run: &Run, complete: bool, check: &Check) -> Result<CheckResult, PipelineError> {
+/// Holds every claim against a motion.
+pub(crate) fn evaluate(study: &Study, case: &Case) -> Result<Vec<CheckResult>, PipelineError> {
+    study.checks.iter().map(|check| one(study, case, check)).collect()
+}
+
+fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, PipelineError> {
+    let (run, complete) = (&case.run, case.refusal.is_none());
     let within = study.number(&check.within)?;
     let moments = Moments::of(study, run);
     let formulas = [moments.known(&check.that.quantity.formula), moments.known(&check.equals)];
@@ -40,12 +51,15 @@ fn one(study: &Study, run: &Run, complete: bool, check: &Check) -> Result<CheckR
         None => run.trajectory.end().filter(|_| complete),
         Some(instant) => moments.time(instant)?,
     };
-    let values = match (at, formulas) {
-        (Some(at), [Some(found), Some(expected)]) => run.observe(&[found, expected])?.at(at, Side::After),
-        _ => None,
+    let (values, error) = match (at, formulas) {
+        (Some(at), [Some(found), Some(expected)]) => {
+            let error = digits::error(case, &(&found - &expected), at)?;
+            (run.observe(&[found, expected])?.at(at, Side::After), error)
+        }
+        _ => (None, None),
     };
     let (found, expected) = values.map_or((f64::NAN, f64::NAN), |values| (values[0], values[1]));
     let holds = (found - expected).abs() <= within;
     let (name, that) = (check.name.clone(), check.that.text.clone());
-    Ok(CheckResult { name, that, at: at.unwrap_or(f64::NAN), found, expected, within, holds })
+    Ok(CheckResult { name, that, at: at.unwrap_or(f64::NAN), found, expected, within, error, holds })
 }

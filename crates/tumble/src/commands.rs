@@ -124,6 +124,8 @@ enum Form {
     Html,
     /// Text with formulas and links to the figures.
     Markdown,
+    /// Pages of A4 to print; needs a build with the feature pdf.
+    Pdf,
     /// None.
     None,
 }
@@ -133,6 +135,7 @@ impl From<Form> for ReportForm {
         match form {
             Form::Html => Self::Html,
             Form::Markdown => Self::Markdown,
+            Form::Pdf => Self::Pdf,
             Form::None => Self::None,
         }
     }
@@ -264,7 +267,8 @@ fn describe_case(case: &Case) {
     let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
     let end = trajectory.end().unwrap_or(0.0);
     let (steps, events) = (count(work.steps, "step"), count(trajectory.events.len() as u64, "event"));
-    say!("  {label}{end} s in {steps}{exact}, {events}");
+    let digits = case.trustworthiness().map_or_else(String::new, |digits| format!(", {digits}"));
+    say!("  {label}{end} s in {steps}{exact}, {events}{digits}");
     if let Some(found) = case.run.quadrature.filter(|found| !found.settled) {
         say!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
     }
@@ -279,10 +283,20 @@ fn describe_case(case: &Case) {
             true => String::new(),
             false => format!(", expected {} within {:?}", short(check.expected), check.within),
         };
-        say!("  check {}: {that} = {} at {at} s {verdict}{expected}", check.name, short(check.found));
+        let doubt = if check.holds { doubt(check) } else { String::new() };
+        say!("  check {}: {that} = {} at {at} s {verdict}{expected}{doubt}", check.name, short(check.found));
     }
     if let Some(refusal) = &case.refusal {
         say!("  incomplete: {refusal}");
+    }
+}
+
+/// That a claim which holds might as well not.
+fn doubt(check: &tumble::CheckResult) -> String {
+    match check.error {
+        _ if check.is_sure() => String::new(),
+        Some(error) => format!(", though it is only known to {error:.0e}"),
+        None => ", though no digit of it is known".to_owned(),
     }
 }
 
@@ -306,6 +320,15 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
         #[cfg(feature = "png")]
         PipelineError::Gif(_) => {
             tell!("error: {}: {error}", scene.display());
+            Ending::Mistake
+        }
+        #[cfg(feature = "pdf")]
+        PipelineError::Pdf(_) => {
+            tell!("error: {}: {error}", scene.display());
+            Ending::File
+        }
+        PipelineError::WithoutPdf => {
+            tell!("error: {error}");
             Ending::Mistake
         }
         PipelineError::Scene(diagnostics) => {

@@ -37,6 +37,7 @@ pub mod progress;
 mod books;
 mod case;
 mod checks;
+mod digits;
 mod figures;
 mod free_bodies;
 mod moments;

@@ -84,6 +84,13 @@ pub enum PipelineError {
     #[cfg(feature = "png")]
     #[error(transparent)]
     Gif(#[from] tumble_report::GifError),
+    /// A report as PDF was asked for, and this build has no typesetter.
+    #[error("this build writes no PDF: build it with `cargo build --release --features pdf`")]
+    WithoutPdf,
+    /// A report cannot be set.
+    #[cfg(feature = "pdf")]
+    #[error(transparent)]
+    Pdf(#[from] tumble_report::report::PdfError),
 }
 
 /// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
@@ -91,6 +98,7 @@ pub enum PipelineError {
 /// A motion that is refused on the way is no error: what was found is written, marked incomplete, and the outcome says
 /// why.
 pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
+    options.report.check()?;
     let source = Source::read(path)?;
     let study = read(&source, options)?;
     let folder = Folder::begin(&options.out, &source.name)?;

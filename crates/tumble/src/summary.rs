@@ -108,6 +108,22 @@ struct Numerics {
     contacts: Option<Contacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     quadrature: Option<Quadrature>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trust: Option<Trust>,
+}
+
+/// What a second run says of the motion.
+#[derive(Serialize)]
+struct Trust {
+    /// Accuracy that steps were held to.
+    used_accuracy: f64,
+    /// Error of the states at the end, or where the digits end, in units of their scales.
+    reached: f64,
+    /// Time after which nothing carries digits; the end of the motion where they last.
+    digits_until: f64,
+    /// Why they end before the motion does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    digits_end_because: Option<String>,
 }
 
 /// Where there are surfaces.
@@ -149,6 +165,8 @@ struct Check<'a> {
     found: Option<f64>,
     expected: Option<f64>,
     within: f64,
+    /// Error stated of what was found.
+    error: Option<f64>,
     holds: bool,
 }
 
@@ -185,7 +203,7 @@ fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
             .as_ref()
             .map(|refusal| Stop { time: refusal.time, reason: refusal.reason.to_string() }),
         parameters: parameters(study, &case.run),
-        numerics: numerics(study, &case.run),
+        numerics: numerics(study, case),
         end: end(&case.run),
         events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
         checks: case.checks.iter().map(check).collect(),
@@ -207,7 +225,8 @@ fn parameters(study: &Study, run: &Run) -> BTreeMap<String, Quantity> {
         .collect()
 }
 
-fn numerics(study: &Study, run: &Run) -> Numerics {
+fn numerics(study: &Study, case: &Case) -> Numerics {
+    let run = &case.run;
     let work = run.trajectory.work;
     Numerics {
         accuracy: study.accuracy.value(),
@@ -218,6 +237,12 @@ fn numerics(study: &Study, run: &Run) -> Numerics {
         modes: work.modes,
         sign_changes: work.flips,
         contacts: contacts(study, run),
+        trust: case.trust.as_ref().map(|trust| Trust {
+            used_accuracy: trust.used,
+            reached: trust.reached,
+            digits_until: trust.horizon.as_ref().map_or(end_time(run), |horizon| horizon.time),
+            digits_end_because: trust.horizon.as_ref().map(|horizon| horizon.reason.to_string()),
+        }),
         quadrature: run.quadrature.map(|found| Quadrature {
             nodes: found.nodes,
             change: found.change,
@@ -243,7 +268,11 @@ fn end(run: &Run) -> End {
         let unit = unit(symbol.dimension, is_angle(&symbol));
         (symbol.name.to_string(), Quantity { value, unit })
     });
-    End { time: run.trajectory.end().unwrap_or(0.0), states: named.collect() }
+    End { time: end_time(run), states: named.collect() }
+}
+
+fn end_time(run: &Run) -> f64 {
+    run.trajectory.end().unwrap_or(0.0)
 }
 
 fn check(result: &CheckResult) -> Check<'_> {
@@ -255,6 +284,7 @@ fn check(result: &CheckResult) -> Check<'_> {
         found: finite(result.found),
         expected: finite(result.expected),
         within: result.within,
+        error: result.error.and_then(finite),
         holds: result.holds,
     }
 }

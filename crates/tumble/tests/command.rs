@@ -102,6 +102,18 @@ fn a_command_line_that_is_not_one() {
     }
 }
 
+/// A typesetter is large, so a build has one only if it was asked for.
+#[cfg(not(feature = "pdf"))]
+#[test]
+fn a_report_that_this_build_cannot_write() {
+    let place = folder();
+    write(&place.path().join("stone/scene.toml"), STONE);
+    let (code, said) = ended_in(place.path(), &["run", "stone/scene.toml", "--report", "pdf"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("writes no PDF") && said.contains("--features pdf"), "{said}");
+    assert!(!place.path().join("out").exists(), "nothing was run");
+}
+
 #[test]
 fn a_motion_that_is_refused() {
     let folder = folder();

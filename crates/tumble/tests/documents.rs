@@ -165,6 +165,7 @@ fn mistakes_are_reported_as_shown() {
     assert_eq!(count, of_kind("toml error").len(), "each mistake has its message");
 }
 
+/// `UPDATE_BOOK=1` writes them anew.
 #[test]
 fn outputs_are_as_shown() {
     of_kind("console");
@@ -182,12 +183,33 @@ fn commands(document: &Path) {
                 let (command, expected) = block.text.split_once('\n').expect("a command and its output");
                 let place = prepare(document, &edits, command, &scene);
                 let output = said(place.path(), command, &block.place);
-                same(&output, &Block { text: expected.to_owned(), ..block.clone() });
+                let shown = Block { text: expected.to_owned(), ..block.clone() };
+                match std::env::var_os("UPDATE_BOOK") {
+                    Some(_) => update(document, &output, &shown),
+                    None => same(&output, &shown),
+                }
                 edits.clear();
             }
             _ => {}
         }
     }
+}
+
+/// Writes an output into its document. Where the document leaves out lines, those that it shows become the lines that
+/// begin most like them.
+fn update(document: &Path, found: &str, shown: &Block) {
+    let found: Vec<&str> = found.trim().lines().map(str::trim_end).collect();
+    let alike = |line: &str, other: &str| line.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
+    let nearest = |line: &str| match line {
+        "..." => Some(line.to_owned()),
+        _ => found.iter().max_by_key(|other| alike(line, other)).map(|&other| other.to_owned()),
+    };
+    let leaves_out = shown.text.lines().any(|line| line == "...");
+    let lines: Vec<String> = match leaves_out {
+        true => shown.text.lines().filter_map(nearest).collect(),
+        false => found.iter().map(|&line| line.to_owned()).collect(),
+    };
+    write(document, &read(document).replacen(&shown.text, &(lines.join("\n") + "\n"), 1));
 }
 
 /// A folder with the scenes of the repository, the lesson's own with its edits, and the scene of the document by the

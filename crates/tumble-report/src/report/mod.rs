@@ -2,7 +2,8 @@
 //!
 //! A [`Report`] is plain data: words, mathematics that somebody else wrote,
 //! drawings, samples. [`Report::html`] is a page that needs nothing but a
-//! browser, [`Report::markdown`] the same as text with links to figures.
+//! browser, [`Report::markdown`] the same as text with links to figures, and with
+//! the feature `pdf` there is `Report::pdf` for paper.
 //! Every text is shown as it is; none is ever run.
 //!
 //! ```
@@ -25,6 +26,8 @@ mod markdown;
 mod math;
 mod mathml;
 mod model;
+#[cfg(feature = "pdf")]
+mod pdf;
 mod picture;
 mod prose;
 mod solve;
@@ -35,6 +38,8 @@ pub use animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, Moving
 pub use identify::{BodyRow, Identify, Quantity};
 pub use math::{Block, Definition, Math};
 pub use model::{BodyModel, ForceRow, Mode, Model};
+#[cfg(feature = "pdf")]
+pub use pdf::{Pdf, PdfError};
 pub use picture::{Picture, Plot};
 pub use prose::{Piece, Text};
 pub use solve::{Phase, Solve};
@@ -73,5 +78,11 @@ impl Report {
     /// The report as Markdown with LaTeX between dollar signs, and links to figure files.
     pub fn markdown(&self) -> String {
         markdown::document(self)
+    }
+
+    /// The report on A4. The motion is a stroboscopic picture of its first case.
+    #[cfg(feature = "pdf")]
+    pub fn pdf(&self) -> Result<Pdf, PdfError> {
+        pdf::pdf(self)
     }
 }

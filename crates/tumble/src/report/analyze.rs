@@ -1,5 +1,6 @@
 //! What the motion says: curves, pictures, books, checks, and what was found.
 
+use tumble_report::numeral;
 use tumble_report::report::{Analyze, Case as CaseShown, Check, Column, Picture, Plot, Table, Text};
 use tumble_scene::Study;
 
@@ -9,6 +10,9 @@ use crate::case::Case;
 use crate::checks::CheckResult;
 use crate::figures;
 use crate::pipeline::PipelineError;
+
+/// Digits of an error: its size is what counts.
+const ERROR_DIGITS: usize = 1;
 
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Analyze, PipelineError> {
     Ok(Analyze {
@@ -101,9 +105,17 @@ fn shown(check: &CheckResult, unit: &str) -> Check {
     Check {
         what: what.and(at),
         expected: precise(check.expected, unit),
-        found: precise(check.found, unit),
+        found: precise(check.found, unit).and(error(check)),
         within: precise(check.within, unit),
         passed: check.holds,
+    }
+}
+
+/// By how much it may be off.
+fn error(check: &CheckResult) -> Text {
+    match check.error {
+        Some(error) => Text::from(" ± ").and(numeral::significant(error, ERROR_DIGITS)),
+        None => Text::default(),
     }
 }
 

@@ -17,8 +17,9 @@ use tumble_ode::Side;
 use tumble_report::report::Text;
 use tumble_scene::Study;
 
-use super::names::quantity;
+use super::names::{quantity, quantity_to};
 use crate::case::Case;
+use crate::digits;
 use crate::figures::case_label;
 use crate::pipeline::PipelineError;
 use crate::tables::equal_times;
@@ -33,6 +34,10 @@ const MOST_LISTED: usize = 3;
 const AT_REST: f64 = 1e-9;
 /// Part of the energies in a run from which on the work of a load is told.
 const MATTERS: f64 = 0.01;
+/// Digits that are read; more are counted.
+const READ: usize = 6;
+/// Part of the run over which a rate is taken to tell the error of an instant.
+const RATE_STEP: f64 = 1e-6;
 /// Relative difference within which intervals are one period.
 const REPEATS: f64 = 1e-7;
 /// A run this many times the median of a sweep stands out.
@@ -43,7 +48,7 @@ pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineErr
     for case in cases {
         let case_study = study.with(&case.parameters);
         for body in &study.model.bodies {
-            let seen = Seen { study: &case_study, run: &case.run, body };
+            let seen = Seen { study: &case_study, case, run: &case.run, body };
             for text in seen.findings()? {
                 let label = case_label(case);
                 found.push(if label.is_empty() { text } else { Text::from(label).and(": ").and(text) });
@@ -60,6 +65,7 @@ pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineErr
 /// One body in one run.
 struct Seen<'a> {
     study: &'a Study,
+    case: &'a Case,
     run: &'a Run,
     body: &'a Body,
 }
@@ -121,6 +127,29 @@ impl Seen<'_> {
         Ok(values.map_or(f64::NAN, |values| values[0]))
     }
 
+    fn error(&self, time: f64, formula: &Expr) -> Result<Option<f64>, PipelineError> {
+        digits::error(self.case, formula, time)
+    }
+
+    /// A value with its digits.
+    fn known(&self, time: f64, formula: &Expr, unit: &str) -> Result<Text, PipelineError> {
+        Ok(with_digits(self.at(time, formula)?, self.error(time, formula)?, unit))
+    }
+
+    /// An instant at which a quantity is zero, with its digits.
+    fn instant(&self, time: f64, formula: &Expr) -> Result<Text, PipelineError> {
+        Ok(with_digits(time, self.error_of_instant(time, formula)?, "s"))
+    }
+
+    /// The error of an instant at which a quantity is zero: that of the quantity over its rate.
+    fn error_of_instant(&self, time: f64, formula: &Expr) -> Result<Option<f64>, PipelineError> {
+        let step = self.end() * RATE_STEP;
+        let (before, after) = ((time - step).max(0.0), (time + step).min(self.end()));
+        let rate = (self.at(after, formula)? - self.at(before, formula)?) / (after - before);
+        let rounding = time * f64::EPSILON;
+        Ok(self.error(time, formula)?.map(|error| (error / rate).abs() + rounding))
+    }
+
     fn name(&self) -> &str {
         &self.body.name
     }
@@ -130,9 +159,10 @@ impl Seen<'_> {
         let tops = self.falls_through_zero(motion.velocity().y())?;
         let mut found = vec![];
         for time in tops.iter().take(MOST_LISTED) {
-            let height = self.at(*time, motion.position().y())?;
+            let height = self.known(*time, motion.position().y(), "m")?;
             let words = Text::from(format!("The centre of {} is highest, ", self.name()));
-            found.push(words.and(quantity(height, "m")).and(", at ").and(quantity(*time, "s")).and("."));
+            let when = self.instant(*time, motion.velocity().y())?;
+            found.push(words.and(height).and(", at ").and(when).and("."));
         }
         if tops.len() > MOST_LISTED {
             let more = tops.len() - MOST_LISTED;
@@ -147,7 +177,8 @@ impl Seen<'_> {
         let size = self.study.number(&(self.body.reach() * 2))?;
         let words = Text::from(format!("{} gets ", self.name()));
         let side = if distance > 0.0 { " to the right of" } else { " to the left of" };
-        let found = words.and(quantity(distance.abs(), "m")).and(side).and(" where it began.");
+        let error = self.error(self.end(), &x)?;
+        let found = words.and(with_digits(distance.abs(), error, "m")).and(side).and(" where it began.");
         Ok((distance.abs() > size.max(f64::MIN_POSITIVE)).then_some(found))
     }
 
@@ -156,7 +187,9 @@ impl Seen<'_> {
         let turns = (self.at(self.end(), &angle)? - self.at(0.0, &angle)?) / std::f64::consts::TAU;
         let way = if turns > 0.0 { "counter-clockwise" } else { "clockwise" };
         let words = Text::from(format!("{} turns by ", self.name()));
-        Ok((turns.abs() >= 1.0).then(|| words.and(quantity(turns.abs(), "rev")).and(format!(" {way}."))))
+        let error = self.error(self.end(), &angle)?.map(|error| error / std::f64::consts::TAU);
+        let turned = with_digits(turns.abs(), error, "rev");
+        Ok((turns.abs() >= 1.0).then(|| words.and(turned).and(format!(" {way}."))))
     }
 
     fn bounces(&self) -> Option<Text> {
@@ -166,9 +199,13 @@ impl Seen<'_> {
         let contacts: Vec<_> = self.run.contacts().into_iter().filter(|contact| own(contact.pair)).collect();
         let first = contacts.first()?;
         let words = Text::from(format!("{} touches {} times, first at ", self.name(), contacts.len()));
-        let mut words = words.and(quantity(first.start, "s"));
+        let when = |time: f64| {
+            let error = self.case.trust.as_ref().and_then(|trust| trust.event_error(time));
+            with_digits(time, error, "s")
+        };
+        let mut words = words.and(when(first.start));
         if let Some(last) = contacts.iter().rfind(|contact| contact.is_open) {
-            words = words.and(", and stays from ").and(quantity(last.start, "s")).and(" on");
+            words = words.and(", and stays from ").and(when(last.start)).and(" on");
         }
         Some(words.and("."))
     }
@@ -193,9 +230,20 @@ impl Seen<'_> {
         let [first, rest @ ..] = &intervals[..] else { return Ok(None) };
         let repeats = !rest.is_empty() && rest.iter().all(|next| (next - first).abs() <= REPEATS * first);
         let mean = intervals.iter().sum::<f64>() / intervals.len() as f64;
+        let last = self.error_of_instant(*turns.last().unwrap_or(&0.0), &self.body.kinematics().omega())?;
+        // Of the first and the last turn, each may be off.
+        let error = last.map(|error| 2.0 * error / intervals.len() as f64);
         let words = Text::from(format!("{} repeats its motion every ", self.name()));
-        Ok(repeats.then(|| words.and(quantity(mean, "s")).and(".")))
+        Ok(repeats.then(|| words.and(with_digits(mean, error, "s")).and(".")))
     }
+}
+
+/// A value to the digits that hold, at most so many as are read, and how many those are.
+fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
+    let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
+    let held = digits::digits(value, error);
+    let plural = if held == 1 { "" } else { "s" };
+    quantity_to(value, held.clamp(1, READ), unit).and(format!(" ({held} digit{plural})"))
 }
 
 /// Loads that have taken out or put in much energy.
@@ -218,7 +266,7 @@ fn resonance(study: &Study, cases: &[Case]) -> Result<Option<Text>, PipelineErro
     let (Some(body), true) = (pivoted, cases.len() >= 3) else { return Ok(None) };
     let mut swings = vec![];
     for case in cases {
-        let seen = Seen { study, run: &case.run, body };
+        let seen = Seen { study, case, run: &case.run, body };
         let values = seen.values(&body.kinematics().angle())?;
         let least = values.iter().map(|(_, angle)| *angle).fold(f64::INFINITY, f64::min);
         let most = values.iter().map(|(_, angle)| *angle).fold(f64::NEG_INFINITY, f64::max);

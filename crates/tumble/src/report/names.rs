@@ -109,7 +109,12 @@ pub(crate) fn words(words: &str) -> Math {
 
 /// A value with its unit.
 pub(crate) fn quantity(value: f64, unit: &str) -> Text {
-    let number = numeral::significant(value, DIGITS);
+    quantity_to(value, DIGITS, unit)
+}
+
+/// The same to so many digits.
+pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
+    let number = numeral::significant(value, digits);
     match unit.is_empty() {
         true => number.into(),
         false => number.then(Label::plain("\u{a0}")).then(Label::unit(unit)).into(),

@@ -51,6 +51,7 @@ fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
         row("Steps shortened and repeated", &|case| work(case).rejected.to_string()),
         row("Sets of equations, one for each way of touching", &|case| work(case).modes.to_string()),
     ];
+    rows.extend(trust(cases));
     if cases.iter().any(|case| case.run.quadrature.is_some()) {
         rows.push(row("Points along lines that stand for integrals", &|case| {
             case.run.quadrature.map_or_else(String::new, |found| format!("{}", found.nodes))
@@ -60,6 +61,23 @@ fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
         rows.push((Text::from("Stopped"), Text::from(refusal.to_string())));
     }
     rows
+}
+
+/// What a second run says, a row for each thing that it says of any run.
+fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
+    let several = cases.len() > 1;
+    let rows = cases.iter().flat_map(|case| {
+        let name = |what: &str| {
+            let of = if several { format!("{what}, {}", case.label) } else { what.to_owned() };
+            Text::from(of)
+        };
+        let held =
+            case.trustworthiness().map(|held| (name("Held by a second, independent run"), held.into()));
+        let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
+        let why = horizon.map(|horizon| (name("The digits end because"), horizon.reason.to_string().into()));
+        held.into_iter().chain(why)
+    });
+    rows.collect()
 }
 
 /// A row an event.

@@ -79,7 +79,7 @@ impl Page {
 }
 
 /// The curves in words.
-fn description(plot: &Plot) -> String {
+pub(in crate::report) fn description(plot: &Plot) -> String {
     if !plot.description.is_empty() {
         return plot.description.clone();
     }

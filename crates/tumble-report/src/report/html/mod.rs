@@ -10,4 +10,8 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "pdf")]
+pub(super) use figures::description;
+#[cfg(feature = "pdf")]
+pub(super) use motion::still;
 pub(super) use page::page;

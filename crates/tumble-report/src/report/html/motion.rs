@@ -22,7 +22,7 @@ const MOST_NUMBERS: usize = 300_000;
 const INSTANTS: usize = 13;
 
 /// The first case as a stroboscopic picture, described in words.
-pub(super) fn still(animation: &Animation) -> Svg {
+pub(in crate::report) fn still(animation: &Animation) -> Svg {
     let motion = animation.cases.first();
     let tracks = motion.map(|motion| motion.bodies.iter().map(|b| track(motion, b)).collect());
     let surfaces = motion.map(|motion| motion.surfaces.clone()).unwrap_or_default();

@@ -1,0 +1,19 @@
+"""Everything that docs/comparison.md shows: `python benches/peers > comparison.txt`."""
+
+import os
+import platform
+import warnings
+
+import air
+import bouncing
+import slips
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore")
+    print(f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}")
+    for table in (bouncing.elastic, bouncing.lossy, bouncing.dropped):
+        table(bouncing.PEERS)
+    air.pendulum_table()
+    air.throw_table()
+    slips.refused()
+    slips.taken()

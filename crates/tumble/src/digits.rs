@@ -1,0 +1,54 @@
+//! How many digits of a value hold.
+
+use tumble_expr::Expr;
+
+use crate::case::Case;
+use crate::pipeline::PipelineError;
+
+/// Doubles have no more.
+const MOST: f64 = 16.0;
+
+/// Digits of a value that an error leaves.
+pub(crate) fn digits(value: f64, error: f64) -> usize {
+    let digits = (value / error).abs().log10();
+    // No error at all, or nothing known of it.
+    if digits.is_nan() { 0 } else { digits.clamp(0.0, MOST) as usize }
+}
+
+/// The error stated of a formula at a time; `None` where nothing is known of it.
+pub(crate) fn error(case: &Case, formula: &Expr, time: f64) -> Result<Option<f64>, PipelineError> {
+    let Some(trust) = &case.trust else { return Ok(None) };
+    let errors = trust.errors(&case.run, std::slice::from_ref(formula))?;
+    Ok(errors.at(time).map(|errors| errors[0]))
+}
+
+impl Case {
+    /// How far it can be trusted, in a few words: `11 digits`, `7 digits of the 9 asked for`, `digits up to 12 s`; `None`
+    /// where nothing is known of that.
+    pub fn trustworthiness(&self) -> Option<String> {
+        let trust = self.trust.as_ref()?;
+        if let Some(horizon) = &trust.horizon {
+            return Some(format!("digits up to {:.4} s", horizon.time));
+        }
+        let (held, asked) = (digits(1.0, trust.reached), digits(1.0, trust.asked));
+        Some(match trust.is_reached() {
+            true => format!("{held} digits"),
+            false => format!("{held} digits of the {asked} asked for"),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_those_before_the_error() {
+        assert_eq!(digits(0.31634, 2e-13), 12);
+        assert_eq!(digits(-120.0, 0.5), 2);
+        assert_eq!(digits(1e-20, 1e-15), 0);
+        assert_eq!(digits(1.0, 0.0), 16);
+        assert_eq!(digits(1.0, f64::NAN), 0);
+        assert_eq!(digits(0.0, 0.0), 0);
+    }
+}
