@@ -23,6 +23,8 @@ pub struct Books {
     pub rows: Vec<Vec<f64>>,
     /// What every load did, each with a name that no other has.
     pub entries: Vec<(String, LedgerEntry)>,
+    /// Errors of their works, J; `None` where nothing is known of them.
+    pub work_errors: Option<Vec<f64>>,
     /// Kinetic and potential energy of all bodies, J.
     pub energy: LedgerBalance,
     /// Momentum (N s) and angular momentum about the origin (N m s) of all bodies.
@@ -43,11 +45,16 @@ impl Books {
         for (time, side) in times(run) {
             rows.extend(ledger.row(time, side)?);
         }
+        let work_errors = match &case.trust {
+            Some(trust) => trust.work_errors(&ledger)?,
+            None => None,
+        };
         let entries = ledger.entries.iter().enumerate();
         Ok(Some(Self {
             columns: ledger.columns(),
             rows,
             entries: entries.map(|(index, entry)| (ledger.name_of(index), entry.clone())).collect(),
+            work_errors,
             energy: ledger.energy,
             total: ledger.total,
             relative: ledger.relative(),

@@ -35,6 +35,7 @@ use tumble_expr::Expr;
 use tumble_ode::Accuracy;
 
 use crate::coordinates::Measure;
+use crate::ledger::{Entry, Ledger};
 use crate::model::Model;
 use crate::parameters::Parameters;
 use crate::run::{Run, RunError};
@@ -196,6 +197,21 @@ impl Trust {
         let phase = self.phases.all.iter().find(|[here, _]| here.end == time)?;
         let apart = (phase[0].end - phase[1].end).abs();
         (time < self.end()).then_some(SAFETY * apart + ROUNDINGS * f64::EPSILON * time)
+    }
+
+    /// Errors of the works of a ledger's entries, J; `None` where nothing can be said of the whole motion.
+    pub fn work_errors(&self, ledger: &Ledger<'_>) -> Result<Option<Vec<f64>>, RunError> {
+        if self.horizon.is_some() {
+            return Ok(None);
+        }
+        let second = Ledger::of(&self.second, [0.0; 2])?;
+        let key = |entry: &Entry| (entry.load.clone(), entry.body, entry.kind);
+        let error = |entry: &Entry| {
+            let other = second.entries.iter().find(|other| key(other) == key(entry));
+            let apart = other.map_or(f64::INFINITY, |other| (entry.work - other.work).abs());
+            SAFETY * apart + ROUNDINGS * f64::EPSILON * entry.work.abs()
+        };
+        Ok(Some(ledger.entries.iter().map(error).collect()))
     }
 
     fn is_better(&self, other: &Self) -> bool {

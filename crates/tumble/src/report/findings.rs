@@ -12,7 +12,7 @@
 //! | resonance | one run of a sweep swings by [`STANDS_OUT`] times the median of all |
 
 use tumble_expr::Expr;
-use tumble_mech::{Body, Gravity, Run};
+use tumble_mech::{Body, Gravity, Observer, Run};
 use tumble_ode::Side;
 use tumble_report::report::Text;
 use tumble_scene::Study;
@@ -102,13 +102,13 @@ impl Seen<'_> {
     /// Instants at which a smooth quantity passes zero downwards.
     fn falls_through_zero(&self, formula: &Expr) -> Result<Vec<f64>, PipelineError> {
         let values = self.values(formula)?;
-        let events: Vec<f64> = self.run.trajectory.events.iter().map(|event| event.time).collect();
         let mut observer = self.run.observe(std::slice::from_ref(formula))?;
+        let jumps = self.jumps(&mut observer);
         let mut found = vec![];
         for pair in values.windows(2) {
             let ((mut low, before), (mut high, after)) = (pair[0], pair[1]);
-            // A jump at an event is no passing.
-            let jumps = events.iter().any(|event| low <= *event && *event <= high);
+            // A jump is no passing.
+            let jumps = jumps.iter().any(|event| low <= *event && *event <= high);
             if jumps || !(before > 0.0 && after <= 0.0) {
                 continue;
             }
@@ -120,6 +120,13 @@ impl Seen<'_> {
             found.push(high);
         }
         Ok(found)
+    }
+
+    /// Events at which a quantity is not continuous.
+    fn jumps(&self, observer: &mut Observer<'_>) -> Vec<f64> {
+        let events = self.run.trajectory.events.iter().enumerate();
+        let jumps = events.filter(|(index, _)| observer.at_event(*index).is_some_and(|[a, b]| a != b));
+        jumps.map(|(_, event)| event.time).collect()
     }
 
     fn at(&self, time: f64, formula: &Expr) -> Result<f64, PipelineError> {
@@ -160,13 +167,13 @@ impl Seen<'_> {
         let mut found = vec![];
         for time in tops.iter().take(MOST_LISTED) {
             let height = self.known(*time, motion.position().y(), "m")?;
-            let words = Text::from(format!("The centre of {} is highest, ", self.name()));
+            let words = Text::from(format!("The centre of {} comes to a highest point, ", self.name()));
             let when = self.instant(*time, motion.velocity().y())?;
             found.push(words.and(height).and(", at ").and(when).and("."));
         }
         if tops.len() > MOST_LISTED {
             let more = tops.len() - MOST_LISTED;
-            found.push(format!("It has {more} more highest points.").into());
+            found.push(format!("{} comes to {more} more highest points.", self.name()).into());
         }
         Ok(found)
     }
@@ -198,7 +205,11 @@ impl Seen<'_> {
         let own = |pair: usize| model.bodies[pairs[pair].body].name == self.body.name;
         let contacts: Vec<_> = self.run.contacts().into_iter().filter(|contact| own(contact.pair)).collect();
         let first = contacts.first()?;
-        let words = Text::from(format!("{} touches {} times, first at ", self.name(), contacts.len()));
+        let times = match contacts.len() {
+            1 => " touches once, at ".to_owned(),
+            several => format!(" touches {several} times, first at "),
+        };
+        let words = Text::from(self.name().to_owned()).and(times);
         let when = |time: f64| {
             let error = self.case.trust.as_ref().and_then(|trust| trust.event_error(time));
             with_digits(time, error, "s")
@@ -241,6 +252,9 @@ impl Seen<'_> {
 /// A value to the digits that hold, at most so many as are read, and how many those are.
 fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
     let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
+    if error == 0.0 {
+        return quantity(value, unit);
+    }
     let held = digits::digits(value, error);
     let plural = if held == 1 { "" } else { "s" };
     quantity_to(value, held.clamp(1, READ), unit).and(format!(" ({held} digit{plural})"))
@@ -250,10 +264,13 @@ fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
 fn works(case: &Case) -> Vec<Text> {
     let Some(books) = &case.books else { return vec![] };
     let matters = |work: f64| work.abs() > MATTERS * books.energy.scale;
-    let told = books.entries.iter().filter(|(_, entry)| entry.counts() && matters(entry.work));
-    let text = |(name, entry): &(String, tumble_mech::Entry)| {
+    let entries = books.entries.iter().enumerate();
+    let told = entries.filter(|(_, (_, entry))| entry.counts() && matters(entry.work));
+    let text = |(index, (name, entry)): (usize, &(String, tumble_mech::Entry))| {
         let does = if entry.work < 0.0 { "takes out" } else { "puts in" };
-        let words = Text::from(format!("{name} {does} ")).and(quantity(entry.work.abs(), "J")).and(".");
+        let error = books.work_errors.as_ref().map(|errors| errors[index]);
+        let work = with_digits(entry.work.abs(), error, "J");
+        let words = Text::from(format!("{name} {does} ")).and(work).and(".");
         let label = case_label(case);
         if label.is_empty() { words } else { Text::from(label).and(": ").and(words) }
     };
@@ -264,13 +281,15 @@ fn works(case: &Case) -> Vec<Text> {
 fn resonance(study: &Study, cases: &[Case]) -> Result<Option<Text>, PipelineError> {
     let pivoted = study.model.bodies.iter().find(|body| study.model.pivot_of(&body.name).is_some());
     let (Some(body), true) = (pivoted, cases.len() >= 3) else { return Ok(None) };
-    let mut swings = vec![];
+    let (mut swings, mut errors) = (vec![], vec![]);
     for case in cases {
         let seen = Seen { study, case, run: &case.run, body };
         let values = seen.values(&body.kinematics().angle())?;
         let least = values.iter().map(|(_, angle)| *angle).fold(f64::INFINITY, f64::min);
         let most = values.iter().map(|(_, angle)| *angle).fold(f64::NEG_INFINITY, f64::max);
+        let error = seen.error(seen.end(), &body.kinematics().angle())?;
         swings.push(most - least);
+        errors.push(error.map(|error| 2.0 * error));
     }
     let mut sorted = swings.clone();
     sorted.sort_by(f64::total_cmp);
@@ -278,7 +297,7 @@ fn resonance(study: &Study, cases: &[Case]) -> Result<Option<Text>, PipelineErro
     let (index, widest) =
         swings.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).expect("there are runs");
     let words = Text::from(format!("{} swings farthest with ", body.name)).and(case_label(&cases[index]));
-    let words = words.and(": through ").and(quantity(*widest, "rad"));
+    let words = words.and(": through ").and(with_digits(*widest, errors[index], "rad"));
     let found = words.and(format!(", {:.1} times the median of the runs.", widest / median));
     Ok((*widest > STANDS_OUT * median).then_some(found))
 }

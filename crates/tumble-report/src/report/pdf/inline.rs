@@ -93,7 +93,7 @@ pub(super) fn math(math: &Math) -> String {
 
 /// A formula on a line of its own.
 fn display(math: &Math) -> String {
-    format!("{}\n\n", formula("display", math))
+    format!("#line-of[{}]\n", formula("display", math))
 }
 
 /// A formula by one of the functions for them; its text stands in where it is not mathematics.
