@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{Check, FreeBody, Plot, Stroboscope, Study, SweepAxis};
+use crate::study::{BooksPlot, Check, FreeBody, Plot, Stroboscope, Study, SweepAxis};
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -32,6 +32,7 @@ pub(crate) struct Draft {
     pub(crate) output_every: Option<Expr>,
     pub(crate) plots: Vec<Plot>,
     pub(crate) stroboscopes: Vec<Stroboscope>,
+    pub(crate) books: Vec<BooksPlot>,
     pub(crate) free_bodies: Vec<FreeBody>,
     pub(crate) checks: Vec<Check>,
     pub(crate) symbols: BTreeMap<String, String>,
@@ -75,6 +76,7 @@ impl Draft {
                 output_every: self.output_every,
                 plots: self.plots,
                 stroboscopes: self.stroboscopes,
+                books: self.books,
                 free_bodies: self.free_bodies,
                 checks: self.checks,
                 symbols: self.symbols,

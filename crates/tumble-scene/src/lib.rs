@@ -45,7 +45,10 @@ pub use code::Code;
 pub use diagnostic::{Diagnostic, Diagnostics, Label, Source, Span};
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use settings::Override;
-pub use study::{Check, Curve, FreeBody, Instant, Plot, Quantity, Stroboscope, Study, SweepAxis, SweepValue};
+pub use study::{
+    BooksPlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Sheet, Stroboscope, Study, SweepAxis,
+    SweepValue,
+};
 
 /// A scene may have this many bytes.
 pub const MAX_BYTES: usize = 16 << 20;

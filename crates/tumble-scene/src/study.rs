@@ -25,6 +25,8 @@ pub struct Study {
     pub plots: Vec<Plot>,
     /// Stroboscopic pictures.
     pub stroboscopes: Vec<Stroboscope>,
+    /// Figures of the books.
+    pub books: Vec<BooksPlot>,
     /// Free-body diagrams.
     pub free_bodies: Vec<FreeBody>,
     /// What must hold.
@@ -115,6 +117,42 @@ pub struct Stroboscope {
     pub every: Expr,
     /// Whether the path of each centre of mass is drawn.
     pub trace: bool,
+}
+
+/// Energies or works of all bodies along the run.
+#[derive(Clone, Debug)]
+pub struct BooksPlot {
+    /// Its name: the file's stem.
+    pub name: String,
+    /// One line above the figure.
+    pub title: Option<String>,
+    /// Which part of the books.
+    pub show: Sheet,
+}
+
+/// A part of the books.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sheet {
+    /// Kinetic, potential and total energy.
+    Energies,
+    /// What every load has done so far.
+    Works,
+    /// What the works leave unexplained of the energy.
+    Residual,
+}
+
+impl Sheet {
+    /// Every part.
+    pub const ALL: [Self; 3] = [Self::Energies, Self::Works, Self::Residual];
+
+    /// How a scene calls it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Energies => "energies",
+            Self::Works => "works",
+            Self::Residual => "residual",
+        }
+    }
 }
 
 /// When something is looked at: a time, s, a formula of the parameters and of symbols that only the run knows.

@@ -9,6 +9,7 @@ use tumble_report::{
 };
 use tumble_scene::{Curve, Plot, Stroboscope, Study};
 
+use crate::book_figures;
 use crate::case::Case;
 use crate::free_bodies;
 use crate::moments::Moments;
@@ -36,6 +37,10 @@ pub(crate) fn write(study: &Study, cases: &[Case], folder: &Folder) -> Result<Ve
     for stroboscope in &study.stroboscopes {
         save(folder, &stroboscope.name, &picture(study, cases, stroboscope)?.svg())?;
         names.push(stroboscope.name.clone());
+    }
+    for asked in &study.books {
+        save(folder, &asked.name, &book_figures::of(study, cases, asked).svg())?;
+        names.push(asked.name.clone());
     }
     for asked in &study.free_bodies {
         for case in cases {
@@ -140,7 +145,7 @@ pub(crate) fn case_label(case: &Case) -> Label {
         .unwrap_or_default()
 }
 
-fn joined(a: Label, b: Label) -> Label {
+pub(crate) fn joined(a: Label, b: Label) -> Label {
     if a.is_empty() || b.is_empty() { a.then(b) } else { a.then(Label::plain(", ")).then(b) }
 }
 

@@ -34,6 +34,7 @@ pub mod pipeline;
 pub mod prelude;
 pub mod progress;
 
+mod book_figures;
 mod books;
 mod case;
 mod checks;

@@ -38,9 +38,9 @@ fn joined(text: &str) -> String {
 
 /// The first scenes, each with a piece of its equations as a PDF holds them: in letters for mathematics.
 const SCENES: [(&str, &str); 4] = [
-    ("01-pendulum-in-the-wind", "𝜃′′="),
-    ("02-thrown-rod", "𝑚𝐴𝑥="),
-    ("03-bouncing-rod", "𝐼𝛼="),
+    ("01-pendulum-in-the-wind", "sin𝜃"),
+    ("02-thrown-rod", "𝑀𝐴𝑥=𝐹air,x"),
+    ("03-bouncing-rod", "𝑚𝐴𝑦=−𝑚𝑔"),
     ("04-kicked-ball", "𝑀𝐴𝑥=𝐹"),
 ];
 

@@ -41,6 +41,25 @@ fn numbers_are_those_of_the_summary() {
     }
 }
 
+/// The figures of the books show their columns, and each only its own.
+#[test]
+fn books_are_figures_where_a_scene_asks_for_them() {
+    let out = folder();
+    let path = out.path().join("throw.toml");
+    let scene = read(&repository("scenes/02-thrown-rod/scene.toml"));
+    let sheets = ["energies", "works", "residual"].map(|show| format!("[books.{show}]\nshow = \"{show}\"\n"));
+    write(&path, &format!("{scene}\n{}", sheets.concat()));
+    let outcome = run(&path, out.path(), ReportForm::None);
+    let drawn = |name: &str| read(&outcome.folder.join(format!("{name}.svg")));
+    for (name, [own, other]) in [("energies", ["kinetic", "air on rod"]), ("works", ["air on rod", "kinetic"])] {
+        let svg = drawn(name);
+        // Two runs, with the name of each behind that of the curve.
+        assert!(svg.contains(own) && !svg.contains(other), "{name}");
+        assert!(svg.contains("with air") && svg.contains("without air"), "{name}");
+    }
+    assert!(drawn("residual").contains("with air"));
+}
+
 #[test]
 fn markdown_links_to_the_figures() {
     let out = folder();

@@ -1,6 +1,7 @@
 //! The sections of a scene, one a file, and the one table that lists them.
 
 mod body;
+mod books;
 mod check;
 mod damper;
 mod drag;
@@ -76,6 +77,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("output", output::read),
     optional("plot", plot::read),
     optional("stroboscope", stroboscope::read),
+    optional("books", books::read),
     optional("free_body", free_body::read),
     optional("check", check::read),
     optional("symbols", symbols::read),

@@ -6,6 +6,7 @@ use tumble_scene::Study;
 
 use super::names::{Names, quantity};
 use super::{animation, books, findings};
+use crate::book_figures;
 use crate::case::Case;
 use crate::checks::CheckResult;
 use crate::figures;
@@ -36,7 +37,11 @@ fn plots(study: &Study, cases: &[Case]) -> Result<Vec<Plot>, PipelineError> {
         };
         Ok(shown.stored(format!("{}.svg", plot.name)))
     };
-    study.plots.iter().map(plot).collect()
+    let books = study.books.iter().map(|asked| {
+        let figure = book_figures::of(study, cases, asked);
+        Ok(Plot::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
+    });
+    study.plots.iter().map(plot).chain(books).collect()
 }
 
 fn pictures(study: &Study, cases: &[Case]) -> Result<Vec<Picture>, PipelineError> {

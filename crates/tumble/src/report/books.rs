@@ -1,15 +1,16 @@
 //! Energy, momentum, and what changed them, as tables and a figure.
 
 use tumble_mech::Balance as LedgerBalance;
+use tumble_report::Label;
 use tumble_report::report::{Books as Shown, Column, Plot, Table, Text};
-use tumble_report::{Axis, CurveFigure, Label, Series};
+use tumble_scene::Sheet;
 
 use super::names::quantity;
+use crate::book_figures::sheet;
 use crate::books::Books;
 use crate::case::Case;
 
-/// Columns of the books that every run has, before those of the works.
-const ENERGIES: [(&str, usize); 3] = [("kinetic", 1), ("potential", 2), ("total", 3)];
+const RESIDUAL: &str = "Residual of the energy";
 
 pub(super) fn of(case: &Case) -> Option<Shown> {
     let books = case.books.as_ref()?;
@@ -21,8 +22,8 @@ pub(super) fn of(case: &Case) -> Option<Shown> {
         ],
         tables: vec![balances(books), entries(books)],
         plots: vec![
-            Plot::over_time(energies(books), "Energies"),
-            Plot::over_time(residual(books), "Residual of the energy"),
+            Plot::over_time(sheet(books, "Energies", Sheet::Energies), "Energies"),
+            Plot::over_time(sheet(books, RESIDUAL, Sheet::Residual), RESIDUAL),
         ],
     })
 }
@@ -67,23 +68,4 @@ fn entries(books: &Books) -> Table {
         table.notes.push("Work marked (potential) is already in the potential energy.".into());
     }
     table
-}
-
-fn energies(books: &Books) -> CurveFigure {
-    let series = ENERGIES.map(|(name, column)| Series {
-        label: Label::plain(name),
-        points: books.rows.iter().map(|row| [row[0], row[column]]).collect(),
-    });
-    figure("Energies", "E", series.into())
-}
-
-fn residual(books: &Books) -> CurveFigure {
-    let points = books.rows.iter().map(|row| [row[0], row.last().copied().unwrap_or(0.0)]).collect();
-    figure("Residual of the energy", "E", vec![Series { label: Label::default(), points }])
-}
-
-fn figure(title: &str, symbol: &str, series: Vec<Series>) -> CurveFigure {
-    let x = Axis::new(Label::symbol("t"), "s");
-    let y = Axis::new(Label::symbol(symbol), "J");
-    CurveFigure { series, ..CurveFigure::new(Label::plain(title), x, y) }
 }

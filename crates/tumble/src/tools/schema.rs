@@ -52,6 +52,7 @@ fn sections() -> Vec<Key> {
         may("output", output(), "How dense the tables are."),
         may("plot", each(plot()), "Curves against the time or another quantity."),
         may("stroboscope", each(stroboscope()), "Bodies at equal steps of time in one picture."),
+        may("books", each(books()), "Energies and works along the run."),
         may("free_body", each(free_body()), "Free-body diagrams of one body at some instants."),
         may("check", each(check()), "Claims; if one does not hold, the command ends with 1."),
         may("symbols", open(json!({ "type": ["string", "object"] })), "How names are written in figures."),
@@ -173,6 +174,20 @@ fn plot() -> Value {
                 "during",
                 parts::pair(named("quantity")),
                 "`[from, to]`: times, events or contacts; all without it.",
+            ),
+            may("title", named("text"), "Above the figure; that of the scene without it."),
+        ],
+    )
+}
+
+fn books() -> Value {
+    closed(
+        "[books.NAME]",
+        &[
+            may(
+                "show",
+                choice(&tumble_scene::Sheet::ALL.map(tumble_scene::Sheet::word)),
+                "Kinetic, potential and total energy, which is shown without it; the work of each load; what is left.",
             ),
             may("title", named("text"), "Above the figure; that of the scene without it."),
         ],

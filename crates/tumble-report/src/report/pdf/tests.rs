@@ -128,7 +128,6 @@ fn formulas_that_are_more_than_mathematics_are_words() {
         "read(\"looks.typ\")",
         "a $ b",
         "a // b",
-        "(a",
         "frac(",
         "\\ a",
         "sum",
@@ -154,6 +153,23 @@ fn long_tables_go_on_below_their_head() {
     assert!(with_rows.iter().all(|page| on(*page, "Instant")), "{with_rows:?}");
     for page in 0..shown.pages.len() {
         assert!(on(page, &format!("{} / {}", page + 1, shown.pages.len())), "page {page} has its number");
+    }
+}
+
+#[test]
+fn wide_tables_go_on_with_their_first_column() {
+    let columns = (0..20).map(|i| Column::numbers(format!("greatest{i}"))).collect();
+    let cells = (0..20).map(|i| Text::from(format!("-{i}.123456"))).collect();
+    let mut report = titled();
+    report.solve.tables.push(Table::new("Runs", columns).row(cells));
+    let shown = Shown::of(&report);
+    let text = shown.text();
+    assert!((0..20).all(|i| text.contains(&format!("greatest{i}"))), "{text}");
+    assert_eq!(text.matches("-0.123456").count(), 3);
+    let numbers: Vec<_> =
+        shown.placed.iter().filter(|p| p.text.as_deref().is_some_and(|t| t.contains('.'))).collect();
+    for pair in numbers.windows(2).filter(|pair| pair[0].at.y == pair[1].at.y) {
+        assert!(pair[0].at.x + pair[0].size.x < pair[1].at.x, "numbers stand clear of each other");
     }
 }
 

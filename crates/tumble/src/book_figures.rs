@@ -1,0 +1,50 @@
+//! Figures of the books: energies, works, and what is left unexplained.
+
+use tumble_report::{Axis, CurveFigure, Label, Series};
+use tumble_scene::{BooksPlot, Sheet, Study};
+
+use crate::books::Books;
+use crate::case::Case;
+use crate::figures::{case_label, joined};
+
+/// The books of all runs in one figure; empty where none were kept.
+pub(crate) fn of(study: &Study, cases: &[Case], asked: &BooksPlot) -> CurveFigure {
+    let mut figure = empty(asked.title.as_deref().unwrap_or(&study.title));
+    for case in cases {
+        let series = case.books.iter().flat_map(|books| curves(books, asked.show));
+        let of_case = |curve: Series| Series { label: joined(curve.label, case_label(case)), ..curve };
+        figure.series.extend(series.map(of_case));
+    }
+    figure
+}
+
+/// One sheet of one run.
+pub(crate) fn sheet(books: &Books, title: &str, show: Sheet) -> CurveFigure {
+    CurveFigure { series: curves(books, show), ..empty(title) }
+}
+
+fn empty(title: &str) -> CurveFigure {
+    CurveFigure::new(
+        Label::markup(title),
+        Axis::new(Label::symbol("t"), "s"),
+        Axis::new(Label::symbol("E"), "J"),
+    )
+}
+
+/// The columns of the books that a sheet shows; a residual alone needs no name.
+fn curves(books: &Books, show: Sheet) -> Vec<Series> {
+    let name = |column: &str| match (show, column) {
+        (Sheet::Energies, "kinetic" | "potential") => Some(column.to_owned()),
+        (Sheet::Energies, "energy") => Some("total".to_owned()),
+        (Sheet::Works, _) => column.strip_prefix("work of ").map(str::to_owned),
+        (Sheet::Residual, "residual") => Some(String::new()),
+        _ => None,
+    };
+    let columns = books.columns.iter().enumerate();
+    let shown = columns.filter_map(|(index, column)| Some((index, name(column)?)));
+    let series = shown.map(|(index, name)| Series {
+        label: Label::plain(&name),
+        points: books.rows.iter().map(|row| [row[0], row[index]]).collect(),
+    });
+    series.collect()
+}
