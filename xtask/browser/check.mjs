@@ -5,7 +5,7 @@
 // A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
 // machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
 // A page with a motion must play it, one with curves must answer a pointer, and none may be wider than a narrow window
-// or fail to print.
+// or fail to print, or cut a figure in print.
 // Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
 
 import { mkdtemp, rm } from "node:fs/promises";
@@ -24,6 +24,8 @@ const FLAGS = [
   "--disable-sync",
 ];
 const NARROW = 400;
+// What the margins of a report leave of A4, in pixels of 1/96 inch: 180 mm by 263 mm.
+const PAPER = { width: 680, height: 994 };
 const LOCAL = /^(file|data|blob|about):/;
 
 function watch(page, faults) {
@@ -86,9 +88,32 @@ async function narrowed(page) {
   return width <= NARROW ? [] : [`in a window of ${NARROW} pixels the page is ${width} wide`];
 }
 
+// On paper no figure is cut: each is kept together and fits on a page. Chromium then moves it to the next one.
 async function printed(page) {
-  const pdf = await page.pdf({ format: "A4" });
-  return pdf.length > 1000 ? [] : ["the page does not print"];
+  const pdf = await page.pdf({ format: "A4", preferCSSPageSize: true });
+  if (pdf.length < 1000) return ["the page does not print"];
+  const size = page.viewportSize();
+  await page.emulateMedia({ media: "print" });
+  await page.setViewportSize(PAPER);
+  const faults = await page.evaluate(cutFigures, PAPER);
+  await page.emulateMedia({ media: null });
+  await page.setViewportSize(size);
+  return faults;
+}
+
+// Runs in the page.
+function cutFigures(paper) {
+  const isKept = (node) => node !== null && (getComputedStyle(node).breakInside === "avoid" || isKept(node.parentElement));
+  const faults = [];
+  for (const figure of document.querySelectorAll("figure")) {
+    const { width, height } = figure.getBoundingClientRect();
+    const name = `the figure "${figure.textContent.trim().slice(0, 40)}"`;
+    if (height === 0) continue;
+    if (!isKept(figure)) faults.push(`${name} may be cut at the end of a page`);
+    if (height > paper.height) faults.push(`${name} is ${Math.round(height)} pixels high, a page ${paper.height}`);
+    if (width > paper.width) faults.push(`${name} is ${Math.round(width)} pixels wide, a page ${paper.width}`);
+  }
+  return faults;
 }
 
 function screenshotName(path) {
