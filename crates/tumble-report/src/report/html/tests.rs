@@ -17,7 +17,12 @@ fn label() -> Label {
 }
 
 fn formula() -> Math {
-    Math { mathml: format!("<math><mi>{HOSTILE}</mi></math>"), latex: HOSTILE.into(), typst: HOSTILE.into(), text: HOSTILE.into() }
+    Math {
+        mathml: format!("<math><mi>{HOSTILE}</mi></math>"),
+        latex: HOSTILE.into(),
+        typst: HOSTILE.into(),
+        text: HOSTILE.into(),
+    }
 }
 
 fn picture() -> Picture {
