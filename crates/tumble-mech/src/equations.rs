@@ -3,6 +3,7 @@
 use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_ode::{Invariant, ScaleGroup};
 
+use crate::carried::EventTapes;
 use crate::contact::{Pair, Pairs, TouchTapes};
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::error::{ModelError, ModelErrors};
@@ -25,6 +26,7 @@ pub struct Equations {
     windows: Vec<Window>,
     pairs: Pairs,
     touch_tapes: TouchTapes,
+    event_tapes: EventTapes,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
 }
@@ -81,7 +83,8 @@ impl Equations {
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
         let touch_tapes = TouchTapes::default();
-        let equations = Self { model, bodies, terms, windows, pairs, touch_tapes, definitions };
+        let event_tapes = EventTapes::default();
+        let equations = Self { model, bodies, terms, windows, pairs, touch_tapes, event_tapes, definitions };
         equations.check_points_turn()?;
         Ok(equations)
     }
@@ -299,6 +302,10 @@ impl Equations {
 
     pub(crate) fn pair_list(&self) -> &Pairs {
         &self.pairs
+    }
+
+    pub(crate) fn event_tapes(&self) -> &EventTapes {
+        &self.event_tapes
     }
 
     pub(crate) fn touch_tapes(&self) -> &TouchTapes {

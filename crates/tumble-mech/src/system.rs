@@ -51,7 +51,7 @@ impl Hybrid for Equations {
 
 impl Equations {
     /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,
-    /// which see all forces that act from now on. With the impulses of impacts, by pair, N s.
+    /// which see all forces that act from now on, and last the events that all this has made happen. With the impulses of impacts, by pair, N s.
     pub(crate) fn transition(&self, at: &Crossing<'_, Mode>) -> Result<(Jump<Mode>, Impulses), Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
         for cause in at.causes {
@@ -64,6 +64,9 @@ impl Equations {
             }
         }
         let impulses = self.switch_contacts(at, &mut jump)?;
+        for event in self.carried_across(at, &jump)? {
+            self.pass_event(event, &mut jump);
+        }
         Ok((jump, impulses))
     }
 

@@ -6,7 +6,9 @@ use common::{at, close, run};
 use proptest::prelude::*;
 use tumble_expr::units::{KG, M, N, RAD, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Action, Body, Event, Gravity, Load, Model, Moment, Place, Start, time};
+use tumble_mech::{
+    Action, Body, ContactLaw, Event, Gravity, Load, Model, Moment, Place, Start, Surface, time,
+};
 use tumble_ode::Direction;
 
 /// What the runs are asked for, and so what an event's function may be off by at its event: it is of size 1.
@@ -120,6 +122,33 @@ fn a_jump_is_an_event_and_a_touch_is_none() {
     assert_eq!(fires(|v| v.abs(), Direction::Both), [] as [f64; 0]);
     assert_eq!(fires(|v| &v * &v, Direction::Both), [] as [f64; 0]);
     assert_eq!(fires(|v| v.abs() * &v, Direction::Falling), [1.0]);
+}
+
+/// What an impact or the start of a force carries across zero has crossed it; what it leaves at zero has not.
+#[test]
+fn a_jump_of_the_motion_is_an_event() {
+    let times = |e: f64, when: fn(&Body) -> Expr, direction| {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(10 * M / (S * S));
+        let ball = model.add(Body::point("ball").mass(1 * KG));
+        model.starts.push(("ball".into(), Start::default().at([0 * M, 5 * M])));
+        model.surface(Surface::floor("floor", 0 * M, ContactLaw::Rigid { restitution: e.into() }));
+        let push = Vector::planar(2 * N, 0 * N);
+        let gust = Load::force("gust", "ball", Place::Material(ball.cm()), push);
+        model.loads.push(gust.during(Moment::Time(0.5 * S), Moment::Time(0.6 * S)));
+        model.events = vec![Event { name: "e".into(), when: when(&ball), direction, action: Action::Record }];
+        let run = run(model, 3.5, 1e-9);
+        let own = run.trajectory.events.iter().filter(|event| event.tags.contains(&"e".to_owned()));
+        own.map(|event| (event.time * 1e6).round() / 1e6).collect::<Vec<f64>>()
+    };
+    let vy = |ball: &Body| ball.kinematics().velocity().y().clone();
+    // It falls for 1 s, bounces to a quarter of the height, which takes 1 s, and to a sixteenth, which takes half of it.
+    assert_eq!(times(0.5, vy, Direction::Rising)[..3], [1.0, 2.0, 2.5]);
+    assert_eq!(times(0.5, vy, Direction::Falling)[..2], [1.5, 2.25]);
+    assert_eq!(times(0.0, vy, Direction::Both), [] as [f64; 0]);
+    let ax = |ball: &Body| ball.kinematics().acceleration().x() - 1 * M / (S * S);
+    assert_eq!(times(1.0, ax, Direction::Rising), [0.5]);
+    assert_eq!(times(1.0, ax, Direction::Falling), [0.6]);
 }
 
 /// A watched formula that has no value beyond some instant ends the run there, by name, and does not hang it.

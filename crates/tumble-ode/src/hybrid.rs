@@ -87,7 +87,7 @@ pub enum Direction {
 
 impl Direction {
     /// Whether a crossing to that sign counts.
-    pub(crate) fn allows(self, to: f64) -> bool {
+    pub fn allows(self, to: f64) -> bool {
         match self {
             Self::Rising => to > 0.0,
             Self::Falling => to < 0.0,

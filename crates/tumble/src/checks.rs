@@ -15,6 +15,8 @@ pub struct CheckResult {
     pub name: String,
     /// What was looked at, as the user wrote it.
     pub that: String,
+    /// SI unit of what was looked at; empty where it has none.
+    pub unit: String,
     /// When, s; not a number where it is an event that did not happen.
     pub at: f64,
     /// What was found, SI units; not a number where the motion does not reach that time.
@@ -60,6 +62,6 @@ fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, Pipelin
     };
     let (found, expected) = values.map_or((f64::NAN, f64::NAN), |values| (values[0], values[1]));
     let holds = (found - expected).abs() <= within;
-    let (name, that) = (check.name.clone(), check.that.text.clone());
-    Ok(CheckResult { name, that, at: at.unwrap_or(f64::NAN), found, expected, within, error, holds })
+    let (name, that, unit) = (check.name.clone(), check.that.text.clone(), check.that.quantity.unit.clone());
+    Ok(CheckResult { name, that, unit, at: at.unwrap_or(f64::NAN), found, expected, within, error, holds })
 }

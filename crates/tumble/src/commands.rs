@@ -281,10 +281,15 @@ fn describe_case(case: &Case) {
         let (that, at) = (&check.that, check.at);
         let expected = match check.holds {
             true => String::new(),
-            false => format!(", expected {} within {:?}", short(check.expected), check.within),
+            false => format!(
+                ", expected {} within {}",
+                with_unit(check.expected, &check.unit),
+                with_unit(check.within, &check.unit)
+            ),
         };
         let doubt = if check.holds { doubt(check) } else { String::new() };
-        say!("  check {}: {that} = {} at {at} s {verdict}{expected}{doubt}", check.name, short(check.found));
+        let found = with_unit(check.found, &check.unit);
+        say!("  check {}: {that} = {found} at {at} s {verdict}{expected}{doubt}", check.name);
     }
     if let Some(refusal) = &case.refusal {
         say!("  incomplete: {refusal}");
@@ -298,6 +303,11 @@ fn doubt(check: &tumble::CheckResult) -> String {
         Some(error) => format!(", though it is only known to {error:.0e}"),
         None => ", though no digit of it is known".to_owned(),
     }
+}
+
+/// A value of a check, `9.6 m`.
+fn with_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() { short(value) } else { format!("{} {unit}", short(value)) }
 }
 
 /// All digits, and no row of zeros.

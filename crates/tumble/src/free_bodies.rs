@@ -127,7 +127,7 @@ impl Drawing<'_> {
         let point = [pose.x + impulse.arm[0], pose.y + impulse.arm[1]];
         Arrow::new(
             kind,
-            Label::symbol(&format!("J_{}", symbols::last(&impulse.load))),
+            Label::symbol(&format!("J_{}", symbols::contact(self.study, &impulse.load))),
             point,
             impulse.impulse,
         )

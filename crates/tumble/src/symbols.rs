@@ -12,7 +12,7 @@ pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
     let last = last(load);
     match law {
         Law::Weight => "W".to_owned(),
-        Law::Contact => format!("N_{last}"),
+        Law::Contact => format!("N_{}", contact(study, load)),
         Law::Reaction => format!("R_{last}"),
         Law::Torque | Law::Torsion => format!("tau_{last}"),
         _ => format!("F_{last}"),
@@ -30,6 +30,14 @@ pub(crate) fn force_label(study: &Study, load: &str, law: Law) -> Label {
 /// `m g`
 pub(crate) fn weight() -> Label {
     Label::markup("$m$ $g$")
+}
+
+/// Where a body is touched: by the point, `tip` of `floor.rod.tip`, and where there are several surfaces by them too.
+pub(crate) fn contact(study: &Study, pair: &str) -> String {
+    match pair.split_once('.') {
+        Some((surface, _)) if study.model.surfaces.len() > 1 => format!("{surface}_{}", last(pair)),
+        _ => last(pair).to_owned(),
+    }
 }
 
 /// The last word of a name: `tip` of `floor.rod.tip`.

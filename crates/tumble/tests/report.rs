@@ -51,7 +51,9 @@ fn books_are_figures_where_a_scene_asks_for_them() {
     write(&path, &format!("{scene}\n{}", sheets.concat()));
     let outcome = run(&path, out.path(), ReportForm::None);
     let drawn = |name: &str| read(&outcome.folder.join(format!("{name}.svg")));
-    for (name, [own, other]) in [("energies", ["kinetic", "air on rod"]), ("works", ["air on rod", "kinetic"])] {
+    for (name, [own, other]) in
+        [("energies", ["kinetic", "air on rod"]), ("works", ["air on rod", "kinetic"])]
+    {
         let svg = drawn(name);
         // Two runs, with the name of each behind that of the curve.
         assert!(svg.contains(own) && !svg.contains(other), "{name}");

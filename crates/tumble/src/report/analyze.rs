@@ -22,7 +22,7 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Analyze
         plots: plots(study, cases)?,
         pictures: pictures(study, cases)?,
         comparison: comparison(study, names, cases)?,
-        cases: cases.iter().map(|case| one(study, case)).collect::<Result<_, _>>()?,
+        cases: cases.iter().map(one).collect::<Result<_, _>>()?,
         checks: vec![],
         findings: findings::of(study, cases)?,
     })
@@ -90,20 +90,20 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
     Ok(Some(table))
 }
 
-fn one(study: &Study, case: &Case) -> Result<CaseShown, PipelineError> {
+fn one(case: &Case) -> Result<CaseShown, PipelineError> {
     let stopped =
         case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
-    let units = study.checks.iter().map(|check| check.that.quantity.unit.as_str());
     Ok(CaseShown {
         name: figures::case_label(case),
         intro: stopped.into_iter().collect(),
         books: books::of(case),
-        checks: case.checks.iter().zip(units).map(|(check, unit)| shown(check, unit)).collect(),
+        checks: case.checks.iter().map(shown).collect(),
         ..CaseShown::default()
     })
 }
 
-fn shown(check: &CheckResult, unit: &str) -> Check {
+fn shown(check: &CheckResult) -> Check {
+    let unit = check.unit.as_str();
     let what = Text::from(format!("{}: {}", check.name, check.that));
     let at =
         if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };

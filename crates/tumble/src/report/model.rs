@@ -131,7 +131,7 @@ fn row(study: &Study, names: &Names, equations: &Equations, terms: &[&Term]) -> 
         };
     }
     let formula = match term.law {
-        Law::Reaction => words("what keeps the point in its place: M A less all other forces"),
+        Law::Reaction => words("holds the point in its place"),
         Law::Torque | Law::Torsion => names.formula(&term.couple),
         _ => vector(names, &term.force),
     };

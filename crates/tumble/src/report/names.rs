@@ -9,6 +9,7 @@ use tumble_report::{Label, numeral};
 use tumble_scene::Study;
 
 use crate::pipeline::PipelineError;
+use crate::symbols;
 
 /// Digits of numbers in running text.
 const DIGITS: usize = 6;
@@ -174,8 +175,8 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
         }
     }
     for pair in study.model.pairs() {
-        let feature = pair.name.rsplit('.').next().unwrap_or_default();
-        symbols.insert(format!("{}.normal", pair.name), format!("N_{feature}"));
+        let touched = symbols::contact(study, &pair.name);
+        symbols.insert(format!("{}.normal", pair.name), format!("N_{touched}"));
     }
     symbols
 }

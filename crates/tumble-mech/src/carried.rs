@@ -1,0 +1,68 @@
+//! Events whose formula jumps across zero: an impact turns a velocity round, a floor begins to push.
+//!
+//! Between jumps the integrator locates the crossings. At a jump there is nothing to locate: a formula that is on one side
+//! of zero before and on the other after it has crossed then.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tumble_expr::{Branches, Expr, Jets, Tape};
+use tumble_ode::{Cause, Crossing, Jump, Reason};
+
+use crate::equations::Equations;
+use crate::mode::Mode;
+
+/// A value this much smaller than it was, or will be, is what rounding has left of zero: there is no crossing.
+const VANISHED: f64 = 1e-12;
+
+/// Tapes of the events' formulas by mode, built when first needed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct EventTapes(Arc<Mutex<HashMap<Mode, Arc<Tape>>>>);
+
+impl Equations {
+    /// Events that a jump makes happen, by index, beside those that have caused it.
+    pub(crate) fn carried_across(
+        &self,
+        at: &Crossing<'_, Mode>,
+        jump: &Jump<Mode>,
+    ) -> Result<Vec<usize>, Reason> {
+        let events = &self.model().events;
+        if events.is_empty() || (jump.mode == *at.mode && jump.states == at.states) {
+            return Ok(vec![]);
+        }
+        let before = self.event_values(at.mode, at.time, at.states, at.inputs)?;
+        let after = self.event_values(&jump.mode, at.time, &jump.states, at.inputs)?;
+        let crosses = |event: &usize| {
+            let (from, to) = (before[*event], after[*event]);
+            let is_told = from.abs() > VANISHED * to.abs() && to.abs() > VANISHED * from.abs();
+            let is_cause = at.causes.contains(&Cause::Guard(*event));
+            from * to < 0.0 && is_told && !is_cause && events[*event].direction.allows(to)
+        };
+        Ok((0..events.len()).filter(crosses).collect())
+    }
+
+    fn event_values(
+        &self,
+        mode: &Mode,
+        time: f64,
+        states: &[f64],
+        inputs: &[f64],
+    ) -> Result<Vec<f64>, Reason> {
+        let mut jets = Jets::new(self.event_tape(mode)?, 0, inputs);
+        jets.start(time, states, Branches::Free);
+        Ok((0..self.model().events.len()).map(|event| jets.value_of(event)).collect())
+    }
+
+    fn event_tape(&self, mode: &Mode) -> Result<Arc<Tape>, Reason> {
+        let mut known = self.event_tapes().0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(tape) = known.get(mode) {
+            return Ok(tape.clone());
+        }
+        let definitions = self.definitions_of(mode);
+        let formulas: Vec<Expr> =
+            self.model().events.iter().map(|event| definitions.apply(&event.when)).collect();
+        let tape = Arc::new(Tape::compile(&self.layout(mode), &formulas)?);
+        known.insert(mode.clone(), tape.clone());
+        Ok(tape)
+    }
+}
