@@ -3,21 +3,20 @@
 //! Between jumps the integrator locates the crossings. At a jump there is nothing to locate: a formula that is on one side
 //! of zero before and on the other after it has crossed then.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Tape};
+use tumble_expr::{Branches, Jets, Tape};
 use tumble_ode::{Cause, Crossing, Jump, Reason};
 
+use crate::cache::Cache;
 use crate::equations::Equations;
 use crate::mode::Mode;
 
 /// A value this much smaller than it was, or will be, is what rounding has left of zero: there is no crossing.
 const VANISHED: f64 = 1e-12;
 
-/// Tapes of the events' formulas by mode, built when first needed.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct EventTapes(Arc<Mutex<HashMap<Mode, Arc<Tape>>>>);
+/// Tapes of the events' formulas by mode.
+pub(crate) type EventTapes = Cache<Mode, Tape>;
 
 impl Equations {
     /// Events that a jump makes happen, by index, beside those that have caused it.
@@ -54,15 +53,10 @@ impl Equations {
     }
 
     fn event_tape(&self, mode: &Mode) -> Result<Arc<Tape>, Reason> {
-        let mut known = self.event_tapes().0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(tape) = known.get(mode) {
-            return Ok(tape.clone());
-        }
-        let definitions = self.definitions_of(mode);
-        let formulas: Vec<Expr> =
-            self.model().events.iter().map(|event| definitions.apply(&event.when)).collect();
-        let tape = Arc::new(Tape::compile(&self.layout(mode), &formulas)?);
-        known.insert(mode.clone(), tape.clone());
-        Ok(tape)
+        self.event_tapes().get(mode, || {
+            let definitions = self.definitions_of(mode);
+            let formulas = self.model().events.iter().map(|event| definitions.apply(&event.when));
+            Ok(Tape::compile(&self.layout(mode), &formulas.collect::<Vec<_>>())?)
+        })
     }
 }

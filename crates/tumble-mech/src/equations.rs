@@ -1,8 +1,12 @@
 //! From a model to equations of motion: a hybrid system whose terms are known by law, body and point.
 
+use std::convert::Infallible;
+use std::sync::Arc;
+
 use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_ode::{Invariant, ScaleGroup};
 
+use crate::cache::Cache;
 use crate::carried::EventTapes;
 use crate::contact::{Pair, Pairs, TouchTapes};
 use crate::coordinates::{Coordinates, Measure, StateRate};
@@ -27,6 +31,7 @@ pub struct Equations {
     pairs: Pairs,
     touch_tapes: TouchTapes,
     event_tapes: EventTapes,
+    known: Cache<Mode, Definitions>,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
 }
@@ -83,8 +88,9 @@ impl Equations {
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
         let touch_tapes = TouchTapes::default();
-        let event_tapes = EventTapes::default();
-        let equations = Self { model, bodies, terms, windows, pairs, touch_tapes, event_tapes, definitions };
+        let (event_tapes, known) = (EventTapes::default(), Cache::default());
+        let equations =
+            Self { model, bodies, terms, windows, pairs, touch_tapes, event_tapes, known, definitions };
         equations.check_points_turn()?;
         Ok(equations)
     }
@@ -150,9 +156,13 @@ impl Equations {
     }
 
     /// What every kinematic symbol stands for in a mode.
-    pub(crate) fn definitions_of(&self, mode: &Mode) -> Definitions {
-        let all: Vec<usize> = (0..self.bodies.len()).collect();
-        Definitions { kinematic: self.definitions_in(mode, &all), changes: self.changes(mode) }
+    pub(crate) fn definitions_of(&self, mode: &Mode) -> Arc<Definitions> {
+        let found = self.known.get(mode, || {
+            let all: Vec<usize> = (0..self.bodies.len()).collect();
+            let kinematic = self.definitions_in(mode, &all);
+            Ok::<_, Infallible>(Definitions { kinematic, changes: self.changes(mode) })
+        });
+        found.unwrap_or_else(|never| match never {})
     }
 
     /// The same, accelerations and contact forces of one body only: what its own contacts need.

@@ -7,6 +7,7 @@
 mod air;
 mod anchor;
 mod body;
+mod cache;
 mod carried;
 mod contact;
 mod coordinates;

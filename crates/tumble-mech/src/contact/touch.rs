@@ -1,12 +1,12 @@
 //! The numbers of one body's pairs at an instant: what impacts and lasting contacts are found from.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use tumble_expr::{Branches, Expr, Jets, Tape};
 use tumble_ode::Reason;
 
+use crate::cache::Cache;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -57,11 +57,8 @@ pub(crate) struct Touch {
     velocities: Vec<usize>,
 }
 
-/// Tapes by body and mode, built when first needed.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct TouchTapes(Arc<Mutex<Known>>);
-
-type Known = HashMap<(usize, Mode), Arc<Tape>>;
+/// Tapes by body and mode.
+pub(crate) type TouchTapes = Cache<(usize, Mode), Tape>;
 
 /// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
 const BEFORE_ROW: usize = 4;
@@ -140,15 +137,8 @@ impl Equations {
     }
 
     fn touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
-        let base = mode.without_support(self.pairs(), body);
-        let key = (body, base);
-        let mut known = self.touch_tapes().0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(tape) = known.get(&key) {
-            return Ok(Arc::clone(tape));
-        }
-        let tape = Arc::new(self.build_touch_tape(body, &key.1, pairs)?);
-        known.insert(key, Arc::clone(&tape));
-        Ok(tape)
+        let key = (body, mode.without_support(self.pairs(), body));
+        self.touch_tapes().get(&key, || self.build_touch_tape(body, &key.1, pairs))
     }
 
     fn build_touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {

@@ -1,0 +1,56 @@
+//! What is built once and shared by all copies of the equations.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::hash::Hash;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Values by key, built when they are first asked for.
+pub(crate) struct Cache<K, V>(Arc<Mutex<HashMap<K, Arc<V>>>>);
+
+impl<K: Clone + Eq + Hash, V> Cache<K, V> {
+    /// The value of a key. Two threads that ask at once may both build it; one of the two is kept.
+    pub(crate) fn get<E>(&self, key: &K, build: impl FnOnce() -> Result<V, E>) -> Result<Arc<V>, E> {
+        if let Some(value) = self.lock().get(key) {
+            return Ok(Arc::clone(value));
+        }
+        // Not under the lock: what is built may ask for other values.
+        let value = Arc::new(build()?);
+        Ok(Arc::clone(self.lock().entry(key.clone()).or_insert(value)))
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<K, Arc<V>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl<K, V> Default for Cache<K, V> {
+    fn default() -> Self {
+        Self(Arc::default())
+    }
+}
+
+impl<K, V> Clone for Cache<K, V> {
+    fn clone(&self) -> Self {
+        Self(Arc::clone(&self.0))
+    }
+}
+
+impl<K, V> fmt::Debug for Cache<K, V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Cache")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_is_built_once() {
+        let cache: Cache<u8, u8> = Cache::default();
+        assert_eq!(cache.get(&1, || Err("refused")), Err("refused"));
+        assert_eq!(cache.clone().get(&1, || Ok::<_, &str>(7)).as_deref(), Ok(&7));
+        assert_eq!(cache.get(&1, || Ok::<_, &str>(8)).as_deref(), Ok(&7));
+    }
+}
