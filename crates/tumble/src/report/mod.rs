@@ -6,6 +6,7 @@
 mod analyze;
 mod animation;
 mod books;
+mod equations;
 mod findings;
 mod identify;
 mod model;

@@ -1,23 +1,23 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use tumble_expr::{Expr, Symbol, Vector, is_identically_zero};
-use tumble_math::{Left, Mark, Math as Formula, MathError, Notation, Shown};
-use tumble_mech::{Equations, Law, Mode, Phase, Term};
-use tumble_report::report::{Block, BodyModel, ForceRow, Math, Mode as ModeShown, Model, Picture, Text};
+use tumble_expr::{Expr, Graph, Symbol, Vector, is_identically_zero};
+use tumble_math::{Left, Math as Formula};
+use tumble_mech::{Equations, Law, Mode, Term};
+use tumble_report::report::{Block, BodyModel, ForceRow, Math, Model, Picture, Text};
 use tumble_scene::{FreeBody, Instant, Study};
 
+use super::equations;
 use super::names::{Names, math, words};
 use crate::case::Case;
 use crate::free_bodies;
 use crate::pipeline::PipelineError;
 use crate::symbols;
 
-/// Equations of more signs than these are not read by anybody: forces stand in them by name, ...
-const MOST_SIGNS: usize = 800;
-/// ... and in tables formulas of more than these are only counted.
+/// Formulas of more signs than these are only counted.
 const MOST_SIGNS_IN_TABLE: usize = 120;
-/// More modes than this are told of in the table of events only.
-const MOST_MODES: usize = 6;
+/// Formulas of more operations than this come to more signs than are read anywhere: they are not even brought into a short form,
+/// which takes long.
+pub(super) const MOST_OPERATIONS: usize = 300;
 
 pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Model, PipelineError> {
     let bodies = (0..study.model.bodies.len()).map(|body| one(study, names, case, body));
@@ -25,7 +25,7 @@ pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Model, Pip
         intro: vec![],
         assumptions: assumptions(study),
         bodies: bodies.collect::<Result<_, _>>()?,
-        modes: modes(study, names, case),
+        modes: equations::modes(study, names, case),
     })
 }
 
@@ -132,27 +132,42 @@ fn row(study: &Study, names: &Names, equations: &Equations, terms: &[&Term]) -> 
     }
     let formula = match term.law {
         Law::Reaction => words("holds the point in its place"),
-        Law::Torque | Law::Torsion => names.formula(&term.couple),
-        _ => vector(names, &term.force),
+        Law::Torque | Law::Torsion => {
+            readable(std::slice::from_ref(&term.couple), |couple| names.formula(&couple[0]))
+        }
+        _ => readable(term.force.components(), |force| vector(names, force)),
     };
     ForceRow {
         name: name_of(term).into(),
         symbol,
-        formula: readable(formula),
+        formula,
         point: point(equations, term).into(),
         torque: match term.law {
             Law::Reaction => words("r × F"),
-            _ => readable(names.formula(&term.torque())),
+            _ => readable(std::slice::from_ref(&term.torque()), |torque| names.formula(&torque[0])),
         },
     }
 }
 
 /// The formula, or words where it is too long for a table.
-fn readable(formula: Math) -> Math {
-    match formula.text.chars().count() {
-        signs if signs > MOST_SIGNS_IN_TABLE => words(&format!("a formula of {signs} signs")),
-        _ => formula,
+fn readable(formulas: &[Expr], shown: impl Fn(&[Expr]) -> Math) -> Math {
+    let operations = operations(formulas);
+    if operations > MOST_OPERATIONS {
+        return words(&format!("a formula of {operations} operations"));
     }
+    let shown = shown(formulas);
+    match shown.text.chars().count() {
+        signs if signs > MOST_SIGNS_IN_TABLE => words(&format!("a formula of {signs} signs")),
+        _ => shown,
+    }
+}
+
+/// How many different operations, numbers and names formulas consist of.
+pub(super) fn operations<'a>(formulas: impl IntoIterator<Item = &'a Expr>) -> usize {
+    let formulas: Vec<Expr> = formulas.into_iter().cloned().collect();
+    let mut graph = Graph::default();
+    graph.import(&formulas);
+    graph.nodes().len()
 }
 
 fn name_of(term: &Term) -> String {
@@ -183,7 +198,7 @@ fn point(equations: &Equations, term: &Term) -> String {
     }
 }
 
-fn vector(names: &Names, v: &Vector) -> Math {
+fn vector(names: &Names, components: &[Expr]) -> Math {
     let part = |component: &Expr| -> Formula {
         let shown = names.notation().clone().without_automatic_names().formula(component);
         match shown {
@@ -191,7 +206,7 @@ fn vector(names: &Names, v: &Vector) -> Math {
             Err(error) => Formula::Text(error.to_string()),
         }
     };
-    math(&Formula::Matrix(v.components().iter().map(|component| vec![part(component)]).collect()))
+    math(&Formula::Matrix(components.iter().map(|component| vec![part(component)]).collect()))
 }
 
 /// A symbol with one more letter below it: `N_tip,y`, `W_y`.
@@ -208,7 +223,13 @@ fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
     laws_of(study, names, case, (body, &terms), "Newton's laws")
 }
 
-fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[Term]), title: &str) -> Block {
+pub(super) fn laws_of(
+    study: &Study,
+    names: &Names,
+    case: &Case,
+    (body, terms): (usize, &[Term]),
+    title: &str,
+) -> Block {
     let kinematics = study.model.bodies[body].kinematics();
     let mass = case.run.equations.mass_properties(body);
     let component = |axis: usize| {
@@ -242,62 +263,8 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     names.block(title, &lines)
 }
 
-/// The equations of motion in each mode that the motion went through.
-fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
-    let modes = &case.run.trajectory.modes;
-    let shown = modes.iter().take(MOST_MODES).map(|mode| ModeShown {
-        name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
-        holds: Text::default(),
-        equations: (0..study.model.bodies.len())
-            .map(|body| equations_of(study, names, case, mode, body))
-            .collect(),
-    });
-    shown.collect()
-}
-
-/// What touches and what acts: `floor.rod.tip pressed, kick acts`.
-pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
-    let equations = &case.run.equations;
-    let touching = mode.contacts.iter().map(|(pair, phase)| {
-        let how = match phase {
-            Phase::Pressed => "pressed",
-            Phase::Released => "released",
-            Phase::Resting => "resting",
-            Phase::Settling => "settling",
-            Phase::Idle => "touching",
-        };
-        format!("{} {how}", equations.pairs()[*pair].name)
-    });
-    let windows = equations.windows().iter().zip(&mode.windows);
-    let acting = windows.map(|(window, acts)| match acts {
-        true => format!("{} acts", window.load),
-        false => format!("without {}", window.load),
-    });
-    let changed = mode.changes.iter().map(|event| format!("after {}", study.model.events[*event].name));
-    let all: Vec<String> = touching.chain(acting).chain(changed).collect();
-    match (all.is_empty(), study.model.surfaces.is_empty()) {
-        (false, _) => all.join(", "),
-        (true, false) => "nothing touches".to_owned(),
-        (true, true) => "all the time".to_owned(),
-    }
-}
-
-fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Block {
-    let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
-    let terms = case.run.equations.shown_terms(mode);
-    let written = Motion::of(study, names, case, mode, body).shown();
-    let signs = written.as_ref().map_or(usize::MAX, |shown| shown.text().chars().count());
-    if signs <= MOST_SIGNS {
-        return super::names::block(title.into(), written);
-    }
-    let title =
-        format!("{title} With the forces by their names: written out, these equations would fill pages");
-    let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
-    laws_of(study, names, case, (body, &distinct(terms)), title.trim_start())
-}
-
 /// The first term of each load.
-fn distinct(terms: Vec<Term>) -> Vec<Term> {
+pub(super) fn distinct(terms: Vec<Term>) -> Vec<Term> {
     let mut found: Vec<Term> = vec![];
     for term in terms {
         if !found.iter().any(|known| known.load == term.load) {
@@ -305,98 +272,4 @@ fn distinct(terms: Vec<Term>) -> Vec<Term> {
         }
     }
     found
-}
-
-/// The equations of motion of one body in one mode, with the names they are shown by.
-struct Motion {
-    notation: Notation,
-    lines: Vec<(Left, Expr)>,
-}
-
-impl Motion {
-    fn of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Self {
-        let equations = &case.run.equations;
-        let model_body = &study.model.bodies[body];
-        let kinematics = model_body.kinematics();
-        let mass = equations.mass_properties(body);
-        let in_states = |symbol: Symbol| equations.in_states(mode, &symbol.into());
-        let notation = names.notation().clone();
-        if study.model.pivot_of(&model_body.name).is_some() {
-            let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
-            let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
-            return Self { notation, lines: vec![(left, in_states(kinematics.alpha_symbol()))] };
-        }
-        let times = |factor: &Expr, symbol: &Symbol| {
-            let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
-            (left, in_states(symbol.clone()))
-        };
-        let [ax, ay] = kinematics.acceleration_symbols();
-        let mut lines = vec![times(&mass.mass, &ax), times(&mass.mass, &ay)];
-        if !is_identically_zero(&mass.inertia) {
-            lines.push(times(&mass.inertia, &kinematics.alpha_symbol()));
-        }
-        Self { notation, lines }
-    }
-
-    fn shown(&self) -> Result<Shown, MathError> {
-        self.notation.equations(&self.lines)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::pipeline::{self, Options};
-    use tumble_ode::Side;
-
-    /// Rounding of formulas in another order of operations.
-    const ROUNDING: f64 = 1e-9;
-
-    /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
-    #[test]
-    fn printed_equations_are_those_that_were_integrated() {
-        let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-        let mut compared = 0;
-        for folder in std::fs::read_dir(scenes).expect("the scenes") {
-            let scene = folder.expect("readable").path().join("scene.toml");
-            let out = tempfile::tempdir().expect("a folder");
-            let options = Options {
-                out: out.path().to_owned(),
-                no_figures: true,
-                report: crate::ReportForm::None,
-                ..Options::default()
-            };
-            let outcome = pipeline::run(&scene, &options).expect("a motion");
-            let case = &outcome.cases[0];
-            let study = outcome.study.with(&case.parameters);
-            let names = Names::of(&study).expect("names");
-            for mode in 0..case.run.trajectory.modes.len().min(MOST_MODES) {
-                for body in 0..study.model.bodies.len() {
-                    compared += compare(&study, &names, case, mode, body);
-                }
-            }
-        }
-        assert!(compared > 20, "{compared}");
-    }
-
-    fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
-        let trajectory = &case.run.trajectory;
-        let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
-        let shown = motion.shown().expect("it can be shown");
-        let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
-        let mut compared = 0;
-        for (line, (left, right)) in shown.lines.iter().zip(&motion.lines) {
-            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * right);
-            let mut both =
-                case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
-            for piece in &pieces {
-                let middle = 0.5 * (piece.start + piece.end);
-                let values = both.at(middle, Side::After).expect("within the run");
-                let scale = values[1].abs().max(1e-3);
-                assert!((values[0] - values[1]).abs() <= ROUNDING * scale, "{values:?}: {}", shown.text());
-                compared += 1;
-            }
-        }
-        compared
-    }
 }

@@ -8,7 +8,7 @@ use tumble_report::report::{Column, Math, Phase, Solve, Table, Text};
 use tumble_report::{Label, numeral};
 use tumble_scene::Study;
 
-use super::model::mode_name;
+use super::equations::mode_name;
 use super::names::{Names, quantity, words};
 use crate::case::Case;
 use crate::pipeline::PipelineError;

@@ -1,0 +1,167 @@
+//! The equations of motion as they were integrated, in the symbols of the scene.
+
+use tumble_expr::{Expr, Symbol, is_identically_zero};
+use tumble_math::{Left, Mark, Math as Formula, MathError, Notation, Shown};
+use tumble_mech::{Mode, Phase, Term};
+use tumble_report::report::{Block, Mode as ModeShown, Text};
+use tumble_scene::Study;
+
+use super::model::{MOST_OPERATIONS, distinct, laws_of, operations};
+use super::names::{Names, block};
+use crate::case::Case;
+
+/// Equations of more signs than these are not read by anybody: forces stand in them by name.
+const MOST_SIGNS: usize = 800;
+/// More modes than this are told of in the table of events only.
+const MOST_MODES: usize = 6;
+
+/// The equations of motion in each mode that the motion went through.
+pub(super) fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
+    let modes = &case.run.trajectory.modes;
+    let shown = modes.iter().take(MOST_MODES).map(|mode| ModeShown {
+        name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
+        holds: Text::default(),
+        equations: (0..study.model.bodies.len())
+            .map(|body| equations_of(study, names, case, mode, body))
+            .collect(),
+    });
+    shown.collect()
+}
+
+/// What touches and what acts: `floor.rod.tip pressed, kick acts`.
+pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
+    let equations = &case.run.equations;
+    let touching = mode.contacts.iter().map(|(pair, phase)| {
+        let how = match phase {
+            Phase::Pressed => "pressed",
+            Phase::Released => "released",
+            Phase::Resting => "resting",
+            Phase::Settling => "settling",
+            Phase::Idle => "touching",
+        };
+        format!("{} {how}", equations.pairs()[*pair].name)
+    });
+    let windows = equations.windows().iter().zip(&mode.windows);
+    let acting = windows.map(|(window, acts)| match acts {
+        true => format!("{} acts", window.load),
+        false => format!("without {}", window.load),
+    });
+    let changed = mode.changes.iter().map(|event| format!("after {}", study.model.events[*event].name));
+    let all: Vec<String> = touching.chain(acting).chain(changed).collect();
+    match (all.is_empty(), study.model.surfaces.is_empty()) {
+        (false, _) => all.join(", "),
+        (true, false) => "nothing touches".to_owned(),
+        (true, true) => "all the time".to_owned(),
+    }
+}
+
+fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Block {
+    let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
+    let terms = case.run.equations.shown_terms(mode);
+    let motion = Motion::of(study, names, case, mode, body);
+    if operations(motion.lines.iter().map(|(_, right)| right)) <= MOST_OPERATIONS {
+        let written = motion.shown();
+        let signs = written.as_ref().map_or(usize::MAX, |shown| shown.text().chars().count());
+        if signs <= MOST_SIGNS {
+            return block(title.into(), written);
+        }
+    }
+    let title =
+        format!("{title} With the forces by their names: written out, these equations would fill pages");
+    let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
+    laws_of(study, names, case, (body, &distinct(terms)), title.trim_start())
+}
+
+/// The equations of motion of one body in one mode, with the names they are shown by.
+struct Motion {
+    notation: Notation,
+    lines: Vec<(Left, Expr)>,
+}
+
+impl Motion {
+    fn of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Self {
+        let equations = &case.run.equations;
+        let model_body = &study.model.bodies[body];
+        let kinematics = model_body.kinematics();
+        let mass = equations.mass_properties(body);
+        let in_states = |symbol: Symbol| equations.in_states(mode, &symbol.into());
+        let notation = names.notation().clone();
+        if study.model.pivot_of(&model_body.name).is_some() {
+            let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
+            let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
+            return Self { notation, lines: vec![(left, in_states(kinematics.alpha_symbol()))] };
+        }
+        let times = |factor: &Expr, symbol: &Symbol| {
+            let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+            (left, in_states(symbol.clone()))
+        };
+        let [ax, ay] = kinematics.acceleration_symbols();
+        let mut lines = vec![times(&mass.mass, &ax), times(&mass.mass, &ay)];
+        if !is_identically_zero(&mass.inertia) {
+            lines.push(times(&mass.inertia, &kinematics.alpha_symbol()));
+        }
+        Self { notation, lines }
+    }
+
+    fn shown(&self) -> Result<Shown, MathError> {
+        self.notation.equations(&self.lines)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pipeline::{self, Options};
+    use tumble_ode::Side;
+
+    /// Rounding of formulas in another order of operations.
+    const ROUNDING: f64 = 1e-9;
+
+    /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
+    #[test]
+    fn printed_equations_are_those_that_were_integrated() {
+        let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+        let mut compared = 0;
+        for folder in std::fs::read_dir(scenes).expect("the scenes") {
+            let scene = folder.expect("readable").path().join("scene.toml");
+            let out = tempfile::tempdir().expect("a folder");
+            let options = Options {
+                out: out.path().to_owned(),
+                no_figures: true,
+                report: crate::ReportForm::None,
+                ..Options::default()
+            };
+            let outcome = pipeline::run(&scene, &options).expect("a motion");
+            let case = &outcome.cases[0];
+            let study = outcome.study.with(&case.parameters);
+            let names = Names::of(&study).expect("names");
+            for mode in 0..case.run.trajectory.modes.len().min(MOST_MODES) {
+                for body in 0..study.model.bodies.len() {
+                    compared += compare(&study, &names, case, mode, body);
+                }
+            }
+        }
+        assert!(compared > 20, "{compared}");
+    }
+
+    fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
+        let trajectory = &case.run.trajectory;
+        let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
+        let shown = motion.shown().expect("it can be shown");
+        let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
+        let mut compared = 0;
+        for (line, (left, right)) in shown.lines.iter().zip(&motion.lines) {
+            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * right);
+            let mut both =
+                case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
+            for piece in &pieces {
+                let middle = 0.5 * (piece.start + piece.end);
+                let values = both.at(middle, Side::After).expect("within the run");
+                let scale = values[1].abs().max(1e-3);
+                assert!((values[0] - values[1]).abs() <= ROUNDING * scale, "{values:?}: {}", shown.text());
+                compared += 1;
+            }
+        }
+        compared
+    }
+}
