@@ -4,6 +4,7 @@
 //! `sum |c_k| s^k`. What it last was, less what it may have changed since, is its clearance: while the next step cannot
 //! use that up, it is not evaluated at all.
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use tumble_expr::{Branches, Expr, Jets, Layout, Symbol, Tape};
@@ -56,8 +57,13 @@ impl Candidates {
         inputs: &[f64],
         order: usize,
     ) -> Result<Self, Reason> {
-        let watch = |candidate: &Candidate| Watch::new(candidate, layout, inputs);
-        let all = candidates.iter().map(watch).collect::<Result<_, _>>()?;
+        // One tape for the slopes of all: each for itself would compile the whole layout anew.
+        let slopes = candidates.iter().flat_map(|candidate| candidate.slopes.iter().flatten());
+        let slopes: Vec<Expr> = slopes.map(|(_, slope)| slope.clone()).collect();
+        let mut values = fixed(layout, &slopes, inputs)?.into_iter();
+        let places = Places::of(layout);
+        let watch = |candidate: &Candidate| Watch::new(candidate, layout, &places, inputs, &mut values);
+        let all = candidates.iter().map(watch).collect();
         Ok(Self { all, order, known_at: vec![] })
     }
 
@@ -164,23 +170,51 @@ fn travel(expansion: &Expansion, length: f64) -> Vec<f64> {
     expansion.states.iter().map(change).collect()
 }
 
+/// Where each symbol stands in a layout.
+struct Places {
+    states: HashMap<Symbol, usize>,
+    inputs: HashMap<Symbol, usize>,
+}
+
+impl Places {
+    fn of(layout: &Layout) -> Self {
+        let places = |symbols: &[Symbol]| symbols.iter().cloned().zip(0..).collect();
+        Self { states: places(&layout.states), inputs: places(&layout.inputs) }
+    }
+
+    /// Indices of the states among these symbols, in order.
+    fn states(&self, used: &HashSet<Symbol>) -> Vec<usize> {
+        in_order(&self.states, used)
+    }
+
+    fn inputs(&self, used: &HashSet<Symbol>) -> Vec<usize> {
+        in_order(&self.inputs, used)
+    }
+}
+
+fn in_order(places: &HashMap<Symbol, usize>, used: &HashSet<Symbol>) -> Vec<usize> {
+    let mut found: Vec<usize> = used.iter().filter_map(|symbol| places.get(symbol).copied()).collect();
+    found.sort_unstable();
+    found
+}
+
 impl Watch {
-    fn new(candidate: &Candidate, layout: &Layout, inputs: &[f64]) -> Result<Self, Reason> {
+    /// `values` has the slopes of this candidate next.
+    fn new(
+        candidate: &Candidate,
+        layout: &Layout,
+        places: &Places,
+        inputs: &[f64],
+        values: &mut impl Iterator<Item = f64>,
+    ) -> Self {
         let used = candidate.guard.formula.symbols();
-        let index_of = |symbols: &[Symbol]| -> Vec<usize> {
-            (0..symbols.len()).filter(|index| used.contains(&symbols[*index])).collect()
-        };
-        let (states, known) = (index_of(&layout.states), index_of(&layout.inputs));
+        let (states, known) = (places.states(&used), places.inputs(&used));
         let pick = |symbols: &[Symbol], which: &[usize]| which.iter().map(|i| symbols[*i].clone()).collect();
-        let slopes = match &candidate.slopes {
-            None => None,
-            Some(slopes) => {
-                let formulas: Vec<Expr> = slopes.iter().map(|(_, slope)| slope.clone()).collect();
-                let values = fixed(layout, &formulas, inputs)?;
-                Some(slopes.iter().map(|(state, _)| *state).zip(values.into_iter().map(f64::abs)).collect())
-            }
-        };
-        Ok(Self {
+        let slopes = candidate.slopes.as_ref().map(|slopes| {
+            let with_value = slopes.iter().zip(values).map(|((state, _), value)| (*state, value.abs()));
+            with_value.collect()
+        });
+        Self {
             formula: candidate.guard.formula.clone(),
             layout: Layout {
                 states: pick(&layout.states, &states),
@@ -194,7 +228,7 @@ impl Watch {
             direction: candidate.guard.direction,
             clearance: 0.0,
             jets: None,
-        })
+        }
     }
 
     /// By how much it can change while the states travel so far.

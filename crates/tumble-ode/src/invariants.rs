@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
+use tumble_expr::{Branches, Jets, Layout, Tape};
 
 use crate::Reason;
 use crate::compiled::Compiled;
@@ -21,39 +21,48 @@ const WORTH_IT: f64 = 0.1;
 const CORRECTIONS: usize = 2;
 
 pub(crate) struct Invariants {
-    /// Outputs: each function, then its gradient.
+    /// Outputs: each function, then its slopes.
     values: Jets<f64>,
-    groups: Vec<usize>,
-    states: usize,
+    rows: Vec<Row>,
+}
+
+/// One function.
+struct Row {
+    group: usize,
+    /// Index of its value among the outputs; its slopes follow.
+    output: usize,
+    /// The states that it depends on.
+    states: Vec<usize>,
 }
 
 impl Invariants {
     pub(crate) fn new(invariants: &[Invariant], layout: &Layout, inputs: &[f64]) -> Result<Self, Reason> {
-        let with_gradient = |invariant: &Invariant| -> Vec<Expr> {
-            let slopes = layout.states.iter().map(|state| invariant.formula.derivative(state));
-            [invariant.formula.clone()].into_iter().chain(slopes).collect()
-        };
-        let outputs: Vec<Expr> = invariants.iter().flat_map(with_gradient).collect();
+        let (mut outputs, mut rows) = (vec![], vec![]);
+        for Invariant { formula, group } in invariants {
+            let used = formula.symbols();
+            let states = layout.states.iter().enumerate().filter(|(_, state)| used.contains(*state));
+            let states: Vec<usize> = states.map(|(index, _)| index).collect();
+            let output = outputs.len();
+            outputs.push(formula.clone());
+            outputs.extend(states.iter().map(|state| formula.derivative(&layout.states[*state])));
+            rows.push(Row { group: *group, output, states });
+        }
         let tape = Arc::new(Tape::compile(layout, &outputs)?);
-        Ok(Self {
-            values: Jets::new(tape, 0, inputs),
-            groups: invariants.iter().map(|invariant| invariant.group).collect(),
-            states: layout.states.len(),
-        })
+        Ok(Self { values: Jets::new(tape, 0, inputs), rows })
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.groups.is_empty()
+        self.rows.is_empty()
     }
 
     /// How far the worst is from zero, in units of what is allowed.
     pub(crate) fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
         self.values.start(time, states, Branches::Free);
-        let part = |(index, group): (usize, &usize)| {
-            let scale = scales.of(*group);
-            if scale == 0.0 { 0.0 } else { self.function(index).abs() / (ALLOWED * scale) }
+        let part = |row: &Row| {
+            let scale = scales.of(row.group);
+            if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / (ALLOWED * scale) }
         };
-        self.groups.iter().enumerate().map(part).fold(0.0, f64::max)
+        self.rows.iter().map(part).fold(0.0, f64::max)
     }
 
     /// Moves the states to where all of them are zero, unless they are as good as there.
@@ -65,27 +74,27 @@ impl Invariants {
             let scale = scales.of(system.group(state));
             if scale == 0.0 { 1.0 } else { scale }
         };
-        let weights = DVector::from_fn(self.states, |state, _| weight(state));
+        // The states that any of them depends on, in order, are the columns.
+        let mut columns: Vec<usize> = self.rows.iter().flat_map(|row| row.states.iter().copied()).collect();
+        columns.sort_unstable();
+        columns.dedup();
         for _ in 0..CORRECTIONS {
             self.values.start(time, states, Branches::Free);
-            let count = self.groups.len();
-            let jacobian =
-                DMatrix::from_fn(count, self.states, |row, state| self.slope(row, state) * weights[state]);
-            let off = DVector::from_fn(count, |row, _| self.function(row));
+            let jacobian = DMatrix::from_fn(self.rows.len(), columns.len(), |row, column| {
+                self.slope(row, columns[column]) * weight(columns[column])
+            });
+            let off = DVector::from_fn(self.rows.len(), |row, _| self.values.value_of(self.rows[row].output));
             // Functions that depend on each other have no one answer: the drift, a few roundings, then stays.
             let Some(factors) = (&jacobian * jacobian.transpose()).cholesky() else { return };
             let step = jacobian.transpose() * factors.solve(&off);
-            for (state, change) in step.iter().enumerate().filter(|(_, change)| change.is_finite()) {
-                states[state] -= weights[state] * change;
+            for (column, change) in step.iter().enumerate().filter(|(_, change)| change.is_finite()) {
+                states[columns[column]] -= weight(columns[column]) * change;
             }
         }
     }
 
-    fn function(&self, index: usize) -> f64 {
-        self.values.value_of(index * (self.states + 1))
-    }
-
-    fn slope(&self, index: usize, state: usize) -> f64 {
-        self.values.value_of(index * (self.states + 1) + 1 + state)
+    fn slope(&self, row: usize, state: usize) -> f64 {
+        let Row { output, states, .. } = &self.rows[row];
+        states.binary_search(&state).map_or(0.0, |index| self.values.value_of(output + 1 + index))
     }
 }

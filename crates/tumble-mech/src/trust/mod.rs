@@ -16,6 +16,9 @@
 //! # Symbols and units
 //! f as the quantity; t, s; eps the spacing of doubles at 1.
 //!
+//! # Sign and frame
+//! Errors have no sign; they are in the frame of their quantity.
+//!
 //! # Validity
 //! The runs are compared between events that both have. Next to an event, where one run is before it and the other past it,
 //! there is no d. A cascade of impacts is one event. From the first event that only one of them has,
