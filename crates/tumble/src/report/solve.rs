@@ -1,7 +1,7 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
 use tumble_expr::{Dimension, Expr, Substitution, Symbol};
-use tumble_math::{Left, Math as Formula, Motion, integrate_twice, polynomial_in};
+use tumble_math::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
 use tumble_mech::{Body, Mode, Run};
 use tumble_ode::{Cause, Event};
 use tumble_report::report::{Column, Math, Phase, Solve, Table, Text};
@@ -9,9 +9,10 @@ use tumble_report::{Label, numeral};
 use tumble_scene::Study;
 
 use super::equations::mode_name;
-use super::names::{Names, quantity, words};
+use super::names::{Names, math, quantity};
 use crate::case::Case;
 use crate::pipeline::PipelineError;
+use crate::tables::{is_angle, unit};
 
 /// Phases beyond these are told of by the table of events.
 const MOST_PHASES: usize = 4;
@@ -228,7 +229,7 @@ fn phase(
     })
 }
 
-/// The polynomial with its coefficients as numbers, SI units.
+/// The polynomial with its coefficients as numbers with their units.
 fn with_numbers(
     study: &Study,
     names: &Names,
@@ -237,30 +238,48 @@ fn with_numbers(
     elapsed: &Symbol,
 ) -> Result<Math, PipelineError> {
     let coefficients = polynomial_in(formula, elapsed).unwrap_or_default();
-    let shown_time = if *elapsed.name == *"t" { "t" } else { "τ" };
-    let mut text = String::new();
+    let time = Formula::symbol(&elapsed.name);
+    let mut parts = vec![names.notation().symbol(&symbol.name), Formula::Operator(Operator::Equals)];
     for (degree, coefficient) in coefficients.iter().enumerate() {
         let value = study.number(coefficient)?;
         if value == 0.0 {
             continue;
         }
-        let number = numeral::significant(value.abs(), DIGITS).to_plain();
-        let sign = match (text.is_empty(), value < 0.0) {
-            (true, true) => "−",
-            (true, false) => "",
-            (false, true) => " − ",
-            (false, false) => " + ",
-        };
+        let is_first = parts.len() == 2;
+        parts.extend(match (is_first, value < 0.0) {
+            (true, true) => Some(Formula::Operator(Operator::Negative)),
+            (true, false) => None,
+            (false, true) => Some(Formula::Operator(Operator::Minus)),
+            (false, false) => Some(Formula::Operator(Operator::Plus)),
+        });
+        let number = Formula::Number(numeral::significant(value.abs(), DIGITS).to_plain());
+        let unit = unit(coefficient.dimension().unwrap_or(symbol.dimension), is_angle(symbol));
         let power = match degree {
-            0 => String::new(),
-            1 => format!("\u{a0}{shown_time}"),
-            2 => format!("\u{a0}{shown_time}²"),
-            3 => format!("\u{a0}{shown_time}³"),
-            _ => format!("\u{a0}{shown_time}^{degree}"),
+            0 => None,
+            1 => Some(time.clone()),
+            _ => Some(Formula::Power(Box::new(time.clone()), Box::new(Formula::Number(degree.to_string())))),
         };
-        text += &format!("{sign}{number}{power}");
+        parts.push(Formula::Product([number].into_iter().chain(in_unit(&unit)).chain(power).collect()));
     }
-    let text = if text.is_empty() { "0".to_owned() } else { text };
-    let left = tumble_math::text(&names.notation().symbol(&symbol.name));
-    Ok(words(&format!("{left} = {text}")))
+    if parts.len() == 2 {
+        parts.push(Formula::Number("0".to_owned()));
+    }
+    Ok(math(&Formula::Row(parts)))
+}
+
+/// `m/s^2` as it is printed; nothing for a pure number.
+fn in_unit(unit: &str) -> Option<Formula> {
+    let mut parts = vec![];
+    for (index, quotient) in unit.split('/').filter(|part| !part.is_empty()).enumerate() {
+        if index > 0 {
+            parts.push(Formula::Text("/".to_owned()));
+        }
+        let (base, power) = quotient.split_once('^').unwrap_or((quotient, ""));
+        let base = Formula::Text(base.replace('*', "\u{b7}"));
+        parts.push(match power {
+            "" => base,
+            power => Formula::Power(Box::new(base), Box::new(Formula::Number(power.to_owned()))),
+        });
+    }
+    (!parts.is_empty()).then_some(Formula::Row(parts))
 }
