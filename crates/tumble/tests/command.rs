@@ -62,15 +62,15 @@ fn ended_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
 fn a_run_that_goes_well() {
     let (code, said) = ended(STONE, &["run", "stone/scene.toml"]);
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.starts_with("A stone falls\n  2 s in 1 step, all exact, 0 events\n"), "{said}");
-    assert!(said.contains("check depth: stone.y = -20 at 2 s holds"), "{said}");
+    assert!(said.starts_with("A stone falls\n  2 s in 1 step, all exact, 0 events, 14 digits\n"), "{said}");
+    assert!(said.contains("check depth: stone.y = -20 m at 2 s holds"), "{said}");
 }
 
 #[test]
 fn a_check_that_fails() {
     let (code, said) = ended(STONE, &["run", "stone/scene.toml", "--set", "g=9 m/s^2"]);
     assert_eq!(code, Some(1), "{said}");
-    assert!(said.contains("stone.y = -18 at 2 s FAILS, expected -20 within"), "{said}");
+    assert!(said.contains("stone.y = -18 m at 2 s FAILS, expected -20 m within"), "{said}");
 }
 
 #[test]
