@@ -269,17 +269,22 @@ fn with_numbers(
 
 /// `m/s^2` as it is printed; nothing for a pure number.
 fn in_unit(unit: &str) -> Option<Formula> {
-    let mut parts = vec![];
-    for (index, quotient) in unit.split('/').filter(|part| !part.is_empty()).enumerate() {
-        if index > 0 {
-            parts.push(Formula::Text("/".to_owned()));
+    let (mut parts, mut text) = (vec![], String::new());
+    for (index, part) in unit.split('/').filter(|part| !part.is_empty()).enumerate() {
+        let over = if index > 0 { "/" } else { "" };
+        let (base, power) = part.split_once('^').unwrap_or((part, ""));
+        let base = base.replace('*', "\u{b7}");
+        if power.is_empty() {
+            text += &format!("{over}{base}");
+            continue;
         }
-        let (base, power) = quotient.split_once('^').unwrap_or((quotient, ""));
-        let base = Formula::Text(base.replace('*', "\u{b7}"));
-        parts.push(match power {
-            "" => base,
-            power => Formula::Power(Box::new(base), Box::new(Formula::Number(power.to_owned()))),
-        });
+        let before = std::mem::take(&mut text) + over;
+        parts.extend((!before.is_empty()).then_some(Formula::Text(before)));
+        parts
+            .push(Formula::Power(Box::new(Formula::Text(base)), Box::new(Formula::Number(power.to_owned()))));
+    }
+    if !text.is_empty() {
+        parts.push(Formula::Text(text));
     }
     (!parts.is_empty()).then_some(Formula::Row(parts))
 }
