@@ -228,8 +228,15 @@ impl Seen<'_> {
         let last = values.iter().rposition(|(_, energy)| moves(*energy));
         Ok(match last {
             Some(last) if last + 1 < values.len() && most > 0.0 => {
+                let (before, after) = (values[last].0, values[last + 1].0);
+                let events = self.run.trajectory.events.iter().map(|event| event.time);
+                // What comes to rest by itself does so between two samples.
+                let (time, error) = match events.rev().find(|time| (before..=after).contains(time)) {
+                    Some(time) => (time, self.case.trust.as_ref().and_then(|trust| trust.event_error(time))),
+                    None => (after, Some(after - before)),
+                };
                 let words = Text::from(format!("{} rests from ", self.name()));
-                Some(words.and(quantity(values[last + 1].0, "s")).and(" on."))
+                Some(words.and(with_digits(time, error, "s")).and(" on."))
             }
             _ => None,
         })
