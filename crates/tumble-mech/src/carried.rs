@@ -35,7 +35,7 @@ impl Equations {
             let (from, to) = (before[*event], after[*event]);
             let is_told = from.abs() > VANISHED * to.abs() && to.abs() > VANISHED * from.abs();
             let is_cause = at.causes.contains(&Cause::Guard(*event));
-            from * to < 0.0 && is_told && !is_cause && events[*event].direction.allows(to)
+            from.signum() != to.signum() && is_told && !is_cause && events[*event].direction.allows(to)
         };
         Ok((0..events.len()).filter(crosses).collect())
     }

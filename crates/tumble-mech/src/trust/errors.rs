@@ -8,7 +8,8 @@ use crate::run::{Run, RunError};
 use crate::trust::phases::{Phases, Stretch};
 use crate::trust::{ROUNDINGS, SAFETY};
 
-/// Phases shorter than this part of the longest so far are blows: what is off within one passes with it.
+/// A phase pressed into a surface and shorter than this part of the longest so far is a blow: what is off within one passes
+/// with it.
 const BRIEF: f64 = 0.05;
 /// Parts of a step at whose ends the two runs are compared.
 const PARTS: usize = 4;
@@ -42,14 +43,15 @@ impl Errors {
             let Some(phase) = phase else { break };
             let length = phase[0].end - phase[0].start;
             longest = longest.max(length);
-            let is_brief = length < BRIEF * longest;
+            let is_pressed = run.trajectory.modes[piece.mode].pressed().next().is_some();
+            let is_blow = is_pressed && length < BRIEF * longest;
             for part in 0..=PARTS {
                 let time = piece.start + (piece.end - piece.start) * part as f64 / PARTS as f64;
                 let (time, side) =
                     if part == PARTS { (piece.end, Side::Before) } else { (time, Side::After) };
                 let Some(found) = Compared::at(&mut both, *phase, (time, side)) else { continue };
                 let stated = found.differences().enumerate().map(|(index, (now, later))| {
-                    if !is_brief {
+                    if !is_blow {
                         apart[index] = larger(apart[index], later);
                     }
                     size[index] = larger(size[index], found.here[index].abs());
@@ -85,7 +87,7 @@ impl Errors {
 }
 
 /// Unlike `f64::max`, keeps what is not a number.
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b <= a { a } else { b }
 }
 
