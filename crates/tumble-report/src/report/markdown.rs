@@ -1,16 +1,16 @@
 //! The report as Markdown, with LaTeX between dollar signs and links to figure files.
 
 use super::Report;
-use super::analyze::{Analyze, Case, Check};
-use super::identify::{BodyRow, Identify, Quantity};
+use super::analyze::{Analyze, Case};
+use super::identify::Identify;
+use super::markup::Markup;
 use super::math::{Block, Math};
-use super::model::{BodyModel, ForceRow, Mode, Model};
+use super::model::{BodyModel, Mode, Model};
 use super::picture::{Picture, Plot};
-use super::prose::{Piece, Text};
+use super::prose::Text;
+use super::rows;
 use super::solve::{Phase, Solve};
-use super::table::{Align, Column, Table};
-use crate::font::Face;
-use crate::text::{Label, Level, Run};
+use super::table::{Align, Table};
 
 /// Characters that Markdown or HTML inside of it would read as markup.
 const SPECIAL: &str = "\\`*_{}[]()#+-.!|<>&$~^=\"':";
@@ -51,34 +51,21 @@ fn escape(text: &str) -> String {
     out
 }
 
+/// The language of the file.
+struct Markdown;
+
+impl Markup for Markdown {
+    fn words(text: &str) -> String {
+        escape(text)
+    }
+
+    fn math(formula: &Math) -> String {
+        math(formula)
+    }
+}
+
 fn text(text: &Text) -> String {
-    text.pieces.iter().map(piece).collect()
-}
-
-fn piece(piece: &Piece) -> String {
-    match piece {
-        Piece::Words(words) => escape(words),
-        Piece::Label(words) => label(words),
-        Piece::Math(formula) => math(formula),
-    }
-}
-
-fn label(label: &Label) -> String {
-    label.runs.iter().map(run).collect()
-}
-
-fn run(run: &Run) -> String {
-    let words = escape(&run.text);
-    let faced = match run.face {
-        Face::Regular => words,
-        Face::Italic => format!("<i>{words}</i>"),
-        Face::Bold => format!("<b>{words}</b>"),
-    };
-    match run.level {
-        Level::Base => faced,
-        Level::Subscript => format!("<sub>{faced}</sub>"),
-        Level::Superscript => format!("<sup>{faced}</sup>"),
-    }
+    Markdown::text(text)
 }
 
 /// LaTeX without what would end the formula or begin HTML.
@@ -125,60 +112,27 @@ fn blocks(blocks: &[Block]) -> String {
     joined(blocks.iter().map(block))
 }
 
-/// A table from finished cells; columns without content are left out.
-fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>]) -> String {
+/// A table with its notes; columns without content are left out.
+fn table(table: &Table) -> String {
+    let Table { columns, rows, .. } = table;
     let filled = |i: &usize| rows.iter().any(|row| row.get(*i).is_some_and(|cell| !cell.is_empty()));
     let kept: Vec<usize> = (0..columns.len()).filter(filled).collect();
     if kept.is_empty() {
-        return String::new();
+        return paragraphs(&table.notes);
     }
     let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
     let head = line(kept.iter().map(|i| text(&columns[*i].heading)).collect());
     let rule = |i: &usize| if columns[*i].align == Align::Right { "---:" } else { "---" }.to_owned();
     let rule = line(kept.iter().map(rule).collect());
     // A bar inside a formula would end the cell.
-    let cell = |row: &Vec<String>, i: usize| {
-        row.get(i).map_or(String::new(), |c| c.replace('|', "\\|").replace("\\\\|", "\\|"))
+    let cell = |row: &Vec<Text>, i: usize| {
+        row.get(i).map_or(String::new(), |cell| text(cell).replace('|', "\\|").replace("\\\\|", "\\|"))
     };
     let body = rows.iter().map(|row| line(kept.iter().map(|i| cell(row, *i)).collect()));
     let lines: Vec<_> = [head, rule].into_iter().chain(body).collect();
-    let caption = if caption.is_empty() { String::new() } else { format!("**{caption}**") };
-    joined([caption, lines.join("\n")])
-}
-
-fn table(table: &Table) -> String {
-    let rows: Vec<Vec<String>> = table.rows.iter().map(|row| row.iter().map(text).collect()).collect();
-    joined([grid(&text(&table.caption), &table.columns, &rows), paragraphs(&table.notes)])
-}
-
-fn value(quantity: &Quantity) -> String {
-    let space = if quantity.unit.is_empty() || quantity.unit == "deg" { "" } else { "\u{a0}" };
-    format!("{}{space}{}", text(&quantity.value), label(&Label::unit(&quantity.unit)))
-}
-
-fn quantity(quantity: &Quantity) -> Vec<String> {
-    let formula = quantity.formula.as_ref().map(math).unwrap_or_default();
-    vec![text(&quantity.name), text(&quantity.symbol), value(quantity), formula, text(&quantity.note)]
-}
-
-fn quantities(caption: &str, quantities: &[Quantity]) -> String {
-    let columns = ["Quantity", "Symbol", "Value", "Computed by", "Remark"].map(Column::words);
-    grid(caption, &columns, &quantities.iter().map(quantity).collect::<Vec<_>>())
-}
-
-fn bodies(rows: &[BodyRow]) -> String {
-    let columns =
-        ["Body", "Shape", "Property", "Symbol", "Value", "Computed by", "Remark"].map(Column::words);
-    let lines = |row: &BodyRow| {
-        let name = || vec![text(&row.name), text(&row.shape)];
-        let mut lines: Vec<Vec<String>> =
-            row.properties.iter().map(|q| [name(), quantity(q)].concat()).collect();
-        if lines.is_empty() {
-            lines.push(name());
-        }
-        lines
-    };
-    grid("Bodies", &columns, &rows.iter().flat_map(lines).collect::<Vec<_>>())
+    let caption = text(&table.caption);
+    let caption = if caption.is_empty() { caption } else { format!("**{caption}**") };
+    joined([caption, lines.join("\n"), paragraphs(&table.notes)])
 }
 
 fn identify(identify: &Identify) -> String {
@@ -186,9 +140,9 @@ fn identify(identify: &Identify) -> String {
         "## 1 Identify".to_owned(),
         paragraphs(&identify.intro),
         identify.scene.as_ref().map(picture).unwrap_or_default(),
-        bodies(&identify.bodies),
-        quantities("Parameters", &identify.parameters),
-        quantities("At the start", &identify.initial),
+        table(&rows::bodies(&identify.bodies)),
+        table(&rows::quantities("Parameters", &identify.parameters)),
+        table(&rows::quantities("At the start", &identify.initial)),
         titled("### Sought", list(&identify.sought)),
     ])
 }
@@ -208,23 +162,9 @@ fn body_model(body: &BodyModel) -> String {
     joined([
         heading(3, &body.name),
         joined(body.diagrams.iter().map(picture)),
-        forces(&body.forces),
+        table(&rows::forces(&body.forces)),
         blocks(&body.laws),
     ])
-}
-
-fn forces(forces: &[ForceRow]) -> String {
-    let columns = ["Force", "Symbol", "Law", "Acts at", "Torque about the centre of mass"].map(Column::words);
-    let row = |force: &ForceRow| {
-        vec![
-            text(&force.name),
-            math(&force.symbol),
-            math(&force.formula),
-            text(&force.point),
-            math(&force.torque),
-        ]
-    };
-    grid("Forces", &columns, &forces.iter().map(row).collect::<Vec<_>>())
 }
 
 fn mode(mode: &Mode) -> String {
@@ -257,7 +197,7 @@ fn analyze(analyze: &Analyze) -> String {
         joined(analyze.pictures.iter().map(picture)),
         analyze.comparison.as_ref().map(table).unwrap_or_default(),
         joined(analyze.cases.iter().map(|c| case(c, single))),
-        checks(&analyze.checks),
+        table(&rows::checks(&analyze.checks)),
     ])
 }
 
@@ -274,23 +214,8 @@ fn case(case: &Case, single: bool) -> String {
         joined(case.pictures.iter().map(picture)),
         titled("**Energy and the books**", books.unwrap_or_default()),
         joined(case.tables.iter().map(table)),
-        checks(&case.checks),
+        table(&rows::checks(&case.checks)),
     ])
-}
-
-fn checks(checks: &[Check]) -> String {
-    let columns = ["Check", "Expected", "Found", "Within", "Result"].map(Column::words);
-    let row = |check: &Check| {
-        let result = if check.passed { "✓ passed" } else { "✗ **failed**" };
-        vec![
-            text(&check.what),
-            text(&check.expected),
-            text(&check.found),
-            text(&check.within),
-            result.to_owned(),
-        ]
-    };
-    grid("Checks", &columns, &checks.iter().map(row).collect::<Vec<_>>())
 }
 
 fn picture(picture: &Picture) -> String {
@@ -317,6 +242,7 @@ fn figure(file: &str, alt: &str, caption: &Text) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::Column;
     use crate::svg::Svg;
 
     #[test]

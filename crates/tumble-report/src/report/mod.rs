@@ -23,6 +23,7 @@ mod html;
 mod identify;
 mod json;
 mod markdown;
+mod markup;
 mod math;
 mod mathml;
 mod model;
@@ -30,6 +31,7 @@ mod model;
 mod pdf;
 mod picture;
 mod prose;
+mod rows;
 mod solve;
 mod table;
 

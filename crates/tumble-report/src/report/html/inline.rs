@@ -1,51 +1,33 @@
 //! Words, labels and formulas as HTML.
 
-use crate::font::Face;
+use crate::report::markup::Markup;
 use crate::report::math::{Block, Definition, Math};
 use crate::report::mathml;
-use crate::report::prose::{Piece, Text};
+use crate::report::prose::Text;
 use crate::svg::escape;
-use crate::text::{Label, Level, Run};
+use crate::text::Label;
+
+/// The language of pages.
+struct Html;
+
+impl Markup for Html {
+    fn words(text: &str) -> String {
+        escape(text)
+    }
+
+    fn math(formula: &Math) -> String {
+        math(formula)
+    }
+}
 
 /// Running text.
 pub(super) fn text(text: &Text) -> String {
-    text.pieces.iter().map(piece).collect()
-}
-
-fn piece(piece: &Piece) -> String {
-    match piece {
-        Piece::Words(words) => escape(words),
-        Piece::Label(words) => label(words),
-        Piece::Math(formula) => math(formula),
-    }
+    Html::text(text)
 }
 
 /// A label with its italics, subscripts and superscripts.
 pub(super) fn label(label: &Label) -> String {
-    label.runs.iter().map(run).collect()
-}
-
-fn run(run: &Run) -> String {
-    let faced = wrapped(
-        escape(&run.text),
-        match run.face {
-            Face::Regular => "",
-            Face::Italic => "i",
-            Face::Bold => "b",
-        },
-    );
-    wrapped(
-        faced,
-        match run.level {
-            Level::Base => "",
-            Level::Subscript => "sub",
-            Level::Superscript => "sup",
-        },
-    )
-}
-
-fn wrapped(content: String, element: &str) -> String {
-    if element.is_empty() { content } else { format!("<{element}>{content}</{element}>") }
+    Html::label(label)
 }
 
 /// A formula; its text stands in where the MathML cannot be shown.

@@ -2,11 +2,12 @@
 
 use super::inline::{block, label, paragraphs, tagged, text};
 use super::page::Page;
-use super::tables::{bodies, checks, facts, forces, quantities, table, titled_list};
+use super::tables::{bodies, checks, facts, table, titled_list};
 use crate::report::analyze::{Analyze, Books, Case, Check};
 use crate::report::identify::Identify;
 use crate::report::math::Block;
 use crate::report::model::{BodyModel, Mode, Model};
+use crate::report::rows::{forces, quantities};
 use crate::report::solve::{Phase, Solve};
 use crate::report::table::Table;
 
@@ -18,8 +19,8 @@ impl Page {
             paragraphs(&identify.intro),
             scene,
             bodies(&identify.bodies),
-            quantities("Parameters", &identify.parameters),
-            quantities("At the start", &identify.initial),
+            table(&quantities("Parameters", &identify.parameters)),
+            table(&quantities("At the start", &identify.initial)),
             titled_list("Sought", &identify.sought),
         ]
         .concat()
@@ -36,7 +37,7 @@ impl Page {
 
     fn body_model(&mut self, body: &BodyModel) -> String {
         let diagrams: String = body.diagrams.iter().map(|picture| self.picture(picture)).collect();
-        let forces = forces(&body.forces);
+        let forces = table(&forces(&body.forces));
         format!("{}{diagrams}{forces}{}", tagged("h3", "", &text(&body.name)), blocks(&body.laws))
     }
 

@@ -1,12 +1,11 @@
 //! Tables as HTML.
 
-use super::inline::{label, list, math, tagged, text};
+use super::inline::{list, tagged, text};
 use crate::report::analyze::Check;
-use crate::report::identify::{BodyRow, Quantity};
-use crate::report::model::ForceRow;
+use crate::report::identify::BodyRow;
 use crate::report::prose::Text;
+use crate::report::rows::quantity;
 use crate::report::table::{Align, Column, Table};
-use crate::text::Label;
 
 /// Rows of a long table that are shown at first.
 const FOLD: usize = 20;
@@ -81,7 +80,7 @@ pub(super) fn bodies(rows: &[BodyRow]) -> String {
                 } else {
                     format!("<span class=\"again\">{}</span>", text(&row.name))
                 };
-                std::iter::once(name).chain(quantity(property)).collect()
+                std::iter::once(name).chain(quantity(property).iter().map(text)).collect()
             })
             .collect();
         if lines.is_empty() {
@@ -90,44 +89,6 @@ pub(super) fn bodies(rows: &[BodyRow]) -> String {
         lines
     };
     grid("Bodies", &columns, &rows.iter().flat_map(body).collect::<Vec<_>>())
-}
-
-/// Quantities with their values.
-pub(super) fn quantities(caption: &str, quantities: &[Quantity]) -> String {
-    let columns = ["Quantity", "Symbol", "Value", "Computed by", "Remark"].map(Column::words);
-    grid(caption, &columns, &quantities.iter().map(|q| quantity(q).to_vec()).collect::<Vec<_>>())
-}
-
-fn quantity(quantity: &Quantity) -> [String; 5] {
-    [
-        text(&quantity.name),
-        text(&quantity.symbol),
-        value(quantity),
-        quantity.formula.as_ref().map(math).unwrap_or_default(),
-        text(&quantity.note),
-    ]
-}
-
-/// The value with its unit.
-fn value(quantity: &Quantity) -> String {
-    let unit = label(&Label::unit(&quantity.unit));
-    let space = if quantity.unit.is_empty() || quantity.unit == "deg" { "" } else { "\u{a0}" };
-    format!("{}{space}{unit}", text(&quantity.value))
-}
-
-/// The forces on a body.
-pub(super) fn forces(rows: &[ForceRow]) -> String {
-    let columns = ["Force", "Symbol", "Law", "Acts at", "Torque about the centre of mass"].map(Column::words);
-    let row = |force: &ForceRow| {
-        vec![
-            text(&force.name),
-            math(&force.symbol),
-            math(&force.formula),
-            text(&force.point),
-            math(&force.torque),
-        ]
-    };
-    grid("Forces and couples", &columns, &rows.iter().map(row).collect::<Vec<_>>())
 }
 
 /// Checks with their results, as signs and words.

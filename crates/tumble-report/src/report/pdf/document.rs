@@ -1,7 +1,6 @@
 //! The sections of the report, in order.
 
 use super::inline::{block, label, list, paragraphs, string, text, words};
-use super::rows::{bodies, checks, forces, quantities};
 use super::tables::table;
 use crate::report::Report;
 use crate::report::analyze::{Analyze, Books, Case};
@@ -11,6 +10,7 @@ use crate::report::math::Block;
 use crate::report::model::{BodyModel, Mode, Model};
 use crate::report::picture::{Picture, Plot};
 use crate::report::prose::Text;
+use crate::report::rows::{bodies, checks, forces, quantities};
 use crate::report::solve::{Phase, Solve};
 use crate::report::table::Table;
 use crate::svg::Svg;

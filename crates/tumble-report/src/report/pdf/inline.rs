@@ -6,9 +6,10 @@
 use typst::syntax::{SyntaxKind, SyntaxNode, parse_math};
 
 use crate::font::Face;
+use crate::report::markup::Markup;
 use crate::report::math::{Block, Definition, Math};
-use crate::report::prose::{Piece, Text};
-use crate::text::{Label, Level, Run};
+use crate::report::prose::Text;
+use crate::text::{Label, Level};
 
 /// The functions and symbols that formulas may name.
 const NAMES: [&str; 12] =
@@ -54,36 +55,43 @@ pub(super) fn words(text: &str) -> String {
     format!("#{}", string(text))
 }
 
-/// Running text within markup.
-pub(super) fn text(text: &Text) -> String {
-    text.pieces.iter().map(piece).collect()
+/// The language of Typst's markup.
+struct Typst;
+
+impl Markup for Typst {
+    fn words(text: &str) -> String {
+        words(text)
+    }
+
+    fn math(formula: &Math) -> String {
+        math(formula)
+    }
+
+    fn faced(face: Face, words: String) -> String {
+        match face {
+            Face::Regular => words,
+            Face::Italic => format!("#emph[{words}]"),
+            Face::Bold => format!("#strong[{words}]"),
+        }
+    }
+
+    fn leveled(level: Level, words: String) -> String {
+        match level {
+            Level::Base => words,
+            Level::Subscript => format!("#sub[{words}]"),
+            Level::Superscript => format!("#super[{words}]"),
+        }
+    }
 }
 
-fn piece(piece: &Piece) -> String {
-    match piece {
-        Piece::Words(text) => words(text),
-        Piece::Label(text) => label(text),
-        Piece::Math(formula) => math(formula),
-    }
+/// Running text within markup.
+pub(super) fn text(text: &Text) -> String {
+    Typst::text(text)
 }
 
 /// A label with its italics, subscripts and superscripts.
 pub(super) fn label(label: &Label) -> String {
-    label.runs.iter().map(run).collect()
-}
-
-fn run(run: &Run) -> String {
-    let words = words(&run.text);
-    let faced = match run.face {
-        Face::Regular => words,
-        Face::Italic => format!("#emph[{words}]"),
-        Face::Bold => format!("#strong[{words}]"),
-    };
-    match run.level {
-        Level::Base => faced,
-        Level::Subscript => format!("#sub[{faced}]"),
-        Level::Superscript => format!("#super[{faced}]"),
-    }
+    Typst::label(label)
 }
 
 /// A formula in a line of text.

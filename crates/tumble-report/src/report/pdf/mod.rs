@@ -2,7 +2,6 @@
 
 mod document;
 mod inline;
-mod rows;
 mod tables;
 #[cfg(test)]
 mod tests;

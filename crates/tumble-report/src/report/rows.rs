@@ -32,7 +32,8 @@ pub(super) fn quantities(caption: &str, quantities: &[Quantity]) -> Table {
     rows.fold(Table::new(caption, columns.into()), Table::row)
 }
 
-fn quantity(quantity: &Quantity) -> [Text; 5] {
+/// Name, symbol, value, what it is computed by, remark.
+pub(super) fn quantity(quantity: &Quantity) -> [Text; 5] {
     [
         quantity.name.clone(),
         quantity.symbol.clone(),
