@@ -50,6 +50,23 @@ fn exact_angles() {
 }
 
 #[test]
+fn sums_that_divide_sums_are_taken_out() {
+    let [a, b, c] = ["a", "b", "c"].map(pure);
+    let sum = || &a + &b;
+    let below = 3 * &a * &a * sum() + &b * sum() * sum() + 3 * &a * &a * &b + 3 * &a * &b * &b;
+    for (formula, expected) in [
+        ((&a * &a - &b * &b) / sum(), "a − b"),
+        (sum() / (&a * &a - &b * &b), "1/(a − b)"),
+        (6 * &c * sum() * sum() / below, "6 c/(3 a + b)"),
+        ((&a.powi(3) - &b.powi(3)) / (&a - &b), "a² + a b + b²"),
+        ((&a * &a + &b * &b) / sum(), "(a² + b²)/(a + b)"),
+        (sum().sqrt() * sum() / (&a * &a - &b * &b), "√(a + b)/(a − b)"),
+    ] {
+        assert_eq!(text(&formula), expected);
+    }
+}
+
+#[test]
 fn signs_and_turns_of_angles() {
     let a = pure("a");
     for (formula, expected) in [

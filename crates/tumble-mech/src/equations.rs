@@ -124,8 +124,16 @@ impl Equations {
     /// The terms that act in a mode as a reader wants to see them: places and velocities in the states, accelerations
     /// and the forces of contacts by their symbols.
     pub fn shown_terms(&self, mode: &Mode) -> Vec<Term> {
-        let changes = self.changes(mode);
-        self.terms_with(mode, |formula| changes.apply(&self.definitions.apply(formula)))
+        self.terms_with(mode, |formula| self.shown(mode, formula))
+    }
+
+    /// By how fast the gaps change that lasting contacts of a body keep at zero, m/s^2, shown like the terms.
+    pub fn shown_constraints(&self, mode: &Mode, body: usize) -> Vec<Expr> {
+        self.held_on(mode, body).map(|pair| self.shown(mode, &pair.gap_acceleration())).collect()
+    }
+
+    fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
+        self.changes(mode).apply(&self.definitions.apply(formula))
     }
 
     fn terms_with(&self, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {

@@ -22,7 +22,7 @@ impl Equations {
         formulas: &[Expr],
         inputs: &[f64],
     ) -> Result<Jets<f64>, Reason> {
-        Ok(Jets::new(Arc::new(Tape::compile(&self.layout(mode), formulas)?), 0, inputs))
+        Ok(Jets::new(self.tape(mode, formulas)?, 0, inputs))
     }
 
     /// An evaluator of values of formulas of any kinematic symbols, accelerations and contact forces included.
@@ -32,9 +32,24 @@ impl Equations {
         formulas: &[Expr],
         inputs: &[f64],
     ) -> Result<Jets<f64>, Reason> {
+        self.expander(mode, formulas, inputs, 0)
+    }
+
+    /// The same for their Taylor coefficients up to an order.
+    pub(crate) fn expander(
+        &self,
+        mode: &Mode,
+        formulas: &[Expr],
+        inputs: &[f64],
+        order: usize,
+    ) -> Result<Jets<f64>, Reason> {
         let definitions = self.definitions_of(mode);
         let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
-        self.compiled(mode, &formulas, inputs)
+        Ok(Jets::new(self.tape(mode, &formulas)?, order, inputs))
+    }
+
+    fn tape(&self, mode: &Mode, formulas: &[Expr]) -> Result<Arc<Tape>, Reason> {
+        Ok(Arc::new(Tape::compile(&self.layout(mode), formulas)?))
     }
 
     /// Values of such formulas at one instant.

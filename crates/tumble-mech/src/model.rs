@@ -17,7 +17,7 @@ use crate::load::{Application, Load, Moment};
 use crate::parameters::Parameters;
 use crate::place::Place;
 use crate::start::Start;
-use crate::surface::Surface;
+use crate::surface::{Surface, is_at};
 
 /// Gauss nodes to begin with; [`crate::Run::refined`] doubles them until they do not matter.
 pub(crate) const DEFAULT_NODES: usize = 8;
@@ -288,9 +288,15 @@ impl Model {
         if path.into_iter().any(|path| path.branches_on(&[crate::parameters::time_symbol()])) {
             mistakes.push(ModelError::CorneredPath { what });
         }
-        let bodies = surface.bodies.iter().flatten();
-        mistakes.extend(bodies.filter_map(|body| self.unknown_body(body)));
+        let met = surface.on.iter().flatten();
+        mistakes.extend(met.filter(|name| !self.can_touch(name)).filter_map(|name| self.unknown_body(name)));
         mistakes
+    }
+
+    /// Whether this is the name of a body's point by which it touches.
+    fn can_touch(&self, name: &str) -> bool {
+        let by = |body: &Body| body.features().iter().any(|feature| is_at(name, body, feature));
+        self.bodies.iter().any(by)
     }
 
     fn start_mistakes(&self, body: &str, start: &Start) -> Vec<ModelError> {

@@ -2,6 +2,9 @@
 
 use tumble_expr::{Dimension, Expr, Vector};
 
+use crate::body::Body;
+use crate::contact::Feature;
+
 /// A half-plane that is solid behind its surface.
 #[derive(Clone, Debug)]
 pub struct Surface {
@@ -13,8 +16,8 @@ pub struct Surface {
     pub normal: Vector,
     /// What happens where a body touches it.
     pub law: ContactLaw,
-    /// Names of the bodies that meet it; `None` is all.
-    pub bodies: Option<Vec<String>>,
+    /// What meets it: names of bodies, `rod`, and of single points by which a body touches, `rod.tip`; `None` is all.
+    pub on: Option<Vec<String>>,
 }
 
 /// What a surface does to what touches it; none of them has friction.
@@ -63,7 +66,7 @@ impl Surface {
             through: Vector::planar(px, py),
             normal: normal.map(|component| component / &length),
             law,
-            bodies: None,
+            on: None,
         }
     }
 
@@ -75,7 +78,7 @@ impl Surface {
             through: Vector::planar(px, py),
             normal: Vector::planar(-angle.sin(), angle.cos()),
             law,
-            bodies: None,
+            on: None,
         }
     }
 
@@ -84,10 +87,22 @@ impl Surface {
         Self::new(name, [Expr::zero(), height], [Expr::zero(), Expr::one()], law)
     }
 
-    /// Whether a body meets it.
-    pub fn meets(&self, body: &str) -> bool {
-        self.bodies.as_ref().is_none_or(|bodies| bodies.iter().any(|name| name == body))
+    /// Whether a body meets it, by any of its points.
+    pub fn meets(&self, body: &Body) -> bool {
+        body.features().iter().any(|feature| self.meets_at(body, feature))
     }
+
+    /// Whether a body meets it by this point.
+    pub fn meets_at(&self, body: &Body, feature: &Feature) -> bool {
+        let is_meant = |name: &String| *name == body.name || is_at(name, body, feature);
+        self.on.as_ref().is_none_or(|names| names.iter().any(is_meant))
+    }
+}
+
+/// Whether a name, such as `rod.tip`, is that of a point by which a body touches.
+pub(crate) fn is_at(name: &str, body: &Body, feature: &Feature) -> bool {
+    let rest = name.strip_prefix(&body.name).and_then(|rest| rest.strip_prefix('.'));
+    rest == Some(&feature.name)
 }
 
 impl ContactLaw {

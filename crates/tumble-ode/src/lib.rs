@@ -28,6 +28,7 @@ pub use hybrid::{
     Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, ScaleGroup, StateVariable,
 };
 pub use refusal::{Reason, Refusal};
+pub use roots::turns;
 pub use solver::{Solver, Start, Stopped, solve};
 pub use trajectory::{Event, Piece, Side, Trajectory};
 pub use work::Work;

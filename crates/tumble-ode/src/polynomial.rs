@@ -10,6 +10,17 @@ pub(crate) fn increment(coefficients: &[f64], s: f64) -> f64 {
     value(coefficients.get(1..).unwrap_or_default(), s) * s
 }
 
+/// The polynomial from another point on.
+pub(crate) fn shifted(coefficients: &[f64], by: f64) -> Vec<f64> {
+    let mut p = coefficients.to_vec();
+    for first in 0..p.len() {
+        for k in (first..p.len() - 1).rev() {
+            p[k] += by * p[k + 1];
+        }
+    }
+    p
+}
+
 /// Derivative at `s`.
 pub(crate) fn slope(coefficients: &[f64], s: f64) -> f64 {
     let terms = coefficients.iter().enumerate().skip(1).rev();
@@ -31,6 +42,7 @@ mod tests {
         let p = [1.0, -2.0, 0.5, 3.0];
         assert_eq!(value(&p, 2.0), 23.0);
         assert_eq!(increment(&p, 2.0), 22.0);
+        assert_eq!(shifted(&p, 2.0), [23.0, 36.0, 18.5, 3.0]);
         assert_eq!(slope(&p, 2.0), -2.0 + 2.0 + 36.0);
         assert_eq!(slope_terms(&p, -2.0), 2.0 + 2.0 + 36.0);
         assert_eq!((value(&[], 2.0), increment(&[], 2.0), slope(&[7.0], 2.0)), (0.0, 0.0, 0.0));

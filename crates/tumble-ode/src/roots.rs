@@ -40,20 +40,15 @@ pub(crate) fn roots(powers: &[f64], length: f64) -> Vec<Root> {
         return search(powers, length);
     }
     let mut found = roots(powers, near);
-    let rest = search(&shifted(powers, near), length - near);
+    let rest = search(&polynomial::shifted(powers, near), length - near);
     found.extend(rest.into_iter().map(|root| Root { at: near + root.at, ..root }));
     found
 }
 
-/// The polynomial from another point on.
-fn shifted(powers: &[f64], by: f64) -> Vec<f64> {
-    let mut p = powers.to_vec();
-    for first in 0..p.len() {
-        for k in (first..p.len() - 1).rev() {
-            p[k] += by * p[k + 1];
-        }
-    }
-    p
+/// Where the slope of a polynomial, by its coefficients of powers, is zero in (0, length], in order.
+pub fn turns(coefficients: &[f64], length: f64) -> Vec<f64> {
+    let slopes: Vec<f64> = coefficients.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
+    roots(&slopes, length).into_iter().map(|root| root.at).collect()
 }
 
 fn search(powers: &[f64], length: f64) -> Vec<Root> {

@@ -116,6 +116,15 @@ impl Piece {
         self.states.iter().map(|series| polynomial::value(series, s)).collect()
     }
 
+    /// The states as series about a reading of the piece's clock, and the time as one.
+    pub fn series_at(&self, s: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let states = self.states.iter().map(|series| polynomial::shifted(series, s)).collect();
+        let mut time =
+            self.clock.as_ref().map_or_else(|| vec![0.0, 1.0], |series| polynomial::shifted(series, s));
+        time[0] = self.time_at(s);
+        (states, time)
+    }
+
     /// How fast the time passes at a reading of the piece's clock, s per unit of the clock.
     pub fn clock_rate(&self, s: f64) -> f64 {
         self.clock.as_ref().map_or(1.0, |series| polynomial::slope(series, s))

@@ -14,21 +14,24 @@ use crate::unit_text;
 /// A formula that may hold every name of the scene.
 pub(crate) fn read(draft: &mut Draft, field: &Field) -> Option<Curve> {
     let text = draft.text(field, Want::any())?;
-    of_text(draft, text)
+    of_text(draft, text, false)
 }
 
-fn of_text(draft: &mut Draft, text: Text) -> Option<Curve> {
-    let want = Want { moments: true, ..Want::any().at(Level::Output) };
+fn of_text(draft: &mut Draft, text: Text, works: bool) -> Option<Curve> {
+    let want = Want { moments: true, works, ..Want::any().at(Level::Output) };
     let value = formula::number(&draft.names, &text, want);
     let value = draft.all_noted(value)?;
     let parsed = language::parse(&text.text).ok();
     let names = parsed.iter().flat_map(|formula| formula.names()).map(|name| name.name);
-    Some(Curve { quantity: quantity(value, names), text: text.text.clone() })
+    Some(Curve { quantity: quantity(value, names), text: text.text.clone(), label: None })
 }
 
 /// The curve of a check, which is in SI units: its `equals` and `within` say theirs.
-pub(crate) fn in_si(draft: &mut Draft, field: &Field) -> Option<Curve> {
-    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else { return read(draft, field) };
+pub(crate) fn in_si(draft: &mut Draft, field: &Field, works: bool) -> Option<Curve> {
+    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else {
+        let text = draft.text(field, Want::any())?;
+        return of_text(draft, text, works);
+    };
     let message = format!("`in {}` is for the axes of figures", unit.trim());
     let mistake = Diagnostic::new(Code::Choice, field.span.clone(), message).label("not an axis");
     draft.note(mistake.help(format!(
@@ -52,12 +55,32 @@ pub(crate) fn on_axis(draft: &mut Draft, field: &Field) -> Option<Curve> {
         ..written.clone()
     };
     let chain = part(written.text.len() - unit.len(), unit);
-    let si = of_text(draft, part(0, before))?;
+    let si = of_text(draft, part(0, before), false)?;
     let one = one_of(draft, &chain, &si.quantity)?;
     let size = one / (1 * Unit(si.quantity.dimension));
     let unit = unit.trim().to_owned();
     let quantity = Quantity { formula: si.quantity.formula / size, unit, ..si.quantity };
-    Some(Curve { text: before.trim().to_owned(), quantity })
+    Some(Curve { text: before.trim().to_owned(), quantity, label: None })
+}
+
+/// The same, perhaps with a label: `{ value = "rod.angle in deg", label = "tilt" }`.
+pub(crate) fn labelled(draft: &mut Draft, field: &Field) -> Option<Curve> {
+    if !field.value.is_table() {
+        return on_axis(draft, field);
+    }
+    let mut table = draft.table(field, field.key.to_owned())?;
+    table.span = field.span.clone();
+    let value = draft.required(&mut table, "value", "\"rod.angle\"").and_then(|field| on_axis(draft, &field));
+    let label = draft.required(&mut table, "label", "\"..\"").and_then(|field| draft.words(&field));
+    draft.done(table);
+    Some(Curve { label: Some(label?), ..value? })
+}
+
+/// The unit behind the formula of such a field, as it is written.
+pub(crate) fn written_unit(field: &Field) -> Option<String> {
+    let inner = field.value.as_table().and_then(|table| table.get("value")).map(|value| value.get_ref());
+    let (_, unit) = in_unit(inner.unwrap_or(field.value).as_str()?)?;
+    Some(unit.trim().to_owned())
 }
 
 /// The formula and its unit. No formula goes on with a word behind a space, so that nothing else can be meant.

@@ -71,6 +71,7 @@ impl Draft {
                 quantities: quantities::all(&self.names),
                 title: self.title,
                 model: self.model,
+                angles: self.angular,
                 until,
                 accuracy: self.accuracy,
                 output_every: self.output_every,

@@ -10,6 +10,7 @@ use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label, Span};
 use crate::moments;
 use crate::names::{Level, Names};
+use crate::quantities;
 
 /// Where the text of a formula stands in a source.
 #[derive(Clone, Debug)]
@@ -82,6 +83,8 @@ pub(crate) struct Want {
     pub(crate) field: bool,
     /// Whether it may hold times that only the run knows.
     pub(crate) moments: bool,
+    /// Whether it may hold works up to the instant that it is asked for.
+    pub(crate) works: bool,
 }
 
 impl Want {
@@ -93,6 +96,7 @@ impl Want {
             level: Level::Constant,
             field: false,
             moments: false,
+            works: false,
         }
     }
 
@@ -121,7 +125,8 @@ impl Want {
         let symbols = self.field.then(place_symbols).into_iter().flatten();
         let places = symbols.map(|symbol| (symbol.name.clone(), Expr::from(symbol).into()));
         let moments = if self.moments { moments::symbols(names, formula) } else { vec![] };
-        places.chain(moments).collect()
+        let works = if self.works { quantities::works(names, formula) } else { vec![] };
+        places.chain(moments).chain(works).collect()
     }
 
     /// An example of what is wanted: `1 kg`.
@@ -275,6 +280,9 @@ impl Translator<'_> {
         let span = mistake.labels.first().map_or(0..0, |label| label.span.clone());
         if let Some(of_moment) = moments::explain(self.names, name, self.want.moments, &span) {
             return Some(Diagnostic { source: mistake.source, ..of_moment });
+        }
+        if let Some(of_work) = quantities::explain_work(self.names, name, &span) {
+            return Some(Diagnostic { source: mistake.source, ..of_work });
         }
         let level = self.want.level;
         let exists = self.names.scope(Level::Output).value(name).is_some() || !name.contains('.');

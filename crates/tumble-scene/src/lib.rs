@@ -47,7 +47,7 @@ pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use settings::Override;
 pub use study::{
     BooksPlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Sheet, Stroboscope, Study, SweepAxis,
-    SweepValue,
+    SweepValue, When,
 };
 
 /// A scene may have this many bytes.

@@ -43,6 +43,8 @@ pub(crate) struct Names {
     pub(crate) surfaces: Vec<String>,
     /// What may touch what: `floor`, `floor.rod` and `floor.rod.tip`.
     pub(crate) touching: BTreeSet<String>,
+    /// What does work: loads, pivots, surfaces and what touches them.
+    pub(crate) working: BTreeSet<String>,
     /// Names whose definition has a mistake that has been reported: what uses them is not to blame.
     broken: BTreeSet<String>,
     /// Where the bodies of the functions stand.

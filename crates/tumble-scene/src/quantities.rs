@@ -1,14 +1,20 @@
 //! The names that a body adds to formulas: `rod.x`, `rod.tip.vy`, `rod.energy`.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use tumble_expr::language::Value;
-use tumble_expr::{Expr, Symbol};
+use tumble_expr::language::{Formula, Value};
+use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_mech::{Body, Gravity, Model, time};
 
+use crate::code::Code;
 use crate::curve::quantity;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::names::{Level, Names};
 use crate::study::Quantity;
+
+/// How the name of a work ends.
+const WORK: &str = ".work";
 
 /// Gives the time its name.
 pub(crate) fn define_time(names: &mut Names) {
@@ -66,6 +72,36 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
         }
         names.touching.insert(surface.name.clone());
     }
+}
+
+/// Names everything that does work, once the model is complete.
+pub(crate) fn define_works(names: &mut Names, model: &Model) {
+    let loads = model.loads.iter().map(|load| load.name.clone());
+    let interactions = model.interactions.iter().map(|interaction| interaction.name().to_owned());
+    let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
+    let weight = ["gravity".to_owned()];
+    names.working.extend(loads.chain(interactions).chain(pivots).chain(weight).chain(names.touching.clone()));
+}
+
+/// The works in a formula, by the names they have there: `floor.work`, J.
+pub(crate) fn works(names: &Names, formula: &Formula) -> Vec<(Arc<str>, Value)> {
+    let work = |name: &str| -> Option<(Arc<str>, Value)> {
+        let is_known = names.working.contains(name.strip_suffix(WORK)?);
+        is_known.then(|| (name.into(), Expr::symbol(name, Dimension::TORQUE).into()))
+    };
+    formula.names().into_iter().filter_map(|name| work(name.name)).collect()
+}
+
+/// What is wrong with the name of a work where works are not known.
+pub(crate) fn explain_work(names: &Names, name: &str, span: &Span) -> Option<Diagnostic> {
+    names.working.contains(name.strip_suffix(WORK)?).then(|| {
+        let message =
+            format!("`{name}` is the work up to an instant, which only a check at an instant may ask for");
+        let mistake = Diagnostic::new(Code::EventInFormula, span.clone(), message).label("a work");
+        mistake.help(
+            "write it in `that` of a check without `at` or with an instant; `[books.NAME]` draws all works",
+        )
+    })
 }
 
 /// Every name of the motion with its formula.

@@ -1,9 +1,9 @@
 //! A study: a model and what to do with it. This is what the rest of the pipeline sees of a scene.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_expr::{Dimension, Expr};
-use tumble_mech::{Model, ModelErrors, Parameters};
+use tumble_mech::{Extreme, Model, ModelErrors, Parameters};
 use tumble_ode::Accuracy;
 
 /// A model and what to do with it, as formulas of its parameters.
@@ -13,6 +13,8 @@ pub struct Study {
     pub title: String,
     /// Bodies, loads, starts and parameters.
     pub model: Model,
+    /// Parameters that are angles, or angles per time.
+    pub angles: BTreeSet<String>,
     /// Every name that a figure, a check or an output may use, with its formula.
     pub quantities: BTreeMap<String, Quantity>,
     /// End of the run, s; it starts at 0.
@@ -100,6 +102,8 @@ pub struct Plot {
 pub struct Curve {
     /// The formula's text, without the unit that an axis shows it in.
     pub text: String,
+    /// How figures call it, where that is not its formula.
+    pub label: Option<String>,
     /// What to show.
     pub quantity: Quantity,
 }
@@ -180,6 +184,22 @@ pub struct FreeBody {
     pub at: Vec<(Instant, String)>,
 }
 
+/// When a claim is looked at.
+#[derive(Clone, Debug)]
+pub enum When {
+    /// At the end of the run.
+    End,
+    /// At an instant.
+    At(Instant),
+    /// Where what is looked at is greatest or least, in the whole run or between two instants.
+    Extreme {
+        /// Which of them.
+        which: Extreme,
+        /// From when to when; `None` is the whole run.
+        during: Option<[Instant; 2]>,
+    },
+}
+
 /// A claim about the motion at one time.
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -189,8 +209,8 @@ pub struct Check {
     pub that: Curve,
     /// What it must be.
     pub equals: Expr,
-    /// When; `None` is the end of the run.
-    pub at: Option<Instant>,
+    /// When.
+    pub at: When,
     /// Largest difference allowed, in the quantity's unit.
     pub within: Expr,
 }

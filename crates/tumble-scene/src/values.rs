@@ -5,7 +5,7 @@ use tumble_expr::Expr;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Draft;
-use crate::study::Instant;
+use crate::study::{Instant, When};
 
 /// More samples than this are a slip of the unit.
 const MAX_SAMPLES: f64 = 1e6;
@@ -40,8 +40,13 @@ pub(crate) fn check(draft: &mut Draft) {
     }
     for check in draft.checks.clone() {
         let name = &check.name;
-        if let Some(at) = check.at {
-            check_time(draft, &format!("at of `{name}`"), &at, until);
+        match check.at {
+            When::End => {}
+            When::At(at) => check_time(draft, &format!("at of `{name}`"), &at, until),
+            When::Extreme { during, .. } => {
+                let ends = during.into_iter().flatten().map(|end| end.time).collect();
+                check_window(draft, &format!("during of `{name}`"), ends, until);
+            }
         }
         value(draft, &format!("equals of `{name}`"), Some(check.equals));
         check_margin(draft, &format!("within of `{name}`"), check.within);
@@ -98,7 +103,7 @@ fn check_window(draft: &mut Draft, what: &str, ends: Vec<Expr>, until: f64) {
     let ends: Option<Vec<f64>> = ends.into_iter().map(|end| value(draft, what, Some(end))).collect();
     let Some([from, to]) = ends.as_deref() else { return };
     if from >= to {
-        let message = format!("a figure from {from} s to {to} s shows nothing");
+        let message = format!("there is nothing from {from} s to {to} s");
         note(draft, Code::Window, what, message, "ends before it begins");
     } else if *from >= until || *to <= 0.0 {
         let message = format!("{from} s to {to} s is outside of the run, which lasts from 0 to {until} s");

@@ -6,8 +6,8 @@ mod beside;
 mod rows;
 
 use rows::{Row, table};
-use tumble_mech::{ContactLaw, Release};
-use tumble_scene::read;
+use tumble_mech::{ContactLaw, Extreme, Release};
+use tumble_scene::{When, read};
 
 const SCENE: &str = r#"version = 1
 [parameters]
@@ -71,6 +71,47 @@ fn everything_is_read() {
     assert_eq!(names, ["floor.contact[2].duration", "floor.contact[2].start"]);
 }
 
+#[test]
+fn a_surface_may_meet_single_points() {
+    let pairs = |on: &str| -> Vec<String> {
+        let scene = SCENE.replace("on = [\"rod\"]", on);
+        let study = read("scene.toml", &scene, &[]).map_err(|mistakes| mistakes.to_string());
+        let pairs = study.expect("a study").model.pairs().into_iter().map(|pair| pair.name);
+        pairs.filter(|name| name.starts_with("slope")).collect()
+    };
+    assert_eq!(pairs("on = \"rod.tip\""), ["slope.rod.tip"]);
+    assert_eq!(pairs("on = [\"rod.tip\", \"rod.from\"]"), ["slope.rod.from", "slope.rod.tip"]);
+    assert_eq!(pairs("on = \"rod\""), ["slope.rod.from", "slope.rod.tip"]);
+}
+
+#[test]
+fn greatest_values_and_works_are_read() {
+    let read = |from: &str, to: &str| {
+        let scene = SCENE.replace(from, to);
+        read("scene.toml", &scene, &[]).map_err(|mistakes| mistakes.to_string()).expect("a study")
+    };
+    let at = "at = \"floor.rod.contact[1].start\"";
+    let study = read(at, "at = \"its least\"\nduring = [\"0.1 s\", \"floor.contact[1].end\"]");
+    let When::Extreme { which: Extreme::Least, during: Some([from, _]) } = &study.checks[0].at else {
+        panic!("{:?}", study.checks[0].at)
+    };
+    assert_eq!(from.text, "0.1 s");
+    let study = read(
+        CHECKED,
+        "that = \"floor.work + gravity.work + floor.rod.tip.work\"\nequals = \"0 J\"\nwithin = \"1 J\"",
+    );
+    assert_eq!(study.checks[0].that.quantity.unit, "J");
+    let labelled = "y = [{ value = \"floor.rod.from.gap in cm\", label = \"left\" }, \"rod.y in cm\"]";
+    let study = read("y = \"floor.rod.from.gap\"", labelled);
+    assert_eq!(study.plots[1].y[0].label.as_deref(), Some("left"));
+    assert_eq!(study.plots[1].y[0].quantity.unit, "cm");
+}
+
+/// What the check of the scene looks at and claims.
+const CHECKED: &str = "that = \"floor.contact[1].duration\"\nequals = 0
+at = \"floor.rod.contact[1].start\"
+within = \"1e-9 s\"";
+
 const MISTAKES: &[Row] = &[
     ("{ restitution = \"e\" }", "{ restitution = 1.5 }", "E0530 1.5", "between 0 and 1"),
     ("restitution = 0.5", "restitution = -1", "E0530 -1", "between 0 and 1"),
@@ -113,6 +154,25 @@ const MISTAKES: &[Row] = &[
     ),
     ("[plot.gap]", "[plot.sheet]", "E0523 sheet | sheet", "two figures"),
     ("body = \"rod\"\nat", "body = \"ball\"\nat", "E0520 \"ball\"", "rod"),
+    ("on = [\"rod\"]", "on = [\"rod.tap\"]", "E0521 \"rod.tap\"", "did you mean \"rod.tip\"?"),
+    ("on = [\"rod\"]", "on = \"rood.tip\"", "E0520 \"rood.tip\"", ""),
+    ("at = \"floor.rod.contact[1].start\"", "during = [0, \"1 s\"]", "E0519 during", "its greatest"),
+    (
+        "at = \"floor.rod.contact[1].start\"",
+        "at = \"its least\"\nduring = [\"2 s\", \"3 s\"]",
+        "E0533 [\"2 s\", \"3 s\"]",
+        "outside of the run",
+    ),
+    ("at = \"floor.rod.contact[1].start\"", "at = \"its largest\"", "E0110 largest | its", ""),
+    ("y = \"floor.rod.from.gap\"", "y = \"floor.work\"", "E0528 floor.work", "only a check at an instant"),
+    ("y = \"floor.rod.from.gap\"", "y = \"flor.work\"", "E0301 flor.work", ""),
+    (
+        "equals = 0\nat = \"floor.rod.contact[1].start\"",
+        "equals = \"(1 s)*floor.work/(1 J)\"\nat = \"its greatest\"",
+        "E0528 floor.work",
+        "at an instant",
+    ),
+    ("y = \"floor.rod.from.gap\"", "y = { value = \"rod.y\" }", "E0513 { value = \"rod.y\" }", "add `label"),
     ("[surface.wall]", "[surface.rod]", "E0523 rod | rod", "the name of a surface and of a body"),
 ];
 

@@ -5,11 +5,11 @@ use tumble_scene::{BooksPlot, Sheet, Study};
 
 use crate::books::Books;
 use crate::case::Case;
-use crate::figures::{case_label, joined};
+use crate::figures::{case_label, heading, joined};
 
 /// The books of all runs in one figure; empty where none were kept.
 pub(crate) fn of(study: &Study, cases: &[Case], asked: &BooksPlot) -> CurveFigure {
-    let mut figure = empty(asked.title.as_deref().unwrap_or(&study.title));
+    let mut figure = empty(heading(study, asked.title.as_deref(), &asked.name));
     for case in cases {
         let series = case.books.iter().flat_map(|books| curves(books, asked.show));
         let of_case = |curve: Series| Series { label: joined(curve.label, case_label(case)), ..curve };
@@ -20,15 +20,11 @@ pub(crate) fn of(study: &Study, cases: &[Case], asked: &BooksPlot) -> CurveFigur
 
 /// One sheet of one run.
 pub(crate) fn sheet(books: &Books, title: &str, show: Sheet) -> CurveFigure {
-    CurveFigure { series: curves(books, show), ..empty(title) }
+    CurveFigure { series: curves(books, show), ..empty(Label::markup(title)) }
 }
 
-fn empty(title: &str) -> CurveFigure {
-    CurveFigure::new(
-        Label::markup(title),
-        Axis::new(Label::symbol("t"), "s"),
-        Axis::new(Label::symbol("E"), "J"),
-    )
+fn empty(title: Label) -> CurveFigure {
+    CurveFigure::new(title, Axis::new(Label::symbol("t"), "s"), Axis::new(Label::symbol("E"), "J"))
 }
 
 /// The columns of the books that a sheet shows; a residual alone needs no name.

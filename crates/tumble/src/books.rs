@@ -12,7 +12,7 @@ use crate::tables::{equal_times, number};
 /// Rows of `books.csv`, beside both sides of each event.
 const ROWS: usize = 500;
 /// Angular momentum is about the world's origin.
-const ABOUT: [f64; 2] = [0.0; 2];
+pub(crate) const ABOUT: [f64; 2] = [0.0; 2];
 
 /// Energy, momentum and what changed them, of one run.
 #[derive(Clone, Debug)]
@@ -45,9 +45,9 @@ impl Books {
         for (time, side) in times(run) {
             rows.extend(ledger.row(time, side)?);
         }
-        let work_errors = match &case.trust {
-            Some(trust) => trust.work_errors(&ledger)?,
-            None => None,
+        let work_errors = match (&case.trust, run.trajectory.end()) {
+            (Some(trust), Some(end)) => trust.work_errors(&mut ledger, end, Side::After)?,
+            _ => None,
         };
         let entries = ledger.entries.iter().enumerate();
         Ok(Some(Self {

@@ -1,12 +1,14 @@
 //! The scene's claims, held against the motion.
 
+use tumble_expr::Expr;
 use tumble_ode::Side;
-use tumble_scene::{Check, Study};
+use tumble_scene::{Check, Study, When};
 
 use crate::case::Case;
 use crate::digits;
 use crate::moments::Moments;
 use crate::pipeline::PipelineError;
+use crate::works;
 
 /// A claim with what was found.
 #[derive(Clone, Debug)]
@@ -44,24 +46,73 @@ pub(crate) fn evaluate(study: &Study, case: &Case) -> Result<Vec<CheckResult>, P
 }
 
 fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, PipelineError> {
-    let (run, complete) = (&case.run, case.refusal.is_none());
     let within = study.number(&check.within)?;
-    let moments = Moments::of(study, run);
+    let moments = Moments::of(study, &case.run);
     let formulas = [moments.known(&check.that.quantity.formula), moments.known(&check.equals)];
-    let at = match &check.at {
-        // A motion that an event has stopped ends there; one that was refused has no end to look at.
-        None => run.trajectory.end().filter(|_| complete),
-        Some(instant) => moments.time(instant)?,
+    let at = match &formulas[0] {
+        Some(that) => instant(case, &moments, check, that)?,
+        None => None,
     };
-    let (values, error) = match (at, formulas) {
-        (Some(at), [Some(found), Some(expected)]) => {
-            let error = digits::error(case, &(&found - &expected), at)?;
-            (run.observe(&[found, expected])?.at(at, Side::After), error)
-        }
-        _ => (None, None),
+    let found = match (at, formulas) {
+        (Some(at), [Some(that), Some(equals)]) => values(case, [that, equals], at)?,
+        _ => None,
     };
-    let (found, expected) = values.map_or((f64::NAN, f64::NAN), |values| (values[0], values[1]));
+    let Found { found, expected, error } = found.unwrap_or(Found::NOTHING);
+    let at = at.map_or(f64::NAN, |(time, _)| time);
     let holds = (found - expected).abs() <= within;
     let (name, that, unit) = (check.name.clone(), check.that.text.clone(), check.that.quantity.unit.clone());
-    Ok(CheckResult { name, that, unit, at: at.unwrap_or(f64::NAN), found, expected, within, error, holds })
+    Ok(CheckResult { name, that, unit, at, found, expected, within, error, holds })
+}
+
+/// What a check sees, SI units.
+struct Found {
+    found: f64,
+    expected: f64,
+    error: Option<f64>,
+}
+
+impl Found {
+    const NOTHING: Self = Self { found: f64::NAN, expected: f64::NAN, error: None };
+}
+
+/// When a check looks, and on which side of an event; `None` where that does not come in this motion.
+fn instant(
+    case: &Case,
+    moments: &Moments<'_>,
+    check: &Check,
+    that: &Expr,
+) -> Result<Option<(f64, Side)>, PipelineError> {
+    let after = |time: Option<f64>| time.map(|time| (time, Side::After));
+    Ok(match &check.at {
+        // A motion that an event has stopped ends there; one that was refused has no end to look at.
+        When::End => after(case.run.trajectory.end().filter(|_| case.refusal.is_none())),
+        When::At(instant) => after(moments.time(instant)?),
+        When::Extreme { which, during } => {
+            // What is greatest in a motion that was refused, nobody knows.
+            let window = moments.window(during.as_ref())?;
+            let Some(window) = window.filter(|_| case.refusal.is_none()) else { return Ok(None) };
+            case.run.extreme(that, *which, window)?.map(|peak| (peak.time, peak.side))
+        }
+    })
+}
+
+/// What was found and what was claimed at an instant, and the error stated of their difference.
+fn values(
+    case: &Case,
+    [that, equals]: [Expr; 2],
+    (time, side): (f64, Side),
+) -> Result<Option<Found>, PipelineError> {
+    let claims =
+        [works::known(case, that.clone(), (time, side))?, works::known(case, equals.clone(), (time, side))?];
+    let [Some(that), Some(equals)] = claims else { return Ok(None) };
+    let off = |formula: &Expr| formula - &equals.formula;
+    let difference = off(&that.formula);
+    let others =
+        that.variants.iter().map(off).chain(equals.variants.iter().map(|other| &that.formula - other));
+    let formulas: Vec<Expr> =
+        [&that.formula, &equals.formula, &difference].into_iter().cloned().chain(others).collect();
+    let Some(values) = case.run.observe(&formulas)?.at(time, side) else { return Ok(None) };
+    let of_works: f64 = values[3..].iter().map(|other| (other - values[2]).abs()).sum();
+    let error = digits::error(case, &difference, time)?.filter(|_| that.is_sure && equals.is_sure);
+    Ok(Some(Found { found: values[0], expected: values[1], error: error.map(|error| error + of_works) }))
 }

@@ -70,6 +70,12 @@ fn save(folder: &Folder, name: &str, svg: &Svg) -> Result<(), PipelineError> {
     Ok(())
 }
 
+/// What stands above a figure: its title, or that of the scene and the figure's name.
+pub(crate) fn heading(study: &Study, title: Option<&str>, name: &str) -> Label {
+    let own = || format!("{}: {}", study.title, name.replace(['-', '_'], " "));
+    Label::markup(&title.map_or_else(own, str::to_owned))
+}
+
 pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<CurveFigure, PipelineError> {
     let x = plot.x.as_ref().map_or(tumble_mech::time(), |curve| curve.quantity.formula.clone());
     let y = plot.y.iter().map(|curve| curve.quantity.formula.clone());
@@ -78,7 +84,7 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
         Some(curve) => axis(study, std::slice::from_ref(curve)),
         None => Axis::new(Label::symbol("t"), "s"),
     };
-    let title = Label::markup(plot.title.as_deref().unwrap_or(&study.title));
+    let title = heading(study, plot.title.as_deref(), &plot.name);
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
     for case in cases {
         let of_case = study.with(&case.parameters);
@@ -107,12 +113,9 @@ fn rows(
     plot: &Plot,
     formulas: &[Expr],
 ) -> Result<Option<Vec<Row>>, PipelineError> {
-    let Some([from, to]) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
-    let moments = Moments::of(study, &case.run);
-    match (moments.time(from)?, moments.time(to)?) {
-        (Some(from), Some(to)) => Ok(Some(sample_between(&case.run, formulas, [from, to])?)),
-        _ => Ok(None),
-    }
+    let Some(during) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
+    let window = Moments::of(study, &case.run).window(Some(during))?;
+    window.map(|window| sample_between(&case.run, formulas, window)).transpose()
 }
 
 /// Marks what happens along the time axis, unless so much does that no mark could be read.
@@ -157,6 +160,9 @@ fn axis(study: &Study, curves: &[Curve]) -> Axis {
 }
 
 fn label(study: &Study, curve: &Curve) -> Label {
+    if let Some(label) = &curve.label {
+        return Label::markup(label);
+    }
     let symbols: Vec<(&str, &str)> =
         study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
     Label::name(&curve.text, &symbols)
@@ -169,7 +175,7 @@ pub(crate) fn picture(
 ) -> Result<Picture, PipelineError> {
     let several = stroboscope.bodies.len() > 1;
     let mut picture = Picture {
-        title: Label::markup(stroboscope.title.as_deref().unwrap_or(&study.title)),
+        title: heading(study, stroboscope.title.as_deref(), &stroboscope.name),
         surfaces: surfaces(study, &cases[0].run, 0.0)?,
         ..Picture::default()
     };

@@ -7,7 +7,7 @@ use tumble_report::{Label, Pose};
 use tumble_scene::{FreeBody as Asked, Study};
 
 use crate::case::Case;
-use crate::figures::{outlines, poses, surfaces};
+use crate::figures::{heading, outlines, poses, surfaces};
 use crate::moments::Moments;
 use crate::pipeline::PipelineError;
 use crate::symbols;
@@ -22,8 +22,7 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, 
     let study = &study.with(&case.parameters);
     let moments = Moments::of(study, &case.run);
     let drawing = Drawing { study, run: &case.run, body: asked.body };
-    let mut sheet =
-        Sheet { title: Label::markup(asked.title.as_deref().unwrap_or(&study.title)), ..Sheet::default() };
+    let mut sheet = Sheet { title: heading(study, asked.title.as_deref(), &asked.name), ..Sheet::default() };
     let end = case.run.trajectory.end().unwrap_or(0.0);
     let mut missing = vec![];
     for (instant, label) in &asked.at {
@@ -137,7 +136,7 @@ impl Drawing<'_> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
         let of_model = self.study.model.surfaces.iter();
-        let met = all.into_iter().zip(of_model).filter(|(_, surface)| surface.meets(&body.name));
+        let met = all.into_iter().zip(of_model).filter(|(_, surface)| surface.meets(body));
         let mut found: Vec<Surface> = vec![];
         for Surface { point: [px, py], normal: [nx, ny], name } in met.map(|(drawn, _)| drawn) {
             let distance = nx * (pose.x - px) + ny * (pose.y - py);

@@ -46,6 +46,7 @@ mod report;
 mod summary;
 mod symbols;
 mod tables;
+mod works;
 
 pub use books::Books;
 pub use case::Case;

@@ -27,6 +27,12 @@ impl<'a> Moments<'a> {
         }
     }
 
+    /// From when to when, s; the whole run where nothing is said, and `None` if one of the two does not happen.
+    pub(crate) fn window(&self, during: Option<&[Instant; 2]>) -> Result<Option<[f64; 2]>, PipelineError> {
+        let Some([from, to]) = during else { return Ok(Some([0.0, f64::INFINITY])) };
+        Ok(self.time(from)?.zip(self.time(to)?).map(|(from, to)| [from, to]))
+    }
+
     /// A formula with its moments replaced by their times; `None` if one of them does not happen.
     pub(crate) fn known(&self, formula: &Expr) -> Option<Expr> {
         let mut times = Substitution::default();

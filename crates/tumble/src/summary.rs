@@ -220,7 +220,8 @@ fn parameters(study: &Study, run: &Run) -> BTreeMap<String, Quantity> {
     let values = symbols.zip(&run.inputs);
     values
         .map(|(symbol, value)| {
-            (symbol.name.to_string(), Quantity { value: *value, unit: unit(symbol.dimension, false) })
+            let is_angle = study.angles.contains(&*symbol.name);
+            (symbol.name.to_string(), Quantity { value: *value, unit: unit(symbol.dimension, is_angle) })
         })
         .collect()
 }

@@ -3,6 +3,7 @@
 //! Everything here is an identity that holds wherever the formula has a value. Nothing of it is integrated.
 
 mod abs;
+mod cancel;
 mod definitions;
 mod expand;
 mod export;

@@ -18,6 +18,7 @@ impl Algebra {
     /// A product in its shorter form: with its sums, or multiplied out.
     pub(crate) fn product(&mut self, by: Rational, factors: &[Factor]) -> Id {
         let product = self.raw_product(by, factors);
+        let product = self.cancelled(product);
         if !matches!(self.form(product), Form::Product(..)) {
             return product;
         }

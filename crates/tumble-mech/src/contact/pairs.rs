@@ -28,8 +28,9 @@ impl Pairs {
         };
         let mut all = vec![];
         for surface in model.surfaces.iter().enumerate() {
-            for body in model.bodies.iter().enumerate().filter(|(_, body)| surface.1.meets(&body.name)) {
-                all.extend(features[body.0].iter().map(|feature| Pair::new(surface, body, feature)));
+            for body in model.bodies.iter().enumerate() {
+                let met = features[body.0].iter().filter(|feature| surface.1.meets_at(body.1, feature));
+                all.extend(met.map(|feature| Pair::new(surface, body, feature)));
             }
         }
         let terms = all.iter().map(Pair::term).collect();

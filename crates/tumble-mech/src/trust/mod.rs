@@ -36,7 +36,7 @@ mod errors;
 mod phases;
 
 use tumble_expr::Expr;
-use tumble_ode::Accuracy;
+use tumble_ode::{Accuracy, Side};
 
 use crate::coordinates::Measure;
 use crate::ledger::{Entry, Ledger};
@@ -203,19 +203,28 @@ impl Trust {
         (time < self.end()).then_some(SAFETY * apart + ROUNDINGS * f64::EPSILON * time)
     }
 
-    /// Errors of the works of a ledger's entries, J; `None` where nothing can be said of the whole motion.
-    pub fn work_errors(&self, ledger: &Ledger<'_>) -> Result<Option<Vec<f64>>, RunError> {
-        if self.horizon.is_some() {
+    /// Errors of the works of a ledger's entries up to a time, s, J; `None` where nothing can be said of them.
+    pub fn work_errors(
+        &self,
+        ledger: &mut Ledger<'_>,
+        time: f64,
+        side: Side,
+    ) -> Result<Option<Vec<f64>>, RunError> {
+        let Some(since) = self.phases.counterpart(time, side).filter(|_| time <= self.end()) else {
             return Ok(None);
-        }
-        let second = Ledger::of(&self.second, [0.0; 2])?;
-        let key = |entry: &Entry| (entry.load.clone(), entry.body, entry.kind);
-        let error = |entry: &Entry| {
-            let other = second.entries.iter().find(|other| key(other) == key(entry));
-            let apart = other.map_or(f64::INFINITY, |other| (entry.work - other.work).abs());
-            SAFETY * apart + ROUNDINGS * f64::EPSILON * entry.work.abs()
         };
-        Ok(Some(ledger.entries.iter().map(error).collect()))
+        let mut second = Ledger::of(&self.second, ledger.about)?;
+        let (Some(here), Some(there)) = (ledger.at(time, side)?, second.at(since, side)?) else {
+            return Ok(None);
+        };
+        let key = |entry: &Entry| (entry.load.clone(), entry.body, entry.kind);
+        let error = |(entry, work): (&Entry, &f64)| {
+            let others = second.entries.iter().zip(&there.work);
+            let other = others.filter(|(other, _)| key(other) == key(entry)).map(|(_, work)| work).next();
+            let apart = other.map_or(f64::INFINITY, |other| (work - other).abs());
+            SAFETY * apart + ROUNDINGS * f64::EPSILON * work.abs()
+        };
+        Ok(Some(ledger.entries.iter().zip(&here.work).map(error).collect()))
     }
 
     fn is_better(&self, other: &Self) -> bool {

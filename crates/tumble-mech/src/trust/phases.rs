@@ -1,6 +1,6 @@
 //! Which stretches of two runs of one motion belong together.
 
-use tumble_ode::{Event, Trajectory};
+use tumble_ode::{Event, Side, Trajectory};
 
 use crate::contact::Change;
 use crate::mode::Mode;
@@ -59,6 +59,16 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
 }
 
 impl Phases {
+    /// The time of the second run that is as long after the last event as `time` is in the first.
+    pub(super) fn counterpart(&self, time: f64, side: Side) -> Option<f64> {
+        let holds = |here: &Stretch| match side {
+            Side::Before => time <= here.end,
+            Side::After => time < here.end,
+        };
+        let [here, there] = self.all.iter().find(|[here, _]| holds(here)).or(self.all.last())?;
+        Some((there.start + (time - here.start)).clamp(there.start, there.end))
+    }
+
     fn push(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.all.push([0, 1].map(|run| Stretch { start: from[run], end: to[run] }));
     }

@@ -4,7 +4,7 @@ use super::Report;
 use super::analyze::{Analyze, Case};
 use super::identify::Identify;
 use super::markup::Markup;
-use super::math::{Block, Math};
+use super::math::{Block, Definition, Math};
 use super::model::{BodyModel, Mode, Model};
 use super::picture::{Picture, Plot};
 use super::prose::Text;
@@ -102,8 +102,11 @@ fn heading(level: usize, title: &Text) -> String {
 
 fn block(block: &Block) -> String {
     let lines = block.lines.iter().map(display);
-    let definitions: Vec<_> =
-        block.definitions.iter().map(|d| format!("- {}: {}", math(&d.symbol), text(&d.meaning))).collect();
+    let definition = |definition: &Definition| match text(&definition.meaning) {
+        meaning if meaning.is_empty() => format!("- {}", math(&definition.symbol)),
+        meaning => format!("- {}: {meaning}", math(&definition.symbol)),
+    };
+    let definitions: Vec<_> = block.definitions.iter().map(definition).collect();
     let definitions = titled("where", definitions.join("\n"));
     joined(std::iter::once(text(&block.title)).chain(lines).chain([definitions]))
 }

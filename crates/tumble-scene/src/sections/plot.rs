@@ -18,7 +18,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.words(&field));
-    let x = table.take("x").map(|field| curve::on_axis(draft, &field));
+    let x = table.take("x").map(|field| curve::labelled(draft, &field));
     let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| curves(draft, &field));
     let during = table.take("during").map(|given| {
         draft.remember(format!("during of `{}`", field.key), &given.span);
@@ -35,16 +35,15 @@ fn curves(draft: &mut Draft, field: &Field) -> Option<Vec<Curve>> {
     if fields.is_empty() {
         draft.note(Diagnostic::new(Code::Length, field.span.clone(), "this figure has no curve"));
     }
-    let curves: Vec<_> = fields.iter().map(|field| curve::on_axis(draft, field)).collect();
+    let curves: Vec<_> = fields.iter().map(|field| curve::labelled(draft, field)).collect();
     let curves = curves.into_iter().collect::<Option<Vec<_>>>()?;
     let first = curves.first()?.quantity.dimension;
     let unlike = curves.iter().position(|curve| curve.quantity.dimension != first);
     if let Some(other) = unlike {
         draft.note(unlike_curves([&fields[0], &fields[other]], [first, curves[other].quantity.dimension]));
     }
-    let unit =
-        |field: &Field| field.value.as_str().and_then(curve::in_unit).map(|(_, unit)| unit.trim().to_owned());
-    let other = fields.iter().position(|field| unit(field) != unit(&fields[0]));
+    let first = curve::written_unit(&fields[0]);
+    let other = fields.iter().position(|field| curve::written_unit(field) != first);
     if let Some(other) = other.filter(|_| unlike.is_none()) {
         draft.note(unlike_units([&fields[0], &fields[other]], [&curves[0], &curves[other]]));
     }

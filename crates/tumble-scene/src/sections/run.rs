@@ -9,8 +9,11 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::quantities;
 
+/// The model is complete here: the sections that follow speak of what comes of it.
 pub(super) fn read(draft: &mut Draft, section: &Field) {
+    quantities::define_works(&mut draft.names, &draft.model);
     only(draft, section, run);
 }
 

@@ -11,6 +11,7 @@ use crate::draft::Draft;
 use crate::formula::Want;
 use crate::names::Level;
 use crate::quantities;
+use crate::suggest;
 
 const STIFFNESS: Dimension = Dimension::new(0, 1, -2);
 const DAMPING: Dimension = Dimension::new(0, 1, -1);
@@ -30,9 +31,8 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
         .and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
     let facing = facing(draft, table);
     let law = law(draft, &name, table);
-    let bodies = table.take("on").map(|field| bodies(draft, &field));
-    let (Some(through), Some(facing), Some(law), None | Some(Some(_))) = (through, facing, law, &bodies)
-    else {
+    let on = table.take("on").map(|field| met(draft, &field));
+    let (Some(through), Some(facing), Some(law), None | Some(Some(_))) = (through, facing, law, &on) else {
         return draft.names.break_name(&name);
     };
     let at = [through.x().clone(), through.y().clone()];
@@ -40,7 +40,7 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
         Facing::Normal(normal) => Surface::new(name, at, [normal.x().clone(), normal.y().clone()], law),
         Facing::Slope(angle) => Surface::sloping(name, at, &angle, law),
     };
-    draft.model.surface(Surface { bodies: bodies.flatten(), ..surface });
+    draft.model.surface(Surface { on: on.flatten(), ..surface });
 }
 
 enum Facing {
@@ -121,9 +121,26 @@ fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw>
     Some(ContactLaw::Hertz { stiffness: stiffness?, damping: damping? })
 }
 
-/// One name or a list of names.
-fn bodies(draft: &mut Draft, field: &Field) -> Option<Vec<String>> {
+/// One name or a list of names, of bodies or of single points by which they touch.
+fn met(draft: &mut Draft, field: &Field) -> Option<Vec<String>> {
     let fields = field.elements().unwrap_or_else(|| vec![field.clone()]);
-    let names: Vec<_> = fields.iter().map(|field| body(draft, field)).collect();
+    let names: Vec<_> = fields.iter().map(|field| body_or_point(draft, field)).collect();
     names.into_iter().collect()
+}
+
+fn body_or_point(draft: &mut Draft, field: &Field) -> Option<String> {
+    let of_point = field.value.as_str().and_then(|name| name.split_once('.'));
+    let of_body = of_point.filter(|(body, _)| draft.names.bodies.iter().any(|known| known == body));
+    let Some((owner, point)) = of_body else { return body(draft, field) };
+    // A body with mistakes is not there; nor can its points be looked up.
+    let features = draft.body_named(owner)?.features();
+    if features.iter().any(|feature| feature.name == point) {
+        return Some(format!("{owner}.{point}"));
+    }
+    let known: Vec<String> = features.iter().map(|feature| format!("{owner}.{}", feature.name)).collect();
+    let help = suggest::name(&format!("{owner}.{point}"), "points", known.iter().map(String::as_str));
+    let message = format!("`{owner}` has no end, corner or rim \"{point}\" by which it could touch");
+    let mistake = Diagnostic::new(Code::UnknownPoint, field.span.clone(), message);
+    draft.note(mistake.label("touches nothing").help(help));
+    None
 }

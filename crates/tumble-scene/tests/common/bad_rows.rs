@@ -121,7 +121,7 @@ pub(crate) const FIGURES: &[Row] = &[
         "y = \"rod.angle\"",
         "y = \"rod.angle\"\nduring = [\"2 s\", \"1 s\"]",
         "E0531 [\"2 s\", \"1 s\"]",
-        "shows nothing",
+        "there is nothing from",
     ),
     (
         "y = \"rod.angle\"",

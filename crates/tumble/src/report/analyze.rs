@@ -1,8 +1,11 @@
 //! What the motion says: curves, pictures, books, checks, and what was found.
 
+use tumble_expr::Expr;
+use tumble_mech::Extreme;
+use tumble_ode::Side;
 use tumble_report::numeral;
 use tumble_report::report::{Analyze, Case as CaseShown, Check, Column, Picture, Plot, Table, Text};
-use tumble_scene::Study;
+use tumble_scene::{Instant, Study};
 
 use super::names::{Names, quantity};
 use super::{animation, books, findings};
@@ -10,6 +13,7 @@ use crate::book_figures;
 use crate::case::Case;
 use crate::checks::CheckResult;
 use crate::figures;
+use crate::moments::Moments;
 use crate::pipeline::PipelineError;
 
 /// Digits of an error: its size is what counts.
@@ -57,14 +61,18 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
     if cases.len() < 2 {
         return Ok(None);
     }
+    let over_time = study.plots.iter().filter(|plot| plot.x.is_none());
     let curves: Vec<_> =
-        study.plots.iter().filter(|plot| plot.x.is_none()).flat_map(|plot| &plot.y).collect();
+        over_time.flat_map(|plot| plot.y.iter().map(|curve| (curve, plot.during.as_ref()))).collect();
     let mut columns = vec![Column::words("Run"), Column::numbers("Events")];
-    for curve in &curves {
+    for (curve, _) in &curves {
         let unit = &curve.quantity.unit;
         let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
-        let head =
-            |what: &str| Text::from(format!("{what} ")).and(names.label(&curve.text)).and(unit.clone());
+        let name = match &curve.label {
+            Some(label) => label.as_str().into(),
+            None => Text::from(names.label(&curve.text)),
+        };
+        let head = |what: &str| Text::from(format!("{what} ")).and(name.clone()).and(unit.clone());
         columns.extend([
             Column::numbers(head("least")),
             Column::numbers(head("greatest")),
@@ -73,21 +81,36 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
     }
     let mut table = Table::new("The runs side by side", columns);
     for case in cases {
-        let formulas: Vec<_> = curves.iter().map(|curve| curve.quantity.formula.clone()).collect();
-        let rows = crate::tables::sample(&study.with(&case.parameters), &case.run, &formulas)?;
+        let study = study.with(&case.parameters);
         let mut cells =
             vec![Text::from(figures::case_label(case)), case.run.trajectory.events.len().to_string().into()];
-        for index in 0..curves.len() {
-            let values = || rows.iter().map(|row| row.values[index]);
-            let (least, most) =
-                (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-            cells.extend(
-                [least, most, values().next_back().unwrap_or(f64::NAN)].map(|value| quantity(value, "")),
-            );
+        for (curve, during) in &curves {
+            let values = least_greatest_last(&study, case, &curve.quantity.formula, *during)?;
+            cells.extend(values.map(|value| quantity(value, "")));
         }
         table.rows.push(cells);
     }
     Ok(Some(table))
+}
+
+/// What a curve comes to in one run; no numbers where it is not there.
+fn least_greatest_last(
+    study: &Study,
+    case: &Case,
+    formula: &Expr,
+    during: Option<&[Instant; 2]>,
+) -> Result<[f64; 3], PipelineError> {
+    let (run, moments) = (&case.run, Moments::of(study, &case.run));
+    let (Some(formula), Some(window), Some(end)) =
+        (moments.known(formula), moments.window(during)?, run.trajectory.end())
+    else {
+        return Ok([f64::NAN; 3]);
+    };
+    // A curve with so many corners that its extremes cannot be told has none here.
+    let extreme = |which| run.extreme(&formula, which, window).ok().flatten().map(|peak| peak.value);
+    let last = run.observe(std::slice::from_ref(&formula))?.at(window[1].min(end), Side::After);
+    let found = [extreme(Extreme::Least), extreme(Extreme::Greatest), last.map(|values| values[0])];
+    Ok(found.map(|value| value.unwrap_or(f64::NAN)))
 }
 
 fn one(case: &Case) -> Result<CaseShown, PipelineError> {

@@ -73,6 +73,9 @@ fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: us
 }
 
 /// The equations of motion of one body in one mode, with the names they are shown by.
+///
+/// Forces of several lasting contacts stand in them by name, and what determines them below: solved for, they would be a
+/// matrix's inverse.
 struct Motion {
     notation: Notation,
     lines: Vec<(Left, Expr)>,
@@ -84,21 +87,36 @@ impl Motion {
         let model_body = &study.model.bodies[body];
         let kinematics = model_body.kinematics();
         let mass = equations.mass_properties(body);
-        let in_states = |symbol: Symbol| equations.in_states(mode, &symbol.into());
+        let constraints = equations.shown_constraints(mode, body);
+        let is_solved = constraints.len() < 2;
         let notation = names.notation().clone();
         if study.model.pivot_of(&model_body.name).is_some() {
             let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
             let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
-            return Self { notation, lines: vec![(left, in_states(kinematics.alpha_symbol()))] };
+            let alpha = equations.in_states(mode, &kinematics.alpha_symbol().into());
+            return Self { notation, lines: vec![(left, alpha)] };
         }
-        let times = |factor: &Expr, symbol: &Symbol| {
+        let terms = if is_solved { vec![] } else { equations.shown_terms(mode) };
+        let times = |factor: &Expr, symbol: &Symbol, part: fn(&Term) -> Expr| {
             let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
-            (left, in_states(symbol.clone()))
+            let own = terms.iter().filter(|term| term.body == body);
+            let right = match is_solved {
+                true => equations.in_states(mode, &symbol.clone().into()),
+                false => own.map(part).fold(Expr::zero(), |sum, part| sum + part) / factor,
+            };
+            (left, right)
         };
         let [ax, ay] = kinematics.acceleration_symbols();
-        let mut lines = vec![times(&mass.mass, &ax), times(&mass.mass, &ay)];
+        let mut lines = vec![
+            times(&mass.mass, &ax, |term| term.force.x().clone()),
+            times(&mass.mass, &ay, |term| term.force.y().clone()),
+        ];
         if !is_identically_zero(&mass.inertia) {
-            lines.push(times(&mass.inertia, &kinematics.alpha_symbol()));
+            lines.push(times(&mass.inertia, &kinematics.alpha_symbol(), Term::torque));
+        }
+        if !is_solved {
+            let zero = || Left::symbol(Formula::Number("0".to_owned()));
+            lines.extend(constraints.into_iter().map(|constraint| (zero(), constraint)));
         }
         Self { notation, lines }
     }
@@ -117,13 +135,34 @@ mod tests {
     /// Rounding of formulas in another order of operations.
     const ROUNDING: f64 = 1e-9;
 
+    /// Two contacts that last.
+    const LADDER: &str = r#"version = 1
+        world.gravity = "9.81 m/s^2"
+        run.until = "1 s"
+        [body.ladder]
+        rod = { from = [0, "2 m"], to = [0, "-2 m"] }
+        mass = "12 kg"
+        start = { at = ["1 m", "sqrt(3)*(1 m)"], angle = "30 deg" }
+        [surface.floor]
+        through = [0, 0]
+        rigid = { restitution = 0 }
+        [surface.wall]
+        through = [0, 0]
+        normal = [1, 0]
+        rigid = { restitution = 0 }
+    "#;
+
     /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
     #[test]
     fn printed_equations_are_those_that_were_integrated() {
         let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+        let scenes = std::fs::read_dir(scenes).expect("the scenes");
+        let scenes = scenes.map(|folder| folder.expect("readable").path().join("scene.toml"));
+        let own = tempfile::tempdir().expect("a folder");
+        let ladder = own.path().join("ladder.toml");
+        std::fs::write(&ladder, LADDER).expect("written");
         let mut compared = 0;
-        for folder in std::fs::read_dir(scenes).expect("the scenes") {
-            let scene = folder.expect("readable").path().join("scene.toml");
+        for scene in scenes.chain([ladder]) {
             let out = tempfile::tempdir().expect("a folder");
             let options = Options {
                 out: out.path().to_owned(),
@@ -147,11 +186,14 @@ mod tests {
     fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
         let trajectory = &case.run.trajectory;
         let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
+        let integrated = integrated(study, case, &trajectory.modes[mode], body);
         let shown = motion.shown().expect("it can be shown");
         let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
         let mut compared = 0;
-        for (line, (left, right)) in shown.lines.iter().zip(&motion.lines) {
-            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * right);
+        // What determines forces of contacts follows the accelerations.
+        let integrated = integrated.into_iter().chain(std::iter::repeat(Expr::zero()));
+        for (line, ((left, _), right)) in shown.lines.iter().zip(motion.lines.iter().zip(integrated)) {
+            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * &right);
             let mut both =
                 case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
             for piece in &pieces {
@@ -163,5 +205,17 @@ mod tests {
             }
         }
         compared
+    }
+
+    /// The accelerations as the integrator has them.
+    fn integrated(study: &Study, case: &Case, mode: &Mode, body: usize) -> Vec<Expr> {
+        let of_model = &study.model.bodies[body];
+        let motion = of_model.kinematics();
+        let [ax, ay] = motion.acceleration_symbols();
+        let shown = match study.model.pivot_of(&of_model.name) {
+            Some(_) => vec![motion.alpha_symbol()],
+            None => vec![ax, ay, motion.alpha_symbol()],
+        };
+        shown.into_iter().map(|symbol| case.run.equations.in_states(mode, &symbol.into())).collect()
     }
 }

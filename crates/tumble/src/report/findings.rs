@@ -12,7 +12,7 @@
 //! | resonance | one run of a sweep swings by [`STANDS_OUT`] times the median of all |
 
 use tumble_expr::Expr;
-use tumble_mech::{Body, Gravity, Observer, Run};
+use tumble_mech::{Body, Contact, Extreme, Gravity, Observer, Run};
 use tumble_ode::Side;
 use tumble_report::report::Text;
 use tumble_scene::Study;
@@ -157,6 +157,12 @@ impl Seen<'_> {
         Ok(self.error(time, formula)?.map(|error| (error / rate).abs() + rounding))
     }
 
+    /// The greatest or least angle.
+    fn extreme(&self, which: Extreme) -> Result<f64, PipelineError> {
+        let peak = self.run.extreme(&self.body.kinematics().angle(), which, [0.0, f64::INFINITY])?;
+        Ok(peak.map_or(f64::NAN, |peak| peak.value))
+    }
+
     fn name(&self) -> &str {
         &self.body.name
     }
@@ -199,15 +205,26 @@ impl Seen<'_> {
         Ok((turns.abs() >= 1.0).then(|| words.and(turned).and(format!(" {way}."))))
     }
 
-    fn bounces(&self) -> Option<Text> {
+    fn bounces(&self) -> Vec<Text> {
+        let surfaces = self.study.model.surfaces.iter();
+        surfaces.filter_map(|surface| self.bounces_on(&surface.name)).collect()
+    }
+
+    /// Each point of the body that touches counts.
+    fn bounces_on(&self, surface: &str) -> Option<Text> {
         let pairs = self.run.equations.pairs();
-        let model = self.run.equations.model();
-        let own = |pair: usize| model.bodies[pairs[pair].body].name == self.body.name;
-        let contacts: Vec<_> = self.run.contacts().into_iter().filter(|contact| own(contact.pair)).collect();
+        let place = format!("{surface}.{}.", self.name());
+        let own = |contact: &Contact| pairs[contact.pair].name.starts_with(&place);
+        let contacts = joined(self.run.contacts().into_iter().filter(own));
         let first = contacts.first()?;
+        let by = |pair: usize| pairs[pair].name[place.len()..].to_owned();
+        let mut points: Vec<String> = contacts.iter().map(|contact| by(contact.pair)).collect();
+        points.sort();
+        points.dedup();
+        let by = points.join(", ");
         let times = match contacts.len() {
-            1 => " touches once, at ".to_owned(),
-            several => format!(" touches {several} times, first at "),
+            1 => format!(" touches {surface} once, by {by}, at "),
+            several => format!(" touches {surface} {several} times, by {by}, first at "),
         };
         let words = Text::from(self.name().to_owned()).and(times);
         let when = |time: f64| {
@@ -256,6 +273,22 @@ impl Seen<'_> {
     }
 }
 
+/// Contacts of one point that follow on each other at once, such as an impact and the rest that it leads to, as one.
+fn joined(contacts: impl Iterator<Item = Contact>) -> Vec<Contact> {
+    let mut found: Vec<Contact> = vec![];
+    for contact in contacts {
+        let before = found.iter_mut().rfind(|before| before.pair == contact.pair);
+        match before.filter(|before| before.end >= contact.start) {
+            Some(before) => {
+                before.end = before.end.max(contact.end);
+                before.is_open |= contact.is_open;
+            }
+            None => found.push(contact),
+        }
+    }
+    found
+}
+
 /// A value to the digits that hold, at most so many as are read, and how many those are.
 fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
     let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
@@ -291,9 +324,7 @@ fn resonance(study: &Study, cases: &[Case]) -> Result<Option<Text>, PipelineErro
     let (mut swings, mut errors) = (vec![], vec![]);
     for case in cases {
         let seen = Seen { study, case, run: &case.run, body };
-        let values = seen.values(&body.kinematics().angle())?;
-        let least = values.iter().map(|(_, angle)| *angle).fold(f64::INFINITY, f64::min);
-        let most = values.iter().map(|(_, angle)| *angle).fold(f64::NEG_INFINITY, f64::max);
+        let (least, most) = (seen.extreme(Extreme::Least)?, seen.extreme(Extreme::Greatest)?);
         let error = seen.error(seen.end(), &body.kinematics().angle())?;
         swings.push(most - least);
         errors.push(error.map(|error| 2.0 * error));

@@ -1,6 +1,6 @@
 //! What is given and what is sought.
 
-use tumble_expr::{Dimension, Expr, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
 use tumble_mech::{Body, Shape};
 use tumble_ode::Side;
 use tumble_report::report::{BodyRow, Identify, Quantity, Text};
@@ -76,16 +76,21 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, PipelineErr
             name: symbol.name.to_string().into(),
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
-            unit: if symbol.dimension == Dimension::NONE {
-                String::new()
-            } else {
-                unit(symbol.dimension, false)
-            },
+            unit: unit_of(study, symbol),
             ..Quantity::default()
         };
         Ok(if formula.symbols().is_empty() { found } else { found.by(names.formula(formula)) })
     })
     .collect()
+}
+
+/// Nothing for a pure number.
+fn unit_of(study: &Study, parameter: &Symbol) -> String {
+    let is_angle = study.angles.contains(&*parameter.name);
+    if parameter.dimension == Dimension::NONE && !is_angle {
+        return String::new();
+    }
+    unit(parameter.dimension, is_angle)
 }
 
 /// The states just before anything happens.
@@ -97,7 +102,7 @@ fn initial(names: &Names, case: &Case) -> Vec<Quantity> {
         Some(event) => event.before.clone(),
         None => run.trajectory.states_at(0.0, Side::After).unwrap_or_default(),
     };
-    let row = |(symbol, value): (tumble_expr::Symbol, f64)| Quantity {
+    let row = |(symbol, value): (Symbol, f64)| Quantity {
         name: symbol.name.to_string().into(),
         symbol: names.label(&symbol.name).into(),
         value: quantity(value, ""),
@@ -112,7 +117,10 @@ fn sought(study: &Study, names: &Names) -> Vec<Text> {
     let of_time = |text: &str| Text::from(names.label(text)).and("(t)");
     let mut sought = vec![];
     for curve in study.plots.iter().flat_map(|plot| &plot.y) {
-        let text = of_time(&curve.text);
+        let text = match &curve.label {
+            Some(label) => label.as_str().into(),
+            None => of_time(&curve.text),
+        };
         if !sought.contains(&text) {
             sought.push(text);
         }

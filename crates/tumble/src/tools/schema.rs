@@ -160,22 +160,30 @@ fn output() -> Value {
 }
 
 fn plot() -> Value {
-    let curves = json!({ "type": "array", "minItems": 1, "items": named("formula") });
+    let labelled = closed(
+        "labelled formula",
+        &[
+            must("value", named("formula"), "The formula."),
+            must("label", named("text"), "How figures call it."),
+        ],
+    );
+    let curve = json!({ "anyOf": [named("formula"), labelled] });
+    let curves = json!({ "type": "array", "minItems": 1, "items": curve });
     closed(
         "[plot.NAME]",
         &[
-            must(
-                "y",
-                json!({ "anyOf": [named("formula"), curves] }),
-                "A formula, or several of one dimension.",
-            ),
-            may("x", named("formula"), "The time without it."),
+            must("y", json!({ "anyOf": [curve, curves] }), "A formula, or several of one dimension."),
+            may("x", curve, "The time without it."),
             may(
                 "during",
                 parts::pair(named("quantity")),
                 "`[from, to]`: times, events or contacts; all without it.",
             ),
-            may("title", named("text"), "Above the figure; that of the scene without it."),
+            may(
+                "title",
+                named("text"),
+                "Above the figure; the scene's title and the figure's name without it.",
+            ),
         ],
     )
 }
@@ -189,7 +197,11 @@ fn books() -> Value {
                 choice(&tumble_scene::Sheet::ALL.map(tumble_scene::Sheet::word)),
                 "Kinetic, potential and total energy, which is shown without it; the work of each load; what is left.",
             ),
-            may("title", named("text"), "Above the figure; that of the scene without it."),
+            may(
+                "title",
+                named("text"),
+                "Above the figure; the scene's title and the figure's name without it.",
+            ),
         ],
     )
 }
@@ -210,7 +222,11 @@ fn stroboscope() -> Value {
                 json!({ "type": "boolean" }),
                 "Whether the paths of the centres are drawn; they are without it.",
             ),
-            may("title", named("text"), "Above the picture; that of the scene without it."),
+            may(
+                "title",
+                named("text"),
+                "Above the picture; the scene's title and the picture's name without it.",
+            ),
         ],
     )
 }
@@ -230,7 +246,11 @@ fn free_body() -> Value {
         &[
             must("body", named("text"), "Name of the body."),
             must("at", json!({ "anyOf": [instant, instants] }), "An instant or a list of instants."),
-            may("title", named("text"), "Above the diagrams; that of the scene without it."),
+            may(
+                "title",
+                named("text"),
+                "Above the diagrams; the scene's title and the sheet's name without it.",
+            ),
         ],
     )
 }
@@ -245,7 +265,12 @@ fn check() -> Value {
             may(
                 "at",
                 named("quantity"),
-                "A time, or an event such as \"apex[2]\"; the end of the run without it.",
+                "A time, an event such as \"apex[2]\", \"its greatest\" or \"its least\"; the end of the run without it.",
+            ),
+            may(
+                "during",
+                parts::pair(named("quantity")),
+                "`[from, to]`, between which it is greatest or least; the whole run without it.",
             ),
         ],
     )

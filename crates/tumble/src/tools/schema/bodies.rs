@@ -107,7 +107,7 @@ fn surface() -> Value {
             may(
                 "on",
                 json!({ "anyOf": [named("text"), names] }),
-                "A body or a list of bodies; all without it.",
+                "A body, a point of one such as \"rod.tip\", or a list of such; all without it.",
             ),
             may("rigid", rigid(), "It does not give way; this, `spring` or `hertz`."),
             may("spring", spring(), "It gives way in proportion to the force."),

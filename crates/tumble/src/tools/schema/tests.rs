@@ -21,6 +21,7 @@ const TABLES: &[(&str, &str)] = &[
     ("[run]", "[run]\nuntil = \"1 s\"\nKEY = 1"),
     ("[output]", "[output]\nKEY = 1"),
     ("[plot.NAME]", "[plot.a]\nKEY = 1"),
+    ("labelled formula", "[plot.a]\ny = { KEY = 1 }"),
     ("[stroboscope.NAME]", "[stroboscope.a]\nKEY = 1"),
     ("[books.NAME]", "[books.a]\nKEY = 1"),
     ("[free_body.NAME]", "[free_body.a]\nKEY = 1"),

@@ -1,0 +1,108 @@
+//! Greatest and least values along a motion, against closed forms.
+
+mod common;
+
+use common::{bouncing_rod, close, hinged_rod, rigid, run};
+use tumble_expr::units::{KG, M, S};
+use tumble_expr::{Expr, Vector};
+use tumble_mech::{Body, Extreme, Gravity, Model, Run, Start, time};
+use tumble_ode::Side;
+
+const WHOLE: [f64; 2] = [0.0, f64::INFINITY];
+
+#[track_caller]
+fn peak(run: &Run, formula: &Expr, which: Extreme, between: [f64; 2]) -> (f64, f64) {
+    let found = run.extreme(formula, which, between).map_err(|error| error.to_string());
+    let peak = found.expect("no refusal").expect("a value");
+    (peak.time, peak.value)
+}
+
+/// A stone thrown up at 3 m/s with g = 10 m/s^2.
+fn stone() -> (Run, Body) {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(10 * M / (S * S));
+    let stone = model.add(Body::point("stone").mass(1 * KG));
+    model.starts.push(("stone".into(), Start::default().velocity([4 * M / S, 3 * M / S])));
+    (run(model, 1.0, 1e-9), stone)
+}
+
+#[test]
+fn the_top_of_a_throw() {
+    let (run, stone) = stone();
+    let motion = stone.kinematics();
+    let (time, height) = peak(&run, motion.position().y(), Extreme::Greatest, WHOLE);
+    close(time, 0.3, 1e-15);
+    close(height, 0.45, 1e-15);
+    // A window without the top has its extreme at its edge.
+    assert_eq!(peak(&run, motion.position().y(), Extreme::Greatest, [0.5, 0.8]).0, 0.5);
+    assert_eq!(peak(&run, motion.position().y(), Extreme::Least, [0.1, 0.6]).0, 0.6);
+    // Nothing of the motion is there.
+    assert_eq!(run.extreme(motion.position().y(), Extreme::Least, [2.0, 3.0]).ok(), Some(None));
+}
+
+#[test]
+fn the_least_speed_of_a_throw() {
+    let (run, stone) = stone();
+    let (time, speed) = peak(&run, &stone.kinematics().velocity().norm(), Extreme::Least, WHOLE);
+    close(time, 0.3, 1e-14);
+    close(speed, 4.0, 1e-15);
+}
+
+/// A formula with kinks, a jump, and a value that is narrow beside the step: a free flight is one step.
+#[test]
+fn formulas_that_are_not_smooth() {
+    let (run, stone) = stone();
+    let y = stone.kinematics().position().y().clone();
+    let kinked = -(&y - Expr::from(0.4) * M).abs();
+    let (at, value) = peak(&run, &kinked, Extreme::Greatest, WHOLE);
+    close(at, 0.2, 1e-12);
+    close(value, 0.0, 1e-12);
+    // 3 s of a ramp that drops back to zero: its upper end is come as near to as can be told.
+    let window = Expr::pulse(&time(), &(0 * S), &(0.7 * S));
+    let (at, value) = peak(&run, &(window * time()), Extreme::Greatest, WHOLE);
+    close(at, 0.7, 1e-12);
+    close(value, 0.7, 1e-12);
+    let oscillation = (200 * time() / S).sin();
+    let (at, value) = peak(&run, &oscillation, Extreme::Least, WHOLE);
+    close(value, -1.0, 1e-14);
+    close(at, 1.5 * std::f64::consts::PI / 200.0, 1e-9);
+}
+
+#[test]
+fn the_pivot_force_of_a_pendulum() {
+    let (mut model, rod) = hinged_rod();
+    model.starts.push(("rod".into(), Start::default().angle(Expr::pi() / 2)));
+    let run = run(model, 3.0, 1e-12);
+    // Falling from the horizontal, omega^2 = 3 g/L at the bottom.
+    let (_, fastest) = peak(&run, &rod.kinematics().omega(), Extreme::Greatest, WHOLE);
+    close(fastest, (3.0_f64 * 9.81).sqrt(), 1e-12);
+    let (_, slowest) = peak(&run, &rod.kinematics().omega(), Extreme::Least, WHOLE);
+    close(slowest, -(3.0_f64 * 9.81).sqrt(), 1e-12);
+    // At the bottom the centre has the acceleration omega^2 L/2 upwards.
+    let [_, ay] = rod.kinematics().acceleration_symbols();
+    let (_, lift) = peak(&run, &ay.into(), Extreme::Greatest, WHOLE);
+    close(lift, 1.5 * 9.81, 1e-11);
+}
+
+/// What an impact reverses is greatest just before it, in the phase that ends there.
+#[test]
+fn both_sides_of_an_impact_count() {
+    let run = run(bouncing_rod(rigid(0.5)), 1.0, 1e-12);
+    let body = &run.equations.model().bodies[0];
+    let vy = body.kinematics().velocity().y().clone();
+    let first = run.contacts()[0].start;
+    let found = run.extreme(&vy, Extreme::Least, [0.0, first + 1e-3]).ok().flatten().expect("a value");
+    assert_eq!((found.time, found.side), (first, Side::Before));
+    close(found.value, -9.81 * first, 1e-12);
+}
+
+#[test]
+fn a_length_that_stays_zero_and_one_without_a_value() {
+    let mut model = Model::new();
+    let stone = model.add(Body::point("stone").mass(1 * KG));
+    let run = run(model, 1.0, 1e-9);
+    let velocity: Vector = stone.kinematics().velocity();
+    assert_eq!(peak(&run, &velocity.norm(), Extreme::Greatest, WHOLE), (0.0, 0.0));
+    let none = (time() / S - 2).sqrt();
+    assert!(run.extreme(&none, Extreme::Greatest, WHOLE).is_err());
+}

@@ -1,0 +1,66 @@
+//! Works of loads up to an instant, by the names they have in checks: `floor.work`.
+
+use tumble_expr::{Expr, Substitution, Symbol, units};
+use tumble_mech::{Entry, Kind, Ledger};
+use tumble_ode::Side;
+
+use crate::books::ABOUT;
+use crate::case::Case;
+use crate::pipeline::PipelineError;
+
+/// How their names end.
+const WORK: &str = ".work";
+
+/// A formula with its works as numbers.
+pub(crate) struct Known {
+    /// The formula with the works that were found.
+    pub(crate) formula: Expr,
+    /// What it may be instead: for each work, the formula with that work off by its error.
+    pub(crate) variants: Vec<Expr>,
+    /// Whether all errors are known.
+    pub(crate) is_sure: bool,
+}
+
+/// Puts in the works that loads have done up to a time, s; `None` outside the motion.
+pub(crate) fn known(
+    case: &Case,
+    formula: Expr,
+    (time, side): (f64, Side),
+) -> Result<Option<Known>, PipelineError> {
+    let symbols: Vec<Symbol> =
+        formula.symbols().into_iter().filter(|symbol| symbol.name.ends_with(WORK)).collect();
+    if symbols.is_empty() {
+        return Ok(Some(Known { formula, variants: vec![], is_sure: true }));
+    }
+    let mut ledger = Ledger::of(&case.run, ABOUT)?;
+    let Some(reading) = ledger.at(time, side)? else { return Ok(None) };
+    let errors = match &case.trust {
+        Some(trust) => trust.work_errors(&mut ledger, time, side)?,
+        None => None,
+    };
+    let sum = |symbol: &Symbol, of: &[f64]| -> f64 {
+        let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
+        let entries = ledger.entries.iter().zip(of);
+        entries.filter(|(entry, _)| is_work_of(entry, load)).map(|(_, amount)| amount).sum()
+    };
+    let with = |off: Option<usize>| {
+        let mut found = Substitution::default();
+        for (index, symbol) in symbols.iter().enumerate() {
+            let error = match &errors {
+                Some(errors) if off == Some(index) => sum(symbol, errors),
+                _ => 0.0,
+            };
+            found.insert(symbol.clone(), Expr::from(sum(symbol, &reading.work) + error) * units::J);
+        }
+        found.apply(&formula)
+    };
+    let variants = (0..symbols.len()).map(|index| with(Some(index))).collect();
+    Ok(Some(Known { formula: with(None), variants, is_sure: errors.is_some() }))
+}
+
+/// Whether an entry is what the force of a load, or a part of a load such as one contact of a surface, did to a body.
+fn is_work_of(entry: &Entry, load: &str) -> bool {
+    let rest = entry.load.strip_prefix(load);
+    let is_part = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    is_part && matches!(entry.kind, Kind::Conservative | Kind::Work | Kind::Impact)
+}
