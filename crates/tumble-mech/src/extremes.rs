@@ -17,8 +17,10 @@ use crate::run::{Run, RunError};
 const PLACES: [f64; 6] = [0.125, 0.25, 0.5, 0.618, 0.8, 1.0];
 /// What they may differ by, relative to the series' terms; the instant of a turn is corrected afterwards.
 const AGREES: f64 = 1e-9;
-/// What rounding makes of any value, relative to the largest.
+/// What rounding makes of any value, relative to the largest; ...
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// ... or, where it is a small difference of large ones, to what it changes by when the states change by one rounding.
+const CANCELLATION: f64 = 64.0;
 /// Shorter parts of a piece are not halved any more.
 const SHORTEST: f64 = 1e-13;
 /// A piece is cut into no more parts: one kink takes some fifty.
@@ -64,7 +66,8 @@ impl Run {
                 empty => empty.insert(self.expander(piece.mode, formula)?),
             };
             let [low, high] = [from, to].map(|time| piece.clock_at(time.clamp(piece.start, piece.end)));
-            let mut search = Search { piece, jets, best: &mut best, parts: 0, largest: 0.0 };
+            let mut search = Search { piece, jets, best: &mut best, parts: 0, largest: 0.0, noise: 0.0 };
+            search.find_noise([low, high]);
             search.part([low, high]).map_err(|at| cornered(piece, at))?;
         }
         Ok(best.peak)
@@ -111,6 +114,8 @@ struct Search<'a> {
     parts: usize,
     /// Largest size of a value so far.
     largest: f64,
+    /// What a rounding of the states changes the value by.
+    noise: f64,
 }
 
 impl Search<'_> {
@@ -147,13 +152,32 @@ impl Search<'_> {
     }
 
     fn value(&mut self, s: f64) -> f64 {
-        let states = self.piece.states_at_clock(s);
-        self.jets.start(self.piece.time_at(s), &states, Branches::Free);
-        let value = self.jets.value_of(0);
+        let value = self.value_with(s, [0.0; 2]);
         if value.is_finite() {
             self.largest = self.largest.max(value.abs());
         }
         value
+    }
+
+    /// The value where every other state is off by one part of itself, and those between them by another.
+    fn value_with(&mut self, s: f64, off: [f64; 2]) -> f64 {
+        let mut states = self.piece.states_at_clock(s);
+        states.iter_mut().zip(off.iter().cycle()).for_each(|(state, off)| *state *= 1.0 + off);
+        self.jets.start(self.piece.time_at(s) * (1.0 + off[0]), &states, Branches::Free);
+        self.jets.value_of(0)
+    }
+
+    /// The middle one of several places: at a jump or a corner a rounding changes more.
+    fn find_noise(&mut self, [low, high]: [f64; 2]) {
+        let change = |place: &f64| {
+            let s = low + place * (high - low);
+            let value = self.value(s);
+            let off = [[1.0, -1.0], [1.0, 1.0]].map(|off| off.map(|off| off * f64::EPSILON));
+            off.map(|off| (self.value_with(s, off) - value).abs()).into_iter().fold(0.0, f64::max)
+        };
+        let mut changes: Vec<f64> = PLACES.iter().map(change).filter(|change| change.is_finite()).collect();
+        changes.sort_by(f64::total_cmp);
+        self.noise = changes.get(changes.len() / 2).copied().unwrap_or(0.0);
     }
 
     /// The formula's series about a reading of the clock.
@@ -176,13 +200,14 @@ impl Search<'_> {
             // A length that stays zero has no series, and needs none.
             return PLACES.iter().all(|place| self.value(from + place * length) == series[0]);
         }
+        let rounding = ROUNDING * self.largest + CANCELLATION * self.noise;
         PLACES.iter().all(|place| {
             let s = place * length;
             let (mut sum, mut terms) = (0.0, 0.0);
             for c in series.iter().rev() {
                 (sum, terms) = (sum * s + c, terms * s + c.abs());
             }
-            (self.value(from + s) - sum).abs() <= AGREES * terms + ROUNDING * self.largest
+            (self.value(from + s) - sum).abs() <= AGREES * terms + rounding
         })
     }
 

@@ -24,6 +24,7 @@ impl Hybrid for Equations {
             name: event.name.clone(),
             formula: event.when.clone(),
             direction: event.direction,
+            bounds: false,
         });
         let guards = events.chain(self.touching_guards(mode));
         let guards = guards.map(|guard| Guard { formula: in_mode.apply(&guard.formula), ..guard });

@@ -5,7 +5,7 @@ mod common;
 use common::{at, close, run};
 use proptest::prelude::*;
 use tumble_expr::units::{KG, M, N, RAD, S};
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Expr, Relation, Vector};
 use tumble_mech::{
     Action, Body, ContactLaw, Event, Gravity, Load, Model, Moment, Place, Start, Surface, time,
 };
@@ -104,6 +104,29 @@ fn an_event_is_recorded_and_changes_nothing() {
     assert_eq!((event.time, event.tags.as_slice()), (1.0, &["apex".to_owned()][..]));
     assert_eq!(event.before, event.after);
     close(at(&run, 3.0, [ball.kinematics().position()[1].clone()])[0], -15.0, 1e-15);
+}
+
+/// Steps of a motion that nothing is known of are an eighth of it: what happens at their ends is seen, and once.
+#[test]
+fn what_happens_at_the_end_of_a_step_is_an_event() {
+    for accuracy in [1e-6, 1e-9, 1e-12] {
+        let mut model = Model::new();
+        let ball = model.add(Body::point("ball").mass(1 * KG));
+        model.starts.push(("ball".into(), Start::default().velocity([1 * M / S, 0 * M / S])));
+        // A force that keeps the motion from being a polynomial, and has no limit to the reach of a step.
+        let late = Expr::compare(Relation::Less, time() / S, Expr::from(0.6));
+        let force = Expr::select(late, Expr::zero(), (time() / S).sin()) * N;
+        model.force("late", &ball.cm(), Vector::planar(Expr::zero(), force));
+        let x = ball.kinematics().position()[0].clone();
+        for place in [0.125, 0.25, 0.3, 0.375, 0.5, 1.0] {
+            let when = &x - place * M;
+            let action = Action::Record;
+            model.events.push(Event { name: place.to_string(), when, direction: Direction::Rising, action });
+        }
+        let run = run(model, 1.0, accuracy);
+        let times: Vec<f64> = run.trajectory.events.iter().map(|event| event.time).collect();
+        assert_eq!(times, [0.125, 0.25, 0.3, 0.375, 0.5, 1.0], "{accuracy}");
+    }
 }
 
 /// A formula with a branch jumps over zero without crossing it, or touches it and turns back.

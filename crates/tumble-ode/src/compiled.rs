@@ -29,6 +29,8 @@ pub(crate) struct Compiled {
     /// Names of guards and candidates.
     pub(crate) guard_names: Vec<String>,
     pub(crate) guard_directions: Vec<Direction>,
+    /// Which of them end the flow at once where they are at zero and about to cross.
+    pub(crate) guard_bounds: Vec<bool>,
     /// Whether there is anything to watch along a step.
     pub(crate) is_watched: bool,
 }
@@ -63,6 +65,7 @@ impl Compiled {
             guards: flow.guards.len(),
             guard_names: watched(flow).map(|guard| guard.name.clone()).collect(),
             guard_directions: watched(flow).map(|guard| guard.direction).collect(),
+            guard_bounds: watched(flow).map(|guard| guard.bounds).collect(),
             is_watched,
         })
     }

@@ -280,16 +280,19 @@ impl Engine {
             }
         }
         for (guard, series) in expansion.guards.iter().enumerate() {
-            let direction = self.system.guard_directions[guard];
-            let found =
-                crossings(series, self.sides.zero_guards[guard]).filter(|(_, to)| direction.allows(*to));
+            let (direction, zeros) = (self.system.guard_directions[guard], self.sides.zero_guards[guard]);
+            if self.system.guard_bounds[guard] && is_overdue(series, zeros, direction) {
+                hits.push((0.0, Hit::Guard(guard)));
+                continue;
+            }
+            let found = crossings(series, zeros).filter(|(_, to)| direction.allows(*to));
             hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
         }
         for (candidate, series) in &expansion.near {
             let guard = self.system.guards + candidate;
             let direction = self.system.guard_directions[guard];
             let zeros = self.sides.zero_guards[guard];
-            if is_overdue(series, zeros, direction) {
+            if self.system.guard_bounds[guard] && is_overdue(series, zeros, direction) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
             }
@@ -409,8 +412,8 @@ impl Engine {
     }
 }
 
-/// Whether a candidate that should be on one side is found on, or beyond, zero and goes on beyond: rounding has hidden its
-/// crossing, which happens now.
+/// Whether a guard that should be on one side is found on, or beyond, zero and goes on beyond: it crosses now, or rounding
+/// has hidden that it did.
 fn is_overdue(series: &[f64], zeros: usize, direction: Direction) -> bool {
     let beyond = leading_sign(&series[1..]);
     zeros == 0 && direction != Direction::Both && direction.allows(beyond) && series[0] * beyond >= 0.0

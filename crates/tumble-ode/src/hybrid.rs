@@ -51,6 +51,9 @@ pub struct Guard {
     pub formula: Expr,
     /// Which crossings count.
     pub direction: Direction,
+    /// Whether the flow holds on one side of zero only: found at zero and about to cross, it ends the flow at once. An
+    /// event is not that: what starts at its value has not passed it.
+    pub bounds: bool,
 }
 
 /// A guard outside the tape of the field: of many of them, only those near zero cost more than a comparison.

@@ -7,6 +7,7 @@
 
 use crate::bernstein::Bernstein;
 use crate::polynomial;
+use crate::signs::leading;
 
 /// Parts of the interval below which roots are not told apart: a double root of a polynomial known to rounding is
 /// spread over about its square root.
@@ -27,19 +28,44 @@ pub(crate) struct Root {
 }
 
 /// Roots in (0, length], in order, of a polynomial by its coefficients of powers. One at 0 is not counted.
-///
-/// Rounding is relative to the largest terms, which are those at the far end: where the polynomial is much smaller at
-/// its beginning, that is searched by itself.
 pub(crate) fn roots(powers: &[f64], length: f64) -> Vec<Root> {
     if keeps_away(powers, length) {
         return vec![];
     }
+    let mut found = inside(powers, length);
+    found.extend(at_end(powers, length));
+    found
+}
+
+/// A root at the end of the interval, but for rounding: signs within it do not tell of that one.
+fn at_end(powers: &[f64], length: f64) -> Option<Root> {
+    let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
+    if polynomial::value(powers, length).abs() > noise_of(powers, size) || !size.is_finite() {
+        return None;
+    }
+    let ahead = polynomial::shifted(powers, length);
+    let order = 1 + leading(&ahead[1..])?;
+    let crosses = !order.is_multiple_of(2);
+    Some(Root { at: length, crosses_to: crosses.then(|| ahead[order].signum()) })
+}
+
+/// What rounding makes of a value that is the sum of terms of that size.
+fn noise_of(powers: &[f64], size: f64) -> f64 {
+    powers.len() as f64 * f64::EPSILON * size
+}
+
+/// Roots in (0, length), as far as signs on both sides tell of them.
+///
+/// Rounding is relative to the largest terms, which are those at the far end: where the polynomial is much smaller at
+/// its beginning, that is searched by itself.
+fn inside(powers: &[f64], length: f64) -> Vec<Root> {
     let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
     let (first, near) = (powers[0].abs(), length * BEGINNING);
     if first == 0.0 || first > SMALL * size || near < f64::MIN_POSITIVE {
         return search(powers, length);
     }
-    let mut found = roots(powers, near);
+    let mut found = inside(powers, near);
+    found.extend(at_end(powers, near));
     let rest = search(&polynomial::shifted(powers, near), length - near);
     found.extend(rest.into_iter().map(|root| Root { at: near + root.at, ..root }));
     found
@@ -65,17 +91,17 @@ fn search(powers: &[f64], length: f64) -> Vec<Root> {
     if !size.is_finite() || size == 0.0 {
         return vec![];
     }
-    let noise = scaled.len() as f64 * f64::EPSILON * size;
+    let noise = noise_of(&scaled, size);
     let mut search = Search { scaled: &scaled, noise, found: vec![] };
     search.interval(&Bernstein::new(&scaled), 0.0, 1.0);
     search.found.iter().map(|root| Root { at: root.at * length, ..*root }).collect()
 }
 
-/// Whether the lowest terms outweigh all others on the interval.
+/// Whether the lowest terms outweigh all others on the interval, and not by rounding alone.
 fn keeps_away(powers: &[f64], length: f64) -> bool {
     let terms = powers.iter().skip(1).rev();
     let others = terms.fold(0.0, |sum: f64, c| (sum + c.abs()) * length);
-    powers.first().is_none_or(|first| first.abs() > others)
+    powers.first().is_none_or(|first| first.abs() - others > noise_of(powers, first.abs()))
 }
 
 struct Search<'a> {
@@ -195,7 +221,11 @@ mod tests {
     #[test]
     fn roots_at_the_ends() {
         // At 0 it is not counted, at the end it is.
-        same(&crossings(&with_roots(1.0, &[0.0, 1.0]), 1.0), &[], 1e-15);
+        same(&crossings(&with_roots(1.0, &[0.0, 1.0]), 1.0), &[1.0], 1e-15);
+        same(&crossings(&[-0.125, 1.0], 0.125), &[0.125], 1e-17);
+        same(&crossings(&[-0.1, 1.0], 0.1), &[0.1], 1e-17);
+        same(&crossings(&with_roots(1.0, &[1.0, 1.0]), 1.0), &[], 1e-15);
+        same(&crossings(&with_roots(1.0, &[1.0, 1.0, 1.0]), 1.0), &[1.0], 1e-4);
         same(&crossings(&with_roots(1.0, &[0.5, 1.0 - 1e-12]), 1.0), &[0.5, 1.0], 2e-12);
         same(&crossings(&with_roots(1.0, &[1e-14]), 1.0), &[1e-14], 1e-20);
     }

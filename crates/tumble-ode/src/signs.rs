@@ -30,11 +30,16 @@ pub(crate) fn sign_after(series: &[f64]) -> f64 {
 
 /// Sign of the first coefficient that is more than rounding, on a stretch where the series is a few times its first term.
 pub(crate) fn leading_sign(series: &[f64]) -> f64 {
-    let Some(first) = series.iter().position(|c| *c != 0.0) else { return 0.0 };
+    leading(series).map_or(0.0, |k| series[k].signum())
+}
+
+/// Index of that coefficient.
+pub(crate) fn leading(series: &[f64]) -> Option<usize> {
+    let first = series.iter().position(|c| *c != 0.0)?;
     let reach = of_own_size(series).min(1.0);
     let term = |k: usize| (series[k] * libm::pow(reach, k as f64)).abs();
     let largest = (first..series.len()).map(term).fold(0.0, f64::max);
-    (first..series.len()).find(|k| term(*k) > SIGNIFICANT * largest).map_or(0.0, |k| series[k].signum())
+    (first..series.len()).find(|k| term(*k) > SIGNIFICANT * largest)
 }
 
 #[cfg(test)]

@@ -17,11 +17,11 @@ fn symbol(name: &str) -> Symbol {
 }
 
 fn guard(name: &str, formula: Expr) -> Guard {
-    Guard { name: name.into(), formula, direction: Direction::Falling }
+    Guard { name: name.into(), formula, direction: Direction::Falling, bounds: false }
 }
 
 fn candidate(name: &str, formula: Expr, slopes: Option<Vec<(usize, Expr)>>) -> Candidate {
-    Candidate { guard: guard(name, formula), group: 0, slopes }
+    Candidate { guard: Guard { bounds: true, ..guard(name, formula) }, group: 0, slopes }
 }
 
 /// A system of pure numbers; what a jump does is a function of the crossing.

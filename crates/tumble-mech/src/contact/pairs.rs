@@ -82,7 +82,9 @@ impl Equations {
                 Watched::Force => compliant::normal_force(pair).unwrap_or_else(Expr::zero),
                 Watched::Normal => pair.force_symbol().into(),
             };
-            Guard { name: pair.guard_name(watched), formula, direction }
+            // A surface does not pull, not for a moment.
+            let bounds = matches!(watched, Watched::Normal);
+            Guard { name: pair.guard_name(watched), formula, direction, bounds }
         };
         self.touching(mode).into_iter().map(guard).collect()
     }
@@ -104,6 +106,7 @@ impl Equations {
                     name: pair.guard_name(Watched::Gap),
                     formula: pair.gap(),
                     direction: Direction::Falling,
+                    bounds: true,
                 },
                 group: Measure::Length as usize,
                 slopes: slopes.map(by_state),
