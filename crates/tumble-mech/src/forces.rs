@@ -51,9 +51,10 @@ impl<'a> Forces<'a> {
     /// Every force that acts at a time, reactions and contacts included; at an event, on that side of it. Nothing outside
     /// the motion.
     pub fn at(&mut self, time: f64, side: Side) -> Result<Vec<Force>, Reason> {
-        let Some(piece) = self.run.trajectory.piece_at(time, side) else { return Ok(vec![]) };
-        let states = piece.states_at(time);
-        let (terms, jets) = self.in_mode(piece.mode)?;
+        let Some((mode, states)) = self.run.trajectory.mode_and_states_at(time, side) else {
+            return Ok(vec![]);
+        };
+        let (terms, jets) = self.in_mode(mode)?;
         jets.start(time, &states, Branches::Free);
         let value = |term: usize, which: usize| jets.value_of(term * OUTPUTS + which);
         let force = |(index, term): (usize, &Term)| Force {

@@ -29,9 +29,8 @@ impl<'a> Observer<'a> {
 
     /// Values of the formulas at `time`, in their order; `None` outside the trajectory.
     pub fn at(&mut self, time: f64, side: Side) -> Option<Vec<f64>> {
-        let piece = self.trajectory.piece_at(time, side)?;
-        let states = piece.states_at(time);
-        Some(self.values(piece.mode, time, &states))
+        let (mode, states) = self.trajectory.mode_and_states_at(time, side)?;
+        Some(self.values(mode, time, &states))
     }
 
     /// Values of the formulas just before and just after an event, by its index.

@@ -5,8 +5,8 @@ mod common;
 use common::{bouncing_rod, close, hinged_rod, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, Extreme, Gravity, Model, Run, Start, time};
-use tumble_ode::Side;
+use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, Run, Start, time};
+use tumble_ode::{Direction, Side};
 
 const WHOLE: [f64; 2] = [0.0, f64::INFINITY];
 
@@ -94,6 +94,22 @@ fn both_sides_of_an_impact_count() {
     let found = run.extreme(&vy, Extreme::Least, [0.0, first + 1e-3]).ok().flatten().expect("a value");
     assert_eq!((found.time, found.side), (first, Side::Before));
     close(found.value, -9.81 * first, 1e-12);
+}
+
+/// A run that ends with an impact ends after it.
+#[test]
+fn the_end_is_after_what_happens_there() {
+    let mut model = bouncing_rod(rigid(0.5));
+    let when = model.pairs()[0].gap_rate().clone();
+    let action = Action::Stop;
+    model.events.push(Event { name: "up".into(), when, direction: Direction::Rising, action });
+    let run = run(model, 1.0, 1e-12);
+    let contact = run.contacts()[0].clone();
+    assert_eq!(run.trajectory.end(), Some(contact.start));
+    let rate = run.equations.pairs()[contact.pair].gap_rate();
+    let mut observer = run.observe(&[rate]).expect("a formula of the motion");
+    let mut at = |side| observer.at(contact.start, side).expect("within the motion")[0];
+    close(at(Side::After), -0.5 * at(Side::Before), 1e-12);
 }
 
 #[test]

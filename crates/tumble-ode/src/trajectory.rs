@@ -89,18 +89,30 @@ impl<Mode> Trajectory<Mode> {
 
     /// States at `time`; `None` outside the motion.
     pub fn states_at(&self, time: f64, side: Side) -> Option<Vec<f64>> {
-        Some(self.piece_at(time, side)?.states_at(time))
+        Some(self.mode_and_states_at(time, side)?.1)
     }
 
-    /// States at the end; `None` if nothing was integrated.
+    /// Index of the mode that holds at `time`, and the states; `None` outside the motion.
     ///
-    /// After an event at the very end, the states that follow it.
-    pub fn last_states(&self) -> Option<Vec<f64>> {
-        let end = self.end()?;
-        match self.events.last() {
-            Some(event) if event.time == end => Some(event.after.clone()),
-            _ => self.states_at(end, Side::Before),
+    /// After an event at the very end, those that follow it: no piece begins with them.
+    pub fn mode_and_states_at(&self, time: f64, side: Side) -> Option<(usize, Vec<f64>)> {
+        match self.last_event() {
+            Some(last) if last.time == time && side == Side::After => {
+                Some((last.mode_after, last.after.clone()))
+            }
+            _ => self.piece_at(time, side).map(|piece| (piece.mode, piece.states_at(time))),
         }
+    }
+
+    /// States at the end, after what happens there; `None` if nothing was integrated.
+    pub fn last_states(&self) -> Option<Vec<f64>> {
+        self.states_at(self.end()?, Side::After)
+    }
+
+    /// The event at the very end, if there is one.
+    pub fn last_event(&self) -> Option<&Event> {
+        let end = self.end()?;
+        self.events.last().filter(|event| event.time == end)
     }
 }
 

@@ -16,6 +16,8 @@ use crate::symbols;
 const NEAR: f64 = 1.5;
 /// A couple below this part of the largest torque in a diagram is rounding of a resultant.
 const ROUNDING: f64 = 1e-9;
+/// A force below this part of the largest on a sheet, or an angle below it, is zero but for rounding.
+const NOTHING: f64 = 1e-12;
 
 /// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
 pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, PipelineError> {
@@ -31,10 +33,25 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, 
             _ => missing.push(instant.text.as_str()),
         }
     }
+    without_rounding(&mut sheet);
     if !missing.is_empty() {
         sheet.captions.push(Label::plain(&format!("Not in this motion: {}.", missing.join(", "))));
     }
     Ok(sheet)
+}
+
+/// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.
+fn without_rounding(sheet: &mut Sheet) {
+    let sizes = sheet.panels.iter().flat_map(|panel| &panel.forces).map(|arrow| size(arrow.vector));
+    let largest = sizes.fold(0.0, f64::max);
+    let forces = sheet.panels.iter_mut().flat_map(|panel| &mut panel.forces);
+    for arrow in forces.filter(|arrow| size(arrow.vector) < NOTHING * largest) {
+        arrow.vector = [0.0; 2];
+    }
+}
+
+fn size([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 struct Drawing<'a> {
@@ -63,7 +80,8 @@ impl Drawing<'_> {
         }
         if let Some(reference) = self.direction(body)? {
             let symbol = self.symbol(&format!("{}.angle", body.name));
-            panel = panel.angle(AngleMark { reference, ..AngleMark::horizontal(symbol, pose.angle) });
+            let angle = if pose.angle.abs() < NOTHING { 0.0 } else { pose.angle };
+            panel = panel.angle(AngleMark { reference, ..AngleMark::horizontal(symbol, angle) });
         }
         Ok(panel)
     }

@@ -21,7 +21,7 @@
 //!
 //! # Validity
 //! The runs are compared between events that both have. Next to an event, where one run is before it and the other past it,
-//! there is no d. A cascade of impacts is one event. From the first event that only one of them has, or once the error of a
+//! there is no d. Events that only record are not compared: they change nothing. A cascade of impacts is one event. From the first event that only one of them has, or once the error of a
 //! state is [`LOST`] of its scale, nothing is stated: that is the [`Horizon`].
 //!
 //! # Source
@@ -198,8 +198,10 @@ impl Trust {
 
     /// Error of the time of an event, s; `None` where nothing can be said of it.
     pub fn event_error(&self, time: f64) -> Option<f64> {
-        let phase = self.phases.all.iter().find(|[here, _]| here.end == time)?;
-        let apart = (phase[0].end - phase[1].end).abs();
+        let changing = self.phases.all.iter().map(|[here, there]| [here.end, there.end]);
+        let [here, there] =
+            changing.chain(self.phases.recorded.iter().copied()).find(|[here, _]| *here == time)?;
+        let apart = (here - there).abs();
         (time < self.end()).then_some(SAFETY * apart + ROUNDINGS * f64::EPSILON * time)
     }
 

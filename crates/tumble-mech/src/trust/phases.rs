@@ -1,5 +1,7 @@
 //! Which stretches of two runs of one motion belong together.
 
+use std::collections::{HashMap, VecDeque};
+
 use tumble_ode::{Event, Side, Trajectory};
 
 use crate::contact::Change;
@@ -17,6 +19,8 @@ pub(super) struct Phases {
     pub(super) all: Vec<[Stretch; 2]>,
     /// Where the two part, if they do.
     pub(super) parting: Option<Horizon>,
+    /// Times of events that change nothing, s, in the first run and in the second.
+    pub(super) recorded: Vec<[f64; 2]>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,17 +30,21 @@ pub(super) struct Stretch {
 }
 
 /// Walks along both runs, event by event, as far as they agree.
+///
+/// Events that only record change nothing: that one run has one more of them, at the edge of what it asks for, says
+/// nothing of the motion.
 pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     let runs = [&first.trajectory, &second.trajectory];
     let ends = runs.map(|run| run.end().unwrap_or(0.0));
-    let mut found = Phases::default();
+    let mut found = Phases { recorded: recorded(runs), ..Phases::default() };
+    let changing = runs.map(changing);
     let (mut from, mut at) = ([0.0; 2], [0; 2]);
     loop {
-        let events = [0, 1].map(|run| runs[run].events.get(at[run]));
+        let events = [0, 1].map(|run| changing[run].get(at[run]).copied());
         let next = match events {
             [None, None] => break,
             [Some(a), Some(b)] if is_same(runs, [a, b]) => at.map(|index| index + 1),
-            _ => match after_cascades(runs, at) {
+            _ => match after_cascades(&changing, at) {
                 Some(next) => next,
                 None => {
                     let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
@@ -45,14 +53,14 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
                 }
             },
         };
-        let to = [0, 1].map(|run| runs[run].events[next[run] - 1].time);
+        let to = [0, 1].map(|run| changing[run][next[run] - 1].time);
         found.push(from, to);
         (from, at) = (to, next);
     }
     found.push(from, ends);
     // One of them stopped early, without an event.
     let last = ends[0].min(ends[1]);
-    if ends[1] < ends[0] && !runs[0].events.last().is_some_and(|event| event.time == ends[0]) {
+    if ends[1] < ends[0] && runs[0].last_event().is_none() {
         found.parting = Some(Horizon { time: last, reason: Parting::Refused });
     }
     found
@@ -84,6 +92,24 @@ impl Phases {
     }
 }
 
+/// Events that change the motion or end it.
+fn changing(run: &Trajectory<Mode>) -> Vec<&Event> {
+    let changes = |event: &&Event| {
+        event.mode_before != event.mode_after || event.before != event.after || run.end() == Some(event.time)
+    };
+    run.events.iter().filter(changes).collect()
+}
+
+/// Times of the other events that both runs have: the first of a kind in both, the second, and so on.
+fn recorded(runs: [&Trajectory<Mode>; 2]) -> Vec<[f64; 2]> {
+    let mut later: HashMap<&[String], VecDeque<f64>> = HashMap::new();
+    for event in &runs[1].events {
+        later.entry(&event.tags).or_default().push_back(event.time);
+    }
+    let pair = |event: &Event| Some([event.time, later.get_mut(&event.tags[..])?.pop_front()?]);
+    runs[0].events.iter().filter_map(pair).collect()
+}
+
 /// Whether the same things happen, between the same modes.
 fn is_same(runs: [&Trajectory<Mode>; 2], [a, b]: [&Event; 2]) -> bool {
     let mode = |run: usize, index: usize| &runs[run].modes[index];
@@ -93,14 +119,63 @@ fn is_same(runs: [&Trajectory<Mode>; 2], [a, b]: [&Event; 2]) -> bool {
 }
 
 /// The events after the next ends of cascades, where these are the same in both.
-fn after_cascades(runs: [&Trajectory<Mode>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
+fn after_cascades(runs: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
     let next = |run: usize| {
-        let rest = runs[run].events.iter().enumerate().skip(at[run]);
+        let rest = runs[run].iter().enumerate().skip(at[run]);
         rest.filter(|(_, event)| Change::ends_cascade(event)).map(|(index, _)| index).next()
     };
     let [a, b] = [next(0)?, next(1)?];
-    let events = [&runs[0].events[a], &runs[1].events[b]];
+    let events = [runs[0][a], runs[1][b]];
     let apart = (events[0].time - events[1].time).abs();
     let is_limit = events[0].tags == events[1].tags && apart <= SAME_LIMIT * events[0].time;
     is_limit.then_some([a + 1, b + 1])
+}
+
+#[cfg(test)]
+mod tests {
+    use tumble_expr::units::{KG, M, S};
+    use tumble_ode::Direction;
+
+    use super::*;
+    use crate::{Action, Body, ContactLaw, Gravity, Model, Start, Surface};
+
+    /// A ball that bounces, with an event at each of its tops.
+    fn run() -> Run {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(10 * M / (S * S));
+        let ball = model.add(Body::point("ball").mass(1 * KG));
+        model
+            .starts
+            .push(("ball".into(), Start::default().at([0 * M, 1 * M]).velocity([0 * M / S, 1 * M / S])));
+        let law = ContactLaw::Rigid { restitution: 0.9.into() };
+        model.surface(Surface::floor("floor", 0 * M, law));
+        model.events.push(crate::Event {
+            name: "top".into(),
+            when: ball.kinematics().velocity().y().clone(),
+            direction: Direction::Falling,
+            action: Action::Record,
+        });
+        model.simulate(&[], 2 * S).expect("a motion")
+    }
+
+    #[test]
+    fn runs_part_by_what_changes_them_only() {
+        let first = run();
+        let bounces = changing(&first.trajectory).len();
+        assert!(bounces > 1 && bounces < first.trajectory.events.len());
+
+        let mut other = first.clone();
+        let last_top = other.trajectory.events.iter().rposition(|event| event.tags == ["top"]);
+        other.trajectory.events.remove(last_top.expect("there are tops"));
+        let found = phases(&first, &other);
+        assert!(found.parting.is_none());
+        assert_eq!(found.all.len(), bounces + 1);
+        // The time of the last one is known in one run only.
+        assert_eq!(found.recorded.len(), first.trajectory.events.len() - 1);
+
+        let mut other = first.clone();
+        let last_bounce = other.trajectory.events.iter().rposition(|event| event.before != event.after);
+        other.trajectory.events.remove(last_bounce.expect("there are bounces"));
+        assert!(phases(&first, &other).parting.is_some());
+    }
 }

@@ -11,6 +11,8 @@ use crate::books::Books;
 use crate::case::Case;
 
 const RESIDUAL: &str = "Residual of the energy";
+/// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
+const NOTHING: f64 = 1e-15;
 
 pub(super) fn of(case: &Case) -> Option<Shown> {
     let books = case.books.as_ref()?;
@@ -37,9 +39,9 @@ fn balances(books: &Books) -> Table {
         Column::numbers("Residual"),
     ];
     let row = |name: &str, unit: &str, balance: &LedgerBalance| {
-        let values = [balance.start, balance.end, balance.change, balance.residual];
+        let values = [balance.start, balance.end, balance.change].map(|value| seen(value, balance));
         let name = Text::from(format!("{name} (")).and(Label::unit(unit)).and(")");
-        std::iter::once(name).chain(values.map(|value| quantity(value, ""))).collect()
+        std::iter::once(name).chain(values).chain([quantity(balance.residual, "")]).collect()
     };
     let [x, y] = &books.total.momentum;
     Table::new("The books", columns)
@@ -47,6 +49,10 @@ fn balances(books: &Books) -> Table {
         .row(row("Momentum, x", "N*s", x))
         .row(row("Momentum, y", "N*s", y))
         .row(row("Angular momentum about the origin", "N*m*s", &books.total.angular_momentum))
+}
+
+fn seen(value: f64, of: &LedgerBalance) -> Text {
+    quantity(if value.abs() < NOTHING * of.scale { 0.0 } else { value }, "")
 }
 
 fn entries(books: &Books) -> Table {
@@ -60,8 +66,13 @@ fn entries(books: &Books) -> Table {
     ];
     let mut table = Table::new("What every load did", columns);
     for (name, entry) in &books.entries {
-        let values = [entry.work, entry.impulse[0], entry.impulse[1], entry.angular_impulse];
-        let cells = values.map(|value| quantity(value, ""));
+        let ([x, y], angular) = (&books.total.momentum, &books.total.angular_momentum);
+        let cells = [
+            seen(entry.work, &books.energy),
+            seen(entry.impulse[0], x),
+            seen(entry.impulse[1], y),
+            seen(entry.angular_impulse, angular),
+        ];
         table.rows.push(std::iter::once(Text::from(name.as_str())).chain(cells).collect());
     }
     if books.entries.iter().any(|(_, entry)| !entry.counts()) {

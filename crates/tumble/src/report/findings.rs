@@ -244,7 +244,8 @@ impl Seen<'_> {
         let moves = |energy: f64| energy > AT_REST * AT_REST * most;
         let last = values.iter().rposition(|(_, energy)| moves(*energy));
         Ok(match last {
-            Some(last) if last + 1 < values.len() && most > 0.0 => {
+            // What is at rest in the last instant only turns round there.
+            Some(last) if last + 2 < values.len() && most > 0.0 => {
                 let (before, after) = (values[last].0, values[last + 1].0);
                 let events = self.run.trajectory.events.iter().map(|event| event.time);
                 // What comes to rest by itself does so between two samples.
