@@ -1,6 +1,6 @@
 //! The equations as the integrator sees them: flows by mode, and what happens between.
 
-use tumble_ode::{Candidate, Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
+use tumble_ode::{AtZero, Candidate, Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
 
 use crate::contact::Impulses;
 use crate::equations::Equations;
@@ -24,7 +24,7 @@ impl Hybrid for Equations {
             name: event.name.clone(),
             formula: event.when.clone(),
             direction: event.direction,
-            bounds: false,
+            at_zero: AtZero::Begins,
         });
         let guards = events.chain(self.touching_guards(mode));
         let guards = guards.map(|guard| Guard { formula: in_mode.apply(&guard.formula), ..guard });

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Tape};
 
 use crate::candidates::Candidates;
-use crate::hybrid::{Direction, Guard, StateVariable};
+use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
 use crate::{Flow, Reason};
 
@@ -29,8 +29,8 @@ pub(crate) struct Compiled {
     /// Names of guards and candidates.
     pub(crate) guard_names: Vec<String>,
     pub(crate) guard_directions: Vec<Direction>,
-    /// Which of them end the flow at once where they are at zero and about to cross.
-    pub(crate) guard_bounds: Vec<bool>,
+    /// What they do where they are at zero and about to cross.
+    pub(crate) guard_limits: Vec<Limit>,
     /// Whether there is anything to watch along a step.
     pub(crate) is_watched: bool,
 }
@@ -65,7 +65,7 @@ impl Compiled {
             guards: flow.guards.len(),
             guard_names: watched(flow).map(|guard| guard.name.clone()).collect(),
             guard_directions: watched(flow).map(|guard| guard.direction).collect(),
-            guard_bounds: watched(flow).map(|guard| guard.bounds).collect(),
+            guard_limits: limits(flow, &layout, inputs)?,
             is_watched,
         })
     }
@@ -82,6 +82,27 @@ impl Compiled {
     pub(crate) fn next_scheduled(&self, time: f64) -> Option<f64> {
         self.schedule.iter().copied().filter(|scheduled| *scheduled > time).reduce(f64::min)
     }
+}
+
+/// [`AtZero`] with numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Limit {
+    None,
+    Always,
+    /// Acceleration for each unit of the guard, and the group of what it moves.
+    IfItMoves(f64, usize),
+}
+
+fn limits(flow: &Flow, layout: &Layout, inputs: &[f64]) -> Result<Vec<Limit>, Reason> {
+    let limit = |guard: &Guard| match &guard.at_zero {
+        AtZero::Begins => Ok(Limit::None),
+        AtZero::Ends => Ok(Limit::Always),
+        AtZero::EndsIfItMoves { response, group } => {
+            let response = fixed(layout, std::slice::from_ref(response), inputs)?[0];
+            Ok(Limit::IfItMoves(response, *group))
+        }
+    };
+    watched(flow).map(limit).collect()
 }
 
 /// What the tapes of a flow run on.

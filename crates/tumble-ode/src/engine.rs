@@ -5,7 +5,7 @@ use tumble_expr::{Active, Branches, Jets, Turning};
 use crate::Reason;
 use crate::candidates::{self, Candidates};
 use crate::check::{Check, Verdict};
-use crate::compiled::Compiled;
+use crate::compiled::{Compiled, Limit};
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
 use crate::invariants::Invariants;
@@ -20,6 +20,8 @@ use crate::work::Work;
 const VANISHING: f64 = 1024.0 * f64::EPSILON;
 /// A length that turns slower than this many steps has its singularity far enough for the coefficients to show it.
 const CLOSE_TURN_STEPS: f64 = 4.0;
+/// What moves by less than this part of the scale does not move.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Roots closer than this part of a step are one instant.
 const SIMULTANEOUS_PART: f64 = 4.0 * f64::EPSILON;
 
@@ -232,8 +234,13 @@ impl Engine {
     }
 
     /// What happens first within a length of the clock, and when; all that happens at that instant.
-    pub(crate) fn first_hits(&self, expansion: &Expansion, length: f64) -> Option<(f64, Vec<Hit>)> {
-        let mut hits = self.hits(expansion, length);
+    pub(crate) fn first_hits(
+        &self,
+        expansion: &Expansion,
+        length: f64,
+        scales: &Scales,
+    ) -> Option<(f64, Vec<Hit>)> {
+        let mut hits = self.hits(expansion, length, scales);
         hits.sort_by(|a, b| a.0.total_cmp(&b.0));
         let first = hits.first()?.0;
         let instant = first + SIMULTANEOUS_PART * length.max(expansion.start.abs());
@@ -241,7 +248,7 @@ impl Engine {
         Some((first, same.map(|(_, hit)| hit).collect()))
     }
 
-    fn hits(&self, expansion: &Expansion, length: f64) -> Vec<(f64, Hit)> {
+    fn hits(&self, expansion: &Expansion, length: f64, scales: &Scales) -> Vec<(f64, Hit)> {
         let crossings = |series: &[f64], zeros: usize| {
             roots(ahead(series, zeros), length)
                 .into_iter()
@@ -281,7 +288,9 @@ impl Engine {
         }
         for (guard, series) in expansion.guards.iter().enumerate() {
             let (direction, zeros) = (self.system.guard_directions[guard], self.sides.zero_guards[guard]);
-            if self.system.guard_bounds[guard] && is_overdue(series, zeros, direction) {
+            if is_overdue(series, zeros, direction)
+                && self.is_limit(guard, series, (expansion, length), scales)
+            {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
             }
@@ -292,7 +301,9 @@ impl Engine {
             let guard = self.system.guards + candidate;
             let direction = self.system.guard_directions[guard];
             let zeros = self.sides.zero_guards[guard];
-            if self.system.guard_bounds[guard] && is_overdue(series, zeros, direction) {
+            if is_overdue(series, zeros, direction)
+                && self.is_limit(guard, series, (expansion, length), scales)
+            {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
             }
@@ -311,6 +322,26 @@ impl Engine {
             hits.extend(at.is_finite().then_some((at, Hit::Guard(guard))));
         }
         hits
+    }
+
+    /// Whether a guard that crosses zero at the start of a step ends the flow there.
+    fn is_limit(
+        &self,
+        guard: usize,
+        series: &[f64],
+        (expansion, length): (&Expansion, f64),
+        scales: &Scales,
+    ) -> bool {
+        match self.system.guard_limits[guard] {
+            Limit::None => false,
+            Limit::Always => true,
+            Limit::IfItMoves(response, group) => {
+                let clock = expansion.time.as_ref();
+                let elapsed = clock.map_or(length, |clock| polynomial::increment(clock, length));
+                let push = polynomial::value(series, length).abs();
+                response * push * elapsed * elapsed > ROUNDING * scales.of(group)
+            }
+        }
     }
 
     /// Expands the candidates that a step of this length may reach, and shortens it to what their expansions can tell;

@@ -51,9 +51,26 @@ pub struct Guard {
     pub formula: Expr,
     /// Which crossings count.
     pub direction: Direction,
-    /// Whether the flow holds on one side of zero only: found at zero and about to cross, it ends the flow at once. An
-    /// event is not that: what starts at its value has not passed it.
-    pub bounds: bool,
+    /// What it means to be found at zero at the start of a step, about to cross.
+    pub at_zero: AtZero,
+}
+
+/// What a guard does that is zero at the start of a step and about to cross.
+#[derive(Clone, Debug)]
+pub enum AtZero {
+    /// Nothing: what starts at a value has not passed it.
+    Begins,
+    /// The flow holds on one side only, and ends at once.
+    Ends,
+    /// The same, if it matters: the guard is a force that holds something in its place, with this acceleration, a formula of
+    /// the inputs, for each unit of it. What it would move within the step counts if it is more than a rounding of the
+    /// group's scale.
+    EndsIfItMoves {
+        /// Acceleration for each unit of the guard.
+        response: Expr,
+        /// Index of the [`ScaleGroup`] of what it moves.
+        group: usize,
+    },
 }
 
 /// A guard outside the tape of the field: of many of them, only those near zero cost more than a comparison.

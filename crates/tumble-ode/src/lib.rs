@@ -25,7 +25,8 @@ mod work;
 
 pub use accuracy::{Accuracy, AccuracyError};
 pub use hybrid::{
-    Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, ScaleGroup, StateVariable,
+    AtZero, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, ScaleGroup,
+    StateVariable,
 };
 pub use refusal::{Reason, Refusal};
 pub use roots::turns;

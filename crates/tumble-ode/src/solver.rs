@@ -302,7 +302,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     /// Cuts a step where the first of the watched functions crosses zero.
     fn cut(&self, mode: usize, expansion: &Expansion, length: f64, end: f64) -> Step {
         let step = self.fit(expansion, length, end);
-        match self.engines[mode].first_hits(expansion, step.length) {
+        match self.engines[mode].first_hits(expansion, step.length, &self.scales) {
             None => step,
             // Up to what happens first the clock runs forwards; beyond, it need not, so the step is fitted anew.
             Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), end) },

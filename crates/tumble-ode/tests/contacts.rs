@@ -2,7 +2,7 @@
 
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_ode::{
-    Accuracy, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, Reason,
+    Accuracy, AtZero, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, Reason,
     ScaleGroup, Side, Start, StateVariable, Stopped, Trajectory, solve,
 };
 
@@ -17,11 +17,11 @@ fn symbol(name: &str) -> Symbol {
 }
 
 fn guard(name: &str, formula: Expr) -> Guard {
-    Guard { name: name.into(), formula, direction: Direction::Falling, bounds: false }
+    Guard { name: name.into(), formula, direction: Direction::Falling, at_zero: AtZero::Begins }
 }
 
 fn candidate(name: &str, formula: Expr, slopes: Option<Vec<(usize, Expr)>>) -> Candidate {
-    Candidate { guard: Guard { bounds: true, ..guard(name, formula) }, group: 0, slopes }
+    Candidate { guard: Guard { at_zero: AtZero::Ends, ..guard(name, formula) }, group: 0, slopes }
 }
 
 /// A system of pure numbers; what a jump does is a function of the crossing.

@@ -11,66 +11,50 @@ use crate::names::{Level, Names};
 use crate::study::{Curve, Quantity};
 use crate::unit_text;
 
-/// A formula that may hold every name of the scene.
-pub(crate) fn read(draft: &mut Draft, field: &Field) -> Option<Curve> {
-    let text = draft.text(field, Want::any())?;
-    of_text(draft, text, false)
-}
-
 fn of_text(draft: &mut Draft, text: Text, works: bool) -> Option<Curve> {
     let want = Want { moments: true, works, ..Want::any().at(Level::Output) };
     let value = formula::number(&draft.names, &text, want);
     let value = draft.all_noted(value)?;
     let parsed = language::parse(&text.text).ok();
     let names = parsed.iter().flat_map(|formula| formula.names()).map(|name| name.name);
-    Some(Curve { quantity: quantity(value, names), text: text.text.clone(), label: None })
-}
-
-/// The curve of a check, which is in SI units: its `equals` and `within` say theirs.
-pub(crate) fn in_si(draft: &mut Draft, field: &Field, works: bool) -> Option<Curve> {
-    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else {
-        let text = draft.text(field, Want::any())?;
-        return of_text(draft, text, works);
-    };
-    let message = format!("`in {}` is for the axes of figures", unit.trim());
-    let mistake = Diagnostic::new(Code::Choice, field.span.clone(), message).label("not an axis");
-    draft.note(mistake.help(format!(
-        "write `{} = \"{}\"`; `equals` and `within` say their own units",
-        field.key,
-        before.trim()
-    )));
-    None
+    let angle = is_angular(&value);
+    let quantity = quantity(value, names);
+    Some(Curve { quantity, text: text.text.clone(), angle, size: Expr::one(), label: None })
 }
 
 /// Between a formula and the unit that an axis shows it in.
 const IN: &str = " in ";
 
-/// The same, perhaps in a unit of its own: `"rod.angle in deg"`. The formula's values are then numbers of that unit.
-pub(crate) fn on_axis(draft: &mut Draft, field: &Field) -> Option<Curve> {
-    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else { return read(draft, field) };
+/// A formula that may hold every name of the scene, perhaps in a unit of its own: `"rod.angle in deg"`. The formula's values
+/// are then numbers of that unit. `works` says whether it may hold works.
+pub(crate) fn read(draft: &mut Draft, field: &Field, works: bool) -> Option<Curve> {
     let written = draft.text(field, Want::any())?;
+    let Some((before, unit)) = field.value.as_str().and_then(in_unit) else {
+        return of_text(draft, written, works);
+    };
     let part = |start: usize, text: &str| Text {
         text: text.to_owned(),
         origin: written.origin.part(start..start + text.len()),
         ..written.clone()
     };
     let chain = part(written.text.len() - unit.len(), unit);
-    let si = of_text(draft, part(0, before), false)?;
+    let si = of_text(draft, part(0, before), works)?;
     let one = one_of(draft, &chain, &si.quantity)?;
     let size = one / (1 * Unit(si.quantity.dimension));
     let unit = unit.trim().to_owned();
-    let quantity = Quantity { formula: si.quantity.formula / size, unit, ..si.quantity };
-    Some(Curve { text: before.trim().to_owned(), quantity, label: None })
+    let quantity = Quantity { formula: &si.quantity.formula / &size, unit, ..si.quantity };
+    Some(Curve { text: before.trim().to_owned(), quantity, size, ..si })
 }
 
 /// The same, perhaps with a label: `{ value = "rod.angle in deg", label = "tilt" }`.
 pub(crate) fn labelled(draft: &mut Draft, field: &Field) -> Option<Curve> {
     if !field.value.is_table() {
-        return on_axis(draft, field);
+        return read(draft, field, false);
     }
     let mut table = draft.table(field, field.key.to_owned())?;
     table.span = field.span.clone();
-    let value = draft.required(&mut table, "value", "\"rod.angle\"").and_then(|field| on_axis(draft, &field));
+    let value =
+        draft.required(&mut table, "value", "\"rod.angle\"").and_then(|field| read(draft, &field, false));
     let label = draft.required(&mut table, "label", "\"..\"").and_then(|field| draft.words(&field));
     draft.done(table);
     Some(Curve { label: Some(label?), ..value? })

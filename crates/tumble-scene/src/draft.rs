@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{BooksPlot, Check, FreeBody, Plot, Stroboscope, Study, SweepAxis};
+use crate::study::{BooksPlot, Check, FreeBody, Plot, Question, Stroboscope, Study, SweepAxis};
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -34,6 +34,7 @@ pub(crate) struct Draft {
     pub(crate) stroboscopes: Vec<Stroboscope>,
     pub(crate) books: Vec<BooksPlot>,
     pub(crate) free_bodies: Vec<FreeBody>,
+    pub(crate) finds: Vec<Question>,
     pub(crate) checks: Vec<Check>,
     pub(crate) symbols: BTreeMap<String, String>,
     pub(crate) sweep: Vec<SweepAxis>,
@@ -79,6 +80,7 @@ impl Draft {
                 stroboscopes: self.stroboscopes,
                 books: self.books,
                 free_bodies: self.free_bodies,
+                finds: self.finds,
                 checks: self.checks,
                 symbols: self.symbols,
                 sweep: self.sweep,

@@ -69,7 +69,8 @@ fn event_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, usize)> {
         Some((name, rest)) => (name, rest.strip_suffix(']')?.parse().ok()?),
         None => (text, 1),
     };
-    (names.events.iter().any(|event| event == name) && count > 0).then_some((name, count))
+    let is_known = names.windows.contains(name) || names.events.iter().any(|event| event == name);
+    (is_known && count > 0).then_some((name, count))
 }
 
 /// The symbols of all moments in a formula, by the names they have there.

@@ -39,6 +39,8 @@ pub(crate) struct Names {
     pub(crate) bodies: Vec<String>,
     /// The names of all events, likewise.
     pub(crate) events: Vec<String>,
+    /// Starts and ends of forces that do not act always: `kick.end`.
+    pub(crate) windows: BTreeSet<String>,
     /// The names of all surfaces, likewise.
     pub(crate) surfaces: Vec<String>,
     /// What may touch what: `floor`, `floor.rod` and `floor.rod.tip`.

@@ -96,10 +96,10 @@ pub(crate) fn works(names: &Names, formula: &Formula) -> Vec<(Arc<str>, Value)> 
 pub(crate) fn explain_work(names: &Names, name: &str, span: &Span) -> Option<Diagnostic> {
     names.working.contains(name.strip_suffix(WORK)?).then(|| {
         let message =
-            format!("`{name}` is the work up to an instant, which only a check at an instant may ask for");
+            format!("`{name}` is the work up to an instant, which only a find or a check at an instant may ask for");
         let mistake = Diagnostic::new(Code::EventInFormula, span.clone(), message).label("a work");
         mistake.help(
-            "write it in `that` of a check without `at` or with an instant; `[books.NAME]` draws all works",
+            "write it in `that` of a find or a check without `at` or with an instant; `[books.NAME]` draws all works",
         )
     })
 }

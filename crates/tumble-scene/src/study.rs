@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::{Extreme, Model, ModelErrors, Parameters};
-use tumble_ode::Accuracy;
+use tumble_ode::{Accuracy, Side};
 
 /// A model and what to do with it, as formulas of its parameters.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub struct Study {
     pub books: Vec<BooksPlot>,
     /// Free-body diagrams.
     pub free_bodies: Vec<FreeBody>,
+    /// What is asked for.
+    pub finds: Vec<Question>,
     /// What must hold.
     pub checks: Vec<Check>,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
@@ -102,6 +104,10 @@ pub struct Plot {
 pub struct Curve {
     /// The formula's text, without the unit that an axis shows it in.
     pub text: String,
+    /// Whether it is an angle, or an angle per time.
+    pub angle: bool,
+    /// One of its unit in SI units, a pure number.
+    pub size: Expr,
     /// How figures call it, where that is not its formula.
     pub label: Option<String>,
     /// What to show.
@@ -184,7 +190,7 @@ pub struct FreeBody {
     pub at: Vec<(Instant, String)>,
 }
 
-/// When a claim is looked at.
+/// When something is looked at.
 #[derive(Clone, Debug)]
 pub enum When {
     /// At the end of the run.
@@ -200,17 +206,26 @@ pub enum When {
     },
 }
 
-/// A claim about the motion at one time.
+/// A question about the motion at one time.
 #[derive(Clone, Debug)]
-pub struct Check {
+pub struct Question {
     /// Its name.
     pub name: String,
     /// What is looked at.
     pub that: Curve,
-    /// What it must be.
-    pub equals: Expr,
     /// When.
     pub at: When,
-    /// Largest difference allowed, in the quantity's unit.
+    /// On which side of what happens at an instant.
+    pub side: Side,
+}
+
+/// A claim about the motion at one time.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// What is looked at, and when.
+    pub question: Question,
+    /// What it must be; its values are numbers of the quantity's unit.
+    pub equals: Expr,
+    /// Largest difference allowed, likewise.
     pub within: Expr,
 }

@@ -5,7 +5,7 @@ use tumble_expr::Expr;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Draft;
-use crate::study::{Instant, When};
+use crate::study::{Instant, Question, When};
 
 /// More samples than this are a slip of the unit.
 const MAX_SAMPLES: f64 = 1e6;
@@ -38,16 +38,12 @@ pub(crate) fn check(draft: &mut Draft) {
             check_time(draft, &format!("free body `{}`", sheet.name), at, until);
         }
     }
+    for question in draft.finds.clone() {
+        check_question(draft, &question, until);
+    }
     for check in draft.checks.clone() {
-        let name = &check.name;
-        match check.at {
-            When::End => {}
-            When::At(at) => check_time(draft, &format!("at of `{name}`"), &at, until),
-            When::Extreme { during, .. } => {
-                let ends = during.into_iter().flatten().map(|end| end.time).collect();
-                check_window(draft, &format!("during of `{name}`"), ends, until);
-            }
-        }
+        let name = &check.question.name;
+        check_question(draft, &check.question, until);
         value(draft, &format!("equals of `{name}`"), Some(check.equals));
         check_margin(draft, &format!("within of `{name}`"), check.within);
     }
@@ -86,6 +82,18 @@ fn check_distance(draft: &mut Draft, what: &str, every: Expr, until: f64) {
         let message =
             format!("every {every} s makes about {:.0e} samples, more than {MAX_SAMPLES:.0e}", until / every);
         note(draft, Code::TooMany, what, message, &format!("the run lasts {until} s"));
+    }
+}
+
+fn check_question(draft: &mut Draft, question: &Question, until: f64) {
+    let name = &question.name;
+    match &question.at {
+        When::End => {}
+        When::At(at) => check_time(draft, &format!("at of `{name}`"), at, until),
+        When::Extreme { during, .. } => {
+            let ends = during.iter().flatten().map(|end| end.time.clone()).collect();
+            check_window(draft, &format!("during of `{name}`"), ends, until);
+        }
     }
 }
 

@@ -92,15 +92,16 @@ fn greatest_values_and_works_are_read() {
     };
     let at = "at = \"floor.rod.contact[1].start\"";
     let study = read(at, "at = \"its least\"\nduring = [\"0.1 s\", \"floor.contact[1].end\"]");
-    let When::Extreme { which: Extreme::Least, during: Some([from, _]) } = &study.checks[0].at else {
-        panic!("{:?}", study.checks[0].at)
+    let When::Extreme { which: Extreme::Least, during: Some([from, _]) } = &study.checks[0].question.at
+    else {
+        panic!("{:?}", study.checks[0].question.at)
     };
     assert_eq!(from.text, "0.1 s");
     let study = read(
         CHECKED,
         "that = \"floor.work + gravity.work + floor.rod.tip.work\"\nequals = \"0 J\"\nwithin = \"1 J\"",
     );
-    assert_eq!(study.checks[0].that.quantity.unit, "J");
+    assert_eq!(study.checks[0].question.that.quantity.unit, "J");
     let labelled = "y = [{ value = \"floor.rod.from.gap in cm\", label = \"left\" }, \"rod.y in cm\"]";
     let study = read("y = \"floor.rod.from.gap\"", labelled);
     assert_eq!(study.plots[1].y[0].label.as_deref(), Some("left"));
@@ -164,7 +165,7 @@ const MISTAKES: &[Row] = &[
         "outside of the run",
     ),
     ("at = \"floor.rod.contact[1].start\"", "at = \"its largest\"", "E0110 largest | its", ""),
-    ("y = \"floor.rod.from.gap\"", "y = \"floor.work\"", "E0528 floor.work", "only a check at an instant"),
+    ("y = \"floor.rod.from.gap\"", "y = \"floor.work\"", "E0528 floor.work", "a check at an instant"),
     ("y = \"floor.rod.from.gap\"", "y = \"flor.work\"", "E0301 flor.work", ""),
     (
         "equals = 0\nat = \"floor.rod.contact[1].start\"",

@@ -8,6 +8,7 @@ use crate::books::Books;
 use crate::checks::{self, CheckResult};
 use crate::pipeline::PipelineError;
 use crate::progress::Progress;
+use crate::questions::{self, FindResult};
 
 /// One run of a study, with the values it was made with.
 #[derive(Debug)]
@@ -24,6 +25,8 @@ pub struct Case {
     pub trust: Option<Trust>,
     /// Why it stopped early, if it did.
     pub refusal: Option<Refusal>,
+    /// What the scene asks for.
+    pub finds: Vec<FindResult>,
     /// The scene's claims, each with what was found.
     pub checks: Vec<CheckResult>,
     /// Energy, momentum and what changed them; `None` where only numbers were asked for.
@@ -83,7 +86,18 @@ impl Case {
             }
             Err(error) => return Err(error.into()),
         };
-        let mut case = Self { number, label, parameters, run, trust, refusal, checks: vec![], books: None };
+        let mut case = Self {
+            number,
+            label,
+            parameters,
+            run,
+            trust,
+            refusal,
+            finds: vec![],
+            checks: vec![],
+            books: None,
+        };
+        case.finds = questions::finds(study, &case)?;
         case.checks = checks::evaluate(study, &case)?;
         Ok(case)
     }

@@ -9,7 +9,7 @@ use tumble::gallery::{self, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
-use tumble::{Case, ReportForm};
+use tumble::{Case, FindResult, ReportForm};
 
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
@@ -272,6 +272,7 @@ fn describe_case(case: &Case) {
     if let Some(found) = case.run.quadrature.filter(|found| !found.settled) {
         say!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
     }
+    case.finds.iter().for_each(describe_find);
     for check in &case.checks {
         if at_nothing(check) {
             say!("  check {}: FAILS, its event or its time was not reached", check.name);
@@ -294,6 +295,14 @@ fn describe_case(case: &Case) {
     if let Some(refusal) = &case.refusal {
         say!("  incomplete: {refusal}");
     }
+}
+
+fn describe_find(find: &FindResult) {
+    let FindResult { name, that, unit, at, value, .. } = find;
+    if at.is_nan() {
+        return say!("  find {name}: its event or its time was not reached");
+    }
+    say!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty());
 }
 
 /// That a claim which holds might as well not.

@@ -4,6 +4,7 @@ use tumble_expr::Expr;
 
 use crate::case::Case;
 use crate::pipeline::PipelineError;
+use crate::questions::FindResult;
 
 /// Doubles have no more.
 const MOST: f64 = 16.0;
@@ -20,6 +21,17 @@ pub(crate) fn error(case: &Case, formula: &Expr, time: f64) -> Result<Option<f64
     let Some(trust) = &case.trust else { return Ok(None) };
     let errors = trust.errors(&case.run, std::slice::from_ref(formula))?;
     Ok(errors.at(time).map(|errors| errors[0]))
+}
+
+impl FindResult {
+    /// How many digits hold: `11 digits`, `no digit is known`.
+    pub fn certainty(&self) -> String {
+        match self.error.map(|error| digits(self.value, error)) {
+            None => "no digit is known".to_owned(),
+            Some(1) => "1 digit".to_owned(),
+            Some(held) => format!("{held} digits"),
+        }
+    }
 }
 
 impl Case {

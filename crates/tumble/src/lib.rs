@@ -42,6 +42,7 @@ mod digits;
 mod figures;
 mod free_bodies;
 mod moments;
+mod questions;
 mod report;
 mod summary;
 mod symbols;
@@ -52,6 +53,7 @@ pub use books::Books;
 pub use case::Case;
 pub use checks::CheckResult;
 pub use pipeline::{Options, Outcome, PipelineError};
+pub use questions::FindResult;
 pub use report::Form as ReportForm;
 
 /// The programs in the documents, compiled and run as tests of the documentation.

@@ -13,6 +13,7 @@ use crate::case::Case;
 use crate::checks::CheckResult;
 use crate::output::Folder;
 use crate::pipeline::PipelineError;
+use crate::questions::FindResult;
 use crate::tables::{is_angle, unit};
 
 /// Name and version of the file's layout; the version grows when a key changes its meaning or goes.
@@ -78,6 +79,7 @@ struct RunSummary<'a> {
     numerics: Numerics,
     end: End,
     events: Vec<Event<'a>>,
+    finds: Vec<Find<'a>>,
     checks: Vec<Check<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     books: Option<crate::books::Summary>,
@@ -158,9 +160,20 @@ struct Event<'a> {
 }
 
 #[derive(Serialize)]
+struct Find<'a> {
+    name: &'a str,
+    that: &'a str,
+    unit: &'a str,
+    at: Option<f64>,
+    value: Option<f64>,
+    error: Option<f64>,
+}
+
+#[derive(Serialize)]
 struct Check<'a> {
     name: &'a str,
     that: &'a str,
+    unit: &'a str,
     at: Option<f64>,
     found: Option<f64>,
     expected: Option<f64>,
@@ -206,6 +219,7 @@ fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
         numerics: numerics(study, case),
         end: end(&case.run),
         events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
+        finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
         books: case.books.as_ref().map(crate::books::Summary::of),
     }
@@ -276,11 +290,26 @@ fn end_time(run: &Run) -> f64 {
     run.trajectory.end().unwrap_or(0.0)
 }
 
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+fn find(result: &FindResult) -> Find<'_> {
+    Find {
+        name: &result.name,
+        that: &result.that,
+        unit: &result.unit,
+        at: finite(result.at),
+        value: finite(result.value),
+        error: result.error.and_then(finite),
+    }
+}
+
 fn check(result: &CheckResult) -> Check<'_> {
-    let finite = |value: f64| value.is_finite().then_some(value);
     Check {
         name: &result.name,
         that: &result.that,
+        unit: &result.unit,
         at: finite(result.at),
         found: finite(result.found),
         expected: finite(result.expected),

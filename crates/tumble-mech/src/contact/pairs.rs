@@ -1,7 +1,7 @@
 //! All pairs of a model, and which of them are watched in a mode, and how.
 
 use tumble_expr::Expr;
-use tumble_ode::{Candidate, Direction, Guard};
+use tumble_ode::{AtZero, Candidate, Direction, Guard};
 
 use crate::contact::feature::Feature;
 use crate::contact::pair::{Pair, Watched};
@@ -82,9 +82,15 @@ impl Equations {
                 Watched::Force => compliant::normal_force(pair).unwrap_or_else(Expr::zero),
                 Watched::Normal => pair.force_symbol().into(),
             };
-            // A surface does not pull, not for a moment.
-            let bounds = matches!(watched, Watched::Normal);
-            Guard { name: pair.guard_name(watched), formula, direction, bounds }
+            let at_zero = match watched {
+                // A surface does not pull, not for a moment.
+                Watched::Normal => AtZero::EndsIfItMoves {
+                    response: 1 / &self.mass_properties(pair.body).mass,
+                    group: Measure::Length as usize,
+                },
+                Watched::Gap | Watched::Force => AtZero::Begins,
+            };
+            Guard { name: pair.guard_name(watched), formula, direction, at_zero }
         };
         self.touching(mode).into_iter().map(guard).collect()
     }
@@ -106,7 +112,7 @@ impl Equations {
                     name: pair.guard_name(Watched::Gap),
                     formula: pair.gap(),
                     direction: Direction::Falling,
-                    bounds: true,
+                    at_zero: AtZero::Ends,
                 },
                 group: Measure::Length as usize,
                 slopes: slopes.map(by_state),

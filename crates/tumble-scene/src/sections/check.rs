@@ -1,6 +1,7 @@
-//! `[check.NAME]`: what must hold at one time of the run.
+//! `[find.NAME]` and `[check.NAME]`: what is asked for, and what must hold, at one time of the run.
 
 use tumble_mech::Extreme;
+use tumble_ode::Side;
 
 use super::each;
 use crate::code::Code;
@@ -12,28 +13,50 @@ use crate::formula::Want;
 use crate::moments;
 use crate::names::Level;
 use crate::names::fit_file;
-use crate::study::{Check, When};
+use crate::study::{Check, Question, When};
 
 /// Times that depend on what is looked at. No formula has two words beside each other.
 const EXTREMES: [(&str, Extreme); 2] = [("its greatest", Extreme::Greatest), ("its least", Extreme::Least)];
+
+pub(super) fn read_finds(draft: &mut Draft, section: &Field) {
+    each(draft, section, |draft, field, table| {
+        let question = question(draft, field, table);
+        draft.finds.extend(question);
+    });
+}
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, check);
 }
 
-/// How close is close enough is the user's to say: there is no default.
-fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
+/// What is looked at, and when.
+fn question(draft: &mut Draft, field: &Field, table: &mut Table) -> Option<Question> {
     draft.noted(fit_file(field));
     let name = field.key;
     let at = when(draft, table, name);
-    let works = !matches!(at, Some(When::Extreme { .. }));
+    let side = side(draft, table, at.as_ref());
+    let works = knows_works(at.as_ref());
     let that =
-        draft.required(table, "that", "\"rod.angle\"").and_then(|field| curve::in_si(draft, &field, works));
-    let want = that
-        .as_ref()
-        .map_or(Want::any(), |curve| Want { dimension: Some(curve.quantity.dimension), ..Want::any() });
-    let angular = that.as_ref().is_some_and(|curve| curve::is_angular(&curve.quantity.formula));
-    let want = Want { angle: angular, ..want };
+        draft.required(table, "that", "\"rod.angle\"").and_then(|field| curve::read(draft, &field, works));
+    Some(Question { name: name.to_owned(), that: that?, at: at?, side: side? })
+}
+
+/// Where something is greatest its works are not known.
+fn knows_works(at: Option<&When>) -> bool {
+    !matches!(at, Some(When::Extreme { .. }))
+}
+
+/// How close is close enough is the user's to say: there is no default.
+fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
+    let name = field.key;
+    let question = question(draft, field, table);
+    let that = question.as_ref().map(|question| &question.that);
+    let want = that.map_or(Want::any(), |curve| Want {
+        dimension: Some(curve.quantity.dimension),
+        angle: curve.angle,
+        ..Want::any()
+    });
+    let works = knows_works(question.as_ref().map(|question| &question.at));
     let equals = draft.required(table, "equals", &format!("\"{}\"", want.example("1"))).and_then(|field| {
         draft.remember(format!("equals of `{name}`"), &field.span);
         draft.number(&field, Want { moments: true, works, ..want.at(Level::Output) })
@@ -43,8 +66,9 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
             draft.remember(format!("within of `{name}`"), &field.span);
             draft.number(&field, want)
         });
-    let (Some(that), Some(equals), Some(at), Some(within)) = (that, equals, at, within) else { return };
-    draft.checks.push(Check { name: name.to_owned(), that, equals, at, within });
+    let (Some(question), Some(equals), Some(within)) = (question, equals, within) else { return };
+    let size = question.that.size.clone();
+    draft.checks.push(Check { question, equals: equals / &size, within: within / size });
 }
 
 /// The end of the run, an instant, or where what is looked at is greatest or least.
@@ -73,7 +97,22 @@ fn when(draft: &mut Draft, table: &mut Table, name: &str) -> Option<When> {
 
 /// A window, and one time to look at.
 fn without_extreme(during: &Field) -> Diagnostic {
-    let message = "a check with `during` looks for a greatest or least value".to_owned();
+    let message = "`during` is where a greatest or least value is looked for".to_owned();
     let mistake = Diagnostic::new(Code::Exclusive, during.key_span.clone(), message);
     mistake.label("of which value?").help("add `at = \"its greatest\"` or `at = \"its least\"`")
+}
+
+/// After what happens at the instant, where nothing else is said.
+fn side(draft: &mut Draft, table: &mut Table, at: Option<&When>) -> Option<Side> {
+    let Some(field) = table.take("side") else { return Some(Side::After) };
+    if let Some(When::Extreme { .. }) = at {
+        let message = "the side of a greatest or least value is the one on which it is";
+        let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
+        draft.note(mistake.label("both sides count").help("leave `side` out"));
+        return None;
+    }
+    match draft.choice(&field, &["before", "after"])? {
+        "before" => Some(Side::Before),
+        _ => Some(Side::After),
+    }
 }

@@ -21,6 +21,9 @@ fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     let application = application(draft, on.as_deref(), table);
     let during = during(draft, &name, table);
     let (Some(body), Some(application), Some(during)) = (on, application, during) else { return };
+    if during.is_some() {
+        draft.names.windows.extend(["start", "end"].map(|end| format!("{name}.{end}")));
+    }
     draft.model.loads.push(Load { name, body, application, during });
 }
 

@@ -79,6 +79,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("stroboscope", stroboscope::read),
     optional("books", books::read),
     optional("free_body", free_body::read),
+    optional("find", check::read_finds),
     optional("check", check::read),
     optional("symbols", symbols::read),
 ];

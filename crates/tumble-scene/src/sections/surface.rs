@@ -138,7 +138,12 @@ fn body_or_point(draft: &mut Draft, field: &Field) -> Option<String> {
         return Some(format!("{owner}.{point}"));
     }
     let known: Vec<String> = features.iter().map(|feature| format!("{owner}.{}", feature.name)).collect();
-    let help = suggest::name(&format!("{owner}.{point}"), "points", known.iter().map(String::as_str));
+    let help = match draft.body_named(owner)?.named_point(point) {
+        Some(_) => format!(
+            "a point alone touches nothing: add a part `{{ point = {{ at = .. }}, mass = 0 }}` to `{owner}` there"
+        ),
+        None => suggest::name(&format!("{owner}.{point}"), "points", known.iter().map(String::as_str)),
+    };
     let message = format!("`{owner}` has no end, corner or rim \"{point}\" by which it could touch");
     let mistake = Diagnostic::new(Code::UnknownPoint, field.span.clone(), message);
     draft.note(mistake.label("touches nothing").help(help));

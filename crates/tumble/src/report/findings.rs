@@ -2,6 +2,7 @@
 //!
 //! | finding | rule |
 //! |---|---|
+//! | asked | each `[find.NAME]` of the scene, first |
 //! | apex | a free body's centre stops rising: `vy` passes zero downwards; the first [`MOST_LISTED`] |
 //! | range | a free body in a vertical plane is farther from its start, to the side, than its own size |
 //! | rotations | a body has turned by at least one full turn |
@@ -22,6 +23,7 @@ use crate::case::Case;
 use crate::digits;
 use crate::figures::case_label;
 use crate::pipeline::PipelineError;
+use crate::questions::FindResult;
 use crate::tables::equal_times;
 
 /// Instants at which the motion is looked at.
@@ -44,15 +46,12 @@ const REPEATS: f64 = 1e-7;
 const STANDS_OUT: f64 = 2.0;
 
 pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineError> {
-    let mut found = vec![];
+    let mut found: Vec<Text> = cases.iter().flat_map(asked).collect();
     for case in cases {
         let case_study = study.with(&case.parameters);
         for body in &study.model.bodies {
             let seen = Seen { study: &case_study, case, run: &case.run, body };
-            for text in seen.findings()? {
-                let label = case_label(case);
-                found.push(if label.is_empty() { text } else { Text::from(label).and(": ").and(text) });
-            }
+            found.extend(seen.findings()?.into_iter().map(|text| of_case(case, text)));
         }
     }
     for case in cases {
@@ -60,6 +59,28 @@ pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineErr
     }
     found.extend(resonance(study, cases)?);
     Ok(found)
+}
+
+/// What the scene asks for.
+fn asked(case: &Case) -> Vec<Text> {
+    let text = |find: &FindResult| {
+        let words = Text::from(format!("{}: {}", find.name.replace(['-', '_'], " "), find.that));
+        let words = match find.at.is_finite() {
+            true => {
+                let value = with_digits(find.value, find.error, &find.unit);
+                words.and(" = ").and(value).and(", at ").and(quantity(find.at, "s")).and(".")
+            }
+            false => words.and(" is not there: its event or its time was not reached."),
+        };
+        of_case(case, words)
+    };
+    case.finds.iter().map(text).collect()
+}
+
+/// With the label of the run, where there are several.
+fn of_case(case: &Case, text: Text) -> Text {
+    let label = case_label(case);
+    if label.is_empty() { text } else { Text::from(label).and(": ").and(text) }
 }
 
 /// One body in one run.
@@ -311,9 +332,7 @@ fn works(case: &Case) -> Vec<Text> {
         let does = if entry.work < 0.0 { "takes out" } else { "puts in" };
         let error = books.work_errors.as_ref().map(|errors| errors[index]);
         let work = with_digits(entry.work.abs(), error, "J");
-        let words = Text::from(format!("{name} {does} ")).and(work).and(".");
-        let label = case_label(case);
-        if label.is_empty() { words } else { Text::from(label).and(": ").and(words) }
+        of_case(case, Text::from(format!("{name} {does} ")).and(work).and("."))
     };
     told.map(text).collect()
 }

@@ -4,7 +4,7 @@ use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
 use tumble_mech::{Body, Shape};
 use tumble_ode::Side;
 use tumble_report::report::{BodyRow, Identify, Quantity, Text};
-use tumble_scene::Study;
+use tumble_scene::{Question, Study};
 
 use super::names::{Names, quantity};
 use crate::case::Case;
@@ -112,15 +112,13 @@ fn initial(names: &Names, case: &Case) -> Vec<Quantity> {
     states.into_iter().zip(values).map(row).collect()
 }
 
-/// What the figures and the checks ask for.
+/// What the scene and its figures ask for.
 fn sought(study: &Study, names: &Names) -> Vec<Text> {
     let of_time = |text: &str| Text::from(names.label(text)).and("(t)");
-    let mut sought = vec![];
+    let find = |question: &Question| Text::from(names.label(&question.that.text));
+    let mut sought: Vec<Text> = study.finds.iter().map(find).collect();
     for curve in study.plots.iter().flat_map(|plot| &plot.y) {
-        let text = match &curve.label {
-            Some(label) => label.as_str().into(),
-            None => of_time(&curve.text),
-        };
+        let text = of_time(&curve.text);
         if !sought.contains(&text) {
             sought.push(text);
         }

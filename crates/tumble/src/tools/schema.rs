@@ -53,6 +53,7 @@ fn sections() -> Vec<Key> {
         may("plot", each(plot()), "Curves against the time or another quantity."),
         may("stroboscope", each(stroboscope()), "Bodies at equal steps of time in one picture."),
         may("books", each(books()), "Energies and works along the run."),
+        may("find", each(find()), "What is asked for: values at an instant, or the greatest and least."),
         may("free_body", each(free_body()), "Free-body diagrams of one body at some instants."),
         may("check", each(check()), "Claims; if one does not hold, the command ends with 1."),
         may("symbols", open(json!({ "type": ["string", "object"] })), "How names are written in figures."),
@@ -255,23 +256,31 @@ fn free_body() -> Value {
     )
 }
 
+fn find() -> Value {
+    closed("[find.NAME]", &question())
+}
+
 fn check() -> Value {
-    closed(
-        "[check.NAME]",
-        &[
-            must("that", named("formula"), "A formula of the motion."),
-            must("equals", named("formula"), "What it must be, a formula of the parameters."),
-            must("within", named("formula"), "The largest difference allowed."),
-            may(
-                "at",
-                named("quantity"),
-                "A time, an event such as \"apex[2]\", \"its greatest\" or \"its least\"; the end of the run without it.",
-            ),
-            may(
-                "during",
-                parts::pair(named("quantity")),
-                "`[from, to]`, between which it is greatest or least; the whole run without it.",
-            ),
-        ],
-    )
+    let claim = [
+        must("equals", named("formula"), "What it must be, a formula of the parameters."),
+        must("within", named("formula"), "The largest difference allowed."),
+    ];
+    closed("[check.NAME]", &question().into_iter().chain(claim).collect::<Vec<_>>())
+}
+
+fn question() -> [Key; 4] {
+    [
+        must("that", named("formula"), "A formula of the motion."),
+        may(
+            "at",
+            named("quantity"),
+            "A time, an event such as \"apex[2]\", \"its greatest\" or \"its least\"; the end of the run without it.",
+        ),
+        may(
+            "during",
+            parts::pair(named("quantity")),
+            "`[from, to]`, between which it is greatest or least; the whole run without it.",
+        ),
+        may("side", choice(&["before", "after"]), "Of what happens then; after it without it."),
+    ]
 }

@@ -30,6 +30,7 @@ const TABLES: &[(&str, &str)] = &[
     ("rigid", "[surface.a]\nrigid = { KEY = 1 }"),
     ("spring of a surface", "[surface.a]\nspring = { KEY = 1 }"),
     ("hertz", "[surface.a]\nhertz = { KEY = 1 }"),
+    ("[find.NAME]", "[find.a]\nKEY = 1"),
     ("[check.NAME]", "[check.a]\nKEY = 1"),
     ("[body.NAME]", "[body.a]\nKEY = 1"),
     ("part of a body", "[body.a]\nparts = [{ KEY = 1 }]"),

@@ -1,0 +1,120 @@
+//! Looking at a motion where a scene asks to: at an instant, at the end, or where something is greatest or least.
+
+use tumble_expr::{Dimension, Expr, Unit};
+use tumble_ode::Side;
+use tumble_scene::{Question, Study, When};
+
+use crate::case::Case;
+use crate::digits;
+use crate::moments::Moments;
+use crate::pipeline::PipelineError;
+use crate::works;
+
+/// A value that the scene asks for.
+#[derive(Clone, Debug)]
+pub struct FindResult {
+    /// Its name in the scene.
+    pub name: String,
+    /// What was looked at, as the user wrote it.
+    pub that: String,
+    /// Unit of the value, SI where the scene asks for no other; empty where there is none.
+    pub unit: String,
+    /// When, s; not a number where it is an event that did not happen.
+    pub at: f64,
+    /// The value; not a number where the motion does not reach that time.
+    pub value: f64,
+    /// Error stated of it; `None` where nothing is known of it.
+    pub error: Option<f64>,
+}
+
+/// What the scene asks for in a motion.
+pub(crate) fn finds(study: &Study, case: &Case) -> Result<Vec<FindResult>, PipelineError> {
+    study.finds.iter().map(|question| find(study, case, question)).collect()
+}
+
+fn find(study: &Study, case: &Case, question: &Question) -> Result<FindResult, PipelineError> {
+    let asked = Asked::of(study, case, question)?;
+    let answer = asked.map(|asked| asked.answer(None)).transpose()?.flatten();
+    let Answer { at, found, error, .. } = answer.unwrap_or(Answer::NOTHING);
+    let Question { name, that, .. } = question;
+    let unit = that.quantity.unit.clone();
+    Ok(FindResult { name: name.clone(), that: that.text.clone(), unit, at, value: found, error })
+}
+
+/// What a question comes to, in its unit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Answer {
+    /// s
+    pub(crate) at: f64,
+    pub(crate) found: f64,
+    /// What was claimed; zero where nothing was.
+    pub(crate) expected: f64,
+    /// Error stated of what was found less what was claimed; `None` where nothing is known of it.
+    pub(crate) error: Option<f64>,
+}
+
+impl Answer {
+    /// Of a time that does not come.
+    pub(crate) const NOTHING: Self = Self { at: f64::NAN, found: f64::NAN, expected: f64::NAN, error: None };
+}
+
+/// A question with its time.
+pub(crate) struct Asked<'a> {
+    case: &'a Case,
+    moments: Moments<'a>,
+    that: Expr,
+    dimension: Dimension,
+    time: f64,
+    side: Side,
+}
+
+impl<'a> Asked<'a> {
+    /// `None` where its time does not come in this motion.
+    pub(crate) fn of(
+        study: &'a Study,
+        case: &'a Case,
+        question: &Question,
+    ) -> Result<Option<Self>, PipelineError> {
+        let moments = Moments::of(study, &case.run);
+        let Some(that) = moments.known(&question.that.quantity.formula) else { return Ok(None) };
+        // A motion that an event has stopped ends there; one that was refused has no end, and nobody knows what is greatest.
+        let is_whole = case.refusal.is_none();
+        let found = match &question.at {
+            When::End => case.run.trajectory.end().filter(|_| is_whole).map(|end| (end, question.side)),
+            When::At(instant) => moments.time(instant)?.map(|time| (time, question.side)),
+            When::Extreme { which, during } => match moments.window(during.as_ref())?.filter(|_| is_whole) {
+                Some(window) => case.run.extreme(&that, *which, window)?.map(|peak| (peak.time, peak.side)),
+                None => None,
+            },
+        };
+        let dimension = question.that.quantity.dimension;
+        Ok(found.map(|(time, side)| Self { case, moments, that, dimension, time, side }))
+    }
+
+    /// What is found, beside a claim if there is one; `None` outside the motion.
+    pub(crate) fn answer(&self, claim: Option<&Expr>) -> Result<Option<Answer>, PipelineError> {
+        let (case, at) = (self.case, (self.time, self.side));
+        let claimed = match claim {
+            None => Some(0 * Unit(self.dimension)),
+            Some(claim) => self.moments.known(claim),
+        };
+        let Some(claimed) = claimed else { return Ok(None) };
+        let known = [works::known(case, self.that.clone(), at)?, works::known(case, claimed, at)?];
+        let [Some(that), Some(claimed)] = known else { return Ok(None) };
+        let off = |formula: &Expr| formula - &claimed.formula;
+        let difference = off(&that.formula);
+        let others = claimed.variants.iter().map(|other| &that.formula - other);
+        let others = that.variants.iter().map(off).chain(others);
+        let formulas: Vec<Expr> =
+            [&that.formula, &claimed.formula, &difference].into_iter().cloned().chain(others).collect();
+        let Some(values) = case.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
+        let of_works: f64 = values[3..].iter().map(|other| (other - values[2]).abs()).sum();
+        let error = digits::error(case, &difference, self.time)?.filter(|_| that.is_sure && claimed.is_sure);
+        Ok(Some(Answer {
+            at: self.time,
+            found: values[0] + 0.0,
+            expected: values[1],
+            error: error.map(|error| error + of_works),
+        }))
+    }
+}
