@@ -50,6 +50,23 @@ fn exact_angles() {
 }
 
 #[test]
+fn signs_and_cases_that_are_known() {
+    let [a, b] = ["a", "b"].map(pure);
+    let l = || Expr::symbol("L", Dimension::NONE);
+    let less = |x: Expr, y: Expr| Expr::compare(Relation::Less, x, y);
+    for (formula, expected) in [
+        ((3 * l() * &a).sign(), "sgn(a)"),
+        ((-2 * l() * &a).sign(), "−sgn(a)"),
+        ((&a * &a * &b).sign(), "sgn(a² b)"),
+        (Expr::select(less(0.into(), 0.into()), a.clone(), b.clone()), "b"),
+        (Expr::select(less(1.into(), 2.into()), a.clone(), b.clone()), "a"),
+        (Expr::select(less(a.clone(), a.clone()), a.clone(), b.clone()), "b"),
+    ] {
+        assert_eq!(text(&formula), expected);
+    }
+}
+
+#[test]
 fn sums_that_divide_sums_are_taken_out() {
     let [a, b, c] = ["a", "b", "c"].map(pure);
     let sum = || &a + &b;

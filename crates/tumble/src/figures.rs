@@ -1,6 +1,6 @@
 //! Figures of a run: the study says which, the motion says what is in them.
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Dimension, Expr, Vector};
 use tumble_mech::{Body, Run, Shape};
 use tumble_ode::Side;
 use tumble_report::free_body::Surface;
@@ -128,8 +128,25 @@ fn mark_events(figure: &mut CurveFigure, case: &Case) {
         return;
     }
     for event in events {
-        figure.marks.push(Mark { at: event.time, label: Label::plain(&event.tags.join(", ")) });
+        figure.marks.push(Mark { at: event.time, label: Label::plain(&mark(case, &event.tags)) });
     }
+}
+
+/// What happens at an event, short: a point by its own name where there is one surface and one body, and once.
+fn mark(case: &Case, tags: &[String]) -> String {
+    let model = case.run.equations.model();
+    let alone = match (&model.surfaces[..], &model.bodies[..]) {
+        ([surface], [body]) => format!("{}.{}.", surface.name, body.name),
+        _ => String::new(),
+    };
+    let mut shown: Vec<&str> = vec![];
+    for tag in tags.iter().map(|tag| tag.strip_prefix(&alone).unwrap_or(tag)) {
+        let place = |tag: &str| tag.rsplit_once('.').map(|(place, _)| place.to_owned());
+        if !shown.iter().any(|known| place(known).is_some() && place(known) == place(tag)) {
+            shown.push(tag);
+        }
+    }
+    shown.join(", ")
 }
 
 /// What is different about a run: `T = 0.5 s` with its symbol, or the user's words.
@@ -153,10 +170,26 @@ pub(crate) fn joined(a: Label, b: Label) -> Label {
 }
 
 fn axis(study: &Study, curves: &[Curve]) -> Axis {
+    if let [first, _, ..] = curves
+        && curves.iter().any(|curve| curve.label.is_some())
+    {
+        return Axis::new(Label::plain(&measured(first)), &first.quantity.unit);
+    }
     let labels: Vec<Label> = curves.iter().map(|curve| label(study, curve)).collect();
     let joined = labels.into_iter().reduce(|all, next| all.then(Label::plain(", ")).then(next));
     let unit = curves.first().map_or("", |curve| &curve.quantity.unit);
     Axis::new(joined.unwrap_or_default(), unit)
+}
+
+/// What curves with labels of their own have in common: `force`, `length`.
+fn measured(curve: &Curve) -> String {
+    let described = curve.quantity.dimension.describe();
+    let noun = described.split(" (").next().unwrap_or_default();
+    match (curve.angle, curve.quantity.dimension == Dimension::NONE) {
+        (true, true) => "angle".to_owned(),
+        (false, true) => String::new(),
+        _ => noun.trim_start_matches("an ").trim_start_matches("a ").to_owned(),
+    }
 }
 
 fn label(study: &Study, curve: &Curve) -> Label {

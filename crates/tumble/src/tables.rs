@@ -153,8 +153,12 @@ pub(crate) fn number(value: f64) -> String {
 /// A column's unit.
 pub(crate) fn unit(dimension: Dimension, angle: bool) -> String {
     if angle {
-        "rad".to_owned() + dimension.to_string().strip_prefix('1').unwrap_or_default()
-    } else {
-        dimension.to_string()
+        return "rad".to_owned() + dimension.to_string().strip_prefix('1').unwrap_or_default();
     }
+    let named = NAMED.iter().find(|(known, _)| *known == dimension);
+    named.map_or_else(|| dimension.to_string(), |(_, unit)| (*unit).to_owned())
 }
+
+/// Units that nobody reads in base units. That of energies and torques is left to these: both have one dimension.
+const NAMED: [(Dimension, &str); 3] =
+    [(Dimension::FORCE, "N"), (Dimension::new(0, 1, -2), "N/m"), (Dimension::new(2, 1, -3), "W")];

@@ -1,5 +1,7 @@
 //! Functions of parts.
 
+use std::cmp::Ordering;
+
 use num_traits::{One, Signed, Zero};
 use tumble_expr::{Binary, Exponent, Relation, TableRef, Unary};
 
@@ -18,12 +20,38 @@ impl Algebra {
                 let (_, a) = self.positive(a);
                 self.plain(op, a)
             }
-            Unary::Tan | Unary::Asin | Unary::Atan | Unary::Sinh | Unary::Tanh | Unary::Sign => {
+            Unary::Sign => self.sign(a),
+            Unary::Tan | Unary::Asin | Unary::Atan | Unary::Sinh | Unary::Tanh => {
                 let (minus, a) = self.positive(a);
                 let value = self.plain(op, a);
                 if minus { self.negated(value) } else { value }
             }
             Unary::Acos | Unary::Exp | Unary::Log | Unary::Step => self.plain(op, a),
+        }
+    }
+
+    /// The sign of a product is that of its factors that are not positive anyway.
+    fn sign(&mut self, a: Id) -> Id {
+        let (minus, a) = self.positive(a);
+        let bare = match self.form(a).clone() {
+            Form::Product(by, factors) => {
+                let factors: Vec<_> = factors.into_iter().filter(|(id, _)| !self.is_positive(*id)).collect();
+                self.raw_product(by.signum(), &factors)
+            }
+            _ => a,
+        };
+        let value = self.plain(Unary::Sign, bare);
+        if minus { self.negated(value) } else { value }
+    }
+
+    /// Whether a part is known to be more than zero.
+    fn is_positive(&self, id: Id) -> bool {
+        match self.form(id) {
+            Form::Number(value) => value.is_positive(),
+            Form::Pi | Form::Unit(_) => true,
+            Form::Symbol(index) => self.symbols[*index].positive && self.symbols[*index].definition.is_none(),
+            Form::Call(function, _) => matches!(function, Function::Unary(Unary::Exp | Unary::Cosh)),
+            Form::Sum(_) | Form::Product(..) => false,
         }
     }
 
@@ -87,7 +115,21 @@ impl Algebra {
         if a == b {
             return a;
         }
+        if let Some(holds) = self.truth(condition) {
+            return if holds { a } else { b };
+        }
         self.intern(Form::Call(Function::Select, vec![condition, a, b]))
+    }
+
+    /// Whether a comparison holds, where that is known: between numbers, and of a part with itself.
+    fn truth(&self, condition: Id) -> Option<bool> {
+        let Form::Call(Function::Compare(relation), parts) = self.form(condition) else { return None };
+        let [a, b] = parts[..] else { return None };
+        let order = if a == b { Ordering::Equal } else { self.as_number(a)?.cmp(self.as_number(b)?) };
+        Some(match relation {
+            Relation::Less => order.is_lt(),
+            Relation::LessEqual => order.is_le(),
+        })
     }
 
     pub(crate) fn table(&mut self, table: &TableRef, a: Id) -> Id {

@@ -35,7 +35,7 @@ pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
         let how = match phase {
             Phase::Pressed => "pressed",
             Phase::Released => "released",
-            Phase::Resting => "resting",
+            Phase::Resting => "in touch",
             Phase::Settling => "settling",
             Phase::Idle => "touching",
         };

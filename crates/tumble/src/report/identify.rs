@@ -79,7 +79,7 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, PipelineErr
             unit: unit_of(study, symbol),
             ..Quantity::default()
         };
-        Ok(if formula.symbols().is_empty() { found } else { found.by(names.formula(formula)) })
+        Ok(if formula.symbols().is_empty() { found } else { found.by(names.written(formula)) })
     })
     .collect()
 }

@@ -62,10 +62,12 @@ impl Names {
 
     /// A formula on one line, whatever its length.
     pub(crate) fn formula(&self, formula: &Expr) -> Math {
-        match self.notation.clone().without_automatic_names().formula(formula) {
-            Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
-            Err(error) => words(&error.to_string()),
-        }
+        on_one_line(&self.notation, formula)
+    }
+
+    /// A formula on one line, as it was written: no name of a body's is in it.
+    pub(crate) fn written(&self, formula: &Expr) -> Math {
+        on_one_line(&self.plain, formula)
     }
 
     /// What a symbol stands for, on one line: no name of its own making is in it.
@@ -80,6 +82,13 @@ impl Names {
     /// Equations with what follows "where"; what cannot be shown says so.
     pub(crate) fn block(&self, title: impl Into<Text>, equations: &[(Left, Expr)]) -> Block {
         block(title.into(), self.notation.equations(equations))
+    }
+}
+
+fn on_one_line(notation: &Notation, formula: &Expr) -> Math {
+    match notation.clone().without_automatic_names().formula(formula) {
+        Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
+        Err(error) => words(&error.to_string()),
     }
 }
 
