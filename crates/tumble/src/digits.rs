@@ -24,12 +24,13 @@ pub(crate) fn error(case: &Case, formula: &Expr, time: f64) -> Result<Option<f64
 }
 
 impl FindResult {
-    /// How many digits hold: `11 digits`, `no digit is known`.
+    /// How many digits hold, or how near it is where none does: `11 digits`, `within 2e-13`, `no digit is known`.
     pub fn certainty(&self) -> String {
-        match self.error.map(|error| digits(self.value, error)) {
-            None => "no digit is known".to_owned(),
-            Some(1) => "1 digit".to_owned(),
-            Some(held) => format!("{held} digits"),
+        let Some(error) = self.error else { return "no digit is known".to_owned() };
+        match digits(self.value, error) {
+            0 => format!("within {error:.0e}"),
+            1 => "1 digit".to_owned(),
+            held => format!("{held} digits"),
         }
     }
 }
