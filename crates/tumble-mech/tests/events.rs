@@ -129,6 +129,22 @@ fn what_happens_at_the_end_of_a_step_is_an_event() {
     }
 }
 
+/// What begins at a value has not passed it, also where it stayed there for a while.
+#[test]
+fn what_leaves_a_value_has_not_passed_it() {
+    for push in [1.0, -1.0] {
+        let mut model = Model::new();
+        let ball = model.add(Body::point("ball").mass(1 * KG));
+        let late = Expr::compare(Relation::Less, time() / S, Expr::from(0.75));
+        let force = Expr::select(late, Expr::zero(), push * (time() / S).cos()) * N;
+        model.force("late", &ball.cm(), Vector::planar(force, 0 * N));
+        let when = ball.kinematics().velocity()[0].clone();
+        let (direction, action) = (Direction::Both, Action::Record);
+        model.events.push(Event { name: "moves".into(), when, direction, action });
+        assert!(run(model, 1.0, 1e-9).trajectory.events.is_empty(), "{push}");
+    }
+}
+
 /// A formula with a branch jumps over zero without crossing it, or touches it and turns back.
 #[test]
 fn a_jump_is_an_event_and_a_touch_is_none() {

@@ -17,8 +17,13 @@ pub(crate) fn sign_before(series: &[f64], length: f64) -> f64 {
     if end.abs() > ZERO_PART * terms {
         end.signum()
     } else {
-        polynomial::value(series, length * (1.0 - STEP_BACK)).signum()
+        sign(polynomial::value(series, length * (1.0 - STEP_BACK)))
     }
+}
+
+/// Of zero it is zero: what stays there is on neither side.
+fn sign(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.signum() }
 }
 
 /// Sign of a series at its start, or just after where it is zero there.
@@ -61,5 +66,6 @@ mod tests {
         assert_eq!(sign_before(&[-1.0, 1.0], 1.0), -1.0);
         assert_eq!(sign_after(&[1e-17, 0.0, -3.0]), -1.0);
         assert_eq!(sign_after(&[2.0, -3.0]), 1.0);
+        assert_eq!(sign_before(&[0.0, 0.0], 1.0), 0.0);
     }
 }
