@@ -3,11 +3,37 @@
 use std::sync::Arc;
 
 use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
-use tumble_ode::Reason;
+use tumble_ode::{Place, Reason};
 
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
+
+/// How far inside a piece its branches are looked at for its ends, in parts of its length.
+const INSIDE: f64 = 1.0 / 1_048_576.0;
+
+/// Evaluates formulas at a place of the motion.
+///
+/// At the ends of a piece a branch may stand at zero: it has the side that it has within the piece.
+pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
+    let inside = place.piece.and_then(|piece| {
+        let reach = INSIDE * piece.length;
+        let s = match place.time {
+            time if time == piece.start => reach,
+            time if time == piece.end => piece.length - reach,
+            _ => return None,
+        };
+        Some((piece.time_at(s), piece.states_at_clock(s)))
+    });
+    match inside {
+        None => jets.start(place.time, &place.states, Branches::Free),
+        Some((time, states)) => {
+            jets.start(time, &states, Branches::Free);
+            let sides = jets.signs().to_vec();
+            jets.start(place.time, &place.states, Branches::Frozen(&sides));
+        }
+    }
+}
 
 impl Equations {
     /// What formulas in the states of a mode run on.

@@ -9,8 +9,9 @@
 //! `tests/extremes.rs` checks it against closed forms.
 
 use tumble_expr::{Branches, Expr, Jets};
-use tumble_ode::{Piece, Reason, Side, turns};
+use tumble_ode::{Piece, Place, Reason, Side, turns};
 
+use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
 
 /// Where a series is compared with the values, in parts of its length.
@@ -145,14 +146,13 @@ impl Search<'_> {
 
     fn offer(&mut self, s: f64) {
         let side = if s < self.piece.length { Side::After } else { Side::Before };
-        // The clock's own end may miss the piece's by a rounding.
-        let time = if s < self.piece.length { self.piece.time_at(s) } else { self.piece.end };
-        let value = self.value(s);
+        let (time, value) = (place(self.piece, s).time, self.value(s));
         self.best.offer(Peak { time, side, value });
     }
 
     fn value(&mut self, s: f64) -> f64 {
-        let value = self.value_with(s, [0.0; 2]);
+        evaluate(self.jets, &place(self.piece, s));
+        let value = self.jets.value_of(0);
         if value.is_finite() {
             self.largest = self.largest.max(value.abs());
         }
@@ -183,8 +183,7 @@ impl Search<'_> {
     /// The formula's series about a reading of the clock.
     fn series(&mut self, s: f64) -> Vec<f64> {
         let (states, time) = self.piece.series_at(s);
-        let first: Vec<f64> = states.iter().map(|series| series[0]).collect();
-        self.jets.start(time[0], &first, Branches::Free);
+        evaluate(self.jets, &place(self.piece, s));
         let order = self.jets.output(0).len() - 1;
         for k in 1..=order {
             for (leaf, series) in states.iter().chain([&time]).enumerate() {
@@ -221,4 +220,10 @@ impl Search<'_> {
         // What is no number, or farther than the part, is no correction.
         if by.abs() <= AGREES.sqrt() * length { s + by } else { s }
     }
+}
+
+fn place(piece: &Piece, s: f64) -> Place<'_> {
+    // The clock's own end may miss the piece's by a rounding.
+    let time = if s < piece.length { piece.time_at(s) } else { piece.end };
+    Place { mode: piece.mode, time, states: piece.states_at_clock(s), piece: Some(piece) }
 }

@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Branches, Expr, Jets};
+use tumble_expr::{Expr, Jets};
 use tumble_ode::{Reason, Side};
 
+use crate::evaluator::evaluate;
 use crate::run::Run;
 use crate::term::{Law, Term};
 
@@ -51,11 +52,9 @@ impl<'a> Forces<'a> {
     /// Every force that acts at a time, reactions and contacts included; at an event, on that side of it. Nothing outside
     /// the motion.
     pub fn at(&mut self, time: f64, side: Side) -> Result<Vec<Force>, Reason> {
-        let Some((mode, states)) = self.run.trajectory.mode_and_states_at(time, side) else {
-            return Ok(vec![]);
-        };
-        let (terms, jets) = self.in_mode(mode)?;
-        jets.start(time, &states, Branches::Free);
+        let Some(place) = self.run.trajectory.place_at(time, side) else { return Ok(vec![]) };
+        let (terms, jets) = self.in_mode(place.mode)?;
+        evaluate(jets, &place);
         let value = |term: usize, which: usize| jets.value_of(term * OUTPUTS + which);
         let force = |(index, term): (usize, &Term)| Force {
             load: term.load.clone(),

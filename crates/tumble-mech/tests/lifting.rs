@@ -5,7 +5,8 @@ mod common;
 use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
-use tumble_mech::{Body, Gravity, Model, Run, Shape, Start, Surface, time};
+use tumble_mech::{Body, Extreme, Gravity, Model, Run, Shape, Start, Surface, time};
+use tumble_ode::Side;
 
 /// A box of 1 kg on a floor, lifted by a force in units of its weight, 10 N, for 1 s.
 fn lifted(force: Expr) -> (Run, Body) {
@@ -54,4 +55,37 @@ fn a_floor_lets_go_where_its_force_jumps_to_zero() {
         let (run, body) = lifted(force);
         close(height(&run, &body), 10.0 * (1.0_f64 - half).powi(3) / 6.0, 1e-12);
     }
+}
+
+/// A force that jumps and lifts the box off the floor: just before, the floor pushed by what is left of the weight.
+#[test]
+fn both_sides_of_a_jump_are_told() {
+    let before = Expr::compare(Relation::Less, time() / S, Expr::from(0.5));
+    let (run, _) = lifted(Expr::select(before, Expr::from(0.75), Expr::from(2)));
+    let pairs = run.equations.pairs();
+    let push = Expr::from(pairs[0].force_symbol()) + Expr::from(pairs[1].force_symbol());
+    let mut observer = run.observe(std::slice::from_ref(&push)).expect("a formula of the motion");
+    let mut at = |time: f64, side: Side| observer.at(time, side).expect("within the motion")[0];
+    close(at(0.5, Side::Before), 2.5, 1e-14);
+    close(at(0.5, Side::After), 0.0, 1e-14);
+    close(at(0.0, Side::After), 2.5, 1e-14);
+    let least = run.extreme(&push, Extreme::Least, [0.0, 1.0]).ok().flatten().expect("a value");
+    close(least.value, 0.0, 1e-14);
+    let event = run.trajectory.events.len() - 1;
+    let sides = observer.at_event(event).expect("an event");
+    close(sides[0][0], 2.5, 1e-14);
+    close(sides[1][0], 0.0, 1e-14);
+}
+
+/// What falls on the floor at the very start is fast before it.
+#[test]
+fn before_an_impact_at_the_start_there_is_the_start() {
+    let mut model = Model::new();
+    model.starts.push(("ball".into(), Start::default().velocity([0 * M / S, -2 * M / S])));
+    let ball = model.add(Body::point("ball").mass(1 * KG));
+    model.surface(Surface::floor("floor", 0 * M, rigid(0.5)));
+    let run = run(model, 1.0, 1e-9);
+    let mut observer = run.observe(&[ball.kinematics().velocity().y().clone()]).expect("a formula");
+    assert_eq!(observer.at(0.0, Side::Before), Some(vec![-2.0]));
+    assert_eq!(observer.at(0.0, Side::After), Some(vec![1.0]));
 }

@@ -31,5 +31,5 @@ pub use hybrid::{
 pub use refusal::{Reason, Refusal};
 pub use roots::turns;
 pub use solver::{Solver, Start, Stopped, solve};
-pub use trajectory::{Event, Piece, Side, Trajectory};
+pub use trajectory::{Event, Piece, Place, Side, Trajectory};
 pub use work::Work;

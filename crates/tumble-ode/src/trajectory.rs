@@ -57,6 +57,19 @@ pub struct Event {
     pub mode_after: usize,
 }
 
+/// The motion at one time.
+#[derive(Clone, Debug)]
+pub struct Place<'a> {
+    /// Index in [`Trajectory::modes`].
+    pub mode: usize,
+    /// s
+    pub time: f64,
+    /// In the order of the mode.
+    pub states: Vec<f64>,
+    /// The piece that it lies on, perhaps at its end.
+    pub piece: Option<&'a Piece>,
+}
+
 /// Which value is meant at the instant of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -89,19 +102,30 @@ impl<Mode> Trajectory<Mode> {
 
     /// States at `time`; `None` outside the motion.
     pub fn states_at(&self, time: f64, side: Side) -> Option<Vec<f64>> {
-        Some(self.mode_and_states_at(time, side)?.1)
+        Some(self.place_at(time, side)?.states)
     }
 
-    /// Index of the mode that holds at `time`, and the states; `None` outside the motion.
+    /// The motion at `time`; `None` outside it.
     ///
-    /// After an event at the very end, those that follow it: no piece begins with them.
-    pub fn mode_and_states_at(&self, time: f64, side: Side) -> Option<(usize, Vec<f64>)> {
-        match self.last_event() {
-            Some(last) if last.time == time && side == Side::After => {
-                Some((last.mode_after, last.after.clone()))
+    /// Before an event at the very start, and after one at the very end, there is no piece.
+    pub fn place_at(&self, time: f64, side: Side) -> Option<Place<'_>> {
+        let at = |mode: usize, states: &[f64]| Place { mode, time, states: states.to_vec(), piece: None };
+        match (side, self.first_event(), self.last_event()) {
+            (Side::Before, Some(first), _) if first.time == time => {
+                Some(at(first.mode_before, &first.before))
             }
-            _ => self.piece_at(time, side).map(|piece| (piece.mode, piece.states_at(time))),
+            (Side::After, _, Some(last)) if last.time == time => Some(at(last.mode_after, &last.after)),
+            _ => {
+                let piece = self.piece_at(time, side)?;
+                let states = piece.states_at(time);
+                Some(Place { mode: piece.mode, time, states, piece: Some(piece) })
+            }
         }
+    }
+
+    fn first_event(&self) -> Option<&Event> {
+        let start = self.start()?;
+        self.events.first().filter(|event| event.time == start)
     }
 
     /// States at the end, after what happens there; `None` if nothing was integrated.

@@ -28,6 +28,7 @@ impl FindResult {
     pub fn certainty(&self) -> String {
         let Some(error) = self.error else { return "no digit is known".to_owned() };
         match digits(self.value, error) {
+            _ if error == 0.0 => "exact".to_owned(),
             0 => format!("within {error:.0e}"),
             1 => "1 digit".to_owned(),
             held => format!("{held} digits"),

@@ -199,6 +199,7 @@ fn misspelt(value: &Value, users: bool) -> Vec<(String, Value)> {
             "sweep",
             "plot",
             "stroboscope",
+            "find",
             "check",
             "points",
             "set",
