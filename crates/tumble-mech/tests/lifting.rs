@@ -49,9 +49,9 @@ fn a_floor_holds_what_is_pressed_on_it_from_no_force() {
 /// The force jumps to zero and falls from there, at an instant that is also the end of a step, and at another.
 #[test]
 fn a_floor_lets_go_where_its_force_jumps_to_zero() {
-    for half in [0.5, 0.3] {
+    for (half, held) in [(0.5, 0.9), (0.3, 0.9), (0.5, 1.0), (0.3, 1.0)] {
         let before = Expr::compare(Relation::Less, time() / S, Expr::from(half));
-        let force = Expr::select(before, Expr::from(0.9), 1 + (time() / S - half));
+        let force = Expr::select(before, Expr::from(held), 1 + (time() / S - half));
         let (run, body) = lifted(force);
         close(height(&run, &body), 10.0 * (1.0_f64 - half).powi(3) / 6.0, 1e-12);
     }
@@ -88,4 +88,14 @@ fn before_an_impact_at_the_start_there_is_the_start() {
     let mut observer = run.observe(&[ball.kinematics().velocity().y().clone()]).expect("a formula");
     assert_eq!(observer.at(0.0, Side::Before), Some(vec![-2.0]));
     assert_eq!(observer.at(0.0, Side::After), Some(vec![1.0]));
+}
+
+/// From no force the floor's would jump to a pull.
+#[test]
+fn a_floor_lets_go_where_its_force_would_jump_from_zero_to_a_pull() {
+    for half in [0.5, 0.3] {
+        let before = Expr::compare(Relation::Less, time() / S, Expr::from(half));
+        let (run, body) = lifted(Expr::select(before, Expr::from(1), Expr::from(2)));
+        close(height(&run, &body), 5.0 * (1.0_f64 - half).powi(2), 1e-12);
+    }
 }

@@ -288,9 +288,7 @@ impl Engine {
         }
         for (guard, series) in expansion.guards.iter().enumerate() {
             let (direction, zeros) = (self.system.guard_directions[guard], self.sides.zero_guards[guard]);
-            if is_overdue(series, zeros, direction)
-                && self.is_limit(guard, series, (expansion, length), scales)
-            {
+            if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
             }
@@ -301,9 +299,7 @@ impl Engine {
             let guard = self.system.guards + candidate;
             let direction = self.system.guard_directions[guard];
             let zeros = self.sides.zero_guards[guard];
-            if is_overdue(series, zeros, direction)
-                && self.is_limit(guard, series, (expansion, length), scales)
-            {
+            if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
             }
@@ -324,7 +320,7 @@ impl Engine {
         hits
     }
 
-    /// Whether a guard that crosses zero at the start of a step ends the flow there.
+    /// Whether a guard that is found beyond zero, or at zero and about to cross, ends the flow at the start of a step.
     fn is_limit(
         &self,
         guard: usize,
@@ -332,14 +328,17 @@ impl Engine {
         (expansion, length): (&Expansion, f64),
         scales: &Scales,
     ) -> bool {
+        let (direction, zeros) = (self.system.guard_directions[guard], self.sides.zero_guards[guard]);
         match self.system.guard_limits[guard] {
             Limit::None => false,
-            Limit::Always => true,
+            Limit::Always => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
                 let clock = expansion.time.as_ref();
                 let elapsed = clock.map_or(length, |clock| polynomial::increment(clock, length));
                 let push = polynomial::value(series, length).abs();
-                response * push * elapsed * elapsed > ROUNDING * scales.of(group)
+                let is_beyond = zeros == 0 && direction.allows(series[0]);
+                let moves = response * push * elapsed * elapsed > ROUNDING * scales.of(group);
+                (is_beyond || is_overdue(series, zeros, direction)) && moves
             }
         }
     }
@@ -437,7 +436,9 @@ impl Engine {
         let crosses = |guard: &usize| {
             let after = sign_after(&ahead.guards[*guard]);
             let before = sign_before(&expansion.guards[*guard], length);
-            before * after < 0.0 && self.system.guard_directions[*guard].allows(after)
+            let is_limit = !matches!(self.system.guard_limits[*guard], Limit::None);
+            let passes = before * after < 0.0 || (is_limit && before == 0.0 && after != 0.0);
+            passes && self.system.guard_directions[*guard].allows(after)
         };
         Ok((0..ahead.guards.len()).filter(crosses).chain(candidates).collect())
     }
