@@ -446,7 +446,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         };
         let zeros: Vec<(String, usize)> = causes.iter().filter_map(crossed).chain(jump.zeros).collect();
         self.wakes.extend(jump.wake);
-        let before = self.states.clone();
+        let (before, carry, scales) = (self.states.clone(), self.carry.clone(), self.scales.all().to_vec());
         // An event that changes nothing does not disturb the sides that the motion is on.
         self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
@@ -457,6 +457,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             tags: jump.tags,
             before,
             after: self.states.clone(),
+            carry,
+            scales,
             mode_before: mode,
             mode_after,
         });

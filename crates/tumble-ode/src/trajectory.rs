@@ -51,6 +51,10 @@ pub struct Event {
     pub before: Vec<f64>,
     /// States just after.
     pub after: Vec<f64>,
+    /// What rounding had left out of the states before, and the scales then: with them the jump can be made again.
+    pub carry: Vec<f64>,
+    /// Scales of the groups of states at that time.
+    pub scales: Vec<f64>,
     /// Index in [`Trajectory::modes`] of the mode that ended.
     pub mode_before: usize,
     /// Index in [`Trajectory::modes`] of the mode that began.

@@ -173,10 +173,10 @@ impl Equations {
             time: event.time,
             mode: &trajectory.modes[event.mode_before],
             states: &event.before,
-            carry: &[],
+            carry: &event.carry,
             inputs,
             causes: &event.causes,
-            scales: &trajectory.scales,
+            scales: &event.scales,
         };
         let (jump, by_pair) = self.transition(&at)?;
         let mut impulses = vec![];
