@@ -292,7 +292,9 @@ impl Engine {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
             }
-            let found = crossings(series, zeros).filter(|(_, to)| direction.allows(*to));
+            // What is zero now does not cross again at the same instant: that is rounding of a turn.
+            let now = if zeros > 0 { SIMULTANEOUS_PART * length.max(expansion.start.abs()) } else { 0.0 };
+            let found = crossings(series, zeros).filter(|(at, to)| *at > now && direction.allows(*to));
             hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
         }
         for (candidate, series) in &expansion.near {
