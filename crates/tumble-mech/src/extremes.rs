@@ -5,7 +5,8 @@
 //! A part where it does not is halved, down to [`SHORTEST`] of the piece: what is left is at a kink or a jump of the
 //! formula, and both its ends are looked at. Pieces end at events, so that both sides of every jump of the motion count.
 //!
-//! A quantity that has kinks, or no value, at more than some hundred instants of one piece is refused. Something that is over within a small part of a step, and that neither series nor values tell of, is not seen.
+//! A quantity that has kinks, or no value, at more than some hundred instants of one piece is refused. Something that is
+//! over within a small part of a step, and that neither series nor values tell of, is not seen.
 //! `tests/extremes.rs` checks it against closed forms.
 
 use tumble_expr::{Branches, Expr, Jets};

@@ -5,8 +5,8 @@ mod common;
 use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
-use tumble_mech::{Body, Extreme, Gravity, Model, Run, Shape, Start, Surface, time};
-use tumble_ode::Side;
+use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, Run, Shape, Start, Surface, time};
+use tumble_ode::{Direction, Side};
 
 /// A box of 1 kg on a floor, lifted by a force in units of its weight, 10 N, for 1 s.
 fn lifted(force: Expr) -> (Run, Body) {
@@ -98,4 +98,21 @@ fn a_floor_lets_go_where_its_force_would_jump_from_zero_to_a_pull() {
         let (run, body) = lifted(Expr::select(before, Expr::from(1), Expr::from(2)));
         close(height(&run, &body), 5.0 * (1.0_f64 - half).powi(2), 1e-12);
     }
+}
+
+/// What an impact at the very start makes happen stops the motion there, before any step.
+#[test]
+fn a_motion_may_stop_where_it_starts() {
+    let mut model = Model::new();
+    model.starts.push(("ball".into(), Start::default().velocity([0 * M / S, -2 * M / S])));
+    let ball = model.add(Body::point("ball").mass(1 * KG));
+    model.surface(Surface::floor("floor", 0 * M, rigid(0.5)));
+    let when = ball.kinematics().velocity().y().clone();
+    let (direction, action) = (Direction::Rising, Action::Stop);
+    model.events.push(Event { name: "up".into(), when: when.clone(), direction, action });
+    let run = run(model, 1.0, 1e-9);
+    assert_eq!((run.trajectory.end(), run.trajectory.pieces.len()), (Some(0.0), 0));
+    let mut observer = run.observe(&[when]).expect("a formula");
+    assert_eq!(observer.at(0.0, Side::Before), Some(vec![-2.0]));
+    assert_eq!(observer.at(0.0, Side::After), Some(vec![1.0]));
 }

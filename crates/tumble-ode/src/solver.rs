@@ -159,6 +159,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     fn try_advance(&mut self) -> Result<(), Reason> {
         let mode = self.current_mode()?;
+        if self.stopped {
+            return Ok(());
+        }
         let mut expansion = self.expand(mode)?;
         let end = self.next_stop(mode);
         let step = self.accepted_step(mode, &mut expansion, end)?;

@@ -84,14 +84,16 @@ pub enum Side {
 }
 
 impl<Mode> Trajectory<Mode> {
-    /// Time of the start, s; `None` if nothing was integrated.
+    /// Time of the start, s; `None` if nothing was integrated and nothing happened.
     pub fn start(&self) -> Option<f64> {
-        self.pieces.first().map(|piece| piece.start)
+        let first = || self.events.first().map(|event| event.time);
+        self.pieces.first().map(|piece| piece.start).or_else(first)
     }
 
-    /// Time up to which the motion is known, s; `None` if nothing was integrated.
+    /// Time up to which the motion is known, s; `None` if nothing was integrated and nothing happened.
     pub fn end(&self) -> Option<f64> {
-        self.pieces.last().map(|piece| piece.end)
+        let last = || self.events.last().map(|event| event.time);
+        self.pieces.last().map(|piece| piece.end).or_else(last)
     }
 
     /// The piece that holds `time`; `None` outside the motion. At a joint, the side says which.
