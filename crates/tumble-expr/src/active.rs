@@ -68,7 +68,7 @@ mod tests {
         let t = Expr::symbol("t", Dimension::NONE);
         let condition = Expr::compare(Relation::Less, t.clone(), Expr::one());
         let formula = Expr::select(condition, t.sin().abs(), t.sqrt());
-        let layout = Layout { states: vec![], time: Symbol::new("t", Dimension::NONE), inputs: vec![] };
+        let layout = Layout::new(vec![], Symbol::new("t", Dimension::NONE), vec![]);
         let tape = Tape::compile(&layout, &[formula]).expect("typed");
         // Branch 0 is abs, branch 1 the condition: positive where t >= 1, where the root is taken.
         let (root, sine) = (tape.active(&[1.0, 1.0]), tape.active(&[1.0, -1.0]));

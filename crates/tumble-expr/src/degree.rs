@@ -70,7 +70,7 @@ mod tests {
 
     fn degree_of(formula: impl Fn(Expr, Expr, Expr) -> Expr) -> Degree {
         let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
-        let layout = Layout { states: vec![symbol("x")], time: symbol("t"), inputs: vec![symbol("p")] };
+        let layout = Layout::new(vec![symbol("x")], symbol("t"), vec![symbol("p")]);
         let leaf = |name: &str| Expr::from(symbol(name));
         let tape = Tape::compile(&layout, &[formula(leaf("x"), leaf("t"), leaf("p"))]).expect("pure numbers");
         tape.degrees(&[Some(2)])[0]

@@ -1,7 +1,7 @@
 //! Formulas of a tape as text, for messages.
 
+use crate::Tape;
 use crate::ops::{Op, Slot};
-use crate::{Tape, nearest};
 
 /// Parts nested deeper than this are left out: a message must fit a line.
 const DEEPEST: usize = 6;
@@ -20,7 +20,7 @@ impl Tape {
         let call = |name: &str, slot: Slot| format!("{name}({})", self.text(slot, depth - 1));
         match self.ops[slot as usize] {
             Op::State(_) | Op::Time | Op::Input(_) => self.names[slot as usize].clone(),
-            Op::Number(index) => nearest(&self.numbers[index as usize]).to_string(),
+            Op::Number(index) => self.numbers[index as usize].value.to_string(),
             Op::Pi => "pi".to_owned(),
             Op::Neg(a) => format!("-{}", of(a)),
             Op::Add(a, b) => format!("({} + {})", of(a), of(b)),
@@ -82,7 +82,7 @@ mod tests {
     fn a_formula_reads_as_it_was_written() {
         let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
         let leaf = |name: &str| Expr::from(symbol(name));
-        let layout = Layout { states: vec![symbol("rod.vx")], time: symbol("t"), inputs: vec![symbol("L")] };
+        let layout = Layout::new(vec![symbol("rod.vx")], symbol("t"), vec![symbol("L")]);
         let formula = (leaf("t") / 2 - leaf("rod.vx")).abs() * leaf("L").sin();
         let tape = Tape::compile(&layout, &[formula]).expect("typed");
         assert_eq!(tape.describe(tape.outputs()[0]), "abs((t/2 - rod.vx))*sin(L)");

@@ -110,7 +110,7 @@ mod tests {
         let t = Symbol::new("t", Dimension::NONE);
         let written = formula(&Expr::from(t.clone()));
         let slope = written.derivative(&t);
-        let layout = Layout { states: vec![], time: t, inputs: vec![] };
+        let layout = Layout::new(vec![], t, vec![]);
         let tape = Tape::compile(&layout, &[written, slope]).expect("typed");
         let mut jets = Jets::new(Arc::new(tape), 1, &[]);
         jets.start(0.7, &[], Branches::Free);

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::ops::solve::{self, Matrix};
+use crate::ops::kernels::Kernels;
+use crate::ops::solve::Matrix;
 use crate::ops::{Op, Series, Slot};
-use crate::{Lookup, Scalar, Stage, Tape};
+use crate::{Lookup, Stage, Tape};
 
 /// How branches (abs, sign, step, min, max, if) take their sides at order 0.
 #[derive(Clone, Copy, Debug)]
@@ -32,12 +33,14 @@ pub struct Jets<S> {
     vanishing: Vec<bool>,
     /// Factors of the matrices of linear systems.
     factors: Vec<S>,
+    /// Of an interval of places, how far they are from where what vanishes is zero.
+    elapsed: S,
 }
 
 /// Runs a tape on values.
 pub type Values<S> = Jets<S>;
 
-impl<S: Scalar> Jets<S> {
+impl<S: Kernels> Jets<S> {
     /// An evaluator of `tape` up to `order`, for one set of inputs.
     ///
     /// # Panics
@@ -49,7 +52,8 @@ impl<S: Scalar> Jets<S> {
         let vanishing = vec![false; tape.norms.len()];
         let varying = tape.varying().collect();
         let factors = vec![S::zero(); tape.matrices.iter().map(Matrix::room).sum()];
-        let mut jets = Self { tape, stride, varying, data, signs, vanishing, factors };
+        let elapsed = S::zero();
+        let mut jets = Self { tape, stride, varying, data, signs, vanishing, factors, elapsed };
         jets.bind(inputs);
         jets
     }
@@ -67,8 +71,11 @@ impl<S: Scalar> Jets<S> {
         }
         for (slot, op) in tape.prologue() {
             let value = match op {
-                Op::Number(index) => S::exact(&tape.numbers[index as usize]),
-                Op::Pi => S::pi(),
+                Op::Number(index) => {
+                    let number = &tape.numbers[index as usize];
+                    S::constant(number.value, number.is_exact)
+                }
+                Op::Pi => S::constant(tape.pi, false),
                 _ => self.value(op, true),
             };
             self.data[slot as usize * self.stride] = value;
@@ -107,6 +114,20 @@ impl<S: Scalar> Jets<S> {
             let value = self.series().coefficient(op, slot, k);
             self.data[slot as usize * self.stride + k] = value;
         }
+    }
+
+    /// Forgets all that was found: every result may be anything.
+    pub fn forget(&mut self, anything: S) {
+        for index in 0..self.varying.len() {
+            let slot = self.varying[index].0 as usize;
+            self.data[slot * self.stride..][..self.stride].fill(anything);
+        }
+    }
+
+    /// For intervals: says how far from where they vanish the norms of [`Jets::set_vanishing`] are looked at. Results for them
+    /// are then made from those of the evaluation before, so that evaluation is to be done twice after [`Jets::forget`].
+    pub fn set_elapsed(&mut self, elapsed: S) {
+        self.elapsed = elapsed;
     }
 
     /// Says which norms (in the order of [`Tape::turnings`]) are zero at the next start, whatever rounding has left.
@@ -160,7 +181,7 @@ impl<S: Scalar> Jets<S> {
         }
         if free && let Some(lookup) = op.lookup() {
             let Lookup { table, of } = &self.tape.tables()[lookup as usize];
-            let segment = self.slot(*of)[0].map(|x| table.0.segment(x) as f64);
+            let segment = self.slot(*of)[0].segment(&table.0);
             let side = self.tape.guards().len() + lookup as usize;
             self.signs[side] = segment;
         }
@@ -169,13 +190,13 @@ impl<S: Scalar> Jets<S> {
         }
         match op {
             // A free sign has three values; a frozen one is its side.
-            Op::Sign { of, .. } if free => self.slot(of)[0].map(sign),
+            Op::Sign { of, .. } if free => self.slot(of)[0].sign(),
             _ => self.series().value(op),
         }
     }
 
     fn factor(&mut self, matrix: u32) {
-        let factors = solve::factors(&self.series(), matrix);
+        let factors = S::factors(&self.series(), matrix);
         let offset = self.tape.matrices[matrix as usize].offset;
         self.factors[offset..][..factors.len()].copy_from_slice(&factors);
     }
@@ -188,10 +209,7 @@ impl<S: Scalar> Jets<S> {
             tape: &self.tape,
             factors: &self.factors,
             vanishing: &self.vanishing,
+            elapsed: self.elapsed,
         }
     }
-}
-
-fn sign(value: f64) -> f64 {
-    if value == 0.0 { 0.0 } else { value.signum() }
 }

@@ -203,7 +203,7 @@ mod tests {
 
     fn layout() -> Layout {
         let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
-        Layout { states: vec![], time: symbol("t"), inputs: vec![symbol("p")] }
+        Layout::new(vec![], symbol("t"), vec![symbol("p")])
     }
 
     fn pure(name: &str) -> Expr {

@@ -7,6 +7,8 @@ use std::collections::HashMap;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
+use crate::rounding::{Constant, Rounding};
+
 use crate::expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
 use crate::hashing::FastMap;
@@ -23,6 +25,7 @@ const UNPLACED: Slot = Slot::MAX;
 pub(crate) struct Lowering {
     leaves: HashMap<Symbol, Slot>,
     tape: Tape,
+    rounding: Rounding,
     /// Indices in the tape's list of numbers.
     numbers: HashMap<BigRational, u32>,
     /// Operations already on the tape.
@@ -35,11 +38,13 @@ impl Lowering {
     pub(crate) fn new(layout: &Layout) -> Self {
         let mut lowering = Self {
             leaves: HashMap::new(),
+            rounding: layout.rounding,
             numbers: HashMap::new(),
             tape: Tape {
                 ops: vec![],
                 stages: vec![],
                 numbers: vec![],
+                pi: layout.rounding.pi(),
                 norms: vec![],
                 guards: vec![],
                 outputs: vec![],
@@ -97,9 +102,9 @@ impl Lowering {
     }
 
     fn number(&mut self, value: &BigRational) -> Slot {
-        let list = &mut self.tape.numbers;
+        let (list, rounding) = (&mut self.tape.numbers, self.rounding);
         let index = *self.numbers.entry(value.clone()).or_insert_with(|| {
-            list.push(value.clone());
+            list.push(Constant::of(value, rounding));
             list.len() as u32 - 1
         });
         self.emit(Op::Number(index))

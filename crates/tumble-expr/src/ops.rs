@@ -6,14 +6,18 @@
 
 pub(crate) mod arithmetic;
 pub(crate) mod branch;
+pub(crate) mod enclosed;
 pub(crate) mod integral;
+pub(crate) mod kernels;
 pub(crate) mod norm;
 pub(crate) mod power;
+pub(crate) mod running;
 pub(crate) mod solve;
 pub(crate) mod square_over;
 
+use crate::Tape;
+use crate::ops::kernels::Kernels;
 use crate::table::Table;
-use crate::{Scalar, Tape};
 
 /// Where an operation's result stands: its index on the tape.
 pub type Slot = u32;
@@ -156,7 +160,7 @@ pub enum Op {
 }
 
 /// Series of every slot, as far as they are known.
-pub(crate) struct Series<'a, S> {
+pub struct Series<'a, S> {
     pub(crate) data: &'a [S],
     pub(crate) stride: usize,
     /// +1 or -1 a branch, then the segment of each measured function.
@@ -166,9 +170,11 @@ pub(crate) struct Series<'a, S> {
     pub(crate) factors: &'a [S],
     /// Which lengths and quotients have an argument that is zero at the point of expansion, whatever rounding has left.
     pub(crate) vanishing: &'a [bool],
+    /// Of an interval of places, how far they are from where those arguments are zero.
+    pub(crate) elapsed: S,
 }
 
-impl<'a, S: Scalar> Series<'a, S> {
+impl<'a, S: Kernels> Series<'a, S> {
     pub(crate) fn of(&self, slot: Slot) -> &'a [S] {
         &self.data[slot as usize * self.stride..][..self.stride]
     }
@@ -189,7 +195,7 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Sub(a, b) => at(a) - at(b),
             Op::Mul(a, b) | Op::Scale { of: a, by: b } => at(a) * at(b),
             Op::Div(a, b) | Op::Shrink { of: a, by: b } => at(a) / at(b),
-            Op::Square(a) => at(a) * at(a),
+            Op::Square(a) => at(a).square(),
             Op::Sqrt(a) => at(a).sqrt(),
             Op::Pow { of, exponent } => at(of).pow(at(exponent)),
             Op::Exp(a) => at(a).exp(),
@@ -212,12 +218,12 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Coefficient { lookup, power, .. } => {
                 self.segment(lookup, |table, segment| table.coefficient(segment, power as usize))
             }
-            Op::Norm(parts) => norm::value(self, parts),
-            Op::SquareOver { of, by, vanishing } => square_over::value(self, of, by, vanishing),
+            Op::Norm(parts) => S::norm(self, parts),
+            Op::SquareOver { of, by, vanishing } => S::square_over(self, (of, by, vanishing)),
             Op::Factor(_) => S::zero(),
             Op::Residual { system, row } => solve::right_side(self, system, row),
-            Op::Forward { system, row } => solve::forward(self, system, row, 0),
-            Op::Solution { system, row } => solve::solution(self, system, row, 0),
+            Op::Forward { system, row } => S::forward(self, system, row, 0),
+            Op::Solution { system, row } => S::solution(self, system, row, 0),
         }
     }
 
@@ -248,18 +254,22 @@ impl<'a, S: Scalar> Series<'a, S> {
             Op::Asin { of, root } => integral::against(a(of)[k], a(root), c, k),
             Op::Acos { of, root } => integral::against(-a(of)[k], a(root), c, k),
             Op::Atan { of, square } => integral::against(a(of)[k], a(square), c, k),
-            Op::Atan2 { y, x, square } => integral::against(integral::sweep(a(x), a(y), k), a(square), c, k),
+            Op::Atan2 { y, x, square } => {
+                c[0].smooth(integral::against(integral::sweep(a(x), a(y), k), a(square), c, k))
+            }
             Op::Abs { of, branch } => self.sign(branch) * a(of)[k],
             Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => S::zero(),
             Op::Factor(_) => S::zero(),
             Op::Residual { system, row } => solve::residual(self, system, row, k),
-            Op::Forward { system, row } => solve::forward(self, system, row, k),
-            Op::Solution { system, row } => solve::solution(self, system, row, k),
+            Op::Forward { system, row } => S::forward(self, system, row, k),
+            Op::Solution { system, row } => S::solution(self, system, row, k),
             Op::Choose { branch, positive, negative } => {
                 self.sign(branch).choose(a(positive)[k], a(negative)[k])
             }
-            Op::Norm(parts) => norm::coefficient(self, parts, c, k),
-            Op::SquareOver { of, by, vanishing } => square_over::coefficient(self, (of, by, vanishing), c, k),
+            Op::Norm(parts) => S::norm_coefficient(self, parts, c, k),
+            Op::SquareOver { of, by, vanishing } => {
+                S::square_over_coefficient(self, (of, by, vanishing), c, k)
+            }
         }
     }
 
@@ -270,7 +280,7 @@ impl<'a, S: Scalar> Series<'a, S> {
     /// Something of the segment that holds, lane by lane.
     fn segment(&self, lookup: u32, of: impl Fn(&Table, usize) -> f64) -> S {
         let table = &self.tape.tables[lookup as usize].table.0;
-        self.signs[self.tape.guards.len() + lookup as usize].map(|segment| of(table, segment as usize))
+        self.signs[self.tape.guards.len() + lookup as usize].of_segment(|segment| of(table, segment))
     }
 }
 

@@ -6,10 +6,9 @@ use crate::expr::Symbol;
 use crate::lower::Lowering;
 use crate::ops::solve::{Matrix, System};
 use crate::ops::{Op, Slot};
+use crate::rounding::{Constant, Rounding};
 use crate::table::TableRef;
 use crate::{Expr, Kind, TypeError};
-use num_rational::BigRational;
-use num_traits::Zero;
 
 /// Which symbols are leaves, and in which order their values are given.
 #[derive(Clone, Debug)]
@@ -20,6 +19,15 @@ pub struct Layout {
     pub time: Symbol,
     /// Parameters: fixed during a run, never folded into the tape.
     pub inputs: Vec<Symbol>,
+    /// How numbers that no `f64` is are rounded.
+    pub rounding: Rounding,
+}
+
+impl Layout {
+    /// Leaves in that order, and numbers rounded to the nearest.
+    pub fn new(states: Vec<Symbol>, time: Symbol, inputs: Vec<Symbol>) -> Self {
+        Self { states, time, inputs, rounding: Rounding::NEAREST }
+    }
 }
 
 /// Why formulas cannot become a tape.
@@ -54,7 +62,9 @@ pub enum Stage {
 pub struct Tape {
     pub(crate) ops: Vec<Op>,
     pub(crate) stages: Vec<Stage>,
-    pub(crate) numbers: Vec<BigRational>,
+    pub(crate) numbers: Vec<Constant>,
+    /// pi, rounded.
+    pub(crate) pi: f64,
     /// Vectors whose lengths are taken, and denominators that may vanish with their numerators.
     pub(crate) norms: Vec<Vec<Slot>>,
     /// Guard slot of each branch.
@@ -152,7 +162,7 @@ impl Tape {
     /// Whether a slot holds the literal zero.
     pub fn is_zero(&self, slot: Slot) -> bool {
         match self.ops[slot as usize] {
-            Op::Number(index) => self.numbers[index as usize].is_zero(),
+            Op::Number(index) => self.numbers[index as usize].value == 0.0,
             _ => false,
         }
     }

@@ -106,12 +106,12 @@ fn choose(a: Expr, b: Expr) -> Expr {
 
 fn tape(formula: &Expr) -> Arc<Tape> {
     let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
-    let layout = Layout { states: vec![], time: symbol("t"), inputs: vec![symbol("p")] };
+    let layout = Layout::new(vec![], symbol("t"), vec![symbol("p")]);
     Arc::new(Tape::compile(&layout, std::slice::from_ref(formula)).expect("a well-typed formula"))
 }
 
 /// Coefficients of the formula's series around `at`, in as many lanes as S has (lane i is expanded around `at[i]`).
-fn series<S: tumble_expr::Scalar>(formula: &Expr, at: S) -> Vec<S> {
+fn series<S: tumble_expr::Kernels>(formula: &Expr, at: S) -> Vec<S> {
     let mut jets = Jets::new(tape(formula), ORDER, &[S::splat(P)]);
     jets.start(at, &[], Branches::Free);
     for k in 1..=ORDER {

@@ -38,7 +38,7 @@ pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
 impl Equations {
     /// What formulas in the states of a mode run on.
     pub(crate) fn layout(&self, mode: &Mode) -> Layout {
-        Layout { states: self.states(mode), time: time_symbol(), inputs: self.model().parameters.symbols() }
+        Layout::new(self.states(mode), time_symbol(), self.model().parameters.symbols())
     }
 
     /// An evaluator of values of formulas that are in the states of a mode already.

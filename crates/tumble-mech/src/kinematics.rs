@@ -184,7 +184,7 @@ mod tests {
         }
         let formulas: Vec<Expr> =
             point.quantities().iter().map(|(_, formula)| motion.apply(formula)).collect();
-        let layout = Layout { states: vec![], time: Symbol::new("t", Dimension::NONE), inputs: vec![] };
+        let layout = Layout::new(vec![], Symbol::new("t", Dimension::NONE), vec![]);
         let mut jets = Jets::new(Arc::new(Tape::compile(&layout, &formulas).expect("typed")), 2, &[]);
         jets.start(0.8, &[], Branches::Free);
         jets.set(0, 1, 1.0);

@@ -64,7 +64,7 @@ impl Parameters {
 }
 
 fn evaluate(symbols: &[Symbol], values: &[f64], formulas: &[Expr]) -> Result<Vec<f64>, CompileError> {
-    let layout = Layout { states: vec![], time: time_symbol(), inputs: symbols.to_vec() };
+    let layout = Layout::new(vec![], time_symbol(), symbols.to_vec());
     let mut tape = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, values);
     // A formula of the parameters has no time: whatever uses it shows as not a number.
     tape.start(f64::NAN, &[], Branches::Free);

@@ -220,6 +220,7 @@ impl Watch {
                 states: pick(&layout.states, &states),
                 time: layout.time.clone(),
                 inputs: pick(&layout.inputs, &known),
+                rounding: layout.rounding,
             },
             inputs: known.iter().map(|index| inputs[*index]).collect(),
             states,

@@ -111,6 +111,7 @@ fn layout(flow: &Flow) -> Layout {
         states: flow.states.iter().map(|state| state.symbol.clone()).collect(),
         time: flow.time.clone(),
         inputs: flow.inputs.clone(),
+        rounding: flow.rounding,
     }
 }
 
@@ -198,6 +199,7 @@ mod tests {
             states: states.collect(),
             time: symbol("t".into()),
             inputs: vec![symbol("p".into())],
+            rounding: tumble_expr::Rounding::NEAREST,
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: vec![],
             guards: vec![],

@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use tumble_expr::{Expr, Symbol};
+use tumble_expr::{Expr, Rounding, Symbol};
 
 use crate::Reason;
 
@@ -28,6 +28,8 @@ pub struct Flow {
     pub time: Symbol,
     /// Parameters, fixed during a run.
     pub inputs: Vec<Symbol>,
+    /// How numbers that no `f64` is are rounded.
+    pub rounding: Rounding,
     /// Groups of states that share a scale.
     pub groups: Vec<ScaleGroup>,
     /// Times, as formulas of the inputs, at which a step must end and the system is asked to jump.

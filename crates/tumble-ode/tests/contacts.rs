@@ -48,6 +48,7 @@ impl Hybrid for Toy {
             states: states.collect(),
             time: symbol("t"),
             inputs: vec![],
+            rounding: tumble_expr::Rounding::NEAREST,
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: vec![],
             guards: self.guards.clone(),

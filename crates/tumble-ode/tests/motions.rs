@@ -34,6 +34,7 @@ impl Hybrid for Toy {
             states: states.collect(),
             time: symbol("t"),
             inputs: vec![symbol("p"), symbol("on")],
+            rounding: tumble_expr::Rounding::NEAREST,
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: self.schedule.clone(),
             guards: vec![],

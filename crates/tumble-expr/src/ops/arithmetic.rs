@@ -17,7 +17,7 @@ pub(crate) fn half_square<S: Scalar>(a: &[S], k: usize) -> S {
     let below = k.div_ceil(2).max(1);
     let pairs = convolution(&a[1..below], &a[k + 1 - below..k]);
     let twice = S::splat(2.0) * pairs;
-    if k.is_multiple_of(2) && k > 0 { twice + a[k / 2] * a[k / 2] } else { twice }
+    if k.is_multiple_of(2) && k > 0 { twice + a[k / 2].square() } else { twice }
 }
 
 /// `c = a / b`, from `c b = a`: `c_k b_0 = a_k - sum over i < k of c_i b_(k-i)`.

@@ -7,9 +7,9 @@
 
 use super::arithmetic::{self, half_square};
 use super::{Series, Slot};
-use crate::Scalar;
+use crate::Lanewise;
 
-pub(crate) fn value<S: Scalar>(series: &Series<'_, S>, parts: u32) -> S {
+pub(crate) fn value<S: Lanewise>(series: &Series<'_, S>, parts: u32) -> S {
     if series.vanishing[parts as usize] {
         return S::zero();
     }
@@ -17,7 +17,7 @@ pub(crate) fn value<S: Scalar>(series: &Series<'_, S>, parts: u32) -> S {
     S::from_lanes(|lane| length(parts.iter().map(|part| series.first(*part).lane(lane))))
 }
 
-pub(crate) fn coefficient<S: Scalar>(series: &Series<'_, S>, parts: u32, c: &[S], k: usize) -> S {
+pub(crate) fn coefficient<S: Lanewise>(series: &Series<'_, S>, parts: u32, c: &[S], k: usize) -> S {
     let lowest = usize::from(series.vanishing[parts as usize]);
     let parts = &series.tape.norms[parts as usize];
     // Away from zero in every lane there is nothing to factor out.
@@ -29,7 +29,7 @@ pub(crate) fn coefficient<S: Scalar>(series: &Series<'_, S>, parts: u32, c: &[S]
     S::from_lanes(|lane| of_lane(series, parts, c, lowest..=k, lane))
 }
 
-fn of_lane<S: Scalar>(
+fn of_lane<S: Lanewise>(
     series: &Series<'_, S>,
     parts: &[Slot],
     c: &[S],

@@ -7,8 +7,9 @@
 //! within rounding has factors that are no numbers, and so are all its unknowns.
 
 use super::arithmetic::convolution;
+use super::kernels::Kernels;
 use super::{Series, Slot};
-use crate::Scalar;
+use crate::Lanewise;
 
 /// A pivot of at most this many roundings (for each row) of what it was computed from is none: changing entries in their
 /// last digits makes the matrix singular, and a solution would have no digit right.
@@ -25,9 +26,9 @@ pub(crate) struct Matrix {
 }
 
 impl Matrix {
-    /// How many numbers its factors are: both triangles in one square, row by row, then the order of the rows.
+    /// How many numbers its factors are at most: two squares, row by row, and one more.
     pub(crate) fn room(&self) -> usize {
-        self.n * self.n + self.n
+        2 * self.n * self.n + 1
     }
 }
 
@@ -74,12 +75,12 @@ impl System {
 }
 
 /// Order 0 of a residual.
-pub(crate) fn right_side<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32) -> S {
+pub(crate) fn right_side<S: Kernels>(series: &Series<'_, S>, system: u32, row: u32) -> S {
     series.first(series.tape.systems[system as usize].right[row as usize])
 }
 
 /// `b_k - sum over j from 1 to k of A_j x_(k-j)`, for one row.
-pub(crate) fn residual<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
+pub(crate) fn residual<S: Kernels>(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
     let system = &series.tape.systems[system as usize];
     let taken = system.terms[row as usize].iter().fold(S::zero(), |sum, term| {
         let (a, x) = (series.of(term.entry), series.of(term.unknown));
@@ -89,7 +90,7 @@ pub(crate) fn residual<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32,
 }
 
 /// A row of the lower triangle: the row's residual less the rows before it.
-pub(crate) fn forward<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
+pub(crate) fn forward<S: Lanewise>(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
     let (system, row) = (&series.tape.systems[system as usize], row as usize);
     let factors = factors_of(series, system);
     let source = factors[system.n * system.n + row];
@@ -104,7 +105,7 @@ pub(crate) fn forward<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32, 
 }
 
 /// A row of the upper triangle: the eliminated row less the unknowns after it, over the pivot.
-pub(crate) fn solution<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
+pub(crate) fn solution<S: Lanewise>(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
     let (system, row) = (&series.tape.systems[system as usize], row as usize);
     let factors = &factors_of(series, system)[row * system.n..][..system.n];
     let eliminated = series.of(system.forward + row as Slot)[k];
@@ -115,20 +116,40 @@ pub(crate) fn solution<S: Scalar>(series: &Series<'_, S>, system: u32, row: u32,
     rest / factors[row]
 }
 
-fn factors_of<'a, S>(series: &Series<'a, S>, system: &System) -> &'a [S] {
+pub(crate) fn factors_of<'a, S>(series: &Series<'a, S>, system: &System) -> &'a [S] {
     let matrix = &series.tape.matrices[system.matrix as usize];
     &series.factors[matrix.offset..][..matrix.room()]
 }
 
 /// Factors of a matrix at order 0.
-pub(crate) fn factors<S: Scalar>(series: &Series<'_, S>, matrix: u32) -> Vec<S> {
+pub(crate) fn factors<S: Lanewise>(series: &Series<'_, S>, matrix: u32) -> Vec<S> {
     let matrix = &series.tape.matrices[matrix as usize];
     let lane = |lane| {
         let entries = matrix.entries.iter().map(|entry| series.first(*entry).lane(lane));
         Elimination::new(matrix.n, entries.collect()).run()
     };
     let lanes: Vec<Vec<f64>> = (0..S::LANES).map(lane).collect();
-    (0..matrix.room()).map(|index| S::from_lanes(|lane| lanes[lane][index])).collect()
+    // Both triangles in one square, then the order of the rows.
+    (0..matrix.n * matrix.n + matrix.n).map(|index| S::from_lanes(|lane| lanes[lane][index])).collect()
+}
+
+/// The inverse of a matrix of numbers, row by row; no numbers where it is singular within rounding.
+pub(crate) fn inverse(n: usize, entries: Vec<f64>) -> Vec<f64> {
+    let factors = Elimination::new(n, entries).run();
+    let mut inverse = vec![0.0; n * n];
+    for column in 0..n {
+        let mut x: Vec<f64> =
+            (0..n).map(|row| f64::from(u8::from(factors[n * n + row] as usize == column))).collect();
+        for row in 0..n {
+            x[row] = (0..row).fold(x[row], |rest, other| rest - factors[row * n + other] * x[other]);
+        }
+        for row in (0..n).rev() {
+            let rest = (row + 1..n).fold(x[row], |rest, other| rest - factors[row * n + other] * x[other]);
+            x[row] = rest / factors[row * n + row];
+        }
+        (0..n).for_each(|row| inverse[row * n + column] = x[row]);
+    }
+    inverse
 }
 
 /// A matrix on its way to its factors.

@@ -5,17 +5,19 @@
 //! Where rounding has left something of a zero, whoever knows says so, as for a length.
 
 use super::{Series, Slot};
-use crate::Scalar;
+use crate::Lanewise;
 use crate::ops::arithmetic::{self, convolution, half_square};
 
-pub(crate) fn value<S: Scalar>(series: &Series<'_, S>, of: Slot, by: Slot, vanishing: u32) -> S {
+pub(crate) fn value<S: Lanewise>(series: &Series<'_, S>, of: Slot, by: Slot, vanishing: u32) -> S {
     let known_zero = series.vanishing[vanishing as usize];
-    series
-        .first(of)
-        .zip(series.first(by), |a, b| if known_zero || (a == 0.0 && b == 0.0) { 0.0 } else { a * a / b })
+    let (a, b) = (series.first(of), series.first(by));
+    S::from_lanes(|lane| {
+        let (a, b) = (a.lane(lane), b.lane(lane));
+        if known_zero || (a == 0.0 && b == 0.0) { 0.0 } else { a * a / b }
+    })
 }
 
-pub(crate) fn coefficient<S: Scalar>(
+pub(crate) fn coefficient<S: Lanewise>(
     series: &Series<'_, S>,
     (of, by, vanishing): (Slot, Slot, u32),
     c: &[S],
@@ -30,7 +32,7 @@ pub(crate) fn coefficient<S: Scalar>(
     S::from_lanes(|lane| of_lane(a, b, c, lowest..=k, lane))
 }
 
-fn of_lane<S: Scalar>(
+fn of_lane<S: Lanewise>(
     a: &[S],
     b: &[S],
     c: &[S],

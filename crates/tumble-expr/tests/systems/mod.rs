@@ -122,11 +122,8 @@ fn derivatives_agree_with_difference_quotients() {
 
 #[test]
 fn a_system_stands_on_the_tape_once() {
-    let layout = Layout {
-        states: vec![],
-        time: Symbol::new("t", Dimension::NONE),
-        inputs: vec![Symbol::new("p", Dimension::NONE)],
-    };
+    let layout =
+        Layout::new(vec![], Symbol::new("t", Dimension::NONE), vec![Symbol::new("p", Dimension::NONE)]);
     // Twice the same system, written twice.
     let unknowns: Vec<Expr> =
         (0..2).flat_map(|_| Expr::solve(dense(3), vec![t(), p(), Expr::one()])).collect();
@@ -152,11 +149,8 @@ fn unknowns_satisfy_their_equations() {
 
 #[test]
 fn a_new_parameter_gives_new_factors() {
-    let layout = Layout {
-        states: vec![],
-        time: Symbol::new("t", Dimension::NONE),
-        inputs: vec![Symbol::new("p", Dimension::NONE)],
-    };
+    let layout =
+        Layout::new(vec![], Symbol::new("t", Dimension::NONE), vec![Symbol::new("p", Dimension::NONE)]);
     let matrix = vec![vec![p(), Expr::one()], vec![Expr::one(), p() * 2]];
     let tape = Tape::compile(&layout, &Expr::solve(matrix, vec![t(), Expr::one()])).expect("pure numbers");
     let mut jets = Jets::new(tape.into(), 1, &[P]);

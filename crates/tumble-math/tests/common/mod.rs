@@ -75,7 +75,7 @@ impl Evaluator {
         let names = all.keys().cloned().collect();
         let states = all.into_values().collect();
         let time = Symbol::new("no time", Dimension::TIME);
-        let layout = Layout { states, time, inputs: vec![] };
+        let layout = Layout::new(states, time, vec![]);
         let tape = Tape::compile(&layout, formulas).expect("typed");
         Self { jets: Jets::new(Arc::new(tape), 0, &[]), names }
     }

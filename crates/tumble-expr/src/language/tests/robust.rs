@@ -121,7 +121,7 @@ fn long_chains_are_compiled_and_dropped_without_recursion() {
             let formula = parse(text).expect("short enough").check(&scope).expect("alike");
             let Value::Scalar(formula) = formula else { panic!("a number") };
             let derived = formula.clone() * 2;
-            let layout = Layout { states: vec![], time: time.clone(), inputs: vec![] };
+            let layout = Layout::new(vec![], time.clone(), vec![]);
             assert!(Tape::compile(&layout, &[formula, derived]).is_ok(), "{}", &text[..8]);
         }
     };
