@@ -65,8 +65,8 @@ pub(crate) struct StateRate {
     pub(crate) symbol: Symbol,
     pub(crate) rate: Expr,
     pub(crate) measure: Measure,
-    /// Whether the rate is with respect to the mode's own clock.
-    pub(crate) per_clock: bool,
+    /// Whether the rate is with respect to the parameter of the mode's time transformation.
+    pub(crate) per_parameter: bool,
 }
 
 impl Coordinates {
@@ -84,7 +84,7 @@ impl Coordinates {
     /// The states in order, each with its rate of change; accelerations are left as symbols.
     pub(crate) fn states(&self, body: &Kinematics) -> Vec<StateRate> {
         let state =
-            |symbol: Symbol, rate: Expr, measure| StateRate { symbol, rate, measure, per_clock: false };
+            |symbol: Symbol, rate: Expr, measure| StateRate { symbol, rate, measure, per_parameter: false };
         let [x, y] = body.position_symbols();
         let [vx, vy] = body.velocity_symbols();
         let [ax, ay] = body.acceleration_symbols();

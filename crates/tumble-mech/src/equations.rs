@@ -284,7 +284,7 @@ impl Equations {
                 symbol: pair.root_symbol(),
                 rate: laws::compliant::root_rate(pair, &others),
                 measure: Measure::Root,
-                per_clock: true,
+                per_parameter: true,
             }
         };
         bodies.chain(roots.iter().map(root)).collect()
@@ -295,10 +295,11 @@ impl Equations {
         mode.pressed().filter(|pair| self.pairs.all[*pair].is_hertzian()).collect()
     }
 
-    /// The mode's own clock, where it has one: while Hertzian contacts are pressed, the product of the depths' roots.
-    pub(crate) fn clock(&self, mode: &Mode) -> Option<Expr> {
+    /// The mode's time transformation, where it has one: while Hertzian contacts are pressed, the product of the
+    /// depths' roots.
+    pub(crate) fn time_transformation(&self, mode: &Mode) -> Option<Expr> {
         let roots = self.roots(mode).into_iter().map(|pair| Expr::from(self.pairs.all[pair].root_symbol()));
-        // A clock is a pure number of time; the unit of the roots goes into the pieces' own parameter.
+        // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
         roots.reduce(|product, root| product * root)
     }
 

@@ -95,7 +95,7 @@ pub enum ModelError {
     /// A path that a pivot is moved on with a corner or a jump.
     #[error(
         "the path of {what} has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \
-         blow on the body, which no force stands for; write a smooth path"
+         impact on the body, which no force stands for; write a smooth path"
     )]
     CorneredPath {
         /// The pivot or the surface.

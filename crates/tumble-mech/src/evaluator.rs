@@ -23,7 +23,7 @@ pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
             time if time == piece.end => piece.length - reach,
             _ => return None,
         };
-        Some((piece.time_at(s), piece.states_at_clock(s)))
+        Some((piece.time_at(s), piece.states_at_parameter(s)))
     });
     match inside {
         None => jets.start(place.time, &place.states, Branches::Free),

@@ -3,11 +3,12 @@
 //! Within a piece the states are polynomials, so that any formula of them has a Taylor series about any instant of it.
 //! Where that series agrees with the formula's values, the extremes are at the ends and where the series has no slope.
 //! A part where it does not is halved, down to [`SHORTEST`] of the piece: what is left is at a kink or a jump of the
-//! formula, and both its ends are looked at. Pieces end at events, so that both sides of every jump of the motion count.
+//! formula, and both its ends are looked at. Pieces end at events, so that both sides of every jump of the motion
+//! count.
 //!
-//! A quantity that has kinks, or no value, at more than some hundred instants of one piece is refused. Something that is
-//! over within a small part of a step, and that neither series nor values tell of, is not seen.
-//! `tests/extremes.rs` checks it against closed forms.
+//! A quantity that has kinks, or no value, at more than some hundred instants of one piece is refused. Something that
+//! is over within a small part of a step, and that neither series nor values tell of, is not seen. `tests/extremes.rs`
+//! checks it against closed forms.
 
 use tumble_expr::{Branches, Expr, Jets};
 use tumble_ode::{Piece, Place, Reason, Side, turns};
@@ -21,7 +22,7 @@ const PLACES: [f64; 6] = [0.125, 0.25, 0.5, 0.618, 0.8, 1.0];
 const AGREES: f64 = 1e-9;
 /// What rounding makes of any value, relative to the largest; ...
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// ... or, where it is a small difference of large ones, to what it changes by when the states change by one rounding.
+/// ... or, where it is a small difference of large ones, to what it changes by when the states change by one ulp.
 const CANCELLATION: f64 = 64.0;
 /// Shorter parts of a piece are not halved any more.
 const SHORTEST: f64 = 1e-13;
@@ -67,7 +68,7 @@ impl Run {
                 Some(jets) => jets,
                 empty => empty.insert(self.expander(piece.mode, formula)?),
             };
-            let [low, high] = [from, to].map(|time| piece.clock_at(time.clamp(piece.start, piece.end)));
+            let [low, high] = [from, to].map(|time| piece.parameter_at(time.clamp(piece.start, piece.end)));
             let mut search = Search { piece, jets, best: &mut best, parts: 0, largest: 0.0, noise: 0.0 };
             search.find_noise([low, high]);
             search.part([low, high]).map_err(|at| cornered(piece, at))?;
@@ -116,12 +117,12 @@ struct Search<'a> {
     parts: usize,
     /// Largest size of a value so far.
     largest: f64,
-    /// What a rounding of the states changes the value by.
+    /// What a rounding error of the states changes the value by.
     noise: f64,
 }
 
 impl Search<'_> {
-    /// From one reading of the piece's clock to another; the reading at which there are too many parts is an error.
+    /// From one value of the piece's parameter to another; the value at which there are too many parts is an error.
     fn part(&mut self, [low, high]: [f64; 2]) -> Result<(), f64> {
         self.parts += 1;
         if self.parts > MOST_PARTS {
@@ -162,13 +163,13 @@ impl Search<'_> {
 
     /// The value where every other state is off by one part of itself, and those between them by another.
     fn value_with(&mut self, s: f64, off: [f64; 2]) -> f64 {
-        let mut states = self.piece.states_at_clock(s);
+        let mut states = self.piece.states_at_parameter(s);
         states.iter_mut().zip(off.iter().cycle()).for_each(|(state, off)| *state *= 1.0 + off);
         self.jets.start(self.piece.time_at(s) * (1.0 + off[0]), &states, Branches::Free);
         self.jets.value_of(0)
     }
 
-    /// The middle one of several places: at a jump or a corner a rounding changes more.
+    /// The middle one of several places: at a jump or a corner a rounding error changes more.
     fn find_noise(&mut self, [low, high]: [f64; 2]) {
         let change = |place: &f64| {
             let s = low + place * (high - low);
@@ -181,7 +182,7 @@ impl Search<'_> {
         self.noise = changes.get(changes.len() / 2).copied().unwrap_or(0.0);
     }
 
-    /// The formula's series about a reading of the clock.
+    /// The formula's series about a value of the parameter.
     fn series(&mut self, s: f64) -> Vec<f64> {
         let (states, time) = self.piece.series_at(s);
         evaluate(self.jets, &place(self.piece, s));
@@ -224,7 +225,7 @@ impl Search<'_> {
 }
 
 fn place(piece: &Piece, s: f64) -> Place<'_> {
-    // The clock's own end may miss the piece's by a rounding.
+    // The time at the parameter's end may miss the piece's by a rounding error.
     let time = if s < piece.length { piece.time_at(s) } else { piece.end };
-    Place { mode: piece.mode, time, states: piece.states_at_clock(s), piece: Some(piece) }
+    Place { mode: piece.mode, time, states: piece.states_at_parameter(s), piece: Some(piece) }
 }

@@ -1,6 +1,6 @@
 //! Which equations hold.
 
-use crate::contact::{Pair, Phase};
+use crate::contact::{ContactMode, Pair};
 
 /// What is switched on at an instant.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -10,8 +10,8 @@ pub struct Mode {
     /// Which events have changed parameters, in the order in which they first did; of two that change the same
     /// parameter, the later counts.
     pub changes: Vec<usize>,
-    /// Which pairs touch and how, in the order of the pairs; those not mentioned are apart.
-    pub contacts: Vec<(usize, Phase)>,
+    /// Which pairs touch and how, in the order of the pairs; those not mentioned are open.
+    pub contacts: Vec<(usize, ContactMode)>,
 }
 
 impl Mode {
@@ -21,16 +21,16 @@ impl Mode {
         self.changes.push(event);
     }
 
-    /// How a pair touches; `None` if it is apart.
-    pub fn phase(&self, pair: usize) -> Option<Phase> {
+    /// Contact mode of a pair; `None` if it is open.
+    pub fn contact_mode(&self, pair: usize) -> Option<ContactMode> {
         let at = self.contacts.binary_search_by_key(&pair, |(known, _)| *known).ok()?;
         Some(self.contacts[at].1)
     }
 
-    /// Makes a pair touch in that way, or come apart.
-    pub(crate) fn set_phase(&mut self, pair: usize, phase: Option<Phase>) {
+    /// Gives a pair that contact mode, or separates it.
+    pub(crate) fn set_contact_mode(&mut self, pair: usize, contact_mode: Option<ContactMode>) {
         self.contacts.retain(|(known, _)| *known != pair);
-        self.contacts.extend(phase.map(|phase| (pair, phase)));
+        self.contacts.extend(contact_mode.map(|contact_mode| (pair, contact_mode)));
         self.contacts.sort_unstable();
     }
 
@@ -38,20 +38,23 @@ impl Mode {
     /// except where they are states.
     pub(crate) fn without_support(&self, pairs: &[Pair], body: usize) -> Self {
         let mut mode = self.clone();
-        mode.contacts.retain(|(pair, phase)| {
+        mode.contacts.retain(|(pair, contact_mode)| {
             let (own, is_state) = (pairs[*pair].body == body, pairs[*pair].is_hertzian());
-            if own { !phase.is_lasting() } else { is_state && *phase == Phase::Pressed }
+            if own { !contact_mode.is_lasting() } else { is_state && *contact_mode == ContactMode::Pressed }
         });
         mode
     }
 
     /// The pairs that a rigid surface holds by a force.
     pub(crate) fn held(&self) -> impl Iterator<Item = usize> {
-        self.contacts.iter().filter(|(_, phase)| phase.is_held()).map(|(pair, _)| *pair)
+        self.contacts.iter().filter(|(_, contact_mode)| contact_mode.is_held()).map(|(pair, _)| *pair)
     }
 
-    /// The pairs pressed into a surface that gives way.
+    /// The pairs pressed into a compliant surface.
     pub(crate) fn pressed(&self) -> impl Iterator<Item = usize> {
-        self.contacts.iter().filter(|(_, phase)| *phase == Phase::Pressed).map(|(pair, _)| *pair)
+        self.contacts
+            .iter()
+            .filter(|(_, contact_mode)| *contact_mode == ContactMode::Pressed)
+            .map(|(pair, _)| *pair)
     }
 }

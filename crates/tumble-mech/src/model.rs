@@ -12,7 +12,7 @@ use crate::error::{ModelError, ModelErrors};
 use crate::event::{Action, Event};
 use crate::interaction::Interaction;
 use crate::kinematics::PointRef;
-use crate::laws::impact::Simultaneous;
+use crate::laws::impact::MultipleImpacts;
 use crate::load::{Application, Load, Moment};
 use crate::parameters::Parameters;
 use crate::place::Place;
@@ -61,7 +61,7 @@ pub struct Model {
     /// What bodies meet.
     pub surfaces: Vec<Surface>,
     /// How impacts of one body at several contacts at one instant are taken.
-    pub simultaneous: Simultaneous,
+    pub multiple_impacts: MultipleImpacts,
     /// The air.
     pub wind: Wind,
     /// Gauss nodes on each line whose air resistance has no closed form.
@@ -89,7 +89,7 @@ impl Model {
             loads: vec![],
             interactions: vec![],
             surfaces: vec![],
-            simultaneous: Simultaneous::default(),
+            multiple_impacts: MultipleImpacts::default(),
             wind: Wind::still(),
             nodes: DEFAULT_NODES,
             events: vec![],

@@ -23,7 +23,7 @@ pub struct Surface {
 /// What a surface does to what touches it; none of them has friction.
 #[derive(Clone, Debug)]
 pub enum ContactLaw {
-    /// It gives way like a spring with a damper, and never pulls.
+    /// Compliant, like a spring with a damper that never pulls.
     Spring {
         /// N/m
         stiffness: Expr,
@@ -32,16 +32,16 @@ pub enum ContactLaw {
         /// When the contact ends.
         release: Release,
     },
-    /// It gives way like two bodies with round surfaces.
+    /// Compliant, like two bodies with round surfaces.
     Hertz {
         /// N/m^(3/2)
         stiffness: Expr,
         /// Hunt and Crossley's damping: the force is multiplied by `1 + damping * speed`. s/m
         damping: Expr,
     },
-    /// It does not give way.
+    /// Not compliant.
     Rigid {
-        /// Impulse while parting over impulse while approaching, 0 to 1.
+        /// Impulse while separating over impulse while approaching, 0 to 1.
         restitution: Expr,
     },
 }

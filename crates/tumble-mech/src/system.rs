@@ -1,6 +1,6 @@
 //! The equations as the integrator sees them: flows by mode, and what happens between.
 
-use tumble_ode::{AtZero, Candidate, Cause, Crossing, Flow, Guard, Hybrid, Jump, Reason, StateVariable};
+use tumble_ode::{AtZero, Cause, Crossing, Flow, Guard, Hybrid, Jump, LazyGuard, Reason, StateVariable};
 
 use crate::contact::Impulses;
 use crate::equations::Equations;
@@ -18,7 +18,7 @@ impl Hybrid for Equations {
             rate: in_mode.apply(&state.rate),
             symbol: state.symbol,
             group: state.measure as usize,
-            per_clock: state.per_clock,
+            per_parameter: state.per_parameter,
         });
         let events = self.model().events.iter().map(|event| Guard {
             name: event.name.clone(),
@@ -28,9 +28,9 @@ impl Hybrid for Equations {
         });
         let guards = events.chain(self.touching_guards(mode));
         let guards = guards.map(|guard| Guard { formula: in_mode.apply(&guard.formula), ..guard });
-        let candidates = self.candidates(mode).into_iter().map(|candidate| {
-            let formula = in_mode.apply(&candidate.guard.formula);
-            Candidate { guard: Guard { formula, ..candidate.guard }, ..candidate }
+        let lazy_guards = self.lazy_guards(mode).into_iter().map(|lazy_guard| {
+            let formula = in_mode.apply(&lazy_guard.guard.formula);
+            LazyGuard { guard: Guard { formula, ..lazy_guard.guard }, ..lazy_guard }
         });
         Ok(Flow {
             states: states.collect(),
@@ -40,9 +40,9 @@ impl Hybrid for Equations {
             groups: self.groups(),
             schedule: self.scheduled_times(),
             guards: guards.collect(),
-            candidates: candidates.collect(),
+            lazy_guards: lazy_guards.collect(),
             invariants: self.invariants(mode),
-            clock: self.clock(mode),
+            time_transformation: self.time_transformation(mode),
         })
     }
 
@@ -53,7 +53,8 @@ impl Hybrid for Equations {
 
 impl Equations {
     /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,
-    /// which see all forces that act from now on, and last the events that all this has made happen. With the impulses of impacts, by pair, N s.
+    /// which see all forces that act from now on, and last the events that all this has made happen. With the impulses
+    /// of impacts, by pair, N s.
     pub(crate) fn transition(&self, at: &Crossing<'_, Mode>) -> Result<(Jump<Mode>, Impulses), Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
         for cause in at.causes {
@@ -62,7 +63,7 @@ impl Equations {
                 Cause::Guard(guard) if *guard < self.model().events.len() => {
                     self.pass_event(*guard, &mut jump);
                 }
-                Cause::Guard(_) | Cause::Candidate(_) | Cause::Wake => {}
+                Cause::Guard(_) | Cause::LazyGuard(_) | Cause::Wake => {}
             }
         }
         let impulses = self.switch_contacts(at, &mut jump)?;

@@ -32,13 +32,13 @@ fn bounces_accumulate_at_their_limit() {
         let (rest, hits): (Vec<_>, Vec<_>) = contacts.iter().partition(|contact| !contact.is_impact);
         let mut expected = first;
         for (n, hit) in hits.iter().enumerate() {
-            // The gap is known to a rounding of the height, and at a low bounce that is much of its time.
+            // The gap is known to a rounding error of the height, and at a low bounce that is much of its time.
             let blur = 1e-15 * (1.0 + floor.abs()) / (9.8 * first * 0.5_f64.powi(n as i32));
             assert!((hit.start - expected).abs() < 4e-15 + blur, "hit {n}: {} is not {expected}", hit.start);
             expected += 2.0 * first * 0.5_f64.powi(n as i32 + 1);
         }
         assert!(hits.len() > 15, "{}", hits.len());
-        assert_eq!((rest.len(), run.cascades()), (1, 1));
+        assert_eq!((rest.len(), run.zeno_sequences()), (1, 1));
         close(rest[0].start, 1.355_261_854_357_877, if floor == 0.0 { 1e-15 } else { 1e-13 });
         let ball = run.equations.model().bodies[0].kinematics();
         let [x, y] = at(&run, 2.0, [ball.position().x().clone(), ball.position().y().clone()]);

@@ -72,8 +72,8 @@ fn with_losses_until_it_lies_flat() {
     same_state(&run, 1.0, &expected["state_t1"], 1e-13);
     same_state(&run, 2.5, &expected["state_t2.5"], 1e-12);
     let rest: Vec<_> = run.contacts().into_iter().filter(|contact| !contact.is_impact).collect();
-    println!("{rest:?} {}", run.cascades());
-    assert_eq!((rest.len(), run.cascades()), (2, 1));
+    println!("{rest:?} {}", run.zeno_sequences());
+    assert_eq!((rest.len(), run.zeno_sequences()), (2, 1));
     let limit = number(&expected["accumulation_time"]);
     for contact in rest {
         println!("error of the limit {:e}", contact.start - limit);

@@ -239,7 +239,11 @@ fn three_feet_in_a_line() {
     model.surface(floor(0.0, 0.0));
     let run = run(model, 100.0, 1e-12);
     let mode = &run.trajectory.modes[run.trajectory.pieces[0].mode];
-    let idle: Vec<_> = mode.contacts.iter().filter(|(_, phase)| *phase == tumble_mech::Phase::Idle).collect();
+    let idle: Vec<_> = mode
+        .contacts
+        .iter()
+        .filter(|(_, contact_mode)| *contact_mode == tumble_mech::ContactMode::Idle)
+        .collect();
     assert_eq!((mode.contacts.len(), idle.len()), (3, 1));
     let feet = ["floor.body.part1.rim", "floor.body.part2.rim", "floor.body.part3.rim"];
     let forces = feet.map(|foot| force(&run, 50.0, foot));

@@ -1,15 +1,16 @@
-//! The books of a box that falls flat: impacts of its two corners a rounding apart.
+//! The balance of a box that falls flat: impacts of its two corners a rounding error apart.
 
 mod common;
 
 use common::{rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
-use tumble_mech::{Body, Gravity, Ledger, Model, Shape, Start, Surface, time};
+use tumble_mech::{Body, Gravity, Model, RunBalance, Shape, Start, Surface, time};
 
-/// Each event enters the impulses that it had: found anew from other roundings, those of a corner might be those of both.
+/// Each event adds the impulses that it had: found anew with other rounding errors, those of a corner might be those of
+/// both.
 #[test]
-fn impacts_a_rounding_apart_are_entered_as_they_were() {
+fn impacts_a_rounding_error_apart_are_counted_as_they_were() {
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(9.81 * M / (S * S));
     let shape = Shape::Box { centre: Vector::planar(0 * M, 0 * M), width: 1 * M, height: 0.5 * M };
@@ -23,7 +24,7 @@ fn impacts_a_rounding_apart_are_entered_as_they_were() {
     for accuracy in [1e-6, 1e-9, 1e-12] {
         let run = run(model.clone(), 2.0, accuracy);
         assert!(run.trajectory.events.len() > 20);
-        let ledger = Ledger::of(&run, [0.0; 2]).expect("finite");
-        assert!(ledger.relative() < f64::max(1e-10, accuracy), "{accuracy}: {:e}", ledger.relative());
+        let balance = RunBalance::of(&run, [0.0; 2]).expect("finite");
+        assert!(balance.relative() < f64::max(1e-10, accuracy), "{accuracy}: {:e}", balance.relative());
     }
 }

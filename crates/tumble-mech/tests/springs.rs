@@ -169,7 +169,7 @@ fn kapitzas_pendulum_stands() {
     assert!(!stands(0.01));
 }
 
-/// A corner in a pivot's path is a blow that no force stands for.
+/// A corner in a pivot's path is an impact that no force stands for.
 #[test]
 fn a_cornered_path_is_refused() {
     let mut model = Model::new();

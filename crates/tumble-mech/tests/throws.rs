@@ -116,8 +116,8 @@ const TOUCHES: f64 = 1e-14;
 /// Arcs shorter than this, s, are so low that only rounding says when they end.
 const SHORT_ARC: f64 = 1e-3;
 
-/// The first time between two at which a function goes below zero by more than rounding; its second derivative is at most
-/// `curvature`.
+/// The first time between two at which a function goes below zero by more than rounding; its second derivative is at
+/// most `curvature`.
 fn first_zero(gap: &dyn Fn(f64) -> f64, from: f64, to: f64, curvature: f64) -> Option<f64> {
     let (before, after, length) = (gap(from), gap(to), to - from);
     // Between its ends a function sags by no more than that.
@@ -170,7 +170,7 @@ fn throws(count: u32, seed: u64) {
     let mut dice = Dice(seed);
     let kinds = kinds();
     let inertias = [1.0 / 12.0, (0.36 + 0.09) / 12.0, 0.4 * 0.04];
-    let (mut hits, mut rests, mut cascades) = (0, 0, 0);
+    let (mut hits, mut rests, mut zeno_sequences) = (0, 0, 0);
     for number in 0..count {
         let which = number as usize % kinds.len();
         let kind = &kinds[which];
@@ -179,10 +179,12 @@ fn throws(count: u32, seed: u64) {
         hits += compare_hits(kind, &run, &start, 3);
         never_inside(kind, &run, &start);
         losses(&run, inertias[which], start[6]);
-        cascades += run.cascades();
+        zeno_sequences += run.zeno_sequences();
         rests += run.contacts().iter().filter(|contact| !contact.is_impact).count();
     }
-    println!("{count} throws, {hits} hits compared, {rests} lasting contacts, {cascades} cascades");
+    println!(
+        "{count} throws, {hits} hits compared, {rests} lasting contacts, {zeno_sequences} Zeno sequences"
+    );
     assert!(hits > count as usize && rests > 0);
 }
 
@@ -202,7 +204,7 @@ fn compare_hits(kind: &Thrown, run: &Run, start: &[f64; 7], most: usize) -> usiz
             let gap = |t: f64| kind.gaps(flight(from.1, t))[pair];
             (gap(after - d) - gap(after + d)) / (2.0 * d)
         };
-        // A gap is known to some roundings of the lengths; a graze knows its time to the root of that.
+        // A gap is known to a few ulps of the lengths; a graze knows its time to the root of that.
         let blur = (1e-14 / fall.abs().max(1e-9)).min(1e-6) + 1e-14;
         let error = (from.0 + after - event.time).abs();
         assert!(error < blur, "{start:?}: hit at {} s and not at {}", event.time, from.0 + after);
@@ -295,8 +297,8 @@ fn a_long_turn_ends_where_the_corner_touches() {
     assert_eq!(compare_hits(plate, &plate.throw(&start, 1.5, 1e-12), &start, 3), 3);
 }
 
-/// Impulses and rates afterwards are complementary: what pushes more than it must has stopped, what opens faster than its
-/// restitution says was not pushed.
+/// Impulses and rates afterwards are complementary: what pushes more than it must has stopped, what opens faster than
+/// its restitution says was not pushed.
 #[test]
 fn impulses_are_complementary() {
     let mut dice = Dice(3);

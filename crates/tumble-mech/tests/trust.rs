@@ -5,7 +5,7 @@ mod common;
 use common::{bouncing_rod, close, hinged_rod, number, reference, rigid, spring, wind_pendulum};
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
-use tumble_mech::{Body, ContactLaw, Gravity, Model, Parting, Run, RunError, Start, Surface, Trust};
+use tumble_mech::{Body, ContactLaw, Divergence, Gravity, Model, Run, RunError, Start, Surface, Trust};
 use tumble_ode::Accuracy;
 
 /// Largest ratio of the error stated to the true one, where that is above rounding: three digits.
@@ -106,7 +106,7 @@ fn of_a_throw() {
     assert!(found.1.is_reached() && found.1.reached < 1e-14);
 }
 
-/// A ball whose bounces accumulate: the cascade is one event, and what follows is known.
+/// A ball whose bounces accumulate: the Zeno sequence is one event, and what follows is known.
 #[test]
 fn of_a_ball_that_comes_to_rest() {
     let mut model = Model::new();
@@ -118,7 +118,7 @@ fn of_a_ball_that_comes_to_rest() {
     assert!(found.1.is_reached(), "{:?}", found.1);
     let body = found.0.equations.model().bodies[0].kinematics();
     covers(&found, 2.0, &[body.position().x().clone()], &[4.0]);
-    assert!(found.0.cascades() == 1);
+    assert!(found.0.zeno_sequences() == 1);
 }
 
 /// Upside down, but for the rounding of pi: where it falls to is not known for ever.
@@ -128,8 +128,8 @@ fn of_a_balance() {
     model.starts.push(("rod".into(), Start::default().angle(Expr::pi())));
     let (_, trust) = trusted(&model, 60.0, 1e-9);
     let horizon = trust.horizon.expect("a balance ends");
-    assert_eq!(horizon.reason, Parting::Grown);
-    // A roundings' perturbation grows by e in sqrt(2 L / (3 g)) s, and is lost after 33 of them.
+    assert_eq!(horizon.reason, Divergence::Grown);
+    // A perturbation of some ulps grows by e in sqrt(2 L / (3 g)) s, and is lost after 33 of them.
     let time = (2.0_f64 / (3.0 * 9.81)).sqrt();
     close(horizon.time / time, 33.0, 0.15);
 }

@@ -41,7 +41,7 @@ pub(crate) struct Check<'a> {
     pub(crate) values: &'a mut Jets<f64>,
     pub(crate) scales: &'a Scales,
     pub(crate) tolerance: f64,
-    /// The sides that hold in the step.
+    /// The branch signs that hold in the step.
     pub(crate) signs: &'a [f64],
 }
 

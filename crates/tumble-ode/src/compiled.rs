@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Tape};
 
-use crate::candidates::Candidates;
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
+use crate::lazy_guards::LazyGuards;
 use crate::{Flow, Reason};
 
 /// A polynomial solution of higher degree than this is left to ordinary steps: its coefficients would overflow first.
 const LARGEST_EXACT_DEGREE: u32 = 48;
 
-/// The tape's outputs are the rates of all states with respect to the clock, then dt/ds where the clock is not the time,
+/// The tape's outputs are the rates of all states with respect to the parameter s, then dt/ds where s is not the time,
 /// then the model's guards.
 pub(crate) struct Compiled {
     pub(crate) tape: Arc<Tape>,
@@ -23,10 +23,10 @@ pub(crate) struct Compiled {
     pub(crate) schedule: Vec<f64>,
     /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
     pub(crate) exact_degree: Option<usize>,
-    pub(crate) own_clock: bool,
-    /// How many guards the tape has; candidates are counted after them.
+    pub(crate) transformed: bool,
+    /// How many guards the tape has; lazily evaluated guards are counted after them.
     pub(crate) guards: usize,
-    /// Names of guards and candidates.
+    /// Names of guards and lazily evaluated guards.
     pub(crate) guard_names: Vec<String>,
     pub(crate) guard_directions: Vec<Direction>,
     /// What they do where they are at zero and about to cross.
@@ -47,8 +47,8 @@ impl Compiled {
             return Err(Reason::BadSchedule { value });
         }
         let floors: Vec<Expr> = flow.groups.iter().map(|group| group.floor.clone()).collect();
-        let own_clock = flow.clock.is_some();
-        let exact_degree = if own_clock { None } else { polynomial_degree(&tape) };
+        let transformed = flow.time_transformation.is_some();
+        let exact_degree = if transformed { None } else { polynomial_degree(&tape) };
         let is_watched = !flow.guards.is_empty() || tape.sides() > 0 || !tape.turnings().is_empty();
         Ok(Self {
             names: layout.states.iter().map(|state| state.name.to_string()).collect(),
@@ -61,7 +61,7 @@ impl Compiled {
             tape: Arc::new(tape),
             schedule,
             exact_degree,
-            own_clock,
+            transformed,
             guards: flow.guards.len(),
             guard_names: watched(flow).map(|guard| guard.name.clone()).collect(),
             guard_directions: watched(flow).map(|guard| guard.direction).collect(),
@@ -115,29 +115,29 @@ fn layout(flow: &Flow) -> Layout {
     }
 }
 
-/// Guards, then those of candidates.
+/// Guards, then those of lazily evaluated guards.
 fn watched(flow: &Flow) -> impl Iterator<Item = &Guard> {
-    flow.guards.iter().chain(flow.candidates.iter().map(|candidate| &candidate.guard))
+    flow.guards.iter().chain(flow.lazy_guards.iter().map(|lazy_guard| &lazy_guard.guard))
 }
 
 /// What is watched and kept outside the tape of the field, for expansions of that order.
-pub(crate) fn beside(flow: &Flow, inputs: &[f64], order: usize) -> Result<(Candidates, Invariants), Reason> {
+pub(crate) fn beside(flow: &Flow, inputs: &[f64], order: usize) -> Result<(LazyGuards, Invariants), Reason> {
     let layout = layout(flow);
-    let candidates = Candidates::new(&flow.candidates, &layout, inputs, order)?;
-    Ok((candidates, Invariants::new(&flow.invariants, &layout, inputs)?))
+    let lazy_guards = LazyGuards::new(&flow.lazy_guards, &layout, inputs, order)?;
+    Ok((lazy_guards, Invariants::new(&flow.invariants, &layout, inputs)?))
 }
 
-/// Rates with respect to the clock.
+/// Rates with respect to the parameter.
 fn rates(flow: &Flow) -> Vec<Expr> {
     let states = flow.states.iter().map(|state| &state.rate);
-    match &flow.clock {
+    match &flow.time_transformation {
         None => states.cloned().collect(),
-        Some(clock) => {
-            let per_clock = |state: &StateVariable| match state.per_clock {
+        Some(time_rate) => {
+            let per_parameter = |state: &StateVariable| match state.per_parameter {
                 true => state.rate.clone(),
-                false => &state.rate * clock,
+                false => &state.rate * time_rate,
             };
-            flow.states.iter().map(per_clock).chain([clock.clone()]).collect()
+            flow.states.iter().map(per_parameter).chain([time_rate.clone()]).collect()
         }
     }
 }
@@ -193,7 +193,7 @@ mod tests {
             symbol: symbol(format!("x{i}")),
             rate: rate.clone(),
             group: 0,
-            per_clock: false,
+            per_parameter: false,
         });
         let flow = Flow {
             states: states.collect(),
@@ -203,9 +203,9 @@ mod tests {
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: vec![],
             guards: vec![],
-            candidates: vec![],
+            lazy_guards: vec![],
             invariants: vec![],
-            clock: None,
+            time_transformation: None,
         };
         Compiled::new(&flow, &[1.0], 1.0).expect("pure numbers").exact_degree
     }

@@ -1,14 +1,14 @@
-//! One mode's equations with their evaluators, and the sides its branches are on.
+//! One mode's equations with their evaluators, and the signs of its branches.
 
 use tumble_expr::{Active, Branches, Jets, Turning};
 
 use crate::Reason;
-use crate::candidates::{self, Candidates};
 use crate::check::{Check, Verdict};
 use crate::compiled::{Compiled, Limit};
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
 use crate::invariants::Invariants;
+use crate::lazy_guards::{self, LazyGuards};
 use crate::polynomial;
 use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
@@ -28,49 +28,49 @@ const SIMULTANEOUS_PART: f64 = 4.0 * f64::EPSILON;
 /// Something that ends a step before its length does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Hit {
-    /// A branch of the tape changes to this side.
+    /// A branch of the tape changes to this sign.
     Branch(usize, f64),
     /// A length, root or power has its least value.
     Turning(usize),
     /// The argument of a table passes a knot into this segment.
     Knot(usize, usize),
-    /// A guard of the model, or after them a candidate, crosses zero.
+    /// A guard of the model, or after them a lazily evaluated guard, crosses zero.
     Guard(usize),
 }
 
 /// What is known of the watched functions at the start of a step.
 #[derive(Clone, Debug, Default)]
-struct Sides {
-    /// Side of each branch, +1 or -1, then the segment of each table.
+struct BranchSigns {
+    /// Sign of each branch, +1 or -1, then the segment of each table.
     signs: Vec<f64>,
     /// Which functions are zero now, whatever rounding has left of them: branches and turnings.
     zero_branches: Vec<bool>,
     zero_turnings: Vec<bool>,
-    /// How many first coefficients of each guard and candidate are zero now.
+    /// How many first coefficients of each guard and lazily evaluated guard are zero now.
     zero_guards: Vec<usize>,
     /// Which norms are zero vectors now.
     vanishing: Vec<bool>,
     /// Largest values that lengths have had.
     turning_scales: Vec<f64>,
-    /// What matters on these sides.
+    /// What matters with these signs.
     active: Active,
 }
 
 pub(crate) struct Engine {
     pub(crate) system: Compiled,
-    pub(crate) candidates: Candidates,
+    pub(crate) lazy_guards: LazyGuards,
     pub(crate) invariants: Invariants,
     jets: Jets<f64>,
     values: Jets<f64>,
     turnings: Vec<Turning>,
-    sides: Sides,
+    branch_signs: BranchSigns,
     order: usize,
 }
 
 impl Engine {
     pub(crate) fn new(
         system: Compiled,
-        (candidates, invariants): (Candidates, Invariants),
+        (lazy_guards, invariants): (LazyGuards, Invariants),
         order: usize,
         inputs: &[f64],
     ) -> Self {
@@ -78,17 +78,27 @@ impl Engine {
         let jets = Jets::new(system.tape.clone(), order, inputs);
         let values = Jets::new(system.tape.clone(), 0, inputs);
         let turnings = system.tape.turnings();
-        Self { system, candidates, invariants, jets, values, turnings, sides: Sides::default(), order }
+        Self {
+            system,
+            lazy_guards,
+            invariants,
+            jets,
+            values,
+            turnings,
+            branch_signs: BranchSigns::default(),
+            order,
+        }
     }
 
-    /// Takes sides at the start of the mode. `zeros` are guards, by name, that are zero now, with how many derivatives.
+    /// Determines the branch signs at the start of the mode. `zeros` are guards, by name, that are zero now, with how
+    /// many derivatives.
     pub(crate) fn enter(&mut self, time: f64, states: &[f64], zeros: &[(String, usize)]) {
-        self.candidates.enter(states);
+        self.lazy_guards.enter(states);
         let tape = self.system.tape.clone();
         self.values.start(time, states, Branches::Free);
         let is_zero = |slot: u32| self.values.slot(slot)[0] == 0.0;
         let names = &self.system.guard_names;
-        self.sides = Sides {
+        self.branch_signs = BranchSigns {
             signs: self.values.signs().to_vec(),
             zero_branches: tape.guards().iter().map(|slot| is_zero(*slot)).collect(),
             zero_turnings: vec![false; self.turnings.len()],
@@ -103,7 +113,7 @@ impl Engine {
         };
     }
 
-    /// Expands the solution, on the sides that its own first coefficients ask for.
+    /// Expands the solution, with the branch signs that its own first coefficients ask for.
     ///
     /// A function that is zero now has the sign of its first coefficient that matters. If each side's motion leads to
     /// the other, there is no motion on either.
@@ -112,7 +122,7 @@ impl Engine {
         loop {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
-            let frozen = Frozen { signs: &self.sides.signs, vanishing: &self.sides.vanishing };
+            let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
             let expansion = expand(&self.system, &mut self.jets, self.order, frozen, time, states)?;
             self.watch_scales(&expansion);
             if self.enter_segments(&expansion) {
@@ -124,7 +134,7 @@ impl Engine {
                 return Err(Reason::Sliding { guard: self.system.tape.describe(slot) });
             }
             turned[branch] = true;
-            self.sides.signs[branch] = -self.sides.signs[branch];
+            self.branch_signs.signs[branch] = -self.branch_signs.signs[branch];
             self.look_again(time, states);
         }
     }
@@ -134,7 +144,7 @@ impl Engine {
         let tape = self.system.tape.clone();
         let mut moved = false;
         for (lookup, series) in expansion.arguments.iter().enumerate() {
-            let side = &mut self.sides.signs[tape.guards().len() + lookup];
+            let side = &mut self.branch_signs.signs[tape.guards().len() + lookup];
             let ahead = leading_sign(&series[1..]);
             let [low, high] = tape.tables()[lookup].table.0.ends(*side as usize);
             let step = if series[0] >= high && ahead > 0.0 {
@@ -153,7 +163,7 @@ impl Engine {
     /// Refuses to go on where a table says nothing.
     fn refuse_segments(&mut self, time: f64, states: &[f64]) -> Result<(), Reason> {
         let tape = self.system.tape.clone();
-        let segments = &self.sides.signs[tape.guards().len()..];
+        let segments = &self.branch_signs.signs[tape.guards().len()..];
         let mut lookups = tape.tables().iter().zip(segments);
         let Some((lookup, _)) = lookups.find(|(lookup, segment)| lookup.table.0.refuses(**segment as usize))
         else {
@@ -166,7 +176,7 @@ impl Engine {
 
     fn watch_scales(&mut self, expansion: &Expansion) {
         let raise = |scale: &mut f64, value: f64| *scale = scale.max(value.abs());
-        for (scale, turn) in self.sides.turning_scales.iter_mut().zip(&expansion.turnings) {
+        for (scale, turn) in self.branch_signs.turning_scales.iter_mut().zip(&expansion.turnings) {
             raise(scale, turn.length(0.0));
         }
     }
@@ -177,45 +187,45 @@ impl Engine {
             let series = &expansion.branches[*branch];
             let instant = SIMULTANEOUS_PART * time.abs().max(1.0);
             let slope = series.get(1).map_or(0.0, |slope| slope.abs());
-            let zero = self.sides.zero_branches[*branch] || series[0].abs() <= 2.0 * instant * slope;
+            let zero = self.branch_signs.zero_branches[*branch] || series[0].abs() <= 2.0 * instant * slope;
             let sign = match (zero, series[0]) {
                 (true, _) => leading_sign(&series[1..]),
                 (false, 0.0) => leading_sign(series),
                 (false, value) => value.signum(),
             };
-            sign * self.sides.signs[*branch] < 0.0
+            sign * self.branch_signs.signs[*branch] < 0.0
         };
-        (0..expansion.branches.len()).filter(|branch| self.sides.active.branches[*branch]).find(wrong)
+        (0..expansion.branches.len()).filter(|branch| self.branch_signs.active.branches[*branch]).find(wrong)
     }
 
-    /// Sees what matters after a branch has changed sides; what did not matter before takes its side by value.
+    /// Sees what matters after a branch has changed its sign; what did not matter before takes its sign by value.
     fn look_again(&mut self, time: f64, states: &[f64]) {
         let tape = self.system.tape.clone();
-        let active = tape.active(&self.sides.signs);
+        let active = tape.active(&self.branch_signs.signs);
         self.values.start(time, states, Branches::Free);
         let here = self.values.signs();
-        let (before, first_table) = (&self.sides.active, tape.guards().len());
+        let (before, first_table) = (&self.branch_signs.active, tape.guards().len());
         let matters = active.branches.iter().chain(&active.tables);
         let mattered = before.branches.iter().chain(&before.tables);
         for (side, (now, then)) in matters.zip(mattered).enumerate() {
-            let known_zero = side < first_table && self.sides.zero_branches[side];
+            let known_zero = side < first_table && self.branch_signs.zero_branches[side];
             if *now && !*then && !known_zero {
-                self.sides.signs[side] = here[side];
+                self.branch_signs.signs[side] = here[side];
             }
         }
-        self.sides.active = active;
+        self.branch_signs.active = active;
     }
 
     /// How far the expansion reaches, guards included: infinite where nothing in the coefficients limits it.
     pub(crate) fn radius(&self, expansion: &Expansion, scales: &Scales) -> f64 {
         let states = expansion.states.iter().enumerate();
         let states = states.map(|(state, series)| of_series(series, scales.of(self.system.group(state))));
-        let clock = expansion.time.iter().map(|series| of_series(series, series[0].abs()));
-        let active = self.sides.active.branches.iter();
+        let time = expansion.time.iter().map(|series| of_series(series, series[0].abs()));
+        let active = self.branch_signs.active.branches.iter();
         let branches =
             expansion.branches.iter().zip(active).filter(|(_, active)| **active).map(|(series, _)| series);
         let watched = branches.chain(&expansion.guards).map(|series| of_own_size(series));
-        states.chain(clock).chain(watched).fold(f64::INFINITY, f64::min)
+        states.chain(time).chain(watched).fold(f64::INFINITY, f64::min)
     }
 
     /// Name of what limits the radius: a state, an event or a formula with a branch.
@@ -233,7 +243,7 @@ impl Engine {
         all.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(String::new, |(_, name)| name)
     }
 
-    /// What happens first within a length of the clock, and when; all that happens at that instant.
+    /// What happens first within a length of the parameter, and when; all that happens at that instant.
     pub(crate) fn first_hits(
         &self,
         expansion: &Expansion,
@@ -255,19 +265,19 @@ impl Engine {
                 .filter_map(|root| Some((root.at, root.crosses_to?)))
         };
         let mut hits = vec![];
-        let active = &self.sides.active;
+        let active = &self.branch_signs.active;
         for (branch, series) in
             expansion.branches.iter().enumerate().filter(|(branch, _)| active.branches[*branch])
         {
-            let found = crossings(series, usize::from(self.sides.zero_branches[branch]));
+            let found = crossings(series, usize::from(self.branch_signs.zero_branches[branch]));
             hits.extend(found.take(1).map(|(at, to)| (at, Hit::Branch(branch, to))));
         }
         for (turning, turn) in
             expansion.turnings.iter().enumerate().filter(|(turning, _)| active.turnings[*turning])
         {
             let slope = derivative(&turn.square);
-            let least =
-                crossings(&slope, usize::from(self.sides.zero_turnings[turning])).filter(|(_, to)| *to > 0.0);
+            let least = crossings(&slope, usize::from(self.branch_signs.zero_turnings[turning]))
+                .filter(|(_, to)| *to > 0.0);
             let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
             hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
         }
@@ -275,7 +285,7 @@ impl Engine {
         for (lookup, series) in
             expansion.arguments.iter().enumerate().filter(|(lookup, _)| active.tables[*lookup])
         {
-            let segment = self.sides.signs[branches + lookup] as usize;
+            let segment = self.branch_signs.signs[branches + lookup] as usize;
             let ends = self.system.tape.tables()[lookup].table.0.ends(segment);
             for (knot, direction) in ends.into_iter().zip([-1.0, 1.0]).filter(|(knot, _)| knot.is_finite()) {
                 let mut distance = series.clone();
@@ -287,7 +297,8 @@ impl Engine {
             }
         }
         for (guard, series) in expansion.guards.iter().enumerate() {
-            let (direction, zeros) = (self.system.guard_directions[guard], self.sides.zero_guards[guard]);
+            let (direction, zeros) =
+                (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
             if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
@@ -297,10 +308,10 @@ impl Engine {
             let found = crossings(series, zeros).filter(|(at, to)| *at > now && direction.allows(*to));
             hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
         }
-        for (candidate, series) in &expansion.near {
-            let guard = self.system.guards + candidate;
+        for (lazy_guard, series) in &expansion.near {
+            let guard = self.system.guards + lazy_guard;
             let direction = self.system.guard_directions[guard];
-            let zeros = self.sides.zero_guards[guard];
+            let zeros = self.branch_signs.zero_guards[guard];
             if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
@@ -330,13 +341,13 @@ impl Engine {
         (expansion, length): (&Expansion, f64),
         scales: &Scales,
     ) -> bool {
-        let (direction, zeros) = (self.system.guard_directions[guard], self.sides.zero_guards[guard]);
+        let (direction, zeros) = (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
         match self.system.guard_limits[guard] {
             Limit::None => false,
             Limit::Always => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
-                let clock = expansion.time.as_ref();
-                let elapsed = clock.map_or(length, |clock| polynomial::increment(clock, length));
+                let time = expansion.time.as_ref();
+                let elapsed = time.map_or(length, |series| polynomial::increment(series, length));
                 let push = polynomial::value(series, length).abs();
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
                 let moves = response * push * elapsed * elapsed > ROUNDING * scales.of(group);
@@ -345,21 +356,21 @@ impl Engine {
         }
     }
 
-    /// Expands the candidates that a step of this length may reach, and shortens it to what their expansions can tell;
-    /// `reach` is the length of an ordinary step in units of the radius.
+    /// Expands the lazily evaluated guards that a step of this length may reach, and shortens it to what their
+    /// expansions can tell; `reach` is the length of an ordinary step in units of the radius.
     pub(crate) fn approach(
         &mut self,
         expansion: &mut Expansion,
         length: f64,
-        (reach, carry): (f64, &[f64]),
+        (reach, compensation): (f64, &[f64]),
         work: &mut Work,
     ) -> Result<f64, Reason> {
-        if self.candidates.is_empty() {
+        if self.lazy_guards.is_empty() {
             return Ok(length);
         }
-        expansion.near = self.candidates.near(expansion, length, carry)?;
+        expansion.near = self.lazy_guards.near(expansion, length, compensation)?;
         work.near += expansion.near.len() as u64;
-        Ok(length.min(reach * candidates::radius(expansion)))
+        Ok(length.min(reach * lazy_guards::radius(expansion)))
     }
 
     /// The step's independent check; see [`Check`].
@@ -371,52 +382,53 @@ impl Engine {
         (scales, tolerance): (&Scales, f64),
         work: &mut Work,
     ) -> Verdict {
-        let Self { system, values, sides, .. } = self;
-        let mut check = Check { system, values, scales, tolerance, signs: &sides.signs };
+        let Self { system, values, branch_signs, .. } = self;
+        let mut check = Check { system, values, scales, tolerance, signs: &branch_signs.signs };
         check.step(expansion, length, blind, work)
     }
 
     /// A step was taken: what was zero at its start is so no more.
     pub(crate) fn leave_start(&mut self) {
-        let Sides { zero_branches, zero_turnings, zero_guards, vanishing, .. } = &mut self.sides;
+        let BranchSigns { zero_branches, zero_turnings, zero_guards, vanishing, .. } = &mut self.branch_signs;
         for flags in [zero_branches, zero_turnings, vanishing] {
             flags.fill(false);
         }
         zero_guards.fill(0);
     }
 
-    /// Changes sides at the end of a step; `expansion` is that of the step.
+    /// Changes branch signs at the end of a step; `expansion` is that of the step.
     pub(crate) fn pass(&mut self, hits: &[Hit], expansion: &Expansion, length: f64, work: &mut Work) {
         for hit in hits {
             match *hit {
                 Hit::Branch(branch, to) => {
                     work.flips += 1;
-                    self.sides.zero_branches[branch] = true;
-                    self.sides.signs[branch] = to;
+                    self.branch_signs.zero_branches[branch] = true;
+                    self.branch_signs.signs[branch] = to;
                 }
                 Hit::Turning(turning) => {
                     work.turns += 1;
-                    self.sides.zero_turnings[turning] = true;
+                    self.branch_signs.zero_turnings[turning] = true;
                     if let Turning::Norm { index, .. } = self.turnings[turning] {
                         let least = expansion.turnings[turning].length(length);
-                        self.sides.vanishing[index] = least <= VANISHING * self.sides.turning_scales[turning];
+                        self.branch_signs.vanishing[index] =
+                            least <= VANISHING * self.branch_signs.turning_scales[turning];
                     }
                 }
                 Hit::Knot(lookup, segment) => {
                     work.knots += 1;
                     let first = self.system.tape.guards().len();
-                    self.sides.signs[first + lookup] = segment as f64;
+                    self.branch_signs.signs[first + lookup] = segment as f64;
                 }
-                Hit::Guard(guard) => self.sides.zero_guards[guard] = 1,
+                Hit::Guard(guard) => self.branch_signs.zero_guards[guard] = 1,
             }
         }
     }
 
     /// Guards that end the flow where a step ended.
     ///
-    /// Where a branch changes sides other things matter, and a guard that holds it may jump over zero without crossing it,
-    /// or turn back from zero instead of crossing it: what counts is its sign before, on the old sides, and after, on the
-    /// new ones.
+    /// Where a branch changes its sign other things matter, and a guard that holds it may jump over zero without
+    /// crossing it, or turn back from zero instead of crossing it: what counts is its sign before, with the old branch
+    /// signs, and after, with the new ones.
     pub(crate) fn fired(
         &mut self,
         (hits, expansion, length): (&[Hit], &Expansion, f64),
@@ -429,10 +441,10 @@ impl Engine {
             return Ok(crossed);
         }
         self.look_again(time, states);
-        let candidates = crossed.into_iter().filter(|guard| *guard >= self.system.guards);
-        let candidates: Vec<usize> = candidates.collect();
+        let lazy_guards = crossed.into_iter().filter(|guard| *guard >= self.system.guards);
+        let lazy_guards: Vec<usize> = lazy_guards.collect();
         if expansion.guards.is_empty() {
-            return Ok(candidates);
+            return Ok(lazy_guards);
         }
         let ahead = self.expand(time, states, work)?;
         let crosses = |guard: &usize| {
@@ -442,12 +454,12 @@ impl Engine {
             let passes = before * after < 0.0 || (is_limit && before == 0.0 && after != 0.0);
             passes && self.system.guard_directions[*guard].allows(after)
         };
-        Ok((0..ahead.guards.len()).filter(crosses).chain(candidates).collect())
+        Ok((0..ahead.guards.len()).filter(crosses).chain(lazy_guards).collect())
     }
 }
 
-/// Whether a guard that should be on one side is found on, or beyond, zero and goes on beyond: it crosses now, or rounding
-/// has hidden that it did.
+/// Whether a guard that should be on one side is found on, or beyond, zero and goes on beyond: it crosses now, or
+/// rounding has hidden that it did.
 fn is_overdue(series: &[f64], zeros: usize, direction: Direction) -> bool {
     let beyond = leading_sign(&series[1..]);
     zeros == 0 && direction != Direction::Both && direction.allows(beyond) && series[0] * beyond >= 0.0
@@ -466,7 +478,8 @@ fn derivative(series: &[f64]) -> Vec<f64> {
 
 /// Whether a square turns so sharply at its least value that a step would not see it in its coefficients.
 ///
-/// Near the turn the square is `least + curvature s^2`, with zeros at a distance `sqrt(least / curvature)` off the real line.
+/// Near the turn the square is `least + curvature s^2`, with zeros at a distance `sqrt(least / curvature)` off the real
+/// line.
 fn is_close_turn(turn: &Turn, slope: &[f64], at: f64, length: f64) -> bool {
     let least = turn.length(at);
     let curvature = 0.5 * polynomial::slope(slope, at);

@@ -6,14 +6,14 @@ use crate::Reason;
 use crate::compiled::Compiled;
 use crate::polynomial::value;
 
-/// Series at one instant, in the clock that starts there.
+/// Series at one instant, in the parameter that starts there.
 #[derive(Clone, Debug)]
 pub(crate) struct Expansion {
     /// Time of the instant, s.
     pub(crate) start: f64,
     /// `[state][order]`, orders 0 to `order`.
     pub(crate) states: Vec<Vec<f64>>,
-    /// Series of the time in the clock, where they differ.
+    /// Series of the time in the parameter, where they differ.
     pub(crate) time: Option<Vec<f64>>,
     /// Guards of the tape's branches.
     pub(crate) branches: Vec<Vec<f64>>,
@@ -23,7 +23,7 @@ pub(crate) struct Expansion {
     pub(crate) arguments: Vec<Vec<f64>>,
     /// Guards of the model.
     pub(crate) guards: Vec<Vec<f64>>,
-    /// Candidates that may be reached, each by its index.
+    /// Lazily evaluated guards that may be reached, each by its index.
     pub(crate) near: Vec<(usize, Vec<f64>)>,
 }
 
@@ -32,7 +32,8 @@ pub(crate) struct Expansion {
 pub(crate) struct Turn {
     /// Series of the square of a length, or of the argument of a root or power: smooth where the function is not.
     pub(crate) square: Vec<f64>,
-    /// Components of a length. At its least value their squares cancel, so it is found from them and not from the square.
+    /// Components of a length. At its least value their squares cancel, so it is found from them and not from the
+    /// square.
     pub(crate) components: Vec<Vec<f64>>,
 }
 
@@ -53,7 +54,7 @@ impl Expansion {
     }
 }
 
-/// Sides that hold along an expansion.
+/// Branch signs that hold along an expansion.
 #[derive(Clone, Copy)]
 pub(crate) struct Frozen<'a> {
     pub(crate) signs: &'a [f64],
@@ -81,8 +82,8 @@ pub(crate) fn expand(
             }
             jets.set(state, k + 1, coefficient);
         }
-        let clock = if system.own_clock { jets.output(count)[k] } else { f64::from(k == 0) };
-        jets.set(count, k + 1, clock / next);
+        let time_rate = if system.transformed { jets.output(count)[k] } else { f64::from(k == 0) };
+        jets.set(count, k + 1, time_rate / next);
         if k + 1 < order || system.is_watched {
             jets.extend(k + 1);
         }
@@ -93,12 +94,12 @@ pub(crate) fn expand(
 fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
     let tape = &system.tape;
     let slot = |slot: &u32| jets.slot(*slot).to_vec();
-    let first_guard = system.len() + usize::from(system.own_clock);
+    let first_guard = system.len() + usize::from(system.transformed);
     let guards = first_guard..first_guard + system.guards;
     Expansion {
         start,
         states: (0..system.len() as u32).map(|state| slot(&state)).collect(),
-        time: system.own_clock.then(|| slot(&tape.time_slot())),
+        time: system.transformed.then(|| slot(&tape.time_slot())),
         branches: tape.guards().iter().map(slot).collect(),
         turnings: tape.turnings().iter().map(|turning| turn(turning, jets)).collect(),
         arguments: tape.tables().iter().map(|lookup| slot(&lookup.of)).collect(),

@@ -37,11 +37,12 @@ pub struct Flow {
     /// Functions whose zeros end a step and make the system jump.
     pub guards: Vec<Guard>,
     /// Guards that are evaluated only while the motion may reach their zeros.
-    pub candidates: Vec<Candidate>,
+    pub lazy_guards: Vec<LazyGuard>,
     /// Functions that are zero all along this flow; rounding is taken out of them after each step.
     pub invariants: Vec<Invariant>,
-    /// `dt/ds` of the clock the pieces run on, where it is not the time itself. Positive, but for isolated instants.
-    pub clock: Option<Expr>,
+    /// Time transformation: `dt/ds` of the parameter s that the pieces run in, where it is not the time itself.
+    /// Positive, but for isolated instants.
+    pub time_transformation: Option<Expr>,
 }
 
 /// A function whose zero is an event.
@@ -64,9 +65,9 @@ pub enum AtZero {
     Begins,
     /// The flow holds on one side only, and ends at once.
     Ends,
-    /// The same, if it matters: the guard is a force that holds something in its place, with this acceleration, a formula of
-    /// the inputs, for each unit of it. What it would move within the step counts if it is more than a rounding of the
-    /// group's scale.
+    /// The same, if it matters: the guard is a force that holds something in its place, with this acceleration, a
+    /// formula of the inputs, for each unit of it. What it would move within the step counts if it is more than a
+    /// rounding error of the group's scale.
     EndsIfItMoves {
         /// Acceleration for each unit of the guard.
         response: Expr,
@@ -77,7 +78,7 @@ pub enum AtZero {
 
 /// A guard outside the tape of the field: of many of them, only those near zero cost more than a comparison.
 #[derive(Clone, Debug)]
-pub struct Candidate {
+pub struct LazyGuard {
     /// The function, of the states, the time and the inputs.
     pub guard: Guard,
     /// Index of the [`ScaleGroup`] that its error is measured against.
@@ -127,8 +128,9 @@ pub struct StateVariable {
     pub rate: Expr,
     /// Index of its [`ScaleGroup`].
     pub group: usize,
-    /// Whether the rate is with respect to the flow's own clock, where that has a finite value and this has not.
-    pub per_clock: bool,
+    /// Whether the rate is with respect to the parameter of the flow's time transformation, where that has a finite
+    /// value and this has not.
+    pub per_parameter: bool,
 }
 
 /// States whose errors are measured against one scale.
@@ -140,7 +142,8 @@ pub struct ScaleGroup {
     pub name: String,
     /// The least scale, a formula of the inputs.
     pub floor: Expr,
-    /// Whether the floor is to be divided by the length of the run: a rate so small changes nothing that matters within it.
+    /// Whether the floor is to be divided by the length of the run: a rate so small changes nothing that matters within
+    /// it.
     pub per_run: bool,
 }
 
@@ -154,7 +157,7 @@ pub struct Crossing<'a, Mode> {
     /// The states just before.
     pub states: &'a [f64],
     /// What rounding has left out of the states: added to them, they are as exact as two doubles.
-    pub carry: &'a [f64],
+    pub compensation: &'a [f64],
     /// Values of the inputs.
     pub inputs: &'a [f64],
     /// All that happens at this instant.
@@ -170,8 +173,8 @@ pub enum Cause {
     Scheduled(usize),
     /// The guard of that index crosses zero.
     Guard(usize),
-    /// The candidate of that index crosses zero.
-    Candidate(usize),
+    /// The lazily evaluated guard of that index crosses zero.
+    LazyGuard(usize),
     /// The time has come that an earlier jump asked to be woken at.
     Wake,
 }
@@ -187,8 +190,9 @@ pub struct Jump<Mode> {
     pub tags: Vec<String>,
     /// Whether the motion ends here.
     pub stop: bool,
-    /// Guards and candidates of the new mode that are zero now, whatever rounding has left of them, by name; each with
-    /// how many of its derivatives, itself included, vanish. Those that made the jump have at least one.
+    /// Guards and lazily evaluated guards of the new mode that are zero now, whatever rounding has left of them, by
+    /// name; each with how many of its derivatives, itself included, vanish. Those that made the jump have at least
+    /// one.
     pub zeros: Vec<(String, usize)>,
     /// A later time, s, at which the system is to be asked again.
     pub wake: Option<f64>,

@@ -13,7 +13,7 @@ use crate::compiled::Compiled;
 use crate::hybrid::Invariant;
 use crate::scale::Scales;
 
-/// A step may move an invariant by this part of its scale: some roundings.
+/// A step may move an invariant by this part of its scale: a few ulps.
 const ALLOWED: f64 = 1e-14;
 /// Below this part of what is allowed, the function's own rounding would be projected into the states.
 const WORTH_IT: f64 = 0.1;
@@ -84,7 +84,7 @@ impl Invariants {
                 self.slope(row, columns[column]) * weight(columns[column])
             });
             let off = DVector::from_fn(self.rows.len(), |row, _| self.values.value_of(self.rows[row].output));
-            // Functions that depend on each other have no one answer: the drift, a few roundings, then stays.
+            // Functions that depend on each other have no one answer: the drift, a few ulps, then stays.
             let Some(factors) = (&jacobian * jacobian.transpose()).cholesky() else { return };
             let step = jacobian.transpose() * factors.solve(&off);
             for (column, change) in step.iter().enumerate().filter(|(_, change)| change.is_finite()) {

@@ -5,13 +5,13 @@
 
 mod accuracy;
 mod bernstein;
-mod candidates;
 mod check;
 mod compiled;
 mod engine;
 mod expansion;
 mod hybrid;
 mod invariants;
+mod lazy_guards;
 mod order;
 mod polynomial;
 mod radius;
@@ -25,7 +25,7 @@ mod work;
 
 pub use accuracy::{Accuracy, AccuracyError};
 pub use hybrid::{
-    AtZero, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, ScaleGroup,
+    AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
     StateVariable,
 };
 pub use refusal::{Reason, Refusal};

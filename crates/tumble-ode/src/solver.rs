@@ -85,7 +85,7 @@ pub struct Solver<'a, H: Hybrid> {
     time: f64,
     states: Vec<f64>,
     /// What rounding left out of the states so far: added back with the next step.
-    carry: Vec<f64>,
+    compensation: Vec<f64>,
     mode: Option<usize>,
     first_mode: H::Mode,
     known: HashMap<H::Mode, usize>,
@@ -113,7 +113,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             tolerance,
             reach: reach(tolerance, order(tolerance)),
             time: start.time,
-            carry: vec![0.0; start.states.len()],
+            compensation: vec![0.0; start.states.len()],
             states: start.states,
             inputs: start.inputs,
             mode: None,
@@ -215,7 +215,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.scales.raise(&system.floors);
         self.scales.watch(system, &states);
         engine.enter(self.time, &states, zeros);
-        self.carry = self.carried(index, &states);
+        self.compensation = self.carried(index, &states);
         self.states = states;
         self.mode = Some(index);
         Ok(index)
@@ -226,8 +226,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let names = |mode: usize| &self.engines[mode].system.names;
         match self.mode {
             Some(before) if names(before) == names(mode) => {
-                let same = self.states.iter().zip(states).zip(&self.carry);
-                same.map(|((before, after), carry)| if before == after { *carry } else { 0.0 }).collect()
+                let same = self.states.iter().zip(states).zip(&self.compensation);
+                same.map(|((before, after), compensation)| if before == after { *compensation } else { 0.0 })
+                    .collect()
             }
             _ => vec![0.0; states.len()],
         }
@@ -256,7 +257,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     fn accepted_step(&mut self, mode: usize, expansion: &mut Expansion, end: f64) -> Result<Step, Reason> {
         let exact = self.engines[mode].system.exact_degree.is_some();
         let length = if exact { end - self.time } else { self.proposal(mode, expansion) };
-        let ahead = (self.reach, self.carry.as_slice());
+        let ahead = (self.reach, self.compensation.as_slice());
         let mut length = self.engines[mode].approach(expansion, length, ahead, &mut self.trajectory.work)?;
         let expansion = &*expansion;
         loop {
@@ -294,9 +295,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let (length, end) = match &expansion.time {
             None if self.time + length >= end => (end - self.time, end),
             None => ((self.time + length) - self.time, self.time + length),
-            Some(clock) => {
-                let reached = self.time + polynomial::increment(clock, length);
-                if reached >= end { (invert(clock, end - self.time, length), end) } else { (length, reached) }
+            Some(series) => {
+                let reached = self.time + polynomial::increment(series, length);
+                if reached >= end {
+                    (invert(series, end - self.time, length), end)
+                } else {
+                    (length, reached)
+                }
             }
         };
         Step { length, end, hits: vec![] }
@@ -307,18 +312,18 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let step = self.fit(expansion, length, end);
         match self.engines[mode].first_hits(expansion, step.length, &self.scales) {
             None => step,
-            // Up to what happens first the clock runs forwards; beyond, it need not, so the step is fitted anew.
+            // Up to what happens first the time runs forwards; beyond, it need not, so the step is fitted anew.
             Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), end) },
         }
     }
 
-    /// A step to where the candidate that cuts it is zero by its value.
+    /// A step to where the lazily evaluated guard that cuts it is zero by its value.
     fn polished(&mut self, mode: usize, expansion: &Expansion, step: Step, end: f64) -> Step {
-        let Engine { system, candidates, .. } = &mut self.engines[mode];
-        let candidate =
+        let Engine { system, lazy_guards, .. } = &mut self.engines[mode];
+        let lazy_guard =
             |hit: &Hit| if let Hit::Guard(guard) = hit { guard.checked_sub(system.guards) } else { None };
-        let hit = step.hits.iter().find_map(candidate);
-        match hit.and_then(|hit| candidates.delay(hit, expansion, step.length, &self.scales)) {
+        let hit = step.hits.iter().find_map(lazy_guard);
+        match hit.and_then(|hit| lazy_guards.delay(hit, expansion, step.length, &self.scales)) {
             None => step,
             Some(delay) => Step { hits: step.hits, ..self.fit(expansion, step.length + delay, end) },
         }
@@ -329,8 +334,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let exact = self.engines[mode].system.exact_degree.is_some();
         let fine = Verdict { excess: 0.0, state: 0 };
         let states = if exact { fine } else { self.check(mode, expansion, step) };
-        let Engine { system, candidates, invariants, .. } = &mut self.engines[mode];
-        let watched = candidates.excess(expansion, step.length, &self.scales, self.tolerance);
+        let Engine { system, lazy_guards, invariants, .. } = &mut self.engines[mode];
+        let watched = lazy_guards.excess(expansion, step.length, &self.scales, self.tolerance);
         let mut verdict = states.or(Verdict { excess: watched, state: 0 });
         if !invariants.is_empty() && step.end - self.time > self.span * SHORT_PART {
             let end: Vec<f64> =
@@ -350,11 +355,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn is_stuck(&self, expansion: &Expansion, length: f64) -> bool {
-        let advance = expansion.time.as_ref().map_or(length, |clock| polynomial::increment(clock, length));
+        let advance = expansion.time.as_ref().map_or(length, |series| polynomial::increment(series, length));
         advance <= SHORTEST_STEP_ULPS * f64::EPSILON * self.time.abs().max(f64::MIN_POSITIVE)
     }
 
-    /// Changes sides at the end of a step.
+    /// Changes branch signs at the end of a step.
     fn pass(&mut self, mode: usize, step: &Step, expansion: &Expansion) -> Result<(), Reason> {
         let work = &mut self.trajectory.work;
         let engine = &mut self.engines[mode];
@@ -377,16 +382,16 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
         for (state, series) in expansion.states.iter().enumerate() {
             let (before, change) = (self.states[state], polynomial::increment(series, step.length));
-            let change = change + self.carry[state];
+            let change = change + self.compensation[state];
             let after = before + change;
             if !after.is_finite() {
                 return Err(Reason::NotFinite { state: self.engines[mode].system.names[state].clone() });
             }
-            self.carry[state] = change - (after - before);
+            self.compensation[state] = change - (after - before);
             self.states[state] = after;
         }
-        let Engine { system, candidates, invariants, .. } = &mut self.engines[mode];
-        candidates.moved(expansion, step.length, &self.states);
+        let Engine { system, lazy_guards, invariants, .. } = &mut self.engines[mode];
+        lazy_guards.moved(expansion, step.length, &self.states);
         self.scales.watch(system, &self.states);
         if !invariants.is_empty() {
             let drifted = self.states.clone();
@@ -410,7 +415,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 mode,
                 length: step.length,
                 states: expansion.states,
-                clock: expansion.time,
+                time_series: expansion.time,
             });
         }
     }
@@ -424,7 +429,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let tape_guards = self.engines[mode].system.guards;
         let crossed = guards.into_iter().map(|guard| match guard.checked_sub(tape_guards) {
             None => Cause::Guard(guard),
-            Some(candidate) => Cause::Candidate(candidate),
+            Some(lazy_guard) => Cause::LazyGuard(lazy_guard),
         });
         let causes: Vec<Cause> = scheduled.chain(waking).chain(crossed).collect();
         self.wakes.retain(|wake| *wake > self.time);
@@ -436,7 +441,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             time: self.time,
             mode: &self.trajectory.modes[mode],
             states: &self.states,
-            carry: &self.carry,
+            compensation: &self.compensation,
             inputs: &self.inputs,
             causes: &causes,
             scales: self.scales.all(),
@@ -444,13 +449,14 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let Compiled { guard_names, guards, .. } = &self.engines[mode].system;
         let crossed = |cause: &Cause| match cause {
             Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
-            Cause::Candidate(candidate) => Some((guard_names[guards + candidate].clone(), 1)),
+            Cause::LazyGuard(lazy_guard) => Some((guard_names[guards + lazy_guard].clone(), 1)),
             Cause::Scheduled(_) | Cause::Wake => None,
         };
         let zeros: Vec<(String, usize)> = causes.iter().filter_map(crossed).chain(jump.zeros).collect();
         self.wakes.extend(jump.wake);
-        let (before, carry, scales) = (self.states.clone(), self.carry.clone(), self.scales.all().to_vec());
-        // An event that changes nothing does not disturb the sides that the motion is on.
+        let (before, compensation, scales) =
+            (self.states.clone(), self.compensation.clone(), self.scales.all().to_vec());
+        // An event that changes nothing does not disturb the branch signs of the motion.
         self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
         let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
@@ -460,7 +466,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             tags: jump.tags,
             before,
             after: self.states.clone(),
-            carry,
+            compensation,
             scales,
             mode_before: mode,
             mode_after,
@@ -477,7 +483,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 /// A step from now.
 #[derive(Clone)]
 struct Step {
-    /// In units of the clock; zero where something happens at once.
+    /// In units of the parameter; zero where something happens at once.
     length: f64,
     /// Time at its end, s.
     end: f64,

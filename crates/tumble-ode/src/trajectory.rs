@@ -21,7 +21,7 @@ pub struct Trajectory<Mode> {
     pub scales: Vec<f64>,
 }
 
-/// A stretch of motion in one mode, as polynomials in its own clock s, which begins at 0.
+/// A stretch of motion in one mode, as polynomials in its own parameter s, which begins at 0.
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// Time at s = 0, s.
@@ -30,12 +30,12 @@ pub struct Piece {
     pub end: f64,
     /// Index in [`Trajectory::modes`].
     pub mode: usize,
-    /// Length in units of the clock.
+    /// Length in units of the parameter.
     pub length: f64,
     /// Coefficients `[state][order]` in s.
     pub states: Vec<Vec<f64>>,
     /// Coefficients of the time in s; where there are none, the time is `start + s`.
-    pub clock: Option<Vec<f64>>,
+    pub time_series: Option<Vec<f64>>,
 }
 
 /// Something that happened at one instant.
@@ -52,7 +52,7 @@ pub struct Event {
     /// States just after.
     pub after: Vec<f64>,
     /// What rounding had left out of the states before, and the scales then: with them the jump can be made again.
-    pub carry: Vec<f64>,
+    pub compensation: Vec<f64>,
     /// Scales of the groups of states at that time.
     pub scales: Vec<f64>,
     /// Index in [`Trajectory::modes`] of the mode that ended.
@@ -149,50 +149,52 @@ impl<Mode> Trajectory<Mode> {
 impl Piece {
     /// States at a time within the piece.
     pub fn states_at(&self, time: f64) -> Vec<f64> {
-        let s = self.clock_at(time);
+        let s = self.parameter_at(time);
         self.states.iter().map(|series| polynomial::value(series, s)).collect()
     }
 
-    /// States at a reading of the piece's clock.
-    pub fn states_at_clock(&self, s: f64) -> Vec<f64> {
+    /// States at a value of the piece's parameter.
+    pub fn states_at_parameter(&self, s: f64) -> Vec<f64> {
         self.states.iter().map(|series| polynomial::value(series, s)).collect()
     }
 
-    /// The states as series about a reading of the piece's clock, and the time as one.
+    /// The states as series about a value of the piece's parameter, and the time as one.
     pub fn series_at(&self, s: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
         let states = self.states.iter().map(|series| polynomial::shifted(series, s)).collect();
         let mut time =
-            self.clock.as_ref().map_or_else(|| vec![0.0, 1.0], |series| polynomial::shifted(series, s));
+            self.time_series.as_ref().map_or_else(|| vec![0.0, 1.0], |series| polynomial::shifted(series, s));
         time[0] = self.time_at(s);
         (states, time)
     }
 
-    /// How fast the time passes at a reading of the piece's clock, s per unit of the clock.
-    pub fn clock_rate(&self, s: f64) -> f64 {
-        self.clock.as_ref().map_or(1.0, |series| polynomial::slope(series, s))
+    /// How fast the time passes at a value of the piece's parameter, s per unit of the parameter.
+    pub fn time_rate(&self, s: f64) -> f64 {
+        self.time_series.as_ref().map_or(1.0, |series| polynomial::slope(series, s))
     }
 
-    /// Reading of the piece's clock at a time within the piece.
-    pub fn clock_at(&self, time: f64) -> f64 {
-        match &self.clock {
+    /// Value of the piece's parameter at a time within the piece.
+    pub fn parameter_at(&self, time: f64) -> f64 {
+        match &self.time_series {
             None => time - self.start,
             Some(series) => invert(series, time - self.start, self.length),
         }
     }
 
-    /// Time at a reading of the piece's clock.
+    /// Time at a value of the piece's parameter.
     pub fn time_at(&self, s: f64) -> f64 {
-        match &self.clock {
+        match &self.time_series {
             None => self.start + s,
             Some(series) => self.start + polynomial::increment(series, s),
         }
     }
 }
 
-/// Newton steps that a clock's inversion may take; each at least halves the bracket where Newton's own fails.
+/// Newton steps that the inversion of a time series may take; each at least halves the bracket where Newton's own
+/// fails.
 const INVERSION_STEPS: usize = 100;
 
-/// The s in `[0, length]` at which an increasing clock has advanced by `elapsed`: Newton's method inside a bracket.
+/// The s in `[0, length]` at which an increasing time series has advanced by `elapsed`: Newton's method inside a
+/// bracket.
 pub(crate) fn invert(series: &[f64], elapsed: f64, length: f64) -> f64 {
     let (mut low, mut high) = (0.0, length);
     let mut s = length * (elapsed / polynomial::increment(series, length)).clamp(0.0, 1.0);
@@ -221,7 +223,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_clock_is_inverted() {
+    fn a_time_series_is_inverted() {
         // t = s + s^3
         let series = [5.0, 1.0, 0.0, 1.0];
         for s in [0.0, 1e-12, 0.3, 1.7, 2.0] {

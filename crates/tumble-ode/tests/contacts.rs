@@ -1,8 +1,8 @@
-//! What contacts are made of: candidates, invariants, zeros that are known, wakes, causes at the start.
+//! What contacts are made of: lazy_guards, invariants, zeros that are known, wakes, causes at the start.
 
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_ode::{
-    Accuracy, AtZero, Candidate, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, Reason,
+    Accuracy, AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, Reason,
     ScaleGroup, Side, Start, StateVariable, Stopped, Trajectory, solve,
 };
 
@@ -20,15 +20,15 @@ fn guard(name: &str, formula: Expr) -> Guard {
     Guard { name: name.into(), formula, direction: Direction::Falling, at_zero: AtZero::Begins }
 }
 
-fn candidate(name: &str, formula: Expr, slopes: Option<Vec<(usize, Expr)>>) -> Candidate {
-    Candidate { guard: Guard { at_zero: AtZero::Ends, ..guard(name, formula) }, group: 0, slopes }
+fn lazy_guard(name: &str, formula: Expr, slopes: Option<Vec<(usize, Expr)>>) -> LazyGuard {
+    LazyGuard { guard: Guard { at_zero: AtZero::Ends, ..guard(name, formula) }, group: 0, slopes }
 }
 
 /// A system of pure numbers; what a jump does is a function of the crossing.
 struct Toy {
     rates: Vec<(&'static str, Expr)>,
     guards: Vec<Guard>,
-    candidates: Vec<Candidate>,
+    lazy_guards: Vec<LazyGuard>,
     invariants: Vec<Invariant>,
     jump: fn(&Crossing<'_, i32>) -> Jump<i32>,
 }
@@ -42,7 +42,7 @@ impl Hybrid for Toy {
             symbol: symbol(name),
             rate: rate.clone(),
             group: 0,
-            per_clock: false,
+            per_parameter: false,
         });
         Ok(Flow {
             states: states.collect(),
@@ -52,9 +52,9 @@ impl Hybrid for Toy {
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: vec![],
             guards: self.guards.clone(),
-            candidates: self.candidates.clone(),
+            lazy_guards: self.lazy_guards.clone(),
             invariants: self.invariants.clone(),
-            clock: None,
+            time_transformation: None,
         })
     }
 
@@ -77,7 +77,7 @@ fn run(toy: &Toy, start: &[f64], until: f64) -> Trajectory<i32> {
 /// Falls with G, height x.
 fn falling(jump: fn(&Crossing<'_, i32>) -> Jump<i32>) -> Toy {
     let rates = vec![("x", leaf("v")), ("v", Expr::from(-G))];
-    Toy { rates, guards: vec![], candidates: vec![], invariants: vec![], jump }
+    Toy { rates, guards: vec![], lazy_guards: vec![], invariants: vec![], jump }
 }
 
 /// Turns the speed round.
@@ -90,16 +90,16 @@ fn times(motion: &Trajectory<i32>) -> Vec<f64> {
 }
 
 #[test]
-fn a_candidate_is_a_guard_that_costs_less() {
+fn a_lazy_guard_is_a_guard_that_costs_less() {
     let tape = Toy { guards: vec![guard("floor", leaf("x"))], ..falling(bounce) };
     let bounded = Some(vec![(0, Expr::one())]);
-    let beside = Toy { candidates: vec![candidate("floor", leaf("x"), bounded)], ..falling(bounce) };
-    let unbounded = Toy { candidates: vec![candidate("floor", leaf("x"), None)], ..falling(bounce) };
+    let beside = Toy { lazy_guards: vec![lazy_guard("floor", leaf("x"), bounded)], ..falling(bounce) };
+    let unbounded = Toy { lazy_guards: vec![lazy_guard("floor", leaf("x"), None)], ..falling(bounce) };
     let [tape, beside, unbounded] = [tape, beside, unbounded].map(|toy| run(&toy, &[5.0, 0.0], 99.5));
     assert_eq!(tape.events.len(), 50);
     assert_eq!(
         (tape.events[0].causes[0], beside.events[0].causes[0]),
-        (Cause::Guard(0), Cause::Candidate(0))
+        (Cause::Guard(0), Cause::LazyGuard(0))
     );
     for (n, ((a, b), c)) in times(&tape).iter().zip(times(&beside)).zip(times(&unbounded)).enumerate() {
         let exact = 1.0 + 2.0 * n as f64;
@@ -110,11 +110,12 @@ fn a_candidate_is_a_guard_that_costs_less() {
 
 #[test]
 fn what_is_far_away_is_not_expanded() {
-    let far =
-        |n: usize| candidate(&format!("far{n}"), leaf("x") + (1000 + n) as f64, Some(vec![(0, Expr::one())]));
-    let near = candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]));
-    let alone = Toy { candidates: vec![near.clone()], ..falling(bounce) };
-    let crowded = Toy { candidates: (0..1000).map(far).chain([near]).collect(), ..falling(bounce) };
+    let far = |n: usize| {
+        lazy_guard(&format!("far{n}"), leaf("x") + (1000 + n) as f64, Some(vec![(0, Expr::one())]))
+    };
+    let near = lazy_guard("floor", leaf("x"), Some(vec![(0, Expr::one())]));
+    let alone = Toy { lazy_guards: vec![near.clone()], ..falling(bounce) };
+    let crowded = Toy { lazy_guards: (0..1000).map(far).chain([near]).collect(), ..falling(bounce) };
     let [alone, crowded] = [alone, crowded].map(|toy| run(&toy, &[5.0, 0.0], 20.0));
     assert_eq!(times(&alone), times(&crowded));
     println!("{:?} {:?}", alone.work, crowded.work);
@@ -128,10 +129,10 @@ fn what_is_far_away_is_not_expanded() {
 #[test]
 fn an_oscillator_never_looks_at_what_it_cannot_reach() {
     let far =
-        |n: usize| candidate(&format!("far{n}"), leaf("x") + (100 + n) as f64, Some(vec![(0, Expr::one())]));
+        |n: usize| lazy_guard(&format!("far{n}"), leaf("x") + (100 + n) as f64, Some(vec![(0, Expr::one())]));
     let toy = Toy {
         rates: vec![("x", leaf("v")), ("v", -leaf("x"))],
-        candidates: (0..1000).map(far).collect(),
+        lazy_guards: (0..1000).map(far).collect(),
         ..falling(bounce)
     };
     let motion = run(&toy, &[1.0, 0.0], 50.0);
@@ -170,7 +171,7 @@ fn a_wake_comes_at_its_time() {
         Jump { wake, ..Jump::to(at.mode + 1, vec![at.states[0], if woken { 0.0 } else { -at.states[1] }]) }
     }
     let toy = Toy {
-        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        lazy_guards: vec![lazy_guard("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
         ..falling(jump)
     };
     let motion = run(&toy, &[5.0, 0.0], 1.2);
@@ -182,10 +183,10 @@ fn a_wake_comes_at_its_time() {
 #[test]
 fn causes_at_the_start_come_before_any_step() {
     let toy = Toy {
-        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        lazy_guards: vec![lazy_guard("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
         ..falling(bounce)
     };
-    let motion = run_with(&toy, &[0.0, -5.0], 0.9, vec![Cause::Candidate(0)]).expect("a motion");
+    let motion = run_with(&toy, &[0.0, -5.0], 0.9, vec![Cause::LazyGuard(0)]).expect("a motion");
     assert_eq!(times(&motion), [0.0]);
     assert_eq!(motion.events[0].after, [0.0, 5.0]);
     let end = motion.last_states().expect("ran");
@@ -196,7 +197,7 @@ fn causes_at_the_start_come_before_any_step() {
 #[test]
 fn what_is_overdue_happens_at_once() {
     let toy = Toy {
-        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        lazy_guards: vec![lazy_guard("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
         ..falling(bounce)
     };
     let motion = run(&toy, &[-1e-17, -1.0], 0.1);
@@ -212,7 +213,7 @@ fn an_arc_that_starts_beyond_zero_ends() {
         Jump { zeros: vec![("floor".into(), 1)], ..Jump::to(at.mode + 1, vec![-1e-17, 1e-9]) }
     }
     let toy = Toy {
-        candidates: vec![candidate("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
+        lazy_guards: vec![lazy_guard("floor", leaf("x"), Some(vec![(0, Expr::one())]))],
         ..falling(jump)
     };
     let motion = run(&toy, &[5.0, 0.0], 1.0 + 1e-9);
@@ -229,9 +230,9 @@ fn zeros_that_are_known_are_not_crossed_again() {
     // From x = -1e-17 and v = -1e-17 it rises with t^3: nothing but the start is a zero.
     let toy = Toy {
         rates: vec![("x", leaf("v")), ("v", leaf("t"))],
-        candidates: vec![candidate("ramp", leaf("x"), None)],
+        lazy_guards: vec![lazy_guard("ramp", leaf("x"), None)],
         ..falling(jump)
     };
-    let motion = run_with(&toy, &[-1e-17, 0.0], 2.0, vec![Cause::Candidate(0)]).expect("a motion");
+    let motion = run_with(&toy, &[-1e-17, 0.0], 2.0, vec![Cause::LazyGuard(0)]).expect("a motion");
     assert_eq!(times(&motion), [0.0]);
 }

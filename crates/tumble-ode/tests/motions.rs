@@ -15,7 +15,7 @@ fn leaf(name: &str) -> Expr {
 struct Toy {
     rates: Vec<(&'static str, Expr)>,
     schedule: Vec<Expr>,
-    clock: Option<Expr>,
+    time_transformation: Option<Expr>,
 }
 
 impl Hybrid for Toy {
@@ -28,7 +28,7 @@ impl Hybrid for Toy {
             symbol: symbol(name),
             rate: if *mode == 0 { rate.clone() } else { rate + leaf("on") },
             group: 0,
-            per_clock: false,
+            per_parameter: false,
         });
         Ok(Flow {
             states: states.collect(),
@@ -38,9 +38,9 @@ impl Hybrid for Toy {
             groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
             schedule: self.schedule.clone(),
             guards: vec![],
-            candidates: vec![],
+            lazy_guards: vec![],
             invariants: vec![],
-            clock: self.clock.clone(),
+            time_transformation: self.time_transformation.clone(),
         })
     }
 
@@ -85,7 +85,8 @@ fn the_error_follows_the_accuracy() {
     }
 }
 
-/// Released from exactly 90 degrees only every fourth coefficient is nonzero: a rule that reads two of them reads zeros.
+/// Released from exactly 90 degrees only every fourth coefficient is nonzero: a rule that reads two of them reads
+/// zeros.
 #[test]
 fn release_at_a_right_angle() {
     let motion = run(&pendulum(), &[std::f64::consts::FRAC_PI_2, 0.0], 10.0, 1e-12).expect("smooth");
@@ -108,7 +109,7 @@ fn a_polynomial_takes_one_exact_step_a_phase() {
     let toy = Toy {
         rates: vec![("x", leaf("v")), ("v", leaf("t"))],
         schedule: vec![Expr::from(0.5), leaf("p") * 0.375],
-        clock: None,
+        time_transformation: None,
     };
     let motion = run(&toy, &[0.0, 0.0], 2.0, 1e-9).expect("polynomials");
     assert_eq!((motion.work.steps, motion.work.exact_steps, motion.work.rejected), (3, 3, 0));
@@ -156,9 +157,10 @@ fn short_windows_and_simultaneous_times() {
 }
 
 #[test]
-fn a_piece_runs_on_its_own_clock() {
+fn a_piece_runs_in_a_transformed_time() {
     // dt = x ds along x' = 1/x: in s, x' = 1, so t = s + s^2/2 from x(0) = 1.
-    let toy = Toy { rates: vec![("x", 1 / leaf("x"))], clock: Some(leaf("x")), ..Toy::default() };
+    let toy =
+        Toy { rates: vec![("x", 1 / leaf("x"))], time_transformation: Some(leaf("x")), ..Toy::default() };
     let motion = run(&toy, &[1.0], 10.0, 1e-12).expect("smooth");
     for t in [0.5_f64, 3.0, 10.0] {
         let x = motion.states_at(t, Side::After).expect("inside")[0];

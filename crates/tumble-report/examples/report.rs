@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use tumble_report::free_body::{AngleMark, Arrow, FreeBody, Kind, NamedPoint, Sheet, Surface};
 use tumble_report::report::{
-    Analyze, Animation, Block, BodyModel, BodyRow, Books, Case, Check, Column, Definition, ForceRow,
+    Analyze, Animation, Balance, Block, BodyModel, BodyRow, Case, Check, Column, Definition, ForceRow,
     Identify, Math, Mode, Model, Motion, MovingBody, MovingForce, MovingLink, Phase, Picture, Plot, Quantity,
     Report, Solve, Table, Text,
 };
@@ -481,12 +481,12 @@ fn case(run: &Run) -> Case {
     Case {
         name: name(run),
         intro: vec![Text::words(format!("{} impacts in three seconds.", run.impacts.len()))],
-        books: Some(Books {
+        balance: Some(Balance {
             intro: vec![],
             tables: vec![Table::new("Balance over the whole run", columns).row(row.map(Text::from).to_vec())],
             plots: vec![
                 Plot::over_time(energies, "Energies; dotted lines are impacts."),
-                Plot::over_time(residual, "What the books do not explain."),
+                Plot::over_time(residual, "What the balance does not explain."),
             ],
         }),
         checks: vec![check("energy at the end", "9.81 J", "9.8100 J", run.restitution == 1.0)],

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{BooksPlot, Check, FreeBody, Plot, Question, Stroboscope, Study, SweepAxis};
+use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Stroboscope, Study, SweepAxis};
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -32,7 +32,7 @@ pub(crate) struct Draft {
     pub(crate) output_every: Option<Expr>,
     pub(crate) plots: Vec<Plot>,
     pub(crate) stroboscopes: Vec<Stroboscope>,
-    pub(crate) books: Vec<BooksPlot>,
+    pub(crate) balances: Vec<BalancePlot>,
     pub(crate) free_bodies: Vec<FreeBody>,
     pub(crate) finds: Vec<Question>,
     pub(crate) checks: Vec<Check>,
@@ -78,7 +78,7 @@ impl Draft {
                 output_every: self.output_every,
                 plots: self.plots,
                 stroboscopes: self.stroboscopes,
-                books: self.books,
+                balances: self.balances,
                 free_bodies: self.free_bodies,
                 finds: self.finds,
                 checks: self.checks,

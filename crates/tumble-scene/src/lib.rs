@@ -46,7 +46,7 @@ pub use diagnostic::{Diagnostic, Diagnostics, Label, Source, Span};
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use settings::Override;
 pub use study::{
-    BooksPlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope, Study,
+    BalancePlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope, Study,
     SweepAxis, SweepValue, When,
 };
 

@@ -99,7 +99,7 @@ pub(crate) fn explain_work(names: &Names, name: &str, span: &Span) -> Option<Dia
             format!("`{name}` is the work up to an instant, which only a find or a check at an instant may ask for");
         let mistake = Diagnostic::new(Code::EventInFormula, span.clone(), message).label("a work");
         mistake.help(
-            "write it in `that` of a find or a check without `at` or with an instant; `[books.NAME]` draws all works",
+            "write it in `that` of a find or a check without `at` or with an instant; `[balance.NAME]` draws all works",
         )
     })
 }

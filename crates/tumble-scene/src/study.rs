@@ -27,8 +27,8 @@ pub struct Study {
     pub plots: Vec<Plot>,
     /// Stroboscopic pictures.
     pub stroboscopes: Vec<Stroboscope>,
-    /// Figures of the books.
-    pub books: Vec<BooksPlot>,
+    /// Figures of the energy and momentum balance.
+    pub balances: Vec<BalancePlot>,
     /// Free-body diagrams.
     pub free_bodies: Vec<FreeBody>,
     /// What is asked for.
@@ -131,16 +131,16 @@ pub struct Stroboscope {
 
 /// Energies or works of all bodies along the run.
 #[derive(Clone, Debug)]
-pub struct BooksPlot {
+pub struct BalancePlot {
     /// Its name: the file's stem.
     pub name: String,
     /// One line above the figure.
     pub title: Option<String>,
-    /// Which part of the books.
+    /// Which part of the balance.
     pub show: Sheet,
 }
 
-/// A part of the books.
+/// A part of the balance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sheet {
     /// Kinetic, potential and total energy.

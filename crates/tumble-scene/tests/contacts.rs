@@ -15,7 +15,7 @@ k = "1e4 N/m"
 e = 0.7
 [world]
 gravity = "9.81 m/s^2"
-impacts = "in turn"
+impacts = "sequential"
 [body.rod]
 rod = { from = ["-0.5 m", 0], to = ["0.5 m", 0], end_radius = "1 cm" }
 mass = "0.5 kg"
@@ -130,7 +130,7 @@ const MISTAKES: &[Row] = &[
     ("slope = \"-30 deg\"", "slope = \"-30 deg\"\nnormal = [0, 1]", "E0519 slope | normal", "leave one"),
     ("slope = \"-30 deg\"", "slope = 30", "E0516 30", "30 deg"),
     ("on = [\"rod\"]", "on = [\"rood\"]", "E0520 \"rood\"", "rod"),
-    ("impacts = \"in turn\"", "impacts = \"at random\"", "E0518 \"at random\"", "\"together\""),
+    ("impacts = \"sequential\"", "impacts = \"at random\"", "E0518 \"at random\"", "\"simultaneous\""),
     ("at = [0, \"2 m\"]", "at = [0, \"-0.1 m\"]", "E0539 start", "start it"),
     ("floor.contact[2].at(50%)", "floor.contact[2].at(50%", "E0530 \"floor.contact[2].at(50%\"", "at(50%)"),
     ("floor.contact[1].duration\"", "flor.contact[1].duration\"", "E0521 flor.contact[1].duration", ""),

@@ -1,7 +1,7 @@
 //! What a report costs beyond the numbers: `cargo bench -p tumble --bench report`.
 //!
 //! For each of the four systems, of 20, 1.2, 5 and 1 s, some of them with several runs: the least time of some runs with tables only, with the
-//! figures and the books, and with the report too.
+//! figures and the balance, and with the report too.
 
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -4,7 +4,7 @@ use tumble_mech::{Parameters, Run, RunError, Trust};
 use tumble_ode::Refusal;
 use tumble_scene::Study;
 
-use crate::books::Books;
+use crate::balance::CaseBalance;
 use crate::checks::{self, CheckResult};
 use crate::pipeline::PipelineError;
 use crate::progress::Progress;
@@ -30,7 +30,7 @@ pub struct Case {
     /// The scene's claims, each with what was found.
     pub checks: Vec<CheckResult>,
     /// Energy, momentum and what changed them; `None` where only numbers were asked for.
-    pub books: Option<Books>,
+    pub balance: Option<CaseBalance>,
 }
 
 /// Parameters of one run, with its label.
@@ -95,7 +95,7 @@ impl Case {
             refusal,
             finds: vec![],
             checks: vec![],
-            books: None,
+            balance: None,
         };
         case.finds = questions::finds(study, &case)?;
         case.checks = checks::evaluate(study, &case)?;

@@ -9,7 +9,7 @@ use tumble_report::{
 };
 use tumble_scene::{Curve, Plot, Stroboscope, Study};
 
-use crate::book_figures;
+use crate::balance_figures;
 use crate::case::Case;
 use crate::free_bodies;
 use crate::moments::Moments;
@@ -38,8 +38,8 @@ pub(crate) fn write(study: &Study, cases: &[Case], folder: &Folder) -> Result<Ve
         save(folder, &stroboscope.name, &picture(study, cases, stroboscope)?.svg())?;
         names.push(stroboscope.name.clone());
     }
-    for asked in &study.books {
-        save(folder, &asked.name, &book_figures::of(study, cases, asked).svg())?;
+    for asked in &study.balances {
+        save(folder, &asked.name, &balance_figures::of(study, cases, asked).svg())?;
         names.push(asked.name.clone());
     }
     for asked in &study.free_bodies {

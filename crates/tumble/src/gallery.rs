@@ -84,7 +84,7 @@ fn entry(outcome: &Outcome) -> Entry {
     };
     let link = |file: String| Link { path: path(&file), text: file };
     let tables = outcome.cases.iter().flat_map(|case| {
-        ["trajectory.csv", "events.csv", "books.csv"].map(|table| format!("{}/{table}", case.folder()))
+        ["trajectory.csv", "events.csv", "balance.csv"].map(|table| format!("{}/{table}", case.folder()))
     });
     Entry {
         title: outcome.study.title.clone(),

@@ -34,8 +34,8 @@ pub mod pipeline;
 pub mod prelude;
 pub mod progress;
 
-mod book_figures;
-mod books;
+mod balance;
+mod balance_figures;
 mod case;
 mod checks;
 mod digits;
@@ -49,7 +49,7 @@ mod symbols;
 mod tables;
 mod works;
 
-pub use books::Books;
+pub use balance::CaseBalance;
 pub use case::Case;
 pub use checks::CheckResult;
 pub use pipeline::{Options, Outcome, PipelineError};

@@ -6,7 +6,7 @@ use thiserror::Error;
 use tumble_mech::{ModelErrors, RunError};
 use tumble_scene::{Diagnostics, Override, Study};
 
-use crate::books::Books;
+use crate::balance::CaseBalance;
 use crate::case::{self, Case};
 use crate::figures;
 use crate::output::{Folder, OutputError};
@@ -107,8 +107,8 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
         let mut case = Case::run(&study, index + 1, values, options.progress)?;
         tables::write(&study, &case, &folder)?;
         if !options.no_figures {
-            case.books = Books::of(&case)?;
-            case.books.iter().try_for_each(|books| books.write(&case, &folder))?;
+            case.balance = CaseBalance::of(&case)?;
+            case.balance.iter().try_for_each(|balance| balance.write(&case, &folder))?;
         }
         cases.push(case);
     }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use sha2::{Digest, Sha256};
-use tumble_mech::{Run, Simultaneous};
+use tumble_mech::{MultipleImpacts, Run};
 use tumble_scene::Study;
 
 use crate::case::Case;
@@ -82,7 +82,7 @@ struct RunSummary<'a> {
     finds: Vec<Find<'a>>,
     checks: Vec<Check<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    books: Option<crate::books::Summary>,
+    balance: Option<crate::balance::Summary>,
 }
 
 #[derive(Serialize)]
@@ -114,18 +114,18 @@ struct Numerics {
     trust: Option<Trust>,
 }
 
-/// What a second run says of the motion.
+/// What a check run says of the motion.
 #[derive(Serialize)]
 struct Trust {
     /// Accuracy that steps were held to.
     used_accuracy: f64,
-    /// Error of the states at the end, or where the digits end, in units of their scales.
+    /// Error of the states at the end, or where the verified digits end, in units of their scales.
     reached: f64,
-    /// Time after which nothing carries digits; the end of the motion where they last.
-    digits_until: f64,
-    /// Why they end before the motion does.
+    /// Time after which no digit is verified; the end of the motion where they last.
+    verified_until: f64,
+    /// Why the check run diverged, if it did before the end.
     #[serde(skip_serializing_if = "Option::is_none")]
-    digits_end_because: Option<String>,
+    divergence: Option<String>,
 }
 
 /// Where there are surfaces.
@@ -134,9 +134,9 @@ struct Contacts {
     /// Contacts, impacts included.
     count: usize,
     /// Times that impacts following each other ever faster have ended in contact.
-    cascades: usize,
+    zeno_sequences: usize,
     /// How impacts of one body at one instant were taken.
-    simultaneous: &'static str,
+    impacts: &'static str,
 }
 
 /// Sums that stand for integrals along lines.
@@ -221,7 +221,7 @@ fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
         events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
         finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
-        books: case.books.as_ref().map(crate::books::Summary::of),
+        balance: case.balance.as_ref().map(crate::balance::Summary::of),
     }
 }
 
@@ -255,8 +255,8 @@ fn numerics(study: &Study, case: &Case) -> Numerics {
         trust: case.trust.as_ref().map(|trust| Trust {
             used_accuracy: trust.used,
             reached: trust.reached,
-            digits_until: trust.horizon.as_ref().map_or(end_time(run), |horizon| horizon.time),
-            digits_end_because: trust.horizon.as_ref().map(|horizon| horizon.reason.to_string()),
+            verified_until: trust.horizon.as_ref().map_or(end_time(run), |horizon| horizon.time),
+            divergence: trust.horizon.as_ref().map(|horizon| horizon.reason.to_string()),
         }),
         quadrature: run.quadrature.map(|found| Quadrature {
             nodes: found.nodes,
@@ -267,11 +267,11 @@ fn numerics(study: &Study, case: &Case) -> Numerics {
 }
 
 fn contacts(study: &Study, run: &Run) -> Option<Contacts> {
-    let simultaneous = match study.model.simultaneous {
-        Simultaneous::Together => "together",
-        Simultaneous::InTurn => "in turn",
+    let impacts = match study.model.multiple_impacts {
+        MultipleImpacts::Simultaneous => "simultaneous",
+        MultipleImpacts::Sequential => "sequential",
     };
-    let found = Contacts { count: run.contacts().len(), cascades: run.cascades(), simultaneous };
+    let found = Contacts { count: run.contacts().len(), zeno_sequences: run.zeno_sequences(), impacts };
     (!study.model.surfaces.is_empty()).then_some(found)
 }
 

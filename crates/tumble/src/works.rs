@@ -1,10 +1,10 @@
 //! Works of loads up to an instant, by the names they have in checks: `floor.work`.
 
 use tumble_expr::{Expr, Substitution, Symbol, units};
-use tumble_mech::{Entry, Kind, Ledger};
+use tumble_mech::{Contribution, Kind, RunBalance};
 use tumble_ode::Side;
 
-use crate::books::ABOUT;
+use crate::balance::ABOUT;
 use crate::case::Case;
 use crate::pipeline::PipelineError;
 
@@ -32,16 +32,19 @@ pub(crate) fn known(
     if symbols.is_empty() {
         return Ok(Some(Known { formula, variants: vec![], is_sure: true }));
     }
-    let mut ledger = Ledger::of(&case.run, ABOUT)?;
-    let Some(reading) = ledger.at(time, side)? else { return Ok(None) };
+    let mut balance = RunBalance::of(&case.run, ABOUT)?;
+    let Some(reading) = balance.at(time, side)? else { return Ok(None) };
     let errors = match &case.trust {
-        Some(trust) => trust.work_errors(&mut ledger, time, side)?,
+        Some(trust) => trust.work_errors(&mut balance, time, side)?,
         None => None,
     };
     let sum = |symbol: &Symbol, of: &[f64]| -> f64 {
         let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
-        let entries = ledger.entries.iter().zip(of);
-        entries.filter(|(entry, _)| is_work_of(entry, load)).map(|(_, amount)| amount).sum()
+        let contributions = balance.contributions.iter().zip(of);
+        contributions
+            .filter(|(contribution, _)| is_work_of(contribution, load))
+            .map(|(_, amount)| amount)
+            .sum()
     };
     let with = |off: Option<usize>| {
         let mut found = Substitution::default();
@@ -58,9 +61,9 @@ pub(crate) fn known(
     Ok(Some(Known { formula: with(None), variants, is_sure: errors.is_some() }))
 }
 
-/// Whether an entry is what the force of a load, or a part of a load such as one contact of a surface, did to a body.
-fn is_work_of(entry: &Entry, load: &str) -> bool {
-    let rest = entry.load.strip_prefix(load);
+/// Whether a contribution is what the force of a load, or a part of a load such as one contact of a surface, did to a body.
+fn is_work_of(contribution: &Contribution, load: &str) -> bool {
+    let rest = contribution.load.strip_prefix(load);
     let is_part = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    is_part && matches!(entry.kind, Kind::Conservative | Kind::Work | Kind::Impact)
+    is_part && matches!(contribution.kind, Kind::Conservative | Kind::Work | Kind::Impact)
 }

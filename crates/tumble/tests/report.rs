@@ -35,19 +35,20 @@ fn numbers_are_those_of_the_summary() {
         for run in summary["runs"].as_array().expect("runs") {
             let steps = run["numerics"]["steps"].as_u64().expect("steps").to_string();
             assert!(page.contains(&steps), "{name}: {steps} steps");
-            assert!(run["books"]["largest_relative_residual"].as_f64().expect("a number") < 1e-8, "{name}");
+            assert!(run["balance"]["largest_relative_residual"].as_f64().expect("a number") < 1e-8, "{name}");
         }
         assert!(compared > 0, "{name} has checks");
     }
 }
 
-/// The figures of the books show their columns, and each only its own.
+/// The figures of the balance show their columns, and each only its own.
 #[test]
-fn books_are_figures_where_a_scene_asks_for_them() {
+fn balances_are_figures_where_a_scene_asks_for_them() {
     let out = folder();
     let path = out.path().join("throw.toml");
     let scene = read(&repository("scenes/02-thrown-rod/scene.toml"));
-    let sheets = ["energies", "works", "residual"].map(|show| format!("[books.{show}]\nshow = \"{show}\"\n"));
+    let sheets =
+        ["energies", "works", "residual"].map(|show| format!("[balance.{show}]\nshow = \"{show}\"\n"));
     write(&path, &format!("{scene}\n{}", sheets.concat()));
     let outcome = run(&path, out.path(), ReportForm::None);
     let drawn = |name: &str| read(&outcome.folder.join(format!("{name}.svg")));

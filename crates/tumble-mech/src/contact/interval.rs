@@ -11,7 +11,7 @@ pub(crate) enum Change {
     /// An impact, of no duration.
     Impact,
     /// Impacts have become too small to be followed one by one.
-    Cascade,
+    Zeno,
     /// A contact begins that lasts.
     Start,
     /// A lasting contact ends.
@@ -23,7 +23,7 @@ pub(crate) enum Change {
 impl Change {
     const ALL: [(Self, &'static str); 5] = [
         (Self::Impact, "impact"),
-        (Self::Cascade, "cascade"),
+        (Self::Zeno, "zeno"),
         (Self::Start, "start"),
         (Self::End, "end"),
         (Self::Clear, "clear"),
@@ -39,9 +39,9 @@ impl Change {
     }
 
     /// Whether impacts that follow each other ever faster end there.
-    pub(crate) fn ends_cascade(event: &Event) -> bool {
-        let is_cascade = |tag: &String| Self::read(tag).is_some_and(|(_, change)| change == Self::Cascade);
-        event.tags.iter().any(is_cascade)
+    pub(crate) fn ends_zeno_sequence(event: &Event) -> bool {
+        let is_zeno = |tag: &String| Self::read(tag).is_some_and(|(_, change)| change == Self::Zeno);
+        event.tags.iter().any(is_zeno)
     }
 
     /// The pair's name and the change that a tag tells of.
@@ -92,7 +92,7 @@ pub(crate) fn contacts(pairs: &[Pair], trajectory: &Trajectory<Mode>) -> Vec<Con
             match change {
                 Change::Impact => found.push(contact(*time, true)),
                 Change::Start => found.push(contact(end, false)),
-                Change::Cascade | Change::Clear => {}
+                Change::Zeno | Change::Clear => {}
                 Change::End => {
                     if let Some(open) = found.iter_mut().rev().find(|open| open.pair == pair && open.is_open)
                     {
@@ -105,9 +105,9 @@ pub(crate) fn contacts(pairs: &[Pair], trajectory: &Trajectory<Mode>) -> Vec<Con
     found
 }
 
-/// How many cascades of impacts have come to an end in contact.
-pub(crate) fn cascades(trajectory: &Trajectory<Mode>) -> usize {
-    trajectory.events.iter().filter(|event| Change::ends_cascade(event)).count()
+/// How many Zeno sequences of impacts have come to an end in contact.
+pub(crate) fn zeno_sequences(trajectory: &Trajectory<Mode>) -> usize {
+    trajectory.events.iter().filter(|event| Change::ends_zeno_sequence(event)).count()
 }
 
 impl crate::Run {
@@ -117,8 +117,8 @@ impl crate::Run {
     }
 
     /// How many times impacts that followed each other ever faster have ended in contact.
-    pub fn cascades(&self) -> usize {
-        cascades(&self.trajectory)
+    pub fn zeno_sequences(&self) -> usize {
+        zeno_sequences(&self.trajectory)
     }
 
     /// Impulses of the impacts at an event, those of pivots included; the event by its index in the trajectory.

@@ -1,11 +1,11 @@
 //! All pairs of a model, and which of them are watched in a mode, and how.
 
 use tumble_expr::Expr;
-use tumble_ode::{AtZero, Candidate, Direction, Guard};
+use tumble_ode::{AtZero, Direction, Guard, LazyGuard};
 
+use crate::contact::contact_mode::ContactMode;
 use crate::contact::feature::Feature;
 use crate::contact::pair::{Pair, Watched};
-use crate::contact::phase::Phase;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::laws::compliant;
@@ -51,21 +51,23 @@ impl Equations {
 
     /// Pairs that are apart in a mode.
     pub(crate) fn apart(&self, mode: &Mode) -> Vec<usize> {
-        (0..self.pairs().len()).filter(|pair| mode.phase(*pair).is_none()).collect()
+        (0..self.pairs().len()).filter(|pair| mode.contact_mode(*pair).is_none()).collect()
     }
 
     /// What is watched of the pairs that touch: its guards come after those of the events.
     pub(crate) fn touching(&self, mode: &Mode) -> Vec<(usize, Watched, Direction)> {
-        let watched = |(pair, phase): &(usize, Phase)| -> Vec<(usize, Watched, Direction)> {
+        let watched = |(pair, contact_mode): &(usize, ContactMode)| -> Vec<(usize, Watched, Direction)> {
             let gap = (*pair, Watched::Gap, Direction::Rising);
-            match phase {
-                Phase::Pressed if self.pairs()[*pair].releases_early() => {
+            match contact_mode {
+                ContactMode::Pressed if self.pairs()[*pair].releases_early() => {
                     vec![(*pair, Watched::Force, Direction::Falling)]
                 }
-                Phase::Pressed => vec![gap],
-                Phase::Released => vec![gap, (*pair, Watched::Force, Direction::Rising)],
-                Phase::Resting | Phase::Settling => vec![(*pair, Watched::Normal, Direction::Falling)],
-                Phase::Idle => vec![],
+                ContactMode::Pressed => vec![gap],
+                ContactMode::Released => vec![gap, (*pair, Watched::Force, Direction::Rising)],
+                ContactMode::Resting | ContactMode::Settling => {
+                    vec![(*pair, Watched::Normal, Direction::Falling)]
+                }
+                ContactMode::Idle => vec![],
             }
         };
         mode.contacts.iter().flat_map(watched).collect()
@@ -96,8 +98,8 @@ impl Equations {
     }
 
     /// Gaps of the pairs that are apart.
-    pub(crate) fn candidates(&self, mode: &Mode) -> Vec<Candidate> {
-        let candidate = |index: usize| {
+    pub(crate) fn lazy_guards(&self, mode: &Mode) -> Vec<LazyGuard> {
+        let lazy_guard = |index: usize| {
             let pair = &self.pairs()[index];
             let body = &self.model().bodies[pair.body];
             let slopes = pair.slopes(self.model().pivot_of(&body.name), body);
@@ -107,7 +109,7 @@ impl Equations {
             let by_state = |slopes: Vec<Expr>| {
                 coordinates.into_iter().zip(slopes).map(|(i, slope)| (first + i, slope)).collect()
             };
-            Candidate {
+            LazyGuard {
                 guard: Guard {
                     name: pair.guard_name(Watched::Gap),
                     formula: pair.gap(),
@@ -118,6 +120,6 @@ impl Equations {
                 slopes: slopes.map(by_state),
             }
         };
-        self.apart(mode).into_iter().map(candidate).collect()
+        self.apart(mode).into_iter().map(lazy_guard).collect()
     }
 }

@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::{Jump, Reason};
 
-use crate::contact::cascade::{Cascade, LOWEST};
 use crate::contact::complementarity::{pushing, standing};
+use crate::contact::contact_mode::ContactMode;
 use crate::contact::interval::Change;
 use crate::contact::pair::Watched;
-use crate::contact::phase::Phase;
 use crate::contact::touch::{Now, Touch};
+use crate::contact::zeno::{LOWEST, ZenoSequence};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::laws::impact::impulses;
@@ -34,7 +34,7 @@ pub(crate) struct Touched {
 }
 
 /// Contacts that last, by position, and the accelerations of all gaps then.
-type Held = (Vec<(usize, Phase)>, DVector<f64>);
+type Held = (Vec<(usize, ContactMode)>, DVector<f64>);
 
 /// Velocities and contacts of one body while they are settled.
 struct Settling<'a> {
@@ -63,9 +63,9 @@ impl Equations {
     ) -> Result<Vec<(usize, f64)>, Reason> {
         let mut settling = Settling::new(self, body, touched, now, jump)?;
         settling.impact(jump)?;
-        let cascade = settling.cascade();
-        let lasting = settling.lasting(touched, cascade.as_ref(), jump)?;
-        settling.arrange(lasting, cascade, jump);
+        let zeno = settling.zeno();
+        let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;
+        settling.arrange(lasting, zeno, jump);
         Ok(settling.found())
     }
 }
@@ -81,7 +81,7 @@ impl<'a> Settling<'a> {
         let touch = equations.touch(body, &jump.mode, &jump.states, now)?;
         let takes_part = |position: &usize| {
             let pair = touch.pairs[*position];
-            let lasts = jump.mode.phase(pair).is_some_and(Phase::is_lasting);
+            let lasts = jump.mode.contact_mode(pair).is_some_and(ContactMode::is_lasting);
             let closes = touch.gap[*position] <= 0.0 && touch.rate[*position] < 0.0;
             let overdue = closes && equations.pairs()[pair].is_rigid();
             touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || overdue
@@ -100,7 +100,7 @@ impl<'a> Settling<'a> {
         if !(0..rate.len()).any(closes) {
             return Ok(());
         }
-        let rule = self.equations.model().simultaneous;
+        let rule = self.equations.model().multiple_impacts;
         let restitution = self.of(&self.touch.restitution);
         let push = impulses(rule, &self.response(&self.part), &rate, &restitution)
             .ok_or_else(|| self.unsolved("impact"))?;
@@ -122,7 +122,7 @@ impl<'a> Settling<'a> {
     }
 
     /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.
-    fn cascade(&self) -> Option<(Vec<usize>, f64)> {
+    fn zeno(&self) -> Option<(Vec<usize>, f64)> {
         if self.impulses.amax() == 0.0 {
             return None;
         }
@@ -135,8 +135,8 @@ impl<'a> Settling<'a> {
         };
         let members: Vec<usize> = (0..self.touch.pairs.len()).filter(is_low).collect();
         let pick = |values: &DVector<f64>| DVector::from_fn(members.len(), |i, _| values[members[i]]);
-        let cascade = Cascade {
-            rule: model.simultaneous,
+        let zeno = ZenoSequence {
+            rule: model.multiple_impacts,
             response: &self.response(&members),
             restitution: &pick(&self.touch.restitution),
             free: &pick(&self.touch.free),
@@ -146,7 +146,7 @@ impl<'a> Settling<'a> {
         let moving = |values: &DVector<f64>| {
             DVector::from_fn(values.len(), |i, _| if stands(i) { 0.0 } else { values[i] })
         };
-        let time = cascade.remaining(&pick(&moving(&self.touch.gap)), &pick(&moving(&self.touch.rate)))?;
+        let time = zeno.remaining(&pick(&moving(&self.touch.gap)), &pick(&moving(&self.touch.rate)))?;
         let others = (0..self.touch.pairs.len()).filter(|position| !members.contains(position));
         let undisturbed = others.into_iter().all(|position| self.stays_apart(position, UNDISTURBED * time));
         undisturbed.then_some((members, time))
@@ -159,14 +159,15 @@ impl<'a> Settling<'a> {
         gap[position] + fastest.min(0.0) * time > 0.0
     }
 
-    /// Which contacts last, of those that stand still or will after a cascade; their velocities are made to stand.
+    /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
+    /// stand.
     fn lasting(
         &mut self,
         touched: &Touched,
-        cascade: Option<&(Vec<usize>, f64)>,
+        zeno: Option<&(Vec<usize>, f64)>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Vec<(usize, Phase)>, Reason> {
-        let members: Vec<usize> = match cascade {
+    ) -> Result<Vec<(usize, ContactMode)>, Reason> {
+        let members: Vec<usize> = match zeno {
             Some((members, _)) => members.clone(),
             None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
         };
@@ -179,8 +180,11 @@ impl<'a> Settling<'a> {
             None => self.hold(&members, &members).ok_or_else(|| self.unsolved("contact"))?,
         };
         self.then = then;
-        let held: Vec<usize> =
-            found.iter().filter(|(_, phase)| phase.is_held()).map(|(position, _)| *position).collect();
+        let held: Vec<usize> = found
+            .iter()
+            .filter(|(_, contact_mode)| contact_mode.is_held())
+            .map(|(position, _)| *position)
+            .collect();
         let stop = standing(&self.touch.response, &self.touch.rate, &held);
         self.apply(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
         Ok(found)
@@ -198,46 +202,49 @@ impl<'a> Settling<'a> {
             return None;
         }
         let held: Vec<usize> = set.into_iter().map(|index| some[index]).collect();
-        let phase = |position: &usize| match held.contains(position) {
-            true => Some((*position, Phase::Resting)),
-            false if then[*position] <= zero && some.contains(position) => Some((*position, Phase::Idle)),
+        let contact_mode = |position: &usize| match held.contains(position) {
+            true => Some((*position, ContactMode::Resting)),
+            false if then[*position] <= zero && some.contains(position) => {
+                Some((*position, ContactMode::Idle))
+            }
             false => None,
         };
-        Some((all.iter().filter_map(phase).collect(), then))
+        Some((all.iter().filter_map(contact_mode).collect(), then))
     }
 
     /// Writes what was found into the jump.
     fn arrange(
         &self,
-        lasting: Vec<(usize, Phase)>,
-        cascade: Option<(Vec<usize>, f64)>,
+        lasting: Vec<(usize, ContactMode)>,
+        zeno: Option<(Vec<usize>, f64)>,
         jump: &mut Jump<Mode>,
     ) {
         let settles = |time: f64| self.now.time + time > self.now.time;
-        let wake = cascade.as_ref().map(|(_, time)| *time).filter(|time| settles(*time));
+        let wake = zeno.as_ref().map(|(_, time)| *time).filter(|time| settles(*time));
         jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
         let mut members: BTreeSet<usize> = self.part.iter().copied().collect();
-        members.extend(cascade.into_iter().flat_map(|(members, _)| members));
+        members.extend(zeno.into_iter().flat_map(|(members, _)| members));
         for position in members {
             let index = self.touch.pairs[position];
             let pair = &self.equations.pairs()[index];
-            let before = jump.mode.phase(index);
-            let lasts = lasting.iter().find(|(known, _)| *known == position).map(|(_, phase)| *phase);
+            let before = jump.mode.contact_mode(index);
+            let lasts =
+                lasting.iter().find(|(known, _)| *known == position).map(|(_, contact_mode)| *contact_mode);
             let after = match lasts {
-                Some(Phase::Resting) if wake.is_some() => Some(Phase::Settling),
+                Some(ContactMode::Resting) if wake.is_some() => Some(ContactMode::Settling),
                 // What is still settling goes on to do so.
-                Some(Phase::Resting) if before == Some(Phase::Settling) => before,
+                Some(ContactMode::Resting) if before == Some(ContactMode::Settling) => before,
                 other => other,
             };
             let changes = [
                 (self.impulses[position] > 0.0).then_some(Change::Impact),
-                (after == Some(Phase::Settling) && before != after).then_some(Change::Cascade),
-                (after.is_some() && before.is_none() && after != Some(Phase::Settling))
+                (after == Some(ContactMode::Settling) && before != after).then_some(Change::Zeno),
+                (after.is_some() && before.is_none() && after != Some(ContactMode::Settling))
                     .then_some(Change::Start),
                 (before.is_some() && after.is_none()).then_some(Change::End),
             ];
             jump.tags.extend(changes.into_iter().flatten().map(|change| change.tag(pair)));
-            jump.mode.set_phase(index, after);
+            jump.mode.set_contact_mode(index, after);
             if after.is_none() {
                 let zeros = self.zeros(position);
                 jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
@@ -256,7 +263,7 @@ impl<'a> Settling<'a> {
 
     /// Whether a gap neither opens nor closes, but for rounding.
     fn stands(&self, position: usize) -> bool {
-        // What the largest impulse would do here: impulses are found to a rounding of the largest.
+        // What the largest impulse would do here: impulses are found to a rounding error of the largest.
         let pushed = self.touch.response[(position, position)] * self.impulses.amax();
         let speed = self.speed[position].max(self.touch.speed[position]).max(pushed);
         self.touch.rate[position].abs() <= STANDS * speed

@@ -6,7 +6,7 @@ use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::mode::Mode;
 
-/// A gap within this many roundings of the lengths it is made of is none: bodies are drawn and placed to touch.
+/// A gap within this many ulps of the lengths it is made of is none: bodies are drawn and placed to touch.
 const TOUCHES: f64 = 64.0 * f64::EPSILON;
 
 impl Equations {
@@ -40,7 +40,7 @@ impl Equations {
             } else if gap < -TOUCHES * size {
                 inside.push(self.inside(index, -gap));
             } else if gap <= TOUCHES * size {
-                causes.push(Cause::Candidate(index));
+                causes.push(Cause::LazyGuard(index));
             }
         }
         mistakes.extend(deepest(inside));

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_ode::{Cause, Crossing, Event, Jump, Reason, Trajectory};
 
+use crate::contact::contact_mode::ContactMode;
 use crate::contact::interval::{Change, Impulse};
 use crate::contact::pair::Watched;
-use crate::contact::phase::Phase;
 use crate::contact::settle::{STANDS, Touched};
 use crate::contact::touch::Now;
 use crate::equations::Equations;
@@ -32,9 +32,9 @@ impl Causes {
                     let (pair, watched, _) = touching[guard - events];
                     causes.seen.push((pair, watched, false));
                 }
-                Cause::Candidate(candidate) => {
+                Cause::LazyGuard(lazy_guard) => {
                     let apart = apart.get_or_insert_with(|| equations.apart(at.mode));
-                    causes.seen.push((apart[*candidate], Watched::Gap, true));
+                    causes.seen.push((apart[*lazy_guard], Watched::Gap, true));
                 }
                 Cause::Wake => causes.wakes = true,
                 Cause::Guard(_) | Cause::Scheduled(_) => {}
@@ -55,7 +55,7 @@ impl Equations {
             return Ok(vec![]);
         }
         let causes = Causes::of(self, at);
-        let now = Now { time: at.time, inputs: at.inputs, carry: at.carry, scales: at.scales };
+        let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         if causes.wakes {
             self.wake(jump);
         }
@@ -85,21 +85,21 @@ impl Equations {
         if same {
             return BTreeMap::new();
         }
-        let lasting = at.mode.contacts.iter().filter(|(_, phase)| phase.is_lasting());
+        let lasting = at.mode.contacts.iter().filter(|(_, contact_mode)| contact_mode.is_lasting());
         lasting.map(|(pair, _)| (self.pairs()[*pair].body, Touched::default())).collect()
     }
 
     /// Impacts that were too small to follow have ended.
     fn wake(&self, jump: &mut Jump<Mode>) {
-        for (pair, phase) in &mut jump.mode.contacts {
-            if *phase == Phase::Settling {
-                *phase = Phase::Resting;
+        for (pair, contact_mode) in &mut jump.mode.contacts {
+            if *contact_mode == ContactMode::Settling {
+                *contact_mode = ContactMode::Resting;
                 jump.tags.push(Change::Start.tag(&self.pairs()[*pair]));
             }
         }
     }
 
-    /// A point meets a surface that gives way.
+    /// A point meets a compliant surface.
     fn press(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
         let touch = self.touch(pair.body, &jump.mode, &jump.states, now)?;
@@ -109,13 +109,13 @@ impl Equations {
         jump.zeros.push((pair.guard_name(Watched::Gap), if stands { 2 } else { 1 }));
         if closes && stands && pair.is_hertzian() {
             return Err(Reason::Model(format!(
-                "`{}` touches without speed, and the clock of a Hertzian contact cannot start: let it begin a little \
+                "`{}` touches without speed, and the time transformation of a Hertzian contact cannot start: let it begin a little \
                  above the surface, or with some speed",
                 pair.name
             )));
         }
         if closes {
-            jump.mode.set_phase(index, Some(Phase::Pressed));
+            jump.mode.set_contact_mode(index, Some(ContactMode::Pressed));
             jump.tags.push(Change::Start.tag(pair));
         }
         Ok(())
@@ -124,19 +124,19 @@ impl Equations {
     /// A pressed point comes back to the surface, or its force to zero.
     fn let_go(&self, index: usize, watched: Watched, jump: &mut Jump<Mode>) {
         let pair = &self.pairs()[index];
-        let before = jump.mode.phase(index);
+        let before = jump.mode.contact_mode(index);
         let (after, change) = match (watched, before) {
-            (Watched::Force, Some(Phase::Pressed)) => (Some(Phase::Released), Some(Change::End)),
-            (Watched::Force, _) => (Some(Phase::Pressed), Some(Change::Start)),
-            (_, Some(Phase::Released)) => (None, Some(Change::Clear)),
+            (Watched::Force, Some(ContactMode::Pressed)) => (Some(ContactMode::Released), Some(Change::End)),
+            (Watched::Force, _) => (Some(ContactMode::Pressed), Some(Change::Start)),
+            (_, Some(ContactMode::Released)) => (None, Some(Change::Clear)),
             _ => (None, Some(Change::End)),
         };
-        jump.mode.set_phase(index, after);
+        jump.mode.set_contact_mode(index, after);
         jump.tags.extend(change.map(|change| change.tag(pair)));
     }
 
-    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those that
-    /// the states are with.
+    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those
+    /// that the states are with.
     fn restate(&self, before: &[usize], jump: &mut Jump<Mode>) {
         let after = self.roots(&jump.mode);
         let base = jump.states.len() - before.len();
@@ -147,7 +147,7 @@ impl Equations {
         jump.states.extend(roots);
     }
 
-    /// The clock of Hertzian contacts stands still where two roots of depths are zero.
+    /// The time transformation of Hertzian contacts is singular where two roots of depths are zero.
     fn refuse_common_beginning(&self, jump: &Jump<Mode>) -> Result<(), Reason> {
         let pressed = self.roots(&jump.mode);
         let roots = &jump.states[jump.states.len() - pressed.len()..];
@@ -156,7 +156,7 @@ impl Equations {
         }
         let names: Vec<&str> = pressed.iter().map(|pair| self.pairs()[*pair].name.as_str()).collect();
         Err(Reason::Model(format!(
-            "Hertzian contacts begin at the same instant ({}), for which there is no clock: let one begin a \
+            "Hertzian contacts begin at the same instant ({}), for which there is no time transformation: let one begin a \
              little later",
             names.join(", ")
         )))
@@ -173,7 +173,7 @@ impl Equations {
             time: event.time,
             mode: &trajectory.modes[event.mode_before],
             states: &event.before,
-            carry: &event.carry,
+            compensation: &event.compensation,
             inputs,
             causes: &event.causes,
             scales: &event.scales,

@@ -19,7 +19,7 @@ pub(crate) struct Now<'a> {
     pub(crate) time: f64,
     pub(crate) inputs: &'a [f64],
     /// What rounding has left out of the states.
-    pub(crate) carry: &'a [f64],
+    pub(crate) compensation: &'a [f64],
     /// Largest values that each kind of state has had, by [`Measure`].
     pub(crate) scales: &'a [f64],
 }
@@ -47,7 +47,7 @@ pub(crate) struct Touch {
     pub(crate) free: DVector<f64>,
     /// Rounding in accelerations is relative to this: what all forces would do if none were against another, m/s^2.
     pub(crate) strength: f64,
-    /// Restitution of each; zero where the surface gives way.
+    /// Restitution of each; zero where the surface is compliant.
     pub(crate) restitution: DVector<f64>,
     /// Change of rate i by a unit impulse at j, 1/kg.
     pub(crate) response: DMatrix<f64>,
@@ -91,8 +91,8 @@ impl Equations {
         let mut jets = Jets::new(self.touch_tape(body, mode, &pairs)?, 1, now.inputs);
         jets.start(now.time, states, Branches::Free);
         // Gaps are differences of much larger numbers: what the carries add to them is found to first order.
-        for (leaf, carry) in now.carry.iter().take(states.len()).enumerate() {
-            jets.set(leaf, 1, *carry);
+        for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
+            jets.set(leaf, 1, *compensation);
         }
         jets.set(states.len(), 1, 0.0);
         jets.extend(1);
@@ -173,7 +173,8 @@ impl Equations {
         }
     }
 
-    /// Sizes of all forces and torques on a body, lasting contacts left out, added up without signs: one for each velocity.
+    /// Sizes of all forces and torques on a body, lasting contacts left out, added up without signs: one for each
+    /// velocity.
     fn pushes(&self, body: usize, mode: &Mode) -> Vec<Expr> {
         let terms = self.terms_on(mode, body);
         let total =

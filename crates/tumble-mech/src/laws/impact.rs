@@ -1,9 +1,9 @@
 //! # Law
 //! An impact changes velocities and not places. With v_i the rate of gap i just before and A_ij the change of it by a
 //! unit impulse at contact j, the impulses P come in two phases (Poisson): compression ends where no gap closes,
-//! `v + A P_c >= 0`, `P_c >= 0`, one of the two zero at each contact; restitution gives back at least the part e of each
-//! compression, `P_e >= e P_c`, as much more as keeps the gaps from closing. One contact: `v_after = -e v_before`.
-//! Taken in turn instead, the contact that closes fastest impacts alone, until none closes: Newton's cradle.
+//! `v + A P_c >= 0`, `P_c >= 0`, one of the two zero at each contact; restitution gives back at least the part e of
+//! each compression, `P_e >= e P_c`, as much more as keeps the gaps from closing. One contact: `v_after = -e v_before`.
+//! Taken sequentially instead, the contact that closes fastest impacts alone, until none closes: Newton's cradle.
 //! # Symbols and units
 //! v (m/s), A (1/kg), P (N s), e (1), 0 to 1.
 //! # Sign and frame
@@ -20,34 +20,34 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::complementarity::solve;
 
 /// Impacts one after the other at one instant that have not come to an end by then are refused.
-const MOST_IN_TURN: usize = 100_000;
+const MOST_SEQUENTIAL: usize = 100_000;
 /// An approach slower than this part of the fastest at the beginning is over.
 const STANDS: f64 = 1e-12;
 
 /// How impacts at several contacts of one instant are taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Simultaneous {
+pub enum MultipleImpacts {
     /// All at once.
     #[default]
-    Together,
+    Simultaneous,
     /// The fastest approach first, then the next.
-    InTurn,
+    Sequential,
 }
 
 /// Impulses along the normals, N s; `None` if none are found.
 pub(crate) fn impulses(
-    rule: Simultaneous,
+    rule: MultipleImpacts,
     response: &DMatrix<f64>,
     before: &DVector<f64>,
     restitution: &DVector<f64>,
 ) -> Option<DVector<f64>> {
     match rule {
-        Simultaneous::Together => together(response, before, restitution),
-        Simultaneous::InTurn => in_turn(response, before, restitution),
+        MultipleImpacts::Simultaneous => simultaneous(response, before, restitution),
+        MultipleImpacts::Sequential => sequential(response, before, restitution),
     }
 }
 
-fn together(
+fn simultaneous(
     response: &DMatrix<f64>,
     before: &DVector<f64>,
     restitution: &DVector<f64>,
@@ -59,7 +59,7 @@ fn together(
     Some(compression + returned + more)
 }
 
-fn in_turn(
+fn sequential(
     response: &DMatrix<f64>,
     before: &DVector<f64>,
     restitution: &DVector<f64>,
@@ -67,7 +67,7 @@ fn in_turn(
     let mut now = before.clone();
     let mut impulses = DVector::zeros(before.len());
     let slow = -STANDS * before.amax();
-    for _ in 0..MOST_IN_TURN {
+    for _ in 0..MOST_SEQUENTIAL {
         let (fastest, approach) = now.argmin();
         if approach >= slow {
             return Some(impulses);
@@ -88,7 +88,7 @@ mod tests {
         DMatrix::from_row_slice(2, 2, &[4.0, -2.0, -2.0, 4.0])
     }
 
-    fn after(rule: Simultaneous, before: [f64; 2], e: f64) -> Vec<f64> {
+    fn after(rule: MultipleImpacts, before: [f64; 2], e: f64) -> Vec<f64> {
         let before = DVector::from_row_slice(&before);
         let e = DVector::from_element(2, e);
         let impulses = impulses(rule, &rod(), &before, &e).expect("an impact");
@@ -97,21 +97,21 @@ mod tests {
 
     #[test]
     fn one_contact_is_newton_s() {
-        let found = after(Simultaneous::Together, [-3.0, 5.0], 0.7);
+        let found = after(MultipleImpacts::Simultaneous, [-3.0, 5.0], 0.7);
         assert!((found[0] - 2.1).abs() < 1e-14, "{found:?}");
     }
 
     #[test]
-    fn a_flat_fall_comes_back_flat_when_taken_together() {
-        let found = after(Simultaneous::Together, [-3.0, -3.0], 0.5);
+    fn a_flat_fall_comes_back_flat_when_taken_simultaneously() {
+        let found = after(MultipleImpacts::Simultaneous, [-3.0, -3.0], 0.5);
         assert!(found.iter().all(|v| (v - 1.5).abs() < 1e-14), "{found:?}");
     }
 
     /// Elastic impacts one after the other exchange the approaches of the ends, and keep the energy.
     #[test]
-    fn in_turn_keeps_the_energy() {
+    fn sequential_keeps_the_energy() {
         let before = DVector::from_row_slice(&[-3.0, -1.0]);
-        let found = DVector::from_vec(after(Simultaneous::InTurn, [-3.0, -1.0], 1.0));
+        let found = DVector::from_vec(after(MultipleImpacts::Sequential, [-3.0, -1.0], 1.0));
         let inverse = rod().try_inverse().expect("regular");
         let energy = |v: &DVector<f64>| (v.transpose() * &inverse * v)[0];
         assert!((energy(&before) - energy(&found)).abs() < 1e-12, "{found}");
@@ -120,9 +120,9 @@ mod tests {
 
     #[test]
     fn nothing_closes_after_a_plastic_impact() {
-        let found = after(Simultaneous::Together, [-3.0, -1.0], 0.0);
+        let found = after(MultipleImpacts::Simultaneous, [-3.0, -1.0], 0.0);
         assert!(found.iter().all(|v| v.abs() < 1e-14), "{found:?}");
-        let found = after(Simultaneous::Together, [-3.0, 4.0], 0.0);
+        let found = after(MultipleImpacts::Simultaneous, [-3.0, 4.0], 0.0);
         // The impulse 3/4 that stops one end takes 3/2 from the other's speed.
         assert!(found[0].abs() < 1e-14 && (found[1] - 2.5).abs() < 1e-14, "{found:?}");
     }

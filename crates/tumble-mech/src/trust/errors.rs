@@ -1,4 +1,4 @@
-//! Errors of quantities along a motion, from its difference to a second run.
+//! Errors of quantities along a motion, from its difference to a check run.
 
 use tumble_expr::Expr;
 use tumble_ode::Side;
@@ -6,10 +6,10 @@ use tumble_ode::Side;
 use crate::observer::Observer;
 use crate::run::{Run, RunError};
 use crate::trust::phases::{Phases, Stretch};
-use crate::trust::{ROUNDINGS, SAFETY};
+use crate::trust::{SAFETY, ULPS};
 
-/// A phase pressed into a surface and shorter than this part of the longest so far is a blow: what is off within one passes
-/// with it.
+/// A phase pressed into a surface and shorter than this part of the longest so far is an impact: what is off within one
+/// passes with it.
 const BRIEF: f64 = 0.05;
 /// Parts of a step at whose ends the two runs are compared.
 const PARTS: usize = 4;
@@ -25,14 +25,14 @@ pub struct Errors {
 impl Errors {
     pub(super) fn of(
         run: &Run,
-        second: &Run,
+        check: &Run,
         phases: &Phases,
         until: f64,
         formulas: &[Expr],
     ) -> Result<Self, RunError> {
-        let mut both = [run.observe(formulas)?, second.observe(formulas)?];
-        let rounding = ROUNDINGS * f64::EPSILON + run.quadrature.map_or(0.0, |quadrature| quadrature.change);
-        let (mut apart, mut size) = (vec![0.0_f64; formulas.len()], vec![0.0_f64; formulas.len()]);
+        let mut both = [run.observe(formulas)?, check.observe(formulas)?];
+        let rounding = ULPS * f64::EPSILON + run.quadrature.map_or(0.0, |quadrature| quadrature.change);
+        let (mut difference, mut size) = (vec![0.0_f64; formulas.len()], vec![0.0_f64; formulas.len()]);
         let (mut rows, mut longest) = (vec![], 0.0_f64);
         let mut phases = phases.all.iter();
         let mut phase = phases.next();
@@ -44,18 +44,18 @@ impl Errors {
             let length = phase[0].end - phase[0].start;
             longest = longest.max(length);
             let is_pressed = run.trajectory.modes[piece.mode].pressed().next().is_some();
-            let is_blow = is_pressed && length < BRIEF * longest;
+            let is_impact = is_pressed && length < BRIEF * longest;
             for part in 0..=PARTS {
                 let time = piece.start + (piece.end - piece.start) * part as f64 / PARTS as f64;
                 let (time, side) =
                     if part == PARTS { (piece.end, Side::Before) } else { (time, Side::After) };
                 let Some(found) = Compared::at(&mut both, *phase, (time, side)) else { continue };
                 let stated = found.differences().enumerate().map(|(index, (now, later))| {
-                    if !is_blow {
-                        apart[index] = larger(apart[index], later);
+                    if !is_impact {
+                        difference[index] = larger(difference[index], later);
                     }
                     size[index] = larger(size[index], found.here[index].abs());
-                    SAFETY * larger(apart[index], now) + rounding * size[index]
+                    SAFETY * larger(difference[index], now) + rounding * size[index]
                 });
                 rows.push((time, stated.collect()));
             }
@@ -102,7 +102,7 @@ struct Compared {
 
 impl Compared {
     fn at(
-        [first, second]: &mut [Observer<'_>; 2],
+        [first, check]: &mut [Observer<'_>; 2],
         [here, there]: [Stretch; 2],
         (time, side): (f64, Side),
     ) -> Option<Self> {
@@ -110,8 +110,8 @@ impl Compared {
         let is_in = there.start <= time && time <= there.end;
         Some(Self {
             here: first.at(time, side)?,
-            since: second.at(since, side)?,
-            same: if is_in { second.at(time, side) } else { None },
+            since: check.at(since, side)?,
+            same: if is_in { check.at(time, side) } else { None },
         })
     }
 

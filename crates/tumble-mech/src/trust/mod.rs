@@ -1,17 +1,18 @@
-//! How far a motion can be trusted: a second, independent run beside it.
+//! How far a motion can be trusted: an independent check run beside it.
 //!
 //! # Law
-//! The second run is held to another tolerance, so that it has another order and takes other steps, and it starts a few
-//! roundings away. Two such runs differ by the error of the coarser one, and by what the motion makes of roundings. The
-//! error stated of a quantity f at t is
+//! The check run is held to another tolerance, so that it has another order and takes other steps, and it starts a few
+//! ulps away. Two such runs differ by the error of the coarser one, and by what the motion makes of rounding errors.
+//! The error stated of a quantity f at t is
 //!
 //! ```text
-//! SAFETY max(d(t), max over t' <= t of c(t'))  +  (ROUNDINGS eps + q) max over t' <= t of |f1(t')|
+//! SAFETY max(d(t), max over t' <= t of c(t'))  +  (ULPS eps + q) max over t' <= t of |f1(t')|
 //! ```
 //!
-//! with d the difference at equal times; c the smaller of d and the difference at equal times since the last event, zero
-//! while a surface that gives way is hit, for a time much shorter than other phases: a blow that comes a little late spoils
-//! no digits after it; and q the change that the last doubling of Gauss nodes made, where there are lines of them.
+//! with d the difference at equal times; c the smaller of d and the difference at equal times since the last event,
+//! zero while a compliant surface is hit, for a time much shorter than other phases: an impact that comes a little late
+//! spoils no digits after it; and q the change that the last doubling of Gauss nodes made, where there are lines of
+//! them.
 //!
 //! # Symbols and units
 //! f as the quantity; t, s; eps the spacing of doubles at 1.
@@ -20,13 +21,14 @@
 //! Errors have no sign; they are in the frame of their quantity.
 //!
 //! # Validity
-//! The runs are compared between events that both have. Next to an event, where one run is before it and the other past it,
-//! there is no d. Events that only record are not compared: they change nothing. A cascade of impacts is one event. From the first event that only one of them has, or once the error of a
-//! state is [`LOST`] of its scale, nothing is stated: that is the [`Horizon`].
+//! The runs are compared between events that both have. Next to an event, where one run is before it and the other past
+//! it, there is no d. Events that only record are not compared: they change nothing. A Zeno sequence of impacts is one
+//! event. From the first event that only one of them has, or once the error of a state is [`LOST`] of its scale,
+//! nothing is stated: that is the [`Horizon`].
 //!
 //! # Source
-//! Differences of runs at two tolerances: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.4. The
-//! factors are calibrated by tests.
+//! Differences of runs at two tolerances: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.4.
+//! The factors are calibrated by tests.
 //!
 //! # Checked by
 //! `tests/trust.rs`: the error stated is never less than the true one where that is known, and no more than some digits
@@ -38,8 +40,8 @@ mod phases;
 use tumble_expr::Expr;
 use tumble_ode::{Accuracy, Side};
 
+use crate::balance::{Contribution, RunBalance};
 use crate::coordinates::Measure;
-use crate::ledger::{Entry, Ledger};
 use crate::model::Model;
 use crate::parameters::Parameters;
 use crate::run::{Run, RunError};
@@ -48,21 +50,21 @@ use phases::{Phases, phases};
 
 /// The difference of two runs may be small by accident at one time and for one quantity; calibrated by the tests.
 const SAFETY: f64 = 4.0;
-/// Roundings that any value has by being computed from states.
-const ROUNDINGS: f64 = 8.0;
+/// Rounding errors, in ulps, that any value has by being computed from states.
+const ULPS: f64 = 8.0;
 /// An error of this part of the scale leaves not one digit.
 const LOST: f64 = 0.1;
-/// The start of the second run is off by this part of each state.
+/// The start of the check run is off by this part of each state.
 const NUDGE: f64 = 4.0 * f64::EPSILON;
 /// A motion that does not come up to the accuracy asked for is found again at most so many times, ever tighter.
 const MOST_REPEATS: usize = 2;
 /// Repeating helps only where it makes the error this much smaller: else it is rounding that is in the way.
 const GAIN: f64 = 0.5;
 
-/// What a second run says of a motion.
+/// What a check run says of a motion.
 #[derive(Clone, Debug)]
 pub struct Trust {
-    second: Box<Run>,
+    check: Box<Run>,
     phases: Phases,
     /// Accuracy that was asked for.
     pub asked: f64,
@@ -80,34 +82,34 @@ pub struct Horizon {
     /// s
     pub time: f64,
     /// Why they end.
-    pub reason: Parting,
+    pub reason: Divergence,
 }
 
-/// Why two runs of one motion tell nothing of each other any more.
+/// Divergence of the check run: why it tells nothing of the motion any more.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Parting {
+pub enum Divergence {
     /// They differ by so much that no digit is left.
     Grown,
     /// What happens next is not the same in both.
     Events {
-        /// What happens in the motion; nothing, if it is only in the second run that something does.
+        /// What happens in the motion; nothing, if it is only in the check run that something does.
         first: Vec<String>,
-        /// What happens in the second run.
+        /// What happens in the check run.
         second: Vec<String>,
     },
-    /// The second run was refused here.
+    /// The check run was refused here.
     Refused,
 }
 
-impl std::fmt::Display for Parting {
+impl std::fmt::Display for Divergence {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let list = |tags: &[String]| if tags.is_empty() { "nothing".to_owned() } else { tags.join(", ") };
         match self {
-            Self::Grown => write!(f, "two runs that began alike have come apart"),
+            Self::Grown => write!(f, "the check run has diverged"),
             Self::Events { first, second } => {
-                write!(f, "{} happens, and {} in a run that began alike", list(first), list(second))
+                write!(f, "{} happens, and {} in the check run", list(first), list(second))
             }
-            Self::Refused => write!(f, "a run that began alike was refused"),
+            Self::Refused => write!(f, "the check run was refused"),
         }
     }
 }
@@ -151,15 +153,15 @@ impl Trust {
         until: f64,
         (asked, used): (Accuracy, Accuracy),
     ) -> Result<Self, RunError> {
-        let second = match second(run, parameters, until, used.independent()) {
+        let check = match check_run(run, parameters, until, used.independent()) {
             Err(RunError::Refused { partial, .. }) => *partial,
             other => other?,
         };
-        let phases = phases(run, &second);
+        let phases = phases(run, &check);
         let (asked, used) = (asked.value(), used.value());
         let mut trust = Self {
-            horizon: phases.parting.clone(),
-            second: Box::new(second),
+            horizon: phases.divergence.clone(),
+            check: Box::new(check),
             phases,
             asked,
             used,
@@ -178,7 +180,7 @@ impl Trust {
             let relative = row.iter().enumerate().filter(|(_, error)| **error != 0.0);
             let worst = relative.map(|(index, error)| error / scale(index)).fold(0.0, errors::larger);
             if worst.is_nan() || worst >= LOST {
-                self.horizon = Some(Horizon { time, reason: Parting::Grown });
+                self.horizon = Some(Horizon { time, reason: Divergence::Grown });
                 break;
             }
             self.reached = worst;
@@ -193,7 +195,7 @@ impl Trust {
 
     /// Errors of formulas of the motion along it; `run` is the motion that this is about.
     pub fn errors(&self, run: &Run, formulas: &[Expr]) -> Result<Errors, RunError> {
-        Errors::of(run, &self.second, &self.phases, self.end(), formulas)
+        Errors::of(run, &self.check, &self.phases, self.end(), formulas)
     }
 
     /// Error of the time of an event, s; `None` where nothing can be said of it.
@@ -201,32 +203,34 @@ impl Trust {
         let changing = self.phases.all.iter().map(|[here, there]| [here.end, there.end]);
         let [here, there] =
             changing.chain(self.phases.recorded.iter().copied()).find(|[here, _]| *here == time)?;
-        let apart = (here - there).abs();
-        (time < self.end()).then_some(SAFETY * apart + ROUNDINGS * f64::EPSILON * time)
+        let difference = (here - there).abs();
+        (time < self.end()).then_some(SAFETY * difference + ULPS * f64::EPSILON * time)
     }
 
-    /// Errors of the works of a ledger's entries up to a time, s, J; `None` where nothing can be said of them.
+    /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
     pub fn work_errors(
         &self,
-        ledger: &mut Ledger<'_>,
+        balance: &mut RunBalance<'_>,
         time: f64,
         side: Side,
     ) -> Result<Option<Vec<f64>>, RunError> {
         let Some(since) = self.phases.counterpart(time, side).filter(|_| time <= self.end()) else {
             return Ok(None);
         };
-        let mut second = Ledger::of(&self.second, ledger.about)?;
-        let (Some(here), Some(there)) = (ledger.at(time, side)?, second.at(since, side)?) else {
+        let mut check = RunBalance::of(&self.check, balance.about)?;
+        let (Some(here), Some(there)) = (balance.at(time, side)?, check.at(since, side)?) else {
             return Ok(None);
         };
-        let key = |entry: &Entry| (entry.load.clone(), entry.body, entry.kind);
-        let error = |(entry, work): (&Entry, &f64)| {
-            let others = second.entries.iter().zip(&there.work);
-            let other = others.filter(|(other, _)| key(other) == key(entry)).map(|(_, work)| work).next();
-            let apart = other.map_or(f64::INFINITY, |other| (work - other).abs());
-            SAFETY * apart + ROUNDINGS * f64::EPSILON * work.abs()
+        let key =
+            |contribution: &Contribution| (contribution.load.clone(), contribution.body, contribution.kind);
+        let error = |(contribution, work): (&Contribution, &f64)| {
+            let others = check.contributions.iter().zip(&there.work);
+            let other =
+                others.filter(|(other, _)| key(other) == key(contribution)).map(|(_, work)| work).next();
+            let difference = other.map_or(f64::INFINITY, |other| (work - other).abs());
+            SAFETY * difference + ULPS * f64::EPSILON * work.abs()
         };
-        Ok(Some(ledger.entries.iter().zip(&here.work).map(error).collect()))
+        Ok(Some(balance.contributions.iter().zip(&here.work).map(error).collect()))
     }
 
     fn is_better(&self, other: &Self) -> bool {
@@ -241,7 +245,7 @@ impl Trust {
 }
 
 /// The same motion from nearly the same start, to another accuracy.
-fn second(run: &Run, parameters: &Parameters, until: f64, accuracy: Accuracy) -> Result<Run, RunError> {
+fn check_run(run: &Run, parameters: &Parameters, until: f64, accuracy: Accuracy) -> Result<Run, RunError> {
     let mut start = run.equations.start(parameters)?;
     for state in &mut start.states {
         *state *= 1.0 + NUDGE;

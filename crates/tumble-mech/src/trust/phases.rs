@@ -1,4 +1,4 @@
-//! Which stretches of two runs of one motion belong together.
+//! Which stretches of a motion and its check run belong together.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -7,19 +7,20 @@ use tumble_ode::{Event, Side, Trajectory};
 use crate::contact::Change;
 use crate::mode::Mode;
 use crate::run::Run;
-use crate::trust::{Horizon, Parting};
+use crate::trust::{Divergence, Horizon};
 
-/// Two cascades end at one time if that differs by no more than this part of it: their last impacts need not match.
+/// Two Zeno sequences end at one time if that differs by no more than this part of it: their last impacts need not
+/// match.
 const SAME_LIMIT: f64 = 1e-6;
 
-/// Stretches of two runs between events that both have.
+/// Stretches of both runs between events that both have.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Phases {
-    /// Start and end of each, s, in the first run and in the second.
+    /// Start and end of each, s, in the run and in the check run.
     pub(super) all: Vec<[Stretch; 2]>,
-    /// Where the two part, if they do.
-    pub(super) parting: Option<Horizon>,
-    /// Times of events that change nothing, s, in the first run and in the second.
+    /// Where the check run diverges, if it does.
+    pub(super) divergence: Option<Horizon>,
+    /// Times of events that change nothing, s, in the run and in the check run.
     pub(super) recorded: Vec<[f64; 2]>,
 }
 
@@ -44,11 +45,11 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
         let next = match events {
             [None, None] => break,
             [Some(a), Some(b)] if is_same(runs, [a, b]) => at.map(|index| index + 1),
-            _ => match after_cascades(&changing, at) {
+            _ => match after_zeno_sequences(&changing, at) {
                 Some(next) => next,
                 None => {
                     let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
-                    found.part(from, times, events);
+                    found.diverge(from, times, events);
                     return found;
                 }
             },
@@ -61,13 +62,13 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     // One of them stopped early, without an event.
     let last = ends[0].min(ends[1]);
     if ends[1] < ends[0] && runs[0].last_event().is_none() {
-        found.parting = Some(Horizon { time: last, reason: Parting::Refused });
+        found.divergence = Some(Horizon { time: last, reason: Divergence::Refused });
     }
     found
 }
 
 impl Phases {
-    /// The time of the second run that is as long after the last event as `time` is in the first.
+    /// The time of the check run that is as long after the last event as `time` is in the run.
     pub(super) fn counterpart(&self, time: f64, side: Side) -> Option<f64> {
         let holds = |here: &Stretch| match side {
             Side::Before => time <= here.end,
@@ -81,14 +82,14 @@ impl Phases {
         self.all.push([0, 1].map(|run| Stretch { start: from[run], end: to[run] }));
     }
 
-    fn part(&mut self, from: [f64; 2], to: [f64; 2], events: [Option<&Event>; 2]) {
+    fn diverge(&mut self, from: [f64; 2], to: [f64; 2], events: [Option<&Event>; 2]) {
         let time = to[0].min(to[1]);
         let tags = |event: Option<&Event>| {
             event.filter(|event| event.time <= time).map(|event| event.tags.clone()).unwrap_or_default()
         };
         self.push(from, [time.max(from[0]), time.max(from[1])]);
-        let reason = Parting::Events { first: tags(events[0]), second: tags(events[1]) };
-        self.parting = Some(Horizon { time, reason });
+        let reason = Divergence::Events { first: tags(events[0]), second: tags(events[1]) };
+        self.divergence = Some(Horizon { time, reason });
     }
 }
 
@@ -118,16 +119,16 @@ fn is_same(runs: [&Trajectory<Mode>; 2], [a, b]: [&Event; 2]) -> bool {
         && mode(0, a.mode_after) == mode(1, b.mode_after)
 }
 
-/// The events after the next ends of cascades, where these are the same in both.
-fn after_cascades(runs: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
+/// The events after the next ends of Zeno sequences, where these are the same in both.
+fn after_zeno_sequences(runs: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
     let next = |run: usize| {
         let rest = runs[run].iter().enumerate().skip(at[run]);
-        rest.filter(|(_, event)| Change::ends_cascade(event)).map(|(index, _)| index).next()
+        rest.filter(|(_, event)| Change::ends_zeno_sequence(event)).map(|(index, _)| index).next()
     };
     let [a, b] = [next(0)?, next(1)?];
     let events = [runs[0][a], runs[1][b]];
-    let apart = (events[0].time - events[1].time).abs();
-    let is_limit = events[0].tags == events[1].tags && apart <= SAME_LIMIT * events[0].time;
+    let difference = (events[0].time - events[1].time).abs();
+    let is_limit = events[0].tags == events[1].tags && difference <= SAME_LIMIT * events[0].time;
     is_limit.then_some([a + 1, b + 1])
 }
 
@@ -159,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn runs_part_by_what_changes_them_only() {
+    fn runs_diverge_by_what_changes_them_only() {
         let first = run();
         let bounces = changing(&first.trajectory).len();
         assert!(bounces > 1 && bounces < first.trajectory.events.len());
@@ -168,7 +169,7 @@ mod tests {
         let last_top = other.trajectory.events.iter().rposition(|event| event.tags == ["top"]);
         other.trajectory.events.remove(last_top.expect("there are tops"));
         let found = phases(&first, &other);
-        assert!(found.parting.is_none());
+        assert!(found.divergence.is_none());
         assert_eq!(found.all.len(), bounces + 1);
         // The time of the last one is known in one run only.
         assert_eq!(found.recorded.len(), first.trajectory.events.len() - 1);
@@ -176,6 +177,6 @@ mod tests {
         let mut other = first.clone();
         let last_bounce = other.trajectory.events.iter().rposition(|event| event.before != event.after);
         other.trajectory.events.remove(last_bounce.expect("there are bounces"));
-        assert!(phases(&first, &other).parting.is_some());
+        assert!(phases(&first, &other).divergence.is_some());
     }
 }

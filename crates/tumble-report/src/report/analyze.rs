@@ -1,4 +1,4 @@
-//! Curves, motion, books, checks, findings.
+//! Curves, motion, balance, checks, findings.
 
 use super::animation::Animation;
 use super::picture::{Picture, Plot};
@@ -39,7 +39,7 @@ pub struct Case {
     /// Its paths and stroboscopic pictures.
     pub pictures: Vec<Picture>,
     /// Energy, momentum and their residuals.
-    pub books: Option<Books>,
+    pub balance: Option<Balance>,
     /// Other tables.
     pub tables: Vec<Table>,
     /// Its checks.
@@ -48,7 +48,7 @@ pub struct Case {
 
 /// What flowed in and out, and what is left unexplained.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Books {
+pub struct Balance {
     /// Paragraphs.
     pub intro: Vec<Text>,
     /// The balances, with their residuals.

@@ -206,16 +206,18 @@ fn analyze(analyze: &Analyze) -> String {
 
 fn case(case: &Case, single: bool) -> String {
     let name = if single { Text::default() } else { case.name.clone().into() };
-    let books = case.books.as_ref().map(|books| {
-        let tables = books.tables.iter().map(table);
-        joined(std::iter::once(paragraphs(&books.intro)).chain(tables).chain(books.plots.iter().map(plot)))
+    let balance = case.balance.as_ref().map(|balance| {
+        let tables = balance.tables.iter().map(table);
+        joined(
+            std::iter::once(paragraphs(&balance.intro)).chain(tables).chain(balance.plots.iter().map(plot)),
+        )
     });
     joined([
         heading(3, &name),
         paragraphs(&case.intro),
         joined(case.plots.iter().map(plot)),
         joined(case.pictures.iter().map(picture)),
-        titled("**Energy and the books**", books.unwrap_or_default()),
+        titled("**Energy and momentum balance**", balance.unwrap_or_default()),
         joined(case.tables.iter().map(table)),
         table(&rows::checks(&case.checks)),
     ])

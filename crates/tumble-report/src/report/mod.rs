@@ -35,7 +35,7 @@ mod rows;
 mod solve;
 mod table;
 
-pub use analyze::{Analyze, Books, Case, Check};
+pub use analyze::{Analyze, Balance, Case, Check};
 pub use animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
 pub use identify::{BodyRow, Identify, Quantity};
 pub use math::{Block, Definition, Math};
@@ -67,7 +67,7 @@ pub struct Report {
     pub model: Model,
     /// Closed forms, or how the equations were integrated.
     pub solve: Solve,
-    /// Curves, motion, books, checks, findings.
+    /// Curves, motion, balance, checks, findings.
     pub analyze: Analyze,
 }
 

@@ -1,7 +1,7 @@
 //! The sections of a scene, one a file, and the one table that lists them.
 
+mod balance;
 mod body;
-mod books;
 mod check;
 mod damper;
 mod drag;
@@ -77,7 +77,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("output", output::read),
     optional("plot", plot::read),
     optional("stroboscope", stroboscope::read),
-    optional("books", books::read),
+    optional("balance", balance::read),
     optional("free_body", free_body::read),
     optional("find", check::read_finds),
     optional("check", check::read),

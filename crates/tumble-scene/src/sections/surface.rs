@@ -85,7 +85,7 @@ fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
         let mistake = Diagnostic::new(Code::MissingKey, table.span.clone(), message);
         let help = "add `rigid = { restitution = 0.7 }`, `spring = { stiffness = \"1e4 N/m\", damping = 0 }` or \
                     `hertz = { stiffness = \"1e6 N/m^(3/2)\", damping = 0 }`";
-        draft.note(mistake.label("rigid, or does it give way?").help(help));
+        draft.note(mistake.label("rigid or compliant?").help(help));
         return None;
     };
     let mut inner = draft.table(&field, field.key.to_owned())?;

@@ -1,7 +1,7 @@
 //! `[world]`: what surrounds the bodies.
 
 use tumble_expr::Dimension;
-use tumble_mech::{Gravity, Simultaneous, Wind};
+use tumble_mech::{Gravity, MultipleImpacts, Wind};
 
 use super::only;
 use crate::document::{Field, Table};
@@ -26,9 +26,9 @@ fn world(draft: &mut Draft, table: &mut Table) {
 /// How one body's impacts at several points at one instant are taken.
 fn impacts(draft: &mut Draft, table: &mut Table) {
     let Some(field) = table.take("impacts") else { return };
-    draft.model.simultaneous = match draft.choice(&field, &["together", "in turn"]) {
-        Some("in turn") => Simultaneous::InTurn,
-        _ => Simultaneous::Together,
+    draft.model.multiple_impacts = match draft.choice(&field, &["simultaneous", "sequential"]) {
+        Some("sequential") => MultipleImpacts::Sequential,
+        _ => MultipleImpacts::Simultaneous,
     };
 }
 

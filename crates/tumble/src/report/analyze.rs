@@ -1,4 +1,4 @@
-//! What the motion says: curves, pictures, books, checks, and what was found.
+//! What the motion says: curves, pictures, balance, checks, and what was found.
 
 use tumble_expr::Expr;
 use tumble_mech::Extreme;
@@ -8,8 +8,8 @@ use tumble_report::report::{Analyze, Case as CaseShown, Check, Column, Picture, 
 use tumble_scene::{Instant, Study};
 
 use super::names::{Names, quantity};
-use super::{animation, books, findings};
-use crate::book_figures;
+use super::{animation, balance, findings};
+use crate::balance_figures;
 use crate::case::Case;
 use crate::checks::CheckResult;
 use crate::figures;
@@ -41,11 +41,11 @@ fn plots(study: &Study, cases: &[Case]) -> Result<Vec<Plot>, PipelineError> {
         };
         Ok(shown.stored(format!("{}.svg", plot.name)))
     };
-    let books = study.books.iter().map(|asked| {
-        let figure = book_figures::of(study, cases, asked);
+    let balances = study.balances.iter().map(|asked| {
+        let figure = balance_figures::of(study, cases, asked);
         Ok(Plot::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
     });
-    study.plots.iter().map(plot).chain(books).collect()
+    study.plots.iter().map(plot).chain(balances).collect()
 }
 
 fn pictures(study: &Study, cases: &[Case]) -> Result<Vec<Picture>, PipelineError> {
@@ -119,7 +119,7 @@ fn one(case: &Case) -> Result<CaseShown, PipelineError> {
     Ok(CaseShown {
         name: figures::case_label(case),
         intro: stopped.into_iter().collect(),
-        books: books::of(case),
+        balance: balance::of(case),
         checks: case.checks.iter().map(shown).collect(),
         ..CaseShown::default()
     })

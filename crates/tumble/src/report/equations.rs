@@ -2,7 +2,7 @@
 
 use tumble_expr::{Expr, Symbol, is_identically_zero};
 use tumble_math::{Left, Mark, Math as Formula, MathError, Notation, Shown};
-use tumble_mech::{Mode, Phase, Term};
+use tumble_mech::{ContactMode, Mode, Term};
 use tumble_report::report::{Block, Mode as ModeShown, Text};
 use tumble_scene::Study;
 
@@ -31,13 +31,13 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown>
 /// What touches and what acts: `floor.rod.tip pressed, kick acts`.
 pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
     let equations = &case.run.equations;
-    let touching = mode.contacts.iter().map(|(pair, phase)| {
-        let how = match phase {
-            Phase::Pressed => "pressed",
-            Phase::Released => "released",
-            Phase::Resting => "in touch",
-            Phase::Settling => "settling",
-            Phase::Idle => "touching",
+    let touching = mode.contacts.iter().map(|(pair, contact_mode)| {
+        let how = match contact_mode {
+            ContactMode::Pressed => "pressed",
+            ContactMode::Released => "released",
+            ContactMode::Resting => "in touch",
+            ContactMode::Settling => "settling",
+            ContactMode::Idle => "touching",
         };
         format!("{} {how}", equations.pairs()[*pair].name)
     });

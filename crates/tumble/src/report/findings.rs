@@ -324,14 +324,15 @@ fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
 
 /// Loads that have taken out or put in much energy.
 fn works(case: &Case) -> Vec<Text> {
-    let Some(books) = &case.books else { return vec![] };
-    let matters = |work: f64| work.abs() > MATTERS * books.energy.scale;
-    let entries = books.entries.iter().enumerate();
-    let told = entries.filter(|(_, (_, entry))| entry.counts() && matters(entry.work));
-    let text = |(index, (name, entry)): (usize, &(String, tumble_mech::Entry))| {
-        let does = if entry.work < 0.0 { "takes out" } else { "puts in" };
-        let error = books.work_errors.as_ref().map(|errors| errors[index]);
-        let work = with_digits(entry.work.abs(), error, "J");
+    let Some(balance) = &case.balance else { return vec![] };
+    let matters = |work: f64| work.abs() > MATTERS * balance.energy.scale;
+    let contributions = balance.contributions.iter().enumerate();
+    let told =
+        contributions.filter(|(_, (_, contribution))| contribution.counts() && matters(contribution.work));
+    let text = |(index, (name, contribution)): (usize, &(String, tumble_mech::Contribution))| {
+        let does = if contribution.work < 0.0 { "takes out" } else { "puts in" };
+        let error = balance.work_errors.as_ref().map(|errors| errors[index]);
+        let work = with_digits(contribution.work.abs(), error, "J");
         of_case(case, Text::from(format!("{name} {does} ")).and(work).and("."))
     };
     told.map(text).collect()

@@ -5,7 +5,7 @@
 
 mod analyze;
 mod animation;
-mod books;
+mod balance;
 mod equations;
 mod findings;
 mod identify;

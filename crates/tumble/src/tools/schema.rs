@@ -52,7 +52,7 @@ fn sections() -> Vec<Key> {
         may("output", output(), "How dense the tables are."),
         may("plot", each(plot()), "Curves against the time or another quantity."),
         may("stroboscope", each(stroboscope()), "Bodies at equal steps of time in one picture."),
-        may("books", each(books()), "Energies and works along the run."),
+        may("balance", each(balance()), "Energies and works along the run."),
         may("find", each(find()), "What is asked for: values at an instant, or the greatest and least."),
         may("free_body", each(free_body()), "Free-body diagrams of one body at some instants."),
         may("check", each(check()), "Claims; if one does not hold, the command ends with 1."),
@@ -93,7 +93,7 @@ fn world() -> Value {
             ),
             may(
                 "impacts",
-                choice(&["together", "in turn"]),
+                choice(&["simultaneous", "sequential"]),
                 "How impacts at several points at once are taken.",
             ),
         ],
@@ -189,9 +189,9 @@ fn plot() -> Value {
     )
 }
 
-fn books() -> Value {
+fn balance() -> Value {
     closed(
-        "[books.NAME]",
+        "[balance.NAME]",
         &[
             may(
                 "show",

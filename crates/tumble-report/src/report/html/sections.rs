@@ -3,7 +3,7 @@
 use super::inline::{block, label, paragraphs, tagged, text};
 use super::page::Page;
 use super::tables::{bodies, checks, facts, table, titled_list};
-use crate::report::analyze::{Analyze, Books, Case, Check};
+use crate::report::analyze::{Analyze, Balance, Case, Check};
 use crate::report::identify::Identify;
 use crate::report::math::Block;
 use crate::report::model::{BodyModel, Mode, Model};
@@ -92,15 +92,15 @@ impl Page {
     fn case(&mut self, case: &Case, level: u8) -> String {
         let plots = self.plots(&case.plots);
         let pictures = self.pictures(&case.pictures);
-        let books = case.books.as_ref().map(|books| self.books(books, level)).unwrap_or_default();
-        [paragraphs(&case.intro), plots, pictures, books, tables(&case.tables), titled_checks(&case.checks)]
+        let balance = case.balance.as_ref().map(|balance| self.balance(balance, level)).unwrap_or_default();
+        [paragraphs(&case.intro), plots, pictures, balance, tables(&case.tables), titled_checks(&case.checks)]
             .concat()
     }
 
-    fn books(&mut self, books: &Books, level: u8) -> String {
-        let plots = self.plots(&books.plots);
-        let heading = format!("<h{level}>Energy and the books</h{level}>\n");
-        [heading, paragraphs(&books.intro), tables(&books.tables), plots].concat()
+    fn balance(&mut self, balance: &Balance, level: u8) -> String {
+        let plots = self.plots(&balance.plots);
+        let heading = format!("<h{level}>Energy and momentum balance</h{level}>\n");
+        [heading, paragraphs(&balance.intro), tables(&balance.tables), plots].concat()
     }
 }
 

@@ -81,13 +81,13 @@ fn check() -> Check {
 }
 
 fn case() -> Case {
-    let books = Books { intro: vec![words()], tables: vec![table()], plots: vec![plot()] };
+    let balance = Balance { intro: vec![words()], tables: vec![table()], plots: vec![plot()] };
     Case {
         name: label(),
         intro: vec![words()],
         plots: vec![plot()],
         pictures: vec![picture()],
-        books: Some(books),
+        balance: Some(balance),
         tables: vec![table()],
         checks: vec![check()],
     }

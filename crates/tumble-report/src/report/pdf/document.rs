@@ -3,7 +3,7 @@
 use super::inline::{block, label, list, paragraphs, string, text, words};
 use super::tables::table;
 use crate::report::Report;
-use crate::report::analyze::{Analyze, Books, Case};
+use crate::report::analyze::{Analyze, Balance, Case};
 use crate::report::html::{description, still};
 use crate::report::identify::Identify;
 use crate::report::math::Block;
@@ -146,16 +146,17 @@ impl Document {
             paragraphs(&case.intro),
             self.plots(&case.plots),
             self.pictures(&case.pictures),
-            case.books.as_ref().map(|books| self.books(books, level)).unwrap_or_default(),
+            case.balance.as_ref().map(|balance| self.balance(balance, level)).unwrap_or_default(),
             tables(&case.tables),
             table(&checks(&case.checks)),
         ]
         .concat()
     }
 
-    fn books(&mut self, books: &Books, level: u8) -> String {
-        let content = [paragraphs(&books.intro), tables(&books.tables), self.plots(&books.plots)].concat();
-        titled(level, "Energy and the books", content)
+    fn balance(&mut self, balance: &Balance, level: u8) -> String {
+        let content =
+            [paragraphs(&balance.intro), tables(&balance.tables), self.plots(&balance.plots)].concat();
+        titled(level, "Energy and momentum balance", content)
     }
 
     fn pictures(&mut self, pictures: &[Picture]) -> String {

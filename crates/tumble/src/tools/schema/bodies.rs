@@ -109,9 +109,9 @@ fn surface() -> Value {
                 json!({ "anyOf": [named("text"), names] }),
                 "A body, a point of one such as \"rod.tip\", or a list of such; all without it.",
             ),
-            may("rigid", rigid(), "It does not give way; this, `spring` or `hertz`."),
-            may("spring", spring(), "It gives way in proportion to the force."),
-            may("hertz", hertz(), "It gives way as one elastic body to another."),
+            may("rigid", rigid(), "Not compliant; this, `spring` or `hertz`."),
+            may("spring", spring(), "Compliant, in proportion to the force."),
+            may("hertz", hertz(), "Compliant, as one elastic body pressed against another."),
         ],
     )
 }

@@ -1,14 +1,14 @@
-//! What an instant enters: parameters that change, impacts, surfaces that let go.
+//! What an instant adds: parameters that change, impacts, surfaces that let go.
 
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::{Event, Reason};
 
-use crate::contact::{Impulse, Phase};
+use crate::balance::accumulation::Accumulation;
+use crate::balance::contribution::Kind;
+use crate::balance::lines::Key;
+use crate::balance::stored::{Motion, Stored};
+use crate::contact::{ContactMode, Impulse};
 use crate::event::Action;
-use crate::ledger::books::Books;
-use crate::ledger::entry::Kind;
-use crate::ledger::lines::Key;
-use crate::ledger::stocks::{Motion, Stocks};
 use crate::mode::Mode;
 use crate::term::Law;
 
@@ -21,29 +21,29 @@ const ALIKE: f64 = 1e-12;
 /// Momentum along x and y, and angular momentum about the centre of mass.
 type Change = [f64; 3];
 
-impl Books<'_> {
-    /// Enters an event, by its index.
-    pub(super) fn enter_event(&mut self, index: usize) -> Result<(), Reason> {
+impl Accumulation<'_> {
+    /// Adds an event, by its index.
+    pub(super) fn add_event(&mut self, index: usize) -> Result<(), Reason> {
         let run = self.run;
         let event = &run.trajectory.events[index];
         let [before, after] = [event.mode_before, event.mode_after].map(|mode| &run.trajectory.modes[mode]);
-        let mut stocks = self.stocks(before, event.time, &event.before)?;
-        self.watch(&stocks);
+        let mut stored = self.stored(before, event.time, &event.before)?;
+        self.watch(&stored);
         if before.changes != after.changes {
             let changed = Mode { changes: after.changes.clone(), ..before.clone() };
-            let then = self.stocks(&changed, event.time, &event.before)?;
-            self.enter_parameters(event, &stocks, &then);
-            stocks = then;
+            let then = self.stored(&changed, event.time, &event.before)?;
+            self.add_parameters(event, &stored, &then);
+            stored = then;
         }
-        let then = self.stocks(after, event.time, &event.after)?;
+        let then = self.stored(after, event.time, &event.after)?;
         self.watch(&then);
-        self.enter_impacts(index, &stocks, &then)?;
-        self.enter_releases(&stocks, &then);
+        self.add_impacts(index, &stored, &then)?;
+        self.add_releases(&stored, &then);
         Ok(())
     }
 
     /// What new values of parameters do to energies and momenta.
-    fn enter_parameters(&mut self, event: &Event, before: &Stocks, after: &Stocks) {
+    fn add_parameters(&mut self, event: &Event, before: &Stored, after: &Stored) {
         let events = &self.run.equations.model().events;
         let sets = |tag: &&String| {
             events.iter().any(|event| event.name == **tag && matches!(event.action, Action::Set(_)))
@@ -54,47 +54,47 @@ impl Books<'_> {
             let change = [new.kinetic - old.kinetic, change(0), change(1), new.angular - old.angular];
             if change != [0.0; 4] {
                 let kind = Kind::ParameterJump;
-                self.enter(Key { load: name.clone(), law: None, body: Some(body), kind }, change);
+                self.add(Key { load: name.clone(), law: None, body: Some(body), kind }, change);
             }
         }
         for (index, (old, new)) in before.potentials.iter().zip(&after.potentials).enumerate() {
-            self.enter_energy(index, Kind::ParameterJump, new - old);
+            self.add_energy(index, Kind::ParameterJump, new - old);
         }
     }
 
     /// Energy that surfaces keep to themselves when they let go, and that which they have when they push again.
-    fn enter_releases(&mut self, before: &Stocks, after: &Stocks) {
+    fn add_releases(&mut self, before: &Stored, after: &Stored) {
         let lets_go = |pair: usize| self.run.equations.pairs()[pair].releases_early();
         let early: Vec<usize> = (0..self.potentials.len())
             .filter(|index| self.potentials[*index].pair.is_some_and(lets_go))
             .collect();
         for index in early {
-            self.enter_energy(index, Kind::Release, after.potentials[index] - before.potentials[index]);
+            self.add_energy(index, Kind::Release, after.potentials[index] - before.potentials[index]);
         }
     }
 
-    fn enter_impacts(&mut self, index: usize, before: &Stocks, after: &Stocks) -> Result<(), Reason> {
+    fn add_impacts(&mut self, index: usize, before: &Stored, after: &Stored) -> Result<(), Reason> {
         let mut left: Vec<Change> =
             before.bodies.iter().zip(&after.bodies).map(|(old, new)| change(old, new)).collect();
         if left.iter().all(|change| *change == [0.0; 3]) {
             return Ok(());
         }
         for impulse in self.run.impulses(index)? {
-            let taken = self.enter_impulse(&impulse, before, after);
+            let taken = self.add_impulse(&impulse, before, after);
             subtract(&mut left[impulse.body], taken);
         }
         for (body, left) in left.into_iter().enumerate() {
             for impulse in self.settled(index, body, left)? {
-                self.enter_impulse(&impulse, before, after);
+                self.add_impulse(&impulse, before, after);
             }
         }
         Ok(())
     }
 
-    /// Enters an impulse J with the work `J . (v_before + v_after) / 2`; what it does to the body's momenta.
-    fn enter_impulse(&mut self, impulse: &Impulse, before: &Stocks, after: &Stocks) -> Change {
+    /// Adds an impulse J with the work `J . (v_before + v_after) / 2`; what it does to the body's momenta.
+    fn add_impulse(&mut self, impulse: &Impulse, before: &Stored, after: &Stored) -> Change {
         let ([rx, ry], [jx, jy]) = (impulse.arm, impulse.impulse);
-        let [old, new] = [before, after].map(|stocks| &stocks.bodies[impulse.body]);
+        let [old, new] = [before, after].map(|stored| &stored.bodies[impulse.body]);
         let omega = 0.5 * (old.omega + new.omega);
         let mean = |axis: usize| 0.5 * (old.velocity[axis] + new.velocity[axis]);
         let (vx, vy) = (mean(0) - omega * ry, mean(1) + omega * rx);
@@ -102,7 +102,7 @@ impl Books<'_> {
         let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
         let law = Some(if is_pair { Law::Contact } else { Law::Reaction });
         let (load, body) = (impulse.load.clone(), Some(impulse.body));
-        self.enter(Key { load, law, body, kind: Kind::Impact }, [jx * vx + jy * vy, jx, jy, angular]);
+        self.add(Key { load, law, body, kind: Kind::Impact }, [jx * vx + jy * vy, jx, jy, angular]);
         [jx, jy, rx * jy - ry * jx]
     }
 
@@ -112,7 +112,7 @@ impl Books<'_> {
         let mode = &self.run.trajectory.modes[event.mode_after];
         let (equations, inputs) = (&self.run.equations, &self.run.inputs);
         let pairs = equations.pairs();
-        let lasting = mode.contacts.iter().filter(|(_, phase)| Phase::is_lasting(*phase));
+        let lasting = mode.contacts.iter().filter(|(_, contact_mode)| ContactMode::is_lasting(*contact_mode));
         let lasting = lasting.map(|(pair, _)| &pairs[*pair]).filter(|pair| pair.body == body);
         let mut names = vec![];
         let mut formulas = vec![];
@@ -145,8 +145,8 @@ fn subtract(left: &mut Change, taken: Change) {
     left.iter_mut().zip(taken).for_each(|(left, taken)| *left -= taken);
 }
 
-/// Impulses along the given directions that make up a change of momenta, the least ones where more do; each contact has its
-/// arm and its direction among the values.
+/// Impulses along the given directions that make up a change of momenta, the least ones where more do; each contact has
+/// its arm and its direction among the values.
 fn solved(names: &[String], values: &[f64], body: usize, change: Change) -> Vec<Impulse> {
     let columns: Vec<[f64; 4]> = values.chunks_exact(4).map(|v| [v[0], v[1], v[2], v[3]]).collect();
     let matrix = DMatrix::from_fn(3, columns.len(), |row, column| {

@@ -11,7 +11,8 @@ pub(super) type Amounts = [f64; 4];
 
 /// Nodes on a stretch: a Taylor step's functions are resolved to rounding by them.
 const NODES: usize = 16;
-/// Coefficients at the end of the expansion that tell how fast it falls off; three, since symmetric functions lack some.
+/// Coefficients at the end of the expansion that tell how fast it falls off; three, since symmetric functions lack
+/// some.
 const TAIL: usize = 3;
 /// An error below this part of the integrals of absolute values is rounding.
 const RESOLVED: f64 = 1e-15;
@@ -36,7 +37,7 @@ pub(super) struct Quadrature {
 #[derive(Debug)]
 pub(super) struct NotFinite {
     pub(super) line: usize,
-    /// Reading of the clock at the start of the stretch on which it is.
+    /// Parameter at the start of the stretch on which it is.
     pub(super) from: f64,
 }
 
@@ -53,7 +54,7 @@ impl Quadrature {
         Self { nodes: gauss::rule(NODES).into_iter().map(node).collect() }
     }
 
-    /// Adds the integrals of what `sample` gives at each reading of the clock, by line, to what `add` keeps.
+    /// Adds the integrals of what `sample` gives at each value of the parameter, by line, to what `add` keeps.
     pub(super) fn integrate(
         &self,
         [from, to]: [f64; 2],
@@ -100,8 +101,8 @@ impl Quadrature {
         self.nodes.iter().zip(samples).map(|((_, weight, _), sample)| weight * of(sample)).sum()
     }
 
-    /// Mean error of the sum. Coefficients fall off geometrically and the sum misses those beyond twice the nodes, so it
-    /// is the square of the last ones seen, relative to the largest value.
+    /// Mean error of the sum. Coefficients fall off geometrically and the sum misses those beyond twice the nodes, so
+    /// it is the square of the last ones seen, relative to the largest value.
     fn error(&self, samples: &[Sample], of: impl Fn(&Sample) -> f64) -> f64 {
         let largest = samples.iter().map(|sample| of(sample).abs()).fold(0.0, f64::max);
         let coefficient = |index: usize| -> f64 {
@@ -127,14 +128,14 @@ fn projection(n: usize, x: f64) -> f64 {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sum {
     sum: f64,
-    carry: f64,
+    compensation: f64,
 }
 
 impl Sum {
     /// After Neumaier: whichever is larger keeps its digits.
     pub(super) fn add(&mut self, value: f64) {
         let sum = self.sum + value;
-        self.carry += match self.sum.abs() >= value.abs() {
+        self.compensation += match self.sum.abs() >= value.abs() {
             true => (self.sum - sum) + value,
             false => (value - sum) + self.sum,
         };
@@ -142,7 +143,7 @@ impl Sum {
     }
 
     pub(super) fn value(self) -> f64 {
-        self.sum + self.carry
+        self.sum + self.compensation
     }
 }
 

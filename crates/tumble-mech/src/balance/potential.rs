@@ -1,6 +1,6 @@
 //! # Law
 //! Potential energies: of the weight `m g y`, of a spring `k (d - d_0)^2 / 2`, of a torsion spring
-//! `kappa (theta - theta_0)^2 / 2`, of a surface that gives way `k d^2 / 2` or, after Hertz, `(2/5) k d^(5/2)`. While the
+//! `kappa (theta - theta_0)^2 / 2`, of a compliant surface `k d^2 / 2` or, after Hertz, `(2/5) k d^(5/2)`. While the
 //! bodies move, the force's work is what the energy loses; what an anchor, a surface or a coefficient that is moved in
 //! time adds to it is `dV/dt` with the bodies held. All else that a load does, a damper's part, is work.
 //! # Symbols and units
@@ -9,11 +9,11 @@
 //! Zero at y = 0, and where a spring or surface exerts no force.
 //! # Validity
 //! Coefficients are formulas of the parameters and the time. If one depends on the motion there is no such energy, and
-//! the load enters by its work.
+//! the load counts by its work.
 //! # Source
 //! Integrals of the laws of force.
 //! # Checked by
-//! `tests/ledger.rs`.
+//! `tests/balance.rs`.
 
 use tumble_expr::{Expr, Vector, is_identically_zero};
 

@@ -3,8 +3,8 @@
 use tumble_expr::{Branches, Expr, Jets, Vector};
 use tumble_ode::Reason;
 
+use crate::balance::potential::Potential;
 use crate::equations::Equations;
-use crate::ledger::potential::Potential;
 use crate::mode::Mode;
 
 /// The motion of one body.
@@ -14,7 +14,7 @@ pub(super) struct Motion {
     pub(super) kinetic: f64,
     /// N s
     pub(super) momentum: [f64; 2],
-    /// About the ledger's point, N m s.
+    /// About the balance's point, N m s.
     pub(super) angular: f64,
     /// About the centre of mass, N m s.
     pub(super) spin: f64,
@@ -22,18 +22,18 @@ pub(super) struct Motion {
     pub(super) velocity: [f64; 2],
     /// rad/s
     pub(super) omega: f64,
-    /// From the ledger's point to the centre of mass, m.
+    /// From the balance's point to the centre of mass, m.
     pub(super) place: [f64; 2],
 }
 
 /// All bodies and all potential energies, J, at one instant.
 #[derive(Clone, Debug)]
-pub(super) struct Stocks {
+pub(super) struct Stored {
     pub(super) bodies: Vec<Motion>,
     pub(super) potentials: Vec<f64>,
 }
 
-impl Stocks {
+impl Stored {
     pub(super) fn kinetic(&self) -> f64 {
         self.bodies.iter().map(|body| body.kinetic).sum()
     }
@@ -56,8 +56,8 @@ impl Stocks {
     }
 }
 
-/// Evaluates the stocks in one mode.
-pub(super) struct Stocktaking {
+/// Evaluates what is stored in one mode.
+pub(super) struct StoredEvaluator {
     jets: Jets<f64>,
     bodies: usize,
 }
@@ -65,7 +65,7 @@ pub(super) struct Stocktaking {
 /// Outputs a body: velocity, angular rate, place, mass, moment of inertia.
 const OUTPUTS: usize = 7;
 
-impl Stocktaking {
+impl StoredEvaluator {
     pub(super) fn new(
         equations: &Equations,
         potentials: &[Potential],
@@ -87,11 +87,11 @@ impl Stocktaking {
         Ok(Self { jets: equations.evaluator(mode, &outputs, inputs)?, bodies })
     }
 
-    pub(super) fn take(&mut self, time: f64, states: &[f64]) -> Stocks {
+    pub(super) fn take(&mut self, time: f64, states: &[f64]) -> Stored {
         self.jets.start(time, states, Branches::Free);
         let outputs = self.jets.tape().outputs().len();
         let first = self.bodies * OUTPUTS;
-        Stocks {
+        Stored {
             bodies: (0..self.bodies).map(|body| self.motion(body)).collect(),
             potentials: (first..outputs).map(|index| self.jets.value_of(index)).collect(),
         }

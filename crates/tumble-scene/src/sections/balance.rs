@@ -1,15 +1,15 @@
-//! `[books.NAME]`: energies and works along the run as curves.
+//! `[balance.NAME]`: energies and works along the run as curves.
 
 use super::each;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
-use crate::study::{BooksPlot, Sheet};
+use crate::study::{BalancePlot, Sheet};
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, books);
+    each(draft, section, balance);
 }
 
-fn books(draft: &mut Draft, field: &Field, table: &mut Table) {
+fn balance(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.words(&field));
     let show = match table.take("show") {
@@ -19,5 +19,5 @@ fn books(draft: &mut Draft, field: &Field, table: &mut Table) {
     let Some(show) = show.and_then(|word| Sheet::ALL.into_iter().find(|sheet| sheet.word() == word)) else {
         return;
     };
-    draft.books.push(BooksPlot { name: field.key.to_owned(), title, show });
+    draft.balances.push(BalancePlot { name: field.key.to_owned(), title, show });
 }

@@ -4,15 +4,15 @@ use tumble_expr::{Branches, Expr, Jets, Vector};
 use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
+use crate::balance::contribution::Kind;
+use crate::balance::potential::Potential;
+use crate::balance::quadrature::{Amounts, Sample};
 use crate::equations::{Definitions, Equations};
-use crate::ledger::entry::Kind;
-use crate::ledger::potential::Potential;
-use crate::ledger::quadrature::{Amounts, Sample};
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
 use crate::term::{Law, Term};
 
-/// To which entry a line belongs.
+/// To which contribution a line belongs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Key {
     pub(super) load: String,
@@ -37,7 +37,7 @@ pub(super) struct Lines {
     jets: Jets<f64>,
 }
 
-/// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the ledger's.
+/// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the balance's.
 const OUTPUTS: usize = 8;
 
 impl Lines {
@@ -65,10 +65,10 @@ impl Lines {
         Ok(Self { keys, terms, jets })
     }
 
-    /// Power, force and torque of every line at a reading of a piece's clock, per unit of the clock.
+    /// Power, force and torque of every line at a value of a piece's parameter, per unit of the parameter.
     pub(super) fn sample(&mut self, piece: &Piece, s: f64) -> Sample {
-        self.jets.start(piece.time_at(s), &piece.states_at_clock(s), Branches::Free);
-        let (pace, mut sample) = (piece.clock_rate(s), Sample::default());
+        self.jets.start(piece.time_at(s), &piece.states_at_parameter(s), Branches::Free);
+        let (pace, mut sample) = (piece.time_rate(s), Sample::default());
         for line in 0..self.keys.len() {
             let rates = if line < self.terms {
                 self.term(line, &mut sample.sizes)

@@ -1,7 +1,7 @@
-//! The books of a run as numbers: energies along it, what every load did, and what is left unexplained.
+//! The energy and momentum balance of a run as numbers: energies along it, what every load did, and what is left unexplained.
 
 use serde::Serialize;
-use tumble_mech::{Balance as LedgerBalance, BodyBalance, Entry as LedgerEntry, Ledger};
+use tumble_mech::{Balance, BodyBalance, Contribution, RunBalance};
 use tumble_ode::Side;
 
 use crate::case::Case;
@@ -9,61 +9,63 @@ use crate::output::{Folder, OutputError};
 use crate::pipeline::PipelineError;
 use crate::tables::{equal_times, number};
 
-/// Rows of `books.csv`, beside both sides of each event.
+/// Rows of `balance.csv`, beside both sides of each event.
 const ROWS: usize = 500;
 /// Angular momentum is about the world's origin.
 pub(crate) const ABOUT: [f64; 2] = [0.0; 2];
 
 /// Energy, momentum and what changed them, of one run.
 #[derive(Clone, Debug)]
-pub struct Books {
-    /// Names of the columns of [`Books::rows`]: time (s), energies and works (J).
+pub struct CaseBalance {
+    /// Names of the columns of [`CaseBalance::rows`]: time (s), energies and works (J).
     pub columns: Vec<String>,
     /// The energies along the run.
     pub rows: Vec<Vec<f64>>,
     /// What every load did, each with a name that no other has.
-    pub entries: Vec<(String, LedgerEntry)>,
+    pub contributions: Vec<(String, Contribution)>,
     /// Errors of their works, J; `None` where nothing is known of them.
     pub work_errors: Option<Vec<f64>>,
     /// Kinetic and potential energy of all bodies, J.
-    pub energy: LedgerBalance,
+    pub energy: Balance,
     /// Momentum (N s) and angular momentum about the origin (N m s) of all bodies.
     pub total: BodyBalance,
     /// The largest of all residuals, relative to what it is a residual of.
     pub relative: f64,
 }
 
-impl Books {
-    /// The books of a run; `None` where nothing moved.
+impl CaseBalance {
+    /// The balance of a run; `None` where nothing moved.
     pub(crate) fn of(case: &Case) -> Result<Option<Self>, PipelineError> {
         let run = &case.run;
         if run.trajectory.pieces.is_empty() {
             return Ok(None);
         }
-        let mut ledger = Ledger::of(run, ABOUT)?;
+        let mut balance = RunBalance::of(run, ABOUT)?;
         let mut rows = vec![];
         for (time, side) in times(run) {
-            rows.extend(ledger.row(time, side)?);
+            rows.extend(balance.row(time, side)?);
         }
         let work_errors = match (&case.trust, run.trajectory.end()) {
-            (Some(trust), Some(end)) => trust.work_errors(&mut ledger, end, Side::After)?,
+            (Some(trust), Some(end)) => trust.work_errors(&mut balance, end, Side::After)?,
             _ => None,
         };
-        let entries = ledger.entries.iter().enumerate();
+        let contributions = balance.contributions.iter().enumerate();
         Ok(Some(Self {
-            columns: ledger.columns(),
+            columns: balance.columns(),
             rows,
-            entries: entries.map(|(index, entry)| (ledger.name_of(index), entry.clone())).collect(),
+            contributions: contributions
+                .map(|(index, contribution)| (balance.name_of(index), contribution.clone()))
+                .collect(),
             work_errors,
-            energy: ledger.energy,
-            total: ledger.total,
-            relative: ledger.relative(),
+            energy: balance.energy,
+            total: balance.total,
+            relative: balance.relative(),
         }))
     }
 
-    /// Writes `books.csv` beside the other tables of the run.
+    /// Writes `balance.csv` beside the other tables of the run.
     pub(crate) fn write(&self, case: &Case, folder: &Folder) -> Result<(), OutputError> {
-        let mut table = csv::Writer::from_path(folder.path(&format!("{}/books.csv", case.folder()))?)?;
+        let mut table = csv::Writer::from_path(folder.path(&format!("{}/balance.csv", case.folder()))?)?;
         let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
         table.write_record(self.columns.iter().map(units))?;
         for row in &self.rows {
@@ -86,14 +88,14 @@ fn times(run: &tumble_mech::Run) -> Vec<(f64, Side)> {
     times
 }
 
-/// The books in `summary.json`.
+/// The balance in `summary.json`.
 #[derive(Serialize)]
 pub(crate) struct Summary {
     energy: BalanceSummary,
     momentum: [BalanceSummary; 2],
     angular_momentum: BalanceSummary,
     largest_relative_residual: f64,
-    entries: Vec<EntrySummary>,
+    contributions: Vec<ContributionSummary>,
 }
 
 #[derive(Serialize)]
@@ -105,7 +107,7 @@ struct BalanceSummary {
 }
 
 #[derive(Serialize)]
-struct EntrySummary {
+struct ContributionSummary {
     name: String,
     kind: String,
     counts_as_work: bool,
@@ -115,28 +117,28 @@ struct EntrySummary {
 }
 
 impl Summary {
-    pub(crate) fn of(books: &Books) -> Self {
-        let balance = |balance: &LedgerBalance| BalanceSummary {
+    pub(crate) fn of(case: &CaseBalance) -> Self {
+        let balance = |balance: &Balance| BalanceSummary {
             start: balance.start,
             end: balance.end,
             accounted: balance.change,
             residual: balance.residual,
         };
-        let entry = |(name, entry): &(String, LedgerEntry)| EntrySummary {
+        let contribution = |(name, contribution): &(String, Contribution)| ContributionSummary {
             name: name.clone(),
-            kind: format!("{:?}", entry.kind).to_lowercase(),
-            counts_as_work: entry.counts(),
-            work: entry.work,
-            impulse: entry.impulse,
-            angular_impulse: entry.angular_impulse,
+            kind: format!("{:?}", contribution.kind).to_lowercase(),
+            counts_as_work: contribution.counts(),
+            work: contribution.work,
+            impulse: contribution.impulse,
+            angular_impulse: contribution.angular_impulse,
         };
-        let [x, y] = &books.total.momentum;
+        let [x, y] = &case.total.momentum;
         Self {
-            energy: balance(&books.energy),
+            energy: balance(&case.energy),
             momentum: [balance(x), balance(y)],
-            angular_momentum: balance(&books.total.angular_momentum),
-            largest_relative_residual: books.relative,
-            entries: books.entries.iter().map(entry).collect(),
+            angular_momentum: balance(&case.total.angular_momentum),
+            largest_relative_residual: case.relative,
+            contributions: case.contributions.iter().map(contribution).collect(),
         }
     }
 }

@@ -1,17 +1,17 @@
-//! Figures of the books: energies, works, and what is left unexplained.
+//! Figures of the balance: energies, works, and what is left unexplained.
 
 use tumble_report::{Axis, CurveFigure, Label, Series};
-use tumble_scene::{BooksPlot, Sheet, Study};
+use tumble_scene::{BalancePlot, Sheet, Study};
 
-use crate::books::Books;
+use crate::balance::CaseBalance;
 use crate::case::Case;
 use crate::figures::{case_label, heading, joined};
 
-/// The books of all runs in one figure; empty where none were kept.
-pub(crate) fn of(study: &Study, cases: &[Case], asked: &BooksPlot) -> CurveFigure {
+/// The balances of all runs in one figure; empty where there are none.
+pub(crate) fn of(study: &Study, cases: &[Case], asked: &BalancePlot) -> CurveFigure {
     let mut figure = empty(heading(study, asked.title.as_deref(), &asked.name));
     for case in cases {
-        let series = case.books.iter().flat_map(|books| curves(books, asked.show));
+        let series = case.balance.iter().flat_map(|balance| curves(balance, asked.show));
         let of_case = |curve: Series| Series { label: joined(curve.label, case_label(case)), ..curve };
         figure.series.extend(series.map(of_case));
     }
@@ -19,16 +19,16 @@ pub(crate) fn of(study: &Study, cases: &[Case], asked: &BooksPlot) -> CurveFigur
 }
 
 /// One sheet of one run.
-pub(crate) fn sheet(books: &Books, title: &str, show: Sheet) -> CurveFigure {
-    CurveFigure { series: curves(books, show), ..empty(Label::markup(title)) }
+pub(crate) fn sheet(balance: &CaseBalance, title: &str, show: Sheet) -> CurveFigure {
+    CurveFigure { series: curves(balance, show), ..empty(Label::markup(title)) }
 }
 
 fn empty(title: Label) -> CurveFigure {
     CurveFigure::new(title, Axis::new(Label::symbol("t"), "s"), Axis::new(Label::symbol("E"), "J"))
 }
 
-/// The columns of the books that a sheet shows; a residual alone needs no name.
-fn curves(books: &Books, show: Sheet) -> Vec<Series> {
+/// The columns of the balance that a sheet shows; a residual alone needs no name.
+fn curves(balance: &CaseBalance, show: Sheet) -> Vec<Series> {
     let name = |column: &str| match (show, column) {
         (Sheet::Energies, "kinetic" | "potential") => Some(column.to_owned()),
         (Sheet::Energies, "energy") => Some("total".to_owned()),
@@ -36,11 +36,11 @@ fn curves(books: &Books, show: Sheet) -> Vec<Series> {
         (Sheet::Residual, "residual") => Some(String::new()),
         _ => None,
     };
-    let columns = books.columns.iter().enumerate();
+    let columns = balance.columns.iter().enumerate();
     let shown = columns.filter_map(|(index, column)| Some((index, name(column)?)));
     let series = shown.map(|(index, name)| Series {
         label: Label::plain(&name),
-        points: books.rows.iter().map(|row| [row[0], row[index]]).collect(),
+        points: balance.rows.iter().map(|row| [row[0], row[index]]).collect(),
     });
     series.collect()
 }

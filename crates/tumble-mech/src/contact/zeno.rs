@@ -8,7 +8,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::complementarity::pushing;
-use crate::laws::impact::{Simultaneous, impulses};
+use crate::laws::impact::{MultipleImpacts, impulses};
 
 /// Bounces lower than this part of the body's size are not followed one by one. The time left is then about 1e-8 of
 /// the time that the body takes to fall its own size, and the square of that is rounding.
@@ -24,8 +24,8 @@ const STANDS: f64 = 1e-12;
 const SIMULTANEOUS: f64 = 1e-12;
 
 /// Contacts of one body, close to a surface and to rest.
-pub(crate) struct Cascade<'a> {
-    pub(crate) rule: Simultaneous,
+pub(crate) struct ZenoSequence<'a> {
+    pub(crate) rule: MultipleImpacts,
     pub(crate) response: &'a DMatrix<f64>,
     pub(crate) restitution: &'a DVector<f64>,
     /// Accelerations of the gaps, m/s^2.
@@ -34,7 +34,7 @@ pub(crate) struct Cascade<'a> {
     pub(crate) lowest: f64,
 }
 
-impl Cascade<'_> {
+impl ZenoSequence<'_> {
     /// Time until all gaps are closed for good, s; `None` if this is no such motion. Contacts that stand have no gap
     /// and no rate.
     pub(crate) fn remaining(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<f64> {
@@ -150,39 +150,40 @@ mod tests {
 
     fn remaining(response: &[f64], e: f64, gap: &[f64], rate: &[f64]) -> Option<f64> {
         let n = gap.len();
-        let cascade = Cascade {
-            rule: Simultaneous::Together,
+        let zeno = ZenoSequence {
+            rule: MultipleImpacts::Simultaneous,
             response: &DMatrix::from_row_slice(n, n, response),
             restitution: &DVector::from_element(n, e),
             free: &DVector::from_element(n, -10.0),
             lowest: 1.0,
         };
-        cascade.remaining(&DVector::from_row_slice(gap), &DVector::from_row_slice(rate))
+        zeno.remaining(&DVector::from_row_slice(gap), &DVector::from_row_slice(rate))
     }
 
     #[test]
     fn a_geometric_series() {
         // Up with 2 m/s: 0.4 s, then a half of it, ...
-        let time = remaining(&[1.0], 0.5, &[0.0], &[2.0]).expect("a cascade");
+        let time = remaining(&[1.0], 0.5, &[0.0], &[2.0]).expect("a Zeno sequence");
         assert!((time - 0.8).abs() < 1e-15);
         // From 0.05 m at rest: 0.1 s down, then 0.1 s, 0.05 s, ...
-        let time = remaining(&[1.0], 0.5, &[0.05], &[0.0]).expect("a cascade");
+        let time = remaining(&[1.0], 0.5, &[0.05], &[0.0]).expect("a Zeno sequence");
         assert!((time - 0.3).abs() < 1e-15, "{time}");
     }
 
     /// Two that do not touch each other are as one.
     #[test]
     fn several_contacts_agree_with_one() {
-        let two = remaining(&[1.0, 0.0, 0.0, 1.0], 0.5, &[0.0, 0.0], &[2.0, 1.0]).expect("a cascade");
+        let two = remaining(&[1.0, 0.0, 0.0, 1.0], 0.5, &[0.0, 0.0], &[2.0, 1.0]).expect("a Zeno sequence");
         assert!((two - 0.8).abs() < 1e-8, "{two}");
-        let rod = remaining(&[4.0, -2.0, -2.0, 4.0], 0.7, &[0.0, 0.0], &[2.0, 2.0]).expect("a cascade");
+        let rod = remaining(&[4.0, -2.0, -2.0, 4.0], 0.7, &[0.0, 0.0], &[2.0, 2.0]).expect("a Zeno sequence");
         assert!((rod - 0.4 / 0.3).abs() < 1e-8, "{rod}");
     }
 
     /// One that stands is none of the bounces, and holds as much as its coupling to the other asks for.
     #[test]
     fn one_stands_and_the_other_bounces() {
-        let time = remaining(&[1.0, -0.5, -0.5, 1.0], 0.5, &[0.0, 0.0], &[0.0, 2.0]).expect("a cascade");
+        let time =
+            remaining(&[1.0, -0.5, -0.5, 1.0], 0.5, &[0.0, 0.0], &[0.0, 2.0]).expect("a Zeno sequence");
         // While the first is held, the second falls with 10 + 5 m/s^2.
         assert!((time - 8.0 / 15.0).abs() < 1e-8, "{time}");
     }

@@ -1,15 +1,15 @@
-//! What the books hold: entries by load, stores of energy, balances.
+//! What a balance is made of: contributions by load, stores of energy, balances.
 
 use crate::term::Law;
 
-/// What kind of change an entry stands for.
+/// What kind of change a contribution stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// A force that a potential energy stands for: its work is told, but the potential counts in its place.
     Conservative,
     /// Any other force or torque while it acts: applied, of the air, of a damper, of a pivot or a rigid surface.
     Work,
-    /// What changes a potential energy while the bodies are held in thought: an anchor or a surface that gives way and is
+    /// What changes a potential energy while the bodies are held in thought: an anchor or a compliant surface that is
     /// moved on a given path, or a coefficient that is a formula of the time.
     Driven,
     /// Impacts of no duration.
@@ -22,7 +22,7 @@ pub enum Kind {
 
 /// What one load has done to one body, or to a store of energy, in the whole run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
+pub struct Contribution {
     /// Name of the load, joint or pair; of the event for bodies whose parameters it changed.
     pub load: String,
     /// The law it follows; `None` for an event.
@@ -35,11 +35,11 @@ pub struct Entry {
     pub work: f64,
     /// Impulse on the body, N s, world axes.
     pub impulse: [f64; 2],
-    /// Angular impulse on the body about the ledger's point, N m s, counter-clockwise positive.
+    /// Angular impulse on the body about the balance's point, N m s, counter-clockwise positive.
     pub angular_impulse: f64,
 }
 
-impl Entry {
+impl Contribution {
     /// Whether its work changes the total energy: that of a potential only moves it.
     pub fn counts(&self) -> bool {
         self.kind != Kind::Conservative
@@ -61,18 +61,18 @@ pub struct Store {
     pub end: f64,
 }
 
-/// A quantity at the start and at the end, and what the entries say it has changed by.
+/// A quantity at the start and at the end, and what the contributions say it has changed by.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Balance {
     /// At the start of the run.
     pub start: f64,
     /// At its end.
     pub end: f64,
-    /// Sum of the entries that change it.
+    /// Sum of the contributions that change it.
     pub change: f64,
     /// `end - start - change`: zero, but for errors of the integration and rounding.
     pub residual: f64,
-    /// Largest size in the run of the quantity's parts, or of an entry: what a residual is relative to.
+    /// Largest size in the run of the quantity's parts, or of a contribution: what a residual is relative to.
     pub scale: f64,
 }
 
@@ -93,7 +93,7 @@ impl Balance {
 pub struct BodyBalance {
     /// N s, world axes.
     pub momentum: [Balance; 2],
-    /// About the ledger's point, N m s, counter-clockwise positive.
+    /// About the balance's point, N m s, counter-clockwise positive.
     pub angular_momentum: Balance,
 }
 
@@ -105,7 +105,7 @@ impl BodyBalance {
     }
 }
 
-/// All quantities at one time, and what the entries have summed up to by then, in the ledger's order.
+/// All quantities at one time, and what the contributions have summed up to by then, in the balance's order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// s
@@ -116,19 +116,19 @@ pub struct Reading {
     pub potential: f64,
     /// Of all bodies, N s.
     pub momentum: [f64; 2],
-    /// Of all bodies about the ledger's point, N m s.
+    /// Of all bodies about the balance's point, N m s.
     pub angular_momentum: f64,
-    /// Work by entry since the start, J.
+    /// Work by contribution since the start, J.
     pub work: Vec<f64>,
-    /// Impulse by entry since the start, N s.
+    /// Impulse by contribution since the start, N s.
     pub impulse: Vec<[f64; 2]>,
-    /// Angular impulse by entry since the start, N m s.
+    /// Angular impulse by contribution since the start, N m s.
     pub angular_impulse: Vec<f64>,
-    /// Energy that no entry accounts for, J.
+    /// Energy that no contribution accounts for, J.
     pub energy_residual: f64,
-    /// Momentum that no entry accounts for, N s.
+    /// Momentum that no contribution accounts for, N s.
     pub momentum_residual: [f64; 2],
-    /// Angular momentum that no entry accounts for, N m s.
+    /// Angular momentum that no contribution accounts for, N m s.
     pub angular_momentum_residual: f64,
 }
 

@@ -1,15 +1,15 @@
-//! Keeping the books: pieces and events in order of time, each entered under its loads.
+//! Adding up a run: pieces and events in order of time, each under its loads.
 
 use std::collections::HashMap;
 
 use tumble_expr::{Expr, Vector, units};
 use tumble_ode::{Piece, Reason};
 
-use crate::ledger::entry::{Entry, Kind};
-use crate::ledger::lines::{Key, Lines};
-use crate::ledger::potential::{Potential, potentials};
-use crate::ledger::quadrature::{Amounts, NotFinite, Quadrature, Sum};
-use crate::ledger::stocks::{Stocks, Stocktaking};
+use crate::balance::contribution::{Contribution, Kind};
+use crate::balance::lines::{Key, Lines};
+use crate::balance::potential::{Potential, potentials};
+use crate::balance::quadrature::{Amounts, NotFinite, Quadrature, Sum};
+use crate::balance::stored::{Stored, StoredEvaluator};
 use crate::mode::Mode;
 use crate::run::Run;
 
@@ -26,24 +26,24 @@ pub(super) struct Largest {
     pub(super) angular: Vec<f64>,
 }
 
-/// The books of one run while they are kept, and what evaluates them.
-pub(super) struct Books<'a> {
+/// The contributions of one run while they are added up, and what evaluates them.
+pub(super) struct Accumulation<'a> {
     pub(super) run: &'a Run,
     pub(super) potentials: Vec<Potential>,
     pub(super) largest: Largest,
     about: Vector,
     quadrature: Quadrature,
-    /// By mode of the trajectory, with the index of each line's entry.
+    /// By mode of the trajectory, with the index of each line's contribution.
     lines: HashMap<usize, (Lines, Vec<usize>)>,
-    stocktakings: HashMap<Mode, Stocktaking>,
+    stored_evaluators: HashMap<Mode, StoredEvaluator>,
     pub(super) keys: Vec<Key>,
     known: HashMap<Key, usize>,
     sums: Vec<[Sum; 4]>,
-    /// Sums at the start of each piece; entries that came later are not there yet.
+    /// Sums at the start of each piece; contributions that came later are not there yet.
     marks: Vec<Vec<Amounts>>,
 }
 
-impl<'a> Books<'a> {
+impl<'a> Accumulation<'a> {
     pub(super) fn new(run: &'a Run, [x, y]: [f64; 2]) -> Self {
         Self {
             run,
@@ -52,7 +52,7 @@ impl<'a> Books<'a> {
             about: Vector::planar(Expr::from(x) * units::M, Expr::from(y) * units::M),
             quadrature: Quadrature::new(),
             lines: HashMap::new(),
-            stocktakings: HashMap::new(),
+            stored_evaluators: HashMap::new(),
             keys: vec![],
             known: HashMap::new(),
             sums: vec![],
@@ -60,93 +60,93 @@ impl<'a> Books<'a> {
         }
     }
 
-    /// Enters everything from the start of the run to its end.
-    pub(super) fn keep(&mut self) -> Result<(), Reason> {
+    /// Adds everything from the start of the run to its end.
+    pub(super) fn run_through(&mut self) -> Result<(), Reason> {
         let run = self.run;
         let times: Vec<f64> = run.trajectory.events.iter().map(|event| event.time).collect();
         let mut next = 0;
         for piece in &run.trajectory.pieces {
             while next < times.len() && times[next] <= piece.start {
-                self.enter_event(next)?;
+                self.add_event(next)?;
                 next += 1;
             }
             self.marks.push(self.totals());
-            let states = piece.states_at_clock(0.0);
-            let stocks = self.stocks(&run.trajectory.modes[piece.mode], piece.start, &states)?;
-            self.watch(&stocks);
-            self.enter_piece(piece)?;
+            let states = piece.states_at_parameter(0.0);
+            let stored = self.stored(&run.trajectory.modes[piece.mode], piece.start, &states)?;
+            self.watch(&stored);
+            self.add_piece(piece)?;
         }
-        (next..times.len()).try_for_each(|event| self.enter_event(event))
+        (next..times.len()).try_for_each(|event| self.add_event(event))
     }
 
-    fn enter_piece(&mut self, piece: &Piece) -> Result<(), Reason> {
+    fn add_piece(&mut self, piece: &Piece) -> Result<(), Reason> {
         self.prepare(piece.mode)?;
         let (sums, quadrature) = (&mut self.sums, &self.quadrature);
-        let Some((lines, entries)) = self.lines.get_mut(&piece.mode) else { return Ok(()) };
+        let Some((lines, contributions)) = self.lines.get_mut(&piece.mode) else { return Ok(()) };
         let mut add = |line: usize, amounts: &Amounts| {
-            sums[entries[line]].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(*amount));
+            sums[contributions[line]].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(*amount));
         };
         let found = quadrature.integrate([0.0, piece.length], &mut |s| lines.sample(piece, s), &mut add);
         found.map_err(|bad| refused(&lines.keys, piece, &bad))
     }
 
-    /// What entries have summed up to at a time within a piece, by the piece's index.
+    /// What contributions have summed up to at a time within a piece, by the piece's index.
     pub(super) fn totals_at(&mut self, index: usize, time: f64) -> Result<Vec<Amounts>, Reason> {
         let piece = &self.run.trajectory.pieces[index];
         self.prepare(piece.mode)?;
         let mut totals = self.marks[index].clone();
         totals.resize(self.keys.len(), [0.0; 4]);
-        let Some((lines, entries)) = self.lines.get_mut(&piece.mode) else { return Ok(totals) };
+        let Some((lines, contributions)) = self.lines.get_mut(&piece.mode) else { return Ok(totals) };
         let mut add = |line: usize, amounts: &Amounts| {
-            totals[entries[line]].iter_mut().zip(amounts).for_each(|(total, amount)| *total += amount);
+            totals[contributions[line]].iter_mut().zip(amounts).for_each(|(total, amount)| *total += amount);
         };
-        let to = piece.clock_at(time);
+        let to = piece.parameter_at(time);
         let found = self.quadrature.integrate([0.0, to], &mut |s| lines.sample(piece, s), &mut add);
         found.map_err(|bad| refused(&lines.keys, piece, &bad))?;
         Ok(totals)
     }
 
-    /// Sums so far, by entry.
+    /// Sums so far, by contribution.
     pub(super) fn totals(&self) -> Vec<Amounts> {
         self.sums.iter().map(|sums| sums.map(Sum::value)).collect()
     }
 
     /// Energies and momenta in a mode.
-    pub(super) fn stocks(&mut self, mode: &Mode, time: f64, states: &[f64]) -> Result<Stocks, Reason> {
-        if !self.stocktakings.contains_key(mode) {
+    pub(super) fn stored(&mut self, mode: &Mode, time: f64, states: &[f64]) -> Result<Stored, Reason> {
+        if !self.stored_evaluators.contains_key(mode) {
             let Run { equations, inputs, .. } = self.run;
-            let taking = Stocktaking::new(equations, &self.potentials, mode, inputs, &self.about)?;
-            self.stocktakings.insert(mode.clone(), taking);
+            let evaluator = StoredEvaluator::new(equations, &self.potentials, mode, inputs, &self.about)?;
+            self.stored_evaluators.insert(mode.clone(), evaluator);
         }
-        match self.stocktakings.get_mut(mode) {
-            Some(taking) => Ok(taking.take(time, states)),
+        match self.stored_evaluators.get_mut(mode) {
+            Some(evaluator) => Ok(evaluator.take(time, states)),
             None => unreachable!("it was put in above"),
         }
     }
 
-    /// Adds amounts to an entry, which is opened if need be.
-    pub(super) fn enter(&mut self, key: Key, amounts: Amounts) {
-        let entry = self.entry(key);
-        self.sums[entry].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(amount));
+    /// Adds amounts to a contribution, which is created if need be.
+    pub(super) fn add(&mut self, key: Key, amounts: Amounts) {
+        let contribution = self.contribution(key);
+        self.sums[contribution].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(amount));
     }
 
     /// Raises the largest sizes.
-    pub(super) fn watch(&mut self, stocks: &Stocks) {
+    pub(super) fn watch(&mut self, stored: &Stored) {
         let Largest { energy, kinetic, momentum, angular } = &mut self.largest;
-        *energy = energy.max(stocks.size());
+        *energy = energy.max(stored.size());
         for sizes in [&mut *kinetic, &mut *momentum, &mut *angular] {
-            sizes.resize(stocks.bodies.len(), 0.0);
+            sizes.resize(stored.bodies.len(), 0.0);
         }
-        for (index, body) in stocks.bodies.iter().enumerate() {
+        for (index, body) in stored.bodies.iter().enumerate() {
             kinetic[index] = kinetic[index].max(body.kinetic);
             momentum[index] = momentum[index].max(libm::hypot(body.momentum[0], body.momentum[1]));
             angular[index] = angular[index].max(body.angular.abs()).max(body.spin.abs());
         }
     }
 
-    /// The entries as they stand.
-    pub(super) fn entries(&self) -> Vec<Entry> {
-        let entry = |(key, [work, x, y, angular_impulse]): (&Key, Amounts)| Entry {
+    /// The contributions as they stand.
+    pub(super) fn contributions(&self) -> Vec<Contribution> {
+        let contribution = |(key, [work, x, y, angular_impulse]): (&Key, Amounts)| Contribution {
             load: key.load.clone(),
             law: key.law,
             body: key.body,
@@ -155,7 +155,7 @@ impl<'a> Books<'a> {
             impulse: [x, y],
             angular_impulse,
         };
-        self.keys.iter().zip(self.totals()).map(entry).collect()
+        self.keys.iter().zip(self.totals()).map(contribution).collect()
     }
 
     fn prepare(&mut self, mode: usize) -> Result<(), Reason> {
@@ -164,14 +164,14 @@ impl<'a> Books<'a> {
         }
         let Run { equations, trajectory, inputs, .. } = self.run;
         let lines = Lines::new(equations, &self.potentials, &trajectory.modes[mode], inputs, &self.about)?;
-        let entries = lines.keys.iter().map(|key| self.entry(key.clone())).collect();
-        self.lines.insert(mode, (lines, entries));
+        let contributions = lines.keys.iter().map(|key| self.contribution(key.clone())).collect();
+        self.lines.insert(mode, (lines, contributions));
         Ok(())
     }
 
-    fn entry(&mut self, key: Key) -> usize {
-        if let Some(&entry) = self.known.get(&key) {
-            return entry;
+    fn contribution(&mut self, key: Key) -> usize {
+        if let Some(&contribution) = self.known.get(&key) {
+            return contribution;
         }
         self.known.insert(key.clone(), self.keys.len());
         self.keys.push(key);
@@ -179,11 +179,11 @@ impl<'a> Books<'a> {
         self.keys.len() - 1
     }
 
-    /// Enters a change of a store of energy, J.
-    pub(super) fn enter_energy(&mut self, potential: usize, kind: Kind, change: f64) {
+    /// Adds a change of a store of energy, J.
+    pub(super) fn add_energy(&mut self, potential: usize, kind: Kind, change: f64) {
         if change != 0.0 {
             let key = self.potentials[potential].key(None, kind);
-            self.enter(key, [change, 0.0, 0.0, 0.0]);
+            self.add(key, [change, 0.0, 0.0, 0.0]);
         }
     }
 }

@@ -1,11 +1,11 @@
-//! How a pair touches in a mode. A pair that a mode does not mention is apart.
+//! Contact modes: how a pair touches in a mode. A pair that a mode does not mention is apart.
 
-/// How a point of a body touches a surface.
+/// Contact mode of a pair: how a point of a body touches a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Phase {
-    /// Pressed into a surface that gives way.
+pub enum ContactMode {
+    /// Pressed into a compliant surface.
     Pressed,
-    /// Still inside a surface that gives way, but let go by it.
+    /// Still inside a compliant surface, but let go by it.
     Released,
     /// On a rigid surface, which pushes as much as keeps it there.
     Resting,
@@ -16,7 +16,7 @@ pub enum Phase {
     Idle,
 }
 
-impl Phase {
+impl ContactMode {
     /// Whether the surface is rigid and keeps the point on it by a force that the equations solve for.
     pub(crate) fn is_held(self) -> bool {
         matches!(self, Self::Resting | Self::Settling)

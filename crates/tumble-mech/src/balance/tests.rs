@@ -1,12 +1,12 @@
-//! Books that are kept in time, through changes of parameters, and beside the motion.
+//! Balances in time, through changes of parameters, and beside the motion.
 
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_ode::{Accuracy, Direction, Side};
 
 use crate::{
-    Action, Anchor, Body, ContactLaw, Entry, Event, Gravity, Kind, Ledger, Model, Run, Spring, Start,
-    Surface, time,
+    Action, Anchor, Body, ContactLaw, Contribution, Event, Gravity, Kind, Model, Run, RunBalance, Spring,
+    Start, Surface, time,
 };
 
 const G: f64 = 9.81;
@@ -21,23 +21,26 @@ fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{found:?} is not {expected:?}");
 }
 
-/// The books about a point that nothing is at, every balance of which must close.
+/// The balance about a point that nothing is at, every part of which must close.
 #[track_caller]
-fn books(run: &Run, tolerance: f64) -> Ledger<'_> {
-    let ledger = Ledger::of(run, [0.3, -0.2]).expect("books");
-    assert!(ledger.energy.relative() < tolerance, "{:e}", ledger.energy.relative());
-    assert!(ledger.relative() < tolerance, "{:e}", ledger.relative());
-    ledger
+fn balanced(run: &Run, tolerance: f64) -> RunBalance<'_> {
+    let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
+    assert!(balance.energy.relative() < tolerance, "{:e}", balance.energy.relative());
+    assert!(balance.relative() < tolerance, "{:e}", balance.relative());
+    balance
 }
 
 #[track_caller]
-fn entry(ledger: &Ledger<'_>, load: &str, kind: Kind) -> Entry {
-    let mut known = ledger.entries.iter().filter(|entry| entry.load == load && entry.kind == kind);
-    known.next().unwrap_or_else(|| panic!("no entry {load} {kind:?} in {:#?}", ledger.entries)).clone()
+fn contribution(balance: &RunBalance<'_>, load: &str, kind: Kind) -> Contribution {
+    let mut known = balance.contributions.iter().filter(|part| part.load == load && part.kind == kind);
+    known
+        .next()
+        .unwrap_or_else(|| panic!("no contribution {load} {kind:?} in {:#?}", balance.contributions))
+        .clone()
 }
 
-fn has(ledger: &Ledger<'_>, load: &str, kind: Kind) -> bool {
-    ledger.entries.iter().any(|entry| entry.load == load && entry.kind == kind)
+fn has(balance: &RunBalance<'_>, load: &str, kind: Kind) -> bool {
+    balance.contributions.iter().any(|part| part.load == load && part.kind == kind)
 }
 
 fn vertical() -> Model {
@@ -65,7 +68,7 @@ fn oscillator(stiffness: Expr, damping: f64, wall: Vector) -> Model {
     model
 }
 
-/// 0.5 kg with 2 m/s onto a surface that gives way, without gravity.
+/// 0.5 kg with 2 m/s onto a compliant surface, without gravity.
 fn falling(law: ContactLaw, gravity: f64) -> Model {
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(gravity * M / (S * S));
@@ -106,11 +109,11 @@ fn a_spring_s_ends_in_either_order() {
         model.interact(Spring { name: name.into(), ends, stiffness: 5 * N / M, rest_length, damping });
     }
     let run = run(model, 3.0, 1e-12);
-    let ledger = books(&run, 1e-12);
+    let balance = balanced(&run, 1e-12);
     for name in ["a", "b", "c"] {
-        let store = ledger.stores.iter().find(|store| store.load == name).expect("a store");
-        close(entry(&ledger, name, Kind::Conservative).work, store.start - store.end, 1e-11);
-        assert_eq!(has(&ledger, name, Kind::Work), name != "b");
+        let store = balance.stores.iter().find(|store| store.load == name).expect("a store");
+        close(contribution(&balance, name, Kind::Conservative).work, store.start - store.end, 1e-11);
+        assert_eq!(has(&balance, name, Kind::Work), name != "b");
     }
 }
 
@@ -119,9 +122,9 @@ fn a_spring_s_ends_in_either_order() {
 fn a_softening_spring() {
     let age = 1 + time() / (1 * S);
     let run = run(oscillator(8 * N / M / (&age * &age), 0.0, here(0.0, 0.0)), 2.5, 1e-12);
-    let ledger = books(&run, 1e-12);
-    let driven = entry(&ledger, "spring", Kind::Driven).work;
-    close(driven, ledger.energy.end - ledger.energy.start, 1e-12);
+    let balance = balanced(&run, 1e-12);
+    let driven = contribution(&balance, "spring", Kind::Driven).work;
+    close(driven, balance.energy.end - balance.energy.start, 1e-12);
     assert!(driven < -0.5);
 }
 
@@ -130,8 +133,8 @@ fn a_softening_spring() {
 fn a_spring_that_depends_on_the_motion_is_work() {
     let place = Expr::symbol("ball.x", tumble_expr::Dimension::LENGTH);
     let run = run(oscillator(4 * N / M * (1 + place / (1 * M)), 0.0, here(0.0, 0.0)), 5.0, 1e-12);
-    let ledger = books(&run, 1e-12);
-    assert!(ledger.stores.is_empty() && has(&ledger, "spring", Kind::Work));
+    let balance = balanced(&run, 1e-12);
+    assert!(balance.stores.is_empty() && has(&balance, "spring", Kind::Work));
 }
 
 #[test]
@@ -149,10 +152,10 @@ fn a_parameter_that_jumps_changes_what_is_stored() {
         action: Action::Set(vec![("k".into(), 18 * N / M)]),
     });
     let run = run(model, 0.8, 1e-12);
-    let ledger = books(&run, 1e-12);
-    let jump = entry(&ledger, "spring", Kind::ParameterJump);
+    let balance = balanced(&run, 1e-12);
+    let jump = contribution(&balance, "spring", Kind::ParameterJump);
     close(jump.work, 10.0 * 0.0625 / 2.0, 1e-13);
-    close(ledger.energy.change, jump.work, 0.0);
+    close(balance.energy.change, jump.work, 0.0);
 }
 
 /// A mass that jumps takes momentum and energy with it, under the event's name.
@@ -169,11 +172,11 @@ fn a_mass_that_jumps() {
         action: Action::Set(vec![("m".into(), 0.5 * KG)]),
     });
     let run = run(model, 0.9, 1e-12);
-    let ledger = books(&run, 1e-13);
-    let jump = entry(&ledger, "splits", Kind::ParameterJump);
+    let balance = balanced(&run, 1e-13);
+    let jump = contribution(&balance, "splits", Kind::ParameterJump);
     close(jump.work, -0.75 * (9.0 + 2.0 * G), 1e-13);
     close(jump.impulse[0], -4.5, 1e-14);
-    close(entry(&ledger, "gravity", Kind::ParameterJump).work, -1.5 * G * 4.0, 1e-13);
+    close(contribution(&balance, "gravity", Kind::ParameterJump).work, -1.5 * G * 4.0, 1e-13);
 }
 
 /// One exact step turns the rod many times; its pivot's force turns with it.
@@ -185,58 +188,58 @@ fn a_long_exact_step_is_resolved() {
     model.torque("motor", &rod, 2 * N * M);
     let run = run(model, 10.0, 1e-12);
     assert_eq!(run.trajectory.pieces.len(), 1);
-    books(&run, 1e-13);
+    balanced(&run, 1e-13);
 }
 
-/// At any time, in any mode, the books close, and they rise to what they are at the end.
+/// At any time, in any mode, the balance closes, and it rises to what it is at the end.
 #[test]
 fn the_course_in_time() {
     let run = run(falling(hertz(0.1), G), 3.0, 1e-12);
-    let mut ledger = books(&run, 1e-12);
-    let columns = ledger.columns();
+    let mut balance = balanced(&run, 1e-12);
+    let columns = balance.columns();
     assert_eq!(columns[..4], ["t", "kinetic", "potential", "energy"]);
     assert!(columns.contains(&"work of gravity on ball (potential)".to_owned()), "{columns:?}");
     let inside = run.contacts().into_iter().map(|contact| 0.3 * contact.start + 0.7 * contact.end);
     let inside: Vec<f64> = inside.chain((0..=30).map(|i| 0.1 * f64::from(i))).collect();
     for t in inside {
-        let at = ledger.at(t, Side::After).expect("books").expect("in the run");
+        let at = balance.at(t, Side::After).expect("a balance").expect("in the run");
         assert!(at.energy_residual.abs() < 1e-11 && at.angular_momentum_residual.abs() < 1e-11, "{at:?}");
         assert!(at.momentum_residual.iter().all(|residual| residual.abs() < 1e-11), "{at:?}");
-        let row = ledger.row(t, Side::After).expect("books").expect("in the run");
+        let row = balance.row(t, Side::After).expect("a balance").expect("in the run");
         assert_eq!(row.len(), columns.len());
         close(row[1] + row[2], row[3], 1e-15);
         assert_eq!(row.last(), Some(&at.energy_residual));
     }
-    let start = ledger.at(0.0, Side::Before).expect("books").expect("in the run");
+    let start = balance.at(0.0, Side::Before).expect("a balance").expect("in the run");
     assert!(start.work.iter().all(|work| *work == 0.0));
-    let end = ledger.at(3.0, Side::After).expect("books").expect("in the run");
-    for (work, entry) in end.work.iter().zip(&ledger.entries) {
-        assert_eq!(*work, entry.work);
+    let end = balance.at(3.0, Side::After).expect("a balance").expect("in the run");
+    for (work, contribution) in end.work.iter().zip(&balance.contributions) {
+        assert_eq!(*work, contribution.work);
     }
-    let before = ledger.at(3.0, Side::Before).expect("books").expect("in the run");
-    for (work, entry) in before.work.iter().zip(&ledger.entries) {
-        close(*work, entry.work, 1e-14);
+    let before = balance.at(3.0, Side::Before).expect("a balance").expect("in the run");
+    for (work, contribution) in before.work.iter().zip(&balance.contributions) {
+        close(*work, contribution.work, 1e-14);
     }
-    assert!(ledger.at(-0.1, Side::After).expect("books").is_none());
-    assert!(ledger.at(3.1, Side::After).expect("books").is_none());
+    assert!(balance.at(-0.1, Side::After).expect("a balance").is_none());
+    assert!(balance.at(3.1, Side::After).expect("a balance").is_none());
 }
 
-/// Books change nothing of the motion, and are the same when kept again.
+/// The balance changes nothing of the motion, and is the same when found again.
 #[test]
-fn the_motion_does_not_know_of_its_books() {
+fn the_motion_does_not_know_of_its_balance() {
     let bits = |run: &Run| -> Vec<u64> {
         let pieces = run.trajectory.pieces.iter();
         pieces.flat_map(|piece| piece.states.concat()).map(f64::to_bits).collect()
     };
     let with = run(bouncing_rod(hertz(0.05)), 3.0, 1e-12);
     let before = bits(&with);
-    let entries = books(&with, 1e-11).entries;
+    let contributions = balanced(&with, 1e-11).contributions;
     assert_eq!(before, bits(&with));
     assert_eq!(before, bits(&run(bouncing_rod(hertz(0.05)), 3.0, 1e-12)));
-    assert_eq!(entries, books(&with, 1e-11).entries);
+    assert_eq!(contributions, balanced(&with, 1e-11).contributions);
 }
 
-/// Books of a run that was cut short by an event close too.
+/// The balance of a run that was cut short by an event closes too.
 #[test]
 fn a_run_that_stops() {
     let mut model = falling(rigid(0.8), G);
@@ -248,5 +251,5 @@ fn a_run_that_stops() {
     });
     let run = run(model, 3.0, 1e-12);
     assert!(run.trajectory.end() < Some(1.0));
-    books(&run, 1e-13);
+    balanced(&run, 1e-13);
 }

@@ -1,6 +1,6 @@
 //! Guards outside the tape of the field: a comparison for those that are far from zero, an expansion for those near.
 //!
-//! A candidate g with slopes L changes along a step by at most `sum L_i |x_i(s) - x_i(0)|`, and a state by at most
+//! A lazy_guard g with slopes L changes along a step by at most `sum L_i |x_i(s) - x_i(0)|`, and a state by at most
 //! `sum |c_k| s^k`. What it last was, less what it may have changed since, is its clearance: while the next step cannot
 //! use that up, it is not evaluated at all.
 
@@ -12,12 +12,12 @@ use tumble_expr::{Branches, Expr, Jets, Layout, Symbol, Tape};
 use crate::Reason;
 use crate::compiled::fixed;
 use crate::expansion::Expansion;
-use crate::hybrid::{Candidate, Direction};
+use crate::hybrid::{Direction, LazyGuard};
 use crate::polynomial::{slope, value};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 
-/// A candidate's series may miss its value by this many tolerances: the order's rule aims at 1.
+/// A lazily evaluated guard's series may miss its value by this many tolerances: the order's rule aims at 1.
 const SLACK: f64 = 4.0;
 /// Rounding errors of a series' value, in units of the last place of its largest term.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
@@ -28,7 +28,7 @@ const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
 
-pub(crate) struct Candidates {
+pub(crate) struct LazyGuards {
     all: Vec<Watch>,
     order: usize,
     /// The states that the clearances hold for.
@@ -44,26 +44,26 @@ struct Watch {
     slopes: Option<Vec<(usize, f64)>>,
     group: usize,
     direction: Direction,
-    /// The candidate is at least so far from zero.
+    /// The lazily evaluated guard is at least so far from zero.
     clearance: f64,
     /// Built when it is first evaluated.
     jets: Option<Jets<f64>>,
 }
 
-impl Candidates {
+impl LazyGuards {
     pub(crate) fn new(
-        candidates: &[Candidate],
+        lazy_guards: &[LazyGuard],
         layout: &Layout,
         inputs: &[f64],
         order: usize,
     ) -> Result<Self, Reason> {
         // One tape for the slopes of all: each for itself would compile the whole layout anew.
-        let slopes = candidates.iter().flat_map(|candidate| candidate.slopes.iter().flatten());
+        let slopes = lazy_guards.iter().flat_map(|lazy_guard| lazy_guard.slopes.iter().flatten());
         let slopes: Vec<Expr> = slopes.map(|(_, slope)| slope.clone()).collect();
         let mut values = fixed(layout, &slopes, inputs)?.into_iter();
         let places = Places::of(layout);
-        let watch = |candidate: &Candidate| Watch::new(candidate, layout, &places, inputs, &mut values);
-        let all = candidates.iter().map(watch).collect();
+        let watch = |lazy_guard: &LazyGuard| Watch::new(lazy_guard, layout, &places, inputs, &mut values);
+        let all = lazy_guards.iter().map(watch).collect();
         Ok(Self { all, order, known_at: vec![] })
     }
 
@@ -83,12 +83,13 @@ impl Candidates {
         self.known_at = states.to_vec();
     }
 
-    /// Expands those that a step of this length might bring to zero; `carry` is what the states' rounding left out.
+    /// Expands those that a step of this length might bring to zero; `compensation` is what the states' rounding left
+    /// out.
     pub(crate) fn near(
         &mut self,
         expansion: &Expansion,
         length: f64,
-        carry: &[f64],
+        compensation: &[f64],
     ) -> Result<Vec<(usize, Vec<f64>)>, Reason> {
         let travel = travel(expansion, length);
         let mut near = vec![];
@@ -98,7 +99,7 @@ impl Candidates {
                 continue;
             }
             let order = self.order;
-            let here = watch.start(expansion, carry, order)?;
+            let here = watch.start(expansion, compensation, order)?;
             // Found beyond zero, by rounding, it is near however short the step.
             let is_beyond = watch.direction != Direction::Both && watch.direction.allows(here);
             watch.clearance = if is_beyond { 0.0 } else { here.abs() };
@@ -141,8 +142,8 @@ impl Candidates {
         worst
     }
 
-    /// How much later than `s` one is zero by its value, where its series misses that by more than the value's rounding:
-    /// the terms of a long step's series are larger than their sum.
+    /// How much later than `s` one is zero by its value, where its series misses that by more than the value's
+    /// rounding: the terms of a long step's series are larger than their sum.
     pub(crate) fn delay(
         &mut self,
         index: usize,
@@ -199,23 +200,23 @@ fn in_order(places: &HashMap<Symbol, usize>, used: &HashSet<Symbol>) -> Vec<usiz
 }
 
 impl Watch {
-    /// `values` has the slopes of this candidate next.
+    /// `values` has the slopes of this lazily evaluated guard next.
     fn new(
-        candidate: &Candidate,
+        lazy_guard: &LazyGuard,
         layout: &Layout,
         places: &Places,
         inputs: &[f64],
         values: &mut impl Iterator<Item = f64>,
     ) -> Self {
-        let used = candidate.guard.formula.symbols();
+        let used = lazy_guard.guard.formula.symbols();
         let (states, known) = (places.states(&used), places.inputs(&used));
         let pick = |symbols: &[Symbol], which: &[usize]| which.iter().map(|i| symbols[*i].clone()).collect();
-        let slopes = candidate.slopes.as_ref().map(|slopes| {
+        let slopes = lazy_guard.slopes.as_ref().map(|slopes| {
             let with_value = slopes.iter().zip(values).map(|((state, _), value)| (*state, value.abs()));
             with_value.collect()
         });
         Self {
-            formula: candidate.guard.formula.clone(),
+            formula: lazy_guard.guard.formula.clone(),
             layout: Layout {
                 states: pick(&layout.states, &states),
                 time: layout.time.clone(),
@@ -225,8 +226,8 @@ impl Watch {
             inputs: known.iter().map(|index| inputs[*index]).collect(),
             states,
             slopes,
-            group: candidate.group,
-            direction: candidate.guard.direction,
+            group: lazy_guard.group,
+            direction: lazy_guard.guard.direction,
             clearance: 0.0,
             jets: None,
         }
@@ -248,17 +249,17 @@ impl Watch {
         Ok(self.jets.as_mut().expect("just built"))
     }
 
-    /// Value at the start of an expansion: at the rounded states, and what the carries add to first order.
-    fn start(&mut self, expansion: &Expansion, carry: &[f64], order: usize) -> Result<f64, Reason> {
-        let carries: Vec<f64> = self.states.iter().map(|state| carry[*state]).collect();
+    /// Value at the start of an expansion: at the rounded states, and what the compensations add to first order.
+    fn start(&mut self, expansion: &Expansion, compensation: &[f64], order: usize) -> Result<f64, Reason> {
+        let compensations: Vec<f64> = self.states.iter().map(|state| compensation[*state]).collect();
         let states: Vec<f64> = self.states.iter().map(|state| expansion.states[*state][0]).collect();
         let jets = self.jets(order)?;
         jets.start(expansion.start, &states, Branches::Free);
-        if order == 0 || carries.iter().all(|carry| *carry == 0.0) {
+        if order == 0 || compensations.iter().all(|compensation| *compensation == 0.0) {
             return Ok(jets.value_of(0));
         }
-        for (leaf, carry) in carries.iter().chain([&0.0]).enumerate() {
-            jets.set(leaf, 1, *carry);
+        for (leaf, compensation) in compensations.iter().chain([&0.0]).enumerate() {
+            jets.set(leaf, 1, *compensation);
         }
         jets.extend(1);
         Ok(jets.output(0)[0] + jets.output(0)[1])
@@ -273,8 +274,8 @@ impl Watch {
             for (leaf, state) in states.iter().enumerate() {
                 jets.set(leaf, k, coefficient(&expansion.states[*state], k));
             }
-            let clock = expansion.time.as_ref();
-            let time = clock.map_or(f64::from(u8::from(k == 1)), |series| coefficient(series, k));
+            let series = expansion.time.as_ref();
+            let time = series.map_or(f64::from(u8::from(k == 1)), |series| coefficient(series, k));
             jets.set(states.len(), k, time);
             jets.extend(k);
         }
@@ -286,7 +287,7 @@ impl Watch {
     fn value(&mut self, expansion: &Expansion, s: f64) -> f64 {
         let states: Vec<f64> = self.states.iter().map(|state| value(&expansion.states[*state], s)).collect();
         let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
-        let jets = self.jets.as_mut().expect("a near candidate was evaluated");
+        let jets = self.jets.as_mut().expect("a near lazy_guard was evaluated");
         jets.start(time, &states, Branches::Free);
         jets.value_of(0)
     }
