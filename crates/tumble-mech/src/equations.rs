@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::sync::Arc;
 
-use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
+use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_ode::{Invariant, ScaleGroup};
 
 use crate::cache::Cache;
@@ -32,6 +32,7 @@ pub struct Equations {
     touch_tapes: TouchTapes,
     event_tapes: EventTapes,
     known: Cache<Mode, Definitions>,
+    rounding: Rounding,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
 }
@@ -89,10 +90,31 @@ impl Equations {
         let pairs = Pairs::of(&model);
         let touch_tapes = TouchTapes::default();
         let (event_tapes, known) = (EventTapes::default(), Cache::default());
-        let equations =
-            Self { model, bodies, terms, windows, pairs, touch_tapes, event_tapes, known, definitions };
+        let equations = Self {
+            model,
+            bodies,
+            terms,
+            windows,
+            pairs,
+            touch_tapes,
+            event_tapes,
+            known,
+            rounding: Rounding::NEAREST,
+            definitions,
+        };
         equations.check_points_turn()?;
         Ok(equations)
+    }
+
+    /// The same equations with numbers rounded in another way.
+    pub fn rounded(&self, rounding: Rounding) -> Self {
+        let (touch_tapes, event_tapes) = (TouchTapes::default(), EventTapes::default());
+        Self { touch_tapes, event_tapes, rounding, ..self.clone() }
+    }
+
+    /// How numbers in them are rounded.
+    pub(crate) fn rounding(&self) -> Rounding {
+        self.rounding
     }
 
     /// The model these are the equations of.

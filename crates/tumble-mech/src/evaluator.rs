@@ -38,7 +38,8 @@ pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
 impl Equations {
     /// What formulas in the states of a mode run on.
     pub(crate) fn layout(&self, mode: &Mode) -> Layout {
-        Layout::new(self.states(mode), time_symbol(), self.model().parameters.symbols())
+        let inputs = self.model().parameters.symbols();
+        Layout { rounding: self.rounding(), ..Layout::new(self.states(mode), time_symbol(), inputs) }
     }
 
     /// An evaluator of values of formulas that are in the states of a mode already.

@@ -35,7 +35,9 @@ impl Equations {
         }
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
         match mistakes.is_empty() {
-            true => Ok(NumericStart { time: 0.0, mode, states, inputs, causes }),
+            true => {
+                Ok(NumericStart { time: 0.0, mode, states, inputs, causes, rounding: parameters.rounding() })
+            }
             false => Err(ModelErrors(mistakes)),
         }
     }
@@ -60,7 +62,11 @@ impl Equations {
                 what: format!("start of `{}`", body.name),
                 value: *value,
             }));
-            states.extend(values);
+            let rounding = parameters.rounding();
+            let key = |place: usize| (index * values.len() + place) as u64;
+            let rounded =
+                values.iter().enumerate().map(|(place, value)| rounding.computed(*value, key(place)));
+            states.extend(rounded);
         }
         Ok(states)
     }

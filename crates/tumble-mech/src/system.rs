@@ -36,7 +36,7 @@ impl Hybrid for Equations {
             states: states.collect(),
             time: time_symbol(),
             inputs: self.model().parameters.symbols(),
-            rounding: tumble_expr::Rounding::NEAREST,
+            rounding: self.rounding(),
             groups: self.groups(),
             schedule: self.scheduled_times(),
             guards: guards.collect(),

@@ -9,17 +9,18 @@ use tumble_expr::{Branches, Jets};
 use crate::compiled::Compiled;
 use crate::expansion::Expansion;
 use crate::polynomial::{slope, slope_terms, value};
-use crate::scale::Scales;
+use crate::whole::Demand;
 use crate::work::Work;
 
 /// Where in the step the defect is looked at.
-const USUAL_PLACES: &[f64] = &[0.618, 1.0];
-/// Where nothing in the coefficients limits the step, features may hide inside it: look closer.
-const BLIND_PLACES: &[f64] = &[0.057, 0.171, 0.286, 0.402, 0.519, 0.637, 0.756, 0.878, 1.0];
+const PLACES: &[f64] = &[0.618, 1.0];
 /// The estimate may exceed the tolerance by this before the step is rejected: the order's rule aims at 1.
 const SLACK: f64 = 4.0;
 /// Rounding errors of an evaluation of the defect, in units of its largest term's last place.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// Rounding errors of a rate within a step, in units of that at its start.
+const NOISE: f64 = 4.0;
 
 /// What a check found.
 pub(crate) struct Verdict {
@@ -39,16 +40,15 @@ impl Verdict {
 pub(crate) struct Check<'a> {
     pub(crate) system: &'a Compiled,
     pub(crate) values: &'a mut Jets<f64>,
-    pub(crate) scales: &'a Scales,
-    pub(crate) tolerance: f64,
+    pub(crate) demand: &'a Demand<'a>,
     /// The branch signs that hold in the step.
     pub(crate) signs: &'a [f64],
 }
 
 impl Check<'_> {
-    pub(crate) fn step(&mut self, expansion: &Expansion, h: f64, blind: bool, work: &mut Work) -> Verdict {
+    pub(crate) fn step(&mut self, expansion: &Expansion, h: f64, work: &mut Work) -> Verdict {
         let mut worst = Verdict { excess: 0.0, state: 0 };
-        for place in if blind { BLIND_PLACES } else { USUAL_PLACES } {
+        for place in PLACES {
             work.checks += 1;
             let found = self.at(expansion, place * h, h);
             worst = worst.or(found);
@@ -71,8 +71,10 @@ impl Check<'_> {
     fn excess(&self, state: usize, series: &[f64], here: f64, s: f64, h: f64) -> f64 {
         let defect = (slope(series, s) - self.values.value_of(state)).abs();
         let order = series.len() as f64;
-        let scale = self.scales.of(self.system.group(state)).max(here.abs()).max(series[0].abs());
-        let allowed = SLACK * self.tolerance * scale + ROUNDING * slope_terms(series, s) * h;
+        let scale = self.demand.scales.of(self.system.group(state)).max(here.abs()).max(series[0].abs());
+        let allowed = SLACK * self.demand.tolerance * scale
+            + ROUNDING * slope_terms(series, s) * h
+            + NOISE * self.demand.noise.rates[state] * h / order;
         let error = defect * h / order;
         if error == 0.0 { 0.0 } else { error / allowed }
     }

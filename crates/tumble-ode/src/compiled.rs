@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Tape};
+use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Tape};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
@@ -42,7 +42,7 @@ impl Compiled {
         let guards = flow.guards.iter().map(|guard| guard.formula.clone());
         let outputs: Vec<Expr> = rates(flow).into_iter().chain(guards).collect();
         let tape = Tape::compile(&layout, &outputs)?;
-        let schedule = fixed(&layout, &flow.schedule, inputs)?;
+        let schedule = scheduled(&layout, flow, inputs)?;
         if let Some(&value) = schedule.iter().find(|time| !time.is_finite()) {
             return Err(Reason::BadSchedule { value });
         }
@@ -140,6 +140,19 @@ fn rates(flow: &Flow) -> Vec<Expr> {
             flow.states.iter().map(per_parameter).chain([time_rate.clone()]).collect()
         }
     }
+}
+
+/// Times by formulas of the inputs, each rounded as the flow says.
+fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<f64>, Reason> {
+    let layout = Layout { states: vec![], ..layout.clone() };
+    let inputs: Vec<Rounded> = inputs.iter().map(|value| Rounded::leaf(*value)).collect();
+    let mut times = Jets::new(Arc::new(Tape::compile(&layout, &flow.schedule)?), 0, &inputs);
+    times.start(Rounded::leaf(f64::NAN), &[], Branches::Free);
+    let time = |index: usize| {
+        let time = times.value_of(index);
+        flow.rounding.off(time.value, time.noise(), index as u64)
+    };
+    Ok((0..flow.schedule.len()).map(time).collect())
 }
 
 /// Values of formulas of the inputs.

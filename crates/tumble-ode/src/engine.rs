@@ -1,10 +1,11 @@
 //! One mode's equations with their evaluators, and the signs of its branches.
 
-use tumble_expr::{Active, Branches, Jets, Turning};
+use tumble_expr::{Active, Branches, Jets, Rounded, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
 use crate::compiled::{Compiled, Limit};
+use crate::enclosure::Enclosure;
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
 use crate::invariants::Invariants;
@@ -14,6 +15,7 @@ use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
 use crate::scale::Scales;
 use crate::signs::{leading_sign, sign_after, sign_before};
+use crate::whole::{Demand, Noise};
 use crate::work::Work;
 
 /// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
@@ -65,6 +67,11 @@ pub(crate) struct Engine {
     turnings: Vec<Turning>,
     branch_signs: BranchSigns,
     order: usize,
+    pub(crate) inputs: Vec<f64>,
+    /// Rates and guards with their rounding errors.
+    pub(crate) rounded: Jets<Rounded>,
+    /// Made when the first step needs it.
+    pub(crate) enclosure: Option<Enclosure>,
 }
 
 impl Engine {
@@ -78,6 +85,8 @@ impl Engine {
         let jets = Jets::new(system.tape.clone(), order, inputs);
         let values = Jets::new(system.tape.clone(), 0, inputs);
         let turnings = system.tape.turnings();
+        let leaves: Vec<Rounded> = inputs.iter().map(|value| Rounded::leaf(*value)).collect();
+        let rounded = Jets::new(system.tape.clone(), 0, &leaves);
         Self {
             system,
             lazy_guards,
@@ -87,6 +96,9 @@ impl Engine {
             turnings,
             branch_signs: BranchSigns::default(),
             order,
+            inputs: inputs.to_vec(),
+            rounded,
+            enclosure: None,
         }
     }
 
@@ -113,6 +125,42 @@ impl Engine {
         };
     }
 
+    /// The branch signs that hold, then the segments of the tables.
+    pub(crate) fn signs(&self) -> &[f64] {
+        &self.branch_signs.signs
+    }
+
+    /// What matters with these signs.
+    pub(crate) fn active(&self) -> &Active {
+        &self.branch_signs.active
+    }
+
+    /// Lengths, roots and powers, in the tape's order.
+    pub(crate) fn turnings(&self) -> &[Turning] {
+        &self.turnings
+    }
+
+    /// Whether the guard of a branch is zero now.
+    pub(crate) fn is_zero_branch(&self, branch: usize) -> bool {
+        self.branch_signs.zero_branches[branch]
+    }
+
+    /// How many first coefficients of a guard are zero now; lazily evaluated guards are counted after the others.
+    pub(crate) fn zeros_of_guard(&self, guard: usize) -> usize {
+        self.branch_signs.zero_guards[guard]
+    }
+
+    /// Whether a norm is a zero vector now.
+    pub(crate) fn is_vanishing(&self, norm: usize) -> bool {
+        self.branch_signs.vanishing[norm]
+    }
+
+    /// Whether a length that turns is zero there, but for rounding.
+    pub(crate) fn vanishes_at(&self, turning: usize, expansion: &Expansion, s: f64) -> bool {
+        let least = expansion.turnings[turning].length(s);
+        least <= VANISHING * self.branch_signs.turning_scales[turning]
+    }
+
     /// Expands the solution, with the branch signs that its own first coefficients ask for.
     ///
     /// A function that is zero now has the sign of its first coefficient that matters. If each side's motion leads to
@@ -123,7 +171,7 @@ impl Engine {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
-            let expansion = expand(&self.system, &mut self.jets, self.order, frozen, time, states)?;
+            let expansion = expand(&self.system, &mut self.jets, self.order, frozen, (time, states, true))?;
             self.watch_scales(&expansion);
             if self.enter_segments(&expansion) {
                 continue;
@@ -137,6 +185,17 @@ impl Engine {
             self.branch_signs.signs[branch] = -self.branch_signs.signs[branch];
             self.look_again(time, states);
         }
+    }
+
+    /// What is watched along a motion that stays where it is, if it may: all its rates are zero but for rounding.
+    pub(crate) fn rest(&mut self, time: f64, states: &[f64], noise: &Noise) -> Option<Expansion> {
+        let is_still = noise.values.iter().zip(&noise.rates).all(|(rate, error)| rate.abs() <= *error);
+        if self.system.transformed || self.system.exact_degree.is_some() || !is_still {
+            return None;
+        }
+        let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
+        let found = expand(&self.system, &mut self.jets, self.order, frozen, (time, states, false)).ok()?;
+        self.wrong_side(&found, time).is_none().then_some(found)
     }
 
     /// Moves to the segment ahead where an argument stands on a knot. Whether it moved at all.
@@ -378,13 +437,12 @@ impl Engine {
         &mut self,
         expansion: &Expansion,
         length: f64,
-        blind: bool,
-        (scales, tolerance): (&Scales, f64),
+        demand: &Demand<'_>,
         work: &mut Work,
     ) -> Verdict {
         let Self { system, values, branch_signs, .. } = self;
-        let mut check = Check { system, values, scales, tolerance, signs: &branch_signs.signs };
-        check.step(expansion, length, blind, work)
+        let mut check = Check { system, values, demand, signs: &branch_signs.signs };
+        check.step(expansion, length, work)
     }
 
     /// A step was taken: what was zero at its start is so no more.
@@ -409,9 +467,7 @@ impl Engine {
                     work.turns += 1;
                     self.branch_signs.zero_turnings[turning] = true;
                     if let Turning::Norm { index, .. } = self.turnings[turning] {
-                        let least = expansion.turnings[turning].length(length);
-                        self.branch_signs.vanishing[index] =
-                            least <= VANISHING * self.branch_signs.turning_scales[turning];
+                        self.branch_signs.vanishing[index] = self.vanishes_at(turning, expansion, length);
                     }
                 }
                 Hit::Knot(lookup, segment) => {
@@ -441,12 +497,16 @@ impl Engine {
             return Ok(crossed);
         }
         self.look_again(time, states);
-        let lazy_guards = crossed.into_iter().filter(|guard| *guard >= self.system.guards);
+        let lazy_guards = crossed.iter().copied().filter(|guard| *guard >= self.system.guards);
         let lazy_guards: Vec<usize> = lazy_guards.collect();
         if expansion.guards.is_empty() {
             return Ok(lazy_guards);
         }
-        let ahead = self.expand(time, states, work)?;
+        let ahead = match self.expand(time, states, work) {
+            // There is no motion on either side of the branch: what crosses zero then can still end the flow.
+            Err(Reason::Sliding { .. }) if !crossed.is_empty() => return Ok(crossed),
+            other => other?,
+        };
         let crosses = |guard: &usize| {
             let after = sign_after(&ahead.guards[*guard]);
             let before = sign_before(&expansion.guards[*guard], length);
@@ -466,7 +526,7 @@ fn is_overdue(series: &[f64], zeros: usize, direction: Direction) -> bool {
 }
 
 /// The series without its first coefficients that are zero now: its roots are those ahead.
-fn ahead(series: &[f64], zeros: usize) -> &[f64] {
+pub(crate) fn ahead(series: &[f64], zeros: usize) -> &[f64] {
     let series = series.get(zeros..).unwrap_or_default();
     let first = series.iter().position(|c| *c != 0.0).unwrap_or(series.len());
     &series[first..]

@@ -61,14 +61,14 @@ pub(crate) struct Frozen<'a> {
     pub(crate) vanishing: &'a [bool],
 }
 
-/// Expands the solution through `states` at `time`: `(k + 1) x_(k+1)` is the rate's coefficient of order k.
+/// Expands the solution through `states` at `time`: `(k + 1) x_(k+1)` is the rate's coefficient of order k, or zero in what
+/// does not move.
 pub(crate) fn expand(
     system: &Compiled,
     jets: &mut Jets<f64>,
     order: usize,
     frozen: Frozen<'_>,
-    time: f64,
-    states: &[f64],
+    (time, states, moves): (f64, &[f64], bool),
 ) -> Result<Expansion, Reason> {
     let count = system.len();
     jets.set_vanishing(frozen.vanishing);
@@ -76,7 +76,7 @@ pub(crate) fn expand(
     for k in 0..order {
         let next = (k + 1) as f64;
         for state in 0..count {
-            let coefficient = jets.output(state)[k] / next;
+            let coefficient = if moves { jets.output(state)[k] / next } else { 0.0 };
             if !coefficient.is_finite() {
                 return Err(Reason::NotFinite { state: system.names[state].clone() });
             }

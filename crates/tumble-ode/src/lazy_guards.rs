@@ -11,6 +11,7 @@ use tumble_expr::{Branches, Expr, Jets, Layout, Symbol, Tape};
 
 use crate::Reason;
 use crate::compiled::fixed;
+use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
 use crate::hybrid::{Direction, LazyGuard};
 use crate::polynomial::{slope, value};
@@ -48,6 +49,8 @@ struct Watch {
     clearance: f64,
     /// Built when it is first evaluated.
     jets: Option<Jets<f64>>,
+    /// Built when it is first near.
+    enclosure: Option<Enclosure>,
 }
 
 impl LazyGuards {
@@ -142,6 +145,27 @@ impl LazyGuards {
         worst
     }
 
+    /// Index of the group that one's error is measured against.
+    pub(crate) fn group(&self, index: usize) -> usize {
+        self.all[index].group
+    }
+
+    /// Looks at one along an expansion, in its own states.
+    pub(crate) fn with_enclosure<T>(
+        &mut self,
+        index: usize,
+        expansion: &Expansion,
+        look: impl FnOnce(&mut Enclosure, Path<'_>) -> T,
+    ) -> Result<T, Reason> {
+        let watch = &mut self.all[index];
+        let tape = watch.jets(self.order)?.tape().clone();
+        let states: Vec<Vec<f64>> =
+            watch.states.iter().map(|state| expansion.states[*state].clone()).collect();
+        let path = Path { start: expansion.start, states: &states, time: expansion.time.as_deref() };
+        let enclosure = watch.enclosure.get_or_insert_with(|| Enclosure::new(tape, &watch.inputs));
+        Ok(look(enclosure, path))
+    }
+
     /// How much later than `s` one is zero by its value, where its series misses that by more than the value's
     /// rounding: the terms of a long step's series are larger than their sum.
     pub(crate) fn delay(
@@ -230,6 +254,7 @@ impl Watch {
             direction: lazy_guard.guard.direction,
             clearance: 0.0,
             jets: None,
+            enclosure: None,
         }
     }
 

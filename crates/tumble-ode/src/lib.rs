@@ -7,6 +7,7 @@ mod accuracy;
 mod bernstein;
 mod check;
 mod compiled;
+mod enclosure;
 mod engine;
 mod expansion;
 mod hybrid;
@@ -18,12 +19,15 @@ mod radius;
 mod refusal;
 mod roots;
 mod scale;
+mod settle;
 mod signs;
 mod solver;
 mod trajectory;
+mod whole;
 mod work;
 
 pub use accuracy::{Accuracy, AccuracyError};
+pub use enclosure::{Bounds, Enclosure, Path, Vanishing};
 pub use hybrid::{
     AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
     StateVariable,

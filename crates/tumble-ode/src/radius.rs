@@ -20,7 +20,13 @@ pub(crate) fn of_series(series: &[f64], scale: f64) -> f64 {
 ///
 /// `(|c_j| / |c_k|)^(1/(k-j))` estimates the radius for each pair; of the lower orders j the one that gives most is the
 /// one that is not small by accident (by symmetry, or because it is nothing but rounding).
+///
+/// One with coefficients beyond the range of numbers tells nothing, and limits nothing: what it misses is seen when the step
+/// is looked at as a whole.
 pub(crate) fn of_own_size(series: &[f64]) -> f64 {
+    if !series.iter().all(|c| c.is_finite()) {
+        return f64::INFINITY;
+    }
     let Some(first) = series.iter().position(|c| *c != 0.0) else { return f64::INFINITY };
     let middle = ((series.len() - 1) / 2).max(first);
     // Zero coefficients have the logarithm minus infinity, and so never give most.

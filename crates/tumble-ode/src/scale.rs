@@ -1,21 +1,32 @@
 //! Scales that errors are measured against.
 
 use crate::compiled::Compiled;
+use crate::whole::Noise;
 
 /// Running maxima of each group of states, by index.
 #[derive(Clone, Debug)]
 pub(crate) struct Scales {
     largest: Vec<f64>,
+    /// Of the rates of each group: the largest sum of the sizes of what they are made of.
+    rates: Vec<f64>,
+    /// What rounding errors of the rates do to each group within the run, if they add up: less than that is no motion.
+    rounding: Vec<f64>,
+    /// Length of the run, s.
+    span: f64,
 }
 
 impl Scales {
-    pub(crate) fn new(floors: &[f64]) -> Self {
-        Self { largest: floors.iter().map(|floor| floor.abs()).collect() }
+    /// Nothing has moved yet in a run of that length, s.
+    pub(crate) fn new(span: f64) -> Self {
+        Self { largest: vec![], rates: vec![], rounding: vec![], span }
     }
 
     /// A new mode may have other groups, and larger floors.
     pub(crate) fn raise(&mut self, floors: &[f64]) {
-        self.largest.resize(floors.len().max(self.largest.len()), 0.0);
+        let groups = floors.len().max(self.largest.len());
+        for all in [&mut self.largest, &mut self.rates, &mut self.rounding] {
+            all.resize(groups, 0.0);
+        }
         for (scale, floor) in self.largest.iter_mut().zip(floors) {
             *scale = scale.max(floor.abs());
         }
@@ -28,9 +39,29 @@ impl Scales {
         }
     }
 
-    /// Scale of a group; zero while nothing in it has moved.
+    /// Rates with their rounding errors, by state.
+    pub(crate) fn watch_rates(&mut self, system: &Compiled, noise: &Noise) {
+        for (state, (size, error)) in noise.sizes.iter().zip(&noise.rates).enumerate() {
+            let group = system.group(state);
+            let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
+            self.rates[group] = self.rates[group].max(finite(*size));
+            self.rounding[group] = self.rounding[group].max(finite(error * self.span));
+        }
+    }
+
+    /// Scale of a group; zero while nothing in it has moved and no rounding could have moved it.
     pub(crate) fn of(&self, group: usize) -> f64 {
-        self.largest[group]
+        self.largest[group].max(self.rounding[group])
+    }
+
+    /// Scale of the rates of a group.
+    pub(crate) fn of_rate(&self, group: usize) -> f64 {
+        self.rates[group].max(self.largest[group] / self.span)
+    }
+
+    /// What rounding errors of the rates may do to each group.
+    pub(crate) fn rounding(&self) -> &[f64] {
+        &self.rounding
     }
 
     pub(crate) fn all(&self) -> &[f64] {

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use thiserror::Error;
+use tumble_expr::{Rounding, is_short};
 
 use crate::check::Verdict;
 use crate::compiled::{Compiled, beside};
@@ -13,12 +14,11 @@ use crate::order::{order, reach};
 use crate::polynomial;
 use crate::scale::Scales;
 use crate::trajectory::{Event, Piece, Trajectory, invert};
+use crate::whole::{Demand, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
 
-/// Where no coefficient limits a step, it is at most this part of the run, and looked at closely.
+/// Where no coefficient limits a step, it is at most this part of the run.
 const BLIND_PART: f64 = 1.0 / 8.0;
-/// Steps longer than this part of the run are looked at closely, whatever the coefficients say.
-const CLOSE_LOOK_PART: f64 = 1.0 / 32.0;
 /// Steps shorter than this part of the run are not shortened for what drifts along them: it is projected out.
 const SHORT_PART: f64 = 1e-6;
 /// A rejected step is shortened at least to this part and at most to that.
@@ -45,6 +45,8 @@ pub struct Start<Mode> {
     pub inputs: Vec<f64>,
     /// What happens at the very start, before any step.
     pub causes: Vec<Cause>,
+    /// How states are rounded that an event has set; see [`Rounding`].
+    pub rounding: Rounding,
 }
 
 /// A motion that was refused, with what was found before.
@@ -80,6 +82,10 @@ pub struct Solver<'a, H: Hybrid> {
     until: f64,
     span: f64,
     tolerance: f64,
+    accuracy: f64,
+    /// Rates at the start of the step, with their rounding errors.
+    noise: Noise,
+    rounding: Rounding,
     /// Length of an ordinary step in units of the radius.
     reach: f64,
     time: f64,
@@ -111,6 +117,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             until,
             span: until - start.time,
             tolerance,
+            accuracy: accuracy.value(),
+            noise: Noise::default(),
+            rounding: start.rounding,
             reach: reach(tolerance, order(tolerance)),
             time: start.time,
             compensation: vec![0.0; start.states.len()],
@@ -120,7 +129,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             first_mode: start.mode,
             known: HashMap::new(),
             engines: vec![],
-            scales: Scales::new(&[]),
+            scales: Scales::new(until - start.time),
             wakes: vec![],
             first_causes: start.causes,
             at_once: 0,
@@ -132,6 +141,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 work: Work::default(),
                 order: order(tolerance),
                 scales: vec![],
+                rounding: vec![],
             },
         }
     }
@@ -149,6 +159,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     /// The motion as far as it is found.
     pub fn finish(mut self) -> Trajectory<H::Mode> {
         self.trajectory.scales = self.scales.all().to_vec();
+        self.trajectory.rounding = self.scales.rounding().to_vec();
         self.trajectory
     }
 
@@ -162,9 +173,15 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if self.stopped {
             return Ok(());
         }
-        let mut expansion = self.expand(mode)?;
         let end = self.next_stop(mode);
-        let step = self.accepted_step(mode, &mut expansion, end)?;
+        let (mut expansion, step) = match self.rest(mode, end)? {
+            Some(found) => found,
+            None => {
+                let mut expansion = self.expand(mode)?;
+                let step = self.accepted_step(mode, &mut expansion, end)?;
+                (expansion, step)
+            }
+        };
         self.pass(mode, &step, &expansion)?;
         self.accept(mode, &mut expansion, &step)?;
         let (now, work) = ((self.time, self.states.as_slice()), &mut self.trajectory.work);
@@ -253,6 +270,40 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.engines[mode].expand(self.time, &self.states, work)
     }
 
+    /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
+    fn rest(&mut self, mode: usize, end: f64) -> Result<Option<(Expansion, Step)>, Reason> {
+        self.noise = self.engines[mode].noise(self.time, &self.states);
+        self.scales.watch_rates(&self.engines[mode].system, &self.noise);
+        let Some(mut expansion) = self.engines[mode].rest(self.time, &self.states, &self.noise) else {
+            return Ok(None);
+        };
+        let ahead = (self.reach, self.compensation.as_slice());
+        let work = &mut self.trajectory.work;
+        let length = self.engines[mode].approach(&mut expansion, end - self.time, ahead, work)?;
+        let step = self.cut(mode, &expansion, length, end);
+        let holds = step.length > 0.0
+            && self.verdict(mode, &expansion, &step).excess <= 1.0
+            && self.unknown(mode, &expansion, &step)?.is_none();
+        Ok(holds.then_some((expansion, step)))
+    }
+
+    /// How far a step is known, if not to its end.
+    fn unknown(
+        &mut self,
+        mode: usize,
+        expansion: &Expansion,
+        step: &Step,
+    ) -> Result<Option<Unknown>, Reason> {
+        let stretch = Stretch { expansion, length: step.length, hits: &step.hits };
+        let demand = Demand {
+            scales: &self.scales,
+            tolerance: self.tolerance,
+            accuracy: self.accuracy,
+            noise: &self.noise,
+        };
+        self.engines[mode].unknown(stretch, &demand, &mut self.trajectory.work)
+    }
+
     /// The longest step up to `end` that passes the check, cut where something happens.
     fn accepted_step(&mut self, mode: usize, expansion: &mut Expansion, end: f64) -> Result<Step, Reason> {
         let exact = self.engines[mode].system.exact_degree.is_some();
@@ -270,19 +321,30 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 return Ok(step);
             }
             let verdict = self.verdict(mode, expansion, &step);
-            if verdict.excess <= 1.0 {
-                self.trajectory.work.exact_steps += u64::from(exact);
-                return Ok(self.polished(mode, expansion, step, end));
-            }
-            self.trajectory.work.rejected += 1;
-            let shrink = libm::pow(verdict.excess, -1.0 / expansion.order() as f64);
-            // An excess that is not a number means the step ran into a singularity: shrink hard.
-            length = step.length * if shrink.is_nan() { SHRINK.0 } else { shrink.clamp(SHRINK.0, SHRINK.1) };
-            if self.is_stuck(expansion, length) {
+            let changes_too_fast;
+            (length, changes_too_fast) = if verdict.excess <= 1.0 {
+                match self.unknown(mode, expansion, &step)? {
+                    None => {
+                        self.trajectory.work.exact_steps += u64::from(exact);
+                        return Ok(self.polished(mode, expansion, step, end));
+                    }
+                    Some(unknown) => (self.shorter(expansion, &step, unknown.length), unknown.of),
+                }
+            } else {
                 let state = self.engines[mode].system.names[verdict.state].clone();
-                return Err(Reason::Stalled { step: length, state });
+                (step.length * shrink(verdict.excess, expansion.order()), state)
+            };
+            self.trajectory.work.rejected += 1;
+            if self.is_stuck(expansion, length) {
+                return Err(Reason::Stalled { step: length, state: changes_too_fast });
             }
         }
+    }
+
+    /// A length that is shorter than a step's by more than the rounding of times.
+    fn shorter(&self, expansion: &Expansion, step: &Step, length: f64) -> f64 {
+        let is_shorter = self.fit(expansion, length, step.end).length < step.length;
+        if is_shorter { length } else { step.length * SHRINK.1 }
     }
 
     fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
@@ -349,9 +411,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn check(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Verdict {
-        let blind = step.end - self.time > self.span * CLOSE_LOOK_PART;
-        let (scales, work) = (&self.scales, &mut self.trajectory.work);
-        self.engines[mode].check(expansion, step.length, blind, (scales, self.tolerance), work)
+        let demand = Demand {
+            scales: &self.scales,
+            tolerance: self.tolerance,
+            accuracy: self.accuracy,
+            noise: &self.noise,
+        };
+        self.engines[mode].check(expansion, step.length, &demand, &mut self.trajectory.work)
     }
 
     fn is_stuck(&self, expansion: &Expansion, length: f64) -> bool {
@@ -460,6 +526,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
         let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
+        if !unchanged && !self.rounding.is_nearest() {
+            self.round_anew(mode_after);
+        }
         self.trajectory.events.push(Event {
             time: self.time,
             causes,
@@ -474,10 +543,35 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(())
     }
 
+    /// Moves the states by what rounding may have made of them at this instant, time's own rounding included, and back to what
+    /// is known to be zero.
+    fn round_anew(&mut self, mode: usize) {
+        let engine = &mut self.engines[mode];
+        let noise = engine.noise(self.time, &self.states);
+        let instant = if is_short(self.time) { 0.0 } else { f64::EPSILON * self.time };
+        for (state, value) in self.states.iter_mut().enumerate() {
+            let own = if is_short(*value) { 0.0 } else { f64::EPSILON * value.abs() };
+            let moved = noise.values[state].abs() * instant;
+            let error = own + if moved.is_finite() { moved } else { 0.0 };
+            *value = self.rounding.off(*value, error, state as u64);
+        }
+        let Engine { system, invariants, .. } = engine;
+        if !invariants.is_empty() {
+            invariants.project(self.time, &mut self.states, system, &self.scales);
+        }
+    }
+
     /// The latest time that is the same instant as now.
     fn just_after(&self) -> f64 {
         self.time + SIMULTANEOUS_ULPS * f64::EPSILON * self.time.abs()
     }
+}
+
+/// By how much a step is shortened whose error is so many times what is allowed.
+fn shrink(excess: f64, order: usize) -> f64 {
+    let shrink = libm::pow(excess, -1.0 / order as f64);
+    // An excess that is not a number means the step ran into a singularity: shrink hard.
+    if shrink.is_nan() { SHRINK.0 } else { shrink.clamp(SHRINK.0, SHRINK.1) }
 }
 
 /// A step from now.

@@ -19,6 +19,8 @@ pub struct Trajectory<Mode> {
     pub order: usize,
     /// Scales that errors are relative to, one a group of states.
     pub scales: Vec<f64>,
+    /// What rounding errors of the rates may have done to each group: less than that is no motion.
+    pub rounding: Vec<f64>,
 }
 
 /// A stretch of motion in one mode, as polynomials in its own parameter s, which begins at 0.

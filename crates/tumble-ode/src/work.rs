@@ -22,6 +22,8 @@ pub struct Work {
     pub turns: u64,
     /// Expansions of lazily evaluated guards that the motion might have reached within a step.
     pub near: u64,
+    /// Parts of steps that were looked at as a whole.
+    pub enclosures: u64,
     /// Tapes built, one a mode.
     pub modes: u64,
 }

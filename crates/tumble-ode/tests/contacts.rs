@@ -66,7 +66,14 @@ impl Hybrid for Toy {
 type Ran = Result<Trajectory<i32>, Box<Stopped<i32>>>;
 
 fn run_with(toy: &Toy, start: &[f64], until: f64, causes: Vec<Cause>) -> Ran {
-    let start = Start { time: 0.0, mode: 0, states: start.to_vec(), inputs: vec![], causes };
+    let start = Start {
+        time: 0.0,
+        mode: 0,
+        states: start.to_vec(),
+        inputs: vec![],
+        causes,
+        rounding: tumble_expr::Rounding::NEAREST,
+    };
     solve(toy, start, until, Accuracy::new(1e-12).expect("allowed")).map_err(Box::new)
 }
 

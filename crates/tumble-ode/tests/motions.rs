@@ -52,7 +52,14 @@ impl Hybrid for Toy {
 }
 
 fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory<i32>, Box<Stopped<i32>>> {
-    let start = Start { time: 0.0, mode: 0, states: start.to_vec(), inputs: vec![2.0, 1.0], causes: vec![] };
+    let start = Start {
+        time: 0.0,
+        mode: 0,
+        states: start.to_vec(),
+        inputs: vec![2.0, 1.0],
+        causes: vec![],
+        rounding: tumble_expr::Rounding::NEAREST,
+    };
     solve(toy, start, until, Accuracy::new(accuracy).expect("allowed")).map_err(Box::new)
 }
 

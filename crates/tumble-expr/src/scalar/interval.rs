@@ -294,10 +294,7 @@ impl Scalar for Interval {
     }
 
     fn log(self) -> Self {
-        if self.high <= 0.0 {
-            return Self::ENTIRE;
-        }
-        Self { low: self.low.max(0.0), ..self }.increasing(libm::log)
+        if self.low < 0.0 { Self::ENTIRE } else { self.increasing(libm::log) }
     }
 
     fn pow(self, exponent: Self) -> Self {

@@ -1,0 +1,345 @@
+//! What formulas may be anywhere along a stretch of a motion, and not at some places of it only.
+//!
+//! Along a step the states are polynomials, so all is a function of s alone. With m the middle of a stretch and rho half its
+//! length, Taylor's theorem gives for any order r up to [`ORDER`]
+//!
+//! ```text
+//! f(s) = sum over k < r of c_k (s - m)^k + B_r (s - m)^r,   |s - m| <= rho
+//! ```
+//!
+//! with c_k the coefficients at the middle and B_r an interval that holds the coefficient of order r at every place of the
+//! stretch: the tape run on intervals. Each r is a bound, and the narrowest counts. Source: Moore, Interval Analysis, chapter
+//! 11; Neumaier, Interval Methods for Systems of Equations.
+
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Interval, Jets, Scalar, Slot, Tape};
+
+use crate::polynomial::shifted;
+
+/// Highest order of the intervals. A remainder shrinks with this power of the stretch; beyond five, intervals of products
+/// grow as fast as it shrinks.
+pub(crate) const ORDER: usize = 5;
+/// Rounding errors of coefficients at a point, in units of the last place of their sum.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A stretch of motion: polynomials in a parameter s that begins at 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<'a> {
+    /// Time at s = 0, s.
+    pub start: f64,
+    /// Coefficients `[state][order]`.
+    pub states: &'a [Vec<f64>],
+    /// Those of the time, where it is not `start + s`.
+    pub time: Option<&'a [f64]>,
+}
+
+/// Lengths and quotients that are zero at one end of what is looked at.
+#[derive(Clone, Copy, Debug)]
+pub struct Vanishing<'a> {
+    /// By norm of the tape.
+    pub norms: &'a [bool],
+    /// Whether it is at the end and not at the beginning.
+    pub at_end: bool,
+}
+
+/// Runs a tape along stretches, on numbers in the middle and on intervals.
+pub struct Enclosure {
+    middle: Jets<f64>,
+    boxes: Jets<Interval>,
+    /// Of every state, then of the time: coefficients about the middle, and over the stretch.
+    leaves: Vec<(Vec<f64>, Vec<Interval>)>,
+    reach: f64,
+}
+
+impl Enclosure {
+    /// An evaluator of a tape.
+    pub fn new(tape: Arc<Tape>, inputs: &[f64]) -> Self {
+        let boxes: Vec<Interval> = inputs.iter().map(|value| Interval::point(*value)).collect();
+        Self {
+            middle: Jets::new(tape.clone(), ORDER, inputs),
+            boxes: Jets::new(tape, ORDER, &boxes),
+            leaves: vec![],
+            reach: 0.0,
+        }
+    }
+
+    /// Looks at what lies between two values of the parameter, on these branch signs.
+    pub fn look(
+        &mut self,
+        path: Path<'_>,
+        [low, high]: [f64; 2],
+        signs: &[f64],
+        vanishing: Option<Vanishing<'_>>,
+    ) {
+        self.reach = 0.5 * (high - low);
+        self.place(path, 0.5 * (low + high));
+        self.expand_middle(signs);
+        let boxed: Vec<Interval> = signs.iter().map(|sign| Interval::point(*sign)).collect();
+        let nothing = vec![false; self.boxes.tape().norms()];
+        self.boxes.set_vanishing(vanishing.map_or(&nothing, |vanishing| vanishing.norms));
+        if let Some(vanishing) = vanishing {
+            let way = high - low;
+            self.boxes.forget(Interval::ENTIRE);
+            self.boxes.set_elapsed(if vanishing.at_end {
+                Interval::new(-way, 0.0)
+            } else {
+                Interval::new(0.0, way)
+            });
+            self.expand_boxes(&boxed);
+        }
+        self.expand_boxes(&boxed);
+    }
+
+    /// Branch signs that formulas take in the middle of a stretch, each by its value.
+    pub fn signs(&mut self, path: Path<'_>, [low, high]: [f64; 2]) -> Vec<f64> {
+        self.place(path, 0.5 * (low + high));
+        let (time, states) = self.values();
+        self.middle.start(time, &states, Branches::Free);
+        self.middle.signs().to_vec()
+    }
+
+    /// What is known of a slot along the stretch.
+    pub fn of(&self, slot: Slot) -> Bounds<'_> {
+        Bounds {
+            middle: self.middle.slot(slot),
+            boxes: self.boxes.slot(slot),
+            reach: self.reach,
+            offset: 0.0,
+        }
+    }
+
+    /// What is known of an output along the stretch.
+    pub fn output(&self, index: usize) -> Bounds<'_> {
+        Bounds {
+            middle: self.middle.output(index),
+            boxes: self.boxes.output(index),
+            reach: self.reach,
+            offset: 0.0,
+        }
+    }
+
+    /// The tape that runs.
+    pub fn tape(&self) -> &Arc<Tape> {
+        self.middle.tape()
+    }
+
+    /// Bound of `p'(s) - f(s)`, with p a leaf, by its index, and f an output that should be its slope.
+    pub fn defect(&self, leaf: usize, output: usize) -> f64 {
+        let (polynomial, hull) = &self.leaves[leaf];
+        let (f, box_of) = (self.middle.output(output), self.boxes.output(output));
+        let rest = |k: usize| {
+            let slope =
+                Interval::splat((k + 1) as f64) * hull.get(k + 1).copied().unwrap_or_else(Interval::zero);
+            (slope - box_of[k]).magnitude()
+        };
+        let (mut sum, mut power, mut least) = (0.0, 1.0, rest(0));
+        for k in 0..ORDER {
+            let slope = (k + 1) as f64 * polynomial.get(k + 1).copied().unwrap_or(0.0);
+            sum += ((slope - f[k]).abs() + ROUNDING * slope.abs()) * power;
+            power *= self.reach;
+            least = smaller(least, sum + rest(k + 1) * power);
+        }
+        least
+    }
+
+    /// How fast a leaf changes at most, by its index.
+    pub fn slope(&self, leaf: usize) -> f64 {
+        self.leaves[leaf].1.get(1).map_or(0.0, |slope| slope.magnitude())
+    }
+
+    fn place(&mut self, path: Path<'_>, middle: f64) {
+        let plain = [path.start, 1.0];
+        let time = path.time.unwrap_or(&plain);
+        let all = path.states.iter().map(Vec::as_slice).chain([time]);
+        let reach = self.reach;
+        self.leaves = all.map(|series| leaf(series, middle, reach)).collect();
+    }
+
+    fn values(&self) -> (f64, Vec<f64>) {
+        let (time, states) = self.leaves.split_last().expect("the time is a leaf");
+        (time.0[0], states.iter().map(|(about, _)| about[0]).collect())
+    }
+
+    fn expand_middle(&mut self, signs: &[f64]) {
+        let (time, states) = self.values();
+        self.middle.start(time, &states, Branches::Frozen(signs));
+        for k in 1..=ORDER {
+            for (leaf, (about, _)) in self.leaves.iter().enumerate() {
+                self.middle.set(leaf, k, about.get(k).copied().unwrap_or(0.0));
+            }
+            self.middle.extend(k);
+        }
+    }
+
+    fn expand_boxes(&mut self, signs: &[Interval]) {
+        let (time, states) = self.leaves.split_last().expect("the time is a leaf");
+        let states: Vec<Interval> = states.iter().map(|(_, hull)| hull[0]).collect();
+        self.boxes.start(time.1[0], &states, Branches::Frozen(signs));
+        for k in 1..=ORDER {
+            for (leaf, (_, hull)) in self.leaves.iter().enumerate() {
+                self.boxes.set(leaf, k, hull.get(k).copied().unwrap_or_else(Interval::zero));
+            }
+            self.boxes.extend(k);
+        }
+    }
+}
+
+/// A polynomial about a place, and intervals of its coefficients no farther than `reach` from there.
+fn leaf(series: &[f64], place: f64, reach: f64) -> (Vec<f64>, Vec<Interval>) {
+    let about = shifted(series, place);
+    let sizes: Vec<f64> = about.iter().map(|c| c.abs()).collect();
+    // Shifted by the reach, the sizes are the sums of all that a coefficient can change by, and it itself.
+    let most = shifted(&sizes, reach);
+    let hull = about.iter().zip(&most).zip(&sizes).map(|((c, most), size)| {
+        let change = (most - size) + ROUNDING * most;
+        Interval::new(c - change, c + change)
+    });
+    (about.clone(), hull.take(ORDER + 2).collect())
+}
+
+/// What is known of one function along a stretch.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds<'a> {
+    /// Coefficients in the middle.
+    middle: &'a [f64],
+    /// Intervals of the coefficients over the stretch.
+    boxes: &'a [Interval],
+    reach: f64,
+    /// What is taken from the function.
+    offset: f64,
+}
+
+impl<'a> Bounds<'a> {
+    /// The same function less a number.
+    pub fn less(self, offset: f64) -> Self {
+        Self { offset: self.offset + offset, ..self }
+    }
+
+    /// All values of the function, or of its derivative of that order over the factorial.
+    pub fn range(&self, derivative: usize) -> Interval {
+        let natural = self.boxed(derivative);
+        let (mut sum, mut power, mut narrowest) = (0.0, 1.0, f64::INFINITY);
+        for order in derivative + 1..=ORDER {
+            power *= self.reach;
+            let many = choose(order, derivative);
+            narrowest = smaller(narrowest, sum + many * self.boxes[order].magnitude() * power);
+            sum += many * self.middle[order].abs() * power;
+        }
+        let middle = self.middle[derivative] - if derivative == 0 { self.offset } else { 0.0 };
+        let width = narrowest + ROUNDING * (middle.abs() + sum);
+        Interval::new(middle - width, middle + width).both(natural)
+    }
+
+    /// What intervals alone say of a coefficient.
+    pub fn boxed(&self, order: usize) -> Interval {
+        if order == 0 { self.boxes[0] - Interval::point(self.offset) } else { self.boxes[order] }
+    }
+
+    /// The value at -1 (the beginning) to 1 (the end).
+    pub fn at(&self, part: f64) -> Interval {
+        let s = part * self.reach;
+        let (mut sum, mut size, mut power) = (-self.offset, self.offset.abs(), 1.0);
+        let mut narrowest = Interval::ENTIRE;
+        for order in 0..=ORDER {
+            if order > 0 {
+                let rest = Interval::splat(power) * self.boxes[order];
+                let wide = ROUNDING * size;
+                narrowest = (Interval::new(sum - wide, sum + wide) + rest).both(narrowest);
+            }
+            sum += self.middle[order] * power;
+            size += (self.middle[order] * power).abs();
+            power *= s;
+        }
+        narrowest
+    }
+
+    /// Where, from -1 to 1, its slope is zero, if it bends to one side only.
+    pub fn turn(&self) -> f64 {
+        let slope = |s: f64| (1..=ORDER).rev().fold(0.0, |sum, k| sum * s + k as f64 * self.middle[k]);
+        let bend =
+            |s: f64| (2..=ORDER).rev().fold(0.0, |sum, k| sum * s + (k * (k - 1)) as f64 * self.middle[k]);
+        let mut at = 0.0_f64;
+        for _ in 0..TURN_STEPS {
+            let next = at - slope(at) / bend(at);
+            at = if next.is_finite() { next.clamp(-self.reach, self.reach) } else { return 0.0 };
+        }
+        if self.reach > 0.0 { at / self.reach } else { 0.0 }
+    }
+}
+
+/// Newton's steps towards a turn of a function that bends to one side: from within, each squares the error.
+const TURN_STEPS: usize = 8;
+
+fn choose(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+}
+
+/// Of two bounds the lesser; one that is not a number is none.
+fn smaller(a: f64, b: f64) -> f64 {
+    if b < a || a.is_nan() { b } else { a }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumble_expr::{Dimension, Expr, Layout, Symbol, Unary};
+
+    fn enclosure(formula: Expr) -> Enclosure {
+        let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
+        let layout = Layout::new(vec![symbol("x")], symbol("t"), vec![]);
+        Enclosure::new(Arc::new(Tape::compile(&layout, &[formula]).expect("typed")), &[])
+    }
+
+    fn x() -> Expr {
+        Expr::symbol("x", Dimension::NONE)
+    }
+
+    /// A step far ahead is seen, and none where there is none.
+    #[test]
+    fn a_steep_formula_ahead_is_seen() {
+        let mut steep = enclosure(Expr::unary(Unary::Tanh, (x() - 3) * 30) - 0.5);
+        let states = [vec![0.0, 1.0]];
+        let path = Path { start: 0.0, states: &states, time: None };
+        steep.look(path, [0.0, 2.0], &[], None);
+        assert_eq!(steep.output(0).range(0).definite_sign(), -1.0);
+        steep.look(path, [2.0, 4.0], &[], None);
+        assert_eq!(steep.output(0).range(0).definite_sign(), 0.0);
+        steep.look(path, [3.01, 3.03], &[], None);
+        assert_eq!(steep.output(0).range(1).definite_sign(), 1.0);
+        assert!(steep.output(0).at(-1.0).high < 0.0 && steep.output(0).at(1.0).low > 0.0);
+    }
+
+    /// The exponential is its own slope: the defect of its series is the first term left out.
+    #[test]
+    fn the_defect_is_bounded() {
+        let series: Vec<f64> = (0..12)
+            .scan(1.0, |c, k| {
+                if k > 0 {
+                    *c /= f64::from(k)
+                };
+                Some(*c)
+            })
+            .collect();
+        let mut own = enclosure(x());
+        let states = [series.clone()];
+        own.look(Path { start: 0.0, states: &states, time: None }, [0.0, 0.1], &[], None);
+        let truth = series[11] * 0.1_f64.powi(11);
+        let defect = own.defect(0, 0);
+        assert!(truth <= defect && defect < 1e-8, "{defect:e}");
+        let wrong = [vec![1.0, 1.0]];
+        own.look(Path { start: 0.0, states: &wrong, time: None }, [0.0, 0.1], &[], None);
+        assert!((0.1..0.2).contains(&own.defect(0, 0)));
+    }
+
+    #[test]
+    fn a_turn_is_where_the_slope_is_zero() {
+        let mut bowl = enclosure((x() - 0.3).powi(2) + 1);
+        let states = [vec![0.0, 1.0]];
+        bowl.look(Path { start: 0.0, states: &states, time: None }, [0.0, 1.0], &[], None);
+        let bounds = bowl.output(0);
+        assert!((bounds.turn() + 0.4).abs() < 1e-12);
+        let least = bounds.at(bounds.turn());
+        assert!(least.contains(1.0) && least.high - least.low < 1e-12, "{least:?}");
+    }
+}

@@ -1,0 +1,382 @@
+//! Whether a step is known everywhere, and not only where it was looked at.
+//!
+//! A step is accepted if along all of it the defect `p'(s) - f(t(s), p(s))` is bounded by [`VISIBLE`] of the scale of its rate,
+//! or by the accuracy if that is larger, and if it is settled where each watched function is zero: those are its series' zeros
+//! and no others. What is not settled at once is halved, down to [`SMALLEST`] of the step. The step then ends where
+//! the first part begins that is not settled; if that is the beginning, it becomes that part.
+//!
+//! The scale of a rate is the largest sum of the sizes of what it is made of so far, and that of the state over the length of
+//! the run: a force that has not acted yet has no scale of its own.
+
+use std::cell::OnceCell;
+
+use tumble_expr::{Rounded, Scalar, Slot, Turning};
+
+use crate::Reason;
+use crate::enclosure::{Bounds, Enclosure, Path, Vanishing};
+use crate::engine::{Engine, Hit, ahead};
+use crate::expansion::Expansion;
+use crate::polynomial;
+use crate::roots::roots;
+use crate::scale::Scales;
+use crate::settle::{Known, is_settled};
+use crate::work::Work;
+
+/// A part of the scale of a rate that a force may have and still not be seen.
+pub(crate) const VISIBLE: f64 = 1e-6;
+/// Parts shorter than this part of a step are not halved any more: the step is cut, and its successor has other coefficients.
+const SMALLEST: f64 = 1.0 / 128.0;
+/// Parts of one step that are looked at, at most.
+const MOST_PARTS: usize = 96;
+/// Where a part is cut in two: not in the middle, which round numbers have their zeros at.
+const CUT: f64 = 0.487_139;
+/// A value that is this part of its terms is zero but for rounding.
+const VANISHES: f64 = 64.0 * f64::EPSILON;
+/// Which end of its segment an argument has come to is told from what it is, to this part of it.
+const NEAR: f64 = 1e-9;
+/// Rounding errors of a defect, in units of that of the rate.
+const DEFECT_ROUNDING: f64 = 64.0;
+
+/// Rates and what is watched, with rounding errors, at the start of a step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Noise {
+    /// Of the rate of each state: its rounding error, absolute.
+    pub(crate) rates: Vec<f64>,
+    /// Of the rate of each state: the sum of the sizes of what it is made of.
+    pub(crate) sizes: Vec<f64>,
+    /// The rates themselves.
+    pub(crate) values: Vec<f64>,
+}
+
+/// What a whole step is held to.
+pub(crate) struct Demand<'a> {
+    pub(crate) scales: &'a Scales,
+    /// Local tolerance.
+    pub(crate) tolerance: f64,
+    /// What was asked for the whole run.
+    pub(crate) accuracy: f64,
+    pub(crate) noise: &'a Noise,
+}
+
+/// A step of that length.
+#[derive(Clone, Copy)]
+pub(crate) struct Stretch<'a> {
+    pub(crate) expansion: &'a Expansion,
+    pub(crate) length: f64,
+    pub(crate) hits: &'a [Hit],
+}
+
+/// A step that is not known to its end.
+pub(crate) struct Unknown {
+    /// Up to there, in the parameter, it is.
+    pub(crate) length: f64,
+    /// Name of what is not known beyond.
+    pub(crate) of: String,
+}
+
+/// What a watched function is.
+#[derive(Clone, Copy)]
+enum What {
+    Branch(usize),
+    Guard(usize),
+    Table(usize),
+}
+
+/// Something whose zeros are watched.
+struct Watched<'a> {
+    what: What,
+    series: &'a [f64],
+    /// What is taken from the series and the slot.
+    offset: f64,
+    zeros: usize,
+    ends_at_zero: bool,
+    sign: f64,
+    /// Sum of the sizes of what it is made of, at the start of the step.
+    size: f64,
+    found: OnceCell<Vec<f64>>,
+}
+
+impl<'a> Watched<'a> {
+    fn new(
+        (what, series, offset): (What, &'a [f64], f64),
+        size: f64,
+        zeros: usize,
+        is_hit: bool,
+        length: f64,
+    ) -> Self {
+        let term = |k: usize| (series[k] - if k == 0 { offset } else { 0.0 }) * libm::pow(length, k as f64);
+        let largest = (0..series.len()).map(|k| term(k).abs()).fold(offset.abs() * VANISHES, f64::max);
+        let counts = |k: &usize| term(*k).abs() > VANISHES * largest;
+        // Of a series beyond the range of numbers nothing is read.
+        let first = match largest.is_finite() {
+            true => (zeros..series.len()).find(counts).unwrap_or(series.len()),
+            false => zeros,
+        };
+        let end = polynomial::value(series, length) - offset;
+        Self {
+            what,
+            series,
+            offset,
+            zeros: first,
+            sign: if first < series.len() { term(first).signum() } else { 0.0 },
+            ends_at_zero: is_hit || (largest.is_finite() && end.abs() <= VANISHES * largest),
+            size: size + offset.abs(),
+            found: OnceCell::new(),
+        }
+    }
+
+    fn is_settled(&self, bounds: Bounds<'_>, [low, high]: [f64; 2], length: f64) -> bool {
+        let roots = || {
+            let found = self.found.get_or_init(|| {
+                let mut series = self.series.to_vec();
+                series[0] -= self.offset;
+                let crossing = roots(ahead(&series, self.zeros), length).into_iter();
+                crossing.filter(|root| root.crosses_to.is_some()).map(|root| root.at).collect()
+            });
+            found.iter().filter(|at| low < **at && **at < high).count()
+        };
+        let is_first = low == 0.0;
+        let known = Known {
+            zeros: if is_first { self.zeros } else { 0 },
+            sign: self.sign,
+            ends_at_zero: high == length && self.ends_at_zero,
+            roots: &roots,
+            size: self.size,
+        };
+        is_settled(&bounds.less(self.offset), known)
+    }
+}
+
+impl Engine {
+    /// Rates at the start of a step, with what rounding makes of them.
+    pub(crate) fn noise(&mut self, time: f64, states: &[f64]) -> Noise {
+        let signs: Vec<Rounded> = self.signs().iter().map(|sign| Rounded::splat(*sign)).collect();
+        let leaves: Vec<Rounded> = states.iter().map(|state| Rounded::leaf(*state)).collect();
+        self.rounded.start(Rounded::leaf(time), &leaves, tumble_expr::Branches::Frozen(&signs));
+        let rates = (0..self.system.len()).map(|state| self.rounded.value_of(state));
+        let rates: Vec<Rounded> = rates.collect();
+        Noise {
+            rates: rates.iter().map(|rate| rate.noise()).collect(),
+            sizes: rates.iter().map(|rate| rate.error.max(rate.value.abs())).collect(),
+            values: rates.iter().map(|rate| rate.value).collect(),
+        }
+    }
+
+    /// How far a step is known, if not to its end.
+    pub(crate) fn unknown(
+        &mut self,
+        step: Stretch<'_>,
+        demand: &Demand<'_>,
+        work: &mut Work,
+    ) -> Result<Option<Unknown>, Reason> {
+        let own =
+            if self.system.exact_degree.is_some() { None } else { self.own_unknown(step, demand, work) };
+        let step = match &own {
+            Some(own) => Stretch { length: own.length, hits: &[], ..step },
+            None => step,
+        };
+        let beside = self.lazy_unknown(step, demand, work)?;
+        Ok(beside.or(own))
+    }
+
+    /// The same for what the tape of the flow computes.
+    fn own_unknown(&mut self, step: Stretch<'_>, demand: &Demand<'_>, work: &mut Work) -> Option<Unknown> {
+        let (tape, inputs) = (self.system.tape.clone(), self.inputs.clone());
+        let mut enclosure = self.enclosure.take().unwrap_or_else(|| Enclosure::new(tape.clone(), &inputs));
+        let path = step.path();
+        let watched = self.watched(step);
+        let vanishing = self.vanishing(step);
+        let [nothing, at_start, at_end] = &vanishing;
+        let found = first_unsettled(step.length, |part| {
+            work.enclosures += 1;
+            let (is_first, is_last) = (part[0] == 0.0, part[1] == step.length);
+            let norms = match (is_first && at_start != nothing, is_last && at_end != nothing) {
+                (true, _) => Some(Vanishing { norms: at_start, at_end: false }),
+                (false, true) => Some(Vanishing { norms: at_end, at_end: true }),
+                _ => None,
+            };
+            enclosure.look(path, part, self.signs(), norms);
+            let unsettled = |(slot, watched): &&(Slot, Watched<'_>)| {
+                !watched.is_settled(enclosure.of(*slot), part, step.length)
+            };
+            match watched.iter().find(unsettled) {
+                Some((_, watched)) => Some(self.name_of(watched.what)),
+                None => self.disobeys(&enclosure, part, demand),
+            }
+        });
+        self.enclosure = Some(enclosure);
+        found
+    }
+
+    /// Sum of the sizes of what a slot was made of at the start of the step.
+    fn size_of(&self, slot: Slot) -> f64 {
+        let value = self.rounded.slot(slot)[0];
+        value.error.max(value.value.abs())
+    }
+
+    fn name_of(&self, what: What) -> String {
+        let tape = &self.system.tape;
+        match what {
+            What::Branch(branch) => tape.describe(tape.guards()[branch]),
+            What::Guard(guard) => format!("event {}", self.system.guard_names[guard]),
+            What::Table(table) => tape.tables()[table].table.0.name.clone(),
+        }
+    }
+
+    /// The state whose polynomial does not obey the equations along a part, if there is one.
+    fn disobeys(&self, enclosure: &Enclosure, [low, high]: [f64; 2], demand: &Demand<'_>) -> Option<String> {
+        let visible = VISIBLE.max(demand.accuracy);
+        let obeys = |state: &usize| {
+            let group = self.system.group(*state);
+            let defect = enclosure.defect(*state, *state);
+            // What moves for the first time has the scale of this step.
+            let scale = demand.scales.of_rate(group).max(enclosure.slope(*state));
+            let allowed = visible * scale + DEFECT_ROUNDING * demand.noise.rates[*state];
+            // What the defect could do within the part is less than what every step may do.
+            defect <= allowed || defect * (high - low) <= demand.tolerance * demand.scales.of(group)
+        };
+        let time = self.system.len();
+        let time_passes = || {
+            let size = enclosure.output(time).range(0).magnitude();
+            enclosure.defect(time, time) <= visible * size
+        };
+        match (0..time).find(|state| !obeys(state)) {
+            Some(state) => Some(self.system.names[state].clone()),
+            None if self.system.transformed && !time_passes() => Some("the time".to_owned()),
+            None => None,
+        }
+    }
+
+    /// Functions of the tape whose zeros are watched, each with its slot.
+    fn watched<'a>(&self, step: Stretch<'a>) -> Vec<(Slot, Watched<'a>)> {
+        let Stretch { expansion, length, hits } = step;
+        let tape = &self.system.tape;
+        let active = self.active();
+        let branches = tape.guards().iter().enumerate().filter(|(branch, _)| active.branches[*branch]);
+        let branches = branches.map(|(branch, slot)| {
+            let is_hit = hits.iter().any(|hit| matches!(hit, Hit::Branch(hit, _) if *hit == branch));
+            let zeros = usize::from(self.is_zero_branch(branch));
+            (
+                *slot,
+                Watched::new(
+                    (What::Branch(branch), &expansion.branches[branch], 0.0),
+                    self.size_of(*slot),
+                    zeros,
+                    is_hit,
+                    length,
+                ),
+            )
+        });
+        let first = self.system.len() + usize::from(self.system.transformed);
+        let guards = expansion.guards.iter().enumerate().map(|(guard, series)| {
+            let is_hit = hits.contains(&Hit::Guard(guard));
+            let slot = tape.outputs()[first + guard];
+            (
+                slot,
+                Watched::new(
+                    (What::Guard(guard), series, 0.0),
+                    self.size_of(slot),
+                    self.zeros_of_guard(guard),
+                    is_hit,
+                    length,
+                ),
+            )
+        });
+        let tables = tape.tables().iter().enumerate().filter(|(lookup, _)| active.tables[*lookup]);
+        let knots = tables.flat_map(|(lookup, table)| {
+            let segment = self.signs()[tape.guards().len() + lookup] as usize;
+            let ends = table.table.0.ends(segment).into_iter().filter(|knot| knot.is_finite());
+            let series = &expansion.arguments[lookup];
+            let passes = hits.iter().any(|hit| matches!(hit, Hit::Knot(hit, _) if *hit == lookup));
+            let end = polynomial::value(series, length);
+            let is_near = move |knot: f64| (end - knot).abs() <= NEAR * knot.abs().max(end.abs());
+            ends.map(move |knot| {
+                let watched = Watched::new(
+                    (What::Table(lookup), series, knot),
+                    self.size_of(table.of),
+                    0,
+                    passes && is_near(knot),
+                    length,
+                );
+                (table.of, watched)
+            })
+        });
+        branches.chain(guards).chain(knots).collect()
+    }
+
+    /// Which norms of the tape are zero nowhere, at the start and at the end of a step.
+    fn vanishing(&self, step: Stretch<'_>) -> [Vec<bool>; 3] {
+        let norms = self.system.tape.norms();
+        let (mut at_start, mut at_end) = (vec![false; norms], vec![false; norms]);
+        for (turning, turn) in self.turnings().iter().zip(&step.expansion.turnings) {
+            if let Turning::Norm { index, .. } = turning {
+                at_start[*index] =
+                    self.is_vanishing(*index) || turn.components.iter().all(|component| component[0] == 0.0);
+            }
+        }
+        for hit in step.hits {
+            if let Hit::Turning(turning) = hit
+                && let Turning::Norm { index, .. } = self.turnings()[*turning]
+            {
+                at_end[index] = self.vanishes_at(*turning, step.expansion, step.length);
+            }
+        }
+        [vec![false; norms], at_start, at_end]
+    }
+
+    /// The same for lazily evaluated guards that are near.
+    fn lazy_unknown(
+        &mut self,
+        step: Stretch<'_>,
+        demand: &Demand<'_>,
+        work: &mut Work,
+    ) -> Result<Option<Unknown>, Reason> {
+        let Stretch { expansion, mut length, .. } = step;
+        let mut shortest = None;
+        for (index, series) in &expansion.near {
+            let guard = self.system.guards + index;
+            let is_hit = shortest.is_none() && step.hits.contains(&Hit::Guard(guard));
+            let zeros = self.zeros_of_guard(guard);
+            let size = demand.scales.of(self.lazy_guards.group(*index));
+            let watched = Watched::new((What::Guard(guard), series, 0.0), size, zeros, is_hit, length);
+            let found = self.lazy_guards.with_enclosure(*index, expansion, |enclosure, path| {
+                first_unsettled(length, |part| {
+                    work.enclosures += 1;
+                    let signs = enclosure.signs(path, part);
+                    enclosure.look(path, part, &signs, None);
+                    let settled = watched.is_settled(enclosure.output(0), part, length);
+                    (!settled).then(|| self.system.guard_names[guard].clone())
+                })
+            })?;
+            if let Some(found) = found {
+                length = found.length;
+                shortest = Some(found);
+            }
+        }
+        Ok(shortest)
+    }
+}
+
+impl<'a> Stretch<'a> {
+    fn path(self) -> Path<'a> {
+        let Expansion { start, states, time, .. } = self.expansion;
+        Path { start: *start, states, time: time.as_deref() }
+    }
+}
+
+/// The end of what is settled of a length, from its beginning on; `None` if all of it is. `unsettled` names what is not known of
+/// a part.
+fn first_unsettled(length: f64, mut unsettled: impl FnMut([f64; 2]) -> Option<String>) -> Option<Unknown> {
+    let mut pending = vec![[0.0, length]];
+    let mut looked = 0;
+    while let Some([low, high]) = pending.pop() {
+        looked += 1;
+        let Some(of) = unsettled([low, high]) else { continue };
+        if high - low <= SMALLEST * length || looked >= MOST_PARTS {
+            return Some(Unknown { length: if low > 0.0 { low } else { high }, of });
+        }
+        let middle = low + CUT * (high - low);
+        pending.extend([[middle, high], [low, middle]]);
+    }
+    None
+}
