@@ -1,4 +1,4 @@
-"""Motions in air, without blows: errors at the end. Prints Markdown."""
+"""Motions in air, without impacts: errors at the end. Prints Markdown."""
 
 import peer_heyoka
 import peer_scipy

@@ -5,7 +5,7 @@ import Box2D
 from stepping import follow
 
 NAME = f"Box2D {Box2D.__version__}"
-# The manual's step and iterations, and a finer step. Blows slower than 1 m/s do not bounce in this version.
+# The manual's step and iterations, and a finer step. Impacts slower than 1 m/s do not bounce in this version.
 SETTINGS = {"step 1/60 s": 1 / 60, "step 0.1 ms": 1e-4}
 VELOCITY_ITERATIONS, POSITION_ITERATIONS = 8, 3
 # Edges have a skin of this thickness: the floor lies so much lower.

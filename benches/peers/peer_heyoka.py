@@ -1,4 +1,4 @@
-"""heyoka.py: Taylor's method with events; a terminal event ends a step, and its callback gives the blow."""
+"""heyoka.py: Taylor's method with events; a terminal event ends a step, and its callback gives the impact."""
 
 import math
 
@@ -8,7 +8,7 @@ from systems import Motion
 
 NAME = f"heyoka.py {hy.__version__}"
 SETTINGS = {"defaults": {}}
-# So many blows are taken for a motion that does not get on.
+# So many impacts are taken for a motion that does not get on.
 MOST = 500
 
 
@@ -17,7 +17,7 @@ def bounce(bouncer, options, times):
     slope = [(x, vx), (y, vy), (angle, omega), (vx, 0.0 * x), (vy, -bouncer.gravity + 0.0 * x), (omega, 0.0 * x)]
     motion, stopped = Motion({}, []), ""
 
-    def blow(foot):
+    def impact(foot):
         def callback(taylor, _sign):
             taylor.state[:] = bouncer.bounced(foot, list(taylor.state))
             motion.bounces.append(taylor.time)
@@ -26,7 +26,7 @@ def bounce(bouncer, options, times):
         return callback
 
     events = [
-        hy.t_event(bouncer.gap(foot, y, angle, hy.sin), callback=blow(foot), direction=hy.event_direction.negative)
+        hy.t_event(bouncer.gap(foot, y, angle, hy.sin), callback=impact(foot), direction=hy.event_direction.negative)
         for foot in bouncer.feet
     ]
     taylor = hy.taylor_adaptive(slope, list(bouncer.start), t_events=events, **options)
@@ -37,7 +37,7 @@ def bounce(bouncer, options, times):
             break
         if time in times:
             motion.states[time] = tuple(taylor.state)
-    motion.note = f"{len(motion.bounces)} blows{stopped}"
+    motion.note = f"{len(motion.bounces)} impacts{stopped}"
     return motion
 
 
@@ -72,7 +72,7 @@ def turn(taylor, sign):
 
 
 def solve(system, start, by_event):
-    """The state of a motion without blows at its end. Any length that may vanish is positive at the start."""
+    """The state of a motion without impacts at its end. Any length that may vanish is positive at the start."""
     variables = hy.make_vars(*[f"v{i}" for i in range(len(start))])
     functions = Signed() if by_event else Functions()
     rates = system.slope(hy.time, variables, functions)

@@ -1,4 +1,4 @@
-"""scipy.integrate.solve_ivp: flights that end at an event, then the blow by the law of Newton, then the next flight."""
+"""scipy.integrate.solve_ivp: flights that end at an event, then the impact by the law of Newton, then the next flight."""
 
 import scipy
 from scipy.integrate import solve_ivp
@@ -12,7 +12,7 @@ SETTINGS = {
     "solve_ivp, DOP853, 1e-12": {"method": "DOP853", **TIGHT},
     "solve_ivp, DOP853, 1e-12, steps up to 10 ms": {"method": "DOP853", **TIGHT, "max_step": 0.01},
 }
-# So many blows are taken for a motion that does not get on.
+# So many impacts are taken for a motion that does not get on.
 MOST = 500
 
 
@@ -43,7 +43,7 @@ def bounce(bouncer, options, times):
         for foot in struck:
             state = bouncer.bounced(foot, state)
             motion.bounces.append(now)
-    motion.note = f"{len(motion.bounces)} blows" if now == bouncer.until else f"stays at {now:.6f} s"
+    motion.note = f"{len(motion.bounces)} impacts" if now == bouncer.until else f"stays at {now:.6f} s"
     return motion
 
 
@@ -57,5 +57,5 @@ AIR = {
 
 
 def solve(system, start, options):
-    """The state of a motion without blows at its end."""
+    """The state of a motion without impacts at its end."""
     return list(solve_ivp(system.slope, (0.0, system.until), start, **options).y[:, -1])

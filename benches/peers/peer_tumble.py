@@ -87,7 +87,7 @@ accuracy = {accuracy}
     struck = [event["time"] for event in found["events"] for what in event["what"] if what.endswith(".impact")]
     rest = [event["time"] for event in found["events"] for what in event["what"] if what.endswith(".start")]
     note = f", rests from {rest[-1]!r} s on" if rest else ""
-    return Motion(at_times(found, times), struck, f"{len(struck)} blows{note}")
+    return Motion(at_times(found, times), struck, f"{len(struck)} impacts{note}")
 
 
 def pendulum(system, accuracy):

@@ -42,7 +42,7 @@ class Bouncer:
         return self.mass * (vx**2 + vy**2) / 2 + self.inertia * omega**2 / 2 + self.mass * self.gravity * height
 
     def bounced(self, foot, state):
-        """The state after a blow on that foot, after Newton: it goes up with e times the speed it came down with.
+        """The state after an impact on that foot, after Newton: it goes up with e times the speed it came down with.
 
         A foot that goes up already is left alone.
         """

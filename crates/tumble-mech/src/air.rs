@@ -31,7 +31,7 @@ impl Wind {
         let affine = |component: &Expr| {
             second(component, &x, &x) && second(component, &x, &y) && second(component, &y, &y)
         };
-        // A branch may change sides along a line: each side alone says nothing of the whole.
+        // A branch may change its sign along a line: each sign alone says nothing of the whole.
         let smooth = |component: &Expr| !component.branches_on(&[x.clone(), y.clone()]);
         self.0.components().iter().all(|component| smooth(component) && affine(component))
     }

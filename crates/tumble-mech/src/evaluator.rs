@@ -14,7 +14,7 @@ const INSIDE: f64 = 1.0 / 1_048_576.0;
 
 /// Evaluates formulas at a place of the motion.
 ///
-/// At the ends of a piece a branch may stand at zero: it has the side that it has within the piece.
+/// At the ends of a piece a branch may stand at zero: it has the sign that it has within the piece.
 pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
     let inside = place.piece.and_then(|piece| {
         let reach = INSIDE * piece.length;
@@ -29,8 +29,8 @@ pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
         None => jets.start(place.time, &place.states, Branches::Free),
         Some((time, states)) => {
             jets.start(time, &states, Branches::Free);
-            let sides = jets.signs().to_vec();
-            jets.start(place.time, &place.states, Branches::Frozen(&sides));
+            let signs = jets.signs().to_vec();
+            jets.start(place.time, &place.states, Branches::Frozen(&signs));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Surfaces that give way: contact times and what comes back, in closed form.
+//! Compliant surfaces: contact times and what comes back, in closed form.
 
 mod common;
 

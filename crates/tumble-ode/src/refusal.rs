@@ -62,10 +62,10 @@ pub enum Reason {
         /// The end asked for.
         until: f64,
     },
-    /// A branch both of whose sides lead to the other.
+    /// A branch whose two signs each lead to the other.
     #[error(
         "`{guard}` is zero and stays there: with its sign positive the motion makes it negative, with its sign \
-         negative positive, so neither side of the formula that depends on it holds"
+         negative positive, so neither branch of the formula that depends on it holds"
     )]
     Sliding {
         /// The guard.

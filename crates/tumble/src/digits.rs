@@ -1,4 +1,4 @@
-//! How many digits of a value hold.
+//! How many digits of a value are verified.
 
 use tumble_expr::Expr;
 
@@ -24,7 +24,7 @@ pub(crate) fn error(case: &Case, formula: &Expr, time: f64) -> Result<Option<f64
 }
 
 impl FindResult {
-    /// How many digits hold, or how near it is where none does: `11 digits`, `within 2e-13`, `no digit is known`.
+    /// How many digits are verified, or how near it is where none is: `11 digits`, `within 2e-13`, `no digit is known`.
     pub fn certainty(&self) -> String {
         let Some(error) = self.error else { return "no digit is known".to_owned() };
         match digits(self.value, error) {

@@ -1,7 +1,7 @@
 //! Integrals along a piece, to rounding.
 //!
-//! Along a piece everything is smooth: the integrator ends it where a branch changes its side. At Gauss nodes inside it
-//! each branch therefore has the piece's own side, and what has no derivative at an end does no harm. The expansion in
+//! Along a piece everything is smooth: the integrator ends it where a branch changes its sign. At Gauss nodes inside it
+//! each branch therefore has the piece's own sign, and what has no derivative at an end does no harm. The expansion in
 //! Legendre polynomials through the nodes shows whether they are enough; where they are not, the piece is halved.
 
 use crate::gauss;

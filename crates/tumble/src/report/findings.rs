@@ -311,7 +311,7 @@ fn joined(contacts: impl Iterator<Item = Contact>) -> Vec<Contact> {
     found
 }
 
-/// A value to the digits that hold, at most so many as are read, and how many those are.
+/// A value to its verified digits, at most so many as are read, and how many those are.
 fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
     let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
     if error == 0.0 {

@@ -64,7 +64,7 @@ fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
     rows
 }
 
-/// What a second run says, a row for each thing that it says of any run.
+/// What a check run says, a row for each thing that it says of any run.
 fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
     let several = cases.len() > 1;
     let rows = cases.iter().flat_map(|case| {
@@ -73,9 +73,10 @@ fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
             Text::from(of)
         };
         let held =
-            case.trustworthiness().map(|held| (name("Held by a second, independent run"), held.into()));
+            case.trustworthiness().map(|held| (name("Verified by an independent check run"), held.into()));
         let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
-        let why = horizon.map(|horizon| (name("The digits end because"), horizon.reason.to_string().into()));
+        let why =
+            horizon.map(|horizon| (name("Verified digits end because"), horizon.reason.to_string().into()));
         held.into_iter().chain(why)
     });
     rows.collect()
