@@ -69,4 +69,4 @@ pub use shape::Shape;
 pub use start::Start;
 pub use surface::{ContactLaw, Release, Surface};
 pub use term::{Law, Term};
-pub use trust::{Divergence, Errors, Horizon, Trust};
+pub use trust::{At, Divergence, Errors, Horizon, Trust, depends_on_motion};

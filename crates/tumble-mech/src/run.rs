@@ -28,6 +28,8 @@ pub struct Run {
     pub inputs: Vec<f64>,
     /// Sums that stand for integrals along lines, where there are any that were refined.
     pub quadrature: Option<Quadrature>,
+    /// The motion with half as many nodes along each line: what is off between the two is in every stated error.
+    pub(crate) coarser: Option<Box<Run>>,
 }
 
 /// How well sums over Gauss nodes stand for integrals along lines.
@@ -121,7 +123,7 @@ impl Run {
             progress(solver.time());
         }
         let trajectory = solver.finish();
-        let run = Self { equations, trajectory, inputs, quadrature: None };
+        let run = Self { equations, trajectory, inputs, quadrature: None, coarser: None };
         match refusal {
             None => Ok(run),
             Some(refusal) => Err(RunError::Refused { refusal, partial: Box::new(run) }),
@@ -149,7 +151,9 @@ impl Run {
             let change = run.change_to(&finer);
             let settled = change <= accuracy.value();
             finer.quadrature = Some(Quadrature { nodes: finer.equations.model().nodes, change, settled });
-            run = finer;
+            let mut before = std::mem::replace(&mut run, finer);
+            before.coarser = None;
+            run.coarser = Some(Box::new(before));
             if settled {
                 break;
             }

@@ -126,7 +126,8 @@ fn of_a_ball_that_comes_to_rest() {
 fn of_a_balance() {
     let (mut model, _) = hinged_rod();
     model.starts.push(("rod".into(), Start::default().angle(Expr::pi())));
-    let (_, trust) = trusted(&model, 60.0, 1e-9);
+    let (run, trust) = trusted(&model, 60.0, 1e-9);
+    println!("{:?}", run.trajectory.work);
     let horizon = trust.horizon.expect("a balance ends");
     assert_eq!(horizon.reason, Divergence::Grown);
     // A perturbation of some ulps grows by e in sqrt(2 L / (3 g)) s, and is lost after 33 of them.

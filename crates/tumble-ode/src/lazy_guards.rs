@@ -7,7 +7,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Layout, Symbol, Tape};
+use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Symbol, Tape};
 
 use crate::Reason;
 use crate::compiled::fixed;
@@ -148,6 +148,17 @@ impl LazyGuards {
     /// Index of the group that one's error is measured against.
     pub(crate) fn group(&self, index: usize) -> usize {
         self.all[index].group
+    }
+
+    /// Rounding error of one at an instant, from those of its states.
+    pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<f64, Reason> {
+        let watch = &mut self.all[index];
+        let tape = watch.jets(self.order)?.tape().clone();
+        let inputs: Vec<Rounded> = watch.inputs.iter().map(|value| Rounded::leaf(*value)).collect();
+        let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::leaf(states[*state])).collect();
+        let mut value = Jets::new(tape, 0, &inputs);
+        value.start(Rounded::leaf(time), &own, Branches::Free);
+        Ok(value.value_of(0).noise())
     }
 
     /// Looks at one along an expansion, in its own states.

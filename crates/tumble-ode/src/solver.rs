@@ -27,6 +27,8 @@ const SHRINK: (f64, f64) = (0.1, 0.8);
 const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
+/// What rounding errors of a step add up to, in units of their sum at the worst: some cancel, and few are a whole ulp.
+const STEP_ROUNDING: f64 = 0.125;
 /// More events than this without time passing are not going to end.
 const MOST_AT_ONCE: u64 = 1000;
 /// A run of more steps is refused: at some microseconds each, this is minutes of work and gigabytes of pieces.
@@ -86,6 +88,8 @@ pub struct Solver<'a, H: Hybrid> {
     /// Rates at the start of the step, with their rounding errors.
     noise: Noise,
     rounding: Rounding,
+    /// By how much rounding may have moved the time of what ended the last step, s.
+    blur: f64,
     /// Length of an ordinary step in units of the radius.
     reach: f64,
     time: f64,
@@ -120,6 +124,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             accuracy: accuracy.value(),
             noise: Noise::default(),
             rounding: start.rounding,
+            blur: 0.0,
             reach: reach(tolerance, order(tolerance)),
             time: start.time,
             compensation: vec![0.0; start.states.len()],
@@ -184,7 +189,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         };
         self.pass(mode, &step, &expansion)?;
         self.accept(mode, &mut expansion, &step)?;
-        let (now, work) = ((self.time, self.states.as_slice()), &mut self.trajectory.work);
+        let now = (self.time, self.states.as_slice());
+        self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now)?;
+        let work = &mut self.trajectory.work;
         let ends_flow = self.engines[mode].fired((&step.hits, &expansion, step.length), now, work);
         self.record(mode, expansion, &step);
         let ends_flow = ends_flow?;
@@ -448,7 +455,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
         for (state, series) in expansion.states.iter().enumerate() {
             let (before, change) = (self.states[state], polynomial::increment(series, step.length));
-            let change = change + self.compensation[state];
+            // Rounded in another way, a step adds what its rate's rounding errors may have added.
+            let error = STEP_ROUNDING * (self.noise.rates[state] * step.length + f64::EPSILON * change.abs());
+            let change = self.rounding.off(change, error, state as u64) + self.compensation[state];
             let after = before + change;
             if !after.is_finite() {
                 return Err(Reason::NotFinite { state: self.engines[mode].system.names[state].clone() });
@@ -537,6 +546,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             after: self.states.clone(),
             compensation,
             scales,
+            blur: self.blur,
             mode_before: mode,
             mode_after,
         });

@@ -57,6 +57,8 @@ pub struct Event {
     pub compensation: Vec<f64>,
     /// Scales of the groups of states at that time.
     pub scales: Vec<f64>,
+    /// By how much rounding errors of what was crossed may have moved the time, s.
+    pub blur: f64,
     /// Index in [`Trajectory::modes`] of the mode that ended.
     pub mode_before: usize,
     /// Index in [`Trajectory::modes`] of the mode that began.

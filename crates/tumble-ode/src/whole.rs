@@ -162,6 +162,43 @@ impl Engine {
         }
     }
 
+    /// By how much rounding errors of the guards that end a step may have moved its end, s: the error of the function over its
+    /// rate, or, where that is small, what its bend makes of it.
+    pub(crate) fn blur(
+        &mut self,
+        hits: &[Hit],
+        expansion: &Expansion,
+        length: f64,
+        (time, states): (f64, &[f64]),
+    ) -> Result<f64, Reason> {
+        let guards =
+            hits.iter().filter_map(|hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None });
+        let guards: Vec<usize> = guards.collect();
+        if guards.is_empty() {
+            return Ok(0.0);
+        }
+        self.noise(time, states);
+        let first = self.system.len() + usize::from(self.system.transformed);
+        let rate = expansion.time.as_ref().map_or(1.0, |series| polynomial::slope(series, length));
+        let mut worst: f64 = 0.0;
+        for guard in guards {
+            let (noise, series) = match guard.checked_sub(self.system.guards) {
+                None => (self.rounded.value_of(first + guard).noise(), expansion.guards.get(guard)),
+                Some(lazy) => {
+                    let near = expansion.near.iter().find(|(index, _)| *index == lazy);
+                    (self.lazy_guards.noise(lazy, time, states)?, near.map(|(_, series)| series))
+                }
+            };
+            let Some(series) = series else { continue };
+            let ahead = polynomial::shifted(series, length);
+            let slope = ahead.get(1).map_or(0.0, |slope| slope.abs());
+            let bend = ahead.get(2).map_or(0.0, |bend| bend.abs());
+            let moved = (noise / slope).min((noise / bend).sqrt()) * rate;
+            worst = worst.max(if moved.is_finite() { moved } else { 0.0 });
+        }
+        Ok(worst)
+    }
+
     /// How far a step is known, if not to its end.
     pub(crate) fn unknown(
         &mut self,

@@ -1,6 +1,7 @@
 //! How many digits of a value are verified.
 
 use tumble_expr::Expr;
+use tumble_mech::At;
 
 use crate::case::Case;
 use crate::pipeline::PipelineError;
@@ -16,11 +17,10 @@ pub(crate) fn digits(value: f64, error: f64) -> usize {
     if digits.is_nan() { 0 } else { digits.clamp(0.0, MOST) as usize }
 }
 
-/// The error stated of a formula at a time; `None` where nothing is known of it.
-pub(crate) fn error(case: &Case, formula: &Expr, time: f64) -> Result<Option<f64>, PipelineError> {
+/// The error stated of a formula at an instant; `None` where nothing is known of it.
+pub(crate) fn error(case: &Case, formula: &Expr, at: At) -> Result<Option<f64>, PipelineError> {
     let Some(trust) = &case.trust else { return Ok(None) };
-    let errors = trust.errors(&case.run, std::slice::from_ref(formula))?;
-    Ok(errors.at(time).map(|errors| errors[0]))
+    Ok(trust.error_at(&case.run, formula, at)?)
 }
 
 impl FindResult {

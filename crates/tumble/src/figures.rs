@@ -88,9 +88,10 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
     for case in cases {
         let of_case = study.with(&case.parameters);
-        let moments = Moments::of(&of_case, &case.run);
+        let moments = Moments::of(&of_case, case);
         // What waits for something that does not happen in this run has no curve.
-        let known: Option<Vec<Expr>> = formulas.iter().map(|formula| moments.known(formula)).collect();
+        let known: Option<Vec<Expr>> =
+            formulas.iter().map(|formula| Some(moments.known(formula)?.formula)).collect();
         let Some(known) = known else { continue };
         let Some(rows) = rows(&of_case, case, plot, &known)? else { continue };
         for (index, curve) in plot.y.iter().enumerate() {
@@ -114,7 +115,7 @@ fn rows(
     formulas: &[Expr],
 ) -> Result<Option<Vec<Row>>, PipelineError> {
     let Some(during) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
-    let window = Moments::of(study, &case.run).window(Some(during))?;
+    let window = Moments::of(study, case).window(Some(during))?;
     window.map(|window| sample_between(&case.run, formulas, window)).transpose()
 }
 

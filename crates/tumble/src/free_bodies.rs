@@ -22,14 +22,14 @@ const NOTHING: f64 = 1e-12;
 /// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
 pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, PipelineError> {
     let study = &study.with(&case.parameters);
-    let moments = Moments::of(study, &case.run);
+    let moments = Moments::of(study, case);
     let drawing = Drawing { study, run: &case.run, body: asked.body };
     let mut sheet = Sheet { title: heading(study, asked.title.as_deref(), &asked.name), ..Sheet::default() };
     let end = case.run.trajectory.end().unwrap_or(0.0);
     let mut missing = vec![];
     for (instant, label) in &asked.at {
         match moments.time(instant)? {
-            Some(time) if (0.0..=end).contains(&time) => sheet.panels.push(drawing.panel(label, time)?),
+            Some((time, _)) if (0.0..=end).contains(&time) => sheet.panels.push(drawing.panel(label, time)?),
             _ => missing.push(instant.text.as_str()),
         }
     }

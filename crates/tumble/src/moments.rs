@@ -1,69 +1,114 @@
 //! Times that only a run knows: of events, and of the starts and ends of contacts.
 
 use tumble_expr::{Expr, Substitution, Symbol};
-use tumble_mech::{Contact, Run};
+use tumble_mech::Contact;
 use tumble_scene::{Instant, Study};
 
+use crate::case::Case;
 use crate::pipeline::PipelineError;
 
 /// The events and contacts of one run.
 pub(crate) struct Moments<'a> {
     study: &'a Study,
-    run: &'a Run,
+    case: &'a Case,
     contacts: Vec<Contact>,
+}
+
+/// A time that only a run knows, or a difference of such times, s.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    time: f64,
+    /// What it may be off by; `None` where nothing is known of that.
+    error: Option<f64>,
+}
+
+/// A formula with its moments replaced by their times.
+pub(crate) struct Timed {
+    /// With the times that were found.
+    pub(crate) formula: Expr,
+    /// For each moment, the formula with that one off by its error.
+    pub(crate) variants: Vec<Expr>,
+    /// Whether all errors are known.
+    pub(crate) is_sure: bool,
 }
 
 impl<'a> Moments<'a> {
     /// Those of a run of a study with the run's parameters.
-    pub(crate) fn of(study: &'a Study, run: &'a Run) -> Self {
-        Self { study, run, contacts: run.contacts() }
+    pub(crate) fn of(study: &'a Study, case: &'a Case) -> Self {
+        Self { study, case, contacts: case.run.contacts() }
     }
 
-    /// When that is, s; `None` if it does not happen.
-    pub(crate) fn time(&self, instant: &Instant) -> Result<Option<f64>, PipelineError> {
-        match self.known(&instant.time) {
-            Some(time) => Ok(Some(self.study.number(&time)?)),
-            None => Ok(None),
+    /// When that is, s, with the error of that; `None` if it does not happen.
+    pub(crate) fn time(&self, instant: &Instant) -> Result<Option<(f64, Option<f64>)>, PipelineError> {
+        let Some(timed) = self.known(&instant.time) else { return Ok(None) };
+        let time = self.study.number(&timed.formula)?;
+        let mut error = 0.0;
+        for variant in &timed.variants {
+            error += (self.study.number(variant)? - time).abs();
         }
+        Ok(Some((time, timed.is_sure.then_some(error))))
+    }
+
+    /// Error of the time of an event, s: of the time at which an event has ended the run, too.
+    pub(crate) fn event_error(&self, time: f64) -> Option<f64> {
+        let is_event = self.case.run.trajectory.events.iter().any(|event| event.time == time);
+        let trust = self.case.trust.as_ref()?;
+        if is_event { trust.event_error(&self.case.run, time) } else { Some(f64::EPSILON * time) }
     }
 
     /// From when to when, s; the whole run where nothing is said, and `None` if one of the two does not happen.
     pub(crate) fn window(&self, during: Option<&[Instant; 2]>) -> Result<Option<[f64; 2]>, PipelineError> {
         let Some([from, to]) = during else { return Ok(Some([0.0, f64::INFINITY])) };
-        Ok(self.time(from)?.zip(self.time(to)?).map(|(from, to)| [from, to]))
+        Ok(self.time(from)?.zip(self.time(to)?).map(|((from, _), (to, _))| [from, to]))
     }
 
     /// A formula with its moments replaced by their times; `None` if one of them does not happen.
-    pub(crate) fn known(&self, formula: &Expr) -> Option<Expr> {
-        let mut times = Substitution::default();
-        for symbol in
-            formula.symbols().into_iter().filter(|symbol| symbol.name.ends_with(']') || is_contact(symbol))
-        {
-            let time = self.time_of(&symbol.name)?;
-            times.insert(symbol, Expr::from(time) * tumble_expr::units::S);
-        }
-        Some(times.apply(formula))
+    pub(crate) fn known(&self, formula: &Expr) -> Option<Timed> {
+        let is_moment = |symbol: &Symbol| symbol.name.ends_with(']') || is_contact(symbol);
+        let symbols = formula.symbols().into_iter().filter(is_moment);
+        let moments: Option<Vec<(Symbol, Known)>> =
+            symbols.map(|symbol| self.time_of(&symbol.name).map(|known| (symbol, known))).collect();
+        let moments = moments?;
+        let with = |off: Option<usize>| {
+            let mut times = Substitution::default();
+            for (index, (symbol, known)) in moments.iter().enumerate() {
+                let error = if off == Some(index) { known.error.unwrap_or(0.0) } else { 0.0 };
+                times.insert(symbol.clone(), Expr::from(known.time + error) * tumble_expr::units::S);
+            }
+            times.apply(formula)
+        };
+        Some(Timed {
+            formula: with(None),
+            variants: (0..moments.len()).map(|index| with(Some(index))).collect(),
+            is_sure: moments.iter().all(|(_, known)| known.error.is_some()),
+        })
     }
 
-    fn time_of(&self, name: &str) -> Option<f64> {
+    fn time_of(&self, name: &str) -> Option<Known> {
+        let at = |time: f64| Known { time, error: self.event_error(time) };
         if let Some((event, count)) = counted(name) {
-            let named =
-                self.run.trajectory.events.iter().filter(|known| known.tags.iter().any(|tag| tag == event));
-            return named.map(|event| event.time).nth(count - 1);
+            let events = &self.case.run.trajectory.events;
+            let mut named = events.iter().filter(|known| known.tags.iter().any(|tag| tag == event));
+            return named.nth(count - 1).map(|event| at(event.time));
         }
         let (contact, part) = name.rsplit_once('.')?;
         let (place, count) = counted(contact)?;
         let found = self.contact(place.strip_suffix(".contact")?, count)?;
-        match part {
-            "start" => Some(found.start),
-            "end" => Some(found.end),
-            _ => Some(found.end - found.start),
-        }
+        let [start, end] = [at(found.start), at(found.end)];
+        Some(match part {
+            "start" => start,
+            "end" => end,
+            _ if found.start == found.end => Known { time: 0.0, error: Some(0.0) },
+            _ => Known {
+                time: found.end - found.start,
+                error: start.error.zip(end.error).map(|(start, end)| start + end),
+            },
+        })
     }
 
     /// The contact of that count of a surface, of a body with it, or of one point of the body.
     fn contact(&self, place: &str, count: usize) -> Option<&Contact> {
-        let pairs = self.run.equations.pairs();
+        let pairs = self.case.run.equations.pairs();
         let is_there = |contact: &&Contact| {
             let rest = pairs[contact.pair].name.strip_prefix(place);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))

@@ -1,12 +1,13 @@
 //! Looking at a motion where a scene asks to: at an instant, at the end, or where something is greatest or least.
 
 use tumble_expr::{Dimension, Expr, Unit};
+use tumble_mech::At;
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, When};
 
 use crate::case::Case;
 use crate::digits;
-use crate::moments::Moments;
+use crate::moments::{Moments, Timed};
 use crate::pipeline::PipelineError;
 use crate::works;
 
@@ -62,9 +63,11 @@ impl Answer {
 pub(crate) struct Asked<'a> {
     case: &'a Case,
     moments: Moments<'a>,
-    that: Expr,
+    that: Timed,
     dimension: Dimension,
     time: f64,
+    /// Error of the time, s; `None` where nothing is known of it.
+    off: Option<f64>,
     side: Side,
 }
 
@@ -75,46 +78,73 @@ impl<'a> Asked<'a> {
         case: &'a Case,
         question: &Question,
     ) -> Result<Option<Self>, PipelineError> {
-        let moments = Moments::of(study, &case.run);
+        let moments = Moments::of(study, case);
         let Some(that) = moments.known(&question.that.quantity.formula) else { return Ok(None) };
         // A motion that an event has stopped ends there; one that was refused has no end, and nobody knows what is greatest.
         let is_whole = case.refusal.is_none();
         let found = match &question.at {
-            When::End => case.run.trajectory.end().filter(|_| is_whole).map(|end| (end, question.side)),
-            When::At(instant) => moments.time(instant)?.map(|time| (time, question.side)),
+            When::End => {
+                let end = case.run.trajectory.end().filter(|_| is_whole);
+                end.map(|end| (end, moments.event_error(end), question.side))
+            }
+            When::At(instant) => moments.time(instant)?.map(|(time, off)| (time, off, question.side)),
             When::Extreme { which, during } => match moments.window(during.as_ref())?.filter(|_| is_whole) {
-                Some(window) => case.run.extreme(&that, *which, window)?.map(|peak| (peak.time, peak.side)),
+                // At an extreme the value does not change with the time.
+                Some(window) => {
+                    let peak = case.run.extreme(&that.formula, *which, window)?;
+                    peak.map(|peak| (peak.time, Some(0.0), peak.side))
+                }
                 None => None,
             },
         };
         let dimension = question.that.quantity.dimension;
-        Ok(found.map(|(time, side)| Self { case, moments, that, dimension, time, side }))
+        Ok(found.map(|(time, off, side)| Self { case, moments, that, dimension, time, off, side }))
     }
 
     /// What is found, beside a claim if there is one; `None` outside the motion.
     pub(crate) fn answer(&self, claim: Option<&Expr>) -> Result<Option<Answer>, PipelineError> {
         let (case, at) = (self.case, (self.time, self.side));
         let claimed = match claim {
-            None => Some(0 * Unit(self.dimension)),
+            None => Some(Timed { formula: 0 * Unit(self.dimension), variants: vec![], is_sure: true }),
             Some(claim) => self.moments.known(claim),
         };
         let Some(claimed) = claimed else { return Ok(None) };
-        let known = [works::known(case, self.that.clone(), at)?, works::known(case, claimed, at)?];
-        let [Some(that), Some(claimed)] = known else { return Ok(None) };
-        let off = |formula: &Expr| formula - &claimed.formula;
-        let difference = off(&that.formula);
-        let others = claimed.variants.iter().map(|other| &that.formula - other);
-        let others = that.variants.iter().map(off).chain(others);
+        let mut is_sure = self.that.is_sure && claimed.is_sure;
+        let mut known = |formula: &Expr| {
+            let known = works::known(case, formula.clone(), at)?;
+            is_sure &= known.as_ref().is_none_or(|known| known.is_sure);
+            Ok::<_, PipelineError>(known)
+        };
+        let (Some(that), Some(expected)) = (known(&self.that.formula)?, known(&claimed.formula)?) else {
+            return Ok(None);
+        };
+        let difference = &that.formula - &expected.formula;
+        let of_that = that.variants.iter().cloned().chain(of_times(&mut known, &self.that)?);
+        let of_that = of_that.map(|other| other - &expected.formula);
+        let of_claim = expected.variants.iter().cloned().chain(of_times(&mut known, &claimed)?);
+        let others = of_that.chain(of_claim.map(|other| &that.formula - other));
         let formulas: Vec<Expr> =
-            [&that.formula, &claimed.formula, &difference].into_iter().cloned().chain(others).collect();
+            [&that.formula, &expected.formula, &difference].into_iter().cloned().chain(others).collect();
         let Some(values) = case.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
-        let of_works: f64 = values[3..].iter().map(|other| (other - values[2]).abs()).sum();
-        let error = digits::error(case, &difference, self.time)?.filter(|_| that.is_sure && claimed.is_sure);
+        let of_variants: f64 = values[3..].iter().map(|other| (other - values[2]).abs()).sum();
+        let at = At { time: self.time, side: self.side, off: self.off.unwrap_or(0.0) };
+        let depends = self.off.is_some() || !tumble_mech::depends_on_motion(&case.run, &difference);
+        let error = digits::error(case, &difference, at)?.filter(|_| is_sure && depends);
         Ok(Some(Answer {
             at: self.time,
             found: values[0] + 0.0,
             expected: values[1],
-            error: error.map(|error| error + of_works),
+            error: error.map(|error| error + of_variants),
         }))
     }
+}
+
+/// For each moment of a formula, the formula with that one off by its error.
+fn of_times(
+    known: &mut impl FnMut(&Expr) -> Result<Option<works::Known>, PipelineError>,
+    timed: &Timed,
+) -> Result<Vec<Expr>, PipelineError> {
+    let variants = timed.variants.iter().map(|variant| Ok(known(variant)?.map(|known| known.formula)));
+    let variants: Result<Vec<Option<Expr>>, PipelineError> = variants.collect();
+    Ok(variants?.into_iter().flatten().collect())
 }

@@ -1,17 +1,18 @@
 //! Errors of quantities along a motion, from its difference to a check run.
 
 use tumble_expr::Expr;
-use tumble_ode::Side;
+use tumble_ode::{Piece, Side};
 
 use crate::observer::Observer;
 use crate::run::{Run, RunError};
-use crate::trust::phases::{Phases, Stretch};
-use crate::trust::{SAFETY, ULPS};
+use crate::trust::ULPS;
+use crate::trust::check_run::CheckRun;
+use crate::trust::phases::Stretch;
 
 /// A phase pressed into a surface and shorter than this part of the longest so far is an impact: what is off within one
 /// passes with it.
 const BRIEF: f64 = 0.05;
-/// Parts of a step at whose ends the two runs are compared.
+/// Parts of a step at whose ends the runs are compared, at least; as many as the steps of a check run where those are more.
 const PARTS: usize = 4;
 
 /// Errors of quantities along a motion.
@@ -22,42 +23,95 @@ pub struct Errors {
     until: f64,
 }
 
+/// A check run on its way along the motion.
+struct Beside<'a> {
+    observer: Observer<'a>,
+    phases: std::iter::Peekable<std::slice::Iter<'a, [Stretch; 2]>>,
+    safety: f64,
+    /// Largest difference so far that stays, by formula.
+    difference: Vec<f64>,
+    longest: f64,
+}
+
+impl<'a> Beside<'a> {
+    fn new(check: &'a CheckRun, formulas: &[Expr]) -> Result<Self, RunError> {
+        Ok(Self {
+            observer: check.run.observe(formulas)?,
+            phases: check.phases.all.iter().peekable(),
+            safety: check.safety,
+            difference: vec![0.0; formulas.len()],
+            longest: 0.0,
+        })
+    }
+
+    /// The stretch that a piece of the motion lies in.
+    fn phase(&mut self, piece: &Piece) -> Option<[Stretch; 2]> {
+        while self.phases.next_if(|[here, _]| here.end <= piece.start).is_some() {}
+        let phase = **self.phases.peek()?;
+        self.longest = self.longest.max(phase[0].end - phase[0].start);
+        Some(phase)
+    }
+
+    /// Errors that this run tells of, of values of the motion at an instant within a stretch.
+    fn errors(
+        &mut self,
+        here: &[f64],
+        phase: [Stretch; 2],
+        (time, side): (f64, Side),
+        stays: bool,
+    ) -> Option<Vec<f64>> {
+        let found = Compared::at(&mut self.observer, phase, (time, side))?;
+        let stated = found.differences(here).enumerate().map(|(index, (now, later))| {
+            if stays {
+                self.difference[index] = larger(self.difference[index], later);
+            }
+            self.safety * larger(self.difference[index], now)
+        });
+        Some(stated.collect())
+    }
+}
+
 impl Errors {
     pub(super) fn of(
         run: &Run,
-        check: &Run,
-        phases: &Phases,
+        checks: &[CheckRun],
         until: f64,
         formulas: &[Expr],
     ) -> Result<Self, RunError> {
-        let mut both = [run.observe(formulas)?, check.observe(formulas)?];
-        let rounding = ULPS * f64::EPSILON + run.quadrature.map_or(0.0, |quadrature| quadrature.change);
-        let (mut difference, mut size) = (vec![0.0_f64; formulas.len()], vec![0.0_f64; formulas.len()]);
-        let (mut rows, mut longest) = (vec![], 0.0_f64);
-        let mut phases = phases.all.iter();
-        let mut phase = phases.next();
+        let mut observer = run.observe(formulas)?;
+        let mut beside =
+            checks.iter().map(|check| Beside::new(check, formulas)).collect::<Result<Vec<_>, _>>()?;
+        let mut size = vec![0.0_f64; formulas.len()];
+        let mut rows = vec![];
         for piece in run.trajectory.pieces.iter().take_while(|piece| piece.start < until) {
-            while phase.is_some_and(|[here, _]| here.end <= piece.start) {
-                phase = phases.next();
-            }
-            let Some(phase) = phase else { break };
-            let length = phase[0].end - phase[0].start;
-            longest = longest.max(length);
+            let phases: Option<Vec<[Stretch; 2]>> =
+                beside.iter_mut().map(|check| check.phase(piece)).collect();
+            let Some(phases) = phases else { break };
             let is_pressed = run.trajectory.modes[piece.mode].pressed().next().is_some();
-            let is_impact = is_pressed && length < BRIEF * longest;
-            for part in 0..=PARTS {
-                let time = piece.start + (piece.end - piece.start) * part as f64 / PARTS as f64;
-                let (time, side) =
-                    if part == PARTS { (piece.end, Side::Before) } else { (time, Side::After) };
-                let Some(found) = Compared::at(&mut both, *phase, (time, side)) else { continue };
-                let stated = found.differences().enumerate().map(|(index, (now, later))| {
-                    if !is_impact {
-                        difference[index] = larger(difference[index], later);
+            let most =
+                checks.iter().map(|check| check.pieces_between(piece.start, piece.end)).max().unwrap_or(0);
+            for (time, side) in places(piece, most.max(PARTS)) {
+                let Some(here) = observer.at(time, side) else { continue };
+                for (size, value) in size.iter_mut().zip(&here) {
+                    *size = if value.is_finite() { size.max(value.abs()) } else { *size };
+                }
+                let mut row: Vec<f64> = size.iter().map(|size| ULPS * f64::EPSILON * size).collect();
+                let mut is_compared = true;
+                for (check, phase) in beside.iter_mut().zip(&phases) {
+                    let is_impact = is_pressed && phase[0].end - phase[0].start < BRIEF * check.longest;
+                    match check.errors(&here, *phase, (time, side), !is_impact) {
+                        None => is_compared = false,
+                        Some(errors) => {
+                            let rounding = size.iter().map(|size| ULPS * f64::EPSILON * size);
+                            let stated =
+                                errors.iter().zip(rounding).map(|(error, rounding)| error + rounding);
+                            row.iter_mut().zip(stated).for_each(|(row, stated)| *row = larger(*row, stated));
+                        }
                     }
-                    size[index] = larger(size[index], found.here[index].abs());
-                    SAFETY * larger(difference[index], now) + rounding * size[index]
-                });
-                rows.push((time, stated.collect()));
+                }
+                if is_compared {
+                    rows.push((time, row));
+                }
             }
         }
         Ok(Self { rows, largest: size, until })
@@ -91,9 +145,16 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b <= a { a } else { b }
 }
 
-/// Values of both runs at one time of the first.
+/// Places of a piece at which runs are compared: the ends of equal parts.
+fn places(piece: &Piece, parts: usize) -> impl Iterator<Item = (f64, Side)> {
+    (0..=parts).map(move |part| match part {
+        last if last == parts => (piece.end, Side::Before),
+        _ => (piece.start + (piece.end - piece.start) * part as f64 / parts as f64, Side::After),
+    })
+}
+
+/// Values of a check run that belong to one time of the motion.
 struct Compared {
-    here: Vec<f64>,
     /// At the same time since the phase began.
     since: Vec<f64>,
     /// At the same time, where both runs are in the phase.
@@ -101,25 +162,18 @@ struct Compared {
 }
 
 impl Compared {
-    fn at(
-        [first, check]: &mut [Observer<'_>; 2],
-        [here, there]: [Stretch; 2],
-        (time, side): (f64, Side),
-    ) -> Option<Self> {
+    fn at(check: &mut Observer<'_>, [here, there]: [Stretch; 2], (time, side): (f64, Side)) -> Option<Self> {
         let since = (there.start + (time - here.start)).clamp(there.start, there.end);
         let is_in = there.start <= time && time <= there.end;
-        Some(Self {
-            here: first.at(time, side)?,
-            since: check.at(since, side)?,
-            same: if is_in { check.at(time, side) } else { None },
-        })
+        let since = check.at(since, side)?;
+        Some(Self { since, same: if is_in { check.at(time, side) } else { None } })
     }
 
     /// How far each value is off now, and by how much of that it may stay so.
-    fn differences(&self) -> impl Iterator<Item = (f64, f64)> {
-        (0..self.here.len()).map(|index| {
-            let since = (self.here[index] - self.since[index]).abs();
-            let now = self.same.as_ref().map_or(since, |same| (self.here[index] - same[index]).abs());
+    fn differences<'a>(&'a self, here: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
+        (0..here.len()).map(move |index| {
+            let since = (here[index] - self.since[index]).abs();
+            let now = self.same.as_ref().map_or(since, |same| (here[index] - same[index]).abs());
             (now, if now < since { now } else { since })
         })
     }

@@ -1,52 +1,58 @@
 //! How far a motion can be trusted: an independent check run beside it.
 //!
 //! # Law
-//! The check run is held to another tolerance, so that it has another order and takes other steps, and it starts a few
-//! ulps away. Two such runs differ by the error of the coarser one, and by what the motion makes of rounding errors.
-//! The error stated of a quantity f at t is
+//! A motion is found once more, twice: to a tighter tolerance, so that the order is another and the steps are others, and to the
+//! same; each time from numbers that are rounded in another way, a few ulps off in every direction, after events too. Where
+//! sums stand for integrals along lines there is a third run with half as many nodes. Runs differ by the error of the coarser
+//! one, and by what the motion makes of rounding errors. The error stated of a quantity f at t is
 //!
 //! ```text
-//! SAFETY max(d(t), max over t' <= t of c(t'))  +  (ULPS eps + q) max over t' <= t of |f1(t')|
+//! min(D, P) + noise + |f'| tau
+//! D = SAFETY max(d(t), max over t' <= t of c(t')) + ULPS eps max over t' <= t of |f(t')|
+//! P = sum over states of |f(.., x_i + e_i, ..) - f(x)|
 //! ```
 //!
-//! with d the difference at equal times; c the smaller of d and the difference at equal times since the last event,
-//! zero while a compliant surface is hit, for a time much shorter than other phases: an impact that comes a little late
-//! spoils no digits after it; and q the change that the last doubling of Gauss nodes made, where there are lines of
-//! them.
+//! with d the largest difference to a check run at equal times; c the smaller of d and the difference at equal times since the
+//! last event, zero while a compliant surface is hit, for a time much shorter than other phases: an impact that comes a little
+//! late spoils no digits after it; e_i the error D of a state; noise the rounding error of f itself; tau the error of the time.
+//! What is singular, or jumps, elsewhere in the run spoils D there and leaves P. The error of an event's time is SAFETY times
+//! the largest difference of the times, and what rounding of the function does that is crossed.
 //!
 //! # Symbols and units
-//! f as the quantity; t, s; eps the spacing of doubles at 1.
+//! f as the quantity; t, tau, s; x, e as the state; eps the spacing of doubles at 1.
 //!
 //! # Sign and frame
 //! Errors have no sign; they are in the frame of their quantity.
 //!
 //! # Validity
-//! The runs are compared between events that both have. Next to an event, where one run is before it and the other past
-//! it, there is no d. Events that only record are not compared: they change nothing. A Zeno sequence of impacts is one
-//! event. From the first event that only one of them has, or once the error of a state is [`LOST`] of its scale,
-//! nothing is stated: that is the [`Horizon`].
+//! Runs are compared between events that all have. Next to an event, where one run is before it and the other past it, there
+//! is no d. Events that only record are not compared: they change nothing. A Zeno sequence of impacts is one event. From
+//! the first event that only one of them has, or whose order is uncertain, or once the error of a state is [`LOST`] of its
+//! scale, nothing is stated: that is the [`Horizon`].
 //!
 //! # Source
-//! Differences of runs at two tolerances: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.4.
-//! The factors are calibrated by tests.
+//! Differences of runs at two tolerances: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.4. The
+//! factors are calibrated.
 //!
 //! # Checked by
-//! `tests/trust.rs`: the error stated is never less than the true one where that is known, and no more than some digits
-//! larger.
+//! `tests/trust.rs` and the calibration: the error stated is not less than the true one, and no more than some digits larger.
 
+mod check_run;
 mod errors;
+mod instant;
 mod phases;
 
 use tumble_expr::Expr;
 use tumble_ode::{Accuracy, Side};
 
-use crate::balance::{Contribution, RunBalance};
+use crate::balance::RunBalance;
 use crate::coordinates::Measure;
 use crate::model::Model;
 use crate::parameters::Parameters;
 use crate::run::{Run, RunError};
+use check_run::CheckRun;
 pub use errors::Errors;
-use phases::{Phases, phases};
+pub use instant::{At, depends_on_motion};
 
 /// The difference of two runs may be small by accident at one time and for one quantity; calibrated by the tests.
 const SAFETY: f64 = 4.0;
@@ -54,8 +60,6 @@ const SAFETY: f64 = 4.0;
 const ULPS: f64 = 8.0;
 /// An error of this part of the scale leaves not one digit.
 const LOST: f64 = 0.1;
-/// The start of the check run is off by this part of each state.
-const NUDGE: f64 = 4.0 * f64::EPSILON;
 /// A motion that does not come up to the accuracy asked for is found again at most so many times, ever tighter.
 const MOST_REPEATS: usize = 2;
 /// Repeating helps only where it makes the error this much smaller: else it is rounding that is in the way.
@@ -64,8 +68,9 @@ const GAIN: f64 = 0.5;
 /// What a check run says of a motion.
 #[derive(Clone, Debug)]
 pub struct Trust {
-    check: Box<Run>,
-    phases: Phases,
+    checks: Vec<CheckRun>,
+    /// Errors of places, angles and their rates, six a body.
+    states: Errors,
     /// Accuracy that was asked for.
     pub asked: f64,
     /// Accuracy that steps were held to in the end: finer than what was asked for, where that was not enough.
@@ -153,39 +158,38 @@ impl Trust {
         until: f64,
         (asked, used): (Accuracy, Accuracy),
     ) -> Result<Self, RunError> {
-        let check = match check_run(run, parameters, until, used.independent()) {
-            Err(RunError::Refused { partial, .. }) => *partial,
-            other => other?,
-        };
-        let phases = phases(run, &check);
+        let checks = CheckRun::all(run, parameters, until, used)?;
+        let horizons = checks.iter().filter_map(|check| check.phases.divergence.clone());
+        let horizon = horizons.min_by(|a, b| a.time.total_cmp(&b.time));
+        let end = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
+        let states = Errors::of(run, &checks, end, &kinematics(run))?;
         let (asked, used) = (asked.value(), used.value());
-        let mut trust = Self {
-            horizon: phases.divergence.clone(),
-            check: Box::new(check),
-            phases,
-            asked,
-            used,
-            reached: 0.0,
-        };
-        trust.measure(run)?;
+        let mut trust = Self { horizon, checks, states, asked, used, reached: 0.0 };
+        trust.measure(run);
         Ok(trust)
     }
 
-    /// Finds how large the errors of the states become, and when they are lost.
-    fn measure(&mut self, run: &Run) -> Result<(), RunError> {
-        let errors = self.errors(run, &kinematics(run))?;
-        let scales = scales(run, &errors);
-        let scale = |index: usize| scales[index % MEASURES.len()];
-        for (time, row) in errors.rows() {
-            let relative = row.iter().enumerate().filter(|(_, error)| **error != 0.0);
-            let worst = relative.map(|(index, error)| error / scale(index)).fold(0.0, errors::larger);
+    /// Finds how large the errors of the states become, and when they are lost. What rounding errors of the rates may have
+    /// done is no motion, and its digits are not counted.
+    fn measure(&mut self, run: &Run) {
+        let scales = scales(run, &self.states);
+        let rounding = MEASURES.map(|measure| {
+            let floor = run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
+            SAFETY * ULPS * floor
+        });
+        for (time, row) in self.states.rows() {
+            let counted = row
+                .iter()
+                .enumerate()
+                .filter(|(index, error)| !(**error <= rounding[index % MEASURES.len()]));
+            let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
+            let worst = relative.fold(0.0, errors::larger);
             if worst.is_nan() || worst >= LOST {
                 self.horizon = Some(Horizon { time, reason: Divergence::Grown });
                 break;
             }
             self.reached = worst;
         }
-        Ok(())
     }
 
     /// Whether the accuracy asked for holds to the end.
@@ -195,16 +199,18 @@ impl Trust {
 
     /// Errors of formulas of the motion along it; `run` is the motion that this is about.
     pub fn errors(&self, run: &Run, formulas: &[Expr]) -> Result<Errors, RunError> {
-        Errors::of(run, &self.check, &self.phases, self.end(), formulas)
+        Errors::of(run, &self.checks, self.end(), formulas)
     }
 
-    /// Error of the time of an event, s; `None` where nothing can be said of it.
-    pub fn event_error(&self, time: f64) -> Option<f64> {
-        let changing = self.phases.all.iter().map(|[here, there]| [here.end, there.end]);
-        let [here, there] =
-            changing.chain(self.phases.recorded.iter().copied()).find(|[here, _]| *here == time)?;
-        let difference = (here - there).abs();
-        (time < self.end()).then_some(SAFETY * difference + ULPS * f64::EPSILON * time)
+    /// Error of the time of an event of the motion, s; `None` where nothing can be said of it.
+    ///
+    /// What the check runs are off by, and what rounding of the function that was crossed may have done.
+    pub fn event_error(&self, run: &Run, time: f64) -> Option<f64> {
+        let here = run.trajectory.events.iter().filter(|event| event.time == time);
+        let blur = here.map(|event| event.blur).fold(0.0, f64::max);
+        let mut off = self.checks.iter().map(|check| Some(check.safety * check.phases.off(time)?));
+        let off = off.try_fold(0.0, |worst: f64, off: Option<f64>| Some(worst.max(off?)))?;
+        (time <= self.end()).then_some(off + blur + ULPS * f64::EPSILON * time)
     }
 
     /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
@@ -214,23 +220,18 @@ impl Trust {
         time: f64,
         side: Side,
     ) -> Result<Option<Vec<f64>>, RunError> {
-        let Some(since) = self.phases.counterpart(time, side).filter(|_| time <= self.end()) else {
-            return Ok(None);
-        };
-        let mut check = RunBalance::of(&self.check, balance.about)?;
-        let (Some(here), Some(there)) = (balance.at(time, side)?, check.at(since, side)?) else {
-            return Ok(None);
-        };
-        let key =
-            |contribution: &Contribution| (contribution.load.clone(), contribution.body, contribution.kind);
-        let error = |(contribution, work): (&Contribution, &f64)| {
-            let others = check.contributions.iter().zip(&there.work);
-            let other =
-                others.filter(|(other, _)| key(other) == key(contribution)).map(|(_, work)| work).next();
-            let difference = other.map_or(f64::INFINITY, |other| (work - other).abs());
-            SAFETY * difference + ULPS * f64::EPSILON * work.abs()
-        };
-        Ok(Some(balance.contributions.iter().zip(&here.work).map(error).collect()))
+        let Some(here) = balance.at(time, side)?.filter(|_| time <= self.end()) else { return Ok(None) };
+        let mut errors: Vec<f64> = here.work.iter().map(|work| ULPS * f64::EPSILON * work.abs()).collect();
+        for check in &self.checks {
+            let Some(differences) = check.work_differences(balance, &here.work, (time, side))? else {
+                return Ok(None);
+            };
+            for (index, difference) in differences.into_iter().enumerate() {
+                let rounding = ULPS * f64::EPSILON * here.work[index].abs();
+                errors[index] = errors::larger(errors[index], check.safety * difference + rounding);
+            }
+        }
+        Ok(Some(errors))
     }
 
     fn is_better(&self, other: &Self) -> bool {
@@ -241,21 +242,6 @@ impl Trust {
     /// Time up to which something can be said, s; infinite where that is the whole motion.
     fn end(&self) -> f64 {
         self.horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time)
-    }
-}
-
-/// The same motion from nearly the same start, to another accuracy.
-fn check_run(run: &Run, parameters: &Parameters, until: f64, accuracy: Accuracy) -> Result<Run, RunError> {
-    let mut start = run.equations.start(parameters)?;
-    for state in &mut start.states {
-        *state *= 1.0 + NUDGE;
-    }
-    let found = Run::from_start(run.equations.clone(), start, until, accuracy, |_| ());
-    match found {
-        Err(RunError::Refused { partial, .. }) if partial.trajectory.pieces.is_empty() => {
-            Run::new(run.equations.clone(), parameters, until, accuracy, |_| ())
-        }
-        found => found,
     }
 }
 

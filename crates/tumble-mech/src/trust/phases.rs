@@ -78,6 +78,13 @@ impl Phases {
         Some((there.start + (time - here.start)).clamp(there.start, there.end))
     }
 
+    /// By how much the time of an event is off between both runs, s; `None` if only one of them has it.
+    pub(super) fn off(&self, time: f64) -> Option<f64> {
+        let changing = self.all.iter().map(|[here, there]| [here.end, there.end]);
+        let [here, there] = changing.chain(self.recorded.iter().copied()).find(|[here, _]| *here == time)?;
+        Some((here - there).abs())
+    }
+
     fn push(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.all.push([0, 1].map(|run| Stretch { start: from[run], end: to[run] }));
     }

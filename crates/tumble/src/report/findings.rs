@@ -13,7 +13,7 @@
 //! | resonance | one run of a sweep swings by [`STANDS_OUT`] times the median of all |
 
 use tumble_expr::Expr;
-use tumble_mech::{Body, Contact, Extreme, Gravity, Observer, Run};
+use tumble_mech::{At, Body, Contact, Extreme, Gravity, Observer, Run};
 use tumble_ode::Side;
 use tumble_report::report::Text;
 use tumble_scene::Study;
@@ -156,7 +156,8 @@ impl Seen<'_> {
     }
 
     fn error(&self, time: f64, formula: &Expr) -> Result<Option<f64>, PipelineError> {
-        digits::error(self.case, formula, time)
+        let off = self.case.trust.as_ref().and_then(|trust| trust.event_error(&self.case.run, time));
+        digits::error(self.case, formula, At { time, side: Side::After, off: off.unwrap_or(0.0) })
     }
 
     /// A value with its digits.
@@ -249,7 +250,7 @@ impl Seen<'_> {
         };
         let words = Text::from(self.name().to_owned()).and(times);
         let when = |time: f64| {
-            let error = self.case.trust.as_ref().and_then(|trust| trust.event_error(time));
+            let error = self.case.trust.as_ref().and_then(|trust| trust.event_error(&self.case.run, time));
             with_digits(time, error, "s")
         };
         let mut words = words.and(when(first.start));
@@ -271,7 +272,10 @@ impl Seen<'_> {
                 let events = self.run.trajectory.events.iter().map(|event| event.time);
                 // What comes to rest by itself does so between two samples.
                 let (time, error) = match events.rev().find(|time| (before..=after).contains(time)) {
-                    Some(time) => (time, self.case.trust.as_ref().and_then(|trust| trust.event_error(time))),
+                    Some(time) => (
+                        time,
+                        self.case.trust.as_ref().and_then(|trust| trust.event_error(&self.case.run, time)),
+                    ),
                     None => (after, Some(after - before)),
                 };
                 let words = Text::from(format!("{} rests from ", self.name()));

@@ -1,0 +1,99 @@
+//! The runs that a motion is checked by.
+
+use tumble_expr::Rounding;
+use tumble_ode::{Accuracy, Side};
+
+use crate::balance::{Contribution, RunBalance};
+use crate::parameters::Parameters;
+use crate::run::{Run, RunError};
+use crate::trust::SAFETY;
+use crate::trust::phases::{Phases, phases};
+
+/// Seeds of the ways in which check runs are rounded: one number of each hides what the other shows in a few percent of all
+/// cases, both in one of thousands.
+const SEEDS: [u64; 2] = [0x7475_6d62, 0x6c65_2121];
+/// A sum with half as many nodes is off by more than the one that is used.
+const HALF_AS_MANY: f64 = 1.0;
+
+/// A run beside the motion, and which stretches of both belong together.
+#[derive(Clone, Debug)]
+pub(super) struct CheckRun {
+    pub(super) run: Run,
+    pub(super) phases: Phases,
+    /// What its differences are multiplied with.
+    pub(super) safety: f64,
+}
+
+impl CheckRun {
+    /// All that a motion is checked by.
+    pub(super) fn all(
+        run: &Run,
+        parameters: &Parameters,
+        until: f64,
+        used: Accuracy,
+    ) -> Result<Vec<Self>, RunError> {
+        let mut all = vec![];
+        for (seed, accuracy) in SEEDS.into_iter().zip([used.independent(), used]) {
+            let check = perturbed(run, parameters, until, (accuracy, Rounding::perturbed(seed)));
+            let check = match check {
+                Err(RunError::Refused { partial, .. }) => *partial,
+                other => other?,
+            };
+            all.push(Self::new(run, check, SAFETY));
+        }
+        all.extend(run.coarser.as_ref().map(|coarser| Self::new(run, (**coarser).clone(), HALF_AS_MANY)));
+        Ok(all)
+    }
+
+    fn new(run: &Run, check: Run, safety: f64) -> Self {
+        Self { phases: phases(run, &check), run: check, safety }
+    }
+
+    /// How many of its pieces lie in a stretch of time, s.
+    pub(super) fn pieces_between(&self, start: f64, end: f64) -> usize {
+        let pieces = &self.run.trajectory.pieces;
+        let first = pieces.partition_point(|piece| piece.end <= start);
+        pieces.partition_point(|piece| piece.start < end).saturating_sub(first)
+    }
+
+    /// By how much the works of a balance's contributions are off; `None` where nothing can be said of them.
+    pub(super) fn work_differences(
+        &self,
+        balance: &RunBalance<'_>,
+        works: &[f64],
+        (time, side): (f64, Side),
+    ) -> Result<Option<Vec<f64>>, RunError> {
+        let Some(since) = self.phases.counterpart(time, side) else { return Ok(None) };
+        let mut check = RunBalance::of(&self.run, balance.about)?;
+        let Some(there) = check.at(since, side)? else { return Ok(None) };
+        let key =
+            |contribution: &Contribution| (contribution.load.clone(), contribution.body, contribution.kind);
+        let difference = |(contribution, work): (&Contribution, &f64)| {
+            let mut others = check.contributions.iter().zip(&there.work);
+            let other = others.find(|(other, _)| key(other) == key(contribution));
+            other.map_or(f64::INFINITY, |(_, other)| (work - other).abs())
+        };
+        Ok(Some(balance.contributions.iter().zip(works).map(difference).collect()))
+    }
+}
+
+/// The same motion from numbers that are rounded in another way.
+fn perturbed(
+    run: &Run,
+    parameters: &Parameters,
+    until: f64,
+    (accuracy, rounding): (Accuracy, Rounding),
+) -> Result<Run, RunError> {
+    let parameters = parameters.rounded(rounding);
+    let equations = run.equations.rounded(rounding);
+    let start = equations.start(&parameters)?;
+    let found = Run::from_start(equations.clone(), start, until, accuracy, |_| ());
+    match found {
+        // At the edge of what can begin, a few ulps decide: then it begins as the motion does.
+        Err(RunError::Refused { partial, .. }) if partial.trajectory.pieces.is_empty() => {
+            let parameters = parameters.rounded(Rounding::NEAREST);
+            Run::new(equations.rounded(Rounding::NEAREST), &parameters, until, accuracy, |_| ())
+        }
+        found => found,
+    }
+}

@@ -1,0 +1,120 @@
+//! The error of one quantity at one instant of a motion.
+
+use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
+use tumble_ode::{Place, Side};
+
+use crate::evaluator::evaluate;
+use crate::run::{Run, RunError};
+use crate::trust::{Trust, kinematics};
+
+/// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
+const RATE_PART: f64 = 1e-6;
+/// Rounding errors of a quantity, in units of what its running error analysis says.
+const NOISE: f64 = 2.0;
+
+/// An instant of a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct At {
+    /// When, s.
+    pub time: f64,
+    /// Which value is meant at an event.
+    pub side: Side,
+    /// Error of the time, s.
+    pub off: f64,
+}
+
+impl Trust {
+    /// Error stated of a formula of the motion at an instant; `None` where nothing can be said of it.
+    pub fn error_at(&self, run: &Run, formula: &Expr, at: At) -> Result<Option<f64>, RunError> {
+        let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
+        let mut quantity = Quantity::new(run, formula, &place)?;
+        let noise = NOISE * quantity.noise()?;
+        if !depends_on_motion(run, formula) {
+            return Ok(Some(noise));
+        }
+        let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
+        let carried = quantity.carried(&states);
+        let direct = self.errors(run, std::slice::from_ref(formula))?.at(at.time).map(|errors| errors[0]);
+        let motion = match direct {
+            Some(direct) if direct.is_finite() && direct <= carried => direct,
+            _ => carried,
+        };
+        let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
+        let moved = quantity.rate(at.side) * at.off.max(rounded);
+        Ok(Some(motion + noise + moved))
+    }
+}
+
+/// Whether a formula holds anything of the motion, and not parameters alone.
+pub fn depends_on_motion(run: &Run, formula: &Expr) -> bool {
+    let parameters = run.equations.model().parameters.symbols();
+    formula.symbols().iter().any(|symbol| !parameters.contains(symbol))
+}
+
+/// A formula at a place of the motion.
+struct Quantity<'a> {
+    run: &'a Run,
+    place: &'a Place<'a>,
+    jets: Jets<f64>,
+    value: f64,
+}
+
+impl<'a> Quantity<'a> {
+    fn new(run: &'a Run, formula: &'a Expr, place: &'a Place<'a>) -> Result<Self, RunError> {
+        let mode = &run.trajectory.modes[place.mode];
+        let jets = run.equations.evaluator(mode, std::slice::from_ref(formula), &run.inputs)?;
+        let mut quantity = Self { run, place, jets, value: 0.0 };
+        quantity.value = quantity.at(place);
+        Ok(quantity)
+    }
+
+    fn at(&mut self, place: &Place<'_>) -> f64 {
+        evaluate(&mut self.jets, place);
+        self.jets.value_of(0)
+    }
+
+    /// The rounding error of the formula itself, from numbers and states that are rounded.
+    fn noise(&self) -> Result<f64, RunError> {
+        let inputs: Vec<Rounded> = self.run.inputs.iter().map(|value| Rounded::leaf(*value)).collect();
+        let states: Vec<Rounded> = self.place.states.iter().map(|value| Rounded::leaf(*value)).collect();
+        let mut rounded = Jets::new(self.jets.tape().clone(), 0, &inputs);
+        rounded.start(Rounded::leaf(self.place.time), &states, Branches::Free);
+        let noise = rounded.value_of(0).noise();
+        Ok(if noise.is_finite() { noise } else { 0.0 })
+    }
+
+    /// What errors of the states, by [`kinematics`], do to the value, each by itself.
+    fn carried(&mut self, errors: &[f64]) -> f64 {
+        let symbols = self.run.equations.states(&self.run.trajectory.modes[self.place.mode]);
+        let known = kinematics(self.run);
+        let mut sum = 0.0;
+        for (state, symbol) in symbols.into_iter().enumerate() {
+            let is_state = |known: &Expr| matches!(known.node(), Node::Symbol(known) if *known == symbol);
+            let Some(index) = known.iter().position(is_state) else { continue };
+            let change = |quantity: &mut Self, by: f64| {
+                let mut place = quantity.place.clone();
+                place.states[state] += by;
+                (quantity.at(&place) - quantity.value).abs()
+            };
+            let error = errors[index];
+            sum += change(self, error).max(change(self, -error));
+        }
+        sum
+    }
+
+    /// How fast the value changes there, per s.
+    fn rate(&mut self, side: Side) -> f64 {
+        let Some(piece) = self.run.trajectory.piece_at(self.place.time, side) else { return 0.0 };
+        let step = RATE_PART * (piece.end - piece.start);
+        let mut rate = 0.0_f64;
+        for time in [self.place.time - step, self.place.time + step] {
+            if piece.mode != self.place.mode || time <= piece.start || time >= piece.end {
+                continue;
+            }
+            let place = Place { mode: piece.mode, time, states: piece.states_at(time), piece: Some(piece) };
+            let change = (self.at(&place) - self.value).abs() / step;
+            rate = if change.is_finite() { rate.max(change) } else { rate };
+        }
+        rate
+    }
+}
