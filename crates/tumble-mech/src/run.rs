@@ -108,6 +108,11 @@ impl Run {
         Self::from_start(equations, start, until, accuracy, progress)
     }
 
+    /// A motion that was found elsewhere, with the equations and the values of the parameters that it was found from.
+    pub fn of(equations: Equations, trajectory: Trajectory<Mode>, inputs: Vec<f64>) -> Self {
+        Self { equations, trajectory, inputs, quadrature: None, coarser: None }
+    }
+
     pub(crate) fn from_start(
         equations: Equations,
         start: tumble_ode::Start<Mode>,
@@ -123,7 +128,7 @@ impl Run {
             progress(solver.time());
         }
         let trajectory = solver.finish();
-        let run = Self { equations, trajectory, inputs, quadrature: None, coarser: None };
+        let run = Self::of(equations, trajectory, inputs);
         match refusal {
             None => Ok(run),
             Some(refusal) => Err(RunError::Refused { refusal, partial: Box::new(run) }),

@@ -78,7 +78,7 @@ impl Thrown {
         let inputs = start.inputs.clone();
         let trajectory = solve(&self.equations, start, until, accuracy);
         let trajectory = trajectory.map_err(|stopped| format!("{values:?}: {stopped}")).expect("a motion");
-        Run { equations: self.equations.clone(), trajectory, inputs, quadrature: None }
+        Run::of(self.equations.clone(), trajectory, inputs)
     }
 
     /// Gaps of all pairs in the equations' order: by surface, then by point.

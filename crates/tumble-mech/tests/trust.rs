@@ -126,13 +126,13 @@ fn of_a_ball_that_comes_to_rest() {
 fn of_a_balance() {
     let (mut model, _) = hinged_rod();
     model.starts.push(("rod".into(), Start::default().angle(Expr::pi())));
-    let (run, trust) = trusted(&model, 60.0, 1e-9);
-    println!("{:?}", run.trajectory.work);
+    let (_, trust) = trusted(&model, 60.0, 1e-9);
     let horizon = trust.horizon.expect("a balance ends");
     assert_eq!(horizon.reason, Divergence::Grown);
-    // A perturbation of some ulps grows by e in sqrt(2 L / (3 g)) s, and is lost after 33 of them.
+    // What differs by some ulps to some hundred, after a few steps, grows by e in sqrt(2 L / (3 g)) s: 36 to 29 of them until a
+    // tenth is reached, and a factor of ten in the start takes 2.3 away.
     let time = (2.0_f64 / (3.0 * 9.81)).sqrt();
-    close(horizon.time / time, 33.0, 0.15);
+    assert!((25.0..36.0).contains(&(horizon.time / time)), "{} s", horizon.time);
 }
 
 /// What is asked for is reached by itself where a first attempt does not.

@@ -18,6 +18,8 @@ use crate::mode::Mode;
 
 /// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
 pub(crate) const STANDS: f64 = 1e-12;
+/// A rebound this close to what the restitution asks for, in parts of the speeds that it is made of, is that.
+const REBOUNDS: f64 = 1e-12;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
 const BALANCED: f64 = 1e-10;
 
@@ -82,7 +84,7 @@ impl<'a> Settling<'a> {
         let takes_part = |position: &usize| {
             let pair = touch.pairs[*position];
             let lasts = jump.mode.contact_mode(pair).is_some_and(ContactMode::is_lasting);
-            let closes = touch.gap[*position] <= 0.0 && touch.rate[*position] < 0.0;
+            let closes = touch.gap[*position] <= touch.blur[*position] && touch.rate[*position] < 0.0;
             let overdue = closes && equations.pairs()[pair].is_rigid();
             touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || overdue
         };
@@ -106,19 +108,22 @@ impl<'a> Settling<'a> {
             .ok_or_else(|| self.unsolved("impact"))?;
         self.impulses = self.whole(&self.part, &push);
         self.apply(&self.impulses.clone(), jump)?;
-        if let [only] = self.part[..] {
-            self.refine(only, -restitution[0] * rate[0], jump)?;
-        }
-        Ok(())
+        let target = -restitution.component_mul(&rate);
+        self.refine(&target, jump)
     }
 
-    /// Takes the rounding of the impulse out of the one rate that is known: a ball that bounces for long makes the same
-    /// rounding each time.
-    fn refine(&mut self, position: usize, rate: f64, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let missing = (rate - self.touch.rate[position]) / self.touch.response[(position, position)];
-        let mut correction = DVector::zeros(self.touch.pairs.len());
-        correction[position] = missing;
-        self.apply(&correction, jump)
+    /// Takes the rounding of the impulses out of the rates where they are known, each what its restitution makes of it: a ball that
+    /// bounces for long makes the same rounding each time.
+    fn refine(&mut self, target: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let off = self.of(&self.touch.rate) - target;
+        let is_known = |i: usize| off[i].abs() <= REBOUNDS * self.speed[self.part[i]];
+        if !(0..off.len()).all(is_known) {
+            return Ok(());
+        }
+        let all: Vec<usize> = (0..off.len()).collect();
+        // Contacts that are not independent keep what rounding left.
+        let Some(missing) = standing(&self.response(&self.part), &off, &all) else { return Ok(()) };
+        self.apply(&self.whole(&self.part, &missing), jump)
     }
 
     /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Tape};
+use tumble_expr::{Branches, Expr, Jets, Rounded, Tape};
 use tumble_ode::Reason;
 
 use crate::cache::Cache;
@@ -28,6 +28,11 @@ pub(crate) struct Now<'a> {
 /// makes of it.
 const LEFT: f64 = 1e-3;
 
+/// Impulses whose sum is this part of their sizes balance each other.
+const BALANCES: f64 = 64.0 * f64::EPSILON;
+/// Gaps of one body that are zero within so many times their rounding error close at one instant.
+const ONE_INSTANT: f64 = 16.0;
+
 /// Impulses along the normals by the index of the pair, N s.
 pub(crate) type Impulses = Vec<(usize, f64)>;
 
@@ -39,6 +44,8 @@ pub(crate) struct Touch {
     pub(crate) pairs: Vec<usize>,
     /// m
     pub(crate) gap: DVector<f64>,
+    /// Gaps below this are zero but for rounding, m.
+    pub(crate) blur: DVector<f64>,
     /// m/s
     pub(crate) rate: DVector<f64>,
     /// Rounding in a rate is relative to this, m/s.
@@ -64,10 +71,14 @@ pub(crate) type TouchTapes = Cache<(usize, Mode), Tape>;
 const BEFORE_ROW: usize = 4;
 
 impl Touch {
-    /// Adds impulses at the pairs to the velocities.
+    /// Adds impulses at the pairs to the velocities. Where they balance but for rounding nothing changes: what falls flat stays
+    /// flat.
     pub(crate) fn kick(&self, impulses: &DVector<f64>, states: &mut [f64]) {
-        for (index, change) in (&self.kicks * impulses).iter().enumerate() {
-            states[self.velocities[index]] += change;
+        let changes = (&self.kicks * impulses, self.kicks.abs() * impulses.abs());
+        for (index, (change, size)) in changes.0.iter().zip(&changes.1).enumerate() {
+            if change.abs() > BALANCES * size {
+                states[self.velocities[index]] += change;
+            }
         }
     }
 
@@ -117,6 +128,7 @@ impl Equations {
                 let series = jets.output(pair * (BEFORE_ROW + dofs));
                 series[0] + series[1]
             }),
+            blur: self.blur(jets.tape(), n, dofs, (states, now)),
             rate: column(1),
             speed: DVector::from_fn(n, |pair, _| speed(pair)),
             strength: (rows.abs() * inverse.component_mul(&pushed) + column(2).abs()).max(),
@@ -134,6 +146,23 @@ impl Equations {
                 self.model().bodies[body].name
             ))),
         }
+    }
+
+    /// What rounding leaves of gaps that are zero: that of the gap itself, and what its rate makes of that of the time.
+    fn blur(
+        &self,
+        tape: &Arc<Tape>,
+        n: usize,
+        dofs: usize,
+        (states, now): (&[f64], Now<'_>),
+    ) -> DVector<f64> {
+        let rounded = |values: &[f64]| values.iter().map(|value| Rounded::leaf(*value)).collect::<Vec<_>>();
+        let mut jets = Jets::new(tape.clone(), 0, &rounded(now.inputs));
+        jets.start(Rounded::leaf(now.time), &rounded(states), Branches::Free);
+        DVector::from_fn(n, |pair, _| {
+            let [gap, rate] = [0, 1].map(|which| jets.value_of(pair * (BEFORE_ROW + dofs) + which));
+            ONE_INSTANT * (gap.noise() + rate.value.abs() * f64::EPSILON * now.time)
+        })
     }
 
     fn touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
