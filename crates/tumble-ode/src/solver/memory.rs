@@ -56,13 +56,13 @@ impl Memory {
 
     pub(super) fn hold_piece(&mut self, piece: &Piece) {
         let series = piece.states.iter().chain(&piece.time_series);
-        self.held += (size_of::<Piece>() + series.map(|series| size_of_series(series)).sum::<usize>()) as u64;
+        self.held += (size_of::<Piece>() + series.map(size_of_series).sum::<usize>()) as u64;
     }
 
     pub(super) fn hold_event(&mut self, event: &Event) {
         let series = [&event.before, &event.after, &event.compensation, &event.scales];
         let tags: usize = event.tags.iter().map(|tag| size_of::<String>() + tag.capacity()).sum();
-        let numbers: usize = series.into_iter().map(|series| size_of_series(series)).sum();
+        let numbers: usize = series.into_iter().map(size_of_series).sum();
         self.held += (size_of::<Event>() + numbers + tags) as u64;
     }
 
