@@ -48,7 +48,7 @@ pub use coordinates::Pivot;
 pub use equations::Equations;
 pub use error::{ModelError, ModelErrors};
 pub use event::{Action, Event};
-pub use extremes::{Extreme, Peak};
+pub use extremes::{Extreme, Peak, PeakKind};
 pub use forces::{Force, Forces, joined};
 pub use interaction::{Bodies, Interaction};
 pub use kinematics::{Kinematics, PointRef, rotated, time};

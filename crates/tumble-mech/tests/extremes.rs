@@ -4,8 +4,8 @@ mod common;
 
 use common::{bouncing_rod, close, hinged_rod, rigid, run};
 use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
-use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, Run, Start, time};
+use tumble_expr::{Binary, Expr, Vector};
+use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, PeakKind, Run, Start, time};
 use tumble_ode::{Direction, Side};
 
 const WHOLE: [f64; 2] = [0.0, f64::INFINITY];
@@ -66,6 +66,63 @@ fn formulas_that_are_not_smooth() {
     let (at, value) = peak(&run, &oscillation, Extreme::Least, WHOLE);
     close(value, -1.0, 1e-14);
     close(at, 1.5 * std::f64::consts::PI / 200.0, 1e-9);
+}
+
+/// A flight of 10 s at 1 m/s is one step; no place of it that is looked at by chance is near the peak.
+#[test]
+fn narrow_peaks_are_found() {
+    let mut model = Model::new();
+    let stone = model.add(Body::point("stone").mass(1 * KG));
+    model.starts.push(("stone".into(), Start::default().velocity([1 * M / S, 0 * M / S])));
+    let run = run(model, 10.0, 1e-9);
+    let x = stone.kinematics().position().x().clone();
+    for width in [1e-2, 3e-5, 1e-9] {
+        let of_place = (-((&x - Expr::from(3.3) * M) / (Expr::from(width) * M)).powi(2)).exp();
+        let of_time = (-((time() - Expr::from(3.3) * S) / (Expr::from(width) * S)).powi(2)).exp();
+        for formula in [of_place, of_time] {
+            let (at, value) = peak(&run, &formula, Extreme::Greatest, WHOLE);
+            close(at, 3.3, 4e-16);
+            close(value, 1.0, (1e-15 / width).powi(2).max(1e-15));
+            let (_, least) = peak(&run, &-formula, Extreme::Least, WHOLE);
+            assert_eq!(least, -value);
+        }
+    }
+}
+
+/// The peak is where two slopes meet, 1 mm wide, and not where either of them is zero.
+#[test]
+fn a_narrow_peak_at_a_kink() {
+    let (run, _) = stone();
+    let steep = (-((time() - Expr::from(0.123_456) * S) / (Expr::from(1e-3) * S)).abs()).exp();
+    let (at, value) = peak(&run, &steep, Extreme::Greatest, WHOLE);
+    close(at, 0.123_456, 1e-12);
+    close(value, 1.0, 1e-9);
+}
+
+/// Of equal peaks the first counts, and flat stretches count from where they begin.
+#[test]
+fn the_first_of_several() {
+    let (run, _) = stone();
+    let wave = (Expr::from(20.0) * time() / S).sin();
+    let (at, _) = peak(&run, &wave, Extreme::Greatest, WHOLE);
+    close(at, std::f64::consts::FRAC_PI_2 / 20.0, 1e-9);
+    let capped = Expr::binary(Binary::Min, time() / S, Expr::from(0.3));
+    close(peak(&run, &capped, Extreme::Greatest, WHOLE).0, 0.3, 1e-12);
+    assert_eq!(peak(&run, &Expr::from(7), Extreme::Least, [0.25, 0.5]), (0.25, 7.0));
+}
+
+/// What moves the time of an extreme: the bend at a turn, nothing at an edge, the jump at a kink.
+#[test]
+fn the_kind_of_an_extreme() {
+    let (run, stone) = stone();
+    let y = stone.kinematics().position().y().clone();
+    let kind = |formula: &Expr, window| {
+        let found = run.extreme(formula, Extreme::Greatest, window).ok().flatten();
+        found.expect("a value").kind
+    };
+    assert_eq!(kind(&y, WHOLE), PeakKind::Turn { bend: -10.0 });
+    assert_eq!(kind(&y, [0.4, 0.8]), PeakKind::Edge);
+    assert_eq!(kind(&-(&y - Expr::from(0.4) * M).abs(), WHOLE), PeakKind::Kink);
 }
 
 #[test]

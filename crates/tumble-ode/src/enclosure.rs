@@ -91,6 +91,27 @@ impl Enclosure {
         self.expand_boxes(&boxed);
     }
 
+    /// Looks at values only, between two values of the parameter, whatever signs branches take there.
+    pub fn survey(&mut self, path: Path<'_>, [low, high]: [f64; 2]) {
+        self.reach = 0.5 * (high - low);
+        self.place(path, 0.5 * (low + high));
+        self.boxes.set_vanishing(&vec![false; self.boxes.tape().norms()]);
+        let (time, states) = self.leaves.split_last().expect("the time is a leaf");
+        let states: Vec<Interval> = states.iter().map(|(_, hull)| hull[0]).collect();
+        self.boxes.start(time.1[0], &states, Branches::Free);
+    }
+
+    /// All values of an output, by intervals alone.
+    pub fn value(&self, output: usize) -> Interval {
+        self.boxes.value_of(output)
+    }
+
+    /// Branch signs and table segments, if by the last [`Enclosure::survey`] each is the same all along.
+    pub fn kept_signs(&self) -> Option<Vec<f64>> {
+        let kept = |sign: &Interval| (sign.low == sign.high).then_some(sign.low);
+        self.boxes.signs().iter().map(kept).collect()
+    }
+
     /// Branch signs that formulas take in the middle of a stretch, each by its value.
     pub fn signs(&mut self, path: Path<'_>, [low, high]: [f64; 2]) -> Vec<f64> {
         self.place(path, 0.5 * (low + high));

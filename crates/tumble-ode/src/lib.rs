@@ -32,7 +32,7 @@ pub use hybrid::{
     AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
     StateVariable,
 };
-pub use refusal::{Reason, Refusal};
+pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
 pub use solver::{Solver, Start, Stopped, solve};
 pub use trajectory::{Event, Piece, Place, Side, Trajectory};

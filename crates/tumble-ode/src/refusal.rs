@@ -1,5 +1,7 @@
 //! Why a motion is not integrated, or no further.
 
+use std::fmt;
+
 use thiserror::Error;
 use tumble_expr::CompileError;
 
@@ -12,6 +14,40 @@ pub struct Refusal {
     /// What stands in the way.
     #[source]
     pub reason: Reason,
+}
+
+/// What a run has taken so far, and would take to its end if it went on as in the second half of that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Demands {
+    /// Steps taken.
+    pub steps: u64,
+    /// Time that the run is to end at, s.
+    pub until: f64,
+    /// Bytes that pieces and events hold.
+    pub bytes: u64,
+    /// Estimated steps of the whole run.
+    pub steps_in_all: f64,
+    /// Estimated bytes of the whole run.
+    pub bytes_in_all: f64,
+    /// Bytes that one run may hold.
+    pub limit: u64,
+}
+
+/// A number of bytes for people.
+struct Size(f64);
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const UNITS: [&str; 4] = ["bytes", "KiB", "MiB", "GiB"];
+        let (mut size, mut unit) = (self.0, 0);
+        while size >= 1024.0 && unit + 1 < UNITS.len() {
+            (size, unit) = (size / 1024.0, unit + 1);
+        }
+        match size {
+            large if large >= 1e4 => write!(f, "{large:.0e} {}", UNITS[unit]),
+            _ => write!(f, "{size:.0} {}", UNITS[unit]),
+        }
+    }
 }
 
 /// What stands in the way of a motion.
@@ -44,11 +80,30 @@ pub enum Reason {
         /// Name of the state whose error was largest.
         state: String,
     },
-    /// Too many steps.
-    #[error("{steps} steps were taken and the end is not reached")]
-    TooManySteps {
-        /// How many.
-        steps: u64,
+    /// A run that holds as much memory as a run may.
+    #[error(
+        "{} steps hold {} of memory, the most that one run may, and t = {} s is not reached: ask for a shorter run, or look at \
+         `{because}`, which makes the steps short",
+        demands.steps, Size(demands.bytes as f64), demands.until
+    )]
+    TooMuchMemory {
+        /// What the run has taken.
+        demands: Demands,
+        /// Name of what makes the steps short.
+        because: String,
+    },
+    /// A run that would need much more memory than a run may hold.
+    #[error(
+        "{} steps so far hold {} of memory; as the latest of them went, it takes {:.0e} steps and {} to reach t = {} s, and one \
+         run may hold {}: ask for a shorter run, or look at `{because}`, which makes the steps short",
+        demands.steps, Size(demands.bytes as f64), demands.steps_in_all, Size(demands.bytes_in_all), demands.until,
+        Size(demands.limit as f64)
+    )]
+    WouldTakeTooMuchMemory {
+        /// What the run has taken, and would.
+        demands: Demands,
+        /// Name of what makes the steps short.
+        because: String,
     },
     /// A scheduled time that is not a number.
     #[error("a scheduled time is {value}, which is not a finite number")]

@@ -1,5 +1,7 @@
 //! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
 
+pub(crate) mod memory;
+
 use std::collections::HashMap;
 
 use thiserror::Error;
@@ -16,6 +18,7 @@ use crate::scale::Scales;
 use crate::trajectory::{Event, Piece, Trajectory, invert};
 use crate::whole::{Demand, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
+use memory::Memory;
 
 /// Where no coefficient limits a step, it is at most this part of the run.
 const BLIND_PART: f64 = 1.0 / 8.0;
@@ -31,8 +34,6 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 const STEP_ROUNDING: f64 = 0.125;
 /// More events than this without time passing are not going to end.
 const MOST_AT_ONCE: u64 = 1000;
-/// A run of more steps is refused: at some microseconds each, this is minutes of work and gigabytes of pieces.
-const MOST_STEPS: u64 = 20_000_000;
 
 /// What a motion starts from.
 #[derive(Clone, Debug)]
@@ -107,6 +108,7 @@ pub struct Solver<'a, H: Hybrid> {
     first_causes: Vec<Cause>,
     /// Events since time last passed.
     at_once: u64,
+    memory: Memory,
     /// Whether an event has ended the motion.
     stopped: bool,
     trajectory: Trajectory<H::Mode>,
@@ -138,6 +140,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             wakes: vec![],
             first_causes: start.causes,
             at_once: 0,
+            memory: Memory::default(),
             stopped: false,
             trajectory: Trajectory {
                 modes: vec![],
@@ -178,6 +181,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if self.stopped {
             return Ok(());
         }
+        self.watch_memory(mode)?;
         let end = self.next_stop(mode);
         let (mut expansion, step) = match self.rest(mode, end)? {
             Some(found) => found,
@@ -270,11 +274,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn expand(&mut self, mode: usize) -> Result<Expansion, Reason> {
-        let work = &mut self.trajectory.work;
-        if work.steps >= MOST_STEPS {
-            return Err(Reason::TooManySteps { steps: work.steps });
-        }
-        self.engines[mode].expand(self.time, &self.states, work)
+        self.engines[mode].expand(self.time, &self.states, &mut self.trajectory.work)
     }
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
@@ -484,15 +484,18 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     /// Keeps a step that was taken as a piece of the motion.
     fn record(&mut self, mode: usize, expansion: Expansion, step: &Step) {
         if step.length > 0.0 {
-            self.trajectory.pieces.push(Piece {
+            let piece = Piece {
                 start: expansion.start,
                 end: step.end,
                 mode,
                 length: step.length,
                 states: expansion.states,
                 time_series: expansion.time,
-            });
+            };
+            self.memory.hold_piece(&piece);
+            self.trajectory.pieces.push(piece);
         }
+        self.memory.count(mode, &step.hits);
     }
 
     fn jump_if_due(&mut self, mode: usize, guards: Vec<usize>, at_end: bool) -> Result<(), Reason> {
@@ -538,7 +541,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if !unchanged && !self.rounding.is_nearest() {
             self.round_anew(mode_after);
         }
-        self.trajectory.events.push(Event {
+        let event = Event {
             time: self.time,
             causes,
             tags: jump.tags,
@@ -549,7 +552,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             blur: self.blur,
             mode_before: mode,
             mode_after,
-        });
+        };
+        self.memory.hold_event(&event);
+        self.trajectory.events.push(event);
         Ok(())
     }
 

@@ -75,8 +75,8 @@ pub(crate) struct Unknown {
 }
 
 /// What a watched function is.
-#[derive(Clone, Copy)]
-enum What {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) enum What {
     Branch(usize),
     Guard(usize),
     Table(usize),
@@ -251,7 +251,8 @@ impl Engine {
         value.error.max(value.value.abs())
     }
 
-    fn name_of(&self, what: What) -> String {
+    /// Name of something that ends steps.
+    pub(crate) fn name_of(&self, what: What) -> String {
         let tape = &self.system.tape;
         match what {
             What::Branch(branch) => tape.describe(tape.guards()[branch]),
