@@ -262,6 +262,16 @@ impl Interaction for Drag {
         }
     }
 
+    fn directions(&self) -> Vec<(&'static str, Vector)> {
+        match &self.on {
+            DragPlace::Point(_) => vec![],
+            DragPlace::PointNormal(_, direction) => vec![("direction", direction.clone())],
+            DragPlace::Lines { lines, .. } => {
+                lines.iter().map(|[from, to]| ("a line", &to.arm - &from.arm)).collect()
+            }
+        }
+    }
+
     fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
         let linear = self.linear.iter().map(|b| ("linear", b.clone(), "kg/s"));
         linear.chain(self.quadratic.iter().map(|c| ("quadratic", c.clone(), "kg/m"))).collect()
