@@ -77,6 +77,14 @@ impl Body {
         self
     }
 
+    /// What messages call a part, by its index: the body itself where there is one only.
+    pub(crate) fn part_name(&self, index: usize) -> String {
+        match self.parts.len() {
+            1 => format!("`{}`", self.name),
+            _ => format!("part {} of `{}`", index + 1, self.name),
+        }
+    }
+
     /// Mass, centre of mass and moment of inertia.
     pub fn mass_properties(&self) -> MassProperties {
         match &self.stated {

@@ -228,7 +228,9 @@ fn of_body(body: &Body, pivot: Option<&Pivot>) -> Vec<Condition> {
     let properties = body.mass_properties();
     let of = |what: &str, formula: Expr, must| own(name, format!("{what} of `{name}`"), formula, must);
     let mut all = vec![of("mass", properties.mass.clone(), Must::BePositive("kg"))];
-    for part in &body.parts {
+    for (index, part) in body.parts.iter().enumerate() {
+        let part_name = body.part_name(index);
+        let of = |key: &str, size, must| own(name, format!("{key} of {part_name}"), size, must);
         let sizes = part.shape.sizes().into_iter().map(|(key, size)| of(key, size, Must::BePositive("m")));
         let radii = part.shape.radii().into_iter().map(|(key, size)| of(key, size, Must::NotBeNegative("m")));
         all.extend(sizes.chain(radii));

@@ -37,7 +37,7 @@ pub enum ModelError {
         name: String,
     },
     /// A number that must be positive is not.
-    #[error("{what} is {value} {unit}: it must be positive")]
+    #[error("{what} is {}: it must be positive", quantity(*value, unit))]
     NotPositive {
         /// The place.
         what: String,
@@ -47,7 +47,7 @@ pub enum ModelError {
         unit: &'static str,
     },
     /// A number that must not be negative is.
-    #[error("{what} is {value} {unit}: it must not be negative")]
+    #[error("{what} is {}: it must not be negative", quantity(*value, unit))]
     Negative {
         /// The place.
         what: String,
@@ -199,6 +199,10 @@ pub enum ModelError {
     /// Nothing to move.
     #[error("there is no body")]
     Empty,
+}
+
+fn quantity(value: f64, unit: &str) -> String {
+    format!("{value} {unit}").trim_end().to_owned()
 }
 
 /// All mistakes of a model.

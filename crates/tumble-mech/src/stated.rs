@@ -68,14 +68,15 @@ impl List {
 
     fn body(&mut self, body: &Body) {
         let name = &body.name;
-        for part in &body.parts {
+        for (index, part) in body.parts.iter().enumerate() {
+            let of = body.part_name(index);
             for place in part.shape.places() {
-                self.add(&format!("shape of `{name}`"), place.components(), Dimension::LENGTH);
+                self.add(&format!("shape of {of}"), place.components(), Dimension::LENGTH);
             }
             for (size, formula) in part.shape.sizes().into_iter().chain(part.shape.radii()) {
-                self.add(&format!("{size} of `{name}`"), [&formula], Dimension::LENGTH);
+                self.add(&format!("{size} of {of}"), [&formula], Dimension::LENGTH);
             }
-            self.add(&format!("mass of `{name}`"), [&part.mass], Dimension::MASS);
+            self.add(&format!("mass of {of}"), [&part.mass], Dimension::MASS);
         }
         for (point, at) in &body.points {
             self.add(&format!("point `{name}.{point}`"), at.components(), Dimension::LENGTH);
@@ -97,9 +98,11 @@ impl List {
     fn load(&mut self, load: &Load) {
         let what = format!("`{}`", load.name);
         match &load.application {
-            Application::Torque(torque) => self.add(&what, [torque], Dimension::TORQUE),
+            Application::Torque(torque) => {
+                self.add(&format!("torque of {what}"), [torque], Dimension::TORQUE);
+            }
             Application::Force { at, force, .. } => {
-                self.add(&what, force.components(), Dimension::FORCE);
+                self.add(&format!("force of {what}"), force.components(), Dimension::FORCE);
                 let place = match at {
                     Place::Material(point) => &point.arm,
                     Place::World(place) | Place::FromCentre(place) => place,
@@ -132,11 +135,11 @@ impl List {
     }
 
     fn surface(&mut self, surface: &Surface) {
-        let what = format!("surface `{}`", surface.name);
-        self.add(&what, surface.through.components(), Dimension::LENGTH);
-        self.add(&what, surface.normal.components(), Dimension::NONE);
+        let name = &surface.name;
+        self.add(&format!("surface `{name}`"), surface.through.components(), Dimension::LENGTH);
+        self.add(&format!("normal of `{name}`"), surface.normal.components(), Dimension::NONE);
         for (key, formula, dimension) in surface.law.dimensions() {
-            self.add(&format!("{key} of `{}`", surface.name), [formula], dimension);
+            self.add(&format!("{key} of `{name}`"), [formula], dimension);
         }
     }
 

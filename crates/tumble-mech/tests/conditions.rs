@@ -146,7 +146,7 @@ fn what_overflows_is_named() {
     let found = with(|model, ball| {
         model.force("push", &ball.cm(), place(&huge * &huge * (1 * N) * time().step(), 0 * N));
     });
-    assert_eq!(found, "`push` is inf: it must be a finite number");
+    assert_eq!(found, "force of `push` is inf: it must be a finite number");
     let found = with(|model, ball| {
         let start = Start::default().at([&huge * &huge * (1 * M), 0 * M]);
         model.starts.push((ball.name.clone(), start));
