@@ -64,7 +64,7 @@ impl Places {
                 .help(format!("start it {depth} m farther out, or a little more")),
             ModelError::NoForce { load, .. } => about(Code::NoForce, &format!("`{load}`"))
                 .label("has no value at the start")
-                .help("look for a division by what is zero at the start, or a root of what is negative"),
+                .help("look for a division by what is zero at the start, a root of what is negative, or a table outside its range"),
             ModelError::NoSpan { load } => about(Code::NoSpan, &format!("`{load}`"))
                 .label("of no length at the start")
                 .help("start the bodies apart; only a spring of no rest length and no damping may have no length"),
