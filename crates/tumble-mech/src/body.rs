@@ -1,8 +1,7 @@
 //! A rigid body: parts or stated mass properties, and named points.
 
-use tumble_expr::{Dimension, Expr, Vector};
+use tumble_expr::{Expr, Vector};
 
-use crate::error::ModelError;
 use crate::kinematics::{Kinematics, PointRef};
 use crate::mass::MassProperties;
 use crate::shape::Shape;
@@ -78,6 +77,14 @@ impl Body {
         self
     }
 
+    /// What messages call a part, by its index: the body itself where there is one only.
+    pub(crate) fn part_name(&self, index: usize) -> String {
+        match self.parts.len() {
+            1 => format!("`{}`", self.name),
+            _ => format!("part {} of `{}`", index + 1, self.name),
+        }
+    }
+
     /// Mass, centre of mass and moment of inertia.
     pub fn mass_properties(&self) -> MassProperties {
         match &self.stated {
@@ -120,45 +127,6 @@ impl Body {
         reaches
             .reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next))
             .unwrap_or_else(Expr::zero)
-    }
-
-    /// Mistakes that show before any number is known.
-    pub(crate) fn mistakes(&self) -> Vec<ModelError> {
-        let mut mistakes = vec![];
-        let mut expect = |what: String, formula: &Expr, dimension| {
-            if let Err(mistake) = formula.expect(dimension) {
-                mistakes.push(ModelError::Type { what, mistake });
-            }
-        };
-        for part in &self.parts {
-            for place in part.shape.places().into_iter().flat_map(Vector::components) {
-                expect(format!("shape of `{}`", self.name), place, Dimension::LENGTH);
-            }
-            for (name, size) in part.shape.sizes() {
-                expect(format!("{name} of `{}`", self.name), &size, Dimension::LENGTH);
-            }
-            expect(format!("mass of `{}`", self.name), &part.mass, Dimension::MASS);
-        }
-        for (name, at) in &self.points {
-            for place in at.components() {
-                expect(format!("point `{}.{name}`", self.name), place, Dimension::LENGTH);
-            }
-        }
-        if let Some(stated) = &self.stated {
-            expect(format!("mass of `{}`", self.name), &stated.mass, Dimension::MASS);
-            expect(format!("moment of inertia of `{}`", self.name), &stated.inertia, Dimension::INERTIA);
-            for place in stated.centre.components() {
-                expect(format!("centre of mass of `{}`", self.name), place, Dimension::LENGTH);
-            }
-        }
-        if let Some(restitution) = &self.restitution {
-            expect(format!("restitution of `{}`", self.name), restitution, Dimension::NONE);
-        }
-        if self.parts.is_empty() && self.stated.is_none() {
-            let problem = "has neither a shape nor a stated mass".into();
-            mistakes.push(ModelError::Start { body: self.name.clone(), problem });
-        }
-        mistakes
     }
 }
 

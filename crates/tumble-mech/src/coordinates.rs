@@ -149,6 +149,14 @@ impl Coordinates {
         }
     }
 
+    /// Moment of inertia about the axis that the body turns about, kg m^2.
+    pub(crate) fn inertia(&self, mass: &MassProperties) -> Expr {
+        match self {
+            Self::Free => mass.inertia.clone(),
+            Self::Pivoted { arm, .. } => inertia_about_pivot(arm, mass),
+        }
+    }
+
     /// Indices of the velocities among [`Coordinates::states`].
     pub(crate) fn velocity_states(&self) -> &'static [usize] {
         match self {

@@ -11,7 +11,6 @@ use crate::carried::EventTapes;
 use crate::contact::{Pair, Pairs, TouchTapes};
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::error::{ModelError, ModelErrors};
-use crate::event::Action;
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
@@ -33,6 +32,8 @@ pub struct Equations {
     event_tapes: EventTapes,
     known: Cache<Mode, Definitions>,
     rounding: Rounding,
+    /// Events that have set parameters, with the values before them, that leave every value possible.
+    sound_changes: Cache<(Vec<usize>, Vec<u64>), ()>,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
 }
@@ -88,19 +89,18 @@ impl Equations {
         }
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
-        let touch_tapes = TouchTapes::default();
-        let (event_tapes, known) = (EventTapes::default(), Cache::default());
         let equations = Self {
             model,
             bodies,
             terms,
             windows,
             pairs,
-            touch_tapes,
-            event_tapes,
-            known,
-            rounding: Rounding::NEAREST,
             definitions,
+            touch_tapes: TouchTapes::default(),
+            event_tapes: EventTapes::default(),
+            known: Cache::default(),
+            rounding: Rounding::NEAREST,
+            sound_changes: Cache::default(),
         };
         equations.check_points_turn()?;
         Ok(equations)
@@ -135,6 +135,11 @@ impl Equations {
     /// Mass properties of a body, by its index.
     pub fn mass_properties(&self, body: usize) -> &MassProperties {
         &self.bodies[body].mass
+    }
+
+    /// Whether a body, by its index, is held at a point.
+    pub(crate) fn is_pivoted(&self, body: usize) -> bool {
+        matches!(self.bodies[body].coordinates, Coordinates::Pivoted { .. })
     }
 
     /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
@@ -275,12 +280,9 @@ impl Equations {
     pub(crate) fn changes(&self, mode: &Mode) -> Substitution {
         let mut changes = Substitution::default();
         for event in &mode.changes {
-            let Action::Set(settings) = &self.model.events[*event].action else { continue };
-            for (name, formula) in settings {
-                if let Some(symbol) =
-                    self.model.parameters.symbols().into_iter().find(|symbol| *symbol.name == **name)
-                {
-                    changes.insert(symbol, formula.clone());
+            for (name, formula) in self.model.events[*event].settings() {
+                if let Some(symbol) = self.model.parameters.symbol(name) {
+                    changes.insert(symbol.clone(), formula.clone());
                 }
             }
         }
@@ -345,6 +347,10 @@ impl Equations {
         &self.pairs
     }
 
+    pub(crate) fn sound_changes(&self) -> &Cache<(Vec<usize>, Vec<u64>), ()> {
+        &self.sound_changes
+    }
+
     pub(crate) fn event_tapes(&self) -> &EventTapes {
         &self.event_tapes
     }
@@ -397,16 +403,18 @@ impl Equations {
         ]
     }
 
-    fn check_points_turn(&self) -> Result<(), ModelError> {
+    fn check_points_turn(&self) -> Result<(), ModelErrors> {
         let is_point = |body: &BodyEquations| {
             matches!(body.coordinates, Coordinates::Free) && is_identically_zero(&body.mass.inertia)
         };
-        let turned = |term: &&Term| is_point(&self.bodies[term.body]) && !is_identically_zero(&term.torque());
-        if let Some(term) = self.terms.iter().find(turned) {
-            let body = self.model.bodies[term.body].name.clone();
-            return Err(ModelError::PointTurned { body, load: term.load.clone() });
-        }
-        Ok(())
+        let points: Vec<bool> = self.bodies.iter().map(is_point).collect();
+        let turned = |term: &&Term| points[term.body] && !is_identically_zero(&term.torque());
+        let mistakes = self.terms.iter().filter(turned).map(|term| ModelError::PointTurned {
+            body: self.model.bodies[term.body].name.clone(),
+            load: term.load.clone(),
+        });
+        let mistakes: Vec<ModelError> = mistakes.collect();
+        if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
     }
 }
 

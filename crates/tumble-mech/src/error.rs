@@ -37,7 +37,7 @@ pub enum ModelError {
         name: String,
     },
     /// A number that must be positive is not.
-    #[error("{what} is {value} {unit}: it must be positive")]
+    #[error("{what} is {}: it must be positive", quantity(*value, unit))]
     NotPositive {
         /// The place.
         what: String,
@@ -47,7 +47,7 @@ pub enum ModelError {
         unit: &'static str,
     },
     /// A number that must not be negative is.
-    #[error("{what} is {value} {unit}: it must not be negative")]
+    #[error("{what} is {}: it must not be negative", quantity(*value, unit))]
     Negative {
         /// The place.
         what: String,
@@ -55,6 +55,65 @@ pub enum ModelError {
         value: f64,
         /// SI unit.
         unit: &'static str,
+    },
+    /// A positive number so small that it has lost digits.
+    #[error("{what} is {value:e} {unit}: numbers below 2.3e-308 have lost digits")]
+    TooSmall {
+        /// The place.
+        what: String,
+        /// Its value.
+        value: f64,
+        /// SI unit.
+        unit: &'static str,
+    },
+    /// An angle so large that the next number is too far away from it.
+    #[error(
+        "{what}: an angle of {value:e} rad points nowhere, since numbers of that size are too far apart: at most \
+         {most:e} rad are possible here"
+    )]
+    Angle {
+        /// The place.
+        what: String,
+        /// rad
+        value: f64,
+        /// The limit, rad.
+        most: f64,
+    },
+    /// A vector without length that has to point somewhere.
+    #[error("{what} has no length, and so no direction")]
+    NoDirection {
+        /// The vector.
+        what: String,
+    },
+    /// A point held at its own place.
+    #[error("{what} holds a body without moment of inertia about it: nothing says how it turns")]
+    NoInertia {
+        /// The pivot.
+        what: String,
+    },
+    /// A load that is infinite or not a number at the start.
+    #[error("`{load}` is {value} at the start: a force must be a finite number")]
+    NoForce {
+        /// Name of the load.
+        load: String,
+        /// Its force or torque.
+        value: f64,
+    },
+    /// Ends of a spring that are at one place at the start.
+    #[error(
+        "the ends of `{load}` are at one place at the start: the direction in which it pulls is undefined"
+    )]
+    NoSpan {
+        /// Name of the spring.
+        load: String,
+    },
+    /// A mistake that an event makes by setting parameters.
+    #[error("after the event `{event}`: {mistake}")]
+    AfterEvent {
+        /// Name of the event.
+        event: String,
+        /// What is wrong then.
+        mistake: Box<ModelError>,
     },
     /// A value that is infinite or not a number.
     #[error("{what} is {value}: it must be a finite number")]
@@ -142,6 +201,10 @@ pub enum ModelError {
     Empty,
 }
 
+fn quantity(value: f64, unit: &str) -> String {
+    format!("{value} {unit}").trim_end().to_owned()
+}
+
 /// All mistakes of a model.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
@@ -150,5 +213,37 @@ pub struct ModelErrors(pub Vec<ModelError>);
 impl From<ModelError> for ModelErrors {
     fn from(error: ModelError) -> Self {
         Self(vec![error])
+    }
+}
+
+impl ModelError {
+    /// What messages call the place that it is about, where it is about one: "mass of `rod`".
+    pub fn what(&self) -> Option<&str> {
+        match self {
+            Self::Type { what, .. }
+            | Self::Compile { what, .. }
+            | Self::NotPositive { what, .. }
+            | Self::Negative { what, .. }
+            | Self::NotFinite { what, .. }
+            | Self::TooSmall { what, .. }
+            | Self::Angle { what, .. }
+            | Self::NoDirection { what }
+            | Self::NoInertia { what }
+            | Self::CorneredPath { what }
+            | Self::Restitution { what, .. } => Some(what),
+            _ => None,
+        }
+    }
+
+    /// The name in it: of a body, a load or a surface.
+    pub(crate) fn owner(&self) -> Option<&str> {
+        self.what()?.split('`').nth(1)
+    }
+}
+
+impl ModelErrors {
+    /// The first mistake, for whoever asked for one value.
+    pub(crate) fn into_first(self) -> ModelError {
+        self.0.into_iter().next().unwrap_or(ModelError::Empty)
     }
 }

@@ -28,3 +28,13 @@ pub enum Action {
     /// A parameter that is defined by a changed one keeps its own value.
     Set(Vec<(String, Expr)>),
 }
+
+impl Event {
+    /// The parameters that it sets, with their new formulas.
+    pub(crate) fn settings(&self) -> &[(String, Expr)] {
+        match &self.action {
+            Action::Set(settings) => settings,
+            Action::Record | Action::Stop => &[],
+        }
+    }
+}

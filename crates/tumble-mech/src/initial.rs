@@ -1,38 +1,30 @@
 //! Values to start a run from: checked numbers for the parameters, the states and the mode.
 
+use std::collections::HashMap;
+
 use tumble_expr::{Expr, Vector};
 use tumble_ode::Start as NumericStart;
 
-use crate::body::Body;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
-use crate::interaction::Interaction;
 use crate::mode::Mode;
-use crate::parameters::Parameters;
+use crate::parameters::{Known, Parameters};
 use crate::start::Start;
-use crate::surface::Surface;
 
 impl Equations {
     /// Start of a run at time 0 with these parameters, which have the model's names.
     ///
-    /// Everything whose value must be positive, finite or in order is checked here, all at once.
+    /// Everything whose value must be positive, finite or in order is checked here, all at once; so is what events that set
+    /// parameters make of it.
     pub fn start(&self, parameters: &Parameters) -> Result<NumericStart<Mode>, ModelErrors> {
-        let inputs = parameters.values()?;
-        let mut mistakes = vec![];
-        for body in &self.model().bodies {
-            mistakes.extend(body_mistakes(body, parameters)?);
-        }
-        for interaction in &self.model().interactions {
-            mistakes.extend(coefficient_mistakes(&**interaction, parameters)?);
-        }
-        for surface in &self.model().surfaces {
-            mistakes.extend(surface_mistakes(surface, parameters)?);
-        }
-        let states = self.initial_states(parameters, &mut mistakes)?;
-        let mode = self.initial_mode(parameters, &mut mistakes)?;
+        let known = parameters.known()?;
+        let mut mistakes = self.model().mistakes_with(&known);
+        let states = self.initial_states(&known, &mut mistakes)?;
+        let mode = self.initial_mode(&known, &mut mistakes)?;
         if !mistakes.is_empty() {
             return Err(ModelErrors(mistakes));
         }
+        let inputs = known.values().to_vec();
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
         match mistakes.is_empty() {
             true => {
@@ -44,25 +36,26 @@ impl Equations {
 
     fn initial_states(
         &self,
-        parameters: &Parameters,
+        known: &Known<'_>,
         mistakes: &mut Vec<ModelError>,
     ) -> Result<Vec<f64>, ModelError> {
+        let model = self.model();
+        let starts: HashMap<&str, &Start> =
+            model.starts.iter().rev().map(|(body, start)| (body.as_str(), start)).collect();
         let mut states = vec![];
-        for (index, body) in self.model().bodies.iter().enumerate() {
-            let start = self.model().start_of(&body.name);
-            let formulas = if self.model().pivot_of(&body.name).is_some() {
+        for (index, body) in model.bodies.iter().enumerate() {
+            let start = starts.get(body.name.as_str()).map(|start| (*start).clone()).unwrap_or_default();
+            let formulas = if self.is_pivoted(index) {
                 turning(&start)
             } else {
                 let drawn = &self.mass_properties(index).centre;
                 moving(&start, drawn).into_iter().chain(turning(&start)).collect()
             };
-            let values = parameters.evaluate(&formulas)?;
-            let bad = values.iter().filter(|value| !value.is_finite());
-            mistakes.extend(bad.map(|value| ModelError::NotFinite {
-                what: format!("start of `{}`", body.name),
-                value: *value,
-            }));
-            let rounding = parameters.rounding();
+            let values = known.evaluate(&formulas)?;
+            if let Some(value) = values.iter().copied().find(|value| !value.is_finite()) {
+                note(mistakes, ModelError::NotFinite { what: format!("start of `{}`", body.name), value });
+            }
+            let rounding = known.parameters().rounding();
             let key = |place: usize| (index * values.len() + place) as u64;
             let rounded =
                 values.iter().enumerate().map(|(place, value)| rounding.computed(*value, key(place)));
@@ -71,19 +64,17 @@ impl Equations {
         Ok(states)
     }
 
-    fn initial_mode(
-        &self,
-        parameters: &Parameters,
-        mistakes: &mut Vec<ModelError>,
-    ) -> Result<Mode, ModelError> {
+    fn initial_mode(&self, known: &Known<'_>, mistakes: &mut Vec<ModelError>) -> Result<Mode, ModelError> {
         let mut windows = vec![];
         for window in self.windows() {
             let (mut from, mut to) = (f64::INFINITY, f64::INFINITY);
             for (ends, time) in window.times() {
-                let value = parameters.evaluate(std::slice::from_ref(time))?[0];
+                let value = known.evaluate(std::slice::from_ref(time))?[0];
                 if !value.is_finite() {
-                    mistakes
-                        .push(ModelError::NotFinite { what: format!("times of `{}`", window.load), value });
+                    note(
+                        mistakes,
+                        ModelError::NotFinite { what: format!("times of `{}`", window.load), value },
+                    );
                 }
                 *(if ends { &mut to } else { &mut from }) = value;
             }
@@ -97,46 +88,11 @@ impl Equations {
     }
 }
 
-/// Coefficients of contact that no surface has.
-fn surface_mistakes(surface: &Surface, parameters: &Parameters) -> Result<Vec<ModelError>, ModelError> {
-    let mut mistakes = vec![];
-    for (key, formula, _) in surface.law.dimensions() {
-        let value = parameters.evaluate(std::slice::from_ref(formula))?[0];
-        let what = format!("{key} of `{}`", surface.name);
-        match key {
-            "restitution" if !(0.0..=1.0).contains(&value) => {
-                mistakes.push(ModelError::Restitution { what, value })
-            }
-            "stiffness" if value <= 0.0 => {
-                mistakes.push(ModelError::NotPositive { what, value, unit: "N/m" })
-            }
-            "damping" if value < 0.0 => mistakes.push(ModelError::Negative { what, value, unit: "kg/s" }),
-            _ if !value.is_finite() => mistakes.push(ModelError::NotFinite { what, value }),
-            _ => {}
-        }
+/// A formula may hold the mistake that its value has.
+fn note(mistakes: &mut Vec<ModelError>, mistake: ModelError) {
+    if mistakes.iter().all(|known| known.what() != mistake.what()) {
+        mistakes.push(mistake);
     }
-    Ok(mistakes)
-}
-
-fn coefficient_mistakes(
-    interaction: &dyn Interaction,
-    parameters: &Parameters,
-) -> Result<Vec<ModelError>, ModelError> {
-    let mut mistakes = vec![];
-    let known = parameters.symbols();
-    // A coefficient that changes with the time or the motion has no value yet.
-    let fixed = |formula: &Expr| formula.symbols().iter().all(|symbol| known.contains(symbol));
-    for (key, formula, unit) in interaction.nonnegative().into_iter().filter(|(_, formula, _)| fixed(formula))
-    {
-        let value = parameters.evaluate(&[formula])?[0];
-        let what = format!("{key} of `{}`", interaction.name());
-        if value < 0.0 {
-            mistakes.push(ModelError::Negative { what, value, unit });
-        } else if !value.is_finite() {
-            mistakes.push(ModelError::NotFinite { what, value });
-        }
-    }
-    Ok(mistakes)
 }
 
 fn moving(start: &Start, drawn: &Vector) -> Vec<Expr> {
@@ -149,40 +105,4 @@ fn moving(start: &Start, drawn: &Vector) -> Vec<Expr> {
 fn turning(start: &Start) -> Vec<Expr> {
     let value = |formula: &Option<Expr>| formula.clone().unwrap_or_else(Expr::zero);
     vec![value(&start.angle), value(&start.omega)]
-}
-
-/// Masses and lengths that must be positive, and inertias that must not be negative.
-fn body_mistakes(body: &Body, parameters: &Parameters) -> Result<Vec<ModelError>, ModelError> {
-    let mut mistakes = vec![];
-    let properties = body.mass_properties();
-    let mut positive = vec![("mass".to_owned(), properties.mass.clone(), "kg")];
-    for part in &body.parts {
-        positive.extend(part.shape.sizes().into_iter().map(|(name, size)| (name.to_owned(), size, "m")));
-    }
-    for (name, formula, unit) in positive {
-        let value = parameters.evaluate(&[formula])?[0];
-        let what = format!("{name} of `{}`", body.name);
-        if !value.is_finite() {
-            mistakes.push(ModelError::NotFinite { what, value });
-        } else if value <= 0.0 {
-            mistakes.push(ModelError::NotPositive { what, value, unit });
-        }
-    }
-    if let Some(restitution) = &body.restitution {
-        let value = parameters.evaluate(std::slice::from_ref(restitution))?[0];
-        if !(0.0..=1.0).contains(&value) {
-            let what = format!("restitution of `{}`", body.name);
-            mistakes.push(ModelError::Restitution { what, value });
-        }
-    }
-    if mistakes.is_empty() {
-        let value = parameters.evaluate(&[properties.inertia])?[0];
-        let what = format!("moment of inertia of `{}`", body.name);
-        if !value.is_finite() {
-            mistakes.push(ModelError::NotFinite { what, value });
-        } else if value < 0.0 {
-            mistakes.push(ModelError::Negative { what, value, unit: "kg m^2" });
-        }
-    }
-    Ok(mistakes)
 }

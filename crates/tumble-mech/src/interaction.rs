@@ -21,6 +21,14 @@ pub trait Interaction: Debug + Send + Sync {
     fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
         vec![]
     }
+    /// Angles, rad, among its coefficients: key, formula.
+    fn angles(&self) -> Vec<(&'static str, Expr)> {
+        vec![]
+    }
+    /// Vectors that must point somewhere: key, formula.
+    fn directions(&self) -> Vec<(&'static str, Vector)> {
+        vec![]
+    }
     /// Places of its two ends, m, where it is something between two points.
     fn ends(&self) -> Option<[Vector; 2]> {
         None

@@ -1,16 +1,19 @@
 //! Parameters: named quantities that may depend on each other, and their values in one run.
 
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use tumble_expr::{Branches, CompileError, Expr, Jets, Layout, Node, Rounding, Symbol, Tape};
 
-use crate::error::ModelError;
+use crate::error::{ModelError, ModelErrors};
 use crate::kinematics::time;
 
 /// Parameters in an order in which each depends on earlier ones only.
 #[derive(Clone, Debug, Default)]
 pub struct Parameters {
     list: Vec<(Symbol, Expr)>,
+    /// Where each name stands in the list.
+    places: HashMap<Arc<str>, usize>,
     rounding: Rounding,
 }
 
@@ -33,9 +36,12 @@ impl Parameters {
             .dimension()
             .map_err(|mistake| ModelError::Type { what: format!("parameter `{name}`"), mistake })?;
         let symbol = Symbol::new(name, dimension);
-        match self.list.iter_mut().find(|(known, _)| *known.name == *name) {
-            Some(entry) => *entry = (symbol.clone(), formula),
-            None => self.list.push((symbol.clone(), formula)),
+        match self.places.get(name) {
+            Some(place) => self.list[*place] = (symbol.clone(), formula),
+            None => {
+                self.places.insert(Arc::clone(&symbol.name), self.list.len());
+                self.list.push((symbol.clone(), formula));
+            }
         }
         Ok(symbol.into())
     }
@@ -45,6 +51,16 @@ impl Parameters {
         self.list.iter().map(|(symbol, _)| symbol.clone()).collect()
     }
 
+    /// The parameter of that name.
+    pub fn symbol(&self, name: &str) -> Option<&Symbol> {
+        self.places.get(name).map(|place| &self.list[*place].0)
+    }
+
+    /// Whether this is one of the parameters.
+    pub fn contains(&self, symbol: &Symbol) -> bool {
+        self.symbol(&symbol.name) == Some(symbol)
+    }
+
     /// Formulas in order.
     pub fn formulas(&self) -> impl Iterator<Item = (&Symbol, &Expr)> {
         self.list.iter().map(|(symbol, formula)| (symbol, formula))
@@ -52,48 +68,112 @@ impl Parameters {
 
     /// Values in order, SI units.
     pub fn values(&self) -> Result<Vec<f64>, ModelError> {
-        let mut values: Vec<f64> = vec![];
-        for (index, (symbol, formula)) in self.list.iter().enumerate() {
-            let what = format!("parameter `{}`", symbol.name);
-            let known: Vec<Symbol> = self.list[..index].iter().map(|(symbol, _)| symbol.clone()).collect();
-            let value = evaluate(&known, &values, std::slice::from_ref(formula), self.rounding)
-                .map_err(|mistake| ModelError::Compile { what: what.clone(), mistake })?[0];
-            if !value.is_finite() {
-                return Err(ModelError::NotFinite { what, value });
-            }
-            values.push(if is_computed(formula) {
-                self.rounding.computed(value, index as u64)
-            } else {
-                value
-            });
-        }
-        Ok(values)
+        self.known().map(|known| known.values).map_err(ModelErrors::into_first)
     }
 
-    /// Values of formulas of the parameters, SI units.
+    /// Values of formulas of the parameters, SI units. Whoever asks more than once keeps [`Parameters::known`].
     pub fn evaluate(&self, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
-        let values = self.values()?;
-        evaluate(&self.symbols(), &values, formulas, self.rounding)
+        self.known().map_err(ModelErrors::into_first)?.evaluate(formulas)
+    }
+
+    /// The parameters with their values, or every one that has none by a mistake of its own.
+    pub fn known(&self) -> Result<Known<'_>, ModelErrors> {
+        let mut known = Known { parameters: self, values: Vec::with_capacity(self.list.len()) };
+        let mut mistakes = vec![];
+        for (index, (symbol, formula)) in self.list.iter().enumerate() {
+            let value = known.next(symbol, formula);
+            let rounded = value.clone().ok().flatten().map(|value| self.rounded_value(value, formula, index));
+            known.values.push(rounded.unwrap_or(f64::NAN));
+            mistakes.extend(value.err());
+        }
+        if mistakes.is_empty() { Ok(known) } else { Err(ModelErrors(mistakes)) }
+    }
+
+    /// A value with the rounding error of its own, beside those of the numbers in its formula.
+    fn rounded_value(&self, value: f64, formula: &Expr, index: usize) -> f64 {
+        let is_computed = !matches!(formula.node(), Node::Number(_) | Node::Symbol(_) | Node::Pi);
+        if is_computed { self.rounding.computed(value, index as u64) } else { value }
+    }
+}
+
+/// Parameters with their values, for many formulas to be evaluated with.
+#[derive(Clone, Debug)]
+pub struct Known<'p> {
+    parameters: &'p Parameters,
+    /// In order; not a number where there is none.
+    values: Vec<f64>,
+}
+
+impl Known<'_> {
+    /// The parameters with values that were found before.
+    pub(crate) fn of<'p>(parameters: &'p Parameters, values: &[f64]) -> Known<'p> {
+        Known { parameters, values: values.to_vec() }
+    }
+
+    /// The parameters that are known.
+    pub fn parameters(&self) -> &Parameters {
+        self.parameters
+    }
+
+    /// The same after some have been set to values of formulas of the parameters as they were before.
+    pub(crate) fn after(&self, settings: &[(String, Expr)]) -> Result<Self, ModelError> {
+        let formulas: Vec<Expr> = settings.iter().map(|(_, formula)| formula.clone()).collect();
+        let mut after = self.clone();
+        for ((name, _), value) in settings.iter().zip(self.evaluate(&formulas)?) {
+            if let Some(place) = self.parameters.places.get(name.as_str()) {
+                after.values[*place] = value;
+            }
+        }
+        Ok(after)
+    }
+
+    /// Values of the parameters in order, SI units.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Values of formulas of the parameters, SI units. The work grows with the formulas, not with the parameters.
+    pub fn evaluate(&self, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
+        let used = formulas.iter().flat_map(Expr::symbols).collect();
+        self.evaluate_with(&used, formulas)
             .map_err(|mistake| ModelError::Compile { what: "a formula of the parameters".into(), mistake })
     }
-}
 
-/// Whether a value has a rounding error of its own, beside those of the numbers in its formula.
-fn is_computed(formula: &Expr) -> bool {
-    !matches!(formula.node(), Node::Number(_) | Node::Symbol(_) | Node::Pi)
-}
+    /// Value of the next parameter; `None` where one that it uses has none.
+    fn next(&self, symbol: &Symbol, formula: &Expr) -> Result<Option<f64>, ModelError> {
+        let what = || format!("parameter `{}`", symbol.name);
+        let used = formula.symbols();
+        if used.iter().filter_map(|used| self.place_of(used)).any(|place| self.values[place].is_nan()) {
+            return Ok(None);
+        }
+        let value = self.evaluate_with(&used, std::slice::from_ref(formula));
+        match value.map_err(|mistake| ModelError::Compile { what: what(), mistake })?[0] {
+            value if value.is_finite() => Ok(Some(value)),
+            value => Err(ModelError::NotFinite { what: what(), value }),
+        }
+    }
 
-fn evaluate(
-    symbols: &[Symbol],
-    values: &[f64],
-    formulas: &[Expr],
-    rounding: Rounding,
-) -> Result<Vec<f64>, CompileError> {
-    let layout = Layout { rounding, ..Layout::new(vec![], time_symbol(), symbols.to_vec()) };
-    let mut tape = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, values);
-    // A formula of the parameters has no time: whatever uses it shows as not a number.
-    tape.start(f64::NAN, &[], Branches::Free);
-    Ok((0..formulas.len()).map(|index| tape.value_of(index)).collect())
+    /// Where a parameter that has been evaluated stands.
+    fn place_of(&self, symbol: &Symbol) -> Option<usize> {
+        let place = *self.parameters.places.get(&symbol.name)?;
+        let is_same = self.parameters.list[place].0 == *symbol;
+        (is_same && place < self.values.len()).then_some(place)
+    }
+
+    /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its
+    /// formulas need, and the same ones in every run.
+    fn evaluate_with(&self, used: &HashSet<Symbol>, formulas: &[Expr]) -> Result<Vec<f64>, CompileError> {
+        let list = &self.parameters.list;
+        let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
+        let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
+        let values: Vec<f64> = places.iter().map(|place| self.values[*place]).collect();
+        let rounding = self.parameters.rounding;
+        let layout = Layout { rounding, ..Layout::new(vec![], time_symbol(), inputs) };
+        let mut tape = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, &values);
+        // A formula of the parameters has no time: whatever uses it shows as not a number.
+        tape.start(f64::NAN, &[], Branches::Free);
+        Ok((0..formulas.len()).map(|index| tape.value_of(index)).collect())
+    }
 }
 
 pub(crate) fn time_symbol() -> Symbol {

@@ -120,7 +120,7 @@ impl Run {
         accuracy: Accuracy,
         mut progress: impl FnMut(f64),
     ) -> Result<Self, RunError> {
-        let inputs = start.inputs.clone();
+        let (inputs, first) = (start.inputs.clone(), start.clone());
         let mut solver = Solver::new(&equations, start, until, accuracy);
         let mut refusal = None;
         while refusal.is_none() && !solver.is_done() {
@@ -129,10 +129,11 @@ impl Run {
         }
         let trajectory = solver.finish();
         let run = Self::of(equations, trajectory, inputs);
-        match refusal {
-            None => Ok(run),
-            Some(refusal) => Err(RunError::Refused { refusal, partial: Box::new(run) }),
+        let Some(refusal) = refusal else { return Ok(run) };
+        if run.trajectory.pieces.is_empty() {
+            run.equations.refuse_loads(&first)?;
         }
+        Err(RunError::Refused { refusal, partial: Box::new(run) })
     }
 
     /// Integrates as [`Run::new`], with so many Gauss nodes along lines that more do not change the end.

@@ -133,6 +133,14 @@ impl Shape {
         }
     }
 
+    /// Lengths that may be zero and must not be negative, with their names.
+    pub(crate) fn radii(&self) -> Vec<(&'static str, Expr)> {
+        match self {
+            Self::Rod { end_radius, .. } => vec![("end radius", end_radius.clone())],
+            _ => vec![],
+        }
+    }
+
     /// Places in body coordinates, for checking their dimensions.
     pub(crate) fn places(&self) -> Vec<&Vector> {
         match self {

@@ -70,6 +70,9 @@ impl Equations {
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, &mut jump);
         }
+        if jump.mode.changes != at.mode.changes {
+            self.refuse_changes(&jump.mode.changes, at.inputs)?;
+        }
         Ok((jump, impulses))
     }
 

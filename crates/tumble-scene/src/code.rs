@@ -83,6 +83,14 @@ tumble_expr::codes! {
     SweepCycle = "E0541";
     /// Air resistance of a body that is not of the shape it is asked for.
     ShapeInAir = "E0542";
+    /// A vector without length that has to point somewhere.
+    NoDirection = "E0543";
+    /// A pivot at the centre of a body that has no moment of inertia.
+    NoInertia = "E0544";
+    /// A load that is infinite or no number at the start.
+    NoForce = "E0545";
+    /// A spring whose ends are at one place at the start.
+    NoSpan = "E0546";
     /// A file outside of the scene's folder.
     FilePath = "E0550";
     /// A file that cannot be read.
@@ -95,6 +103,18 @@ tumble_expr::codes! {
     ColumnUnit = "E0554";
     /// A cell that is not a number in its place.
     Cell = "E0555";
+    /// A motion that cannot be begun, or not be continued.
+    Refused = "E0560";
+    /// A question that the motion has no answer to.
+    NoAnswer = "E0561";
+    /// A body that starts faster than mechanics without relativity allows.
+    Fast = "W0601";
+    /// Two masses of which the lighter is lost in the rounding error of the heavier.
+    MassRatio = "W0602";
+    /// A value of the motion that is infinite or no number.
+    ValueOfRun = "W0603";
+    /// A span of time that turned out to end before it begins.
+    WindowOfRun = "W0604";
 }
 
 #[cfg(test)]

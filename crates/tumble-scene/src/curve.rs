@@ -38,7 +38,9 @@ pub(crate) fn read(draft: &mut Draft, field: &Field, works: bool) -> Option<Curv
         ..written.clone()
     };
     let chain = part(written.text.len() - unit.len(), unit);
-    let si = of_text(draft, part(0, before), works)?;
+    let si = of_text(draft, part(0, before), works);
+    refuse_no_unit(draft, &chain)?;
+    let si = si?;
     let one = one_of(draft, &chain, &si.quantity)?;
     let size = one / (1 * Unit(si.quantity.dimension));
     let unit = unit.trim().to_owned();
@@ -74,15 +76,20 @@ pub(crate) fn in_unit(text: &str) -> Option<(&str, &str)> {
     (begins && !before.trim().is_empty()).then_some((before, unit))
 }
 
+fn refuse_no_unit(draft: &mut Draft, chain: &Text) -> Option<()> {
+    let word = chain.text.trim();
+    if unit_text::unit(word).is_some() {
+        return Some(());
+    }
+    let message = format!("`{word}` is no unit");
+    let mistake = Diagnostic::new(Code::Choice, chain.origin.whole(), message).label("unknown unit");
+    draft.note(mistake.help("behind `in` stands a unit alone, such as `deg`, `cm` or `km/h`"));
+    None
+}
+
 /// One of the unit, which must measure what the formula does, and an angle where that is one.
 fn one_of(draft: &mut Draft, chain: &Text, shown: &Quantity) -> Option<Expr> {
     let word = chain.text.trim();
-    if unit_text::unit(word).is_none() {
-        let message = format!("`{word}` is no unit");
-        let mistake = Diagnostic::new(Code::Choice, chain.origin.whole(), message).label("unknown unit");
-        draft.note(mistake.help("behind `in` stands a unit alone, such as `deg`, `cm` or `km/h`"));
-        return None;
-    }
     let want = Want { angle: shown.unit.starts_with("rad"), ..Want::constant(shown.dimension) };
     let one = format!("1 {word}");
     let one = Text { text: one, origin: chain.origin.without_parts(), ..chain.clone() };

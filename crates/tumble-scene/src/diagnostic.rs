@@ -26,9 +26,21 @@ pub struct Label {
     pub text: String,
 }
 
-/// One mistake.
+/// What follows from something that is said of a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Severity {
+    /// The scene is not run.
+    #[default]
+    Error,
+    /// The scene is run, and its user should know.
+    Warning,
+}
+
+/// One mistake, or one warning.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
+    /// What follows from it.
+    pub severity: Severity,
     /// The kind of mistake.
     pub code: Code,
     /// What is wrong, in one sentence without a full stop.
@@ -45,7 +57,8 @@ impl Diagnostic {
     /// A mistake at a place in the scene.
     pub(crate) fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = vec![Label { span, text: String::new() }];
-        Self { code, message: message.into(), source: 0, labels, help: None }
+        let (severity, message) = (Severity::Error, message.into());
+        Self { severity, code, message, source: 0, labels, help: None }
     }
 
     /// The same with the text of its first label.
@@ -80,17 +93,23 @@ impl Diagnostic {
         self
     }
 
+    /// The same as a warning.
+    pub(crate) fn warning(mut self) -> Self {
+        self.severity = Severity::Warning;
+        self
+    }
+
     fn start(&self) -> usize {
         self.labels.first().map_or(usize::MAX, |label| label.span.start)
     }
 }
 
-/// All mistakes of a scene, in the order of the text.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// All mistakes of a scene, or all warnings, in the order of the text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Diagnostics {
     /// The texts: the scene first, then the settings.
     pub sources: Vec<Source>,
-    /// The mistakes; there is at least one.
+    /// The mistakes; where a scene was refused there is at least one.
     pub list: Vec<Diagnostic>,
 }
 
@@ -98,6 +117,16 @@ impl Diagnostics {
     pub(crate) fn new(sources: Vec<Source>, mut list: Vec<Diagnostic>) -> Self {
         list.sort_by_key(|diagnostic| (diagnostic.source, diagnostic.start()));
         Self { sources, list }
+    }
+
+    /// Adds those of the same scene.
+    pub fn extend(&mut self, others: Self) {
+        self.list.extend(others.list);
+    }
+
+    /// Whether nothing is said.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
     }
 
     /// Line and column of a diagnostic's first label, counted from 1.

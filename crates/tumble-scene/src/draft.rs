@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
+use std::sync::Arc;
 
 use tumble_expr::Expr;
 use tumble_mech::Model;
@@ -9,19 +10,21 @@ use tumble_ode::Accuracy;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
+use crate::places::Places;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Stroboscope, Study, SweepAxis};
+use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Said, Stroboscope, Study, SweepAxis};
 
 /// A study that may still have holes.
 #[derive(Default)]
 pub(crate) struct Draft {
     pub(crate) sources: Vec<Source>,
     pub(crate) mistakes: Vec<Diagnostic>,
+    pub(crate) warnings: Vec<Diagnostic>,
     pub(crate) settings: Vec<Setting>,
     pub(crate) names: Names,
     /// Where things stand that only numbers can prove wrong, by what messages call them.
-    pub(crate) places: BTreeMap<String, Span>,
+    pub(crate) places: Places,
     /// Where each figure is named, which is the name of a file.
     pub(crate) figures: BTreeMap<String, Span>,
     pub(crate) title: String,
@@ -84,6 +87,11 @@ impl Draft {
                 checks: self.checks,
                 symbols: self.symbols,
                 sweep: self.sweep,
+                said: Said {
+                    sources: self.sources.into(),
+                    places: Arc::new(self.places),
+                    warnings: self.warnings,
+                },
             }),
             _ => Err(Diagnostics::new(self.sources, self.mistakes)),
         }

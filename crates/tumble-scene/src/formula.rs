@@ -7,7 +7,7 @@ use tumble_expr::{Dimension, Exponent, Expr};
 use tumble_mech::place_symbols;
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Label, Span};
+use crate::diagnostic::{Diagnostic, Label, Severity, Span};
 use crate::moments;
 use crate::names::{Level, Names};
 use crate::quantities;
@@ -245,6 +245,7 @@ impl Translator<'_> {
         let labels =
             error.labels.iter().map(|(span, text)| Label { span: origin.map(span), text: text.clone() });
         let mut mistake = Diagnostic {
+            severity: Severity::Error,
             code: error.code.into(),
             message: error.message.clone(),
             source: origin.source,

@@ -28,6 +28,7 @@ mod formula;
 mod model_mistakes;
 mod moments;
 mod names;
+mod places;
 mod quantities;
 mod reader;
 mod render;
@@ -42,7 +43,7 @@ mod values;
 use draft::Draft;
 
 pub use code::Code;
-pub use diagnostic::{Diagnostic, Diagnostics, Label, Source, Span};
+pub use diagnostic::{Diagnostic, Diagnostics, Label, Severity, Source, Span};
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use settings::Override;
 pub use study::{
@@ -102,10 +103,8 @@ pub fn read_in(
 fn read_document(draft: &mut Draft, document: &toml::de::DeTable) {
     sections::read(draft, document);
     settings::refuse_unknown(draft);
-    if draft.mistakes.is_empty() {
-        model_mistakes::check(draft);
-        values::check(draft);
-    }
+    model_mistakes::check(draft);
+    values::check(draft);
 }
 
 fn refuse_size(name: &str, bytes: usize) -> Result<(), Diagnostics> {

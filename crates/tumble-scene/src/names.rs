@@ -37,6 +37,8 @@ pub(crate) struct Names {
     claimed: BTreeMap<String, (&'static str, Span)>,
     /// The names of all bodies, known before anything of them is read.
     pub(crate) bodies: Vec<String>,
+    /// The names of the points of each body, and of its centre of mass, likewise.
+    pub(crate) points: BTreeMap<String, Vec<String>>,
     /// The names of all events, likewise.
     pub(crate) events: Vec<String>,
     /// Starts and ends of forces that do not act always: `kick.end`.

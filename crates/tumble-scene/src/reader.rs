@@ -79,12 +79,12 @@ impl Draft {
 
     /// What a value of the parameter that is this field's key must be; the parameter must exist.
     pub(crate) fn parameter(&mut self, field: &Field) -> Option<Want> {
-        let symbols = self.model.parameters.symbols();
-        if let Some(symbol) = symbols.iter().find(|symbol| *symbol.name == *field.key) {
+        if let Some(symbol) = self.model.parameters.symbol(field.key) {
             let angle = self.angular.contains(field.key);
             return Some(Want { angle, ..Want::constant(symbol.dimension) });
         }
         if !self.names.is_broken(field.key) {
+            let symbols = self.model.parameters.symbols();
             let help = suggest::name(field.key, "parameters", symbols.iter().map(|symbol| &*symbol.name));
             let message = format!("there is no parameter `{}`", field.key);
             let mistake = Diagnostic::new(Code::UnknownParameter, field.key_span.clone(), message);
@@ -229,7 +229,7 @@ impl Draft {
 
     /// Remembers where something stands that only numbers can prove wrong.
     pub(crate) fn remember(&mut self, what: impl Into<String>, span: &Span) {
-        self.places.insert(what.into(), span.clone());
+        self.places.remember(what, span);
     }
 }
 

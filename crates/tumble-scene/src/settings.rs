@@ -41,7 +41,7 @@ impl Override {
 /// Settings of parameters that there are not.
 pub(crate) fn refuse_unknown(draft: &mut Draft) {
     let parameters: Vec<_> = draft.model.parameters.symbols().into_iter().map(|symbol| symbol.name).collect();
-    let known = |name: &str| parameters.iter().any(|known| **known == *name) || draft.names.is_broken(name);
+    let known = |name: &str| draft.model.parameters.symbol(name).is_some() || draft.names.is_broken(name);
     let unknown: Vec<_> = draft.settings.iter().filter(|setting| !known(&setting.name)).cloned().collect();
     for setting in unknown {
         let exists = draft.names.scope(Level::Output).value(&setting.name).is_some();

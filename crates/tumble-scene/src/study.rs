@@ -1,10 +1,15 @@
 //! A study: a model and what to do with it. This is what the rest of the pipeline sees of a scene.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::{Extreme, Model, ModelErrors, Parameters};
-use tumble_ode::{Accuracy, Side};
+use tumble_ode::{Accuracy, Reason, Side};
+
+use crate::code::Code;
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::places::Places;
 
 /// A model and what to do with it, as formulas of its parameters.
 #[derive(Clone, Debug)]
@@ -39,6 +44,25 @@ pub struct Study {
     pub symbols: BTreeMap<String, String>,
     /// Parameters that take several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
+    pub(crate) said: Said,
+}
+
+/// What was read, and what is to be said of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Said {
+    pub(crate) sources: Arc<[Source]>,
+    pub(crate) places: Arc<Places>,
+    pub(crate) warnings: Vec<Diagnostic>,
+}
+
+impl Said {
+    fn diagnostics(&self, list: Vec<Diagnostic>) -> Diagnostics {
+        Diagnostics::new(self.sources.to_vec(), list)
+    }
+
+    fn one(&self, diagnostic: Diagnostic) -> Diagnostics {
+        self.diagnostics(vec![diagnostic])
+    }
 }
 
 /// A parameter that takes several values, one after the other.
@@ -70,6 +94,45 @@ impl Study {
     /// Value of a formula of the parameters, SI units.
     pub fn number(&self, formula: &Expr) -> Result<f64, ModelErrors> {
         Ok(self.model.parameters.evaluate(std::slice::from_ref(formula))?[0])
+    }
+
+    /// What its user should know before it is run.
+    pub fn warnings(&self) -> Diagnostics {
+        self.said.diagnostics(self.said.warnings.clone())
+    }
+
+    /// Mistakes of the model, at their places in the scene.
+    pub fn mistakes(&self, errors: &ModelErrors) -> Diagnostics {
+        self.said.diagnostics(errors.0.iter().map(|error| self.said.places.mistake(error)).collect())
+    }
+
+    /// Why its motion stopped, at the place of what stopped it; `message` is all that is said.
+    pub fn refusal(&self, reason: &Reason, message: &str) -> Diagnostics {
+        self.said.one(self.said.places.refusal(reason, message))
+    }
+
+    /// Why a question has no answer, at its place.
+    pub fn no_answer(&self, question: &Question, reason: &Reason) -> Diagnostics {
+        let message = format!("{} has no answer: {reason}", question.title);
+        let what = format!("that of {}", question.title);
+        self.said.one(self.said.places.about(Code::NoAnswer, &what, message).label("asked for here"))
+    }
+
+    /// That a question's value is infinite or no number.
+    pub fn no_number(&self, question: &Question, value: f64, at: f64) -> Diagnostics {
+        let message = format!("{} looks at {value} at {at} s, which is not a finite number", question.title);
+        let what = format!("that of {}", question.title);
+        let warning = self.said.places.about(Code::ValueOfRun, &what, message).label("not a finite number");
+        let help = "look for a division by what has become zero, by an event or by the motion";
+        self.said.one(warning.help(help).warning())
+    }
+
+    /// That the time between two instants of the run turned out to be none; `of` is the question or figure it is of.
+    pub fn empty_window(&self, of: &str, [from, to]: [f64; 2]) -> Diagnostics {
+        let message = format!("{of} looks at the time from {from} s to {to} s, in which there is nothing");
+        let warning = self.said.places.about(Code::WindowOfRun, &format!("during of {of}"), message);
+        self.said
+            .one(warning.label("ends before it begins").help("write the earlier instant first").warning())
     }
 }
 
@@ -211,6 +274,8 @@ pub enum When {
 pub struct Question {
     /// Its name.
     pub name: String,
+    /// What messages call it: "the check `apex`".
+    pub title: String,
     /// What is looked at.
     pub that: Curve,
     /// When.

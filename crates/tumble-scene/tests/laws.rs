@@ -144,7 +144,7 @@ const AIR: &[Row] = &[
         "E0542 \"rod\"",
         "neither one `ball` nor one `shell`",
     ),
-    ("coefficient = 0.47", "coefficient = -1", "E0530 round", "must not be negative"),
+    ("coefficient = 0.47", "coefficient = -1", "E0530 -1", "must not be negative"),
     ("coefficient = 0.47", "", "E0513 round", "add `coefficient = 0.47`"),
     (
         "coefficient = 0.47",

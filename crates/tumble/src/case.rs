@@ -2,11 +2,12 @@
 
 use tumble_mech::{Parameters, Run, RunError, Trust};
 use tumble_ode::Refusal;
-use tumble_scene::Study;
+use tumble_scene::{Diagnostics, Study};
 
 use crate::balance::CaseBalance;
 use crate::checks::{self, CheckResult};
 use crate::pipeline::PipelineError;
+use crate::placed;
 use crate::progress::Progress;
 use crate::questions::{self, FindResult};
 
@@ -29,6 +30,8 @@ pub struct Case {
     pub finds: Vec<FindResult>,
     /// The scene's claims, each with what was found.
     pub checks: Vec<CheckResult>,
+    /// What a user should know of it.
+    pub said: Diagnostics,
     /// Energy, momentum and what changed them; `None` where only numbers were asked for.
     pub balance: Option<CaseBalance>,
 }
@@ -72,6 +75,11 @@ impl Case {
         values: Values,
         visible: bool,
     ) -> Result<Self, PipelineError> {
+        let label = values.label.clone();
+        Self::made(study, number, values, visible).map_err(|error| error.placed(study).in_run(&label))
+    }
+
+    fn made(study: &Study, number: usize, values: Values, visible: bool) -> Result<Self, PipelineError> {
         let Values { label, parameters } = values;
         let study = &study.with(&parameters);
         let until = study.number(&study.until)?;
@@ -95,10 +103,12 @@ impl Case {
             refusal,
             finds: vec![],
             checks: vec![],
+            said: Diagnostics::default(),
             balance: None,
         };
         case.finds = questions::finds(study, &case)?;
         case.checks = checks::evaluate(study, &case)?;
+        case.said = placed::said(study, &case)?;
         Ok(case)
     }
 

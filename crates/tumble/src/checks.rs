@@ -38,7 +38,10 @@ impl CheckResult {
 
 /// Holds every claim against a motion.
 pub(crate) fn evaluate(study: &Study, case: &Case) -> Result<Vec<CheckResult>, PipelineError> {
-    study.checks.iter().map(|check| one(study, case, check)).collect()
+    let answered = |check: &Check| {
+        one(study, case, check).map_err(|error: PipelineError| error.of_question(study, &check.question))
+    };
+    study.checks.iter().map(answered).collect()
 }
 
 fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, PipelineError> {

@@ -10,6 +10,7 @@ use tumble::gallery::{self, Shown};
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
 use tumble::{Case, FindResult, ReportForm};
+use tumble_scene::Diagnostics;
 
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
@@ -216,6 +217,7 @@ impl Task {
 fn check(scene: &Path, options: &Options) -> Ending {
     match pipeline::check(scene, options) {
         Ok(study) => {
+            draw(&study.warnings());
             say!("{}: {} has no mistakes", study.title, scene.display());
             Ending::Success
         }
@@ -240,6 +242,7 @@ fn report(shown: &Shown) -> Ending {
     match &shown.result {
         Ok(outcome) => {
             describe(outcome);
+            draw(&outcome.said());
             if outcome.cases.iter().any(|case| case.refusal.is_some()) {
                 Ending::Refused
             } else if outcome.is_success() {
@@ -334,6 +337,13 @@ fn count(number: u64, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
+/// Shows mistakes or warnings with their places, if there are any.
+fn draw(diagnostics: &Diagnostics) {
+    if !diagnostics.is_empty() {
+        tell!("{}", diagnostics.render(say::colour(&std::io::stderr()), say::width()));
+    }
+}
+
 fn complain(scene: &Path, error: &PipelineError) -> Ending {
     match error {
         #[cfg(feature = "png")]
@@ -351,8 +361,12 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             Ending::Mistake
         }
         PipelineError::Scene(diagnostics) => {
-            tell!("{}", diagnostics.render(say::colour(&std::io::stderr()), say::width()));
+            draw(diagnostics);
             Ending::Mistake
+        }
+        PipelineError::Refused(diagnostics) => {
+            draw(diagnostics);
+            Ending::Refused
         }
         PipelineError::Model(_) => {
             tell!("error: {}: {error}", scene.display());

@@ -42,6 +42,7 @@ mod digits;
 mod figures;
 mod free_bodies;
 mod moments;
+mod placed;
 mod questions;
 mod report;
 mod summary;

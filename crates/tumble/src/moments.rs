@@ -56,8 +56,14 @@ impl<'a> Moments<'a> {
         if is_event { trust.event_error(&self.case.run, time) } else { Some(f64::EPSILON * time) }
     }
 
-    /// From when to when, s; the whole run where nothing is said, and `None` if one of the two does not happen.
+    /// From when to when, s; the whole run where nothing is said, and `None` if one of the two does not happen or they happen
+    /// in the other order.
     pub(crate) fn window(&self, during: Option<&[Instant; 2]>) -> Result<Option<[f64; 2]>, PipelineError> {
+        Ok(self.ends(during)?.filter(|[from, to]| from <= to))
+    }
+
+    /// The same in any order.
+    pub(crate) fn ends(&self, during: Option<&[Instant; 2]>) -> Result<Option<[f64; 2]>, PipelineError> {
         let Some([from, to]) = during else { return Ok(Some([0.0, f64::INFINITY])) };
         Ok(self.time(from)?.zip(self.time(to)?).map(|((from, _), (to, _))| [from, to]))
     }

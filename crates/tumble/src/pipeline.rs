@@ -43,6 +43,13 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// What its user should know: warnings of the scene and of its runs, and why a run stopped early.
+    pub fn said(&self) -> Diagnostics {
+        let mut said = self.study.warnings();
+        self.cases.iter().for_each(|case| said.extend(case.said.clone()));
+        said
+    }
+
     /// Whether every motion reached its end and every claim holds.
     pub fn is_success(&self) -> bool {
         self.cases.iter().all(Case::is_success)
@@ -66,6 +73,9 @@ pub enum PipelineError {
     /// The model's values do not fit.
     #[error(transparent)]
     Model(#[from] ModelErrors),
+    /// The motion cannot be begun, or a question to it has no answer.
+    #[error("the motion was refused")]
+    Refused(Box<Diagnostics>),
     /// A formula cannot be evaluated along the motion.
     #[error(transparent)]
     Run(#[from] Box<RunError>),
@@ -102,18 +112,20 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     let source = Source::read(path)?;
     let study = read(&source, options)?;
     let folder = Folder::begin(&options.out, &source.name)?;
+    let placed = |error: PipelineError| error.placed(&study);
     let mut cases = vec![];
-    for (index, values) in case::combinations(&study)?.into_iter().enumerate() {
+    for (index, values) in case::combinations(&study).map_err(placed)?.into_iter().enumerate() {
         let mut case = Case::run(&study, index + 1, values, options.progress)?;
-        tables::write(&study, &case, &folder)?;
+        tables::write(&study, &case, &folder).map_err(placed)?;
         if !options.no_figures {
-            case.balance = CaseBalance::of(&case)?;
+            case.balance = CaseBalance::of(&case).map_err(placed)?;
             case.balance.iter().try_for_each(|balance| balance.write(&case, &folder))?;
         }
         cases.push(case);
     }
-    let figures = if options.no_figures { vec![] } else { figures::write(&study, &cases, &folder)? };
-    report::write(&source, &study, &cases, &folder, options.report)?;
+    let figures =
+        if options.no_figures { vec![] } else { figures::write(&study, &cases, &folder).map_err(placed)? };
+    report::write(&source, &study, &cases, &folder, options.report).map_err(placed)?;
     summary::write(&source, &study, &cases, &figures, &folder)?;
     Ok(Outcome { folder: folder.finish()?, study, figures, cases })
 }
@@ -137,8 +149,9 @@ pub struct AnimationOptions {
 pub fn animate(path: &Path, options: &Options, how: &AnimationOptions) -> Result<PathBuf, PipelineError> {
     let source = Source::read(path)?;
     let study = read(&source, options)?;
+    let placed = |error: PipelineError| error.placed(&study);
     let mut cases = vec![];
-    for (index, values) in case::combinations(&study)?.into_iter().enumerate() {
+    for (index, values) in case::combinations(&study).map_err(placed)?.into_iter().enumerate() {
         cases.push(Case::run(&study, index + 1, values, options.progress)?);
     }
     let animation = report::animation(&study, &cases)?;

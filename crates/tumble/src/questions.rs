@@ -30,7 +30,10 @@ pub struct FindResult {
 
 /// What the scene asks for in a motion.
 pub(crate) fn finds(study: &Study, case: &Case) -> Result<Vec<FindResult>, PipelineError> {
-    study.finds.iter().map(|question| find(study, case, question)).collect()
+    let answered = |question| {
+        find(study, case, question).map_err(|error: PipelineError| error.of_question(study, question))
+    };
+    study.finds.iter().map(answered).collect()
 }
 
 fn find(study: &Study, case: &Case, question: &Question) -> Result<FindResult, PipelineError> {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use tumble_mech::{MultipleImpacts, Run};
-use tumble_scene::Study;
+use tumble_scene::{Diagnostic, Diagnostics, Study};
 
 use crate::case::Case;
 use crate::checks::CheckResult;
@@ -64,6 +64,8 @@ struct Summary<'a> {
     scene_sha256: String,
     title: &'a str,
     complete: bool,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<Said>,
     figures: &'a [String],
     runs: Vec<RunSummary<'a>>,
 }
@@ -81,8 +83,24 @@ struct RunSummary<'a> {
     events: Vec<Event<'a>>,
     finds: Vec<Find<'a>>,
     checks: Vec<Check<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<Said>,
     #[serde(skip_serializing_if = "Option::is_none")]
     balance: Option<crate::balance::Summary>,
+}
+
+/// Something that a user should know.
+#[derive(Serialize)]
+struct Said {
+    code: &'static str,
+    message: String,
+    /// The scene's file, or the setting of the command line.
+    source: String,
+    /// Counted from 1; none where it is about no place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -198,11 +216,30 @@ pub(crate) fn write(
         scene_sha256: hash(&source.bytes),
         title: &study.title,
         complete: cases.iter().all(|case| case.refusal.is_none()),
+        warnings: said(&study.warnings()),
         figures,
         runs: cases.iter().map(|case| of_run(study, case)).collect(),
     };
     let text = serde_json::to_string_pretty(&summary).expect("a summary is plain data with text keys");
     Ok(folder.write("summary.json", (text + "\n").as_bytes())?)
+}
+
+fn said(diagnostics: &Diagnostics) -> Vec<Said> {
+    let one = |diagnostic: &Diagnostic| {
+        let name = diagnostics.sources.get(diagnostic.source).map_or("", |source| source.name.as_str());
+        // Where the scene stands on somebody's machine is no part of a result.
+        let file = Path::new(name).file_name().filter(|_| diagnostic.source == 0);
+        let source = file.map_or(name.into(), |file| file.to_string_lossy());
+        let position = diagnostics.position(diagnostic);
+        Said {
+            code: diagnostic.code.as_str(),
+            message: diagnostic.message.clone(),
+            source: source.into_owned(),
+            line: position.map(|(line, _)| line),
+            column: position.map(|(_, column)| column),
+        }
+    };
+    diagnostics.list.iter().map(one).collect()
 }
 
 fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
@@ -221,6 +258,7 @@ fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
         events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
         finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
+        warnings: said(&case.said),
         balance: case.balance.as_ref().map(crate::balance::Summary::of),
     }
 }

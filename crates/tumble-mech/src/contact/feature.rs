@@ -1,6 +1,8 @@
 //! Points of a body by which it may touch a plane surface: ends, corners, round rims.
 
-use tumble_expr::{Expr, Vector, is_identically_zero};
+use std::collections::{HashMap, HashSet};
+
+use tumble_expr::{Expr, Graph, Vector};
 
 use crate::body::Body;
 use crate::shape::Shape;
@@ -19,30 +21,25 @@ pub struct Feature {
 impl Body {
     /// All points by which the body may touch a plane. Two parts may share one: it is listed once.
     pub fn features(&self) -> Vec<Feature> {
-        let mut features: Vec<Feature> = vec![];
+        // Equal formulas are one node of a graph: so no point is compared with all others.
+        let mut graph = Graph::default();
+        let mut names = HashMap::new();
+        for (name, place) in &self.points {
+            names.entry(graph.import(place.components())).or_insert(name);
+        }
+        let (mut features, mut taken) = (vec![], HashSet::new());
         for (index, part) in self.parts.iter().enumerate() {
             for (name, centre, radius) in of_shape(&part.shape) {
-                let taken = |known: &Feature| {
-                    same(&known.centre, &centre) && is_identically_zero(&(&known.radius - &radius))
-                };
-                if !features.iter().any(taken) {
+                let place = graph.import(centre.components());
+                if taken.insert((place.clone(), graph.import(std::slice::from_ref(&radius)))) {
                     let own = if self.parts.len() == 1 { name } else { format!("part{}.{name}", index + 1) };
-                    let name = self.name_of_point(&centre).unwrap_or(own);
+                    let name = names.get(&place).map_or(own, |name| (*name).clone());
                     features.push(Feature { name, centre, radius });
                 }
             }
         }
         features
     }
-
-    /// Name of the point that is at this place of the body.
-    fn name_of_point(&self, place: &Vector) -> Option<String> {
-        self.points.iter().find(|(_, point)| same(point, place)).map(|(name, _)| name.clone())
-    }
-}
-
-fn same(a: &Vector, b: &Vector) -> bool {
-    (a - b).components().iter().all(is_identically_zero)
 }
 
 fn of_shape(shape: &Shape) -> Vec<(String, Vector, Expr)> {

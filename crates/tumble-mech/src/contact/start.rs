@@ -1,5 +1,7 @@
 //! Contacts at the start of a run: what touches then, and what would begin inside a surface.
 
+use std::collections::HashMap;
+
 use tumble_ode::{Cause, Reason};
 
 use crate::equations::Equations;
@@ -58,17 +60,21 @@ impl Equations {
 
 /// Of several points of one body inside one surface only the deepest is told of.
 fn deepest(inside: Vec<ModelError>) -> Vec<ModelError> {
-    let key = |mistake: &ModelError| match mistake {
-        ModelError::Inside { body, surface, depth, .. } => Some((body.clone(), surface.clone(), *depth)),
+    let depth_of = |mistake: &ModelError| match mistake {
+        ModelError::Inside { body, surface, depth, .. } => Some(((body.clone(), surface.clone()), *depth)),
         _ => None,
     };
-    let is_deepest = |(index, mistake): &(usize, &ModelError)| match key(mistake) {
+    let mut most: HashMap<(String, String), (f64, usize)> = HashMap::new();
+    for (index, mistake) in inside.iter().enumerate() {
+        let Some((of, depth)) = depth_of(mistake) else { continue };
+        let found = most.entry(of).or_insert((depth, index));
+        if depth > found.0 {
+            *found = (depth, index);
+        }
+    }
+    let kept = |(index, mistake): &(usize, ModelError)| match depth_of(mistake) {
         None => true,
-        Some((body, surface, depth)) => inside.iter().enumerate().all(|(other, mistake)| {
-            let Some(found) = key(mistake) else { return true };
-            let same = found.0 == body && found.1 == surface;
-            !same || found.2 < depth || (found.2 == depth && *index <= other)
-        }),
+        Some((of, _)) => most[&of].1 == *index,
     };
-    inside.iter().enumerate().filter(is_deepest).map(|(_, mistake)| mistake.clone()).collect()
+    inside.into_iter().enumerate().filter(kept).map(|(_, mistake)| mistake).collect()
 }

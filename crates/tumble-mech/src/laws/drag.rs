@@ -45,6 +45,15 @@ pub struct Drag {
 pub enum DragPlace {
     /// At one point, against its whole velocity.
     Point(PointRef),
+    /// At the centre of a ball, whose quadratic coefficient was made of these.
+    Ball {
+        /// The centre.
+        centre: PointRef,
+        /// Density of the air, kg/m^3.
+        density: Expr,
+        /// Drag coefficient.
+        coefficient: Expr,
+    },
     /// At one point, against the component along a direction in body axes.
     PointNormal(PointRef, Vector),
     /// Along straight lines between pairs of points of one body.
@@ -75,8 +84,9 @@ impl Drag {
         coefficient: Expr,
     ) -> Self {
         let area = Expr::pi() * (radius * radius);
-        let quadratic = Some(density * coefficient * area / 2);
-        Self { name: name.into(), on: DragPlace::Point(at), linear: None, quadratic }
+        let quadratic = Some(&density * &coefficient * area / 2);
+        let on = DragPlace::Ball { centre: at, density, coefficient };
+        Self { name: name.into(), on, linear: None, quadratic }
     }
 
     fn at_point(&self, point: &PointRef, wind: &Wind) -> Vector {
@@ -217,7 +227,9 @@ impl Interaction for Drag {
         let single =
             |at: &PointRef, force: Vector| vec![Resultant { at: at.clone(), force, couple: Expr::zero() }];
         let resultants = match &self.on {
-            DragPlace::Point(point) => single(point, self.at_point(point, bodies.wind)),
+            DragPlace::Point(point) | DragPlace::Ball { centre: point, .. } => {
+                single(point, self.at_point(point, bodies.wind))
+            }
             DragPlace::PointNormal(point, direction) => {
                 let unit = (1 / direction.norm()) * direction;
                 let normal = crate::kinematics::rotated(&unit, &point.body.angle());
@@ -237,7 +249,9 @@ impl Interaction for Drag {
 
     fn bodies(&self) -> Vec<&str> {
         match &self.on {
-            DragPlace::Point(point) | DragPlace::PointNormal(point, _) => vec![&point.body.body],
+            DragPlace::Point(point)
+            | DragPlace::PointNormal(point, _)
+            | DragPlace::Ball { centre: point, .. } => vec![&point.body.body],
             DragPlace::Lines { lines, .. } => {
                 lines.iter().map(|[from, _]| from.body.body.as_str()).take(1).collect()
             }
@@ -258,11 +272,24 @@ impl Interaction for Drag {
                 self.quadratic.is_some() || !wind.is_affine()
             }
             DragPlace::Lines { component: Component::Normal, .. } => !wind.is_affine(),
-            DragPlace::Point(_) | DragPlace::PointNormal(..) => false,
+            DragPlace::Point(_) | DragPlace::PointNormal(..) | DragPlace::Ball { .. } => false,
+        }
+    }
+
+    fn directions(&self) -> Vec<(&'static str, Vector)> {
+        match &self.on {
+            DragPlace::Point(_) | DragPlace::Ball { .. } => vec![],
+            DragPlace::PointNormal(_, direction) => vec![("direction", direction.clone())],
+            DragPlace::Lines { lines, .. } => {
+                lines.iter().map(|[from, to]| ("a line", &to.arm - &from.arm)).collect()
+            }
         }
     }
 
     fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
+        if let DragPlace::Ball { density, coefficient, .. } = &self.on {
+            return vec![("density", density.clone(), "kg/m^3"), ("coefficient", coefficient.clone(), "")];
+        }
         let linear = self.linear.iter().map(|b| ("linear", b.clone(), "kg/s"));
         linear.chain(self.quadratic.iter().map(|c| ("quadratic", c.clone(), "kg/m"))).collect()
     }

@@ -56,6 +56,10 @@ impl Interaction for Torsion {
         ]
     }
 
+    fn angles(&self) -> Vec<(&'static str, Expr)> {
+        vec![("rest angle", self.rest_angle.clone())]
+    }
+
     fn nonnegative(&self) -> Vec<(&'static str, Expr, &'static str)> {
         vec![("stiffness", self.stiffness.clone(), "N m/rad"), ("damping", self.damping.clone(), "N m s/rad")]
     }

@@ -45,12 +45,13 @@ type Matter = (Vec<Part>, Option<MassProperties>);
 
 /// One of three: a shape with its mass, parts, or stated mass properties.
 fn matter(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Matter> {
-    let shape = shape::read(draft, name, table);
+    let of = format!("`{name}`");
+    let shape = shape::read(draft, &of, table);
     if let Some(parts) = table.take("parts") {
         return joined(draft, name, table, &shape, &parts);
     }
     let mass = draft.required(table, "mass", "\"1 kg\"");
-    let mass = mass.and_then(|field| mass_of(draft, name, &field));
+    let mass = mass.and_then(|field| mass_of(draft, &of, &field));
     match [table.take("centre"), table.take("inertia")] {
         [None, None] => {
             let shape = shape::one(draft, table, shape)?;
@@ -65,7 +66,7 @@ fn matter(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Matter> {
 }
 
 fn mass_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Expr> {
-    draft.remember(format!("mass of `{name}`"), &field.span);
+    draft.remember(format!("mass of {name}"), &field.span);
     draft.number(field, Want::constant(Dimension::MASS))
 }
 
@@ -85,7 +86,10 @@ fn stated(
         draft.note(Diagnostic::new(Code::MissingKey, given, message).help(help));
         return None;
     }
-    let centre = centre.and_then(|field| draft.place(&field));
+    let centre = centre.and_then(|field| {
+        draft.remember(format!("centre of mass of `{name}`"), &field.span);
+        draft.place(&field)
+    });
     let inertia = inertia.and_then(|field| {
         draft.remember(format!("moment of inertia of `{name}`"), &field.span);
         draft.number(&field, Want::constant(Dimension::INERTIA))
@@ -116,7 +120,12 @@ fn joined(
         );
         return None;
     };
-    let parts: Vec<_> = elements.iter().map(|element| part(draft, name, element)).collect();
+    let of = |index: usize| match elements.len() {
+        1 => format!("`{name}`"),
+        _ => format!("part {} of `{name}`", index + 1),
+    };
+    let numbered = elements.iter().enumerate();
+    let parts: Vec<_> = numbered.map(|(index, element)| part(draft, &of(index), element)).collect();
     let parts = parts.into_iter().collect::<Option<Vec<_>>>()?;
     shape.is_some().then_some((parts, None))
 }

@@ -20,7 +20,7 @@ const EXTREMES: [(&str, Extreme); 2] = [("its greatest", Extreme::Greatest), ("i
 
 pub(super) fn read_finds(draft: &mut Draft, section: &Field) {
     each(draft, section, |draft, field, table| {
-        let question = question(draft, field, table);
+        let question = question(draft, "find", field, table);
         draft.finds.extend(question);
     });
 }
@@ -30,15 +30,18 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 }
 
 /// What is looked at, and when.
-fn question(draft: &mut Draft, field: &Field, table: &mut Table) -> Option<Question> {
+fn question(draft: &mut Draft, kind: &str, field: &Field, table: &mut Table) -> Option<Question> {
     draft.noted(fit_file(field));
     let name = field.key;
-    let at = when(draft, table, name);
+    let title = format!("the {kind} `{name}`");
+    let at = when(draft, table, &title);
     let side = side(draft, table, at.as_ref());
     let works = knows_works(at.as_ref());
-    let that =
-        draft.required(table, "that", "\"rod.angle\"").and_then(|field| curve::read(draft, &field, works));
-    Some(Question { name: name.to_owned(), that: that?, at: at?, side: side? })
+    let that = draft.required(table, "that", "\"rod.angle\"").and_then(|field| {
+        draft.remember(format!("that of {title}"), &field.span);
+        curve::read(draft, &field, works)
+    });
+    Some(Question { name: name.to_owned(), title, that: that?, at: at?, side: side? })
 }
 
 /// Where something is greatest its works are not known.
@@ -49,7 +52,7 @@ fn knows_works(at: Option<&When>) -> bool {
 /// How close is close enough is the user's to say: there is no default.
 fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = field.key;
-    let question = question(draft, field, table);
+    let question = question(draft, "check", field, table);
     let that = question.as_ref().map(|question| &question.that);
     let want = that.map_or(Want::any(), |curve| Want {
         dimension: Some(curve.quantity.dimension),
@@ -72,7 +75,7 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
 }
 
 /// The end of the run, an instant, or where what is looked at is greatest or least.
-fn when(draft: &mut Draft, table: &mut Table, name: &str) -> Option<When> {
+fn when(draft: &mut Draft, table: &mut Table, title: &str) -> Option<When> {
     let (at, during) = (table.take("at"), table.take("during"));
     let words = at.as_ref().and_then(|field| field.value.as_str());
     let extreme = EXTREMES.iter().find(|(known, _)| Some(*known) == words);
@@ -82,7 +85,7 @@ fn when(draft: &mut Draft, table: &mut Table, name: &str) -> Option<When> {
     }
     if let Some((_, which)) = extreme {
         let during = during.map(|field| {
-            draft.remember(format!("during of `{name}`"), &field.span);
+            draft.remember(format!("during of {title}"), &field.span);
             moments::pair(draft, &field)
         });
         return match during {
@@ -91,7 +94,7 @@ fn when(draft: &mut Draft, table: &mut Table, name: &str) -> Option<When> {
         };
     }
     let Some(at) = at else { return Some(When::End) };
-    draft.remember(format!("at of `{name}`"), &at.span);
+    draft.remember(format!("at of {title}"), &at.span);
     moments::instant(draft, &at).map(When::At)
 }
 

@@ -82,7 +82,7 @@ fn by_velocity(draft: &mut Draft, name: String, place: &Field, table: &mut Table
         draft.note(mistake.help(format!("add `quadratic = \"0.02 {}\"`", ["kg/m", "kg/m^2"][per as usize])));
     }
     let component = component(draft, table);
-    let on = component.and_then(|component| drag_place(draft, place, component));
+    let on = drag_place(draft, place, component);
     let (Some(on), None | Some(Some(_)), None | Some(Some(_))) = (on, &linear, &quadratic) else { return };
     draft.model.interact(Drag { name, on, linear: linear.flatten(), quadratic: quadratic.flatten() });
 }
@@ -107,13 +107,15 @@ fn component(draft: &mut Draft, table: &mut Table) -> Option<(Component, Span)> 
     Some((if word == "full" { Component::Full } else { Component::Normal }, field.span))
 }
 
-fn drag_place(draft: &mut Draft, place: &Field, (component, span): (Component, Span)) -> Option<DragPlace> {
+/// The place is looked at even where the component has a mistake.
+fn drag_place(draft: &mut Draft, place: &Field, component: Option<(Component, Span)>) -> Option<DragPlace> {
     if place.key == "along" {
         let body = body(draft, place)?;
         let lines = lines(draft, &draft.body_named(&body)?, place)?;
-        return Some(DragPlace::Lines { lines, component });
+        return Some(DragPlace::Lines { lines, component: component?.0 });
     }
     let point = points::named_anywhere(draft, place)?;
+    let (component, span) = component?;
     match component {
         Component::Full => Some(DragPlace::Point(point)),
         Component::Normal => across(draft, point, &span),

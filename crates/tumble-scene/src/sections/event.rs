@@ -29,7 +29,7 @@ fn event(draft: &mut Draft, field: &Field, table: &mut Table) {
     let when = draft.required(table, "when", "\"rod.vy falls through 0 m/s\"");
     let when = when.and_then(|field| condition(draft, &field));
     let action = match table.take("action") {
-        Some(field) => action(draft, &field),
+        Some(field) => action(draft, &name, &field),
         None => Some(Action::Record),
     };
     let (Some((when, direction)), Some(action)) = (when, action) else { return };
@@ -55,7 +55,11 @@ fn condition(draft: &mut Draft, field: &Field) -> Option<(Expr, Direction)> {
     };
     let (left, right) = (part(left, 0), part(right, text.len() - right.len()));
     let value = formula::number(&draft.names, &left, Want::any().at(Level::Output));
-    let value = draft.all_noted(value)?;
+    let Some(value) = draft.all_noted(value) else {
+        let level = formula::number(&draft.names, &right, Want::any().at(Level::Output));
+        draft.all_noted(level);
+        return None;
+    };
     let level = against(draft, &value, &right)?;
     Some((if level.is_zero() { value } else { value - level }, direction))
 }
@@ -77,7 +81,7 @@ fn not_a_condition(field: &Field) -> Diagnostic {
 }
 
 /// `"record"`, `"stop"` or `{ set = { D = "0.04 kg/m" } }`
-fn action(draft: &mut Draft, field: &Field) -> Option<Action> {
+fn action(draft: &mut Draft, name: &str, field: &Field) -> Option<Action> {
     if field.value.as_str().is_some() {
         let word = draft.choice(field, &["record", "stop"])?;
         return Some(if word == "stop" { Action::Stop } else { Action::Record });
@@ -95,11 +99,13 @@ fn action(draft: &mut Draft, field: &Field) -> Option<Action> {
         draft.wrong_type(&set, "a table of parameters, such as `{ D = \"0.04 kg/m\" }`");
         return None;
     };
-    let settings: Vec<_> = fields(table).iter().map(|field| setting(draft, field)).collect();
+    draft.remember(format!("settings of `{name}`"), &set.span);
+    let settings: Vec<_> = fields(table).iter().map(|field| setting(draft, name, field)).collect();
     settings.into_iter().collect::<Option<Vec<_>>>().map(Action::Set)
 }
 
-fn setting(draft: &mut Draft, field: &Field) -> Option<(String, Expr)> {
+fn setting(draft: &mut Draft, event: &str, field: &Field) -> Option<(String, Expr)> {
+    draft.remember(format!("`{}` as event `{event}` sets it", field.key), &field.span);
     let want = draft.parameter(field)?;
     draft.number(field, want).map(|value| (field.key.to_owned(), value))
 }

@@ -18,7 +18,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a force", field);
     let on = draft.required(table, "on", "\"rod\"").and_then(|field| body(draft, &field));
-    let application = application(draft, on.as_deref(), table);
+    let application = application(draft, &name, on.as_deref(), table);
     let during = during(draft, &name, table);
     let (Some(body), Some(application), Some(during)) = (on, application, during) else { return };
     if during.is_some() {
@@ -27,10 +27,16 @@ fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.model.loads.push(Load { name, body, application, during });
 }
 
-fn application(draft: &mut Draft, on: Option<&str>, table: &mut Table) -> Option<Application> {
+fn application(draft: &mut Draft, name: &str, on: Option<&str>, table: &mut Table) -> Option<Application> {
     match (table.take("force"), table.take("torque")) {
-        (Some(force), None) => pushed(draft, on, table, &force),
-        (None, Some(torque)) => turned(draft, table, &torque),
+        (Some(force), None) => {
+            draft.remember(format!("force of `{name}`"), &force.span);
+            pushed(draft, name, on, table, &force)
+        }
+        (None, Some(torque)) => {
+            draft.remember(format!("torque of `{name}`"), &torque.span);
+            turned(draft, table, &torque)
+        }
         (force, torque) => {
             let mistake = not_one(table, force.zip(torque));
             draft.note(mistake);
@@ -58,10 +64,19 @@ fn not_one(table: &Table, both: Option<(Field, Field)>) -> Diagnostic {
     }
 }
 
-fn pushed(draft: &mut Draft, on: Option<&str>, table: &mut Table, force: &Field) -> Option<Application> {
+fn pushed(
+    draft: &mut Draft,
+    name: &str,
+    on: Option<&str>,
+    table: &mut Table,
+    force: &Field,
+) -> Option<Application> {
     let force = draft.vector(force, Want::constant(Dimension::FORCE).at(Level::Motion));
     let at = draft.required(table, "at", &format!("\"{}.cm\"", on.unwrap_or("rod")));
-    let at = at.zip(on).and_then(|(field, on)| place(draft, on, &field));
+    let at = at.zip(on).and_then(|(field, on)| {
+        draft.remember(format!("place of `{name}`"), &field.span);
+        place(draft, on, &field)
+    });
     let frame = match table.take("frame") {
         Some(field) => draft.choice(&field, &["world", "body"])?,
         None => "world",

@@ -24,6 +24,7 @@ fn lift(draft: &mut Draft, field: &Field, table: &mut Table) {
     let (density, slope) = (table.take("density"), table.take("slope"));
     match (factor, density, slope) {
         (Some(factor), None, None) => {
+            draft.remember(format!("factor of `{name}`"), &factor.span);
             let factor = draft.number(&factor, Want::constant(Dimension::MASS));
             let on = on.and_then(|(on, _)| draft.body_named(&on?));
             let (Some(factor), Some(on)) = (factor, on) else { return };

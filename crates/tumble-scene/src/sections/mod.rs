@@ -88,6 +88,7 @@ pub(crate) const SECTIONS: &[Section] = &[
 pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     let top = fields(document);
     draft.names.bodies = second_names(&top, "body");
+    draft.names.points = points::all_names(&top);
     draft.names.events = second_names(&top, "event");
     draft.names.surfaces = second_names(&top, "surface");
     for section in SECTIONS {

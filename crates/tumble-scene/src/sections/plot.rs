@@ -18,10 +18,17 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.words(&field));
-    let x = table.take("x").map(|field| curve::labelled(draft, &field));
-    let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| curves(draft, &field));
+    let name = field.key;
+    let x = table.take("x").map(|field| {
+        draft.remember(format!("x of the plot `{name}`"), &field.span);
+        curve::labelled(draft, &field)
+    });
+    let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| {
+        draft.remember(format!("y of the plot `{name}`"), &field.span);
+        curves(draft, &field)
+    });
     let during = table.take("during").map(|given| {
-        draft.remember(format!("during of `{}`", field.key), &given.span);
+        draft.remember(format!("during of the plot `{}`", field.key), &given.span);
         moments::pair(draft, &given)
     });
     let (Some(y), None | Some(Some(_)), None | Some(Some(_))) = (y, &x, &during) else { return };

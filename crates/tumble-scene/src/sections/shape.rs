@@ -17,6 +17,7 @@ pub(super) struct Drawn {
     pub(super) shape: Shape,
 }
 
+/// The second argument is what messages call it: "`rod`", or "part 2 of `rod`".
 type Read = fn(&mut Draft, &str, &mut Table) -> Option<Shape>;
 
 const SHAPES: &[(&str, Read)] = &[
@@ -45,6 +46,7 @@ pub(super) fn read(draft: &mut Draft, name: &str, table: &mut Table) -> Option<O
         return None;
     }
     let Some((key, read, field)) = given.into_iter().next() else { return Some(None) };
+    draft.remember(format!("shape of {name}"), &field.span);
     let mut inner = draft.table(&field, key.to_owned())?;
     let shape = read(draft, name, &mut inner);
     draft.done(inner);
@@ -74,7 +76,7 @@ fn place_or_origin(draft: &mut Draft, table: &mut Table, key: &'static str) -> O
 
 fn size(draft: &mut Draft, name: &str, table: &mut Table, key: &'static str) -> Option<Expr> {
     let field = draft.required(table, key, "\"0.1 m\"")?;
-    draft.remember(format!("{key} of `{name}`"), &field.span);
+    draft.remember(format!("{key} of {name}"), &field.span);
     draft.number(&field, Want::constant(Dimension::LENGTH))
 }
 
@@ -83,11 +85,11 @@ fn point(draft: &mut Draft, _: &str, table: &mut Table) -> Option<Shape> {
 }
 
 fn rod(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
-    draft.remember(format!("length of `{name}`"), &table.span);
+    draft.remember(format!("length of {name}"), &table.span);
     let from = draft.required(table, "from", "[0, 0]").and_then(|field| draft.place(&field));
     let to = draft.required(table, "to", "[0, \"1 m\"]").and_then(|field| draft.place(&field));
     let end_radius = table.take("end_radius").map(|field| {
-        draft.remember(format!("end radius of `{name}`"), &field.span);
+        draft.remember(format!("end radius of {name}"), &field.span);
         draft.number(&field, Want::constant(Dimension::LENGTH))
     });
     let end_radius = end_radius.unwrap_or_else(|| Some(Expr::zero()));
@@ -112,7 +114,7 @@ fn rectangle(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> 
 }
 
 fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
-    draft.remember(format!("area of `{name}`"), &table.span);
+    draft.remember(format!("area of {name}"), &table.span);
     let example = "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]";
     let field = draft.required(table, "corners", example)?;
     let Some(corners) = field.elements() else {

@@ -29,7 +29,7 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
     let through = draft
         .required(table, "through", "[0, 0]")
         .and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
-    let facing = facing(draft, table);
+    let facing = facing(draft, &name, table);
     let law = law(draft, &name, table);
     let on = table.take("on").map(|field| met(draft, &field));
     let (Some(through), Some(facing), Some(law), None | Some(Some(_))) = (through, facing, law, &on) else {
@@ -49,8 +49,12 @@ enum Facing {
 }
 
 /// Out of the solid: level and upwards where nothing is said.
-fn facing(draft: &mut Draft, table: &mut Table) -> Option<Facing> {
-    match (table.take("normal"), table.take("slope")) {
+fn facing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Facing> {
+    let (normal, slope) = (table.take("normal"), table.take("slope"));
+    for field in normal.iter().chain(&slope) {
+        draft.remember(format!("normal of `{name}`"), &field.span);
+    }
+    match (normal, slope) {
         (Some(normal), Some(slope)) => {
             let message = format!("`{}` has a `normal` and a `slope`", table.title);
             let mistake = Diagnostic::new(Code::Exclusive, slope.key_span, message);

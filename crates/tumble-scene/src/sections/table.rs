@@ -21,6 +21,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn table(draft: &mut Draft, field: &Field, table: &mut Table) {
     let claimed = draft.names.claim("a table", field.key, field.key_span.clone());
     let claimed = draft.noted(claimed);
+    draft.remember(format!("`{}`", field.key), &field.key_span);
     let sheet = draft.required(table, "file", "\"gust.csv\"").and_then(|field| sheet(draft, &field));
     let columns = draft.required(table, "columns", "[\"t [s]\", \"w [m/s]\"]");
     let columns = columns.and_then(|field| columns_of(draft, &field, sheet.as_ref()?));

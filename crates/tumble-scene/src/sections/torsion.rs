@@ -20,7 +20,10 @@ fn torsion(draft: &mut Draft, field: &Field, table: &mut Table) {
     let stiffness = draft.coefficient(table, field.key, "stiffness", "\"0.5 N*m/rad\"", Dimension::TORQUE);
     let example = "\"10 deg\"`, or `rest_angle = 0";
     let rest_angle = draft.required(table, "rest_angle", example);
-    let rest_angle = rest_angle.and_then(|field| draft.number(&field, Want::angular(Dimension::NONE)));
+    let rest_angle = rest_angle.and_then(|value| {
+        draft.remember(format!("rest angle of `{}`", field.key), &value.span);
+        draft.number(&value, Want::angular(Dimension::NONE))
+    });
     let damping = match table.take("damping") {
         Some(value) => {
             draft.remember(format!("damping of `{}`", field.key), &value.span);

@@ -5,7 +5,7 @@ use tumble_expr::language::{
 };
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::Parameters;
-use tumble_scene::{Diagnostic, Diagnostics, Label, Source};
+use tumble_scene::{Diagnostic, Diagnostics, Label, Severity, Source};
 
 use super::say::{colour, say, tell, width, wrapped};
 use crate::commands::Ending;
@@ -137,6 +137,7 @@ fn converted(asked: &str) -> Ending {
 /// The mistakes as those of a scene are shown.
 fn rendered(text: &str, mistakes: Vec<FormulaError>) -> String {
     let list = mistakes.into_iter().map(|mistake| Diagnostic {
+        severity: Severity::Error,
         code: mistake.code.into(),
         message: mistake.message,
         source: 0,

@@ -1,0 +1,156 @@
+//! Mistakes of a model that show before any number is known: in names, dimensions and what is held by what.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::body::Body;
+use crate::coordinates::Pivot;
+use crate::error::{ModelError, ModelErrors};
+use crate::event::Event;
+use crate::interaction::Interaction;
+use crate::load::{Load, Moment};
+use crate::model::Model;
+use crate::parameters::time_symbol;
+use crate::start::Start;
+use crate::stated::Stated;
+use crate::surface::{Surface, is_at};
+
+impl Model {
+    /// All mistakes that show before any number is known: names and dimensions.
+    pub fn check(&self) -> Result<(), ModelErrors> {
+        let mut mistakes: Vec<ModelError> = self.stated().iter().filter_map(Stated::mistake).collect();
+        mistakes.extend(Structure::of(self).mistakes());
+        if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
+    }
+}
+
+/// A model with its names in order, so that each is found without a search through all.
+struct Structure<'m> {
+    model: &'m Model,
+    bodies: HashSet<&'m str>,
+    events: HashSet<&'m str>,
+    /// The first pivot of each body.
+    pivots: HashMap<&'m str, &'m Pivot>,
+}
+
+impl<'m> Structure<'m> {
+    fn of(model: &'m Model) -> Self {
+        let mut pivots = HashMap::new();
+        for pivot in &model.pivots {
+            pivots.entry(pivot.body.as_str()).or_insert(pivot);
+        }
+        Self {
+            model,
+            bodies: model.bodies.iter().map(|body| body.name.as_str()).collect(),
+            events: model.events.iter().map(|event| event.name.as_str()).collect(),
+            pivots,
+        }
+    }
+
+    fn mistakes(&self) -> Vec<ModelError> {
+        let model = self.model;
+        let mut mistakes: Vec<ModelError> = model.bodies.iter().filter_map(nothing).collect();
+        mistakes.extend(model.bodies.is_empty().then_some(ModelError::Empty));
+        mistakes.extend(self.same_names());
+        mistakes.extend(model.pivots.iter().flat_map(|pivot| self.of_pivot(pivot)));
+        mistakes.extend(model.loads.iter().flat_map(|load| self.of_load(load)));
+        mistakes.extend(model.events.iter().flat_map(|event| self.of_event(event)));
+        let interactions = model.interactions.iter();
+        mistakes.extend(interactions.flat_map(|interaction| self.of_interaction(&**interaction)));
+        mistakes.extend(model.surfaces.iter().flat_map(|surface| self.of_surface(surface)));
+        mistakes.extend(model.starts.iter().flat_map(|(body, start)| self.of_start(body, start)));
+        mistakes
+    }
+
+    fn same_names(&self) -> Vec<ModelError> {
+        let model = self.model;
+        let parameters = model.parameters.symbols();
+        let mut names: Vec<&str> = parameters.iter().map(|symbol| &*symbol.name).collect();
+        names.extend(model.bodies.iter().map(|body| body.name.as_str()));
+        names.extend(model.loads.iter().map(|load| load.name.as_str()));
+        names.extend(model.pivots.iter().map(|pivot| pivot.name.as_str()));
+        names.extend(model.events.iter().map(|event| event.name.as_str()));
+        names.extend(model.interactions.iter().map(|interaction| interaction.name()));
+        names.extend(model.surfaces.iter().map(|surface| surface.name.as_str()));
+        names.sort_unstable();
+        let twice = names.windows(2).filter(|pair| pair[0] == pair[1]);
+        twice.map(|pair| ModelError::Duplicate { name: pair[0].to_owned() }).collect()
+    }
+
+    fn of_pivot(&self, pivot: &Pivot) -> Vec<ModelError> {
+        let mut mistakes: Vec<ModelError> = self.unknown_body(&pivot.body).into_iter().collect();
+        if pivot.world.components().iter().any(|path| path.branches_on(&[time_symbol()])) {
+            mistakes.push(ModelError::CorneredPath { what: format!("pivot `{}`", pivot.name) });
+        }
+        let first = self.pivots.get(pivot.body.as_str());
+        if let Some(first) = first.filter(|first| !std::ptr::eq(**first, pivot)) {
+            mistakes.push(ModelError::HeldTwice {
+                body: pivot.body.clone(),
+                first: first.name.clone(),
+                second: pivot.name.clone(),
+            });
+        }
+        mistakes
+    }
+
+    fn of_load(&self, load: &Load) -> Vec<ModelError> {
+        let unknown = load.during.iter().flatten().filter_map(|moment| match moment {
+            Moment::Event(name) if !self.events.contains(name.as_str()) => {
+                Some(ModelError::Unknown { kind: "event", name: name.clone() })
+            }
+            _ => None,
+        });
+        self.unknown_body(&load.body).into_iter().chain(unknown).collect()
+    }
+
+    fn of_event(&self, event: &Event) -> Vec<ModelError> {
+        let unknown =
+            event.settings().iter().filter(|(name, _)| self.model.parameters.symbol(name).is_none());
+        unknown.map(|(name, _)| ModelError::Unknown { kind: "parameter", name: name.clone() }).collect()
+    }
+
+    fn of_interaction(&self, interaction: &dyn Interaction) -> Vec<ModelError> {
+        interaction.bodies().into_iter().filter_map(|body| self.unknown_body(body)).collect()
+    }
+
+    fn of_surface(&self, surface: &Surface) -> Vec<ModelError> {
+        let path = surface.through.components().iter().chain(surface.normal.components());
+        let is_cornered = path.into_iter().any(|path| path.branches_on(&[time_symbol()]));
+        let what = format!("surface `{}`", surface.name);
+        let cornered = is_cornered.then_some(ModelError::CorneredPath { what });
+        let met = surface.on.iter().flatten().filter(|name| !self.can_touch(name));
+        cornered.into_iter().chain(met.filter_map(|name| self.unknown_body(name))).collect()
+    }
+
+    /// Whether this is the name of a body, or of a body's point by which it touches.
+    fn can_touch(&self, name: &str) -> bool {
+        let by = |body: &Body| body.features().iter().any(|feature| is_at(name, body, feature));
+        self.bodies.contains(name) || self.model.bodies.iter().filter(|body| is_of(name, body)).any(by)
+    }
+
+    fn of_start(&self, body: &str, start: &Start) -> Vec<ModelError> {
+        let mut mistakes: Vec<ModelError> = self.unknown_body(body).into_iter().collect();
+        if self.pivots.contains_key(body) && (start.at.is_some() || start.velocity.is_some()) {
+            let problem = "its pivot says where it is: give the angle and omega only".into();
+            mistakes.push(ModelError::Start { body: body.to_owned(), problem });
+        }
+        mistakes
+    }
+
+    fn unknown_body(&self, name: &str) -> Option<ModelError> {
+        let unknown = || ModelError::Unknown { kind: "body", name: name.to_owned() };
+        (!self.bodies.contains(name)).then(unknown)
+    }
+}
+
+fn is_of(name: &str, body: &Body) -> bool {
+    name.strip_prefix(body.name.as_str()).is_some_and(|rest| rest.starts_with('.'))
+}
+
+/// A body that is made of nothing.
+fn nothing(body: &Body) -> Option<ModelError> {
+    let problem = || ModelError::Start {
+        body: body.name.clone(),
+        problem: "has neither a shape nor a stated mass".into(),
+    };
+    (body.parts.is_empty() && body.stated.is_none()).then(problem)
+}

@@ -1,0 +1,94 @@
+//! What goes wrong after a scene was read, at its place in the scene.
+
+use tumble_mech::RunError;
+use tumble_ode::Reason;
+use tumble_scene::{Diagnostics, Question, Study, When};
+
+use crate::case::Case;
+use crate::moments::Moments;
+use crate::pipeline::PipelineError;
+
+impl PipelineError {
+    /// The same with the place that it is about.
+    pub(crate) fn placed(self, study: &Study) -> Self {
+        match self {
+            Self::Model(mistakes) => Self::Scene(Box::new(study.mistakes(&mistakes))),
+            Self::Run(error) => match *error {
+                RunError::Model(mistakes) => Self::Scene(Box::new(study.mistakes(&mistakes))),
+                RunError::Refused { ref refusal, .. } => {
+                    refused(study, &refusal.reason, &refusal.to_string())
+                }
+                RunError::Formula(reason) => refused(study, &reason, &reason.to_string()),
+                other => Self::Run(Box::new(other)),
+            },
+            other => other,
+        }
+    }
+
+    /// The same, said of one run of several.
+    pub(crate) fn in_run(mut self, label: &str) -> Self {
+        if let Self::Scene(diagnostics) | Self::Refused(diagnostics) = &mut self {
+            name_run(diagnostics, label);
+        }
+        self
+    }
+
+    /// The same, where a question has no answer because of it.
+    pub(crate) fn of_question(self, study: &Study, question: &Question) -> Self {
+        match &self {
+            Self::Run(error) => match &**error {
+                RunError::Formula(reason) => Self::Refused(Box::new(study.no_answer(question, reason))),
+                _ => self,
+            },
+            _ => self,
+        }
+    }
+}
+
+fn refused(study: &Study, reason: &Reason, message: &str) -> PipelineError {
+    PipelineError::Refused(Box::new(study.refusal(reason, message)))
+}
+
+/// What a user should know of a run that was made: why it stopped early, values that are none, spans of time that end before
+/// they begin.
+pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineError> {
+    let mut said = Diagnostics::default();
+    if let Some(refusal) = &case.refusal {
+        said.extend(study.refusal(&refusal.reason, &refusal.to_string()));
+    }
+    let finds =
+        study.finds.iter().zip(&case.finds).map(|(question, find)| (question, find.at, [find.value; 2]));
+    let checks = study.checks.iter().zip(&case.checks);
+    let checks = checks.map(|(check, result)| (&check.question, result.at, [result.found, result.expected]));
+    for (question, at, values) in finds.chain(checks) {
+        let value = values.into_iter().find(|value| !value.is_finite());
+        if let Some(value) = value.filter(|_| at.is_finite()) {
+            said.extend(study.no_number(question, value, at));
+        }
+    }
+    empty_windows(study, case, &mut said)?;
+    name_run(&mut said, &case.label);
+    Ok(said)
+}
+
+fn name_run(said: &mut Diagnostics, label: &str) {
+    for diagnostic in said.list.iter_mut().filter(|_| !label.is_empty()) {
+        diagnostic.message = format!("in the run `{label}`: {}", diagnostic.message);
+    }
+}
+
+fn empty_windows(study: &Study, case: &Case, said: &mut Diagnostics) -> Result<(), PipelineError> {
+    let moments = Moments::of(study, case);
+    let plots = study.plots.iter().map(|plot| (format!("the plot `{}`", plot.name), plot.during.as_ref()));
+    let checks = study.checks.iter().map(|check| &check.question);
+    let questions = study.finds.iter().chain(checks).map(|question| match &question.at {
+        When::Extreme { during, .. } => (question.title.clone(), during.as_ref()),
+        _ => (question.title.clone(), None),
+    });
+    for (of, during) in plots.chain(questions) {
+        if let Some(ends) = moments.ends(during)?.filter(|[from, to]| from > to) {
+            said.extend(study.empty_window(&of, ends));
+        }
+    }
+    Ok(())
+}
