@@ -3,10 +3,10 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use tumble::PipelineError;
 use tumble::pipeline::run_text;
+use tumble::{Case, PipelineError};
 
-use super::setup::{Asked, Problem};
+use super::setup::{Asked, Place, Problem};
 
 /// The answers to a problem, or why there are none.
 #[derive(Clone, Debug)]
@@ -47,12 +47,25 @@ fn run(problem: &Problem) -> Measured {
     }
     let is_known = case.trust.as_ref().is_some_and(|trust| trust.horizon.is_none());
     let answer = |asked: &Asked| {
-        let find = case.finds.iter().find(|find| find.name == asked.name);
-        let value = find.map(|find| find.value).filter(|value| value.is_finite());
-        let stated = find.and_then(|find| find.error).filter(|error| error.is_finite());
-        Answer { value, stated, is_known }
+        let (value, stated) = match asked.place {
+            Place::Find => find(&case, &asked.name),
+            Place::Rest => rest(&case),
+        };
+        let finite = |number: Option<f64>| number.filter(|number| number.is_finite());
+        Answer { value: finite(value), stated: finite(stated), is_known }
     };
     Measured::Answers(problem.asked.iter().map(answer).collect())
+}
+
+fn find(case: &Case, name: &str) -> (Option<f64>, Option<f64>) {
+    let find = case.finds.iter().find(|find| find.name == name);
+    (find.map(|find| find.value), find.and_then(|find| find.error))
+}
+
+/// The start of the contact that lasts to the end.
+fn rest(case: &Case) -> (Option<f64>, Option<f64>) {
+    let start = case.run.contacts().iter().find(|contact| contact.is_open).map(|contact| contact.start);
+    (start, start.zip(case.trust.as_ref()).and_then(|(start, trust)| trust.event_error(start)))
 }
 
 fn words(panic: &(dyn Any + Send)) -> String {

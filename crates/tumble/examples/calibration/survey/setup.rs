@@ -32,15 +32,27 @@ pub(crate) struct Problem {
     pub(crate) asked: Vec<Asked>,
 }
 
-/// A value that a scene asks for.
+/// A value that is asked for.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
-    /// Its name in the scene.
+    /// Its name.
     pub(crate) name: String,
+    /// Where the program tells it.
+    pub(crate) place: Place,
     /// What is asked for, in words of the scene.
     pub(crate) what: String,
     /// The true value, in the unit in which it is asked for.
     pub(crate) truth: Real,
+}
+
+/// Where the program tells a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// Among what the scene asks for, by its name.
+    Find,
+    /// The start of the contact that lasts to the end of the run, s. The scene language cannot ask for it: it would have
+    /// to be counted.
+    Rest,
 }
 
 /// A quantity that is given: how formulas call it, and what it is in SI units.
@@ -115,11 +127,35 @@ impl Setup {
         size: impl Fn(&mut Draw) -> f64,
         is_fit: impl Fn(&Real) -> bool,
     ) -> Option<Given> {
-        let mut tries = (0..TRIES).map(|_| {
-            let size = size(&mut self.draw);
-            self.quantity(size, TIME)
-        });
-        let (text, value) = tries.find(|(_, value)| value.sign() > 0 && is_fit(value))?;
+        let quantity = |setup: &mut Self| {
+            let size = size(&mut setup.draw);
+            setup.quantity(size, TIME)
+        };
+        self.fit(name, quantity, |value| value.sign() > 0 && is_fit(value))
+    }
+
+    /// An angle that something is true of, of those near to what `size` draws, rad; `None` where none is found.
+    pub(crate) fn fit_angle(
+        &mut self,
+        name: &str,
+        size: impl Fn(&mut Draw) -> f64,
+        is_fit: impl Fn(&Real) -> bool,
+    ) -> Option<Given> {
+        let quantity = |setup: &mut Self| {
+            let size = size(&mut setup.draw);
+            setup.written_angle(size)
+        };
+        self.fit(name, quantity, is_fit)
+    }
+
+    fn fit(
+        &mut self,
+        name: &str,
+        quantity: impl Fn(&mut Self) -> (String, Real),
+        is_fit: impl Fn(&Real) -> bool,
+    ) -> Option<Given> {
+        let mut tries = (0..TRIES).map(|_| quantity(self));
+        let (text, value) = tries.find(|(_, value)| is_fit(value))?;
         Some(self.named(name, text, value))
     }
 
@@ -139,11 +175,15 @@ impl Setup {
 
     /// An angle near `size`, rad.
     pub(crate) fn angle(&mut self, name: &str, size: f64) -> Given {
-        let (unit, factor) =
-            self.draw.pick(&["deg", "deg", "rad", "mrad"].map(|unit| (unit, angle_unit(unit))));
-        let number = self.draw.decimal(size / factor);
-        let value = Real::read(&number) * exact_angle_unit(unit);
-        self.named(name, format!("{number} {unit}"), value)
+        let (text, value) = self.written_angle(size);
+        self.named(name, text, value)
+    }
+
+    fn written_angle(&mut self, size: f64) -> (String, Real) {
+        let unit = self.draw.pick(&["deg", "deg", "rad", "mrad"]);
+        let factor = angle_unit(unit);
+        let number = self.draw.decimal(size / factor.to_f64());
+        (format!("{number} {unit}"), Real::read(&number) * factor)
     }
 
     /// A rate of turning near `size`, which is in the problem's own size.
@@ -195,7 +235,14 @@ impl Setup {
         let when = at.lines();
         let _ = writeln!(self.finds, "[find.{name}]\nthat = \"{that}\"\n{when}");
         let what = format!("{that} {}", when.trim_end().replace('\n', " "));
-        self.asked.push(Asked { name, what: what.trim_end().to_owned(), truth: truth / factor });
+        let what = what.trim_end().to_owned();
+        self.asked.push(Asked { name, place: Place::Find, what, truth: truth / factor });
+    }
+
+    /// Asks when a body comes to rest on a surface for good.
+    pub(crate) fn ask_rest(&mut self, truth: &Real) {
+        let what = "start of the last contact".to_owned();
+        self.asked.push(Asked { name: "rest".into(), place: Place::Rest, what, truth: truth.clone() });
     }
 
     /// Asks for the time of an instant.
@@ -231,11 +278,7 @@ impl At {
     }
 }
 
-fn angle_unit(unit: &str) -> f64 {
-    exact_angle_unit(unit).to_f64()
-}
-
-fn exact_angle_unit(unit: &str) -> Real {
+fn angle_unit(unit: &str) -> Real {
     match unit {
         "deg" => Real::pi() / 180,
         "mrad" => Real::read("1e-3"),

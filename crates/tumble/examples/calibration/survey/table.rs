@@ -47,12 +47,11 @@ pub(crate) fn render(survey: &Survey) -> String {
     let mut text = table("family", families.chain([all]));
     text += &table("accuracy", decades);
     text += &list("Targets missed", missed(survey));
-    let failures = survey.failures();
-    text += &list("Worst failures", failures.iter().take(LISTED).map(|failure| line(failure)));
+    text += &list("Worst failures", survey.failures().iter().take(LISTED).map(line));
     for (index, family) in FAMILIES.iter().enumerate() {
-        let of_family =
-            failures.iter().filter(|failure| failure.report.key.family == index).take(LISTED_EACH);
-        text += &list(family.name, of_family.map(|failure| line(failure)).chain(stops(survey, index)));
+        let worst = survey.worst_of(index).into_iter().take(LISTED_EACH);
+        let worst: Vec<String> = worst.map(|failure| line(&failure)).chain(stops(survey, index)).collect();
+        text += &list(family.name, worst);
     }
     text + &slowest(survey)
 }

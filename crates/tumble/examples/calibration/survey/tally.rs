@@ -1,5 +1,7 @@
 //! Counts over many problems.
 
+use std::collections::HashSet;
+
 use super::judge::{Errors, Judged, Verdict};
 use super::{Fate, Report};
 
@@ -101,6 +103,13 @@ impl Survey {
         let mut failures: Vec<Failure<'_>> = values.filter_map(failure).collect();
         failures.sort_by(|a, b| b.factor.total_cmp(&a.factor));
         failures
+    }
+
+    /// The worst failure of each problem of a family, the worst first.
+    pub(crate) fn worst_of(&self, family: usize) -> Vec<Failure<'_>> {
+        let mut seen = HashSet::new();
+        let of_family = self.failures().into_iter().filter(|failure| failure.report.key.family == family);
+        of_family.filter(|failure| seen.insert(failure.report.key.index)).collect()
     }
 }
 

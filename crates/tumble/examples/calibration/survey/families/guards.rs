@@ -138,7 +138,10 @@ fn guard(setup: &mut Setup, way: &Way, until: &Given, speed: &dyn Fn(&Real) -> R
     let centre = setup.near("centre", &centre, way.measure);
     let [low, high] = steep.levels();
     let level = setup.draw.between(low, high);
-    let level = setup.given("level", level, NUMBER);
+    let level = match steep {
+        Steep::Atan => setup.angle("level", level),
+        _ => setup.given("level", level, NUMBER),
+    };
     let z = format!("({} - {centre})/{width}", way.formula);
     setup.write(&format!(
         "[event.pass]

@@ -25,6 +25,8 @@ const MOST_COUNT: f64 = 1000.0;
 const SHORTEST: f64 = 3e-4;
 /// Up to this restitution motions are followed beyond their last impact.
 const MOST_TO_REST: f64 = 0.9;
+/// Impacts that are asked for are no slower than this part of the first: the program sums up the very small ones.
+const SLOWEST: f64 = 1e-4;
 /// Angles of slopes, rad.
 const SLOPES: [f64; 2] = [0.02, 1.1];
 
@@ -116,10 +118,7 @@ impl Scene {
             [surface.floor]
             through = [\"{px}\", \"{py}\"]
             slope = \"{slope}\"
-            rigid = {{ restitution = \"{restitution}\" }}
-            [event.rest]
-            when = \"floor.normal rises through {mass}*{}*cos({slope})/2\"",
-            self.gravity
+            rigid = {{ restitution = \"{restitution}\" }}"
         ));
     }
 
@@ -176,15 +175,14 @@ type Others<'a> = &'a [(&'a str, Real, super::super::units::Measure)];
 
 fn finish(mut setup: Setup, scene: &Scene, others: Others<'_>) -> Problem {
     ask_end(&mut setup, scene, others);
-    let hits = scene.bounces.before(&scene.until.value).len();
+    let hits = scene.bounces.before(&scene.until.value);
+    let hits = hits.iter().take_while(|hit| hit.before > &hits[0].before * Real::of(SLOWEST)).count();
     if hits > 0 {
         let count = setup.draw.log_between(1.0, hits as f64).round() as usize;
         ask_hit(&mut setup, scene, count, others);
     }
     if let Some(limit) = scene.bounces.limit().filter(|limit| *limit < scene.until.value) {
-        setup.ask_time("rest", &limit);
-        let [[x, _], _] = scene.state(&limit, [Real::zero(), Real::zero()]);
-        setup.ask("p.x", At::After("rest".into()), &x, LENGTH);
+        setup.ask_rest(&limit);
     }
     setup.problem(&scene.gravity.word, &scene.until)
 }

@@ -95,7 +95,10 @@ fn start(setup: &mut Setup, frequency: f64) -> (Given, Given) {
         3 => (setup.draw.between(0.1, 1.5), setup.draw.between(-1.0, 1.0)),
         _ => (setup.draw.between(0.1, 1.5), setup.draw.sign() * setup.draw.between(1.8, 4.0)),
     };
-    (setup.angle("start_angle", side * angle), setup.omega("start_omega", omega * frequency))
+    let top = Real::pi() - Real::of(NEAR_TOP[0]) / 2;
+    let found = setup.fit_angle("start_angle", |_| side * angle, |angle| angle.abs() < top);
+    let angle = found.unwrap_or_else(|| setup.angle("start_angle", side));
+    (angle, setup.omega("start_omega", omega * frequency))
 }
 
 fn ask(setup: &mut Setup, swing: &Swing, until: &Given) {

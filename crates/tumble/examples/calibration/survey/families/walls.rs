@@ -29,8 +29,8 @@ pub(super) fn make(mut setup: Setup) -> Problem {
     let radius = setup.given("radius", size, LENGTH);
     let left = setup.shift("left");
     let width = setup.given("width", 1.0, LENGTH);
-    let offset = setup.draw.between(0.25, 0.75);
-    let offset = setup.given("offset", offset, LENGTH);
+    let part = Real::of(setup.draw.between(0.35, 0.6));
+    let offset = setup.near("offset", &(&width.value * part), LENGTH);
     let speed = setup.draw.sign();
     let speed = setup.given("speed", speed, SPEED);
     let restitutions = ["e_left", "e_right"].map(|name| restitution(&mut setup, name));
