@@ -288,3 +288,58 @@ impl Fall {
         [-(before.cos().ln() + now.cosh().ln()) * scale, now.tanh() * &self.fast]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Way and rate differ by as much as the rate and the law say, to the square of a step.
+    fn obeys(at: impl Fn(&Real) -> [Real; 2], law: impl Fn(&Real) -> Real) {
+        let (time, step) = (Real::read("0.7"), Real::read("1e-20"));
+        let [[x0, v0], [x1, v1]] = [&time - &step, &time + &step].map(|time| at(&time));
+        let [_, v] = at(&time);
+        let small = Real::read("1e-35");
+        assert!(((x1 - x0) / (&step * 2) - &v).abs() < small);
+        assert!(((v1 - v0) / (step * 2) - law(&v)).abs() < small);
+        assert!(at(&Real::zero())[0].abs() < small);
+    }
+
+    #[test]
+    fn spins_obey_their_law() {
+        for [linear, quadratic, omega] in [["0.3", "0", "2"], ["0", "0.4", "-3"], ["0.3", "0.4", "-3"]] {
+            let [linear, quadratic, omega] = [linear, quadratic, omega].map(Real::read);
+            let law = |w: &Real| -(&linear * w) - &quadratic * w * w.abs();
+            let spin = Spin { linear: linear.clone(), quadratic: quadratic.clone(), omega };
+            obeys(|time| spin.at(time), law);
+        }
+    }
+
+    #[test]
+    fn falls_obey_their_law() {
+        // Up, up and down again, down, and from rest.
+        for speed in ["9", "3", "-2", "0"] {
+            let [gravity, fast, speed] = ["10", "4", speed].map(Real::read);
+            let law = |v: &Real| -(v * v.abs() / fast.squared() + 1) * &gravity;
+            let fall = Fall { gravity: gravity.clone(), fast: fast.clone(), speed };
+            obeys(|time| fall.at(time), law);
+        }
+    }
+
+    #[test]
+    fn edges_are_sums() {
+        let (half, distance) = (Real::read("0.6"), Real::read("0.25"));
+        let [square, cube] = edge(&half, &distance);
+        // Simpson's rule on a thousand parts.
+        let count = 1000;
+        let sum = |power: i64| {
+            let value = |part: i64| {
+                let place = &half * (2 * part - count) / count;
+                let weight = if part == 0 || part == count { 1 } else { 2 + 2 * (part % 2) };
+                (place.squared() + distance.squared()).sqrt().power(power) * weight
+            };
+            (0..=count).map(value).fold(Real::zero(), |sum, part| sum + part) * &half * 2 / (3 * count)
+        };
+        assert!((square - sum(2)).abs() < Real::read("1e-12"));
+        assert!((cube - sum(3)).abs() < Real::read("1e-12"));
+    }
+}
