@@ -8,7 +8,9 @@ mod impacts;
 mod linear;
 mod lines;
 mod pendulum;
+mod switches;
 mod throws;
+mod twist;
 mod walls;
 mod windows;
 
@@ -40,6 +42,8 @@ pub(crate) const FAMILIES: &[Family] = &[
     Family { name: "fall", make: lines::fall },
     Family { name: "damped", make: extremes::damped },
     Family { name: "plane", make: extremes::plane },
+    Family { name: "twist", make: twist::make },
+    Family { name: "switches", make: switches::make },
 ];
 
 /// The index of the family of a name.
