@@ -1,7 +1,7 @@
 //! Holds the errors that tumble states against true ones, over random problems with known answers.
 //!
 //! ```sh
-//! cargo run --release -p tumble --example calibration -- [COUNT [SEED]]
+//! cargo run --release -p tumble --example calibration -- [COUNT [SEED [FAMILY]]]
 //! cargo run --release -p tumble --example calibration -- --only FAMILY SEED INDEX
 //! ```
 //!
@@ -26,10 +26,14 @@ fn main() -> Result<()> {
         [apart::ANSWER, family, seed, index] => {
             print!("{}", survey::transfer::write(&key(family, seed, index)?.measured()));
         }
-        [] => print(COUNT, SEED),
-        [count] => print(number(count)?, SEED),
-        [count, seed] => print(number(count)?, number(seed)?),
-        _ => bail!("say COUNT SEED or --only FAMILY SEED INDEX"),
+        [] => print((COUNT, SEED), None),
+        [count] => print((number(count)?, SEED), None),
+        [count, seed] => print((number(count)?, number(seed)?), None),
+        [count, seed, family] => {
+            let known = survey::named(family).with_context(|| format!("there is no family `{family}`"))?;
+            print((number(count)?, number(seed)?), Some(known));
+        }
+        _ => bail!("say COUNT SEED FAMILY or --only FAMILY SEED INDEX"),
     }
     Ok(())
 }
@@ -49,8 +53,8 @@ fn print_one(key: &Key) {
     print!("{}", key.values(key.measured()));
 }
 
-fn print(count: u64, seed: u64) {
-    let survey = survey::survey(count, seed, apart::measured);
+fn print((count, seed): (u64, u64), family: Option<usize>) {
+    let survey = survey::survey((count, seed), family, apart::measured);
     println!("{count} problems, seed {seed}\n\n{}", survey::render(&survey));
     survey::missed(&survey).iter().for_each(|target| println!("missed: {target}"));
 }

@@ -46,6 +46,17 @@ impl Bump {
         }
     }
 
+    /// Where it passes a height on its way up and down.
+    pub(crate) fn passings(self, height: &Real) -> [Real; 2] {
+        let z = match self {
+            Self::Gaussian => (-height.ln()).sqrt(),
+            Self::Lorentzian => (1 / height - 1).sqrt(),
+            // 1/cosh^2 is 1 - tanh^2.
+            Self::Sech => (1 - height).sqrt().atanh(),
+        };
+        [-&z, z]
+    }
+
     /// An integral.
     pub(crate) fn area(self, z: &Real) -> Real {
         match self {

@@ -24,6 +24,7 @@ use judge::{Judged, judge};
 use measure::{Answer, measure};
 use setup::Problem;
 
+pub(crate) use families::named;
 pub(crate) use measure::Measured;
 pub(crate) use table::{missed, render};
 pub(crate) use tally::Survey;
@@ -63,10 +64,13 @@ impl Key {
         Some(Self { seed, family: families::named(family)?, index })
     }
 
-    /// Of all problems of a survey: the families take turns.
-    fn numbered(seed: u64, number: u64) -> Self {
+    /// Of all problems of a survey, in which the families take turns, or of those of one family.
+    fn numbered(seed: u64, family: Option<usize>, number: u64) -> Self {
         let families = FAMILIES.len() as u64;
-        Self { seed, family: (number % families) as usize, index: number / families }
+        match family {
+            Some(family) => Self { seed, family, index: number },
+            None => Self { seed, family: (number % families) as usize, index: number / families },
+        }
     }
 
     /// Its words after `--only`.
@@ -94,12 +98,17 @@ impl Key {
     }
 }
 
-/// Runs so many problems, on all cores; `measured` is how one is run.
-pub(crate) fn survey(count: u64, seed: u64, measured: impl Fn(&Key) -> Measured + Sync) -> Survey {
+/// Runs so many problems, of all families or of one, on all cores; `measured` is how one is run.
+pub(crate) fn survey(
+    (count, seed): (u64, u64),
+    family: Option<usize>,
+    measured: impl Fn(&Key) -> Measured + Sync,
+) -> Survey {
     let next = AtomicU64::new(0);
     let work = || {
         let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
-        let keys = numbers.take_while(|number| *number < count).map(|number| Key::numbered(seed, number));
+        let keys =
+            numbers.take_while(|number| *number < count).map(|number| Key::numbered(seed, family, number));
         keys.map(|key| report(key, &measured)).collect::<Vec<_>>()
     };
     let cores = thread::available_parallelism().map_or(1, usize::from);

@@ -41,7 +41,8 @@ pub(crate) fn render(survey: &Survey) -> String {
         |index: usize| Tally::of(survey.reports.iter().filter(move |report| report.key.family == index));
     let decade =
         |tens: i32| Tally::of(survey.reports.iter().filter(move |report| decade(report.accuracy) == tens));
-    let families = FAMILIES.iter().enumerate().map(|(index, known)| row(known.name, &family(index)));
+    let families = FAMILIES.iter().enumerate().map(|(index, known)| (known.name, family(index)));
+    let families = families.filter(|(_, tally)| tally.problems > 0).map(|(name, tally)| row(name, &tally));
     let decades = (-13..=-4).rev().map(|tens| row(&format!("1e{tens} to 1e{}", tens + 1), &decade(tens)));
     let all = row("all", &Tally::of(survey.reports.iter()));
     let mut text = table("family", families.chain([all]));

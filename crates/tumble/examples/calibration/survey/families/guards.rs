@@ -14,6 +14,7 @@
 //!
 //! Inverses of elementary functions.
 
+use super::super::bump::Bump;
 use super::super::real::Real;
 use super::super::setup::{At, Given, Problem, Setup};
 use super::super::units::{ACCELERATION, LENGTH, Measure, NUMBER, SPEED, TIME};
@@ -27,13 +28,17 @@ enum Steep {
     Tanh,
     Logistic,
     Atan,
-    Gaussian,
-    Lorentzian,
-    Sech,
+    Bump(Bump),
 }
 
-const ALL: [Steep; 6] =
-    [Steep::Tanh, Steep::Logistic, Steep::Atan, Steep::Gaussian, Steep::Lorentzian, Steep::Sech];
+const ALL: [Steep; 6] = [
+    Steep::Tanh,
+    Steep::Logistic,
+    Steep::Atan,
+    Steep::Bump(Bump::Gaussian),
+    Steep::Bump(Bump::Lorentzian),
+    Steep::Bump(Bump::Sech),
+];
 
 impl Steep {
     /// The formula of z.
@@ -42,30 +47,24 @@ impl Steep {
             Self::Tanh => format!("tanh({z})"),
             Self::Logistic => format!("1/(1 + exp(-({z})))"),
             Self::Atan => format!("atan({z})"),
-            Self::Gaussian => format!("exp(-({z})^2)"),
-            Self::Lorentzian => format!("1/(1 + ({z})^2)"),
-            Self::Sech => format!("1/cosh({z})^2"),
+            Self::Bump(bump) => bump.formula(z),
         }
     }
 
     fn levels(self) -> [f64; 2] {
         match self {
             Self::Tanh | Self::Atan => [-0.9, 0.9],
-            _ => [0.05, 0.95],
+            Self::Logistic | Self::Bump(_) => [0.05, 0.95],
         }
     }
 
     /// Where the level is passed: z, in order.
     fn passings(self, level: &Real) -> Vec<Real> {
-        let bump = |z: Real| vec![-z.clone(), z];
         match self {
             Self::Tanh => vec![level.atanh()],
             Self::Logistic => vec![(level / (1 - level)).ln()],
             Self::Atan => vec![level.tan()],
-            Self::Gaussian => bump((-level.ln()).sqrt()),
-            Self::Lorentzian => bump((1 / level - 1).sqrt()),
-            // cosh z = 1/sqrt l
-            Self::Sech => bump((1 - level).sqrt().atanh()),
+            Self::Bump(bump) => bump.passings(level).to_vec(),
         }
     }
 }
