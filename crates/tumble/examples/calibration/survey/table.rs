@@ -48,9 +48,10 @@ pub(crate) fn render(survey: &Survey) -> String {
     let mut text = table("family", families.chain([all]));
     text += &table("accuracy", decades);
     text += &list("Targets missed", missed(survey));
-    text += &list("Worst failures", survey.failures().iter().take(LISTED).map(line));
+    let worst = survey.worst(|failure| failure.factor.is_finite());
+    text += &list("Worst errors", worst.iter().take(LISTED).map(line));
     for (index, family) in FAMILIES.iter().enumerate() {
-        let worst = survey.worst_of(index).into_iter().take(LISTED_EACH);
+        let worst = survey.worst(|failure| failure.report.key.family == index).into_iter().take(LISTED_EACH);
         let worst: Vec<String> = worst.map(|failure| line(&failure)).chain(stops(survey, index)).collect();
         text += &list(family.name, worst);
     }

@@ -95,7 +95,7 @@ fn share(part: usize, whole: usize) -> f64 {
 
 impl Survey {
     /// The failures, the worst first.
-    pub(crate) fn failures(&self) -> Vec<Failure<'_>> {
+    fn failures(&self) -> Vec<Failure<'_>> {
         let values = self.reports.iter().flat_map(|report| match &report.fate {
             Fate::Answered(values) => values.iter().map(|value| (report, value)).collect(),
             _ => vec![],
@@ -105,11 +105,11 @@ impl Survey {
         failures
     }
 
-    /// The worst failure of each problem of a family, the worst first.
-    pub(crate) fn worst_of(&self, family: usize) -> Vec<Failure<'_>> {
+    /// The worst of some failures of each problem, the worst first.
+    pub(crate) fn worst(&self, counts: impl Fn(&Failure<'_>) -> bool) -> Vec<Failure<'_>> {
         let mut seen = HashSet::new();
-        let of_family = self.failures().into_iter().filter(|failure| failure.report.key.family == family);
-        of_family.filter(|failure| seen.insert(failure.report.key.index)).collect()
+        let key = |failure: &Failure<'_>| (failure.report.key.family, failure.report.key.index);
+        self.failures().into_iter().filter(counts).filter(|failure| seen.insert(key(failure))).collect()
     }
 }
 
