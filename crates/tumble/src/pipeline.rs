@@ -130,6 +130,39 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     Ok(Outcome { folder: folder.finish()?, study, figures, cases })
 }
 
+/// Runs a scene that is given as text, and writes nothing.
+///
+/// The cases hold what the scene asks for and claims; figures and tables are not made, and tables of measured values,
+/// which are files, cannot be read. `name` is what messages call the scene.
+///
+/// ```
+/// let scene = r#"
+///     version = 1
+///     world.gravity = "9.81 m/s^2"
+///     run.until = "2 s"
+///
+///     [body.stone]
+///     point = {}
+///     mass = "1 kg"
+///
+///     [find.depth]
+///     that = "-stone.y"
+/// "#;
+/// let cases = tumble::pipeline::run_text("stone", scene).expect("a scene without mistakes");
+/// let depth = &cases[0].finds[0];
+/// let error = depth.error.expect("a motion that is known");
+/// assert!((depth.value - 19.62).abs() <= error);
+/// ```
+pub fn run_text(name: &str, text: &str) -> Result<Vec<Case>, PipelineError> {
+    let study = tumble_scene::read(name, text, &[]).map_err(mistaken)?;
+    let values = case::combinations(&study)?.into_iter().enumerate();
+    values.map(|(index, values)| Case::run(&study, index + 1, values, false)).collect()
+}
+
+fn mistaken(diagnostics: Diagnostics) -> PipelineError {
+    PipelineError::Scene(Box::new(diagnostics))
+}
+
 /// How an animation is drawn.
 #[cfg(feature = "png")]
 #[derive(Clone, Debug)]
@@ -177,7 +210,7 @@ fn read(source: &Source, options: &Options) -> Result<Study, PipelineError> {
     let beside = tumble_scene::Folder::of(&source.path);
     let mut study =
         tumble_scene::read_bytes_in(&source.path.display().to_string(), &source.bytes, &overrides, &beside)
-            .map_err(|diagnostics| PipelineError::Scene(Box::new(diagnostics)))?;
+            .map_err(mistaken)?;
     if study.title.is_empty() {
         study.title.clone_from(&source.name);
     }

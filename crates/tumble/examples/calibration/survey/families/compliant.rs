@@ -1,0 +1,174 @@
+//! A ball on a floor that gives way.
+//!
+//! # Law
+//!
+//! m d'' = m g - k d - c d' while the depth d is positive; let go where the force vanishes, or at the surface.
+//!
+//! # Closed form
+//!
+//! Without damping, with w^2 = k/m and the speed v at first touch: it lasts (2/w)(pi - atan(v w/g)), half a period
+//! without weight, and ends with the speed v. The depth is at most g/w^2 + sqrt(g^2/w^4 + v^2/w^2). Without weight and
+//! with damping, b = c/(2m) and s^2 = w^2 - b^2: d = (v/s) exp(-b t) sin(s t), which ends at t = pi/s at the surface, and
+//! at zero force where tan(s t) = -2 b s/(w^2 - 2 b^2).
+//!
+//! # Source
+//!
+//! Landau and Lifshitz, Mechanics, §§ 21 and 25.
+
+use super::super::oscillator::{Oscillator, State};
+use super::super::real::Real;
+use super::super::setup::{At, Given, Problem, Setup};
+use super::super::units::{ACCELERATION, DAMPING, ENERGY, FORCE, LENGTH, MASS, SPEED, STIFFNESS, TIME};
+
+/// How long a contact is, in parts of the time before it.
+const BRIEF: [f64; 2] = [1e-5, 0.3];
+/// Damping in parts of the critical.
+const DAMPINGS: [f64; 2] = [0.01, 0.7];
+/// Contacts of a run with weight.
+const MOST: f64 = 200.0;
+
+pub(super) fn make(mut setup: Setup) -> Problem {
+    let mass = setup.given("mass", 1.0, MASS);
+    let radius = setup.given("radius", 0.1, LENGTH);
+    let [foot, x] = ["foot", "x"].map(|name| setup.shift(name));
+    let height = setup.draw.log_between(0.05, 3.0);
+    let height = setup.given("height", height, LENGTH);
+    let [vx, vy] = [("vx", 1.0), ("vy", -1.0)].map(|(name, size)| setup.given(name, size, SPEED));
+    let with_weight = setup.draw.chance(0.5);
+    let gravity = setup.given("g", if with_weight { 1.0 } else { 0.0 }, ACCELERATION);
+    let brief = setup.draw.log_between(BRIEF[0], BRIEF[1]);
+    let stiffness = setup.given("stiffness", (std::f64::consts::PI / brief).powi(2), STIFFNESS);
+    let release = setup.draw.pick(&["at zero force", "at the surface"]);
+    let fall = Fall::new(&gravity.value, &height.value, &vy.value);
+    let frequency = (&stiffness.value / &mass.value).sqrt();
+    let size = setup.draw.log_between(DAMPINGS[0], DAMPINGS[1]) * std::f64::consts::PI / brief * 2.0;
+    let damping = setup.given("damping", if with_weight { 0.0 } else { size }, DAMPING);
+    setup.write(&format!(
+        "[body.p]
+        ball = {{ radius = \"{radius}\" }}
+        mass = \"{mass}\"
+        start = {{ at = [\"{x}\", \"{foot} + {radius} + {height}\"], velocity = [\"{vx}\", \"{vy}\"] }}
+        [surface.floor]
+        through = [0, \"{foot}\"]
+        spring = {{ stiffness = \"{stiffness}\", damping = \"{damping}\", release = \"{release}\" }}"
+    ));
+    let touch = if with_weight {
+        Touch::heavy(&fall, &gravity.value, &frequency)
+    } else {
+        let half = &damping.value / &mass.value / 2;
+        Touch::damped(&fall, [&frequency, &half], release == "at zero force")
+    };
+    let lines = Lines { mass, stiffness, x, vx };
+    let until = if with_weight {
+        ask_many(&mut setup, &lines, &fall, &touch, &gravity)
+    } else {
+        ask_one(&mut setup, &lines, &fall, &touch)
+    };
+    setup.problem(&gravity.word, &until)
+}
+
+/// What is given beside the fall.
+struct Lines {
+    mass: Given,
+    stiffness: Given,
+    x: Given,
+    vx: Given,
+}
+
+/// When it comes down, and how fast.
+struct Fall {
+    time: Real,
+    speed: Real,
+}
+
+impl Fall {
+    fn new(gravity: &Real, height: &Real, rate: &Real) -> Self {
+        let speed = (rate.squared() + gravity * height * 2).sqrt();
+        Self { time: height * 2 / (&speed - rate), speed }
+    }
+}
+
+/// One contact: how long, how deep, and the speed after it.
+struct Touch {
+    duration: Real,
+    depth: Real,
+    after: Real,
+}
+
+impl Touch {
+    fn heavy(fall: &Fall, gravity: &Real, frequency: &Real) -> Self {
+        let v = &fall.speed;
+        let duration = (Real::pi() - (v * frequency / gravity).atan()) * 2 / frequency;
+        let rest = gravity / frequency.squared();
+        let depth = &rest + (rest.squared() + (v / frequency).squared()).sqrt();
+        Self { duration, depth, after: v.clone() }
+    }
+
+    fn damped(fall: &Fall, [frequency, half]: [&Real; 2], at_zero_force: bool) -> Self {
+        let swing = (frequency.squared() - half.squared()).sqrt();
+        let system = Oscillator { stiffness: frequency.squared(), damping: half * 2 };
+        let start = State { x: Real::zero(), v: fall.speed.clone() };
+        let turn = swing.atan2(half) / &swing;
+        let duration = match at_zero_force {
+            false => Real::pi() / &swing,
+            // Of the angles with this tangent the one from 0 to pi.
+            true => (half * &swing * 2).atan2(&(half.squared() * 2 - frequency.squared())) / &swing,
+        };
+        let after = -system.free(&start, &duration).v;
+        Self { depth: system.free(&start, &turn).x, duration, after }
+    }
+}
+
+const FIRST: &str = "floor.contact[1]";
+
+fn ask_touch(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch) {
+    setup.ask(&format!("{FIRST}.start"), At::End, &fall.time, TIME);
+    setup.ask(&format!("{FIRST}.duration"), At::End, &touch.duration, TIME);
+    let end = &fall.time + &touch.duration;
+    let instant = format!("{FIRST}.end");
+    setup.ask_time(&instant, &end);
+    setup.ask("p.vy", At::Before(format!("{FIRST}.start")), &-&fall.speed, SPEED);
+    setup.ask("p.vy", At::After(instant.clone()), &touch.after, SPEED);
+    setup.ask("p.x", At::After(instant), &(&lines.x.value + &lines.vx.value * end), LENGTH);
+    setup.ask("floor.p.rim.gap", At::Least(None), &-&touch.depth, LENGTH);
+}
+
+/// A contact without weight, and the motion after it.
+fn ask_one(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch) -> Given {
+    let size = (&fall.time * 2 + &touch.duration).to_f64();
+    let end = &fall.time + &touch.duration * 2;
+    let found = setup.time("until", |draw| size * draw.between(0.9, 2.0), |time| *time > end);
+    let until = found.unwrap_or_else(|| setup.near("until", &(end * 3), TIME));
+    ask_touch(setup, lines, fall, touch);
+    setup.ask("p.vy", At::End, &touch.after, SPEED);
+    let energy = |speed: &Real| &lines.mass.value * speed.squared() / 2;
+    setup.ask("floor.work", At::End, &(energy(&touch.after) - energy(&fall.speed)), ENERGY);
+    until
+}
+
+/// Contact after contact under its weight.
+fn ask_many(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch, gravity: &Given) -> Given {
+    let flight = &fall.speed * 2 / &gravity.value;
+    let period = &touch.duration + &flight;
+    let count = setup.draw.log_between(1.0, MOST) as i64;
+    let begin = |count: i64| &fall.time + &period * (count - 1);
+    let end = begin(count) + &touch.duration;
+    let [low, high] = [10, 90].map(|part| &end + &flight * part / 100);
+    let found = setup.time(
+        "until",
+        |draw| draw.between(low.to_f64(), high.to_f64()),
+        |time| low < *time && *time < high,
+    );
+    let until = found.unwrap_or_else(|| setup.near("until", &(begin(1) / 2), TIME));
+    if until.value < end {
+        return until;
+    }
+    ask_touch(setup, lines, fall, touch);
+    let since = &until.value - end;
+    setup.ask("p.vy", At::End, &(&fall.speed - &gravity.value * &since), SPEED);
+    setup.ask("floor.p.rim.gap", At::End, &((&fall.speed - &gravity.value * &since / 2) * since), LENGTH);
+    setup.ask("floor.normal", At::Greatest(None), &(&lines.stiffness.value * &touch.depth), FORCE);
+    setup.ask_time(&format!("floor.contact[{count}].start"), &begin(count));
+    setup.ask(&format!("floor.contact[{count}].duration"), At::End, &touch.duration, TIME);
+    until
+}

@@ -1,0 +1,57 @@
+//! Families of problems with known answers.
+
+mod bumps;
+mod compliant;
+mod extremes;
+mod guards;
+mod impacts;
+mod linear;
+mod lines;
+mod pendulum;
+mod switches;
+mod throws;
+mod twist;
+mod walls;
+mod windows;
+
+use super::draw::Draw;
+use super::setup::{Problem, Setup};
+
+/// A kind of problem.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Family {
+    /// How tables and the command call it.
+    pub(crate) name: &'static str,
+    make: fn(Setup) -> Problem,
+}
+
+/// Every family; a new one is a new entry at the end, so that the others keep their problems.
+pub(crate) const FAMILIES: &[Family] = &[
+    Family { name: "linear", make: linear::make },
+    Family { name: "pendulum", make: pendulum::make },
+    Family { name: "guards", make: guards::make },
+    Family { name: "bumps", make: bumps::make },
+    Family { name: "ball", make: impacts::ball },
+    Family { name: "level", make: impacts::level },
+    Family { name: "walls", make: walls::make },
+    Family { name: "compliant", make: compliant::make },
+    Family { name: "windows", make: windows::make },
+    Family { name: "flight", make: throws::flight },
+    Family { name: "swing", make: throws::swing },
+    Family { name: "spin", make: lines::spin },
+    Family { name: "fall", make: lines::fall },
+    Family { name: "damped", make: extremes::damped },
+    Family { name: "plane", make: extremes::plane },
+    Family { name: "twist", make: twist::make },
+    Family { name: "switches", make: switches::make },
+];
+
+/// The index of the family of a name.
+pub(crate) fn named(name: &str) -> Option<usize> {
+    FAMILIES.iter().position(|family| family.name == name)
+}
+
+/// A problem by the seed of its survey, its family and its number.
+pub(crate) fn problem(seed: u64, family: usize, index: u64) -> Problem {
+    (FAMILIES[family].make)(Setup::new(Draw::of(seed, family as u64, index)))
+}
