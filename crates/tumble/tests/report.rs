@@ -104,3 +104,49 @@ fn the_kicked_ball_is_solved_in_symbols() {
         assert!(page.contains(formula), "{formula}");
     }
 }
+
+/// Two disks alike, shown by the same letters: each has its own moment of inertia, by its own name.
+#[test]
+fn a_moment_of_inertia_is_that_of_its_body() {
+    const DISKS: &str = r#"version = 1
+        title = "Three disks"
+        world.gravity = "9.81 m/s^2"
+        run.until = "1 s"
+        [parameters]
+        m1 = "1 kg"
+        m2 = "8 kg"
+        R = "1 m"
+        I1 = "m1*R^2/2"
+        [body.first]
+        disk = { radius = "R" }
+        mass = "m1"
+        [body.second]
+        disk = { radius = "R" }
+        mass = "m2"
+        [body.third]
+        disk = { radius = "R" }
+        mass = "m2"
+        [force.a]
+        on = "first"
+        torque = "1 N*m"
+        [force.b]
+        on = "second"
+        torque = "3 N*m"
+        [force.c]
+        on = "third"
+        torque = "5 N*m"
+        [symbols]
+        m1 = "m"
+        m2 = "m"
+    "#;
+    let place = folder();
+    let file = place.path().join("scene.toml");
+    write(&file, DISKS);
+    let outcome = run(&file, place.path(), ReportForm::Html);
+    let page = read(&outcome.folder.join("report.html"));
+    for own in ["I₁ α_first = ", "I_second α_second = ", "I_third α_third = ", "t²/I_second", "t²/I_third"]
+    {
+        assert!(page.contains(own), "{own}");
+    }
+    assert_eq!(page.matches("t²/I₁").count(), page.matches("θ_first = 0.5").count());
+}

@@ -89,7 +89,7 @@ impl Motion {
         let mass = equations.mass_properties(body);
         let constraints = equations.shown_constraints(mode, body);
         let is_solved = constraints.len() < 2;
-        let notation = names.notation().clone();
+        let notation = names.of_body(body).notation().clone();
         if study.model.pivot_of(&model_body.name).is_some() {
             let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
             let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));

@@ -49,6 +49,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
 }
 
 fn one(study: &Study, names: &Names, case: &Case, body: usize) -> Result<BodyModel, PipelineError> {
+    let names = &names.of_body(body);
     Ok(BodyModel {
         name: study.model.bodies[body].name.as_str().into(),
         diagrams: diagrams(study, case, body)?,

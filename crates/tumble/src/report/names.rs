@@ -20,6 +20,8 @@ pub(crate) struct Names {
     /// Without names for moments of inertia.
     plain: Notation,
     notation: Notation,
+    /// By body, where they are worth a name.
+    inertias: Vec<Option<(String, Expr)>>,
 }
 
 impl Names {
@@ -38,12 +40,23 @@ impl Names {
                 positive.push(symbol.name.to_string());
             }
         }
+        let inertias = inertias(study, &Notation::new().positive(positive.clone()));
         let plain = notation.positive(positive);
         let mut notation = plain.clone();
-        for (name, inertia) in inertias(study, &plain) {
-            notation = notation.define(name, &inertia);
+        for (name, inertia) in inertias.iter().flatten() {
+            notation = notation.define(name, inertia);
         }
-        Ok(Self { symbols, plain, notation })
+        Ok(Self { symbols, plain, notation, inertias })
+    }
+
+    /// Those for the formulas of one body: another one's moment of inertia may have the same formula, and is not meant.
+    pub(crate) fn of_body(&self, body: usize) -> Self {
+        let plain = self.plain.clone();
+        let notation = match &self.inertias[body] {
+            Some((name, inertia)) => plain.clone().define(name, inertia),
+            None => plain.clone(),
+        };
+        Self { symbols: self.symbols.clone(), plain, notation, inertias: self.inertias.clone() }
     }
 
     /// What a name is shown as: `theta` for `rod.angle`.
@@ -131,31 +144,39 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
     }
 }
 
-/// Moments of inertia of free bodies that are worth a name: the parameter's that is one, else I.
-fn inertias(study: &Study, notation: &Notation) -> Vec<(String, Expr)> {
+/// By body, a moment of inertia that is worth a name: the parameter's that is one, else I. `notation` shows every symbol by its
+/// own name, as different symbols may be shown as the same letter.
+fn inertias(study: &Study, notation: &Notation) -> Vec<Option<(String, Expr)>> {
     // Two formulas are one if they are written alike once they are in their short form.
     let written = |formula: &Expr| notation.formula(formula).map(|shown| shown.text()).ok();
-    let parameters: Vec<(&Symbol, &Expr)> = study.model.parameters.formulas().collect();
-    let several = study.model.bodies.len() > 1;
-    let mut found = vec![];
-    for body in study.model.bodies.iter().filter(|body| study.model.pivot_of(&body.name).is_none()) {
+    let parameters = study.model.parameters.formulas();
+    let stated: Vec<(&Symbol, Option<String>)> = parameters
+        .filter(|(symbol, _)| symbol.dimension == Dimension::INERTIA)
+        .map(|(symbol, formula)| (symbol, written(formula)))
+        .collect();
+    let mut found: Vec<Option<(String, Expr)>> = vec![];
+    for body in &study.model.bodies {
         let inertia = body.mass_properties().inertia;
-        // A number is shorter than a name for it.
-        if inertia.symbols().is_empty() {
+        // A number is shorter than a name for it, and what is held by a pivot turns about that.
+        if inertia.symbols().is_empty() || study.model.pivot_of(&body.name).is_some() {
+            found.push(None);
             continue;
         }
-        let same = |(symbol, formula): &&(&Symbol, &Expr)| {
-            symbol.dimension == Dimension::INERTIA && written(formula) == written(&inertia)
-        };
-        let own = if several { format!("I_{}", body.name) } else { "I".to_owned() };
-        let taken = parameters.iter().any(|(symbol, _)| *symbol.name == *own);
-        match parameters.iter().find(same) {
-            Some((symbol, _)) => found.push((symbol.name.to_string(), inertia)),
-            None if !taken => found.push((own, inertia)),
-            None => {}
-        }
+        let own = written(&inertia);
+        let same = stated.iter().filter(|(_, formula)| *formula == own).map(|(symbol, _)| &*symbol.name);
+        let is_free = |name: &&str| !found.iter().flatten().any(|(taken, _)| taken == name);
+        let parameter = same.clone().find(is_free).or_else(|| same.clone().next());
+        let name = parameter.map(str::to_owned).or_else(|| own_name(study, &body.name));
+        found.push(name.map(|name| (name, inertia)));
     }
     found
+}
+
+/// I, with the body's name where there are several, unless a parameter is named so.
+fn own_name(study: &Study, body: &str) -> Option<String> {
+    let name = if study.model.bodies.len() > 1 { format!("I_{body}") } else { "I".to_owned() };
+    let is_taken = study.model.parameters.symbols().iter().any(|symbol| *symbol.name == *name);
+    (!is_taken).then_some(name)
 }
 
 /// The usual letters: those of the only body stand alone, those of several have its name.

@@ -2,9 +2,9 @@
 
 use tumble_expr::{Dimension, Expr, Substitution, Symbol};
 use tumble_math::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
-use tumble_mech::{Body, Mode, Run};
+use tumble_mech::{Mode, Run};
 use tumble_ode::{Cause, Event};
-use tumble_report::report::{Column, Math, Phase, Solve, Table, Text};
+use tumble_report::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
 use tumble_report::{Label, numeral};
 use tumble_scene::Study;
 
@@ -38,9 +38,8 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
 
 fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
     let row = |name: &str, value: &dyn Fn(&Case) -> String| {
-        let mut values: Vec<String> = cases.iter().map(value).collect();
-        values.dedup();
-        (Text::from(name), Text::from(values.join(", ")))
+        let values: Vec<(&str, String)> = cases.iter().map(|case| (&*case.label, value(case))).collect();
+        (Text::from(name), Text::from(by_run(&values)))
     };
     let work = |case: &Case| case.run.trajectory.work;
     let mut rows = vec![
@@ -58,20 +57,32 @@ fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
             case.run.quadrature.map_or_else(String::new, |found| format!("{}", found.nodes))
         }));
     }
-    if let Some(refusal) = cases.iter().find_map(|case| case.refusal.as_ref()) {
-        rows.push((Text::from("Stopped"), Text::from(refusal.to_string())));
+    for (case, refusal) in cases.iter().filter_map(|case| Some((case, case.refusal.as_ref()?))) {
+        rows.push((of_run("Stopped", cases, case), Text::from(refusal.to_string())));
     }
     rows
 }
 
+/// One value if all runs have the same, else that of each run with its label.
+fn by_run(values: &[(&str, String)]) -> String {
+    match values {
+        [(_, first), rest @ ..] if rest.iter().all(|(_, value)| value == first) => first.clone(),
+        _ => {
+            let each = values.iter().map(|(label, value)| format!("{label}: {value}"));
+            each.collect::<Vec<_>>().join("; ")
+        }
+    }
+}
+
+/// What is told of one run, with its label where there are several.
+fn of_run(what: &str, cases: &[Case], case: &Case) -> Text {
+    if cases.len() > 1 { format!("{what}, {}", case.label).into() } else { what.into() }
+}
+
 /// What a check run says, a row for each thing that it says of any run.
 fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
-    let several = cases.len() > 1;
     let rows = cases.iter().flat_map(|case| {
-        let name = |what: &str| {
-            let of = if several { format!("{what}, {}", case.label) } else { what.to_owned() };
-            Text::from(of)
-        };
+        let name = |what: &str| of_run(what, cases, case);
         let held =
             case.trustworthiness().map(|held| (name("Verified by an independent check run"), held.into()));
         let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
@@ -98,6 +109,7 @@ fn events(case: &Case) -> Table {
 
 /// A coordinate of a body with its velocity and acceleration.
 struct Coordinate {
+    body: usize,
     position: Symbol,
     velocity: Symbol,
     acceleration: Symbol,
@@ -108,7 +120,7 @@ struct Coordinate {
 fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, PipelineError> {
     let run = &case.run;
     let mut coordinates: Vec<Coordinate> =
-        study.model.bodies.iter().flat_map(|body| coordinates(study, body)).collect();
+        (0..study.model.bodies.len()).flat_map(|body| coordinates(study, body)).collect();
     let mut begins = Expr::zero() * tumble_expr::units::S;
     let mut found = vec![];
     let mut known = true;
@@ -150,13 +162,15 @@ fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
     found
 }
 
-fn coordinates(study: &Study, body: &Body) -> Vec<Coordinate> {
+fn coordinates(study: &Study, index: usize) -> Vec<Coordinate> {
+    let body = &study.model.bodies[index];
     let start = study.model.start_of(&body.name);
     let k = body.kinematics();
     let centre = body.mass_properties().centre;
     let at = start.at.unwrap_or(centre);
     let value = |formula: Option<Expr>| formula.unwrap_or_else(Expr::zero);
     let turning = Coordinate {
+        body: index,
         position: k.angle_symbol(),
         velocity: k.omega_symbol(),
         acceleration: k.alpha_symbol(),
@@ -168,8 +182,20 @@ fn coordinates(study: &Study, body: &Body) -> Vec<Coordinate> {
     let ([x, y], [vx, vy], [ax, ay]) = (k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols());
     let speed = |axis: usize| start.velocity.as_ref().map_or_else(Expr::zero, |v| v[axis].clone());
     vec![
-        Coordinate { position: x, velocity: vx, acceleration: ax, start: (at[0].clone(), speed(0)) },
-        Coordinate { position: y, velocity: vy, acceleration: ay, start: (at[1].clone(), speed(1)) },
+        Coordinate {
+            body: index,
+            position: x,
+            velocity: vx,
+            acceleration: ax,
+            start: (at[0].clone(), speed(0)),
+        },
+        Coordinate {
+            body: index,
+            position: y,
+            velocity: vy,
+            acceleration: ay,
+            start: (at[1].clone(), speed(1)),
+        },
         turning,
     ]
 }
@@ -204,29 +230,33 @@ fn phase(
     coordinates: &[Coordinate],
     motions: &[Motion],
 ) -> Result<Phase, PipelineError> {
-    let mut lines = vec![];
+    let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
     let mut numbers: Vec<Math> = vec![];
     for (coordinate, motion) in coordinates.iter().zip(motions) {
         for (symbol, formula) in
             [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)]
         {
             let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
-            lines.push((left, formula.clone()));
+            lines[coordinate.body].push((left, formula.clone()));
             numbers.push(with_numbers(study, names, symbol, formula, elapsed)?);
         }
     }
-    let mut symbols = names.block("", &lines);
+    let of_body = |(body, lines): (usize, &Vec<_>)| names.of_body(body).block("", lines);
+    let mut symbols: Vec<Block> = lines.iter().enumerate().map(of_body).collect();
     if *elapsed.name != *"t" {
         let since: Expr = Expr::symbol("t", Dimension::TIME) - begins;
         let symbol = names.equation("tau", &since);
-        symbols.definitions.push(tumble_report::report::Definition { symbol, meaning: Text::default() });
+        let definition = Definition { symbol, meaning: Text::default() };
+        if let Some(last) = symbols.last_mut() {
+            last.definitions.push(definition);
+        }
     }
     let from = study.number(begins)?;
     Ok(Phase {
         name: mode_name(study, case, mode).into(),
         span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")),
-        symbols: vec![symbols],
-        numbers: vec![tumble_report::report::Block { lines: numbers, ..Default::default() }],
+        symbols,
+        numbers: vec![Block { lines: numbers, ..Default::default() }],
     })
 }
 
@@ -288,4 +318,22 @@ fn in_unit(unit: &str) -> Option<Formula> {
         parts.push(Formula::Text(text));
     }
     (!parts.is_empty()).then_some(Formula::Row(parts))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What belongs to one run stands at the same place in every row.
+    #[test]
+    fn values_stay_with_their_runs() {
+        let row = |values: [&str; 3]| {
+            let values: Vec<(&str, String)> =
+                ["a", "b", "c"].into_iter().zip(values.map(str::to_owned)).collect();
+            by_run(&values)
+        };
+        assert_eq!(row(["18", "18", "18"]), "18");
+        assert_eq!(row(["18", "18", "20"]), "a: 18; b: 18; c: 20");
+        assert_eq!(row(["18", "20", "18"]), "a: 18; b: 20; c: 18");
+    }
 }
