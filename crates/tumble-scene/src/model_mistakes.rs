@@ -5,6 +5,7 @@ use tumble_mech::{Equations, ModelError, ModelErrors};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Draft;
+use crate::study::Swept;
 
 /// So many values of each axis of a sweep are tried before the run.
 const TRIED: usize = 100;
@@ -23,9 +24,10 @@ pub(crate) fn check(draft: &mut Draft) {
 /// The first value of each axis that is wrong, the other parameters being what they are.
 fn check_sweep(draft: &mut Draft, equations: &Equations) {
     for axis in draft.sweep.clone() {
+        let Swept::Parameter(name) = &axis.of else { continue };
         for value in axis.values.iter().take(TRIED) {
             let mut parameters = draft.model.parameters.clone();
-            let outcome = parameters.set(&axis.parameter, value.value.clone()).map_err(ModelErrors::from);
+            let outcome = parameters.set(name, value.value.clone()).map_err(ModelErrors::from);
             let outcome = outcome.and_then(|_| equations.start(&parameters).map(drop));
             if outcome.is_err() {
                 note_all(draft, outcome, Some(&value.label));

@@ -71,11 +71,17 @@ fn note(draft: &mut Draft, code: Code, what: &str, message: String, label: &str)
     draft.note(if span.is_some() { mistake } else { mistake.nowhere() });
 }
 
+/// Whether a setting from the command line may be why the run ends before something that the scene looks at: that is
+/// then not reached, which is no mistake of the scene.
+fn may_end_early(draft: &Draft) -> bool {
+    !draft.settings.is_empty()
+}
+
 fn check_distance(draft: &mut Draft, what: &str, every: Expr, until: f64) {
     let Some(every) = value(draft, what, Some(every)) else { return };
     if every <= 0.0 {
         note(draft, Code::Value, what, format!("every {every} s: this must be positive"), "must be positive");
-    } else if every > until {
+    } else if every > until && !may_end_early(draft) {
         let message = format!("every {every} s is longer than the run, which lasts {until} s");
         note(draft, Code::OutsideRun, what, message, "longer than the run");
     } else if until / every > MAX_SAMPLES {
@@ -100,7 +106,8 @@ fn check_question(draft: &mut Draft, question: &Question, until: f64) {
 /// A time that only the run knows is looked at when it is known.
 fn check_time(draft: &mut Draft, what: &str, at: &Instant, until: f64) {
     let Some(at) = value(draft, what, Some(at.time.clone())) else { return };
-    if !(0.0..=until).contains(&at) {
+    let is_later = at > until && !may_end_early(draft);
+    if at < 0.0 || is_later {
         let message = format!("{at} s is outside of the run, which lasts from 0 to {until} s");
         note(draft, Code::OutsideRun, what, message, "outside of the run");
     }
@@ -113,7 +120,7 @@ fn check_window(draft: &mut Draft, what: &str, ends: Vec<Expr>, until: f64) {
     if from >= to {
         let message = format!("there is nothing from {from} s to {to} s");
         note(draft, Code::Window, what, message, "ends before it begins");
-    } else if *from >= until || *to <= 0.0 {
+    } else if *to <= 0.0 || (*from >= until && !may_end_early(draft)) {
         let message = format!("{from} s to {to} s is outside of the run, which lasts from 0 to {until} s");
         note(draft, Code::OutsideRun, what, message, "outside of the run");
     }

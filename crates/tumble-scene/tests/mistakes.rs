@@ -251,6 +251,7 @@ const FORMULAS: &[Row] = &[
     ("L = \"1 m\"", "L = \"K\"\nK = \"half\"", "E0524 \"K\" | \"half\" | \"L/2\"", "L -> K -> half -> L"),
     ("L = \"1 m\"", "L = \"L\"", "E0524 \"L\"", "in a circle: L -> L"),
     ("m = \"1 kg\"", "m = \"1 kg\"\nt = \"1 s\"", "E0523 t", "`t` is the time"),
+    ("m = \"1 kg\"", "m = \"1 kg\"\naccuracy = 3", "E0523 accuracy", "`accuracy` is the accuracy of the run"),
     ("m = \"1 kg\"", "m = \"1 kg\"\npi = 3", "E0523 pi", "every formula knows"),
     ("m = \"1 kg\"", "m = \"1 kg\"\n\"a.b\" = 3", "E0522 \"a.b\"", "is not a name"),
     ("m = \"1 kg\"", "m = \"1 kg\"\nball = 3", "E0523 ball | ball", "the name of a body and of a parameter"),
@@ -363,12 +364,38 @@ fn mistakes_of_settings() {
         ("T", "t", "E0525 t", "changes during the run"),
         ("T", "T", "E0524 \"2 s\"", "in a circle"),
         ("ball", "2", "E0540 ball", "there is no parameter `ball`"),
+        ("accuracy", "1", "E0534 1", "between 1e-14 and 1e-3"),
+        ("accuracy", "nan", "E0534 nan", "out of range"),
+        ("accuracy", "high", "E0514 high", "`accuracy` is a number, not `high`"),
+        ("acuracy", "1e-6", "E0540 acuracy", "did you mean \"accuracy\"?"),
     ];
     for (name, text, underlined, says) in rows {
         let set = Override { name: name.into(), text: text.into() };
         let mistakes = read("scene.toml", SCENE, &[set]).expect_err(text);
         expect(&mistakes, underlined, says);
     }
+}
+
+/// A setting may end the run before what the scene looks at. Without it that is a mistake of the scene.
+#[test]
+fn a_setting_may_end_the_run_early() {
+    let scene = SCENE
+        .replace("m = \"1 kg\"", "m = \"1 kg\"\nend = \"5 s\"")
+        .replace("until = \"5 s\"", "until = \"end\"")
+        .replace("within = \"10 rad\"", "within = \"10 rad\"\nat = \"4 s\"")
+        .replace("y = \"rod.angle\"", "y = \"rod.angle\"\nduring = [\"3 s\", \"4 s\"]");
+    let with = |text: &str| read("scene.toml", &scene, &[Override { name: "end".into(), text: text.into() }]);
+    read("scene.toml", &scene, &[]).expect("no mistake");
+    with("0.1 s").expect("no mistake either");
+    expect(&with("0 s").expect_err("no run at all"), "E0530 \"end\"", "must end later");
+    let mistakes =
+        read("scene.toml", &scene.replace("\"4 s\"", "\"-4 s\""), &[]).expect_err("before the start");
+    assert!(
+        mistakes
+            .list
+            .iter()
+            .all(|mistake| mistake.code.as_str() == "E0533" || mistake.code.as_str() == "E0531")
+    );
 }
 
 #[test]

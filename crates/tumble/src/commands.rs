@@ -2,21 +2,24 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use tumble::gallery::{self, Shown};
+use tumble::gallery::{self, GalleryError, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
 use tumble::{Case, FindResult, ReportForm};
+use tumble_scene::{printable, printable_lines};
 
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
 use crate::tools::{completions, explain, new, schema, units};
 
 const EXIT_CODES: &str = "Exit codes: 0 all went well, 1 a check of the scene does not hold, 2 the scene or the \
-command line has mistakes, 3 the motion was refused on the way, 4 a file cannot be read or written.";
+command line has mistakes, 3 the motion was refused on the way, 4 a file cannot be read or written, 130 interrupted.";
 
 /// A rigid-body mechanics laboratory: state the bodies and the forces, get the motion.
 #[derive(Parser)]
@@ -39,7 +42,7 @@ enum Task {
     Check {
         /// The scene file.
         scene: PathBuf,
-        /// Give a parameter another value for this time, such as T=2s.
+        /// Give a parameter, or the accuracy, another value for this time, such as T=2s.
         #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
         set: Vec<(String, String)>,
     },
@@ -57,7 +60,7 @@ enum Task {
     Animate {
         /// The scene file.
         scene: PathBuf,
-        /// Give a parameter another value for this time, such as T=2s.
+        /// Give a parameter, or the accuracy, another value for this time, such as T=2s.
         #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
         set: Vec<(String, String)>,
         /// Which run of a sweep, counted from 1.
@@ -103,7 +106,7 @@ enum Task {
 
 #[derive(Args)]
 struct Settings {
-    /// Give a parameter another value for this run, such as T=2s.
+    /// Give a parameter, or the accuracy, another value for this run, such as T=2s.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
     /// Where results go: a folder of the scene's name is made in it.
@@ -166,6 +169,34 @@ pub(crate) enum Ending {
     Refused = 3,
     /// A file or a stream cannot be read or written.
     File = 4,
+    /// Ctrl-C has ended it. The number is that of shells.
+    Interrupted = 130,
+}
+
+/// What is wrong with a command line, or the help that was asked for.
+pub(crate) fn explain(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    // It quotes what was typed.
+    if printable_lines(&text) != text {
+        tell!("{}", text.trim_end());
+        return ExitCode::from(Ending::Mistake as u8);
+    }
+    error.exit()
+}
+
+/// A flag that Ctrl-C sets; the second one ends the command at once.
+fn interruptible() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&stop);
+    let handler = move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(i32::from(Ending::Interrupted as u8));
+        }
+        tell!("stopping, to keep what is finished; Ctrl-C again ends at once");
+    };
+    // Where it cannot be had, or the signal is ignored on purpose, Ctrl-C does what it does elsewhere.
+    let _ = ctrlc::try_set_handler(handler);
+    stop
 }
 
 impl Command {
@@ -183,7 +214,8 @@ impl Task {
             Task::Run { scene, settings } => {
                 let Settings { set, out, no_figures, report: form } = settings;
                 let form = if no_figures { ReportForm::None } else { form.into() };
-                let options = Options { set, out, no_figures, report: form, progress: true };
+                let options =
+                    Options { set, out, no_figures, report: form, progress: true, stop: interruptible() };
                 report(&Shown { result: pipeline::run(&scene, &options), scene })
             }
             Task::Check { scene, set } => {
@@ -191,14 +223,16 @@ impl Task {
                 check(&scene, &options)
             }
             Task::Gallery { scenes, out } => {
-                gallery(&scenes, Options { out, progress: true, ..Options::default() })
+                let options = Options { out, progress: true, stop: interruptible(), ..Options::default() };
+                gallery(&scenes, &options)
             }
             #[cfg(feature = "png")]
             Task::Animate { scene, set, run, width, rate, to } => {
-                let options = Options { set, out: "out".into(), progress: true, ..Options::default() };
+                let stop = interruptible();
+                let options = Options { set, out: "out".into(), progress: true, stop, ..Options::default() };
                 match pipeline::animate(&scene, &options, &AnimationOptions { run, width, rate, to }) {
                     Ok(file) => {
-                        say!("{}", file.display());
+                        say!("{}", shown(&file));
                         Ending::Success
                     }
                     Err(error) => complain(&scene, &error),
@@ -216,17 +250,21 @@ impl Task {
 fn check(scene: &Path, options: &Options) -> Ending {
     match pipeline::check(scene, options) {
         Ok(study) => {
-            say!("{}: {} has no mistakes", study.title, scene.display());
+            say!("{}: {} has no mistakes", study.title, shown(scene));
             Ending::Success
         }
         Err(error) => complain(scene, &error),
     }
 }
 
-fn gallery(scenes: &Path, options: Options) -> Ending {
+fn gallery(scenes: &Path, options: &Options) -> Ending {
     let mut worst = Ending::Success;
-    match gallery::run(scenes, &options, |shown| worst = worst.max(report(shown))) {
-        Ok(page) => say!("\nthe gallery is {}", page.display()),
+    match gallery::run(scenes, options, |shown| worst = worst.max(report(shown))) {
+        Ok(page) => say!("\nthe gallery is {}", shown(&page)),
+        Err(error @ GalleryError::Interrupted { .. }) => {
+            tell!("{error}");
+            worst = Ending::Interrupted;
+        }
         Err(error) => {
             tell!("error: {error}");
             worst = Ending::File;
@@ -240,7 +278,9 @@ fn report(shown: &Shown) -> Ending {
     match &shown.result {
         Ok(outcome) => {
             describe(outcome);
-            if outcome.cases.iter().any(|case| case.refusal.is_some()) {
+            if !outcome.missing.is_empty() {
+                Ending::Interrupted
+            } else if outcome.cases.iter().any(|case| case.refusal.is_some()) {
                 Ending::Refused
             } else if outcome.is_success() {
                 Ending::Success
@@ -258,7 +298,21 @@ fn describe(outcome: &Outcome) {
     if !outcome.figures.is_empty() {
         say!("  figures: {}", outcome.figures.join(", "));
     }
-    say!("  results: {}", outcome.folder.display());
+    outcome.notes.iter().for_each(|note| say!("  note: {note}"));
+    let (made, missing) = (outcome.cases.len(), outcome.missing.len());
+    if missing == 0 {
+        say!("  results: {}", shown(&outcome.folder));
+    } else {
+        let (all, were) = (made + missing, if missing == 1 { "was" } else { "were" });
+        let missing = count(missing as u64, "run");
+        let results = shown(&outcome.folder);
+        say!("  interrupted: {made} of {all} runs finished; results: {results}; {missing} {were} not made");
+    }
+}
+
+/// A path as a terminal may have it.
+fn shown(path: &Path) -> String {
+    printable(&path.to_string_lossy()).into_owned()
 }
 
 fn describe_case(case: &Case) {
@@ -274,8 +328,8 @@ fn describe_case(case: &Case) {
     }
     case.finds.iter().for_each(describe_find);
     for check in &case.checks {
-        if at_nothing(check) {
-            say!("  check {}: FAILS, its event or its time was not reached", check.name);
+        if !check.is_reached() {
+            say!("  check {}: {} {}", check.name, check.that, check.status());
             continue;
         }
         let verdict = if check.holds { "holds" } else { "FAILS" };
@@ -299,8 +353,8 @@ fn describe_case(case: &Case) {
 
 fn describe_find(find: &FindResult) {
     let FindResult { name, that, unit, at, value, .. } = find;
-    if at.is_nan() {
-        return say!("  find {name}: its event or its time was not reached");
+    if !find.is_reached() {
+        return say!("  find {name}: {that} {}", find.status());
     }
     say!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty());
 }
@@ -324,11 +378,6 @@ fn short(value: f64) -> String {
     if value != 0.0 && value.abs() < SMALL { format!("{value:e}") } else { value.to_string() }
 }
 
-/// Whether a claim is about a time that the motion does not have.
-fn at_nothing(check: &tumble::CheckResult) -> bool {
-    check.at.is_nan()
-}
-
 /// `1 step`, `2 steps`
 fn count(number: u64, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
@@ -338,12 +387,12 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
     match error {
         #[cfg(feature = "png")]
         PipelineError::Gif(_) => {
-            tell!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", shown(scene));
             Ending::Mistake
         }
         #[cfg(feature = "pdf")]
         PipelineError::Pdf(_) => {
-            tell!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", shown(scene));
             Ending::File
         }
         PipelineError::WithoutPdf => {
@@ -351,18 +400,22 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             Ending::Mistake
         }
         PipelineError::Scene(diagnostics) => {
-            tell!("{}", diagnostics.render(say::colour(&std::io::stderr()), say::width()));
+            say::drawn(&diagnostics.render(say::colour(&std::io::stderr()), say::width()));
             Ending::Mistake
         }
-        PipelineError::Model(_) => {
-            tell!("error: {}: {error}", scene.display());
+        PipelineError::Model(_) | PipelineError::Accuracy(_) => {
+            tell!("error: {}: {error}", shown(scene));
             Ending::Mistake
         }
         PipelineError::Run(_) => {
-            tell!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", shown(scene));
             Ending::Refused
         }
-        PipelineError::Read { .. } | PipelineError::Output(_) | PipelineError::Animation { .. } => {
+        PipelineError::Interrupted => {
+            tell!("{}: {error}", shown(scene));
+            Ending::Interrupted
+        }
+        PipelineError::Read { .. } | PipelineError::Output(_) => {
             tell!("error: {error}");
             Ending::File
         }

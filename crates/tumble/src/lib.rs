@@ -50,7 +50,7 @@ mod tables;
 mod works;
 
 pub use books::Books;
-pub use case::Case;
+pub use case::{Case, Missing};
 pub use checks::CheckResult;
 pub use pipeline::{Options, Outcome, PipelineError};
 pub use questions::FindResult;

@@ -8,5 +8,8 @@ use std::process::ExitCode;
 use clap::Parser;
 
 fn main() -> ExitCode {
-    commands::Command::parse().run()
+    match commands::Command::try_parse() {
+        Ok(command) => command.run(),
+        Err(error) => commands::explain(&error),
+    }
 }

@@ -35,6 +35,8 @@
 mod errors;
 mod phases;
 
+use std::ops::ControlFlow;
+
 use tumble_expr::Expr;
 use tumble_ode::{Accuracy, Side};
 
@@ -121,11 +123,11 @@ impl Run {
         parameters: &Parameters,
         until: f64,
         accuracy: Accuracy,
-        progress: impl Fn(f64),
+        progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<(Self, Trust), RunError> {
         let at = |held: Accuracy| {
             let run = Self::refined(model.clone(), parameters, until, held, &progress)?;
-            let trust = Trust::of(&run, parameters, until, (accuracy, held))?;
+            let trust = Trust::of(&run, parameters, until, (accuracy, held), &progress)?;
             Ok::<_, RunError>((run, trust))
         };
         let mut best = at(accuracy)?;
@@ -137,6 +139,7 @@ impl Run {
             // A finer attempt that is refused leaves what was found before.
             match at(held) {
                 Ok(next) if next.1.is_better(&best.1) => best = next,
+                Err(error) if error.is_interrupted() => return Err(error),
                 _ => break,
             }
         }
@@ -150,8 +153,10 @@ impl Trust {
         parameters: &Parameters,
         until: f64,
         (asked, used): (Accuracy, Accuracy),
+        progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
-        let second = match second(run, parameters, until, used.independent()) {
+        let second = match second(run, parameters, until, used.independent(), progress) {
+            Err(error) if error.is_interrupted() => return Err(error),
             Err(RunError::Refused { partial, .. }) => *partial,
             other => other?,
         };
@@ -241,15 +246,22 @@ impl Trust {
 }
 
 /// The same motion from nearly the same start, to another accuracy.
-fn second(run: &Run, parameters: &Parameters, until: f64, accuracy: Accuracy) -> Result<Run, RunError> {
+fn second(
+    run: &Run,
+    parameters: &Parameters,
+    until: f64,
+    accuracy: Accuracy,
+    progress: impl Fn(f64) -> ControlFlow<()>,
+) -> Result<Run, RunError> {
     let mut start = run.equations.start(parameters)?;
     for state in &mut start.states {
         *state *= 1.0 + NUDGE;
     }
-    let found = Run::from_start(run.equations.clone(), start, until, accuracy, |_| ());
+    let found = Run::from_start(run.equations.clone(), start, until, accuracy, &progress);
     match found {
+        Err(error) if error.is_interrupted() => Err(error),
         Err(RunError::Refused { partial, .. }) if partial.trajectory.pieces.is_empty() => {
-            Run::new(run.equations.clone(), parameters, until, accuracy, |_| ())
+            Run::new(run.equations.clone(), parameters, until, accuracy, progress)
         }
         found => found,
     }

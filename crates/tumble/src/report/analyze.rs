@@ -133,7 +133,10 @@ fn shown(check: &CheckResult) -> Check {
     Check {
         what: what.and(at),
         expected: precise(check.expected, unit),
-        found: precise(check.found, unit).and(error(check)),
+        found: match check.is_reached() {
+            true => precise(check.found, unit).and(error(check)),
+            false => check.status().into(),
+        },
         within: precise(check.within, unit),
         passed: check.holds,
     }
