@@ -33,7 +33,7 @@ pub fn file_name_fault(name: &str) -> Option<String> {
 fn is_device(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or(name).trim_end().to_lowercase();
     let is_port = |port: &&str| stem.strip_prefix(*port).is_some_and(|digit| PORT_DIGITS.contains(&digit));
-    DEVICES.contains(&&*stem) || PORTS.iter().any(|port| is_port(port))
+    DEVICES.contains(&&*stem) || PORTS.iter().any(is_port)
 }
 
 /// What names have in common that are one file on systems where the case of letters does not count.

@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -12,10 +10,11 @@ use tumble::gallery::{self, GalleryError, Shown};
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
 use tumble::{Case, FindResult, ReportForm};
-use tumble_scene::{printable, printable_lines};
+use tumble_scene::printable;
 
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
+use crate::tools::stop::interruptible;
 use crate::tools::{completions, explain, new, schema, units};
 
 const EXIT_CODES: &str = "Exit codes: 0 all went well, 1 a check of the scene does not hold, 2 the scene or the \
@@ -153,6 +152,8 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     }
 }
 
+/// Of a time that does not come.
+const NOT_REACHED: &str = "not reached: its event or its time does not come in this motion";
 /// Smaller numbers are written with a power of ten.
 const SMALL: f64 = 1e-5;
 
@@ -171,32 +172,6 @@ pub(crate) enum Ending {
     File = 4,
     /// Ctrl-C has ended it. The number is that of shells.
     Interrupted = 130,
-}
-
-/// What is wrong with a command line, or the help that was asked for.
-pub(crate) fn explain(error: &clap::Error) -> ExitCode {
-    let text = error.render().to_string();
-    // It quotes what was typed.
-    if printable_lines(&text) != text {
-        tell!("{}", text.trim_end());
-        return ExitCode::from(Ending::Mistake as u8);
-    }
-    error.exit()
-}
-
-/// A flag that Ctrl-C sets; the second one ends the command at once.
-fn interruptible() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&stop);
-    let handler = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(Ending::Interrupted as u8));
-        }
-        tell!("stopping, to keep what is finished; Ctrl-C again ends at once");
-    };
-    // Where it cannot be had, or the signal is ignored on purpose, Ctrl-C does what it does elsewhere.
-    let _ = ctrlc::try_set_handler(handler);
-    stop
 }
 
 impl Command {
@@ -329,7 +304,7 @@ fn describe_case(case: &Case) {
     case.finds.iter().for_each(describe_find);
     for check in &case.checks {
         if !check.is_reached() {
-            say!("  check {}: {} {}", check.name, check.that, check.status());
+            say!("  check {}: FAILS, {NOT_REACHED}", check.name);
             continue;
         }
         let verdict = if check.holds { "holds" } else { "FAILS" };
@@ -354,7 +329,7 @@ fn describe_case(case: &Case) {
 fn describe_find(find: &FindResult) {
     let FindResult { name, that, unit, at, value, .. } = find;
     if !find.is_reached() {
-        return say!("  find {name}: {that} {}", find.status());
+        return say!("  find {name}: {NOT_REACHED}");
     }
     say!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty());
 }

@@ -133,3 +133,64 @@ fn contents(path: &Path, kind: Kind) -> std::io::Result<Vec<u8>> {
     }
     Ok(bytes)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SEAL: &str = "tumble test 0000000000000000000000000000000000000000000000000000000000000000";
+    const KIND: Kind = Kind { seal: SEAL, option: "--to" };
+
+    fn write(place: &Path) -> Result<PathBuf, OutputError> {
+        Single::begin(place, KIND)?.finish(format!("head {SEAL} tail").as_bytes())
+    }
+
+    #[test]
+    fn a_file_replaces_its_like_only() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let place = folder.path().join("deep/file");
+        let ours = |place: &Path| fs::read(place).expect("there");
+        write(&place).expect("nothing there");
+        write(&place).expect("its like");
+        let mut changed = ours(&place);
+        changed.extend(b" and more");
+        let unsealed = format!("head {SEAL} tail").into_bytes();
+        for (contents, expected) in [
+            (changed, Foreign::Edited),
+            (unsealed, Foreign::Edited),
+            (b"mine".to_vec(), Foreign::Unmarked),
+            (vec![], Foreign::Unmarked),
+            (SEAL.as_bytes()[..20].to_vec(), Foreign::Unmarked),
+        ] {
+            fs::write(&place, &contents).expect("writable");
+            let Err(OutputError::Foreign { why, option, .. }) = write(&place) else { panic!("replaced") };
+            assert_eq!((why, option), (expected, "--to"));
+            assert_eq!(ours(&place), contents);
+        }
+        assert_eq!(fs::read_dir(folder.path().join("deep")).expect("readable").count(), 1);
+    }
+
+    #[test]
+    fn what_comes_in_between_is_left_alone() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let place = folder.path().join("file");
+        let begun = Single::begin(&place, KIND).expect("nothing there");
+        assert!(matches!(Single::begin(&place, KIND), Err(OutputError::Busy { .. })));
+        fs::write(&place, "mine").expect("writable");
+        assert!(matches!(begun.finish(SEAL.as_bytes()), Err(OutputError::Foreign { .. })));
+        assert_eq!(fs::read_to_string(&place).expect("there"), "mine");
+        assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1);
+    }
+
+    #[test]
+    fn what_a_killed_run_has_left_is_removed() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let place = folder.path().join("file");
+        write(&place).expect("nothing there");
+        let [whole, cut] = ["12", "13"].map(|process| folder.path().join(format!(".file.{process}.partial")));
+        fs::rename(&place, &whole).expect("writable");
+        fs::write(&cut, "nobody knows whose").expect("writable");
+        write(&place).expect("nothing there");
+        assert!(!whole.exists() && cut.exists());
+    }
+}

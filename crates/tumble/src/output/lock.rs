@@ -27,33 +27,47 @@ pub(super) struct Lock {
     pub(super) is_sure: bool,
 }
 
+/// What became of taking a lock.
+enum Taken {
+    Ours(Lock),
+    /// It was given up in between.
+    Gone,
+    Held,
+    /// The file is somebody's.
+    Foreign,
+}
+
 impl Lock {
     /// Takes the lock of a place; `option` is what chooses another place.
     pub(super) fn take(place: &Path, option: &'static str) -> Result<Self, OutputError> {
         let name = place.file_name().unwrap_or_default().to_string_lossy();
         let path = place.with_file_name(format!(".{name}.lock"));
         for _ in 0..TRIES {
-            let Some(file) = attempt(&path, open(&path))? else { continue };
-            let is_sure = match file.try_lock() {
-                Ok(()) => true,
-                Err(TryLockError::WouldBlock) => break,
-                Err(TryLockError::Error(_)) => false,
-            };
-            let mut lock = Self { file, path: path.clone(), is_sure };
-            match attempt(&path, lock.text())?.as_deref() {
-                Some(RETIRED) => lock.forget(),
-                Some(text) if text.is_empty() || text.starts_with(HELD) => {
-                    let sign = format!("{HELD}{}\n", std::process::id());
-                    attempt(&path, lock.write(&sign))?;
-                    return Ok(lock);
-                }
-                _ => {
-                    lock.forget();
-                    return Err(OutputError::foreign(&path, Foreign::Unmarked, option));
-                }
+            match attempt(&path, Self::try_take(&path))? {
+                Taken::Ours(lock) => return Ok(lock),
+                Taken::Gone => continue,
+                Taken::Held => break,
+                Taken::Foreign => return Err(OutputError::foreign(&path, Foreign::Unmarked, option)),
             }
         }
         Err(OutputError::Busy { place: place.to_owned(), process: holder(&path), option })
+    }
+
+    fn try_take(path: &Path) -> io::Result<Taken> {
+        let Some(file) = open(path)? else { return Ok(Taken::Gone) };
+        let is_sure = match file.try_lock() {
+            Ok(()) => true,
+            Err(TryLockError::WouldBlock) => return Ok(Taken::Held),
+            Err(TryLockError::Error(_)) => false,
+        };
+        let mut lock = Self { file, path: path.to_owned(), is_sure };
+        let text = lock.text()?;
+        if text.as_deref().is_some_and(|text| text.is_empty() || text.starts_with(HELD)) {
+            lock.write(&format!("{HELD}{}\n", std::process::id()))?;
+            return Ok(Taken::Ours(lock));
+        }
+        lock.forget();
+        Ok(if text.as_deref() == Some(RETIRED) { Taken::Gone } else { Taken::Foreign })
     }
 
     /// What the file says; `None` if that is nothing of ours.
@@ -163,7 +177,7 @@ mod tests {
         std::thread::scope(|scope| {
             for _ in 0..4 {
                 scope.spawn(|| {
-                    for _ in 0..500 {
+                    for _ in 0..200 {
                         let Ok(lock) = Lock::take(&place, "--out") else { continue };
                         assert_eq!(holders.fetch_add(1, order), 0, "two have it");
                         wins.fetch_add(1, order);

@@ -18,7 +18,7 @@ use thiserror::Error;
 use tumble_scene::printable;
 
 pub(crate) use file::{Kind, Single};
-pub use folder::Folder;
+pub(crate) use folder::Folder;
 pub(crate) use table::Table;
 
 /// Why results cannot be written.

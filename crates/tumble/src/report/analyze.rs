@@ -152,7 +152,9 @@ fn error(check: &CheckResult) -> Text {
 
 /// Every digit: what was compared.
 fn precise(value: f64, unit: &str) -> Text {
-    let number = if value.is_finite() { format!("{value:?}") } else { "–".to_owned() };
-    let number = Text::from(number.replace('-', "−"));
+    if !value.is_finite() {
+        return "–".into();
+    }
+    let number = Text::from(format!("{value:?}").replace('-', "−"));
     if unit.is_empty() { number } else { number.and("\u{a0}").and(tumble_report::Label::unit(unit)) }
 }

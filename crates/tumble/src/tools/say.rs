@@ -24,7 +24,12 @@ pub(crate) use {say, tell};
 
 /// Writes a line to standard output; what it does not take is remembered.
 pub(crate) fn out(text: Arguments) {
-    if let Err(error) = line(&mut io::stdout().lock(), &printable_lines(&text.to_string()))
+    script(&printable_lines(&text.to_string()));
+}
+
+/// Writes a text that has nothing of a user in it to standard output, for programs.
+pub(crate) fn script(text: &str) {
+    if let Err(error) = line(&mut io::stdout().lock(), text)
         && error.kind() != ErrorKind::BrokenPipe
     {
         LOST.get_or_init(|| error.to_string());
