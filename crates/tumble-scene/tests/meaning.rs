@@ -5,7 +5,7 @@ mod beside;
 
 use beside::Beside;
 use tumble_mech::{Action, Run};
-use tumble_scene::{Override, Study, Swept, read_in};
+use tumble_scene::{NoFiles, Override, Study, Swept, read_in};
 
 fn study(text: &str, overrides: &[Override]) -> Study {
     let scene = format!("version = 1\nworld.gravity = \"10 m/s^2\"\nrun.until = \"2 s\"\n{text}");
@@ -134,6 +134,34 @@ fn the_accuracy_is_set_and_swept_like_a_parameter() {
     let set = |text: &str| Override { name: "accuracy".into(), text: text.into() };
     let set = study(&scene, &[set("1e-4"), set(" 1e-5 ")]);
     assert_eq!((set.accuracy.value(), set.sweep.len()), (1e-5, 1), "the last one counts");
+}
+
+/// A setting may end the run before what the scene looks at. Without one, that is a mistake of the scene.
+#[test]
+fn a_setting_may_end_the_run_early() {
+    let scene = format!(
+        "version = 1\nworld.gravity = \"10 m/s^2\"\nrun.until = \"end\"\noutput.every = \"1 s\"\n{STONE}\n\
+         [parameters]\nend = \"2 s\"\n[plot.y]\ny = \"stone.y\"\nduring = [\"1.5 s\", \"2 s\"]\n\
+         [find.y]\nthat = \"stone.y\"\nat = \"2 s\"\n[find.least]\nthat = \"stone.y\"\nat = \"its least\"\n\
+         during = [\"1.5 s\", \"2 s\"]\n"
+    );
+    let codes = |scene: &str, set: &[&str]| {
+        let set: Vec<_> =
+            set.iter().map(|text| Override { name: "end".into(), text: (*text).into() }).collect();
+        let mistakes = read_in("scene.toml", scene, &set, &NoFiles).err();
+        mistakes
+            .into_iter()
+            .flat_map(|found| found.list)
+            .map(|mistake| mistake.code.as_str())
+            .collect::<Vec<_>>()
+    };
+    assert!(codes(&scene, &[]).is_empty());
+    assert!(codes(&scene, &["0.5 s"]).is_empty());
+    assert_eq!(codes(&scene, &["0 s"]), ["E0530"], "no run at all");
+    let short = scene.replace("end = \"2 s\"", "end = \"0.5 s\"");
+    assert_eq!(codes(&short, &[]), ["E0533"; 4]);
+    let early = scene.replace("at = \"2 s\"", "at = \"-2 s\"");
+    assert_eq!(codes(&early, &["0.5 s"]), ["E0533"], "nothing comes before the start");
 }
 
 #[test]

@@ -376,28 +376,6 @@ fn mistakes_of_settings() {
     }
 }
 
-/// A setting may end the run before what the scene looks at. Without it that is a mistake of the scene.
-#[test]
-fn a_setting_may_end_the_run_early() {
-    let scene = SCENE
-        .replace("m = \"1 kg\"", "m = \"1 kg\"\nend = \"5 s\"")
-        .replace("until = \"5 s\"", "until = \"end\"")
-        .replace("within = \"10 rad\"", "within = \"10 rad\"\nat = \"4 s\"")
-        .replace("y = \"rod.angle\"", "y = \"rod.angle\"\nduring = [\"3 s\", \"4 s\"]");
-    let with = |text: &str| read("scene.toml", &scene, &[Override { name: "end".into(), text: text.into() }]);
-    read("scene.toml", &scene, &[]).expect("no mistake");
-    with("0.1 s").expect("no mistake either");
-    expect(&with("0 s").expect_err("no run at all"), "E0530 \"end\"", "must end later");
-    let mistakes =
-        read("scene.toml", &scene.replace("\"4 s\"", "\"-4 s\""), &[]).expect_err("before the start");
-    assert!(
-        mistakes
-            .list
-            .iter()
-            .all(|mistake| mistake.code.as_str() == "E0533" || mistake.code.as_str() == "E0531")
-    );
-}
-
 #[test]
 fn mistakes_of_the_file() {
     let mistakes = read("scene.toml", "", &[]).expect_err("empty");

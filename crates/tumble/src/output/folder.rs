@@ -24,7 +24,7 @@ pub(crate) struct Folder {
     needed: Vec<PathBuf>,
     written: RefCell<Manifest>,
     /// The list as it grows, for whoever finds the folder of a run that was killed.
-    marker: RefCell<File>,
+    marker: RefCell<Option<File>>,
     /// Whether what was written stays where it is.
     is_kept: bool,
     notes: Vec<String>,
@@ -53,7 +53,7 @@ impl Folder {
         let notes = if lock.is_sure { clear(&place) } else { vec![] };
         let aside = beside(&place, PARTIAL);
         Ok(Self {
-            marker: RefCell::new(begin(&aside)?),
+            marker: RefCell::new(Some(begin(&aside)?)),
             needed: needed.to_vec(),
             aside,
             place,
@@ -67,7 +67,9 @@ impl Folder {
     /// A file to be written, its folders made.
     pub(super) fn sink(&self, file: &str) -> Result<Sink, OutputError> {
         let (path, line) = (self.aside.join(file), Manifest::begun(file));
-        attempt(&self.aside.join(MARKER), self.marker.borrow_mut().write_all(line.as_bytes()))?;
+        let listed =
+            self.marker.borrow_mut().iter_mut().try_for_each(|marker| marker.write_all(line.as_bytes()));
+        attempt(&self.aside.join(MARKER), listed)?;
         if let Some(parent) = path.parent() {
             attempt(parent, fs::create_dir_all(parent))?;
         }
@@ -89,6 +91,8 @@ impl Folder {
 
     /// Puts the folder in its place.
     pub(crate) fn finish(mut self) -> Result<Placed, OutputError> {
+        // Some systems do not move a folder of which a file is open.
+        self.marker.take();
         let (marker, text) = (self.aside.join(MARKER), self.written.borrow().text());
         attempt(&marker, fs::write(&marker, text))?;
         match self.put() {
