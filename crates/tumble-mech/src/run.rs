@@ -1,5 +1,7 @@
 //! A motion that was found, with the equations and values it was found from.
 
+use std::ops::ControlFlow;
+
 use thiserror::Error;
 use tumble_expr::{Expr, Vector};
 use tumble_ode::{Accuracy, Reason, Refusal, Side, Solver, Trajectory};
@@ -70,6 +72,13 @@ pub enum RunError {
     Formula(#[from] Reason),
 }
 
+impl RunError {
+    /// Whether it is not the motion that stands in the way, but that no more of it was wanted.
+    pub fn is_interrupted(&self) -> bool {
+        matches!(self, Self::Refused { refusal: Refusal { reason: Reason::Interrupted, .. }, .. })
+    }
+}
+
 impl Model {
     /// Integrates from time 0 with the model's parameters and the default accuracy.
     ///
@@ -91,18 +100,19 @@ impl Model {
             model.starts.push((body.name.clone(), start.clone()));
         }
         let until = self.parameters.evaluate(&[until]).map_err(ModelErrors::from)?[0];
-        Run::refined(model, &self.parameters, until, accuracy, |_| ())
+        Run::refined(model, &self.parameters, until, accuracy, |_| ControlFlow::Continue(()))
     }
 }
 
 impl Run {
-    /// Integrates from time 0 to `until`, s. `progress` is told the time reached after each step.
+    /// Integrates from time 0 to `until`, s. `progress` is told the time reached after each step, and may end it there:
+    /// the motion is then refused as [`Reason::Interrupted`].
     pub fn new(
         equations: Equations,
         parameters: &Parameters,
         until: f64,
         accuracy: Accuracy,
-        progress: impl FnMut(f64),
+        progress: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
         let start = equations.start(parameters)?;
         Self::from_start(equations, start, until, accuracy, progress)
@@ -118,14 +128,17 @@ impl Run {
         start: tumble_ode::Start<Mode>,
         until: f64,
         accuracy: Accuracy,
-        mut progress: impl FnMut(f64),
+        mut progress: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
         let (inputs, first) = (start.inputs.clone(), start.clone());
         let mut solver = Solver::new(&equations, start, until, accuracy);
         let mut refusal = None;
         while refusal.is_none() && !solver.is_done() {
             refusal = solver.advance().err();
-            progress(solver.time());
+            let time = solver.time();
+            if progress(time).is_break() && !solver.is_done() {
+                refusal.get_or_insert(Refusal { time, reason: Reason::Interrupted });
+            }
         }
         let trajectory = solver.finish();
         let run = Self::of(equations, trajectory, inputs);
@@ -145,7 +158,7 @@ impl Run {
         parameters: &Parameters,
         until: f64,
         accuracy: Accuracy,
-        progress: impl Fn(f64),
+        progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
         let with = |nodes: usize| {
             let equations = Equations::new(Model { nodes, ..model.clone() })?;

@@ -2,6 +2,8 @@
 
 mod common;
 
+use std::ops::ControlFlow;
+
 use common::{at, close, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
@@ -36,7 +38,9 @@ fn the_thrown_rod_in_air() {
     model.starts.push(("rod".into(), start));
     let equations = tumble_mech::Equations::new(model.clone()).expect("sound");
     let accuracy = tumble_ode::Accuracy::new(1e-13).expect("allowed");
-    let eight = tumble_mech::Run::new(equations, &model.parameters, 1.2, accuracy, |_| ()).expect("smooth");
+    let eight =
+        tumble_mech::Run::new(equations, &model.parameters, 1.2, accuracy, |_| ControlFlow::Continue(()))
+            .expect("smooth");
     let (k, p, v) = (rod.kinematics(), rod.kinematics().position(), rod.kinematics().velocity());
     let quantities = [p[0].clone(), p[1].clone(), v[0].clone(), v[1].clone(), k.angle(), k.omega()];
     let text = include_str!("../../tumble/tests/reference/systems.json");

@@ -2,11 +2,14 @@
 
 mod common;
 
-use common::{bouncing_rod, close, hinged_rod, number, reference, rigid, spring, wind_pendulum};
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
+use common::{bouncing_rod, hinged_rod, number, reference, rigid, spring, wind_pendulum};
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
 use tumble_mech::{Body, ContactLaw, Divergence, Gravity, Model, Run, RunError, Start, Surface, Trust};
-use tumble_ode::Accuracy;
+use tumble_ode::{Accuracy, Reason};
 
 /// Largest ratio of the error stated to the true one, where that is above rounding: three digits.
 const GENEROUS: f64 = 1e3;
@@ -15,8 +18,33 @@ const ROUNDING: f64 = 1e-14;
 
 fn trusted(model: &Model, until: f64, accuracy: f64) -> (Run, Trust) {
     let accuracy = Accuracy::new(accuracy).expect("an accuracy that can be asked for");
-    let found = Run::trusted(model, &model.parameters, until, accuracy, |_| ());
+    let found = Run::trusted(model, &model.parameters, until, accuracy, |_| ControlFlow::Continue(()));
     found.map_err(|error: RunError| error.to_string()).expect("a motion")
+}
+
+/// What comes of a motion that is wanted for so many steps, those of the run beside it included.
+fn wanted_for(steps: usize) -> Result<(Run, Trust), RunError> {
+    let (model, taken) = (wind_pendulum(1.0), Cell::new(0));
+    let progress = |_: f64| {
+        taken.set(taken.get() + 1);
+        if taken.get() < steps { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let found = Run::trusted(&model, &model.parameters, 20.0, Accuracy::DEFAULT, progress);
+    assert!(taken.get() <= steps, "{} steps of {steps}", taken.get());
+    found
+}
+
+#[test]
+fn of_a_motion_that_is_wanted_no_more() {
+    let (whole, trust) = wanted_for(usize::MAX).expect("a motion");
+    let steps = whole.trajectory.pieces.len();
+    assert!(trust.is_reached());
+    for steps in [1, 2, steps - 1, steps + 1, steps + 2] {
+        let Err(RunError::Refused { refusal, partial }) = wanted_for(steps) else { panic!("went on") };
+        assert_eq!(refusal.reason, Reason::Interrupted);
+        assert_eq!(partial.trajectory.end(), Some(refusal.time));
+        assert!(refusal.time < 20.0);
+    }
 }
 
 fn rod_angle(run: &Run) -> [Expr; 2] {

@@ -140,6 +140,9 @@ pub enum Reason {
         /// How many.
         events: u64,
     },
+    /// Whoever asked for the motion wants no more of it.
+    #[error("interrupted")]
+    Interrupted,
     /// The model's own reason.
     #[error("{0}")]
     Model(String),

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::fmt::Display;
 
-use ::gif::{DisposalMethod, Encoder, Frame, Repeat};
+use ::gif::{AnyExtension, DisposalMethod, Encoder, Extension, Frame, Repeat};
 
 use crate::png::{PngError, raster};
 use crate::report::{Animation, Motion};
@@ -25,6 +25,11 @@ const LAST_DELAY: u16 = 150;
 const GOOD_LENGTH: f64 = 7.0;
 /// Widths in pixels that make sense.
 const WIDTHS: std::ops::RangeInclusive<u32> = 64..=4096;
+
+/// The comment in each of our files, which says whose it is. The zeros are for whoever writes the file: a hash in their
+/// place tells whether it was changed.
+pub const ANIMATION_SEAL: &str =
+    "tumble animation 0000000000000000000000000000000000000000000000000000000000000000";
 
 /// Why an animation could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -108,6 +113,8 @@ fn encode(
     let [width, height] = [first.width as u16, first.height as u16];
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width, height, &palette.bytes()).map_err(encoding)?;
+    let comment = AnyExtension(Extension::Comment as u8);
+    encoder.write_raw_extension(comment, &[ANIMATION_SEAL.as_bytes()]).map_err(encoding)?;
     encoder.set_repeat(Repeat::Infinite).map_err(encoding)?;
     let mut before: Option<Vec<u8>> = None;
     for (i, t) in times.iter().enumerate() {

@@ -36,9 +36,9 @@ pub mod track;
 pub use axes::Axis;
 pub use curves::{CurveFigure, Mark, Series};
 #[cfg(feature = "png")]
-pub use gif::{GifError, animation_gif};
+pub use gif::{ANIMATION_SEAL, GifError, animation_gif};
 pub use outline::{Outline, Pose};
-pub use page::{Entry, Figure, IndexPage, Link};
+pub use page::{Entry, Figure, GALLERY_SEAL, IndexPage, Link};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use report::Report;

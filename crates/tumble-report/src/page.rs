@@ -4,6 +4,10 @@ use std::fmt::{self, Display, Formatter, Write};
 
 use crate::svg::escape;
 
+/// What the head of each page says of its origin. The zeros are for whoever writes the file: a hash in their place tells
+/// whether it was changed.
+pub const GALLERY_SEAL: &str =
+    "tumble gallery 0000000000000000000000000000000000000000000000000000000000000000";
 const STYLE: &str = include_str!("page.css");
 
 /// A gallery of runs.
@@ -56,6 +60,7 @@ impl Display for IndexPage {
         let language = language(&self.language);
         writeln!(f, "<!doctype html>\n<html{language}>\n<head>\n<meta charset=\"utf-8\">")?;
         writeln!(f, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
+        writeln!(f, "<meta name=\"generator\" content=\"{GALLERY_SEAL}\">")?;
         writeln!(f, "<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>")?;
         writeln!(f, "<body>\n<h1>{title}</h1>")?;
         self.contents(f)?;
@@ -163,6 +168,11 @@ mod tests {
         assert!(!html.contains("<script") && !html.contains("javascript:"));
         assert!(html.contains("src=\"./a%20b/%22%3E%3Cscript%3E.svg\""));
         assert!(html.contains("href=\"./javascript%3Aalert%281%29\""));
+    }
+
+    #[test]
+    fn it_says_whose_it_is() {
+        assert_eq!(page().to_string().matches(GALLERY_SEAL).count(), 1);
     }
 
     #[test]

@@ -194,7 +194,7 @@ impl From<String> for Value {
 }
 
 /// Escapes text for XML and HTML, content and quoted attributes alike;
-/// characters that XML forbids become U+FFFD.
+/// characters that XML forbids, and marks that turn the direction of what follows, become U+FFFD.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -205,11 +205,16 @@ pub fn escape(text: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
             '\t' | '\n' | '\r' => out.push(' '),
-            c if c.is_control() || matches!(c, '\u{FFFE}' | '\u{FFFF}') => out.push('\u{FFFD}'),
+            c if c.is_control() || turns(c) || matches!(c, '\u{FFFE}' | '\u{FFFF}') => out.push('\u{FFFD}'),
             c => out.push(c),
         }
     }
     out
+}
+
+/// Whether a character turns or isolates the direction of text, so that what follows is not read as it is written.
+pub(crate) fn turns(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{206f}')
 }
 
 /// A coordinate as text: at most two decimals, no trailing zeros, no `-0`.
@@ -300,6 +305,12 @@ mod tests {
     #[test]
     fn control_characters_do_not_break_the_document() {
         assert_eq!(escape("a\u{0}b\nc"), "a\u{FFFD}b c");
+    }
+
+    #[test]
+    fn text_keeps_the_direction_of_what_follows() {
+        assert_eq!(escape("a\u{202e}b\u{2066}c\u{200f}"), "a\u{FFFD}b\u{FFFD}c\u{FFFD}");
+        assert_eq!(escape("שלום"), "שלום");
     }
 
     #[test]

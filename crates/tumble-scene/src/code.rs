@@ -17,6 +17,8 @@ tumble_expr::codes! {
     Empty = "E0505";
     /// The version of the language is none that this program reads.
     Version = "E0506";
+    /// A character that is not shown, in a text that is.
+    Unseen = "E0507";
     /// A section that the language does not have.
     UnknownSection = "E0510";
     /// A key that its section does not have.
@@ -103,6 +105,8 @@ tumble_expr::codes! {
     ColumnUnit = "E0554";
     /// A cell that is not a number in its place.
     Cell = "E0555";
+    /// A name that cannot be that of a file on every system.
+    FileName = "E0556";
     /// A motion that cannot be begun, or not be continued.
     Refused = "E0560";
     /// A question that the motion has no answer to.

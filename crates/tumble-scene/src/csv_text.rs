@@ -5,6 +5,7 @@ use tumble_expr::Dimension;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::printable::printable;
 use crate::suggest;
 use crate::unit_text::unit;
 
@@ -36,7 +37,8 @@ pub(crate) struct Unplaced(Diagnostic);
 
 impl Unplaced {
     fn new(code: Code, message: String, label: &str, help: String) -> Self {
-        Self(Diagnostic::new(code, 0..0, message).label(label).help(help))
+        // Names of columns may have any character, and the help is one line.
+        Self(Diagnostic::new(code, 0..0, message).label(label).help(printable(&help)))
     }
 
     pub(crate) fn at(mut self, span: Span) -> Diagnostic {

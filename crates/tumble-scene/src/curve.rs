@@ -8,6 +8,7 @@ use crate::document::Field;
 use crate::draft::Draft;
 use crate::formula::{self, Text, Want};
 use crate::names::{Level, Names};
+use crate::printable::one_line;
 use crate::study::{Curve, Quantity};
 use crate::unit_text;
 
@@ -19,7 +20,7 @@ fn of_text(draft: &mut Draft, text: Text, works: bool) -> Option<Curve> {
     let names = parsed.iter().flat_map(|formula| formula.names()).map(|name| name.name);
     let angle = is_angular(&value);
     let quantity = quantity(value, names);
-    Some(Curve { quantity, text: text.text.clone(), angle, size: Expr::one(), label: None })
+    Some(Curve { quantity, text: one_line(&text.text), angle, size: Expr::one(), label: None })
 }
 
 /// Between a formula and the unit that an axis shows it in.
@@ -45,7 +46,7 @@ pub(crate) fn read(draft: &mut Draft, field: &Field, works: bool) -> Option<Curv
     let size = one / (1 * Unit(si.quantity.dimension));
     let unit = unit.trim().to_owned();
     let quantity = Quantity { formula: &si.quantity.formula / &size, unit, ..si.quantity };
-    Some(Curve { text: before.trim().to_owned(), quantity, size, ..si })
+    Some(Curve { quantity, size, ..si })
 }
 
 /// The same, perhaps with a label: `{ value = "rod.angle in deg", label = "tilt" }`.
@@ -57,7 +58,7 @@ pub(crate) fn labelled(draft: &mut Draft, field: &Field) -> Option<Curve> {
     table.span = field.span.clone();
     let value =
         draft.required(&mut table, "value", "\"rod.angle\"").and_then(|field| read(draft, &field, false));
-    let label = draft.required(&mut table, "label", "\"..\"").and_then(|field| draft.words(&field));
+    let label = draft.required(&mut table, "label", "\"..\"").and_then(|field| draft.line(&field));
     draft.done(table);
     Some(Curve { label: Some(label?), ..value? })
 }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::code::Code;
+use crate::printable::{Shown, printable, printable_lines};
 
 /// A range of bytes in a source.
 pub type Span = Range<usize>;
@@ -99,6 +100,19 @@ impl Diagnostic {
         self
     }
 
+    fn printable(&self, source: &Shown) -> Self {
+        let label = |label: &Label| Label {
+            span: source.place(label.span.start)..source.place(label.span.end),
+            text: printable(&label.text).into_owned(),
+        };
+        Self {
+            message: printable(&self.message).into_owned(),
+            labels: self.labels.iter().map(label).collect(),
+            help: self.help.as_deref().map(|help| printable_lines(help).into_owned()),
+            ..self.clone()
+        }
+    }
+
     fn start(&self) -> usize {
         self.labels.first().map_or(usize::MAX, |label| label.span.start)
     }
@@ -137,6 +151,22 @@ impl Diagnostics {
         let start = before.rfind('\n').map_or(0, |newline| newline + 1);
         Some((line, before[start..].chars().count() + 1))
     }
+
+    /// The same with nothing in it that a terminal obeys, whatever the texts hold.
+    pub(crate) fn printable(&self) -> Self {
+        let shown: Vec<Shown> = self.sources.iter().map(|source| Shown::of(&source.text)).collect();
+        let list = self.list.iter().map(|mistake| match shown.get(mistake.source) {
+            Some(shown) => mistake.printable(shown),
+            None => mistake.clone(),
+        });
+        let list = list.collect();
+        let named = self.sources.iter().zip(shown);
+        let source = |(source, shown): (&Source, Shown)| Source {
+            name: printable(&source.name).into_owned(),
+            text: shown.text,
+        };
+        Self { sources: named.map(source).collect(), list }
+    }
 }
 
 /// One mistake a line: `scene.toml:12:9: E0513: mass is missing`.
@@ -144,12 +174,13 @@ impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, diagnostic) in self.list.iter().enumerate() {
             let name = self.sources.get(diagnostic.source).map_or("", |source| source.name.as_str());
+            let name = printable(name);
             f.write_str(if index == 0 { "" } else { "\n" })?;
             match self.position(diagnostic) {
                 Some((line, column)) => write!(f, "{name}:{line}:{column}: ")?,
                 None => write!(f, "{name}: ")?,
             }
-            write!(f, "{}: {}", diagnostic.code, diagnostic.message)?;
+            write!(f, "{}: {}", diagnostic.code, printable(&diagnostic.message))?;
         }
         Ok(())
     }

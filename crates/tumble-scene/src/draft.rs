@@ -25,8 +25,8 @@ pub(crate) struct Draft {
     pub(crate) names: Names,
     /// Where things stand that only numbers can prove wrong, by what messages call them.
     pub(crate) places: Places,
-    /// Where each figure is named, which is the name of a file.
-    pub(crate) figures: BTreeMap<String, Span>,
+    /// The name of each figure, which is that of a file, and where it stands; by its letters whatever their case.
+    pub(crate) figures: BTreeMap<String, (String, Span)>,
     pub(crate) title: String,
     pub(crate) horizontal: bool,
     pub(crate) model: Model,

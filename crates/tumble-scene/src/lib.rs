@@ -23,12 +23,14 @@ mod curve;
 mod diagnostic;
 mod document;
 mod draft;
+mod file_names;
 mod files;
 mod formula;
 mod model_mistakes;
 mod moments;
 mod names;
 mod places;
+mod printable;
 mod quantities;
 mod reader;
 mod render;
@@ -44,11 +46,13 @@ use draft::Draft;
 
 pub use code::Code;
 pub use diagnostic::{Diagnostic, Diagnostics, Label, Severity, Source, Span};
+pub use file_names::file_name_fault;
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
+pub use printable::{is_unseen, printable, printable_lines};
 pub use settings::Override;
 pub use study::{
     BalancePlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope, Study,
-    SweepAxis, SweepValue, When,
+    SweepAxis, SweepValue, Swept, When,
 };
 
 /// A scene may have this many bytes.

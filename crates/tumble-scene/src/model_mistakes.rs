@@ -3,6 +3,7 @@
 use tumble_mech::{Equations, ModelErrors};
 
 use crate::draft::Draft;
+use crate::study::Swept;
 
 /// So many values of a sweep are tried before the run.
 const TRIED: usize = 100;
@@ -36,9 +37,10 @@ fn check_sweep(draft: &mut Draft, equations: &Equations) {
     let axes = draft.sweep.clone();
     let of_each = (TRIED / axes.len().max(1)).max(1);
     for axis in axes.iter().take(TRIED) {
+        let Swept::Parameter(name) = &axis.of else { continue };
         for value in axis.values.iter().take(of_each) {
             let mut parameters = draft.model.parameters.clone();
-            let outcome = parameters.set(&axis.parameter, value.value.clone()).map_err(ModelErrors::from);
+            let outcome = parameters.set(name, value.value.clone()).map_err(ModelErrors::from);
             let outcome = outcome.and_then(|_| equations.check(&parameters).map(drop));
             if outcome.is_err() {
                 note_all(draft, outcome, Some(&value.label));

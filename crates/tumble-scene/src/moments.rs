@@ -11,6 +11,7 @@ use crate::document::Field;
 use crate::draft::Draft;
 use crate::formula::{self, Text, Want};
 use crate::names::Names;
+use crate::printable::one_line;
 use crate::study::Instant;
 
 /// What a contact may be asked for.
@@ -24,7 +25,7 @@ pub(crate) fn instant(draft: &mut Draft, field: &Field) -> Option<Instant> {
     let text = draft.noted(outcome)?;
     let outcome = formula::number(&draft.names, &text, want);
     let time = draft.all_noted(outcome)?;
-    Some(Instant { text: written.text, time })
+    Some(Instant { text: one_line(&written.text), time })
 }
 
 /// From one instant to another.

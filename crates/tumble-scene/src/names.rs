@@ -8,6 +8,7 @@ use tumble_expr::language::{Function, Measured, Scope, is_name, is_reserved};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::document::Field;
+use crate::file_names::file_name_fault;
 use crate::formula::Origin;
 
 /// What a formula may depend on; each level includes those before it.
@@ -26,6 +27,9 @@ pub(crate) enum Level {
 /// Quantities that every body has, which therefore are no names of points.
 pub(crate) const OF_BODY: &[&str] =
     &["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha", "energy", "kinetic", "cm"];
+
+/// What is set and swept like a parameter, and is none.
+pub(crate) const ACCURACY: &str = "accuracy";
 
 /// Quantities that follow from the forces.
 const ACCELERATIONS: &[&str] = &["ax", "ay", "alpha"];
@@ -117,6 +121,9 @@ impl Names {
         if name == "gravity" && !matches!(owner, "a parameter" | "a function" | "a table") {
             return Err(taken(name, span, "`gravity` is the weight of the bodies".to_owned()));
         }
+        if name == ACCURACY && owner == "a parameter" {
+            return Err(taken(name, span, format!("`{ACCURACY}` is the accuracy of the run")));
+        }
         if is_reserved(name) {
             return Err(taken(name, span, format!("`{name}` is a name that every formula knows")));
         }
@@ -159,8 +166,17 @@ pub(crate) fn fit_point(field: &Field) -> Result<(), Diagnostic> {
     }
 }
 
-/// A name of a figure or a check, which becomes the name of a file.
+/// A name of a figure, which becomes the name of a file.
 pub(crate) fn fit_file(field: &Field) -> Result<(), Diagnostic> {
+    fit_label(field)?;
+    let Some(fault) = file_name_fault(field.key) else { return Ok(()) };
+    let message = format!("`{}` cannot be the name of a file: {fault}", field.key);
+    let mistake = Diagnostic::new(Code::FileName, field.key_span.clone(), message).label("becomes a file");
+    Err(mistake.help("give the figure another name"))
+}
+
+/// A name of a find or a check: a name of formulas, in which hyphens may stand.
+pub(crate) fn fit_label(field: &Field) -> Result<(), Diagnostic> {
     let as_word = field.key.replace('-', "_");
     fit(&as_word, &field.key_span).map_err(|mut mistake| {
         mistake.message = format!("`{}` is not a name", field.key);

@@ -8,8 +8,10 @@ use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
+use crate::file_names::folded;
 use crate::formula::{self, Origin, Text, Want};
 use crate::names::fit_file;
+use crate::printable::is_unseen;
 use crate::suggest;
 
 /// Reading of values. `None` means that a mistake has been noted.
@@ -55,8 +57,12 @@ impl Draft {
     /// The name of a figure, which no other figure has, of whatever kind: it is the name of a file.
     pub(crate) fn figure_name(&mut self, field: &Field) {
         self.noted(fit_file(field));
-        if let Some(first) = self.figures.insert(field.key.to_owned(), field.key_span.clone()) {
-            let message = format!("two figures have the name `{}`", field.key);
+        let (name, span) = (field.key, field.key_span.clone());
+        if let Some((other, first)) = self.figures.insert(folded(name), (name.to_owned(), span)) {
+            let message = match other == name {
+                true => format!("two figures have the name `{name}`"),
+                false => format!("the figures `{other}` and `{name}` are one file on some systems"),
+            };
             let mistake = Diagnostic::new(Code::NameTaken, field.key_span.clone(), message);
             let mistake = mistake.label("this name is taken").also(first, "the first figure");
             self.note(mistake.help("figures become files: give each its own name"));
@@ -134,6 +140,19 @@ impl Draft {
             self.wrong_type(field, "a text in quotes");
         }
         words
+    }
+
+    /// A text that figures and reports show in one line.
+    pub(crate) fn line(&mut self, field: &Field) -> Option<String> {
+        let text = self.words(field)?;
+        let Some((at, unseen)) = text.char_indices().find(|(_, c)| is_unseen(*c)) else { return Some(text) };
+        let origin = Origin::of(&self.sources[0].text, field.span.clone(), &text);
+        let span = origin.map(&(at..at + unseen.len_utf8()));
+        let message =
+            format!("`{}` has the character U+{:04X}, which is not shown", field.key, u32::from(unseen));
+        let cure = if unseen == '\n' { "write it in one line" } else { "leave this character out" };
+        self.note(Diagnostic::new(Code::Unseen, span, message).label("not shown").help(cure));
+        None
     }
 
     /// One of a few words.

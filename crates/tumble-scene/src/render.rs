@@ -17,7 +17,13 @@ const LONGEST_LINE: usize = 2000;
 
 impl Diagnostics {
     /// Every mistake with its place in the text, for a terminal of `width` columns.
+    ///
+    /// Whatever the scene holds, nothing but colours that were asked for is in it that a terminal obeys.
     pub fn render(&self, colour: bool, width: usize) -> String {
+        self.printable().drawn(colour, width)
+    }
+
+    fn drawn(&self, colour: bool, width: usize) -> String {
         let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let handler = GraphicalReportHandler::new_themed(theme).with_width(width.max(40)).with_links(false);
         let mut shown = String::new();

@@ -1,10 +1,10 @@
-//! Settings from the command line, such as `--set T=2s`, that stand in the place of parameters.
+//! Settings from the command line, such as `--set T=2s`, that stand in the place of parameters and of the accuracy.
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Source};
 use crate::draft::Draft;
 use crate::formula::{Origin, Text};
-use crate::names::Level;
+use crate::names::{ACCURACY, Level};
 use crate::suggest;
 
 /// Another formula for a parameter, as `--set name=text` gives it.
@@ -41,7 +41,9 @@ impl Override {
 /// Settings of parameters that there are not.
 pub(crate) fn refuse_unknown(draft: &mut Draft) {
     let parameters: Vec<_> = draft.model.parameters.symbols().into_iter().map(|symbol| symbol.name).collect();
-    let known = |name: &str| draft.model.parameters.symbol(name).is_some() || draft.names.is_broken(name);
+    let known = |name: &str| {
+        name == ACCURACY || draft.model.parameters.symbol(name).is_some() || draft.names.is_broken(name)
+    };
     let unknown: Vec<_> = draft.settings.iter().filter(|setting| !known(&setting.name)).cloned().collect();
     for setting in unknown {
         let exists = draft.names.scope(Level::Output).value(&setting.name).is_some();
@@ -49,7 +51,8 @@ pub(crate) fn refuse_unknown(draft: &mut Draft) {
             true => format!("`{}` is not a parameter, and cannot be set", setting.name),
             false => format!("there is no parameter `{}`", setting.name),
         };
-        let help = suggest::name(&setting.name, "parameters", parameters.iter().map(|name| &**name));
+        let all = parameters.iter().map(|name| &**name).chain([ACCURACY]);
+        let help = suggest::name(&setting.name, "names that can be set", all);
         let mistake = Diagnostic::new(Code::UnknownParameter, 0..setting.name.len(), message);
         draft.note(mistake.within(setting.text.origin.source).label("unknown parameter").help(help));
     }

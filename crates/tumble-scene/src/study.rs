@@ -42,7 +42,7 @@ pub struct Study {
     pub checks: Vec<Check>,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
     pub symbols: BTreeMap<String, String>,
-    /// Parameters that take several values, one run each; with several axes, every combination.
+    /// What takes several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
     pub(crate) said: Said,
 }
@@ -65,13 +65,22 @@ impl Said {
     }
 }
 
-/// A parameter that takes several values, one after the other.
+/// Something that takes several values, one after the other.
 #[derive(Clone, Debug)]
 pub struct SweepAxis {
-    /// Name of the parameter.
-    pub parameter: String,
+    /// What it is.
+    pub of: Swept,
     /// Its values, formulas of constants and of parameters that are not swept.
     pub values: Vec<SweepValue>,
+}
+
+/// What takes several values in a sweep.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Swept {
+    /// The parameter of that name.
+    Parameter(String),
+    /// What the motion is held to.
+    Accuracy,
 }
 
 /// One value of a sweep.

@@ -6,6 +6,9 @@ use tumble_mech::Parameters;
 
 use crate::formula::Want;
 
+/// Smaller numbers are written with a power of ten, not with a row of zeros.
+const SMALL: f64 = 1e-4;
+
 /// A unit with its size.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct UnitText {
@@ -42,6 +45,8 @@ impl UnitText {
     pub(crate) fn write(&self, value: f64) -> String {
         let digits = format!("{:.5e}", value / self.size);
         let number: f64 = digits.parse().unwrap_or(value / self.size);
+        let is_small = number != 0.0 && number.abs() < SMALL;
+        let number = if is_small { format!("{number:e}") } else { number.to_string() };
         format!("{number} {}", self.text).trim_end().to_owned()
     }
 }

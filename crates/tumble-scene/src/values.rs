@@ -116,6 +116,12 @@ impl Values<'_> {
         }
     }
 
+    /// Whether a setting from the command line may be why the run ends before something that the scene looks at: that is
+    /// then not reached, which is no mistake of the scene.
+    fn may_end_early(&self) -> bool {
+        !self.draft.settings.is_empty()
+    }
+
     fn check_distance(&mut self, what: &str, every: Expr, until: f64) {
         let Some(every) = self.value(what, Some(every)) else { return };
         if every <= 0.0 {
@@ -125,7 +131,7 @@ impl Values<'_> {
                 format!("every {every} s: this must be positive"),
                 "must be positive",
             );
-        } else if every > until {
+        } else if every > until && !self.may_end_early() {
             let message = format!("every {every} s is longer than the run, which lasts {until} s");
             self.note(Code::OutsideRun, what, message, "longer than the run");
         } else if until / every > MAX_SAMPLES {
@@ -163,7 +169,8 @@ impl Values<'_> {
     /// A time that only the run knows is looked at when it is known.
     fn check_time(&mut self, what: &str, at: &Instant, until: f64) {
         let Some(at) = self.value(what, Some(at.time.clone())) else { return };
-        if !(0.0..=until).contains(&at) {
+        let is_later = at > until && !self.may_end_early();
+        if at < 0.0 || is_later {
             let message = format!("{at} s is outside of the run, which lasts from 0 to {until} s");
             self.note(Code::OutsideRun, what, message, "outside of the run");
         }
@@ -176,7 +183,7 @@ impl Values<'_> {
         if from >= to {
             let message = format!("there is nothing from {from} s to {to} s");
             self.note(Code::Window, what, message, "ends before it begins");
-        } else if *from >= until || *to <= 0.0 {
+        } else if *to <= 0.0 || (*from >= until && !self.may_end_early()) {
             let message =
                 format!("{from} s to {to} s is outside of the run, which lasts from 0 to {until} s");
             self.note(Code::OutsideRun, what, message, "outside of the run");

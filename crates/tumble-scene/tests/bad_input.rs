@@ -61,9 +61,10 @@ fn long_names_and_titles() {
     let name = "n".repeat(10_000);
     let text = scene(&format!("{name} = \"1 m\"\nx = \"2*{name}\"\ny = \"2*{name}n\""));
     assert!(soon(&text).is_err_and(|said| said.contains("E0301")));
-    let study = soon(&format!("title = \"Шар, bal·le, 球 \u{1f3b1} \u{202e}\"\n{}", scene("x = 1")))
-        .expect("a study");
+    let titled = |title: &str| soon(&format!("title = \"{title}\"\n{}", scene("x = 1")));
+    let study = titled("Шар, bal·le, 球 \u{1f3b1}").expect("a study");
     assert!(study.title.contains('球'));
+    assert!(titled("Шар \u{202e}").is_err_and(|said| said.contains("E0507") && !said.contains('\u{202e}')));
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod beside;
 
 use beside::Beside;
 use tumble_mech::{Action, Run};
-use tumble_scene::{Override, Study, read_in};
+use tumble_scene::{NoFiles, Override, Study, Swept, read_in};
 
 fn study(text: &str, overrides: &[Override]) -> Study {
     let scene = format!("version = 1\nworld.gravity = \"10 m/s^2\"\nrun.until = \"2 s\"\n{text}");
@@ -112,6 +112,56 @@ fn a_setting_takes_the_place_of_a_sweep() {
     let study =
         study(&format!("{STONE}\n[parameters]\na = \"1 m\"\n[sweep]\na = [\"1 m\", \"2 m\"]\n"), &[set]);
     assert!(study.sweep.is_empty());
+}
+
+#[test]
+fn the_accuracy_is_set_and_swept_like_a_parameter() {
+    let sweep =
+        "[sweep]\naccuracy = { from = 1e-12, to = 1e-6, count = 3, spacing = \"log\" }\nv = [\"1 m/s\"]\n";
+    let scene = format!("{STONE}\n[parameters]\nv = \"1 m/s\"\n{sweep}");
+    let swept = study(&scene, &[]);
+    assert_eq!((&swept.sweep[0].of, swept.sweep.len()), (&Swept::Accuracy, 2));
+    let values = swept.sweep[0].values.iter();
+    let values: Vec<_> =
+        values.map(|value| (swept.number(&value.value).expect("a number"), value.label.as_str())).collect();
+    let labels = ["accuracy = 1e-12", "accuracy = 1e-9", "accuracy = 1e-6"];
+    for ((value, label), (expected, known)) in
+        values.into_iter().zip([1e-12f64, 1e-9, 1e-6].into_iter().zip(labels))
+    {
+        assert!((value / expected - 1.0).abs() < 1e-12, "{value}");
+        assert_eq!(label, known);
+    }
+    let set = |text: &str| Override { name: "accuracy".into(), text: text.into() };
+    let set = study(&scene, &[set("1e-4"), set(" 1e-5 ")]);
+    assert_eq!((set.accuracy.value(), set.sweep.len()), (1e-5, 1), "the last one counts");
+}
+
+/// A setting may end the run before what the scene looks at. Without one, that is a mistake of the scene.
+#[test]
+fn a_setting_may_end_the_run_early() {
+    let scene = format!(
+        "version = 1\nworld.gravity = \"10 m/s^2\"\nrun.until = \"end\"\noutput.every = \"1 s\"\n{STONE}\n\
+         [parameters]\nend = \"2 s\"\n[plot.y]\ny = \"stone.y\"\nduring = [\"1.5 s\", \"2 s\"]\n\
+         [find.y]\nthat = \"stone.y\"\nat = \"2 s\"\n[find.least]\nthat = \"stone.y\"\nat = \"its least\"\n\
+         during = [\"1.5 s\", \"2 s\"]\n"
+    );
+    let codes = |scene: &str, set: &[&str]| {
+        let set: Vec<_> =
+            set.iter().map(|text| Override { name: "end".into(), text: (*text).into() }).collect();
+        let mistakes = read_in("scene.toml", scene, &set, &NoFiles).err();
+        mistakes
+            .into_iter()
+            .flat_map(|found| found.list)
+            .map(|mistake| mistake.code.as_str())
+            .collect::<Vec<_>>()
+    };
+    assert!(codes(&scene, &[]).is_empty());
+    assert!(codes(&scene, &["0.5 s"]).is_empty());
+    assert_eq!(codes(&scene, &["0 s"]), ["E0530"], "no run at all");
+    let short = scene.replace("end = \"2 s\"", "end = \"0.5 s\"");
+    assert_eq!(codes(&short, &[]), ["E0533"; 4]);
+    let early = scene.replace("at = \"2 s\"", "at = \"-2 s\"");
+    assert_eq!(codes(&early, &["0.5 s"]), ["E0533"], "nothing comes before the start");
 }
 
 #[test]

@@ -251,6 +251,7 @@ const FORMULAS: &[Row] = &[
     ("L = \"1 m\"", "L = \"K\"\nK = \"half\"", "E0524 \"K\" | \"half\" | \"L/2\"", "L -> K -> half -> L"),
     ("L = \"1 m\"", "L = \"L\"", "E0524 \"L\"", "in a circle: L -> L"),
     ("m = \"1 kg\"", "m = \"1 kg\"\nt = \"1 s\"", "E0523 t", "`t` is the time"),
+    ("m = \"1 kg\"", "m = \"1 kg\"\naccuracy = 3", "E0523 accuracy", "`accuracy` is the accuracy of the run"),
     ("m = \"1 kg\"", "m = \"1 kg\"\npi = 3", "E0523 pi", "every formula knows"),
     ("m = \"1 kg\"", "m = \"1 kg\"\n\"a.b\" = 3", "E0522 \"a.b\"", "is not a name"),
     ("m = \"1 kg\"", "m = \"1 kg\"\nball = 3", "E0523 ball | ball", "the name of a body and of a parameter"),
@@ -363,6 +364,10 @@ fn mistakes_of_settings() {
         ("T", "t", "E0525 t", "changes during the run"),
         ("T", "T", "E0524 \"2 s\"", "in a circle"),
         ("ball", "2", "E0540 ball", "there is no parameter `ball`"),
+        ("accuracy", "1", "E0534 1", "between 1e-14 and 1e-3"),
+        ("accuracy", "nan", "E0534 nan", "out of range"),
+        ("accuracy", "high", "E0514 high", "`accuracy` is a number, not `high`"),
+        ("acuracy", "1e-6", "E0540 acuracy", "did you mean \"accuracy\"?"),
     ];
     for (name, text, underlined, says) in rows {
         let set = Override { name: name.into(), text: text.into() };

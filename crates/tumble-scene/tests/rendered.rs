@@ -35,6 +35,21 @@ fn shown(old: &str, new: &str) -> String {
     read("pendulum.toml", &scene, &[]).expect_err(new).render(false, 90)
 }
 
+/// What the scene, its name and a setting hold that a terminal obeys is shown as numbers, in its place.
+#[test]
+fn texts_that_a_terminal_would_obey() {
+    let scene = PENDULUM.replace("\"1 kg\"", "\"1\u{202e} kg\"").replace("10 deg", "10 \u{9b}2J deg");
+    let set = Override { name: "L\u{1b}[2J".into(), text: "1\rm".into() };
+    let mistakes = read("evil\u{1b}[2J\n.toml", &scene, &[set]).expect_err("unseen");
+    let (drawn, lines) = (mistakes.render(false, 90), mistakes.to_string());
+    for text in [&drawn, &lines] {
+        assert!(!text.contains(|c: char| c != '\n' && tumble_scene::is_unseen(c)), "{text:?}");
+    }
+    insta::assert_snapshot!(drawn);
+    assert!(mistakes.render(true, 90).contains("\u{1b}["), "our own colours stay");
+    assert_eq!(lines.lines().count(), mistakes.list.len());
+}
+
 #[test]
 fn a_key_that_is_not_known() {
     insta::assert_snapshot!(shown("mass = \"m\"", "mass = \"m\"\ncolour = \"red\""));

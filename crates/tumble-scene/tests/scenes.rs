@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use tumble_scene::{Folder, Override, Study, SweepValue, read, read_bytes_in};
+use tumble_scene::{Folder, Override, Study, SweepValue, Swept, read, read_bytes_in};
 
 fn path(scene: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(scene).join("scene.toml")
@@ -85,7 +85,9 @@ fn choices(study: &Study) -> Vec<Study> {
     for axis in &study.sweep {
         let with = |study: &Study, value: &SweepValue| {
             let mut study = study.clone();
-            study.model.parameters.set(&axis.parameter, value.value.clone()).expect("a value");
+            if let Swept::Parameter(name) = &axis.of {
+                study.model.parameters.set(name, value.value.clone()).expect("a value");
+            }
             study
         };
         choices =

@@ -5,7 +5,7 @@ use tumble_mech::{Balance, BodyBalance, Contribution, RunBalance};
 use tumble_ode::Side;
 
 use crate::case::Case;
-use crate::output::{Folder, OutputError};
+use crate::output::{Folder, OutputError, Table};
 use crate::pipeline::PipelineError;
 use crate::tables::{equal_times, number};
 
@@ -65,14 +65,13 @@ impl CaseBalance {
 
     /// Writes `balance.csv` beside the other tables of the run.
     pub(crate) fn write(&self, case: &Case, folder: &Folder) -> Result<(), OutputError> {
-        let mut table = csv::Writer::from_path(folder.path(&format!("{}/balance.csv", case.folder()))?)?;
+        let mut table = Table::begin(folder, &format!("{}/balance.csv", case.folder()))?;
         let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
-        table.write_record(self.columns.iter().map(units))?;
+        table.row(self.columns.iter().map(units))?;
         for row in &self.rows {
-            table.write_record(row.iter().map(|value| number(*value)))?;
+            table.row(row.iter().map(|value| number(*value)))?;
         }
-        table.flush().map_err(csv::Error::from)?;
-        Ok(())
+        table.finish()
     }
 }
 

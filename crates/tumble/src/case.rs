@@ -1,12 +1,12 @@
-//! The runs of a study: one, or one for every combination of swept parameters.
+//! The runs of a study: one, or one for every combination of what is swept.
 
 use tumble_mech::{Parameters, Run, RunError, Trust};
-use tumble_ode::Refusal;
-use tumble_scene::{Diagnostics, Study};
+use tumble_ode::{Accuracy, Refusal};
+use tumble_scene::{Diagnostics, Study, SweepAxis, SweepValue, Swept};
 
 use crate::balance::CaseBalance;
 use crate::checks::{self, CheckResult};
-use crate::pipeline::PipelineError;
+use crate::pipeline::{Options, PipelineError};
 use crate::placed;
 use crate::progress::Progress;
 use crate::questions::{self, FindResult};
@@ -20,6 +20,8 @@ pub struct Case {
     pub label: String,
     /// The parameters of this run.
     pub parameters: Parameters,
+    /// What its motion was to be held to.
+    pub accuracy: Accuracy,
     /// The motion, as far as it was found.
     pub run: Run,
     /// How far it can be trusted; nothing is known of a motion that stopped early.
@@ -36,59 +38,95 @@ pub struct Case {
     pub balance: Option<CaseBalance>,
 }
 
-/// Parameters of one run, with its label.
-pub(crate) struct Values {
-    label: String,
-    parameters: Parameters,
+/// A run that was not made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// Its number among all runs, counted from 1.
+    pub number: usize,
+    /// What is different about it, as legends say it.
+    pub label: String,
 }
 
-/// Every combination of the swept parameters; the last axis changes fastest.
-pub(crate) fn combinations(study: &Study) -> Result<Vec<Values>, PipelineError> {
-    let mut all = vec![Values { label: String::new(), parameters: study.model.parameters.clone() }];
-    for axis in &study.sweep {
-        let mut next = vec![];
-        for values in &all {
-            for value in &axis.values {
-                let mut parameters = values.parameters.clone();
-                parameters
-                    .set(&axis.parameter, value.value.clone())
-                    .map_err(tumble_mech::ModelErrors::from)?;
-                let separator = if values.label.is_empty() { "" } else { ", " };
-                next.push(Values {
-                    label: format!("{}{separator}{}", values.label, value.label),
-                    parameters,
-                });
+/// What one run is made with, and its label.
+#[derive(Clone)]
+struct Values {
+    label: String,
+    parameters: Parameters,
+    accuracy: Accuracy,
+}
+
+impl Values {
+    /// The same with a value of a sweep.
+    fn with(&self, study: &Study, axis: &SweepAxis, value: &SweepValue) -> Result<Self, PipelineError> {
+        let mut next = self.clone();
+        match &axis.of {
+            Swept::Parameter(name) => {
+                let set = next.parameters.set(name, value.value.clone());
+                set.map_err(tumble_mech::ModelErrors::from)?;
             }
+            Swept::Accuracy => next.accuracy = Accuracy::new(study.number(&value.value)?)?,
         }
-        all = next;
+        let separator = if self.label.is_empty() { "" } else { ", " };
+        next.label = format!("{}{separator}{}", self.label, value.label);
+        Ok(next)
+    }
+}
+
+/// Every combination of what is swept; the last axis changes fastest.
+fn combinations(study: &Study) -> Result<Vec<Values>, PipelineError> {
+    let parameters = study.model.parameters.clone();
+    let mut all = vec![Values { label: String::new(), parameters, accuracy: study.accuracy }];
+    for axis in &study.sweep {
+        let with =
+            |values: &Values| axis.values.iter().map(|value| values.with(study, axis, value)).collect();
+        let next: Vec<Vec<Values>> = all.iter().map(with).collect::<Result<_, PipelineError>>()?;
+        all = next.concat();
     }
     Ok(all)
+}
+
+/// Makes the runs of a study one after the other, `done` with each as it is finished; those that were made, and those
+/// that were not because no more were wanted.
+pub(crate) fn all(
+    study: &Study,
+    options: &Options,
+    done: impl Fn(&mut Case) -> Result<(), PipelineError>,
+) -> Result<(Vec<Case>, Vec<Missing>), PipelineError> {
+    let all = combinations(study)?;
+    let mut cases = vec![];
+    for (values, number) in all.iter().zip(1..) {
+        let mut case = match Case::run(study, number, values.clone(), options) {
+            Err(PipelineError::Interrupted) if !cases.is_empty() => break,
+            made => made?,
+        };
+        done(&mut case)?;
+        cases.push(case);
+    }
+    let missing = all.into_iter().zip(1..).skip(cases.len());
+    let missing = missing.map(|(values, number)| Missing { number, label: values.label });
+    Ok((cases, missing.collect()))
 }
 
 impl Case {
     /// Integrates one run and holds the scene's claims against it.
     ///
     /// A motion that is refused on the way is no error: what was found before stands.
-    pub(crate) fn run(
-        study: &Study,
-        number: usize,
-        values: Values,
-        visible: bool,
-    ) -> Result<Self, PipelineError> {
+    fn run(study: &Study, number: usize, values: Values, options: &Options) -> Result<Self, PipelineError> {
         let label = values.label.clone();
-        Self::made(study, number, values, visible).map_err(|error| error.placed(study).in_run(&label))
+        Self::made(study, number, values, options).map_err(|error| error.placed(study).in_run(&label))
     }
 
-    fn made(study: &Study, number: usize, values: Values, visible: bool) -> Result<Self, PipelineError> {
-        let Values { label, parameters } = values;
+    fn made(study: &Study, number: usize, values: Values, options: &Options) -> Result<Self, PipelineError> {
+        let Values { label, parameters, accuracy } = values;
         let study = &study.with(&parameters);
         let until = study.number(&study.until)?;
         let title = if label.is_empty() { study.title.clone() } else { label.clone() };
-        let progress = Progress::new(&title, until, visible);
+        let progress = Progress::new(&title, until, options);
         let reached = |time| progress.reached(time);
-        let found = Run::trusted(&study.model, &parameters, until, study.accuracy, reached);
+        let found = Run::trusted(&study.model, &parameters, until, accuracy, reached);
         let (run, trust, refusal) = match found {
             Ok((run, trust)) => (run, Some(trust), None),
+            Err(error) if error.is_interrupted() => return Err(PipelineError::Interrupted),
             Err(RunError::Refused { refusal, partial }) if !partial.trajectory.pieces.is_empty() => {
                 (*partial, None, Some(refusal))
             }
@@ -98,6 +136,7 @@ impl Case {
             number,
             label,
             parameters,
+            accuracy,
             run,
             trust,
             refusal,
@@ -119,6 +158,11 @@ impl Case {
 
     /// The folder of its tables.
     pub fn folder(&self) -> String {
-        format!("run-{:03}", self.number)
+        folder(self.number)
     }
+}
+
+/// The folder of the tables of a run.
+pub(crate) fn folder(number: usize) -> String {
+    format!("run-{number:03}")
 }

@@ -4,7 +4,7 @@ use tumble_scene::{Check, Question, Study};
 
 use crate::case::Case;
 use crate::pipeline::PipelineError;
-use crate::questions::{Answer, Asked};
+use crate::questions::{Answer, Asked, NOT_REACHED};
 
 /// A claim with what was found.
 #[derive(Clone, Debug)]
@@ -30,6 +30,20 @@ pub struct CheckResult {
 }
 
 impl CheckResult {
+    /// Whether there is anything to hold the claim against: the motion reaches its time, and its event happens.
+    pub fn is_reached(&self) -> bool {
+        self.at.is_finite()
+    }
+
+    /// What becomes of the claim, in a word or two.
+    pub fn status(&self) -> &'static str {
+        match self.holds {
+            true => "holds",
+            false if self.is_reached() => "fails",
+            false => NOT_REACHED,
+        }
+    }
+
     /// Whether the motion is known well enough to say that the claim holds.
     pub fn is_sure(&self) -> bool {
         self.error.is_some_and(|error| error <= self.within)

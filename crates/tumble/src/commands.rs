@@ -5,19 +5,20 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use tumble::gallery::{self, Shown};
+use tumble::gallery::{self, GalleryError, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
 use tumble::{Case, FindResult, ReportForm};
-use tumble_scene::Diagnostics;
+use tumble_scene::{Diagnostics, printable};
 
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
+use crate::tools::stop::interruptible;
 use crate::tools::{completions, explain, new, schema, units};
 
 const EXIT_CODES: &str = "Exit codes: 0 all went well, 1 a check of the scene does not hold, 2 the scene or the \
-command line has mistakes, 3 the motion was refused on the way, 4 a file cannot be read or written.";
+command line has mistakes, 3 the motion was refused on the way, 4 a file cannot be read or written, 130 interrupted.";
 
 /// A rigid-body mechanics laboratory: state the bodies and the forces, get the motion.
 #[derive(Parser)]
@@ -40,7 +41,7 @@ enum Task {
     Check {
         /// The scene file.
         scene: PathBuf,
-        /// Give a parameter another value for this time, such as T=2s.
+        /// Give a parameter, or the accuracy, another value for this time, such as T=2s.
         #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
         set: Vec<(String, String)>,
     },
@@ -58,7 +59,7 @@ enum Task {
     Animate {
         /// The scene file.
         scene: PathBuf,
-        /// Give a parameter another value for this time, such as T=2s.
+        /// Give a parameter, or the accuracy, another value for this time, such as T=2s.
         #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
         set: Vec<(String, String)>,
         /// Which run of a sweep, counted from 1.
@@ -104,7 +105,7 @@ enum Task {
 
 #[derive(Args)]
 struct Settings {
-    /// Give a parameter another value for this run, such as T=2s.
+    /// Give a parameter, or the accuracy, another value for this run, such as T=2s.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
     /// Where results go: a folder of the scene's name is made in it.
@@ -151,6 +152,8 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     }
 }
 
+/// Of a time that does not come.
+const NOT_REACHED: &str = "not reached: its event or its time does not come in this motion";
 /// Smaller numbers are written with a power of ten.
 const SMALL: f64 = 1e-5;
 
@@ -167,6 +170,8 @@ pub(crate) enum Ending {
     Refused = 3,
     /// A file or a stream cannot be read or written.
     File = 4,
+    /// Ctrl-C has ended it. The number is that of shells.
+    Interrupted = 130,
 }
 
 impl Command {
@@ -184,7 +189,8 @@ impl Task {
             Task::Run { scene, settings } => {
                 let Settings { set, out, no_figures, report: form } = settings;
                 let form = if no_figures { ReportForm::None } else { form.into() };
-                let options = Options { set, out, no_figures, report: form, progress: true };
+                let options =
+                    Options { set, out, no_figures, report: form, progress: true, stop: interruptible() };
                 report(&Shown { result: pipeline::run(&scene, &options), scene })
             }
             Task::Check { scene, set } => {
@@ -192,14 +198,16 @@ impl Task {
                 check(&scene, &options)
             }
             Task::Gallery { scenes, out } => {
-                gallery(&scenes, Options { out, progress: true, ..Options::default() })
+                let options = Options { out, progress: true, stop: interruptible(), ..Options::default() };
+                gallery(&scenes, &options)
             }
             #[cfg(feature = "png")]
             Task::Animate { scene, set, run, width, rate, to } => {
-                let options = Options { set, out: "out".into(), progress: true, ..Options::default() };
+                let stop = interruptible();
+                let options = Options { set, out: "out".into(), progress: true, stop, ..Options::default() };
                 match pipeline::animate(&scene, &options, &AnimationOptions { run, width, rate, to }) {
                     Ok(file) => {
-                        say!("{}", file.display());
+                        say!("{}", shown(&file));
                         Ending::Success
                     }
                     Err(error) => complain(&scene, &error),
@@ -218,17 +226,21 @@ fn check(scene: &Path, options: &Options) -> Ending {
     match pipeline::check(scene, options) {
         Ok(study) => {
             draw(&study.warnings());
-            say!("{}: {} has no mistakes", study.title, scene.display());
+            say!("{}: {} has no mistakes", study.title, shown(scene));
             Ending::Success
         }
         Err(error) => complain(scene, &error),
     }
 }
 
-fn gallery(scenes: &Path, options: Options) -> Ending {
+fn gallery(scenes: &Path, options: &Options) -> Ending {
     let mut worst = Ending::Success;
-    match gallery::run(scenes, &options, |shown| worst = worst.max(report(shown))) {
-        Ok(page) => say!("\nthe gallery is {}", page.display()),
+    match gallery::run(scenes, options, |shown| worst = worst.max(report(shown))) {
+        Ok(page) => say!("\nthe gallery is {}", shown(&page)),
+        Err(error @ GalleryError::Interrupted { .. }) => {
+            tell!("{error}");
+            worst = Ending::Interrupted;
+        }
         Err(error) => {
             tell!("error: {error}");
             worst = Ending::File;
@@ -243,7 +255,9 @@ fn report(shown: &Shown) -> Ending {
         Ok(outcome) => {
             describe(outcome);
             draw(&outcome.said());
-            if outcome.cases.iter().any(|case| case.refusal.is_some()) {
+            if !outcome.missing.is_empty() {
+                Ending::Interrupted
+            } else if outcome.cases.iter().any(|case| case.refusal.is_some()) {
                 Ending::Refused
             } else if outcome.is_success() {
                 Ending::Success
@@ -261,7 +275,21 @@ fn describe(outcome: &Outcome) {
     if !outcome.figures.is_empty() {
         say!("  figures: {}", outcome.figures.join(", "));
     }
-    say!("  results: {}", outcome.folder.display());
+    outcome.notes.iter().for_each(|note| say!("  note: {note}"));
+    let (made, missing) = (outcome.cases.len(), outcome.missing.len());
+    if missing == 0 {
+        say!("  results: {}", shown(&outcome.folder));
+    } else {
+        let (all, were) = (made + missing, if missing == 1 { "was" } else { "were" });
+        let missing = count(missing as u64, "run");
+        let results = shown(&outcome.folder);
+        say!("  interrupted: {made} of {all} runs finished; results: {results}; {missing} {were} not made");
+    }
+}
+
+/// A path as a terminal may have it.
+fn shown(path: &Path) -> String {
+    printable(&path.to_string_lossy()).into_owned()
 }
 
 fn describe_case(case: &Case) {
@@ -277,8 +305,8 @@ fn describe_case(case: &Case) {
     }
     case.finds.iter().for_each(describe_find);
     for check in &case.checks {
-        if at_nothing(check) {
-            say!("  check {}: FAILS, its event or its time was not reached", check.name);
+        if !check.is_reached() {
+            say!("  check {}: FAILS, {NOT_REACHED}", check.name);
             continue;
         }
         let verdict = if check.holds { "holds" } else { "FAILS" };
@@ -302,8 +330,8 @@ fn describe_case(case: &Case) {
 
 fn describe_find(find: &FindResult) {
     let FindResult { name, that, unit, at, value, .. } = find;
-    if at.is_nan() {
-        return say!("  find {name}: its event or its time was not reached");
+    if !find.is_reached() {
+        return say!("  find {name}: {NOT_REACHED}");
     }
     say!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty());
 }
@@ -327,11 +355,6 @@ fn short(value: f64) -> String {
     if value != 0.0 && value.abs() < SMALL { format!("{value:e}") } else { value.to_string() }
 }
 
-/// Whether a claim is about a time that the motion does not have.
-fn at_nothing(check: &tumble::CheckResult) -> bool {
-    check.at.is_nan()
-}
-
 /// `1 step`, `2 steps`
 fn count(number: u64, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
@@ -348,12 +371,12 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
     match error {
         #[cfg(feature = "png")]
         PipelineError::Gif(_) => {
-            tell!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", shown(scene));
             Ending::Mistake
         }
         #[cfg(feature = "pdf")]
         PipelineError::Pdf(_) => {
-            tell!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", shown(scene));
             Ending::File
         }
         PipelineError::WithoutPdf => {
@@ -368,15 +391,19 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             draw(diagnostics);
             Ending::Refused
         }
-        PipelineError::Model(_) => {
-            tell!("error: {}: {error}", scene.display());
+        PipelineError::Model(_) | PipelineError::Accuracy(_) => {
+            tell!("error: {}: {error}", shown(scene));
             Ending::Mistake
         }
         PipelineError::Run(_) => {
-            tell!("error: {}: {error}", scene.display());
+            tell!("error: {}: {error}", shown(scene));
             Ending::Refused
         }
-        PipelineError::Read { .. } | PipelineError::Output(_) | PipelineError::Animation { .. } => {
+        PipelineError::Interrupted => {
+            tell!("{}: {error}", shown(scene));
+            Ending::Interrupted
+        }
+        PipelineError::Read { .. } | PipelineError::Output(_) => {
             tell!("error: {error}");
             Ending::File
         }

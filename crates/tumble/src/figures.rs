@@ -116,7 +116,11 @@ fn rows(
 ) -> Result<Option<Vec<Row>>, PipelineError> {
     let Some(during) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
     let window = Moments::of(study, case).window(Some(during))?;
-    window.map(|window| sample_between(&case.run, formulas, window)).transpose()
+    let end = case.run.trajectory.end().unwrap_or(0.0);
+    window
+        .filter(|[from, _]| *from < end)
+        .map(|window| sample_between(&case.run, formulas, window))
+        .transpose()
 }
 
 /// Marks what happens along the time axis, unless so much does that no mark could be read.

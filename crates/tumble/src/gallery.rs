@@ -2,18 +2,20 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 
 use thiserror::Error;
-use tumble_report::{Entry, Figure, IndexPage, Link};
+use tumble_report::{Entry, Figure, GALLERY_SEAL, IndexPage, Link};
 
 use crate::case::Case;
+use crate::output::{Kind, OutputError, Single, shown};
 use crate::pipeline::{self, Options, Outcome, PipelineError};
 
 /// Why there is no gallery.
 #[derive(Debug, Error)]
 pub enum GalleryError {
     /// The folder cannot be read.
-    #[error("cannot read {}: {error}", path.display())]
+    #[error("cannot read {}: {error}", shown(path))]
     Read {
         /// The folder.
         path: PathBuf,
@@ -21,17 +23,25 @@ pub enum GalleryError {
         error: std::io::Error,
     },
     /// There is nothing to show.
-    #[error("no scene in {}: each is a folder with a scene.toml", .0.display())]
+    #[error("no scene in {}: each is a folder with a scene.toml", shown(.0))]
     Empty(PathBuf),
     /// The page cannot be written.
-    #[error("cannot write {}: {error}", path.display())]
-    Write {
-        /// The page.
-        path: PathBuf,
-        /// Why.
-        error: std::io::Error,
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// No more was wanted.
+    #[error("interrupted: {run} of {all} scenes were run, and {} is as it was", shown(page))]
+    Interrupted {
+        /// Scenes that were run to their end.
+        run: usize,
+        /// All scenes.
+        all: usize,
+        /// The page, which is not written.
+        page: PathBuf,
     },
 }
+
+/// Galleries replace galleries only.
+const PAGE: Kind = Kind { seal: GALLERY_SEAL, option: "--out" };
 
 /// One scene of the gallery: its file and what its run came to.
 pub struct Shown {
@@ -45,17 +55,31 @@ pub struct Shown {
 ///
 /// `seen` is told of each scene as it is done. One that fails does not stop the others.
 pub fn run(scenes: &Path, options: &Options, mut seen: impl FnMut(&Shown)) -> Result<PathBuf, GalleryError> {
+    let (scenes, page) = (find(scenes)?, options.out.join("index.html"));
+    let file = Single::begin(&page, PAGE)?;
     let mut shown = vec![];
-    for scene in find(scenes)? {
-        let result = pipeline::run(&scene, options);
-        shown.push(Shown { scene, result });
+    for scene in &scenes {
+        let result = pipeline::run(scene, options);
+        shown.push(Shown { scene: scene.clone(), result });
         shown.iter().last().into_iter().for_each(&mut seen);
+        if options.stop.load(Ordering::Relaxed) {
+            break;
+        }
     }
-    let page = options.out.join("index.html");
-    let failed = |error| GalleryError::Write { path: page.clone(), error };
-    fs::create_dir_all(&options.out).map_err(failed)?;
-    fs::write(&page, index(&shown).to_string()).map_err(failed)?;
-    Ok(page)
+    let (run, all) = (finished(&shown), scenes.len());
+    if run < all {
+        return Err(GalleryError::Interrupted { run, all, page });
+    }
+    Ok(file.finish(index(&shown).to_string().as_bytes())?)
+}
+
+/// Scenes that were run to their end, well or not.
+fn finished(shown: &[Shown]) -> usize {
+    let is_cut_off = |shown: &&Shown| match &shown.result {
+        Ok(outcome) => !outcome.missing.is_empty(),
+        Err(error) => matches!(error, PipelineError::Interrupted),
+    };
+    shown.iter().filter(|shown| !is_cut_off(shown)).count()
 }
 
 fn find(scenes: &Path) -> Result<Vec<PathBuf>, GalleryError> {

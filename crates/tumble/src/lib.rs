@@ -51,7 +51,7 @@ mod tables;
 mod works;
 
 pub use balance::CaseBalance;
-pub use case::Case;
+pub use case::{Case, Missing};
 pub use checks::CheckResult;
 pub use pipeline::{Options, Outcome, PipelineError};
 pub use questions::FindResult;

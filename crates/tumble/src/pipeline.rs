@@ -1,15 +1,22 @@
 //! The way from a scene to results, as one readable function.
 
+use std::cell::RefCell;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use thiserror::Error;
 use tumble_mech::{ModelErrors, RunError};
-use tumble_scene::{Diagnostics, Override, Study};
+use tumble_ode::AccuracyError;
+use tumble_scene::{Diagnostics, Files, Override, Study};
 
 use crate::balance::CaseBalance;
-use crate::case::{self, Case};
+use crate::case::{self, Case, Missing};
 use crate::figures;
-use crate::output::{Folder, OutputError};
+use crate::output::{Folder, OutputError, shown};
+#[cfg(feature = "png")]
+use crate::output::{Kind, Single};
 use crate::report;
 use crate::summary::{self, Source};
 use crate::tables;
@@ -17,7 +24,7 @@ use crate::tables;
 /// How a scene is run, beyond what it says itself.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Parameters given another formula: `("T", "2 s")`.
+    /// Parameters given another formula, `("T", "2 s")`, and the accuracy, `("accuracy", "1e-6")`.
     pub set: Vec<(String, String)>,
     /// Where results go: a folder of the scene's name is made in it.
     pub out: PathBuf,
@@ -27,6 +34,9 @@ pub struct Options {
     pub report: report::Form,
     /// Whether a bar may be drawn for work over a second.
     pub progress: bool,
+    /// Set by whoever wants no more runs: the run that is being made stops at its next step, and what was finished before
+    /// is written.
+    pub stop: Arc<AtomicBool>,
 }
 
 /// What the runs of a scene came to.
@@ -40,6 +50,10 @@ pub struct Outcome {
     pub figures: Vec<String>,
     /// The runs: one, or one for every combination of swept parameters.
     pub cases: Vec<Case>,
+    /// The runs that were not made, because no more were wanted.
+    pub missing: Vec<Missing>,
+    /// What is left over beside the results and was not removed, with the reason.
+    pub notes: Vec<String>,
 }
 
 impl Outcome {
@@ -50,9 +64,9 @@ impl Outcome {
         said
     }
 
-    /// Whether every motion reached its end and every claim holds.
+    /// Whether every run was made, every motion reached its end and every claim holds.
     pub fn is_success(&self) -> bool {
-        self.cases.iter().all(Case::is_success)
+        self.missing.is_empty() && self.cases.iter().all(Case::is_success)
     }
 }
 
@@ -60,7 +74,7 @@ impl Outcome {
 #[derive(Debug, Error)]
 pub enum PipelineError {
     /// The file cannot be read.
-    #[error("cannot read {}: {error}", path.display())]
+    #[error("cannot read {}: {error}", shown(path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -79,17 +93,15 @@ pub enum PipelineError {
     /// A formula cannot be evaluated along the motion.
     #[error(transparent)]
     Run(#[from] Box<RunError>),
+    /// A sweep of the accuracy has a value that cannot be asked for.
+    #[error(transparent)]
+    Accuracy(#[from] AccuracyError),
+    /// No more was wanted before there was anything to write.
+    #[error("interrupted: nothing was finished, and nothing is written")]
+    Interrupted,
     /// Results cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// An animation cannot be written.
-    #[error("cannot write {}: {reason}", path.display())]
-    Animation {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        reason: String,
-    },
     /// An animation cannot be drawn.
     #[cfg(feature = "png")]
     #[error(transparent)]
@@ -106,28 +118,46 @@ pub enum PipelineError {
 /// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
 ///
 /// A motion that is refused on the way is no error: what was found is written, marked incomplete, and the outcome says
-/// why.
+/// why. If no more runs are wanted, those that were finished are written, and the outcome has the others.
 pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     options.report.check()?;
     let source = Source::read(path)?;
-    let study = read(&source, options)?;
-    let folder = Folder::begin(&options.out, &source.name)?;
-    let placed = |error: PipelineError| error.placed(&study);
-    let mut cases = vec![];
-    for (index, values) in case::combinations(&study).map_err(placed)?.into_iter().enumerate() {
-        let mut case = Case::run(&study, index + 1, values, options.progress)?;
-        tables::write(&study, &case, &folder).map_err(placed)?;
+    let (study, needed) = read(&source, options)?;
+    let folder = Folder::begin(&options.out, &source.name, &needed)?;
+    let (figures, (cases, missing)) =
+        write(&source, &study, options, &folder).map_err(|error| error.placed(&study))?;
+    let placed = folder.finish()?;
+    Ok(Outcome { folder: placed.folder, notes: placed.notes, study, figures, cases, missing })
+}
+
+/// Makes the runs and all that is told of them; the names of the figures, and the runs that were made and that were not.
+fn write(
+    source: &Source,
+    study: &Study,
+    options: &Options,
+    folder: &Folder,
+) -> Result<(Vec<String>, (Vec<Case>, Vec<Missing>)), PipelineError> {
+    let write = |case: &mut Case| {
+        tables::write(study, case, folder)?;
         if !options.no_figures {
-            case.balance = CaseBalance::of(&case).map_err(placed)?;
-            case.balance.iter().try_for_each(|balance| balance.write(&case, &folder))?;
+            case.balance = CaseBalance::of(case)?;
+            case.balance.iter().try_for_each(|balance| balance.write(case, folder))?;
         }
-        cases.push(case);
-    }
-    let figures =
-        if options.no_figures { vec![] } else { figures::write(&study, &cases, &folder).map_err(placed)? };
-    report::write(&source, &study, &cases, &folder, options.report).map_err(placed)?;
-    summary::write(&source, &study, &cases, &figures, &folder)?;
-    Ok(Outcome { folder: folder.finish()?, study, figures, cases })
+        Ok(())
+    };
+    let (cases, missing) = case::all(study, options, write)?;
+    let figures = if options.no_figures { vec![] } else { figures::write(study, &cases, folder)? };
+    let runs = Runs { cases: &cases, missing: &missing };
+    report::write(source, study, runs, folder, options.report)?;
+    summary::write(source, study, runs, &figures, folder)?;
+    Ok((figures, (cases, missing)))
+}
+
+/// The runs that were made, and those that were not.
+#[derive(Clone, Copy)]
+pub(crate) struct Runs<'a> {
+    pub(crate) cases: &'a [Case],
+    pub(crate) missing: &'a [Missing],
 }
 
 /// Runs a scene that is given as text, and writes nothing.
@@ -155,8 +185,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
 /// ```
 pub fn run_text(name: &str, text: &str) -> Result<Vec<Case>, PipelineError> {
     let study = tumble_scene::read(name, text, &[]).map_err(mistaken)?;
-    let values = case::combinations(&study)?.into_iter().enumerate();
-    values.map(|(index, values)| Case::run(&study, index + 1, values, false)).collect()
+    Ok(case::all(&study, &Options::default(), |_| Ok(()))?.0)
 }
 
 fn mistaken(diagnostics: Diagnostics) -> PipelineError {
@@ -177,44 +206,57 @@ pub struct AnimationOptions {
     pub to: Option<PathBuf>,
 }
 
+/// Animations replace animations only.
+#[cfg(feature = "png")]
+const ANIMATION: Kind = Kind { seal: tumble_report::ANIMATION_SEAL, option: "--to" };
+
 /// Runs a scene and writes its motion as an animated GIF; the path of the file.
 #[cfg(feature = "png")]
 pub fn animate(path: &Path, options: &Options, how: &AnimationOptions) -> Result<PathBuf, PipelineError> {
     let source = Source::read(path)?;
-    let study = read(&source, options)?;
-    let placed = |error: PipelineError| error.placed(&study);
-    let mut cases = vec![];
-    for (index, values) in case::combinations(&study).map_err(placed)?.into_iter().enumerate() {
-        cases.push(Case::run(&study, index + 1, values, options.progress)?);
+    let (study, _) = read(&source, options)?;
+    let to = how.to.clone().unwrap_or_else(|| options.out.join(format!("{}.gif", source.name)));
+    let file = Single::begin(&to, ANIMATION)?;
+    let (cases, missing) = case::all(&study, options, |_| Ok(())).map_err(|error| error.placed(&study))?;
+    if !missing.is_empty() {
+        return Err(PipelineError::Interrupted);
     }
     let animation = report::animation(&study, &cases)?;
     let gif = tumble_report::animation_gif(&animation, how.run.wrapping_sub(1), how.width, how.rate)?;
-    let to = how.to.clone().unwrap_or_else(|| options.out.join(format!("{}.gif", source.name)));
-    let failed =
-        |error: std::io::Error| PipelineError::Animation { path: to.clone(), reason: error.to_string() };
-    if let Some(folder) = to.parent() {
-        std::fs::create_dir_all(folder).map_err(failed)?;
-    }
-    std::fs::write(&to, gif).map_err(failed)?;
-    Ok(to)
+    Ok(file.finish(&gif)?)
 }
 
 /// Reads a scene and reports its mistakes, without running it.
 pub fn check(path: &Path, options: &Options) -> Result<Study, PipelineError> {
-    read(&Source::read(path)?, options)
+    Ok(read(&Source::read(path)?, options)?.0)
 }
 
-fn read(source: &Source, options: &Options) -> Result<Study, PipelineError> {
+/// The files beside a scene, which notes what was read of them.
+struct Noting {
+    folder: tumble_scene::Folder,
+    read: RefCell<Vec<PathBuf>>,
+}
+
+impl Files for Noting {
+    fn read(&self, relative: &str) -> io::Result<Vec<u8>> {
+        self.read.borrow_mut().push(self.folder.0.join(relative));
+        self.folder.read(relative)
+    }
+}
+
+/// The study, and the files that it was read from.
+fn read(source: &Source, options: &Options) -> Result<(Study, Vec<PathBuf>), PipelineError> {
     let overrides: Vec<Override> =
         options.set.iter().map(|(name, text)| Override { name: name.clone(), text: text.clone() }).collect();
-    let beside = tumble_scene::Folder::of(&source.path);
+    let read = RefCell::new(vec![source.path.clone()]);
+    let beside = Noting { folder: tumble_scene::Folder::of(&source.path), read };
     let mut study =
         tumble_scene::read_bytes_in(&source.path.display().to_string(), &source.bytes, &overrides, &beside)
             .map_err(mistaken)?;
     if study.title.is_empty() {
-        study.title.clone_from(&source.name);
+        study.title = source.shown_name();
     }
-    Ok(study)
+    Ok((study, beside.read.into_inner()))
 }
 
 impl From<tumble_ode::Reason> for PipelineError {

@@ -1,9 +1,15 @@
 //! A bar for work that takes over a second, on a terminal only.
 
 use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use tumble_scene::printable;
+
+use crate::pipeline::Options;
 
 /// Work is quiet for this long before a bar appears.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -18,25 +24,28 @@ pub struct Progress {
     until: f64,
     began: Instant,
     steps: Cell<u32>,
+    stop: Arc<AtomicBool>,
 }
 
 impl Progress {
-    /// A bar for a motion until that time, s; hidden unless `visible`.
-    pub fn new(title: &str, until: f64, visible: bool) -> Self {
-        let target = if visible { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    /// A bar for a motion until that time, s; hidden unless the options want one.
+    pub fn new(title: &str, until: f64, options: &Options) -> Self {
+        let target =
+            if options.progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(POSITIONS as u64), target);
         let style = ProgressStyle::with_template("{msg} {bar:40} {percent} % of the time, {eta} left");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        bar.set_message(title.to_owned());
-        Self { bar, until, began: Instant::now(), steps: Cell::new(0) }
+        bar.set_message(printable(title).into_owned());
+        Self { bar, until, began: Instant::now(), steps: Cell::new(0), stop: options.stop.clone() }
     }
 
-    /// The motion is found up to that time, s.
-    pub fn reached(&self, time: f64) {
+    /// The motion is found up to that time, s; it goes on unless no more is wanted.
+    pub fn reached(&self, time: f64) -> ControlFlow<()> {
         self.steps.set(self.steps.get().wrapping_add(1));
         if self.steps.get().is_multiple_of(STEPS_A_LOOK) && self.began.elapsed() > PATIENCE {
             self.bar.set_position((time / self.until * POSITIONS) as u64);
         }
+        if self.stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

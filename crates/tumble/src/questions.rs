@@ -28,6 +28,21 @@ pub struct FindResult {
     pub error: Option<f64>,
 }
 
+/// What becomes of a question whose time does not come in a motion, or whose event does not happen.
+pub(crate) const NOT_REACHED: &str = "not reached";
+
+impl FindResult {
+    /// Whether the motion reaches its time, and its event happens.
+    pub fn is_reached(&self) -> bool {
+        self.at.is_finite()
+    }
+
+    /// What becomes of the question, in a word or two.
+    pub fn status(&self) -> &'static str {
+        if self.is_reached() { "found" } else { NOT_REACHED }
+    }
+}
+
 /// What the scene asks for in a motion.
 pub(crate) fn finds(study: &Study, case: &Case) -> Result<Vec<FindResult>, PipelineError> {
     let answered = |question| {

@@ -2,17 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use tumble_mech::{MultipleImpacts, Run};
-use tumble_scene::{Diagnostic, Diagnostics, Study};
+use tumble_scene::{Diagnostic, Diagnostics, Study, printable};
 
-use crate::case::Case;
+use crate::case::{self, Case, Missing};
 use crate::checks::CheckResult;
 use crate::output::Folder;
-use crate::pipeline::PipelineError;
+use crate::pipeline::{PipelineError, Runs};
 use crate::questions::FindResult;
 use crate::tables::{is_angle, unit};
 
@@ -47,12 +47,23 @@ impl Source {
     }
 }
 
+impl Source {
+    /// The name as people see it.
+    pub(crate) fn shown_name(&self) -> String {
+        printable(&self.name).into_owned()
+    }
+}
+
+/// The name of a folder that results can have.
 fn scene_name(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let folder = path.canonicalize().ok().and_then(|path| {
         path.parent().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned())
     });
-    if stem == "scene" { folder.unwrap_or(stem) } else { stem }
+    let name = if stem == "scene" { folder.unwrap_or(stem) } else { stem };
+    // A file `..toml` has the name of the folder that it is in.
+    let is_plain = Path::new(&name).components().all(|part| matches!(part, Component::Normal(_)));
+    if is_plain && !name.is_empty() { name } else { "scene".to_owned() }
 }
 
 #[derive(Serialize)]
@@ -64,10 +75,25 @@ struct Summary<'a> {
     scene_sha256: String,
     title: &'a str,
     complete: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interrupted: Option<Interrupted<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<Said>,
     figures: &'a [String],
     runs: Vec<RunSummary<'a>>,
+}
+
+/// Where no more runs were wanted.
+#[derive(Serialize)]
+struct Interrupted<'a> {
+    finished: usize,
+    not_made: Vec<NotMade<'a>>,
+}
+
+#[derive(Serialize)]
+struct NotMade<'a> {
+    folder: String,
+    label: &'a str,
 }
 
 #[derive(Serialize)]
@@ -185,6 +211,7 @@ struct Find<'a> {
     at: Option<f64>,
     value: Option<f64>,
     error: Option<f64>,
+    status: &'static str,
 }
 
 #[derive(Serialize)]
@@ -199,12 +226,13 @@ struct Check<'a> {
     /// Error stated of what was found.
     error: Option<f64>,
     holds: bool,
+    status: &'static str,
 }
 
 pub(crate) fn write(
     source: &Source,
     study: &Study,
-    cases: &[Case],
+    runs: Runs<'_>,
     figures: &[String],
     folder: &Folder,
 ) -> Result<(), PipelineError> {
@@ -215,10 +243,11 @@ pub(crate) fn write(
         program_version: env!("CARGO_PKG_VERSION"),
         scene_sha256: hash(&source.bytes),
         title: &study.title,
-        complete: cases.iter().all(|case| case.refusal.is_none()),
+        complete: runs.missing.is_empty() && runs.cases.iter().all(|case| case.refusal.is_none()),
+        interrupted: interrupted(runs),
         warnings: said(&study.warnings()),
         figures,
-        runs: cases.iter().map(|case| of_run(study, case)).collect(),
+        runs: runs.cases.iter().map(|case| of_run(study, case)).collect(),
     };
     let text = serde_json::to_string_pretty(&summary).expect("a summary is plain data with text keys");
     Ok(folder.write("summary.json", (text + "\n").as_bytes())?)
@@ -240,6 +269,13 @@ fn said(diagnostics: &Diagnostics) -> Vec<Said> {
         }
     };
     diagnostics.list.iter().map(one).collect()
+}
+
+fn interrupted(runs: Runs<'_>) -> Option<Interrupted<'_>> {
+    let not_made =
+        runs.missing.iter().map(|Missing { number, label }| NotMade { folder: case::folder(*number), label });
+    let not_made: Vec<_> = not_made.collect();
+    (!not_made.is_empty()).then_some(Interrupted { finished: runs.cases.len(), not_made })
 }
 
 fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
@@ -282,7 +318,7 @@ fn numerics(study: &Study, case: &Case) -> Numerics {
     let run = &case.run;
     let work = run.trajectory.work;
     Numerics {
-        accuracy: study.accuracy.value(),
+        accuracy: case.accuracy.value(),
         order: run.trajectory.order,
         steps: work.steps,
         exact_steps: work.exact_steps,
@@ -340,6 +376,7 @@ fn find(result: &FindResult) -> Find<'_> {
         at: finite(result.at),
         value: finite(result.value),
         error: result.error.and_then(finite),
+        status: result.status(),
     }
 }
 
@@ -354,5 +391,6 @@ fn check(result: &CheckResult) -> Check<'_> {
         within: result.within,
         error: result.error.and_then(finite),
         holds: result.holds,
+        status: result.status(),
     }
 }

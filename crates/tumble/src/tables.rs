@@ -6,7 +6,7 @@ use tumble_ode::Side;
 use tumble_scene::Study;
 
 use crate::case::Case;
-use crate::output::{Folder, OutputError};
+use crate::output::{Folder, OutputError, Table};
 use crate::pipeline::PipelineError;
 
 /// Samples of a run whose scene does not say how many.
@@ -98,24 +98,22 @@ fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), Pipelin
     // The time is the first column.
     let shown = || study.quantities.iter().filter(|(name, _)| *name != "t");
     let formulas: Vec<Expr> = shown().map(|(_, quantity)| quantity.formula.clone()).collect();
-    let path = folder.path(&format!("{}/trajectory.csv", case.folder()))?;
-    let mut table = csv::Writer::from_path(path).map_err(OutputError::from)?;
+    let mut table = Table::begin(folder, &format!("{}/trajectory.csv", case.folder()))?;
     let header = shown().map(|(name, quantity)| column(name, &quantity.unit));
     let first = ["t [s]".to_owned(), "phase".to_owned()];
-    table.write_record(first.into_iter().chain(header)).map_err(OutputError::from)?;
+    table.row(first.into_iter().chain(header))?;
     for row in sample(study, &case.run, &formulas)? {
         let first = [number(row.time), row.phase.to_string()];
         let values = row.values.into_iter().map(number);
-        table.write_record(first.into_iter().chain(values)).map_err(OutputError::from)?;
+        table.row(first.into_iter().chain(values))?;
     }
-    table.flush().map_err(|error| OutputError::from(csv::Error::from(error)))?;
-    Ok(())
+    Ok(table.finish()?)
 }
 
 /// A row an event: what happened, and every state just before and just after.
 fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     let run = &case.run;
-    let mut table = csv::Writer::from_path(folder.path(&format!("{}/events.csv", case.folder()))?)?;
+    let mut table = Table::begin(folder, &format!("{}/events.csv", case.folder()))?;
     // What some modes have beyond the states of the bodies is the integrator's own.
     let states = run.equations.states(&Mode::default());
     let columns = ["before", "after"].into_iter().flat_map(|side| {
@@ -124,15 +122,14 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
             .map(move |state| format!("{side} {} [{}]", state.name, unit(state.dimension, is_angle(state))))
     });
     let first = ["t [s]".to_owned(), "what".to_owned()];
-    table.write_record(first.into_iter().chain(columns))?;
+    table.row(first.into_iter().chain(columns))?;
     for event in &run.trajectory.events {
         let first = [number(event.time), event.tags.join(", ")];
         let of_bodies = |side: &'_ [f64]| side[..states.len()].to_vec();
         let values = [of_bodies(&event.before), of_bodies(&event.after)].concat().into_iter().map(number);
-        table.write_record(first.into_iter().chain(values))?;
+        table.row(first.into_iter().chain(values))?;
     }
-    table.flush().map_err(csv::Error::from)?;
-    Ok(())
+    table.finish()
 }
 
 /// The header of a column; a pure number is in units of 1.

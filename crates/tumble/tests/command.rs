@@ -96,6 +96,138 @@ fn a_setting_of_another_dimension() {
 }
 
 #[test]
+fn the_accuracy_is_set_and_swept() {
+    let accuracy = |arguments: &[&str], scene: &str| {
+        let folder = folder();
+        write(&folder.path().join("stone/scene.toml"), scene);
+        let (code, said) = ended_in(folder.path(), arguments);
+        assert_eq!(code, Some(0), "{said}");
+        let summary = common::read(&folder.path().join("out/stone/summary.json"));
+        let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+        let runs = summary["runs"].as_array().expect("a list").clone();
+        let accuracy = |run: &serde_json::Value| run["numerics"]["accuracy"].as_f64().expect("a number");
+        (runs.iter().map(accuracy).collect::<Vec<_>>(), said)
+    };
+    let set = ["run", "stone/scene.toml", "--no-figures", "--set", "accuracy=1e-6"];
+    assert_eq!(accuracy(&set[..3], STONE).0, [1e-9]);
+    assert_eq!(accuracy(&set, STONE).0, [1e-6]);
+    let swept = format!("{STONE}\n[sweep]\naccuracy = [1e-12, \"1e-4\"]\n");
+    let (found, said) = accuracy(&["run", "stone/scene.toml"], &swept);
+    assert_eq!(found, [1e-12, 1e-4]);
+    assert!(said.contains("\n  accuracy = 1e-12: 2 s in 1 step"), "{said}");
+    assert_eq!(accuracy(&set, &swept).0, [1e-6], "what is set is not swept");
+}
+
+/// Settings may end it at 1 s, before most of what it looks at.
+const SHORT: &str = r#"
+version = 1
+world.gravity = "10 m/s^2"
+run.until = "end"
+output.every = "1.5 s"
+
+[parameters]
+end = "2 s"
+h = "99 m"
+
+[body.stone]
+point = {}
+mass = "1 kg"
+
+[event.low]
+when = "stone.y falls through -h"
+action = "stop"
+
+[find.early]
+that = "stone.y"
+at = "0.5 s"
+
+[find.late]
+that = "stone.y"
+at = "1.5 s"
+
+[check.depth]
+that = "stone.y"
+at = "2 s"
+equals = "-20 m"
+within = "1e-12 m"
+
+[plot.later]
+y = "stone.y"
+during = ["1.2 s", "1.4 s"]
+
+[stroboscope.flight]
+every = "1.5 s"
+
+[free_body.weight]
+body = "stone"
+at = ["0.5 s", "1.5 s"]
+"#;
+
+#[test]
+fn what_a_setting_leaves_out_of_the_run_is_not_reached() {
+    for set in ["end=1s", "h=5m"] {
+        let folder = folder();
+        write(&folder.path().join("stone.toml"), SHORT);
+        let (code, said) = ended_in(folder.path(), &["run", "stone.toml", "--set", set]);
+        assert_eq!(code, Some(1), "{said}");
+        let says = "not reached: its event or its time does not come in this motion\n";
+        for what in ["find late: ", "check depth: FAILS, "] {
+            assert!(said.contains(&format!("  {what}{says}")), "{said}");
+        }
+        assert!(said.contains("find early: stone.y = -1.25 m at 0.5 s"), "{said}");
+        assert!(!said.contains("NaN"), "{said}");
+        let summary = common::read(&folder.path().join("out/stone/summary.json"));
+        let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+        let run = &summary["runs"][0];
+        assert_eq!(
+            (&run["finds"][0]["status"], &run["finds"][0]["value"]),
+            (&"found".into(), &(-1.25).into())
+        );
+        assert_eq!(
+            (&run["finds"][1]["status"], &run["finds"][1]["value"]),
+            (&"not reached".into(), &().into())
+        );
+        let check = &run["checks"][0];
+        assert_eq!((&check["status"], &check["holds"]), (&"not reached".into(), &false.into()));
+        assert!(check["found"].is_null() && check["at"].is_null(), "{check}");
+        let report = common::read(&folder.path().join("out/stone/report.html"));
+        let page = report.split("<script").next().expect("text");
+        assert!(page.contains("not reached") && !page.contains("NaN"));
+    }
+    assert_eq!(ended(SHORT, &["run", "stone/scene.toml"]).0, Some(0), "without a setting all is reached");
+}
+
+#[test]
+fn nothing_that_a_terminal_obeys_is_said() {
+    let folder = folder();
+    let name = "ev\u{1b}[31mil\u{202e}\n  check all: holds";
+    write(&folder.path().join(name).join("scene.toml"), &STONE.replace("title = \"A stone falls\"\n", ""));
+    let scene = format!("{name}/scene.toml");
+    let gif = format!("{name}.gif/x");
+    let set = format!("{name}=1");
+    for arguments in [
+        &["run", &scene, "--no-figures"][..],
+        &["check", &scene],
+        &["check", "stone.toml", "--set", &set],
+        &["run", &format!("{name}.toml")],
+        &["run", &scene, "--out", &scene],
+        &["gallery", name],
+        &["new", name],
+        &["explain", name],
+        &["units", name],
+        &["animate", &scene, "--to", &gif],
+        &["completions", name],
+        &[name],
+    ] {
+        write(&folder.path().join("stone.toml"), STONE);
+        let (_, said) = ended_in(folder.path(), arguments);
+        assert!(!said.contains(|c: char| c != '\n' && tumble_scene::is_unseen(c)), "{arguments:?}: {said:?}");
+        assert!(!said.is_empty(), "{arguments:?}");
+        assert!(!said.lines().any(|line| line == "  check all: holds"), "{arguments:?}: {said}");
+    }
+}
+
+#[test]
 fn a_command_line_that_is_not_one() {
     for arguments in [&["walk"][..], &[], &["run"], &["run", "stone/scene.toml", "--set", "g"]] {
         assert_eq!(ended(STONE, arguments).0, Some(2), "{arguments:?}");

@@ -20,9 +20,9 @@ fn words(heading: &str, cell: usize) -> Vec<Vec<String>> {
     cells.map(quoted).map(words).collect()
 }
 
-/// The rows of the reserved names: the time, what formulas know, the weight, quantities of bodies.
-fn reserved() -> [Vec<String>; 4] {
-    words("### Reserved names", 1).try_into().expect("four rows")
+/// The rows of the reserved names: the time, what formulas know, the accuracy, the weight, quantities of bodies.
+fn reserved() -> [Vec<String>; 5] {
+    words("### Reserved names", 1).try_into().expect("five rows")
 }
 
 /// The codes of the mistakes of a scene with this section in it.
@@ -60,8 +60,16 @@ fn names_that_formulas_know_are_listed_and_refused() {
 }
 
 #[test]
+fn the_accuracy_is_no_parameter() {
+    let [_, _, accuracy, ..] = reserved();
+    assert_eq!(accuracy, ["accuracy"]);
+    assert_eq!(mistakes("[parameters]\naccuracy = 1"), [TAKEN]);
+    assert!(mistakes("[force.accuracy]\non = \"rod\"\ntorque = \"1 N*m\"").is_empty());
+}
+
+#[test]
 fn gravity_is_the_weight() {
-    let [_, _, weight, _] = reserved();
+    let [_, _, _, weight, _] = reserved();
     assert_eq!(weight, ["gravity"]);
     assert_eq!(mistakes("[force.gravity]\non = \"rod\"\ntorque = \"1 N*m\""), [TAKEN]);
     assert!(mistakes("[parameters]\ngravity = 1").is_empty());

@@ -1,5 +1,7 @@
 //! The runs that a motion is checked by.
 
+use std::ops::ControlFlow;
+
 use tumble_expr::Rounding;
 use tumble_ode::{Accuracy, Side};
 
@@ -31,11 +33,13 @@ impl CheckRun {
         parameters: &Parameters,
         until: f64,
         used: Accuracy,
+        progress: &impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Vec<Self>, RunError> {
         let mut all = vec![];
         for (seed, accuracy) in SEEDS.into_iter().zip([used.independent(), used]) {
-            let check = perturbed(run, parameters, until, (accuracy, Rounding::perturbed(seed)));
+            let check = perturbed(run, parameters, until, (accuracy, Rounding::perturbed(seed)), progress);
             let check = match check {
+                Err(error) if error.is_interrupted() => return Err(error),
                 Err(RunError::Refused { partial, .. }) => *partial,
                 other => other?,
             };
@@ -83,16 +87,18 @@ fn perturbed(
     parameters: &Parameters,
     until: f64,
     (accuracy, rounding): (Accuracy, Rounding),
+    progress: &impl Fn(f64) -> ControlFlow<()>,
 ) -> Result<Run, RunError> {
     let parameters = parameters.rounded(rounding);
     let equations = run.equations.rounded(rounding);
     let start = equations.start(&parameters)?;
-    let found = Run::from_start(equations.clone(), start, until, accuracy, |_| ());
+    let found = Run::from_start(equations.clone(), start, until, accuracy, progress);
     match found {
+        Err(error) if error.is_interrupted() => Err(error),
         // At the edge of what can begin, a few ulps decide: then it begins as the motion does.
         Err(RunError::Refused { partial, .. }) if partial.trajectory.pieces.is_empty() => {
             let parameters = parameters.rounded(Rounding::NEAREST);
-            Run::new(equations.rounded(Rounding::NEAREST), &parameters, until, accuracy, |_| ())
+            Run::new(equations.rounded(Rounding::NEAREST), &parameters, until, accuracy, progress)
         }
         found => found,
     }

@@ -42,6 +42,8 @@ mod errors;
 mod instant;
 mod phases;
 
+use std::ops::ControlFlow;
+
 use tumble_expr::Expr;
 use tumble_ode::{Accuracy, Side};
 
@@ -128,11 +130,11 @@ impl Run {
         parameters: &Parameters,
         until: f64,
         accuracy: Accuracy,
-        progress: impl Fn(f64),
+        progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<(Self, Trust), RunError> {
         let at = |held: Accuracy| {
             let run = Self::refined(model.clone(), parameters, until, held, &progress)?;
-            let trust = Trust::of(&run, parameters, until, (accuracy, held))?;
+            let trust = Trust::of(&run, parameters, until, (accuracy, held), &progress)?;
             Ok::<_, RunError>((run, trust))
         };
         let mut best = at(accuracy)?;
@@ -144,6 +146,7 @@ impl Run {
             // A finer attempt that is refused leaves what was found before.
             match at(held) {
                 Ok(next) if next.1.is_better(&best.1) => best = next,
+                Err(error) if error.is_interrupted() => return Err(error),
                 _ => break,
             }
         }
@@ -157,8 +160,9 @@ impl Trust {
         parameters: &Parameters,
         until: f64,
         (asked, used): (Accuracy, Accuracy),
+        progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
-        let checks = CheckRun::all(run, parameters, until, used)?;
+        let checks = CheckRun::all(run, parameters, until, used, &progress)?;
         let horizons = checks.iter().filter_map(|check| check.phases.divergence.clone());
         let horizon = horizons.min_by(|a, b| a.time.total_cmp(&b.time));
         let end = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);

@@ -39,6 +39,13 @@ fn it_lasts_as_long_as_the_motion_and_moves() {
 }
 
 #[test]
+fn it_says_whose_it_is() {
+    let bytes = animation_gif(&pendulum(), 0, 120, 5.0).expect("an animation");
+    let seals = bytes.windows(ANIMATION_SEAL.len()).filter(|part| *part == ANIMATION_SEAL.as_bytes());
+    assert_eq!(seals.count(), 1);
+}
+
+#[test]
 fn equal_motions_give_equal_bytes() {
     let gif = || animation_gif(&pendulum(), 0, 120, 5.0).expect("an animation");
     assert_eq!(gif(), gif());

@@ -9,6 +9,8 @@ pub(super) fn string(text: &str) -> String {
         match c {
             '"' => out.push_str("\\\""),
             '\\' => out.push_str("\\\\"),
+            // A page would obey it, however it is written here.
+            c if crate::svg::turns(c) => out.push('\u{FFFD}'),
             '<' | '>' | '&' | '\'' | '\u{2028}' | '\u{2029}' | '\u{7f}'..='\u{9f}' | '\0'..='\u{1f}' => {
                 // Writing to a string cannot fail.
                 write!(out, "\\u{:04x}", u32::from(c)).unwrap_or_default();

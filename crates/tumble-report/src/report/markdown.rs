@@ -40,6 +40,7 @@ fn escape(text: &str) -> String {
     for c in text.chars() {
         match c {
             c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => out.push(' '),
+            c if crate::svg::turns(c) => out.push('\u{FFFD}'),
             // Entities: many readers pass tags on whatever stands before them.
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),

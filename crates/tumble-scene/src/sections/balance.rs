@@ -11,7 +11,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 
 fn balance(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
-    let title = table.take("title").and_then(|field| draft.words(&field));
+    let title = table.take("title").and_then(|field| draft.line(&field));
     let show = match table.take("show") {
         Some(field) => draft.choice(&field, &Sheet::ALL.map(Sheet::word)),
         None => Some(Sheet::Energies.word()),

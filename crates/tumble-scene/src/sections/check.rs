@@ -12,7 +12,7 @@ use crate::draft::Draft;
 use crate::formula::Want;
 use crate::moments;
 use crate::names::Level;
-use crate::names::fit_file;
+use crate::names::fit_label;
 use crate::study::{Check, Question, When};
 
 /// Times that depend on what is looked at. No formula has two words beside each other.
@@ -31,7 +31,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 
 /// What is looked at, and when.
 fn question(draft: &mut Draft, kind: &str, field: &Field, table: &mut Table) -> Option<Question> {
-    draft.noted(fit_file(field));
+    draft.noted(fit_label(field));
     let name = field.key;
     let title = format!("the {kind} `{name}`");
     let at = when(draft, table, &title);

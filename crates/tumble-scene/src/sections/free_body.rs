@@ -17,7 +17,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 
 fn free_body(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
-    let title = table.take("title").and_then(|field| draft.words(&field));
+    let title = table.take("title").and_then(|field| draft.line(&field));
     let body = draft.required(table, "body", "\"rod\"").and_then(|field| body(draft, &field));
     let at = draft.required(table, "at", "[\"0 s\", \"1 s\"]").and_then(|given| {
         draft.remember(format!("free body `{}`", field.key), &given.span);
@@ -49,7 +49,7 @@ fn labelled(draft: &mut Draft, field: &Field) -> Option<(Instant, String)> {
     let mut table = draft.table(field, "at".to_owned())?;
     table.span = field.span.clone();
     let at = draft.required(&mut table, "at", "\"1 s\"").and_then(|at| moments::instant(draft, &at));
-    let label = table.take("label").map(|label| draft.words(&label));
+    let label = table.take("label").map(|label| draft.line(&label));
     draft.done(table);
     let at = at?;
     let label = label.unwrap_or_else(|| Some(at.text.clone()));

@@ -23,7 +23,7 @@ pub(super) fn version(draft: &mut Draft, field: &Field) {
 
 /// `title = "..."`
 pub(super) fn title(draft: &mut Draft, field: &Field) {
-    draft.title = draft.words(field).unwrap_or_default();
+    draft.title = draft.line(field).unwrap_or_default();
 }
 
 /// `plane = "vertical"`, with the weight along -y, or `"horizontal"`, seen from above.

@@ -17,7 +17,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 
 fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
-    let title = table.take("title").and_then(|field| draft.words(&field));
+    let title = table.take("title").and_then(|field| draft.line(&field));
     let name = field.key;
     let x = table.take("x").map(|field| {
         draft.remember(format!("x of the plot `{name}`"), &field.span);

@@ -5,10 +5,11 @@ use tumble_ode::Accuracy;
 
 use super::only;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
-use crate::formula::Want;
+use crate::formula::{Text, Want};
+use crate::names::ACCURACY;
 use crate::quantities;
 
 /// The model is complete here: the sections that follow speak of what comes of it.
@@ -22,19 +23,38 @@ fn run(draft: &mut Draft, table: &mut Table) {
         draft.remember("until", &field.span);
         draft.until = draft.number(&field, Want::constant(Dimension::TIME));
     }
-    if let Some(field) = table.take("accuracy") {
+    if let Some(field) = table.take(ACCURACY) {
         accuracy(draft, &field);
     }
+    set_accuracy(draft);
 }
 
 /// A plain number, relative to the size of the motion.
 fn accuracy(draft: &mut Draft, field: &Field) {
     let Some(value) = draft.bare_number(field) else { return };
-    match Accuracy::new(value) {
-        Ok(accuracy) => draft.accuracy = accuracy,
-        Err(error) => {
-            let mistake = Diagnostic::new(Code::Accuracy, field.span.clone(), error.to_string());
-            draft.note(mistake.label("out of range").help("write `accuracy = 1e-9`"));
+    let accuracy = possible(value, field.span.clone());
+    draft.accuracy = draft.noted(accuracy).unwrap_or_default();
+}
+
+/// What the command line asks for stands in the place of what the scene does.
+fn set_accuracy(draft: &mut Draft) {
+    let Some(setting) = draft.settings.iter().rev().find(|setting| setting.name == ACCURACY) else { return };
+    let Text { text, origin, .. } = &setting.text;
+    let accuracy = match text.trim().parse() {
+        Ok(value) => possible(value, origin.whole()),
+        Err(_) => {
+            let message = format!("`{ACCURACY}` is a number, not `{text}`");
+            Err(Diagnostic::new(Code::WrongType, origin.whole(), message).label("not a number"))
         }
-    }
+    };
+    let accuracy = accuracy.map_err(|mistake| mistake.within(origin.source));
+    draft.accuracy = draft.noted(accuracy).unwrap_or_default();
+}
+
+/// An accuracy that can be asked for, or the mistake.
+pub(super) fn possible(value: f64, span: Span) -> Result<Accuracy, Diagnostic> {
+    Accuracy::new(value).map_err(|error| {
+        let mistake = Diagnostic::new(Code::Accuracy, span, error.to_string());
+        mistake.label("out of range").help("write `accuracy = 1e-9`")
+    })
 }

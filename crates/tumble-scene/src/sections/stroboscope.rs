@@ -14,7 +14,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 
 fn stroboscope(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
-    let title = table.take("title").and_then(|field| draft.words(&field));
+    let title = table.take("title").and_then(|field| draft.line(&field));
     let bodies = match table.take("body") {
         Some(field) => bodies(draft, &field),
         None => Some((0..draft.model.bodies.len()).collect()),

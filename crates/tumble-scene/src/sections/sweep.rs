@@ -1,16 +1,19 @@
-//! `[sweep]`: parameters that take several values, one run each.
+//! `[sweep]`: parameters, and the accuracy, that take several values, one run each.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use tumble_expr::{Binary, Expr, Node, Substitution};
+use tumble_expr::{Binary, Dimension, Expr, Node, Substitution};
 
+use super::run::possible;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, fields};
 use crate::draft::Draft;
 use crate::formula::Want;
-use crate::study::{SweepAxis, SweepValue};
+use crate::names::ACCURACY;
+use crate::printable::one_line;
+use crate::study::{SweepAxis, SweepValue, Swept};
 use crate::unit_text::UnitText;
 
 /// More runs than this are a slip of a count.
@@ -21,7 +24,11 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
     let fields = fields(table);
     let mut axes = vec![];
     for field in &fields {
-        let values = draft.parameter(field).and_then(|want| values(draft, field, want));
+        let want = match field.key {
+            ACCURACY => Some(Want::constant(Dimension::NONE)),
+            _ => draft.parameter(field),
+        };
+        let values = want.and_then(|want| values(draft, field, want));
         if let Some(values) = &values {
             refuse_same(draft, field, values);
         }
@@ -34,8 +41,25 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
     for (field, values) in &axes {
         let closed: Vec<_> = values.iter().map(|value| closed(draft, field, &swept, value)).collect();
         let Some(values) = closed.into_iter().collect::<Option<Vec<_>>>() else { continue };
-        draft.sweep.push(SweepAxis { parameter: field.key.to_owned(), values });
+        let of = match field.key {
+            ACCURACY => Swept::Accuracy,
+            parameter => Swept::Parameter(parameter.to_owned()),
+        };
+        if of == Swept::Accuracy {
+            refuse_accuracies(draft, field, &values);
+        }
+        draft.sweep.push(SweepAxis { of, values });
     }
+}
+
+/// The first value that is no accuracy.
+fn refuse_accuracies(draft: &mut Draft, field: &Field, values: &[SweepValue]) {
+    let formulas: Vec<Expr> = values.iter().map(|value| value.value.clone()).collect();
+    let Ok(numbers) = draft.model.parameters.evaluate(&formulas) else { return };
+    let elements = field.elements();
+    let span = |at: usize| elements.as_ref().map_or(field.span.clone(), |all| all[at].span.clone());
+    let mistake = numbers.iter().enumerate().find_map(|(at, value)| possible(*value, span(at)).err());
+    mistake.into_iter().for_each(|mistake| draft.note(mistake));
 }
 
 /// Two runs of one label are one run twice, or cannot be told apart in a legend.
@@ -89,13 +113,13 @@ fn one(draft: &mut Draft, field: &Field, want: Want) -> Option<SweepValue> {
     if !field.value.is_table() {
         let value = draft.number(field, want)?;
         let text = draft.text(field, want)?.text;
-        return Some(SweepValue { value, label: format!("{} = {}", field.key, text.trim()) });
+        return Some(SweepValue { value, label: format!("{} = {}", field.key, one_line(&text)) });
     }
     let mut inner = draft.table(field, field.key.to_owned())?;
     inner.span = field.span.clone();
     let example = format!("\"{}\"", want.example("1"));
     let value = draft.required(&mut inner, "value", &example).and_then(|field| draft.number(&field, want));
-    let label = draft.required(&mut inner, "label", "\"..\"").and_then(|field| draft.words(&field));
+    let label = draft.required(&mut inner, "label", "\"..\"").and_then(|field| draft.line(&field));
     draft.done(inner);
     Some(SweepValue { value: value?, label: label? })
 }

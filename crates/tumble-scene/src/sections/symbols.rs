@@ -28,7 +28,7 @@ fn all(draft: &mut Draft, before: &str, table: &DeTable) {
 }
 
 fn one(draft: &mut Draft, name: String, field: &Field) {
-    let Some(symbol) = draft.words(field) else { return };
+    let Some(symbol) = draft.line(field) else { return };
     let scope = draft.names.scope(Level::Output);
     if scope.value(&name).is_none() && !scope.is_function(&name) {
         if !draft.names.is_broken(&name) {

@@ -1,5 +1,7 @@
 //! The systems: as models, as plain right-hand sides for the peer, and their references at 34 digits.
 
+use std::ops::ControlFlow;
+
 use tumble::prelude::*;
 use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Release, Surface};
 
@@ -23,7 +25,8 @@ impl Problem {
     pub(crate) fn run(&self, accuracy: f64) -> Run {
         let accuracy = Accuracy::new(accuracy).expect("allowed");
         let equations = tumble_mech::Equations::new(self.model.clone()).expect("sound");
-        Run::new(equations, &self.model.parameters, self.until, accuracy, |_| ()).expect("smooth")
+        Run::new(equations, &self.model.parameters, self.until, accuracy, |_| ControlFlow::Continue(()))
+            .expect("smooth")
     }
 
     pub(crate) fn error(&self, run: &Run) -> f64 {

@@ -133,7 +133,10 @@ fn shown(check: &CheckResult) -> Check {
     Check {
         what: what.and(at),
         expected: precise(check.expected, unit),
-        found: precise(check.found, unit).and(error(check)),
+        found: match check.is_reached() {
+            true => precise(check.found, unit).and(error(check)),
+            false => check.status().into(),
+        },
         within: precise(check.within, unit),
         passed: check.holds,
     }
@@ -149,7 +152,9 @@ fn error(check: &CheckResult) -> Text {
 
 /// Every digit: what was compared.
 fn precise(value: f64, unit: &str) -> Text {
-    let number = if value.is_finite() { format!("{value:?}") } else { "–".to_owned() };
-    let number = Text::from(number.replace('-', "−"));
+    if !value.is_finite() {
+        return "–".into();
+    }
+    let number = Text::from(format!("{value:?}").replace('-', "−"));
     if unit.is_empty() { number } else { number.and("\u{a0}").and(tumble_report::Label::unit(unit)) }
 }

@@ -65,12 +65,12 @@ pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineErr
 fn asked(case: &Case) -> Vec<Text> {
     let text = |find: &FindResult| {
         let words = Text::from(format!("{}: {}", find.name.replace(['-', '_'], " "), find.that));
-        let words = match find.at.is_finite() {
+        let words = match find.is_reached() {
             true => {
                 let value = with_digits(find.value, find.error, &find.unit);
                 words.and(" = ").and(value).and(", at ").and(quantity(find.at, "s")).and(".")
             }
-            false => words.and(" is not there: its event or its time was not reached."),
+            false => words.and(": not reached, its time does not come in this motion."),
         };
         of_case(case, words)
     };

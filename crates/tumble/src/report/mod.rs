@@ -13,12 +13,12 @@ mod model;
 mod names;
 mod solve;
 
-use tumble_report::report::Report;
+use tumble_report::report::{Report, Text};
 use tumble_scene::Study;
 
 use crate::case::Case;
 use crate::output::Folder;
-use crate::pipeline::PipelineError;
+use crate::pipeline::{PipelineError, Runs};
 use crate::summary::Source;
 
 use names::Names;
@@ -49,15 +49,15 @@ impl Form {
 pub(crate) fn write(
     source: &Source,
     study: &Study,
-    cases: &[Case],
+    runs: Runs<'_>,
     folder: &Folder,
     form: Form,
 ) -> Result<(), PipelineError> {
     let (file, content) = match form {
         Form::None => return Ok(()),
-        Form::Html => ("report.html", build(source, study, cases)?.html().into()),
-        Form::Markdown => ("report.md", build(source, study, cases)?.markdown().into()),
-        Form::Pdf => ("report.pdf", pdf(&build(source, study, cases)?)?),
+        Form::Html => ("report.html", build(source, study, runs)?.html().into()),
+        Form::Markdown => ("report.md", build(source, study, runs)?.markdown().into()),
+        Form::Pdf => ("report.pdf", pdf(&build(source, study, runs)?)?),
     };
     Ok(folder.write(file, &content)?)
 }
@@ -75,13 +75,14 @@ fn pdf(_: &Report) -> Result<Vec<u8>, PipelineError> {
 }
 
 /// Identify, model, solve, analyze.
-fn build(source: &Source, study: &Study, cases: &[Case]) -> Result<Report, PipelineError> {
+fn build(source: &Source, study: &Study, runs: Runs<'_>) -> Result<Report, PipelineError> {
+    let cases = runs.cases;
     let first = study.with(&cases[0].parameters);
     let names = Names::of(&first)?;
     Ok(Report {
         title: study.title.clone(),
         language: "en".to_owned(),
-        intro: vec![],
+        intro: interrupted(runs).into_iter().collect(),
         meta: meta(source),
         math_font_css: Some(tumble_math::page_font().to_owned()).filter(|css| !css.is_empty()),
         identify: identify::of(&first, &names, &cases[0])?,
@@ -89,6 +90,14 @@ fn build(source: &Source, study: &Study, cases: &[Case]) -> Result<Report, Pipel
         solve: solve::of(&first, &names, cases)?,
         analyze: analyze::of(study, &names, cases)?,
     })
+}
+
+/// That runs are missing.
+fn interrupted(runs: Runs<'_>) -> Option<Text> {
+    let all = runs.cases.len() + runs.missing.len();
+    let words =
+        format!("Interrupted: {} of {all} runs were made, and this report has no others.", runs.cases.len());
+    (!runs.missing.is_empty()).then(|| words.into())
 }
 
 /// The motion of every run, to be drawn frame by frame.
@@ -103,7 +112,7 @@ pub(crate) fn animation(
 fn meta(source: &Source) -> Vec<(String, String)> {
     let program = format!("tumble {}", env!("CARGO_PKG_VERSION"));
     vec![
-        ("Scene".to_owned(), source.name.clone()),
+        ("Scene".to_owned(), source.shown_name()),
         ("SHA-256 of the scene".to_owned(), crate::summary::hash(&source.bytes)),
         ("Program".to_owned(), program),
     ]

@@ -31,12 +31,12 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
     Ok(Solve {
         intro: vec![intro.into()],
         phases,
-        method: method(study, cases),
+        method: method(cases),
         tables: cases.iter().map(events).collect(),
     })
 }
 
-fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
+fn method(cases: &[Case]) -> Vec<(Text, Text)> {
     let row = |name: &str, value: &dyn Fn(&Case) -> String| {
         let values: Vec<(&str, String)> = cases.iter().map(|case| (&*case.label, value(case))).collect();
         (Text::from(name), Text::from(by_run(&values)))
@@ -44,7 +44,7 @@ fn method(study: &Study, cases: &[Case]) -> Vec<(Text, Text)> {
     let work = |case: &Case| case.run.trajectory.work;
     let mut rows = vec![
         row("Method", &|_| "Taylor series, each step checked against the equations".to_owned()),
-        row("Accuracy asked", &|_| format!("{:e}", study.accuracy.value())),
+        row("Accuracy asked", &|case| format!("{:e}", case.accuracy.value())),
         row("Order of the series", &|case| case.run.trajectory.order.to_string()),
         row("Steps", &|case| work(case).steps.to_string()),
         row("of them exact, the motion being a polynomial", &|case| work(case).exact_steps.to_string()),

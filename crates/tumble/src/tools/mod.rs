@@ -7,4 +7,5 @@ pub(crate) mod say;
 #[cfg(test)]
 mod scaffold;
 pub(crate) mod schema;
+pub(crate) mod stop;
 pub(crate) mod units;

@@ -1,10 +1,11 @@
 //! `tumble new NAME`: a scene to start from.
 
-use std::fs;
-use std::io::{self, BufRead, IsTerminal};
+use std::fs::{self, File};
+use std::io::{self, BufRead, IsTerminal, Write};
 use std::path::Path;
 
 use clap::ValueEnum;
+use tumble_scene::{file_name_fault, printable};
 
 use super::say::{say, tell};
 use crate::commands::Ending;
@@ -43,13 +44,10 @@ impl Kind {
     }
 }
 
-/// Names that a folder cannot have on every system.
-const RESERVED: &[&str] = &["con", "prn", "aux", "nul"];
-
 /// Writes the scene of a kind into a new folder.
 pub(crate) fn run(name: &str, kind: Option<Kind>) -> Ending {
-    if let Err(why) = fit(name) {
-        tell!("error: \"{name}\" cannot be the name of a scene: {why}");
+    if let Some(fault) = file_name_fault(name) {
+        tell!("error: \"{}\" cannot be the name of a scene: {fault}", printable(name));
         return Ending::Mistake;
     }
     // Before anything is asked.
@@ -73,29 +71,15 @@ pub(crate) fn run(name: &str, kind: Option<Kind>) -> Ending {
     }
 }
 
-/// A name is that of one folder in this one.
-fn fit(name: &str) -> Result<(), &'static str> {
-    let special = |c: char| c.is_control() || r#"/\:*?"<>|"#.contains(c);
-    match name {
-        "" => Err("it is empty"),
-        _ if name.contains(special) => {
-            Err("it leads to another folder, or has characters that files cannot have")
-        }
-        _ if name.starts_with(['.', '-']) => Err("it begins with a point or a hyphen"),
-        _ if name.trim() != name || name.ends_with('.') => {
-            Err("it begins with a space, or ends in a space or a point")
-        }
-        _ if RESERVED.contains(&name.to_lowercase().as_str()) => Err("some systems keep it for themselves"),
-        _ => Ok(()),
-    }
-}
-
 /// The folder must be new, so that nothing is overwritten.
 fn write(folder: &Path, scene: &str) -> io::Result<()> {
     fs::create_dir(folder)?;
-    fs::write(folder.join("scene.toml"), scene).inspect_err(|_| {
-        // What was only begun does not stay; it cannot hold anything of anybody's.
-        let _ = fs::remove_dir_all(folder);
+    let file = folder.join("scene.toml");
+    let written = File::create_new(&file).and_then(|mut made| made.write_all(scene.as_bytes()));
+    written.inspect_err(|_| {
+        // What was only begun does not stay, and the folder goes if it is empty.
+        let _ = fs::remove_file(&file);
+        let _ = fs::remove_dir(folder);
     })
 }
 
@@ -133,19 +117,6 @@ fn asked(answers: &mut dyn BufRead) -> Option<Kind> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_name_is_one_folder_here() {
-        for name in ["swing", "my-scene 2", "Öse", "a.b"] {
-            assert_eq!(fit(name), Ok(()), "{name}");
-        }
-        for name in [
-            "", ".", "..", "../up", "a/b", "/tmp/x", "a\\b", "c:x", "-x", ".x", "x.", " x", "x ", "NUL",
-            "a\nb",
-        ] {
-            assert!(fit(name).is_err(), "{name:?}");
-        }
-    }
 
     #[test]
     fn an_answer_is_a_number_a_name_or_nothing() {

@@ -1,8 +1,11 @@
-//! Writing to the two streams. A reader that went away, as in `tumble units | head -1`, is no mistake.
+//! Writing to the two streams, so that nothing in a scene, a table or a path is obeyed by a terminal. A reader that went
+//! away, as in `tumble units | head -1`, is no mistake.
 
 use std::fmt::Arguments;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::sync::OnceLock;
+
+use tumble_scene::printable_lines;
 
 /// Why standard output took no more, unless its reader had gone.
 static LOST: OnceLock<String> = OnceLock::new();
@@ -21,6 +24,11 @@ pub(crate) use {say, tell};
 
 /// Writes a line to standard output; what it does not take is remembered.
 pub(crate) fn out(text: Arguments) {
+    script(&printable_lines(&text.to_string()));
+}
+
+/// Writes a text that has nothing of a user in it to standard output, for programs.
+pub(crate) fn script(text: &str) {
     if let Err(error) = line(&mut io::stdout().lock(), text)
         && error.kind() != ErrorKind::BrokenPipe
     {
@@ -30,10 +38,15 @@ pub(crate) fn out(text: Arguments) {
 
 /// Writes a line to standard error, behind which nobody is left to be told of a failure.
 pub(crate) fn error(text: Arguments) {
+    drawn(&printable_lines(&text.to_string()));
+}
+
+/// Writes to standard error what a terminal may obey: colours that are our own, around texts that were made printable.
+pub(crate) fn drawn(text: &str) {
     let _ = line(&mut io::stderr().lock(), text);
 }
 
-fn line(stream: &mut dyn Write, text: Arguments) -> io::Result<()> {
+fn line(stream: &mut dyn Write, text: &str) -> io::Result<()> {
     writeln!(stream, "{text}")?;
     stream.flush()
 }
@@ -92,6 +105,6 @@ mod tests {
                 Ok(())
             }
         }
-        assert_eq!(line(&mut Gone, format_args!("x")).expect_err("gone").kind(), ErrorKind::BrokenPipe);
+        assert_eq!(line(&mut Gone, "x").expect_err("gone").kind(), ErrorKind::BrokenPipe);
     }
 }

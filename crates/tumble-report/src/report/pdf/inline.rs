@@ -45,6 +45,7 @@ pub(super) fn string(text: &str) -> String {
     let escape = |c: char| match c {
         '"' | '\\' => format!("\\{c}"),
         c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => " ".to_owned(),
+        c if crate::svg::turns(c) => "\u{FFFD}".to_owned(),
         _ => c.to_string(),
     };
     format!("\"{}\"", text.chars().map(escape).collect::<String>())

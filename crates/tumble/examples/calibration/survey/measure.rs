@@ -65,7 +65,7 @@ fn find(case: &Case, name: &str) -> (Option<f64>, Option<f64>) {
 /// The start of the contact that lasts to the end.
 fn rest(case: &Case) -> (Option<f64>, Option<f64>) {
     let start = case.run.contacts().iter().find(|contact| contact.is_open).map(|contact| contact.start);
-    (start, start.zip(case.trust.as_ref()).and_then(|(start, trust)| trust.event_error(start)))
+    (start, start.zip(case.trust.as_ref()).and_then(|(start, trust)| trust.event_error(&case.run, start)))
 }
 
 fn words(panic: &(dyn Any + Send)) -> String {

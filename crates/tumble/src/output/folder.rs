@@ -1,0 +1,375 @@
+//! The folder of one scene's results: written aside, then put in place whole.
+
+use std::cell::RefCell;
+use std::fs::{self, File};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use super::lock::Lock;
+use super::manifest::{HEAD, MARKER, Manifest};
+use super::table::Sink;
+use super::{Foreign, OutputError, PARTIAL, attempt, beside, leftovers, make, shown};
+
+/// What chooses another place for results.
+const OPTION: &str = "--out";
+/// Ending of the last results while they are replaced.
+const OLD: &str = "old";
+
+/// A folder being filled.
+#[derive(Debug)]
+pub(crate) struct Folder {
+    aside: PathBuf,
+    place: PathBuf,
+    /// What the scene is read from.
+    needed: Vec<PathBuf>,
+    written: RefCell<Manifest>,
+    /// The list as it grows, for whoever finds the folder of a run that was killed.
+    marker: RefCell<Option<File>>,
+    /// Whether what was written stays where it is.
+    is_kept: bool,
+    notes: Vec<String>,
+    /// Given up last.
+    _lock: Lock,
+}
+
+/// Results in their place.
+#[derive(Debug)]
+pub(crate) struct Placed {
+    /// The folder.
+    pub(crate) folder: PathBuf,
+    /// What is left over and was not removed, with the reason.
+    pub(crate) notes: Vec<String>,
+}
+
+impl Folder {
+    /// Begins the folder `name` in `out`. What stood there before stays until [`Folder::finish`].
+    ///
+    /// The scene is read from the files `needed`, which must not be in what is replaced.
+    pub(crate) fn begin(out: &Path, name: &str, needed: &[PathBuf]) -> Result<Self, OutputError> {
+        make(out, OPTION)?;
+        let place = out.join(name);
+        let lock = Lock::take(&place, OPTION)?;
+        refuse(&place, needed)?;
+        let notes = if lock.is_sure { clear(&place) } else { vec![] };
+        let aside = beside(&place, PARTIAL);
+        Ok(Self {
+            marker: RefCell::new(Some(begin(&aside)?)),
+            needed: needed.to_vec(),
+            aside,
+            place,
+            written: RefCell::default(),
+            is_kept: false,
+            notes,
+            _lock: lock,
+        })
+    }
+
+    /// A file to be written, its folders made.
+    pub(super) fn sink(&self, file: &str) -> Result<Sink, OutputError> {
+        let (path, line) = (self.aside.join(file), Manifest::begun(file));
+        let listed =
+            self.marker.borrow_mut().iter_mut().try_for_each(|marker| marker.write_all(line.as_bytes()));
+        attempt(&self.aside.join(MARKER), listed)?;
+        if let Some(parent) = path.parent() {
+            attempt(parent, fs::create_dir_all(parent))?;
+        }
+        attempt(&path, Sink::create(&path))
+    }
+
+    /// Notes a file that was written.
+    pub(super) fn wrote(&self, file: &str, sink: Sink) {
+        self.written.borrow_mut().add(file.to_owned(), sink.hash());
+    }
+
+    /// Writes a file.
+    pub(crate) fn write(&self, file: &str, contents: &[u8]) -> Result<(), OutputError> {
+        let mut sink = self.sink(file)?;
+        attempt(&self.aside.join(file), sink.write_all(contents))?;
+        self.wrote(file, sink);
+        Ok(())
+    }
+
+    /// Puts the folder in its place.
+    pub(crate) fn finish(mut self) -> Result<Placed, OutputError> {
+        // Some systems do not move a folder of which a file is open.
+        self.marker.take();
+        let (marker, text) = (self.aside.join(MARKER), self.written.borrow().text());
+        attempt(&marker, fs::write(&marker, text))?;
+        match self.put() {
+            Ok(note) => {
+                self.notes.extend(note);
+                Ok(Placed { folder: self.place.clone(), notes: std::mem::take(&mut self.notes) })
+            }
+            Err(why) => {
+                self.is_kept = true;
+                Err(OutputError::Kept { kept: self.aside.clone(), why: Box::new(why) })
+            }
+        }
+    }
+
+    /// Moves the last results away, these in, and removes the last ones; a note if those cannot be removed.
+    fn put(&self) -> Result<Option<String>, OutputError> {
+        // Much may have happened since the run began.
+        let Some(last) = refuse(&self.place, &self.needed)? else {
+            attempt(&self.place, fs::rename(&self.aside, &self.place))?;
+            return Ok(None);
+        };
+        let old = beside(&self.place, OLD);
+        attempt(&self.place, fs::rename(&self.place, &old))?;
+        let put = fs::rename(&self.aside, &self.place).inspect_err(|_| {
+            let _ = fs::rename(&old, &self.place);
+        });
+        attempt(&self.place, put)?;
+        Ok(last
+            .remove(&old)
+            .err()
+            .map(|error| format!("the last results are left in {}: {error}", shown(&old))))
+    }
+}
+
+impl Drop for Folder {
+    /// Removes what was written, if it was not put in place.
+    fn drop(&mut self) {
+        if !self.is_kept
+            && let Some(begun) = Manifest::read(&self.aside)
+        {
+            let _ = begun.remove(&self.aside);
+        }
+    }
+}
+
+/// Makes a folder that says whose it is, and its list.
+fn begin(folder: &Path) -> Result<File, OutputError> {
+    attempt(folder, fs::create_dir(folder))?;
+    let marker = folder.join(MARKER);
+    let begun = File::create_new(&marker).and_then(|mut file| file.write_all(HEAD.as_bytes()).map(|()| file));
+    let begun = begun.inspect_err(|_| {
+        let _ = fs::remove_file(&marker);
+        let _ = fs::remove_dir(folder);
+    });
+    attempt(&marker, begun)
+}
+
+/// Refuses a place where something stands that is not to be replaced; else what is on the list of what stands there.
+fn refuse(place: &Path, needed: &[PathBuf]) -> Result<Option<Manifest>, OutputError> {
+    let about = match fs::symlink_metadata(place) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        about => attempt(place, about)?,
+    };
+    let refused = |why: Foreign| Err(OutputError::foreign(place, why, OPTION));
+    if !about.is_dir() {
+        return refused(if about.is_file() { Foreign::File } else { Foreign::Special });
+    }
+    if let Some(path) = inside(place, needed) {
+        return refused(Foreign::Needed(path));
+    }
+    let Some(manifest) = Manifest::read(place) else { return refused(Foreign::Unmarked) };
+    match attempt(place, manifest.foreign(place))? {
+        Some(why) => refused(why),
+        None => Ok(Some(manifest)),
+    }
+}
+
+/// The first of these files that is in a folder, by its path there.
+fn inside(folder: &Path, files: &[PathBuf]) -> Option<PathBuf> {
+    let folder = folder.canonicalize().ok()?;
+    files.iter().find_map(|file| file.canonicalize().ok()?.strip_prefix(&folder).ok().map(Path::to_owned))
+}
+
+/// Removes what runs that were killed have left, which no living process can be writing under our lock; notes on what
+/// holds more than they wrote, which is left.
+fn clear(place: &Path) -> Vec<String> {
+    leftovers(place, &[PARTIAL, OLD]).iter().filter_map(|left| clear_one(left)).collect()
+}
+
+fn clear_one(folder: &Path) -> Option<String> {
+    let note = |why: &str| Some(format!("{}, left by a run that was ended, {why}: it stays", shown(folder)));
+    if !fs::symlink_metadata(folder).is_ok_and(|about| about.is_dir()) {
+        return note(&Foreign::Special.to_string());
+    }
+    let Some(manifest) = Manifest::read(folder) else {
+        // It may have been killed before it said so. Only an empty folder can be removed like this.
+        return fs::remove_dir(folder).err().and_then(|_| note(&Foreign::Unmarked.to_string()));
+    };
+    match manifest.unlisted(folder) {
+        Ok(Some(why)) => note(&why.to_string()),
+        Ok(None) => {
+            manifest.remove(folder).err().and_then(|error| note(&format!("cannot be removed ({error})")))
+        }
+        Err(error) => note(&format!("cannot be read ({error})")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder() -> tempfile::TempDir {
+        tempfile::tempdir().expect("a temporary folder")
+    }
+
+    fn begun(out: &Path) -> Result<Folder, OutputError> {
+        Folder::begin(out, "scene", &[])
+    }
+
+    /// Results of two files, in their place.
+    fn written(out: &Path, text: &str) -> Placed {
+        let folder = begun(out).expect("ours");
+        folder.write("file.txt", text.as_bytes()).expect("writable");
+        folder.write("deep/file.txt", text.as_bytes()).expect("writable");
+        folder.finish().expect("writable")
+    }
+
+    /// Why the results in a folder are not replaced, which must be as they were afterwards.
+    fn refused(out: &Path) -> Foreign {
+        let Err(OutputError::Foreign { place, why, .. }) = begun(out) else { panic!("replaced") };
+        assert_eq!(place, out.join("scene"));
+        assert_eq!(fs::read_dir(out).expect("readable").count(), 1, "nothing else is left");
+        why
+    }
+
+    #[test]
+    fn a_finished_folder_is_replaced_whole() {
+        let out = folder();
+        for text in ["one", "two"] {
+            let placed = written(out.path(), text);
+            assert_eq!(fs::read_to_string(placed.folder.join("deep/file.txt")).expect("there"), text);
+            assert_eq!(placed.notes, Vec::<String>::new());
+        }
+        assert_eq!(fs::read_dir(out.path()).expect("readable").count(), 1);
+    }
+
+    #[test]
+    fn what_is_not_ours_is_left_alone() {
+        let out = folder();
+        fs::create_dir(out.path().join("scene")).expect("writable");
+        fs::write(out.path().join("scene/thesis.tex"), "years of work").expect("writable");
+        assert_eq!(refused(out.path()), Foreign::Unmarked);
+        assert!(out.path().join("scene/thesis.tex").exists());
+    }
+
+    #[test]
+    fn what_came_into_our_folder_is_left_alone() {
+        let out = folder();
+        let place = written(out.path(), "ours").folder;
+        for name in ["notes.txt", "deep/notes.txt", "file.TXT", ".hidden"] {
+            fs::write(place.join(name), "mine").expect("writable");
+            assert_eq!(refused(out.path()), Foreign::Holds(name.into()));
+            fs::remove_file(place.join(name)).expect("writable");
+        }
+        fs::create_dir(place.join("empty")).expect("writable");
+        assert_eq!(refused(out.path()), Foreign::Holds("empty".into()));
+        fs::remove_dir(place.join("empty")).expect("writable");
+        fs::write(place.join("deep/file.txt"), "ours, corrected").expect("writable");
+        assert_eq!(refused(out.path()), Foreign::Changed("deep/file.txt".into()));
+        fs::remove_file(place.join("deep/file.txt")).expect("writable");
+        fs::write(place.join(".DS_Store"), "of the system").expect("writable");
+        written(out.path(), "again");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_neither_followed_nor_replaced() {
+        use std::os::unix::fs::symlink;
+        let (out, other) = (folder(), folder());
+        let place = written(out.path(), "ours").folder;
+        fs::remove_file(place.join("file.txt")).expect("writable");
+        fs::write(other.path().join("mine"), "ours").expect("writable");
+        symlink(other.path().join("mine"), place.join("file.txt")).expect("a link");
+        assert_eq!(refused(out.path()), Foreign::Holds("file.txt".into()));
+        fs::remove_file(place.join("file.txt")).expect("writable");
+        fs::rename(&place, other.path().join("moved")).expect("writable");
+        symlink(other.path().join("moved"), &place).expect("a link");
+        assert_eq!(refused(out.path()), Foreign::Special);
+    }
+
+    #[test]
+    fn what_the_scene_is_read_from_is_left_alone() {
+        let out = folder();
+        let place = written(out.path(), "ours").folder;
+        let needed = [out.path().join("scene.toml"), place.join("deep/../deep/file.txt")];
+        let Err(OutputError::Foreign { why, .. }) = Folder::begin(out.path(), "scene", &needed) else {
+            panic!("replaced")
+        };
+        assert_eq!(why, Foreign::Needed("deep/file.txt".into()));
+    }
+
+    #[test]
+    fn an_unfinished_folder_leaves_the_last_one() {
+        let out = folder();
+        let place = written(out.path(), "first").folder;
+        let second = begun(out.path()).expect("ours");
+        second.write("file.txt", b"second").expect("writable");
+        drop(second);
+        assert_eq!(fs::read_to_string(place.join("file.txt")).expect("there"), "first");
+        assert_eq!(fs::read_dir(out.path()).expect("readable").count(), 1);
+    }
+
+    #[test]
+    fn what_comes_while_a_run_is_made_is_left_alone_and_the_results_are_kept() {
+        let out = folder();
+        let place = written(out.path(), "first").folder;
+        let second = begun(out.path()).expect("ours");
+        second.write("file.txt", b"second").expect("writable");
+        fs::write(place.join("notes.txt"), "mine").expect("writable");
+        let Err(OutputError::Kept { kept, why }) = second.finish() else { panic!("replaced") };
+        assert!(matches!(*why, OutputError::Foreign { why: Foreign::Holds(_), .. }), "{why}");
+        assert_eq!(fs::read_to_string(kept.join("file.txt")).expect("there"), "second");
+        assert_eq!(fs::read_to_string(place.join("file.txt")).expect("there"), "first");
+    }
+
+    #[test]
+    fn only_one_writes_at_a_time() {
+        let out = folder();
+        let first = begun(out.path()).expect("ours");
+        assert!(matches!(begun(out.path()), Err(OutputError::Busy { .. })));
+        drop(first);
+        begun(out.path()).expect("ours again");
+    }
+
+    /// A folder as a run leaves it that is killed while it writes `file.txt`.
+    fn killed(out: &Path, name: &str) -> PathBuf {
+        let left = out.join(name);
+        drop(begin(&left).expect("writable"));
+        fs::write(left.join(MARKER), HEAD.to_owned() + &Manifest::begun("file.txt")).expect("writable");
+        fs::write(left.join("file.txt"), "cut of").expect("writable");
+        left
+    }
+
+    #[test]
+    fn what_killed_runs_have_left_is_removed() {
+        let out = folder();
+        let left = [".scene.1234.partial", ".scene.12.old"].map(|name| killed(out.path(), name));
+        fs::create_dir(out.path().join(".scene.77.partial")).expect("writable");
+        let others =
+            [".scene.1.12.partial", ".other.12.partial", ".scene.x.partial", ".scene.12.partial.bak"];
+        let others = others.map(|name| killed(out.path(), name));
+        assert_eq!(written(out.path(), "next").notes, Vec::<String>::new());
+        assert!(left.iter().all(|left| !left.exists()), "removed");
+        assert!(others.iter().all(|other| other.exists()), "none of this scene");
+        assert_eq!(fs::read_dir(out.path()).expect("readable").count(), others.len() + 1);
+    }
+
+    #[test]
+    fn what_came_into_the_folder_of_a_killed_run_is_told_of() {
+        let out = folder();
+        let left = killed(out.path(), ".scene.1234.partial");
+        fs::write(left.join("notes.txt"), "mine").expect("writable");
+        fs::create_dir_all(out.path().join(".scene.5.partial/mine")).expect("writable");
+        let notes = written(out.path(), "next").notes;
+        assert_eq!(notes.len(), 2);
+        assert!(notes[0].contains("holds notes.txt"), "{notes:?}");
+        assert!(left.join("file.txt").exists() && left.join("notes.txt").exists());
+        assert!(out.path().join(".scene.5.partial/mine").exists());
+    }
+
+    #[test]
+    fn the_list_names_every_file_with_its_hash() {
+        let out = folder();
+        let place = written(out.path(), "abc").folder;
+        let text = fs::read_to_string(place.join(MARKER)).expect("there");
+        // The example of FIPS 180-4.
+        let hash = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(text, format!("{HEAD}{hash}  deep/file.txt\n{hash}  file.txt\n"));
+    }
+}
