@@ -43,7 +43,8 @@ impl Lock {
         let name = place.file_name().unwrap_or_default().to_string_lossy();
         let path = place.with_file_name(format!(".{name}.lock"));
         for _ in 0..TRIES {
-            match attempt(&path, Self::try_take(&path))? {
+            let Some(file) = attempt(&path, open(&path))? else { continue };
+            match attempt(&path, Self::of(file, &path))? {
                 Taken::Ours(lock) => return Ok(lock),
                 Taken::Gone => continue,
                 Taken::Held => break,
@@ -53,29 +54,22 @@ impl Lock {
         Err(OutputError::Busy { place: place.to_owned(), process: holder(&path), option })
     }
 
-    fn try_take(path: &Path) -> io::Result<Taken> {
-        let Some(file) = open(path)? else { return Ok(Taken::Gone) };
+    /// Locks a file that was opened at this path, if it still is there and nobody's.
+    fn of(mut file: File, path: &Path) -> io::Result<Taken> {
         let is_sure = match file.try_lock() {
             Ok(()) => true,
             Err(TryLockError::WouldBlock) => return Ok(Taken::Held),
             Err(TryLockError::Error(_)) => false,
         };
-        let mut lock = Self { file, path: path.to_owned(), is_sure };
-        let text = lock.text()?;
-        if text.as_deref().is_some_and(|text| text.is_empty() || text.starts_with(HELD)) {
-            lock.write(&format!("{HELD}{}\n", std::process::id()))?;
-            return Ok(Taken::Ours(lock));
+        match text(&mut file)?.as_str() {
+            RETIRED => Ok(Taken::Gone),
+            text if text.is_empty() || text.starts_with(HELD) => {
+                let mut lock = Self { file, path: path.to_owned(), is_sure };
+                lock.write(&format!("{HELD}{}\n", std::process::id()))?;
+                Ok(Taken::Ours(lock))
+            }
+            _ => Ok(Taken::Foreign),
         }
-        lock.forget();
-        Ok(if text.as_deref() == Some(RETIRED) { Taken::Gone } else { Taken::Foreign })
-    }
-
-    /// What the file says; `None` if that is nothing of ours.
-    fn text(&mut self) -> io::Result<Option<String>> {
-        let mut bytes = vec![];
-        self.file.rewind()?;
-        (&self.file).take(LONGEST).read_to_end(&mut bytes)?;
-        Ok(String::from_utf8(bytes).ok())
     }
 
     fn write(&mut self, text: &str) -> io::Result<()> {
@@ -83,22 +77,23 @@ impl Lock {
         self.file.rewind()?;
         self.file.write_all(text.as_bytes())
     }
-
-    /// Lets go of a file that is not ours to remove.
-    fn forget(mut self) {
-        self.path = PathBuf::new();
-    }
 }
 
 impl Drop for Lock {
     /// Removes the file while it is locked, and only then says so in it: who has it open finds that out, and who opens
     /// the path makes a new one.
     fn drop(&mut self) {
-        if !self.path.as_os_str().is_empty() {
-            let _ = fs::remove_file(&self.path);
-            let _ = self.write(RETIRED);
-        }
+        let _ = fs::remove_file(&self.path);
+        let _ = self.write(RETIRED);
     }
+}
+
+/// What a file says, as far as it may be ours.
+fn text(file: &mut File) -> io::Result<String> {
+    let mut bytes = vec![];
+    file.rewind()?;
+    file.take(LONGEST).read_to_end(&mut bytes)?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// A new file, or the one that is there; `None` if it went away in between.
@@ -128,6 +123,9 @@ fn holder(path: &Path) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Duration;
+
     use super::*;
 
     fn folder() -> tempfile::TempDir {
@@ -167,26 +165,35 @@ mod tests {
         assert_eq!(fs::read_to_string(&mine).expect("there"), "mine");
     }
 
+    /// Else one could have the old file locked, and another the new one.
+    #[test]
+    fn a_lock_that_was_opened_before_it_was_given_up_is_none() {
+        let folder = folder();
+        let path = folder.path().join(".stone.lock");
+        let first = Lock::take(&folder.path().join("stone"), "--out").expect("free");
+        let opened = open(&path).expect("readable").expect("there");
+        drop(first);
+        let _second = Lock::take(&folder.path().join("stone"), "--out").expect("free again");
+        assert!(matches!(Lock::of(opened, &path), Ok(Taken::Gone)));
+        assert!(path.exists(), "the second one is held");
+    }
+
     #[test]
     fn of_many_at_once_no_two_have_it() {
         let folder = folder();
         let place = folder.path().join("stone");
-        let (holders, wins) =
-            (std::sync::atomic::AtomicUsize::new(0), std::sync::atomic::AtomicUsize::new(0));
-        let order = std::sync::atomic::Ordering::SeqCst;
-        std::thread::scope(|scope| {
-            for _ in 0..4 {
-                scope.spawn(|| {
-                    for _ in 0..200 {
-                        let Ok(lock) = Lock::take(&place, "--out") else { continue };
-                        assert_eq!(holders.fetch_add(1, order), 0, "two have it");
-                        wins.fetch_add(1, order);
-                        holders.fetch_sub(1, order);
-                        drop(lock);
-                    }
-                });
+        let (holders, taken) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let try_often = || {
+            for _ in 0..300 {
+                let Ok(lock) = Lock::take(&place, "--out") else { continue };
+                assert_eq!(holders.fetch_add(1, Ordering::SeqCst), 0, "two have it");
+                std::thread::sleep(Duration::from_micros(20));
+                holders.fetch_sub(1, Ordering::SeqCst);
+                taken.fetch_add(1, Ordering::SeqCst);
+                drop(lock);
             }
-        });
-        assert!(wins.into_inner() > 0);
+        };
+        std::thread::scope(|scope| (0..4).for_each(|_| drop(scope.spawn(try_often))));
+        assert!(taken.into_inner() > 0);
     }
 }

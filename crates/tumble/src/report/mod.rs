@@ -16,7 +16,6 @@ mod solve;
 use tumble_report::report::{Report, Text};
 use tumble_scene::Study;
 
-use crate::case::Case;
 use crate::output::Folder;
 use crate::pipeline::{PipelineError, Runs};
 use crate::summary::Source;
@@ -104,7 +103,7 @@ fn interrupted(runs: Runs<'_>) -> Option<Text> {
 #[cfg(feature = "png")]
 pub(crate) fn animation(
     study: &Study,
-    cases: &[Case],
+    cases: &[crate::case::Case],
 ) -> Result<tumble_report::report::Animation, PipelineError> {
     animation::of(study, cases)
 }
