@@ -155,9 +155,9 @@ impl Enclosure {
             (slope - box_of[k]).magnitude()
         };
         let (mut sum, mut power, mut least) = (0.0, 1.0, rest(0));
-        for k in 0..ORDER {
+        for (k, f) in f.iter().enumerate().take(ORDER) {
             let slope = (k + 1) as f64 * polynomial.get(k + 1).copied().unwrap_or(0.0);
-            sum += ((slope - f[k]).abs() + ROUNDING * slope.abs()) * power;
+            sum += ((slope - f).abs() + ROUNDING * slope.abs()) * power;
             power *= self.reach;
             least = smaller(least, sum + rest(k + 1) * power);
         }

@@ -130,13 +130,16 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     Ok(Outcome { folder: placed.folder, notes: placed.notes, study, figures, cases, missing })
 }
 
+/// Names of figures, the runs that were made, and those that were not.
+type Written = (Vec<String>, (Vec<Case>, Vec<Missing>));
+
 /// Makes the runs and all that is told of them; the names of the figures, and the runs that were made and that were not.
 fn write(
     source: &Source,
     study: &Study,
     options: &Options,
     folder: &Folder,
-) -> Result<(Vec<String>, (Vec<Case>, Vec<Missing>)), PipelineError> {
+) -> Result<Written, PipelineError> {
     let write = |case: &mut Case| {
         tables::write(study, case, folder)?;
         if !options.no_figures {

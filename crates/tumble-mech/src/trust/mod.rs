@@ -182,10 +182,10 @@ impl Trust {
             SAFETY * ULPS * floor
         });
         for (time, row) in self.states.rows() {
-            let counted = row
-                .iter()
-                .enumerate()
-                .filter(|(index, error)| !(**error <= rounding[index % MEASURES.len()]));
+            // What is no number counts.
+            let is_motion =
+                |index: usize, error: f64| error.is_nan() || error > rounding[index % MEASURES.len()];
+            let counted = row.iter().enumerate().filter(|(index, error)| is_motion(*index, **error));
             let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
             let worst = relative.fold(0.0, errors::larger);
             if worst.is_nan() || worst >= LOST {

@@ -4,7 +4,7 @@ mod bounces;
 mod bump;
 mod draw;
 mod elliptic;
-mod families;
+pub(crate) mod families;
 mod judge;
 mod measure;
 mod oscillator;
@@ -24,7 +24,6 @@ use judge::{Judged, judge};
 use measure::{Answer, measure};
 use setup::Problem;
 
-pub(crate) use families::named;
 pub(crate) use measure::Measured;
 pub(crate) use table::{missed, render};
 pub(crate) use tally::Survey;
