@@ -1,9 +1,11 @@
 //! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
 
 pub(crate) mod memory;
+mod step;
 
 use std::collections::HashMap;
 
+use step::{SHRINK, Step, shrink};
 use thiserror::Error;
 use tumble_expr::{Rounding, is_short};
 
@@ -24,8 +26,6 @@ use memory::Memory;
 const BLIND_PART: f64 = 1.0 / 8.0;
 /// Steps shorter than this part of the run are not shortened for what drifts along them: it is projected out.
 const SHORT_PART: f64 = 1e-6;
-/// A rejected step is shortened at least to this part and at most to that.
-const SHRINK: (f64, f64) = (0.1, 0.8);
 /// Shorter than this many units in the last place of the time, a step is stuck.
 const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
@@ -580,22 +580,4 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     fn just_after(&self) -> f64 {
         self.time + SIMULTANEOUS_ULPS * f64::EPSILON * self.time.abs()
     }
-}
-
-/// By how much a step is shortened whose error is so many times what is allowed.
-fn shrink(excess: f64, order: usize) -> f64 {
-    let shrink = libm::pow(excess, -1.0 / order as f64);
-    // An excess that is not a number means the step ran into a singularity: shrink hard.
-    if shrink.is_nan() { SHRINK.0 } else { shrink.clamp(SHRINK.0, SHRINK.1) }
-}
-
-/// A step from now.
-#[derive(Clone)]
-struct Step {
-    /// In units of the parameter; zero where something happens at once.
-    length: f64,
-    /// Time at its end, s.
-    end: f64,
-    /// What ends it, where it is not the check or the schedule.
-    hits: Vec<Hit>,
 }

@@ -30,7 +30,8 @@ fn main() -> Result<()> {
         [count] => print((number(count)?, SEED), None),
         [count, seed] => print((number(count)?, number(seed)?), None),
         [count, seed, family] => {
-            let known = survey::families::named(family).with_context(|| format!("there is no family `{family}`"))?;
+            let known =
+                survey::families::named(family).with_context(|| format!("there is no family `{family}`"))?;
             print((number(count)?, number(seed)?), Some(known));
         }
         _ => bail!("say COUNT SEED FAMILY or --only FAMILY SEED INDEX"),
