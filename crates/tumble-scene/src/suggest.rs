@@ -1,9 +1,15 @@
 //! What was probably meant.
 
+use tumble_expr::language::Letters;
+
 /// Longer words, characters, are not slips of a name.
 const LONGEST: usize = 100;
-/// Only so many words are compared: the time is the product of both lengths, for each of them.
-const MOST_WORDS: usize = 5000;
+/// Only so many words are looked at.
+const MOST_WORDS: usize = 20_000;
+/// Of those that have nearly the same letters only so many are compared: the time is the product of both lengths.
+const MOST_COMPARED: usize = 500;
+/// A longer list helps nobody.
+const MOST_LISTED: usize = 40;
 
 /// The word fewest slips away, if they are few.
 pub(crate) fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
@@ -12,8 +18,9 @@ pub(crate) fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) 
     if length > LONGEST {
         return None;
     }
-    let near =
-        words.into_iter().take(MOST_WORDS).filter(|known| known.chars().count().abs_diff(length) <= most);
+    let letters = Letters::of(word);
+    let fits = |known: &&str| known.len() <= 2 * LONGEST && letters.slips_to(known) <= most;
+    let near = words.into_iter().take(MOST_WORDS).filter(fits).take(MOST_COMPARED);
     let scored = near.map(|known| (slips(word, known), known));
     let (least, best) = scored.min_by_key(|(slips, _)| *slips)?;
     (least <= most).then_some(best)
@@ -44,7 +51,11 @@ pub(crate) fn name<'w>(word: &str, kind: &str, known: impl IntoIterator<Item = &
 
 /// `a`, `b` and `c`
 pub(crate) fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
-    let mut quoted: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
-    let last = quoted.pop().unwrap_or_default();
+    let mut words = words.into_iter();
+    let mut quoted: Vec<String> = words.by_ref().take(MOST_LISTED).map(|word| format!("`{word}`")).collect();
+    let last = match words.count() {
+        0 => quoted.pop().unwrap_or_default(),
+        more => format!("{more} more"),
+    };
     if quoted.is_empty() { last } else { format!("{} and {last}", quoted.join(", ")) }
 }

@@ -35,6 +35,9 @@ pub(super) fn decimal(text: &str) -> Option<BigRational> {
         return Some(BigRational::zero());
     }
     let shift = exponent.parse::<i32>().ok()?.checked_sub(i32::try_from(fraction.len()).ok()?)?;
+    if shift == 0 {
+        return Some(BigRational::from_integer(digits));
+    }
     Some(BigRational::from_integer(digits) * BigRational::from_integer(10.into()).pow(shift))
 }
 

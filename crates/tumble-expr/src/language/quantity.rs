@@ -198,6 +198,9 @@ impl Scale {
     fn times(&mut self, unit: &NamedUnit, exponent: Exponent) -> Option<()> {
         self.dimension = self.dimension.times(unit.dimension.power(exponent)?)?;
         self.pi += exponent * unit.pi;
+        if unit.is_coherent() {
+            return Some(());
+        }
         let factor = unit.ratio().pow(*exponent.numer());
         match root(&factor, *exponent.denom()) {
             Some(exact) => self.ratio *= exact,

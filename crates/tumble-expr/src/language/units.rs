@@ -49,6 +49,11 @@ impl NamedUnit {
         known.map_or("", |(.., measure)| measure)
     }
 
+    /// Whether it is one SI unit, pi left out.
+    pub(super) fn is_coherent(&self) -> bool {
+        self.factor == "1"
+    }
+
     /// The factor as a number, pi left out.
     pub fn ratio(&self) -> BigRational {
         let (above, below) = self.factor.split_once('/').unwrap_or((self.factor, "1"));

@@ -12,9 +12,14 @@ use crate::draft::Draft;
 use crate::formula::{self, Text, Want};
 use crate::names::{Level, Names};
 
+/// A longer circle is not named whole.
+const MOST_NAMED: usize = 12;
+
 struct Parameter {
     name: String,
     text: Text,
+    /// The text read, unless it has mistakes.
+    formula: Option<Formula>,
     /// What the command line puts in its place.
     setting: Option<Text>,
 }
@@ -43,7 +48,8 @@ fn parameter(draft: &mut Draft, field: &Field) -> Option<Parameter> {
     draft.remember(format!("parameter `{}`", field.key), &field.span);
     let setting = draft.settings.iter_mut().rev().find(|setting| setting.name == field.key);
     let setting = setting.map(|setting| setting.text.clone());
-    Some(Parameter { name: field.key.to_owned(), text, setting })
+    let formula = parse(&text.text).ok();
+    Some(Parameter { name: field.key.to_owned(), text, formula, setting })
 }
 
 fn define(draft: &mut Draft, parameter: &Parameter) {
@@ -61,7 +67,7 @@ fn define(draft: &mut Draft, parameter: &Parameter) {
 fn value(draft: &mut Draft, parameter: &Parameter) -> Option<Expr> {
     let own = formula::number(&draft.names, &parameter.text, Want::any());
     let own = draft.all_noted(own)?;
-    if parse(&parameter.text.text).is_ok_and(|formula| formula.stated_unit() == StatedUnit::Angle) {
+    if parameter.formula.as_ref().is_some_and(|formula| formula.stated_unit() == StatedUnit::Angle) {
         draft.angular.insert(parameter.name.clone());
     }
     let Some(setting) = &parameter.setting else { return Some(own) };
@@ -98,9 +104,9 @@ fn dependencies(names: &Names, parameters: &[Parameter]) -> Vec<BTreeSet<usize>>
     let index: BTreeMap<&str, usize> =
         parameters.iter().enumerate().map(|(i, p)| (p.name.as_str(), i)).collect();
     let of = |parameter: &Parameter| {
-        let texts = std::iter::once(&parameter.text).chain(&parameter.setting);
-        let formulas = texts.filter_map(|text| parse(&text.text).ok());
-        let used = formulas.flat_map(|formula| used_names(names, &formula));
+        let set = parameter.setting.as_ref().and_then(|text| parse(&text.text).ok());
+        let formulas = parameter.formula.iter().chain(&set);
+        let used = formulas.flat_map(|formula| used_names(names, formula));
         used.filter_map(|name| index.get(name.as_str()).copied()).collect()
     };
     parameters.iter().map(of).collect()
@@ -138,20 +144,23 @@ fn report_circle(draft: &mut Draft, parameters: &[Parameter], uses: &[BTreeSet<u
         draft.names.break_name(&parameters[index].name);
     }
     let Some(mut at) = (0..waits.len()).find(waiting) else { return };
-    let mut path = vec![];
-    while !path.contains(&at) {
+    let (mut path, mut places) = (vec![], BTreeMap::new());
+    while !places.contains_key(&at) {
+        places.insert(at, path.len());
         path.push(at);
         let Some(next) = uses[at].iter().copied().find(waiting) else { return };
         at = next;
     }
-    let begins = path.iter().position(|index| *index == at).unwrap_or(0);
+    let begins = places[&at];
     let circle: Vec<&Parameter> = path[begins..].iter().map(|index| &parameters[*index]).collect();
     draft.note(circular(&circle));
 }
 
 fn circular(circle: &[&Parameter]) -> Diagnostic {
-    let names: Vec<_> =
-        circle.iter().chain(circle.first()).map(|parameter| parameter.name.as_str()).collect();
+    let all = circle.iter().map(|parameter| parameter.name.as_str());
+    let shown = if circle.len() > MOST_NAMED { MOST_NAMED } else { circle.len() };
+    let left_out = (shown < circle.len()).then_some("...");
+    let names: Vec<_> = all.clone().take(shown).chain(left_out).chain(all.take(1)).collect();
     let message = format!("these parameters depend on each other in a circle: {}", names.join(" -> "));
     let span = |parameter: &Parameter| parameter.text.origin.span.clone();
     let next = |index: usize| &circle[(index + 1) % circle.len()].name;

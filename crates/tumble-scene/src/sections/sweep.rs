@@ -1,9 +1,10 @@
 //! `[sweep]`: parameters, and the accuracy, that take several values, one run each.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Binary, Dimension, Expr, Node, Substitution};
+use tumble_expr::{Binary, Dimension, Expr, Substitution};
+use tumble_mech::{Known, Parameters};
 
 use super::run::possible;
 use crate::code::Code;
@@ -22,13 +23,16 @@ const MAX_RUNS: usize = 10_000;
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
     let fields = fields(table);
+    let parameters = draft.model.parameters.clone();
+    // A parameter without a value is reported where it stands.
+    let known = parameters.known().ok();
     let mut axes = vec![];
     for field in &fields {
         let want = match field.key {
             ACCURACY => Some(Want::constant(Dimension::NONE)),
             _ => draft.parameter(field),
         };
-        let values = want.and_then(|want| values(draft, field, want));
+        let values = want.and_then(|want| values(draft, field, want, known.as_ref()));
         if let Some(values) = &values {
             refuse_same(draft, field, values);
         }
@@ -37,9 +41,9 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
         axes.extend(values.filter(|_| !is_set).map(|values| (field, values)));
     }
     refuse_number(draft, section, &axes);
-    let swept: Vec<&str> = axes.iter().map(|(field, _)| field.key).collect();
+    let closing = Closing::of(&parameters, &axes.iter().map(|(field, _)| field.key).collect());
     for (field, values) in &axes {
-        let closed: Vec<_> = values.iter().map(|value| closed(draft, field, &swept, value)).collect();
+        let closed: Vec<_> = values.iter().map(|value| closed(draft, field, &closing, value)).collect();
         let Some(values) = closed.into_iter().collect::<Option<Vec<_>>>() else { continue };
         let of = match field.key {
             ACCURACY => Swept::Accuracy,
@@ -87,9 +91,14 @@ fn refuse_number(draft: &mut Draft, section: &Field, axes: &[(&Field, Vec<SweepV
     }
 }
 
-fn values(draft: &mut Draft, field: &Field, want: Want) -> Option<Vec<SweepValue>> {
+fn values(
+    draft: &mut Draft,
+    field: &Field,
+    want: Want,
+    known: Option<&Known<'_>>,
+) -> Option<Vec<SweepValue>> {
     if field.value.is_table() {
-        return range(draft, field, want);
+        return range(draft, field, want, known?);
     }
     let Some(elements) = field.elements() else {
         draft.wrong_type(field, "a list of values, or { from = .., to = .., count = .. }");
@@ -125,7 +134,7 @@ fn one(draft: &mut Draft, field: &Field, want: Want) -> Option<SweepValue> {
 }
 
 /// `{ from = "0.5 s", to = "4 s", count = 8, spacing = "log" }`
-fn range(draft: &mut Draft, field: &Field, want: Want) -> Option<Vec<SweepValue>> {
+fn range(draft: &mut Draft, field: &Field, want: Want, known: &Known<'_>) -> Option<Vec<SweepValue>> {
     let mut inner = draft.table(field, field.key.to_owned())?;
     inner.span = field.span.clone();
     let ends = ["from", "to"].map(|key| {
@@ -142,7 +151,7 @@ fn range(draft: &mut Draft, field: &Field, want: Want) -> Option<Vec<SweepValue>
         Some(word) => word? == "log",
     };
     let unit = unit.or(other).unwrap_or_else(|| UnitText::si(want));
-    let numbers = numbers(draft, field, [&from, &to], log)?;
+    let numbers = numbers(draft, field, known, [&from, &to], log)?;
     let share = |step: usize| Expr::from(step as i32) / Expr::from(count as i32 - 1);
     let value = |step: usize| match step {
         0 => from.clone(),
@@ -176,8 +185,14 @@ fn count(draft: &mut Draft, field: &Field) -> Option<usize> {
 }
 
 /// The ends of a range as numbers; one of equal ratios needs ends of one sign.
-fn numbers(draft: &mut Draft, field: &Field, ends: [&Expr; 2], log: bool) -> Option<[f64; 2]> {
-    let values = draft.model.parameters.evaluate(&ends.map(Clone::clone)).ok()?;
+fn numbers(
+    draft: &mut Draft,
+    field: &Field,
+    known: &Known<'_>,
+    ends: [&Expr; 2],
+    log: bool,
+) -> Option<[f64; 2]> {
+    let values = known.evaluate(&ends.map(Clone::clone)).ok()?;
     let [from, to] = [values[0], values[1]];
     let positive = from > 0.0 && to > 0.0;
     if log && !positive {
@@ -190,54 +205,53 @@ fn numbers(draft: &mut Draft, field: &Field, ends: [&Expr; 2], log: bool) -> Opt
     Some([from, to])
 }
 
-/// A value without names: parameters that are not swept are written out.
-fn closed(draft: &mut Draft, field: &Field, swept: &[&str], value: &SweepValue) -> Option<SweepValue> {
-    let mut written = value.value.clone();
-    let mut names = names(&written);
-    let parameters: Vec<_> = match names.is_empty() {
-        true => vec![],
-        false => draft.model.parameters.formulas().map(|(s, f)| (s.clone(), f.clone())).collect(),
-    };
-    for (symbol, formula) in parameters.into_iter().rev() {
-        if !names.contains(&symbol.name) {
-            continue;
-        }
-        if swept.contains(&&*symbol.name) {
-            let message = format!("a value of `{}` depends on `{}`, which is swept", field.key, symbol.name);
-            let mistake = Diagnostic::new(Code::SweepCycle, field.span.clone(), message);
-            draft.note(
-                mistake
-                    .help("the values of a sweep are numbers, or formulas of parameters that are not swept"),
-            );
-            return None;
-        }
-        let mut by = Substitution::default();
-        by.insert(symbol, formula);
-        written = by.apply(&written);
-        names = self::names(&written);
-    }
-    Some(SweepValue { value: with_dimension(draft, field.key, written), label: value.label.clone() })
+/// The parameters that are not swept, without names, and those that follow from a swept one.
+#[derive(Default)]
+struct Closing {
+    written: Substitution,
+    /// The name of the swept parameter.
+    swept: HashMap<Arc<str>, Arc<str>>,
 }
 
-/// The names in a formula, each shared part looked at once.
-fn names(formula: &Expr) -> BTreeSet<Arc<str>> {
-    let (mut names, mut seen, mut parts) = (BTreeSet::new(), BTreeSet::new(), vec![formula]);
-    while let Some(part) = parts.pop() {
-        if !seen.insert(std::ptr::from_ref(part.node())) {
-            continue;
+impl Closing {
+    /// Every formula is written out once, of those before it that are written out already.
+    fn of(parameters: &Parameters, swept: &HashSet<&str>) -> Self {
+        let mut closing = Self::default();
+        for (symbol, formula) in parameters.formulas() {
+            let own = swept.contains(&*symbol.name).then(|| Arc::clone(&symbol.name));
+            match own.or_else(|| closing.follows(formula)) {
+                Some(swept) => _ = closing.swept.insert(Arc::clone(&symbol.name), swept),
+                None => {
+                    let written = closing.written.apply(formula);
+                    closing.written.insert(symbol.clone(), written);
+                }
+            }
         }
-        if let Node::Symbol(symbol) = part.node() {
-            names.insert(Arc::clone(&symbol.name));
-        }
-        parts.extend(part.children());
+        closing
     }
-    names
+
+    /// The swept parameter that a formula depends on, the first by name.
+    fn follows(&self, formula: &Expr) -> Option<Arc<str>> {
+        formula.symbols().iter().filter_map(|symbol| self.swept.get(&symbol.name)).min().cloned()
+    }
+}
+
+/// A value without names: parameters that are not swept are written out.
+fn closed(draft: &mut Draft, field: &Field, closing: &Closing, value: &SweepValue) -> Option<SweepValue> {
+    if let Some(swept) = closing.follows(&value.value) {
+        let message = format!("a value of `{}` depends on `{swept}`, which is swept", field.key);
+        let mistake = Diagnostic::new(Code::SweepCycle, field.span.clone(), message);
+        let help = "the values of a sweep are numbers, or formulas of parameters that are not swept";
+        draft.note(mistake.help(help));
+        return None;
+    }
+    let written = closing.written.apply(&value.value);
+    Some(SweepValue { value: with_dimension(draft, field.key, written), label: value.label.clone() })
 }
 
 /// A bare zero takes the dimension of its parameter.
 fn with_dimension(draft: &Draft, parameter: &str, value: Expr) -> Expr {
-    let symbols = draft.model.parameters.symbols();
-    let symbol = symbols.iter().find(|symbol| *symbol.name == *parameter && value.is_zero());
+    let symbol = draft.model.parameters.symbol(parameter).filter(|_| value.is_zero());
     let one = |dimension| 1 * tumble_expr::Unit(dimension);
     symbol.map_or(value, |symbol| Expr::binary(Binary::Sub, one(symbol.dimension), one(symbol.dimension)))
 }
