@@ -112,8 +112,10 @@ mod tests {
         })
     }
 
-    /// Nothing that a scene says is known to have it: the codes before it name every mistake that is known.
-    const CATCH_ALL: &str = "E0538";
+    /// Codes that reading a scene does not give: no scene is known to have the first, as the codes before it name every
+    /// mistake that is known; the others come from a run, or are warnings.
+    const NOT_READ: [&str; 9] =
+        ["E0538", "E0545", "E0546", "E0560", "E0561", "W0601", "W0602", "W0603", "W0604"];
 
     fn chain_of_functions(count: usize, body: impl Fn(usize) -> String) -> Vec<u8> {
         let functions: Vec<_> = (0..count).map(|i| format!("\"f{i}(x)\" = \"{}\"", body(i + 1))).collect();
@@ -177,7 +179,7 @@ mod tests {
 
     #[test]
     fn every_example_has_the_mistake_it_is_for() {
-        for code in codes().map(Code::as_str).filter(|code| *code != CATCH_ALL) {
+        for code in codes().map(Code::as_str).filter(|code| !NOT_READ.contains(code)) {
             let mistakes = mistakes(code, explanation(code).unwrap_or_default());
             let found: Vec<_> = mistakes.list.iter().map(|mistake| mistake.code.as_str()).collect();
             assert!(
