@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use crate::table::{Table, TableRef};
+use crate::traces::Traces;
 use crate::typing::{self, Kind, TypeError};
 use crate::{Dimension, Exponent};
 
@@ -144,6 +145,8 @@ pub struct Expr(pub(crate) Arc<Inner>);
 
 pub(crate) struct Inner {
     pub(crate) node: Node,
+    /// Which symbols may be in it.
+    pub(crate) traces: Traces,
     pub(crate) kind: Result<Kind, Arc<TypeError>>,
 }
 
@@ -273,7 +276,7 @@ impl Expr {
             if let Node::Symbol(symbol) = next.node() {
                 found.insert(symbol.clone());
             }
-            if seen.insert(Arc::as_ptr(&next.0)) {
+            if next.0.traces.any() && seen.insert(Arc::as_ptr(&next.0)) {
                 pending.extend(next.children());
             }
         }
@@ -282,10 +285,13 @@ impl Expr {
 
     /// Whether it has a branch (abs, sign, step, min, max, if, a table) whose side depends on one of these symbols.
     pub fn branches_on(&self, symbols: &[Symbol]) -> bool {
-        let depends = |part: &Self| part.symbols().iter().any(|symbol| symbols.contains(symbol));
+        let traces = symbols.iter().fold(Traces::default(), |all, symbol| all | Traces::of_symbol(symbol));
+        let depends = |part: &Self| {
+            part.0.traces.meet(traces) && part.symbols().iter().any(|symbol| symbols.contains(symbol))
+        };
         let (mut seen, mut pending) = (HashSet::new(), vec![self]);
         while let Some(next) = pending.pop() {
-            if !seen.insert(Arc::as_ptr(&next.0)) {
+            if !next.0.traces.meet(traces) || !seen.insert(Arc::as_ptr(&next.0)) {
                 continue;
             }
             let on = match next.node() {
@@ -314,7 +320,7 @@ impl Expr {
     }
 
     pub(crate) fn make(node: Node, kind: Result<Kind, Arc<TypeError>>) -> Self {
-        Self(Arc::new(Inner { node, kind }))
+        Self(Arc::new(Inner { traces: Traces::of(&node), node, kind }))
     }
 
     /// A formula that carries a mistake.

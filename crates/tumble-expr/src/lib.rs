@@ -27,6 +27,7 @@ mod simplify;
 mod substitute;
 mod table;
 mod tape;
+mod traces;
 mod typing;
 mod unit;
 mod vector;

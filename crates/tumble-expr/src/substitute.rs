@@ -5,16 +5,20 @@ use std::sync::Arc;
 
 use crate::expr::{Expr, Inner, Node, Symbol};
 use crate::hashing::FastMap;
+use crate::traces::Traces;
 
 /// Formulas to put in the place of symbols.
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
     formulas: HashMap<Symbol, Expr>,
+    /// Those of all symbols.
+    traces: Traces,
 }
 
 impl Substitution {
     /// Puts `formula` wherever `symbol` stands; a later formula for the same symbol replaces an earlier one.
     pub fn insert(&mut self, symbol: Symbol, formula: Expr) {
+        self.traces = self.traces | Traces::of_symbol(&symbol);
         self.formulas.insert(symbol, formula);
     }
 
@@ -25,15 +29,23 @@ impl Substitution {
 
     /// `formula` with its symbols replaced, once: what is put in is not looked through again.
     ///
-    /// Shared parts stay shared, and the depth of a formula is not bounded by the stack.
+    /// Shared parts stay shared, parts that hold none of the symbols are not looked at, and the depth of a formula is not
+    /// bounded by the stack.
     pub fn apply(&self, formula: &Expr) -> Expr {
+        if !formula.0.traces.meet(self.traces) {
+            return formula.clone();
+        }
         let mut done: FastMap<*const Inner, Expr> = FastMap::default();
         let mut pending = vec![formula.clone()];
         while let Some(next) = pending.last().cloned() {
-            let missing = |part: &&Expr| !done.contains_key(&Arc::as_ptr(&part.0));
+            let missing =
+                |part: &&Expr| part.0.traces.meet(self.traces) && !done.contains_key(&Arc::as_ptr(&part.0));
             let parts: Vec<Expr> = next.children().into_iter().filter(missing).cloned().collect();
             if parts.is_empty() {
-                let replaced = self.rebuilt(&next, |part| done[&Arc::as_ptr(&part.0)].clone());
+                let replaced = self.rebuilt(&next, |part| match part.0.traces.meet(self.traces) {
+                    true => done[&Arc::as_ptr(&part.0)].clone(),
+                    false => part.clone(),
+                });
                 done.insert(Arc::as_ptr(&next.0), replaced);
                 pending.pop();
             } else {

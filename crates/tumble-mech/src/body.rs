@@ -111,6 +111,13 @@ impl Body {
         PointRef { body: self.kinematics(), arm: local - self.mass_properties().centre }
     }
 
+    /// Points of the body given in body coordinates, m: all refer to one formula of the centre of mass.
+    pub fn points_at<'l>(&self, locals: impl IntoIterator<Item = &'l Vector>) -> Vec<PointRef> {
+        let centre = self.mass_properties().centre;
+        let at = |local: &Vector| PointRef { body: self.kinematics(), arm: local - &centre };
+        locals.into_iter().map(at).collect()
+    }
+
     /// A named point; `None` where there is none of that name.
     pub fn named_point(&self, name: &str) -> Option<PointRef> {
         if name == "cm" {

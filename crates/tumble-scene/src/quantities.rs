@@ -46,7 +46,8 @@ fn define_symbol(names: &mut Names, level: Level, symbol: Symbol) {
 }
 
 fn define_points(names: &mut Names, body: &Body) {
-    let points = body.points.iter().map(|(point, local)| (point.as_str(), body.at(local)));
+    let places = body.points_at(body.points.iter().map(|(_, local)| local));
+    let points = body.points.iter().map(|(point, _)| point.as_str()).zip(places);
     for (point, place) in points.chain([("cm", body.cm())]) {
         for (quantity, formula) in place.quantities() {
             let level = if quantity.starts_with('a') { Level::Output } else { Level::Motion };
@@ -58,15 +59,18 @@ fn define_points(names: &mut Names, body: &Body) {
 /// Gives what may touch its names: `floor.rod.tip.gap`, `.normal`, and `floor.normal` for all forces together.
 pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
     let pairs = model.pairs();
-    for surface in &model.surfaces {
-        let of_surface = || pairs.iter().filter(|pair| pair.name.starts_with(&format!("{}.", surface.name)));
-        for pair in of_surface() {
+    let mut rest = &pairs[..];
+    for (index, surface) in model.surfaces.iter().enumerate() {
+        // Pairs are in the order of their surfaces.
+        let (of_surface, later) = rest.split_at(rest.partition_point(|pair| pair.surface <= index));
+        rest = later;
+        for pair in of_surface {
             let body = format!("{}.{}", surface.name, model.bodies[pair.body].name);
             names.touching.extend([pair.name.clone(), body]);
             names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
             names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
         }
-        let forces = of_surface().map(|pair| pair.force_symbol().into());
+        let forces = of_surface.iter().map(|pair| pair.force_symbol().into());
         if let Some(all) = forces.reduce(|sum: Expr, force: Expr| sum + force) {
             names.define(Level::Output, &format!("{}.normal", surface.name), &all);
         }

@@ -49,7 +49,7 @@ impl Pair {
     pub(crate) fn new(
         (surface_index, surface): (usize, &Surface),
         (body_index, body): (usize, &Body),
-        feature: &Feature,
+        (feature, centre): (&Feature, &PointRef),
     ) -> Self {
         let law = match (&surface.law, &body.restitution) {
             (ContactLaw::Rigid { .. }, Some(own)) => ContactLaw::Rigid { restitution: own.clone() },
@@ -59,7 +59,7 @@ impl Pair {
             name: format!("{}.{}.{}", surface.name, body.name, feature.name),
             surface: surface_index,
             body: body_index,
-            centre: body.at(&feature.centre),
+            centre: centre.clone(),
             radius: feature.radius.clone(),
             through: surface.through.clone(),
             normal: surface.normal.clone(),

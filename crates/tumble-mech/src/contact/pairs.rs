@@ -3,11 +3,13 @@
 use tumble_expr::Expr;
 use tumble_ode::{AtZero, Direction, Guard, LazyGuard};
 
+use crate::body::Body;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::feature::Feature;
 use crate::contact::pair::{Pair, Watched};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
+use crate::kinematics::PointRef;
 use crate::laws::compliant;
 use crate::mode::Mode;
 use crate::model::Model;
@@ -22,15 +24,15 @@ pub(crate) struct Pairs {
 
 impl Pairs {
     pub(crate) fn of(model: &Model) -> Self {
-        let features: Vec<Vec<Feature>> = match model.surfaces.is_empty() {
+        let features: Vec<Vec<(Feature, PointRef)>> = match model.surfaces.is_empty() {
             true => vec![vec![]; model.bodies.len()],
-            false => model.bodies.iter().map(|body| body.features()).collect(),
+            false => model.bodies.iter().map(placed).collect(),
         };
         let mut all = vec![];
         for surface in model.surfaces.iter().enumerate() {
             for body in model.bodies.iter().enumerate() {
-                let met = features[body.0].iter().filter(|feature| surface.1.meets_at(body.1, feature));
-                all.extend(met.map(|feature| Pair::new(surface, body, feature)));
+                let met = features[body.0].iter().filter(|(feature, _)| surface.1.meets_at(body.1, feature));
+                all.extend(met.map(|(feature, centre)| Pair::new(surface, body, (feature, centre))));
             }
         }
         let terms = all.iter().map(Pair::term).collect();
@@ -41,6 +43,13 @@ impl Pairs {
     pub(crate) fn of_body(&self, body: usize) -> impl Iterator<Item = usize> {
         (0..self.all.len()).filter(move |pair| self.all[*pair].body == body)
     }
+}
+
+/// The points by which a body may touch, with where they are.
+fn placed(body: &Body) -> Vec<(Feature, PointRef)> {
+    let features = body.features();
+    let places = body.points_at(features.iter().map(|feature| &feature.centre));
+    features.into_iter().zip(places).collect()
 }
 
 impl Equations {

@@ -150,5 +150,6 @@ fn lines(draft: &mut Draft, body: &Body, place: &Field) -> Option<Vec<[PointRef;
         );
         return None;
     }
-    Some(lines.into_iter().map(|ends| ends.map(|end| body.at(&end))).collect())
+    let ends = body.points_at(lines.iter().flatten());
+    Some(ends.chunks_exact(2).map(|ends| [ends[0].clone(), ends[1].clone()]).collect())
 }
