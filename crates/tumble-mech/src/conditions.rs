@@ -65,7 +65,7 @@ impl Model {
     pub(crate) fn mistakes_with(&self, known: &Known<'_>) -> Vec<ModelError> {
         let conditions = Conditions::of(self, known);
         let all: Vec<usize> = (0..conditions.list.len()).collect();
-        let broken = match conditions.broken(known, &all) {
+        let broken = match conditions.broken(|formulas| known.evaluate(formulas), &all) {
             Ok(broken) => broken,
             Err(mistake) => return vec![mistake],
         };
@@ -102,9 +102,13 @@ impl Conditions {
     }
 
     /// Those of some conditions that do not hold, by their indices.
-    fn broken(&self, known: &Known<'_>, some: &[usize]) -> Result<Vec<(usize, ModelError)>, ModelError> {
+    fn broken(
+        &self,
+        evaluate: impl Fn(&[Expr]) -> Result<Vec<f64>, ModelError>,
+        some: &[usize],
+    ) -> Result<Vec<(usize, ModelError)>, ModelError> {
         let formulas: Vec<Expr> = some.iter().map(|index| self.list[*index].formula.clone()).collect();
-        let values = known.evaluate(&formulas)?;
+        let values = evaluate(&formulas)?;
         let found = some.iter().zip(values);
         Ok(found.filter_map(|(index, value)| Some((*index, self.list[*index].mistake(value)?))).collect())
     }
@@ -124,7 +128,9 @@ impl Conditions {
         let some: Vec<usize> =
             self.touched(&[event]).into_iter().filter(|index| !wrong.contains(index)).collect();
         let after = known.after(event.settings());
-        let broken = after.and_then(|after| self.broken(&after, &some)).unwrap_or_default();
+        let broken = after
+            .and_then(|after| self.broken(|formulas| after.evaluate(formulas), &some))
+            .unwrap_or_default();
         let after =
             |mistake| ModelError::AfterEvent { event: event.name.clone(), mistake: Box::new(mistake) };
         self.told(broken).into_iter().map(after).collect()
@@ -156,7 +162,9 @@ impl Equations {
             events.iter().flat_map(|event| event.settings()).cloned().collect();
         let conditions = Conditions::of(model, &before);
         let some: Vec<usize> = conditions.touched(&events).into_iter().collect();
-        let broken = before.after(&settings).and_then(|after| conditions.broken(&after, &some));
+        let broken = before
+            .after(&settings)
+            .and_then(|after| conditions.broken(|formulas| after.evaluate(formulas), &some));
         let broken = broken.map(|broken| conditions.told(broken)).map_err(|mistake| vec![mistake]);
         let (Ok(mistakes) | Err(mistakes)) = broken;
         let names: Vec<String> = events.iter().map(|event| format!("`{}`", event.name)).collect();

@@ -116,15 +116,12 @@ impl Known<'_> {
     }
 
     /// The same after some have been set to values of formulas of the parameters as they were before.
-    pub(crate) fn after(&self, settings: &[(String, Expr)]) -> Result<Self, ModelError> {
+    pub(crate) fn after(&self, settings: &[(String, Expr)]) -> Result<After<'_>, ModelError> {
         let formulas: Vec<Expr> = settings.iter().map(|(_, formula)| formula.clone()).collect();
-        let mut after = self.clone();
-        for ((name, _), value) in settings.iter().zip(self.evaluate(&formulas)?) {
-            if let Some(place) = self.parameters.places.get(name.as_str()) {
-                after.values[*place] = value;
-            }
-        }
-        Ok(after)
+        let values = settings.iter().zip(self.evaluate(&formulas)?);
+        let set = values
+            .filter_map(|((name, _), value)| Some((*self.parameters.places.get(name.as_str())?, value)));
+        Ok(After { before: self, set: set.collect() })
     }
 
     /// Values of the parameters in order, SI units.
@@ -134,8 +131,13 @@ impl Known<'_> {
 
     /// Values of formulas of the parameters, SI units. The work grows with the formulas, not with the parameters.
     pub fn evaluate(&self, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
+        self.evaluate_but(&HashMap::new(), formulas)
+    }
+
+    /// The same with some values replaced, by the places of their parameters.
+    fn evaluate_but(&self, set: &HashMap<usize, f64>, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
         let used = formulas.iter().flat_map(Expr::symbols).collect();
-        self.evaluate_with(&used, formulas)
+        self.evaluate_with(&used, set, formulas)
             .map_err(|mistake| ModelError::Compile { what: "a formula of the parameters".into(), mistake })
     }
 
@@ -146,7 +148,7 @@ impl Known<'_> {
         if used.iter().filter_map(|used| self.place_of(used)).any(|place| self.values[place].is_nan()) {
             return Ok(None);
         }
-        let value = self.evaluate_with(&used, std::slice::from_ref(formula));
+        let value = self.evaluate_with(&used, &HashMap::new(), std::slice::from_ref(formula));
         match value.map_err(|mistake| ModelError::Compile { what: what(), mistake })?[0] {
             value if value.is_finite() => Ok(Some(value)),
             value => Err(ModelError::NotFinite { what: what(), value }),
@@ -162,17 +164,37 @@ impl Known<'_> {
 
     /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its
     /// formulas need, and the same ones in every run.
-    fn evaluate_with(&self, used: &HashSet<Symbol>, formulas: &[Expr]) -> Result<Vec<f64>, CompileError> {
+    fn evaluate_with(
+        &self,
+        used: &HashSet<Symbol>,
+        set: &HashMap<usize, f64>,
+        formulas: &[Expr],
+    ) -> Result<Vec<f64>, CompileError> {
         let list = &self.parameters.list;
         let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
         let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
-        let values: Vec<f64> = places.iter().map(|place| self.values[*place]).collect();
+        let value = |place: &usize| set.get(place).copied().unwrap_or(self.values[*place]);
+        let values: Vec<f64> = places.iter().map(value).collect();
         let rounding = self.parameters.rounding;
         let layout = Layout { rounding, ..Layout::new(vec![], time_symbol(), inputs) };
         let mut tape = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, &values);
         // A formula of the parameters has no time: whatever uses it shows as not a number.
         tape.start(f64::NAN, &[], Branches::Free);
         Ok((0..formulas.len()).map(|index| tape.value_of(index)).collect())
+    }
+}
+
+/// Parameters after some have been set. What is not set is not copied: there may be as many events as parameters.
+pub(crate) struct After<'k> {
+    before: &'k Known<'k>,
+    /// New values, by the places of their parameters.
+    set: HashMap<usize, f64>,
+}
+
+impl After<'_> {
+    /// Values of formulas of the parameters, SI units.
+    pub(crate) fn evaluate(&self, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
+        self.before.evaluate_but(&self.set, formulas)
     }
 }
 
