@@ -90,10 +90,15 @@ impl Motion {
         &self.start + &self.speed * time + &self.change * time.squared() / 2
     }
 
-    fn time(&self, place: &Real) -> Real {
+    /// `None` of a place that it never comes to: one above a fall.
+    fn time(&self, place: &Real) -> Option<Real> {
         let way = place - &self.start;
-        let root = (self.speed.squared() + &self.change * &way * 2).sqrt();
-        way * 2 / (&self.speed + root * if self.speed.sign() < 0 || self.change.sign() < 0 { -1 } else { 1 })
+        let square = self.speed.squared() + &self.change * &way * 2;
+        if square.sign() < 0 {
+            return None;
+        }
+        let falls = self.speed.sign() < 0 || self.change.sign() < 0;
+        Some(way * 2 / (&self.speed + square.sqrt() * if falls { -1 } else { 1 }))
     }
 }
 
@@ -148,7 +153,7 @@ fn guard(setup: &mut Setup, way: &Way, until: &Given, speed: &dyn Fn(&Real) -> R
         steep.formula(&z)
     ));
     let places = steep.passings(&level.value).into_iter().map(|z| &centre.value + z * &width.value);
-    let mut times: Vec<Real> = places.map(|place| way.motion.time(&place)).collect();
+    let mut times: Vec<Real> = places.filter_map(|place| way.motion.time(&place)).collect();
     times.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
     times.retain(|time| time.sign() > 0 && *time < until.value);
     ask(setup, &times, speed);
