@@ -322,3 +322,11 @@ fn frozen_branches_stay_on_their_side() {
 fn zero_to_a_power_is_no_special_case() {
     assert_eq!(series(&t().powi(3), 0.0)[..5], [0.0, 0.0, 0.0, 1.0, 0.0]);
 }
+
+/// What overflows far from a bump leaves nothing of it, to every order.
+#[test]
+fn one_over_what_overflows_is_zero() {
+    let bump = Expr::from(1) / Expr::unary(Unary::Cosh, t() * 1000).powi(2);
+    assert_eq!(series(&bump, 1.0), [0.0; ORDER + 1]);
+    assert_eq!(series(&bump, -1.0), [0.0; ORDER + 1]);
+}

@@ -22,7 +22,7 @@ pub(crate) fn half_square<S: Scalar>(a: &[S], k: usize) -> S {
 
 /// `c = a / b`, from `c b = a`: `c_k b_0 = a_k - sum over i < k of c_i b_(k-i)`.
 pub(crate) fn quotient<S: Scalar>(a: &[S], b: &[S], c: &[S], k: usize) -> S {
-    (a[k] - (convolution(&c[1..k], &b[1..k]) + c[0] * b[k])) / b[0]
+    (a[k] - (convolution(&c[1..k], &b[1..k]) + c[0] * b[k])).over(b[0])
 }
 
 /// Sum of `a_i b_(n-1-i)` over two slices of one length n.

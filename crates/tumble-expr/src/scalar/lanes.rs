@@ -80,6 +80,9 @@ macro_rules! scalar {
         fn pow(self, exponent: Self) -> Self {
             self.pairs(exponent, libm::pow)
         }
+        fn over(self, by: Self) -> Self {
+            self.pairs(by, |of, by| if by.is_infinite() { 0.0 } else { of / by })
+        }
     };
 }
 

@@ -57,6 +57,10 @@ pub trait Scalar:
     fn square(self) -> Self {
         self * self
     }
+    /// A coefficient of a quotient: nothing is left over what is beyond the range of numbers, whatever its own coefficients are.
+    fn over(self, by: Self) -> Self {
+        self / by
+    }
     /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
     /// Sine.

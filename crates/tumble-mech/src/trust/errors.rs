@@ -118,11 +118,19 @@ impl Errors {
     }
 
     /// The errors at a time, s, in the order of the formulas; `None` where nothing can be said.
+    ///
+    /// At an event they are the larger of those before and after it, which are rows of one time.
     pub fn at(&self, time: f64) -> Option<Vec<f64>> {
-        let next = self.rows.partition_point(|(known, _)| *known < time).min(self.rows.len().checked_sub(1)?);
-        let [before, after] = [next.saturating_sub(1), next].map(|row| &self.rows[row].1);
-        let worst = before.iter().zip(after).map(|(before, after)| larger(*before, *after));
-        (time <= self.until).then(|| worst.collect())
+        let last = self.rows.len().checked_sub(1)?;
+        let next = self.rows.partition_point(|(known, _)| *known < time);
+        let after = self.rows.partition_point(|(known, _)| *known <= time);
+        let near = &self.rows[next.saturating_sub(1)..=after.min(last)];
+        let (first, others) = near.split_first()?;
+        let larger_of = |mut worst: Vec<f64>, (_, row): &(f64, Vec<f64>)| {
+            worst.iter_mut().zip(row).for_each(|(worst, error)| *worst = larger(*worst, *error));
+            worst
+        };
+        (time <= self.until).then(|| others.iter().fold(first.1.clone(), larger_of))
     }
 
     /// The errors at the end; `None` where nothing can be said of it.
