@@ -7,7 +7,7 @@ use crate::whole::Noise;
 #[derive(Clone, Debug)]
 pub(crate) struct Scales {
     largest: Vec<f64>,
-    /// Of the rates of each group: the largest sum of the sizes of what they are made of.
+    /// The largest rate of each group.
     rates: Vec<f64>,
     /// What rounding errors of the rates do to each group within the run, if they add up: less than that is no motion.
     rounding: Vec<f64>,
@@ -41,10 +41,10 @@ impl Scales {
 
     /// Rates with their rounding errors, by state.
     pub(crate) fn watch_rates(&mut self, system: &Compiled, noise: &Noise) {
-        for (state, (size, error)) in noise.sizes.iter().zip(&noise.rates).enumerate() {
+        for (state, (rate, error)) in noise.values.iter().zip(&noise.rates).enumerate() {
             let group = system.group(state);
             let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
-            self.rates[group] = self.rates[group].max(finite(*size));
+            self.rates[group] = self.rates[group].max(finite(rate.abs()));
             self.rounding[group] = self.rounding[group].max(finite(error * self.span));
         }
     }

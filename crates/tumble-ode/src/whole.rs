@@ -5,8 +5,8 @@
 //! and no others. What is not settled at once is halved, down to [`SMALLEST`] of the step. The step then ends where
 //! the first part begins that is not settled; if that is the beginning, it becomes that part.
 //!
-//! The scale of a rate is the largest sum of the sizes of what it is made of so far, and that of the state over the length of
-//! the run: a force that has not acted yet has no scale of its own.
+//! The scale of a rate is the largest that it has been, and that of the state over the length of the run: a force that has not
+//! acted yet has no scale of its own, and forces that balance each other far from the origin have none either.
 
 use std::cell::OnceCell;
 
@@ -42,8 +42,6 @@ const DEFECT_ROUNDING: f64 = 64.0;
 pub(crate) struct Noise {
     /// Of the rate of each state: its rounding error, absolute.
     pub(crate) rates: Vec<f64>,
-    /// Of the rate of each state: the sum of the sizes of what it is made of.
-    pub(crate) sizes: Vec<f64>,
     /// The rates themselves.
     pub(crate) values: Vec<f64>,
 }
@@ -157,7 +155,6 @@ impl Engine {
         let rates: Vec<Rounded> = rates.collect();
         Noise {
             rates: rates.iter().map(|rate| rate.noise()).collect(),
-            sizes: rates.iter().map(|rate| rate.error.max(rate.value.abs())).collect(),
             values: rates.iter().map(|rate| rate.value).collect(),
         }
     }
