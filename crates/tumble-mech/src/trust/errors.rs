@@ -99,7 +99,8 @@ impl Errors {
                 let mut is_compared = true;
                 for (check, phase) in beside.iter_mut().zip(&phases) {
                     let is_impact = is_pressed && phase[0].end - phase[0].start < BRIEF * check.longest;
-                    match check.errors(&here, *phase, (time, side), !is_impact) {
+                    let stays = !is_impact && !phase[0].ends_zeno_sequence;
+                    match check.errors(&here, *phase, (time, side), stays) {
                         None => is_compared = false,
                         Some(errors) => {
                             let rounding = size.iter().map(|size| ULPS * f64::EPSILON * size);

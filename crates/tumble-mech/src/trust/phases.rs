@@ -28,6 +28,9 @@ pub(super) struct Phases {
 pub(super) struct Stretch {
     pub(super) start: f64,
     pub(super) end: f64,
+    /// Whether it holds the last impacts of a Zeno sequence, which the runs need not have in the same number: what is off within
+    /// it passes with it.
+    pub(super) ends_zeno_sequence: bool,
 }
 
 /// Walks along both runs, event by event, as far as they agree.
@@ -42,11 +45,11 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     let (mut from, mut at) = ([0.0; 2], [0; 2]);
     loop {
         let events = [0, 1].map(|run| changing[run].get(at[run]).copied());
-        let next = match events {
+        let (next, is_zeno) = match events {
             [None, None] => break,
-            [Some(a), Some(b)] if is_same(runs, [a, b]) => at.map(|index| index + 1),
+            [Some(a), Some(b)] if is_same(runs, [a, b]) => (at.map(|index| index + 1), false),
             _ => match after_zeno_sequences(&changing, at) {
-                Some(next) => next,
+                Some(next) => (next, true),
                 None => {
                     let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
                     found.diverge(from, times, events);
@@ -55,10 +58,10 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
             },
         };
         let to = [0, 1].map(|run| changing[run][next[run] - 1].time);
-        found.push(from, to);
+        found.push(from, to, is_zeno);
         (from, at) = (to, next);
     }
-    found.push(from, ends);
+    found.push(from, ends, false);
     // One of them stopped early, without an event.
     let last = ends[0].min(ends[1]);
     if ends[1] < ends[0] && runs[0].last_event().is_none() {
@@ -85,8 +88,9 @@ impl Phases {
         Some((here - there).abs())
     }
 
-    fn push(&mut self, from: [f64; 2], to: [f64; 2]) {
-        self.all.push([0, 1].map(|run| Stretch { start: from[run], end: to[run] }));
+    fn push(&mut self, from: [f64; 2], to: [f64; 2], ends_zeno_sequence: bool) {
+        let stretch = |run: usize| Stretch { start: from[run], end: to[run], ends_zeno_sequence };
+        self.all.push([0, 1].map(stretch));
     }
 
     fn diverge(&mut self, from: [f64; 2], to: [f64; 2], events: [Option<&Event>; 2]) {
@@ -94,7 +98,7 @@ impl Phases {
         let tags = |event: Option<&Event>| {
             event.filter(|event| event.time <= time).map(|event| event.tags.clone()).unwrap_or_default()
         };
-        self.push(from, [time.max(from[0]), time.max(from[1])]);
+        self.push(from, [time.max(from[0]), time.max(from[1])], false);
         let reason = Divergence::Events { first: tags(events[0]), second: tags(events[1]) };
         self.divergence = Some(Horizon { time, reason });
     }
