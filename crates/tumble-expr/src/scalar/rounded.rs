@@ -95,6 +95,9 @@ impl Div for Rounded {
     fn div(self, other: Self) -> Self {
         let (a, b) = (self.value, other.value);
         let value = a / b;
+        if b.is_infinite() && a.is_finite() {
+            return Self::splat(value);
+        }
         // A quotient of few digits that gives the numerator back was exact.
         let is_exact = is_short(value) && is_short(b) && value * b == a;
         let own = if is_exact { 0.0 } else { value.abs() };

@@ -133,7 +133,10 @@ impl<'a> Settling<'a> {
         }
         let model = self.equations.model();
         let size = self.touch.size;
-        let lowest = LOWEST * if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
+        let size = if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
+        // What is lower than the rounding of its gap, which is large far from the origin, never ends by itself.
+        let blur = self.part.iter().map(|position| self.touch.blur[*position]).fold(0.0, f64::max);
+        let lowest = blur.max(LOWEST * size);
         let is_low = |position: &usize| {
             let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
             rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)

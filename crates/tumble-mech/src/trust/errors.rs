@@ -1,5 +1,7 @@
 //! Errors of quantities along a motion, from its difference to a check run.
 
+use std::collections::VecDeque;
+
 use tumble_expr::Expr;
 use tumble_ode::{Piece, Side};
 
@@ -9,18 +11,32 @@ use crate::trust::ULPS;
 use crate::trust::check_run::CheckRun;
 use crate::trust::phases::Stretch;
 
-/// A phase pressed into a surface and shorter than this part of the longest so far is an impact: what is off within one
-/// passes with it.
-const BRIEF: f64 = 0.05;
+/// A phase pressed into a surface and shorter than this part of the longest so far is an impact, and one in a Zeno sequence is of
+/// its last: what is off within them passes with them.
+pub(super) const BRIEF: f64 = 0.05;
+/// A difference may be small by accident for some steps, and a value too: the largest of so many steps counts. What decays is known
+/// ever better, and what was off long ago and is not now has passed.
+const RECENT: usize = 8;
 /// Parts of a step at whose ends the runs are compared, at least; as many as the steps of a check run where those are more.
 const PARTS: usize = 4;
 
 /// Errors of quantities along a motion.
 #[derive(Clone, Debug)]
 pub struct Errors {
-    rows: Vec<(f64, Vec<f64>)>,
+    rows: Vec<Row>,
     largest: Vec<f64>,
     until: f64,
+}
+
+/// Errors at one time.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// s
+    pub(super) time: f64,
+    /// By formula.
+    pub(super) errors: Vec<f64>,
+    /// Whether they are those of an impact, or next to an event that not every run has come to, and pass with it.
+    pub(super) passes: bool,
 }
 
 /// A check run on its way along the motion.
@@ -28,9 +44,42 @@ struct Beside<'a> {
     observer: Observer<'a>,
     phases: std::iter::Peekable<std::slice::Iter<'a, [Stretch; 2]>>,
     safety: f64,
-    /// Largest difference so far that stays, by formula.
-    difference: Vec<f64>,
+    /// Differences that stay, by formula.
+    differences: Recent,
     longest: f64,
+}
+
+/// The largest values of some quantities over the last steps.
+struct Recent {
+    /// Of each step before this one.
+    steps: VecDeque<Vec<f64>>,
+    /// Of this step and those.
+    largest: Vec<f64>,
+    /// Of this step.
+    now: Vec<f64>,
+}
+
+impl Recent {
+    fn new(quantities: usize) -> Self {
+        let none = vec![0.0; quantities];
+        Self { steps: VecDeque::new(), largest: none.clone(), now: none }
+    }
+
+    /// Begins another step.
+    fn advance(&mut self) {
+        let quantities = self.now.len();
+        self.steps.push_back(std::mem::replace(&mut self.now, vec![0.0; quantities]));
+        if self.steps.len() > RECENT {
+            self.steps.pop_front();
+        }
+        let of_all = |index: usize| self.steps.iter().map(|step| step[index]).fold(0.0, larger);
+        self.largest = (0..quantities).map(of_all).collect();
+    }
+
+    fn add(&mut self, index: usize, value: f64) {
+        self.now[index] = larger(self.now[index], value);
+        self.largest[index] = larger(self.largest[index], value);
+    }
 }
 
 impl<'a> Beside<'a> {
@@ -39,7 +88,7 @@ impl<'a> Beside<'a> {
             observer: check.run.observe(formulas)?,
             phases: check.phases.all.iter().peekable(),
             safety: check.safety,
-            difference: vec![0.0; formulas.len()],
+            differences: Recent::new(formulas.len()),
             longest: 0.0,
         })
     }
@@ -49,25 +98,27 @@ impl<'a> Beside<'a> {
         while self.phases.next_if(|[here, _]| here.end <= piece.start).is_some() {}
         let phase = **self.phases.peek()?;
         self.longest = self.longest.max(phase[0].end - phase[0].start);
+        self.differences.advance();
         Some(phase)
     }
 
-    /// Errors that this run tells of, of values of the motion at an instant within a stretch.
+    /// Errors that this run tells of, of values of the motion at an instant within a stretch, and whether they pass.
     fn errors(
         &mut self,
         here: &[f64],
         phase: [Stretch; 2],
         (time, side): (f64, Side),
         stays: bool,
-    ) -> Option<Vec<f64>> {
+    ) -> Option<(Vec<f64>, bool)> {
         let found = Compared::at(&mut self.observer, phase, (time, side))?;
+        let passes = !stays || found.same.is_none();
         let stated = found.differences(here).enumerate().map(|(index, (now, later))| {
             if stays {
-                self.difference[index] = larger(self.difference[index], later);
+                self.differences.add(index, later);
             }
-            self.safety * larger(self.difference[index], now)
+            self.safety * larger(self.differences.largest[index], now)
         });
-        Some(stated.collect())
+        Some((stated.collect(), passes))
     }
 }
 
@@ -81,41 +132,46 @@ impl Errors {
         let mut observer = run.observe(formulas)?;
         let mut beside =
             checks.iter().map(|check| Beside::new(check, formulas)).collect::<Result<Vec<_>, _>>()?;
-        let mut size = vec![0.0_f64; formulas.len()];
+        let mut sizes = Recent::new(formulas.len());
+        let mut largest = vec![0.0_f64; formulas.len()];
         let mut rows = vec![];
         for piece in run.trajectory.pieces.iter().take_while(|piece| piece.start < until) {
             let phases: Option<Vec<[Stretch; 2]>> =
                 beside.iter_mut().map(|check| check.phase(piece)).collect();
             let Some(phases) = phases else { break };
+            sizes.advance();
             let is_pressed = run.trajectory.modes[piece.mode].pressed().next().is_some();
             let most =
                 checks.iter().map(|check| check.pieces_between(piece.start, piece.end)).max().unwrap_or(0);
             for (time, side) in places(piece, most.max(PARTS)) {
                 let Some(here) = observer.at(time, side) else { continue };
-                for (size, value) in size.iter_mut().zip(&here) {
-                    *size = if value.is_finite() { size.max(value.abs()) } else { *size };
+                for (index, value) in here.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+                    sizes.add(index, value.abs());
+                    largest[index] = largest[index].max(value.abs());
                 }
-                let mut row: Vec<f64> = size.iter().map(|size| ULPS * f64::EPSILON * size).collect();
-                let mut is_compared = true;
+                let rounding: Vec<f64> =
+                    sizes.largest.iter().map(|size| ULPS * f64::EPSILON * size).collect();
+                let mut row = rounding.clone();
+                let (mut is_compared, mut passes) = (true, false);
                 for (check, phase) in beside.iter_mut().zip(&phases) {
                     let is_impact = is_pressed && phase[0].end - phase[0].start < BRIEF * check.longest;
                     let stays = !is_impact && !phase[0].ends_zeno_sequence;
                     match check.errors(&here, *phase, (time, side), stays) {
                         None => is_compared = false,
-                        Some(errors) => {
-                            let rounding = size.iter().map(|size| ULPS * f64::EPSILON * size);
+                        Some((errors, pass)) => {
+                            passes |= pass;
                             let stated =
-                                errors.iter().zip(rounding).map(|(error, rounding)| error + rounding);
+                                errors.iter().zip(&rounding).map(|(error, rounding)| error + rounding);
                             row.iter_mut().zip(stated).for_each(|(row, stated)| *row = larger(*row, stated));
                         }
                     }
                 }
                 if is_compared {
-                    rows.push((time, row));
+                    rows.push(Row { time, errors: row, passes });
                 }
             }
         }
-        Ok(Self { rows, largest: size, until })
+        Ok(Self { rows, largest, until })
     }
 
     /// The errors at a time, s, in the order of the formulas; `None` where nothing can be said.
@@ -123,20 +179,20 @@ impl Errors {
     /// At an event they are the larger of those before and after it, which are rows of one time.
     pub fn at(&self, time: f64) -> Option<Vec<f64>> {
         let last = self.rows.len().checked_sub(1)?;
-        let next = self.rows.partition_point(|(known, _)| *known < time);
-        let after = self.rows.partition_point(|(known, _)| *known <= time);
+        let next = self.rows.partition_point(|row| row.time < time);
+        let after = self.rows.partition_point(|row| row.time <= time);
         let near = &self.rows[next.saturating_sub(1)..=after.min(last)];
         let (first, others) = near.split_first()?;
-        let larger_of = |mut worst: Vec<f64>, (_, row): &(f64, Vec<f64>)| {
-            worst.iter_mut().zip(row).for_each(|(worst, error)| *worst = larger(*worst, *error));
+        let larger_of = |mut worst: Vec<f64>, row: &Row| {
+            worst.iter_mut().zip(&row.errors).for_each(|(worst, error)| *worst = larger(*worst, *error));
             worst
         };
-        (time <= self.until).then(|| others.iter().fold(first.1.clone(), larger_of))
+        (time <= self.until).then(|| others.iter().fold(first.errors.clone(), larger_of))
     }
 
     /// The errors at the end; `None` where nothing can be said of it.
     pub fn last(&self) -> Option<&[f64]> {
-        if self.until.is_finite() { None } else { self.rows.last().map(|(_, row)| &**row) }
+        if self.until.is_finite() { None } else { self.rows.last().map(|row| &*row.errors) }
     }
 
     /// Largest absolute value of each quantity, SI units.
@@ -144,8 +200,8 @@ impl Errors {
         &self.largest
     }
 
-    pub(super) fn rows(&self) -> impl Iterator<Item = (f64, &[f64])> {
-        self.rows.iter().map(|(time, row)| (*time, &**row))
+    pub(super) fn rows(&self) -> &[Row] {
+        &self.rows
     }
 }
 
@@ -182,7 +238,9 @@ impl Compared {
     fn differences<'a>(&'a self, here: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
         (0..here.len()).map(move |index| {
             let since = (here[index] - self.since[index]).abs();
-            let now = self.same.as_ref().map_or(since, |same| (here[index] - same[index]).abs());
+            // Next to an event, that it comes a little late tells of no later time.
+            let Some(same) = &self.same else { return (since, 0.0) };
+            let now = (here[index] - same[index]).abs();
             (now, if now < since { now } else { since })
         })
     }

@@ -9,6 +9,10 @@ use crate::trust::{Trust, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
 const RATE_PART: f64 = 1e-6;
+/// And over as many spacings of the time, where the piece is that long: late in a long run rounding is coarse beside a short piece.
+const RATE_ULPS: f64 = 1024.0;
+/// Events before and after an instant that may belong on its other side.
+const NEIGHBOURS: usize = 4;
 /// Rounding errors of a quantity, in units of what its running error analysis says.
 const NOISE: f64 = 2.0;
 
@@ -40,8 +44,28 @@ impl Trust {
             _ => carried,
         };
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
-        let moved = quantity.rate(at.side) * at.off.max(rounded);
+        let moved = quantity.rate(at.side) * at.off.max(rounded) + self.jumps(run, formula, at)?;
         Ok(Some(motion + noise + moved))
+    }
+
+    /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant
+    /// is asked for on one side.
+    fn jumps(&self, run: &Run, formula: &Expr, at: At) -> Result<f64, RunError> {
+        let events = &run.trajectory.events;
+        let next = events.partition_point(|event| event.time < at.time);
+        let near = next.saturating_sub(NEIGHBOURS)..(next + NEIGHBOURS).min(events.len());
+        let mut sum = 0.0;
+        for index in near {
+            let time = events[index].time;
+            let error = self.event_error(run, time).unwrap_or(0.0);
+            // The time of an event comes with its error, but for rounding; any other time is exact.
+            let is_asked_for = time == at.time && at.off >= 0.5 * error;
+            if !is_asked_for && (time - at.time).abs() <= error.max(at.off) {
+                let sides = run.observe(std::slice::from_ref(formula))?.at_event(index);
+                sum += sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());
+            }
+        }
+        Ok(if sum.is_finite() { sum } else { 0.0 })
     }
 }
 
@@ -105,14 +129,15 @@ impl<'a> Quantity<'a> {
     /// How fast the value changes there, per s.
     fn rate(&mut self, side: Side) -> f64 {
         let Some(piece) = self.run.trajectory.piece_at(self.place.time, side) else { return 0.0 };
-        let step = RATE_PART * (piece.end - piece.start);
+        let length = piece.end - piece.start;
+        let step = (RATE_PART * length).max(RATE_ULPS * f64::EPSILON * self.place.time).min(length);
         let mut rate = 0.0_f64;
         for time in [self.place.time - step, self.place.time + step] {
-            if piece.mode != self.place.mode || time <= piece.start || time >= piece.end {
+            if piece.mode != self.place.mode || time < piece.start || time > piece.end {
                 continue;
             }
             let place = Place { mode: piece.mode, time, states: piece.states_at(time), piece: Some(piece) };
-            let change = (self.at(&place) - self.value).abs() / step;
+            let change = (self.at(&place) - self.value).abs() / (time - self.place.time).abs();
             rate = if change.is_finite() { rate.max(change) } else { rate };
         }
         rate

@@ -8,13 +8,13 @@
 //!
 //! ```text
 //! min(D, P) + noise + |f'| tau
-//! D = SAFETY max(d(t), max over t' <= t of c(t')) + ULPS eps max over t' <= t of |f(t')|
+//! D = SAFETY max(d(t), max over t' of c(t')) + ULPS eps max over t' of |f(t')|
 //! P = sum over states of |f(.., x_i + e_i, ..) - f(x)|
 //! ```
 //!
-//! with d the largest difference to a check run at equal times; c the smaller of d and the difference at equal times since the
-//! last event, zero while a compliant surface is hit, for a time much shorter than other phases: an impact that comes a little
-//! late spoils no digits after it; e_i the error D of a state; noise the rounding error of f itself; tau the error of the time.
+//! with t' in the last few steps up to t; d the largest difference to a check run at equal times; c the smaller of d and the
+//! difference at equal times since the last event, zero while a compliant surface is hit, for a time much shorter than other
+//! phases, and in the last impacts of a Zeno sequence: an impact that comes a little late spoils no digits after it; e_i the error D of a state; noise the rounding error of f itself; tau the error of the time.
 //! What is singular, or jumps, elsewhere in the run spoils D there and leaves P. The error of an event's time is SAFETY times
 //! the largest difference of the times, and what rounding of the function does that is crossed.
 //!
@@ -54,6 +54,7 @@ use crate::parameters::Parameters;
 use crate::run::{Run, RunError};
 use check_run::CheckRun;
 pub use errors::Errors;
+use errors::Row;
 pub use instant::{At, depends_on_motion};
 
 /// The difference of two runs may be small by accident at one time and for one quantity; calibrated by the tests.
@@ -77,7 +78,8 @@ pub struct Trust {
     pub asked: f64,
     /// Accuracy that steps were held to in the end: finer than what was asked for, where that was not enough.
     pub used: f64,
-    /// Largest error of a position, an angle or a rate, in units of its scale, up to the end or the horizon.
+    /// Largest error of a position, an angle or a rate, in units of its scale, up to the end or the horizon; within impacts, where
+    /// what is off passes with them, it may be larger.
     pub reached: f64,
     /// Where the digits end, if they do before the motion does.
     pub horizon: Option<Horizon>,
@@ -174,25 +176,25 @@ impl Trust {
     }
 
     /// Finds how large the errors of the states become, and when they are lost. What rounding errors of the rates may have
-    /// done is no motion, and its digits are not counted.
+    /// done is no motion, and its digits are not counted; nor are those of impacts, which pass with them.
     fn measure(&mut self, run: &Run) {
         let scales = scales(run, &self.states);
         let rounding = MEASURES.map(|measure| {
             let floor = run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
             SAFETY * ULPS * floor
         });
-        for (time, row) in self.states.rows() {
+        for Row { time, errors, .. } in self.states.rows().iter().filter(|row| !row.passes) {
             // What is no number counts.
             let is_motion =
                 |index: usize, error: f64| error.is_nan() || error > rounding[index % MEASURES.len()];
-            let counted = row.iter().enumerate().filter(|(index, error)| is_motion(*index, **error));
+            let counted = errors.iter().enumerate().filter(|(index, error)| is_motion(*index, **error));
             let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
             let worst = relative.fold(0.0, errors::larger);
             if worst.is_nan() || worst >= LOST {
-                self.horizon = Some(Horizon { time, reason: Divergence::Grown });
+                self.horizon = Some(Horizon { time: *time, reason: Divergence::Grown });
                 break;
             }
-            self.reached = worst;
+            self.reached = self.reached.max(worst);
         }
     }
 

@@ -7,6 +7,7 @@ use tumble_ode::{Event, Side, Trajectory};
 use crate::contact::Change;
 use crate::mode::Mode;
 use crate::run::Run;
+use crate::trust::errors::BRIEF;
 use crate::trust::{Divergence, Horizon};
 
 /// Two Zeno sequences end at one time if that differs by no more than this part of it: their last impacts need not
@@ -28,8 +29,8 @@ pub(super) struct Phases {
 pub(super) struct Stretch {
     pub(super) start: f64,
     pub(super) end: f64,
-    /// Whether it holds the last impacts of a Zeno sequence, which the runs need not have in the same number: what is off within
-    /// it passes with it.
+    /// Whether it is of the last impacts of a Zeno sequence, which the runs need not have in the same number: what is off within it
+    /// passes with it.
     pub(super) ends_zeno_sequence: bool,
 }
 
@@ -47,7 +48,9 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
         let events = [0, 1].map(|run| changing[run].get(at[run]).copied());
         let (next, is_zeno) = match events {
             [None, None] => break,
-            [Some(a), Some(b)] if is_same(runs, [a, b]) => (at.map(|index| index + 1), false),
+            [Some(a), Some(b)] if is_same(runs, [a, b]) => {
+                (at.map(|index| index + 1), Change::ends_zeno_sequence(a))
+            }
             _ => match after_zeno_sequences(&changing, at) {
                 Some(next) => (next, true),
                 None => {
@@ -91,6 +94,12 @@ impl Phases {
     fn push(&mut self, from: [f64; 2], to: [f64; 2], ends_zeno_sequence: bool) {
         let stretch = |run: usize| Stretch { start: from[run], end: to[run], ends_zeno_sequence };
         self.all.push([0, 1].map(stretch));
+        if ends_zeno_sequence {
+            let lengths = self.all.iter().map(|[here, _]| here.end - here.start);
+            let brief = BRIEF * lengths.fold(0.0, f64::max);
+            let last = self.all.iter_mut().rev().take_while(|[here, _]| here.end - here.start <= brief);
+            last.for_each(|[here, _]| here.ends_zeno_sequence = true);
+        }
     }
 
     fn diverge(&mut self, from: [f64; 2], to: [f64; 2], events: [Option<&Event>; 2]) {
