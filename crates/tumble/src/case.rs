@@ -38,6 +38,23 @@ pub struct Case {
     pub balance: Option<CaseBalance>,
 }
 
+/// A motion, as one looks at it: that of a case, or a check run beside it.
+#[derive(Clone, Copy)]
+pub(crate) struct Solution<'a> {
+    pub(crate) run: &'a Run,
+    /// How far it can be trusted; nothing is known of a check run.
+    pub(crate) trust: Option<&'a Trust>,
+    /// Whether it has come to its end.
+    pub(crate) is_whole: bool,
+}
+
+impl Case {
+    /// The motion with what is known of its errors.
+    pub(crate) fn solution(&self) -> Solution<'_> {
+        Solution { run: &self.run, trust: self.trust.as_ref(), is_whole: self.refusal.is_none() }
+    }
+}
+
 /// A run that was not made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Missing {

@@ -4,7 +4,7 @@ use tumble_scene::{Check, Question, Study};
 
 use crate::case::Case;
 use crate::pipeline::PipelineError;
-use crate::questions::{Answer, Asked, NOT_REACHED};
+use crate::questions::{Answer, NOT_REACHED, answer};
 
 /// A claim with what was found.
 #[derive(Clone, Debug)]
@@ -61,9 +61,7 @@ pub(crate) fn evaluate(study: &Study, case: &Case) -> Result<Vec<CheckResult>, P
 fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, PipelineError> {
     let within = study.number(&check.within)?;
     let Question { name, that, .. } = &check.question;
-    let asked = Asked::of(study, case, &check.question)?;
-    let answer = asked.map(|asked| asked.answer(Some(&check.equals))).transpose()?.flatten();
-    let Answer { at, found, expected, error } = answer.unwrap_or(Answer::NOTHING);
+    let Answer { at, found, expected, error } = answer(study, case, &check.question, Some(&check.equals))?;
     Ok(CheckResult {
         name: name.clone(),
         that: that.text.clone(),

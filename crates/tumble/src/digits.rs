@@ -3,7 +3,7 @@
 use tumble_expr::Expr;
 use tumble_mech::At;
 
-use crate::case::Case;
+use crate::case::{Case, Solution};
 use crate::pipeline::PipelineError;
 use crate::questions::FindResult;
 
@@ -18,9 +18,9 @@ pub(crate) fn digits(value: f64, error: f64) -> usize {
 }
 
 /// The error stated of a formula at an instant; `None` where nothing is known of it.
-pub(crate) fn error(case: &Case, formula: &Expr, at: At) -> Result<Option<f64>, PipelineError> {
-    let Some(trust) = &case.trust else { return Ok(None) };
-    Ok(trust.error_at(&case.run, formula, at)?)
+pub(crate) fn error(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Option<f64>, PipelineError> {
+    let Some(trust) = solution.trust else { return Ok(None) };
+    Ok(trust.error_at(solution.run, formula, at)?)
 }
 
 impl FindResult {

@@ -88,7 +88,7 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
     let mut figure = CurveFigure::new(title, x_axis, axis(study, &plot.y));
     for case in cases {
         let of_case = study.with(&case.parameters);
-        let moments = Moments::of(&of_case, case);
+        let moments = Moments::of(&of_case, case.solution());
         // What waits for something that does not happen in this run has no curve.
         let known: Option<Vec<Expr>> =
             formulas.iter().map(|formula| Some(moments.known(formula)?.formula)).collect();
@@ -115,7 +115,7 @@ fn rows(
     formulas: &[Expr],
 ) -> Result<Option<Vec<Row>>, PipelineError> {
     let Some(during) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
-    let window = Moments::of(study, case).window(Some(during))?;
+    let window = Moments::of(study, case.solution()).window(Some(during))?;
     let end = case.run.trajectory.end().unwrap_or(0.0);
     window
         .filter(|[from, _]| *from < end)

@@ -22,7 +22,7 @@ const NOTHING: f64 = 1e-12;
 /// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
 pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, PipelineError> {
     let study = &study.with(&case.parameters);
-    let moments = Moments::of(study, case);
+    let moments = Moments::of(study, case.solution());
     let drawing = Drawing { study, run: &case.run, body: asked.body };
     let mut sheet = Sheet { title: heading(study, asked.title.as_deref(), &asked.name), ..Sheet::default() };
     let end = case.run.trajectory.end().unwrap_or(0.0);

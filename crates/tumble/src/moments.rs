@@ -4,13 +4,14 @@ use tumble_expr::{Expr, Substitution, Symbol};
 use tumble_mech::Contact;
 use tumble_scene::{Instant, Study};
 
-use crate::case::Case;
+use crate::case::Solution;
 use crate::pipeline::PipelineError;
+use crate::works;
 
 /// The events and contacts of one run.
 pub(crate) struct Moments<'a> {
     study: &'a Study,
-    case: &'a Case,
+    solution: Solution<'a>,
     contacts: Vec<Contact>,
 }
 
@@ -34,8 +35,13 @@ pub(crate) struct Timed {
 
 impl<'a> Moments<'a> {
     /// Those of a run of a study with the run's parameters.
-    pub(crate) fn of(study: &'a Study, case: &'a Case) -> Self {
-        Self { study, case, contacts: case.run.contacts() }
+    pub(crate) fn of(study: &'a Study, solution: Solution<'a>) -> Self {
+        Self { study, solution, contacts: solution.run.contacts() }
+    }
+
+    /// Whether a formula holds times that only a run knows, or works.
+    pub(crate) fn names(&self, formula: &Expr) -> bool {
+        formula.symbols().iter().any(|symbol| is_moment(symbol) || works::is_work(symbol))
     }
 
     /// When that is, s, with the error of that; `None` if it does not happen.
@@ -51,9 +57,9 @@ impl<'a> Moments<'a> {
 
     /// Error of the time of an event, s: of the time at which an event has ended the run, too.
     pub(crate) fn event_error(&self, time: f64) -> Option<f64> {
-        let is_event = self.case.run.trajectory.events.iter().any(|event| event.time == time);
-        let trust = self.case.trust.as_ref()?;
-        if is_event { trust.event_error(&self.case.run, time) } else { Some(f64::EPSILON * time) }
+        let is_event = self.solution.run.trajectory.events.iter().any(|event| event.time == time);
+        let trust = self.solution.trust?;
+        if is_event { trust.event_error(self.solution.run, time) } else { Some(f64::EPSILON * time) }
     }
 
     /// From when to when, s; the whole run where nothing is said, and `None` if one of the two does not happen or they happen
@@ -70,7 +76,6 @@ impl<'a> Moments<'a> {
 
     /// A formula with its moments replaced by their times; `None` if one of them does not happen.
     pub(crate) fn known(&self, formula: &Expr) -> Option<Timed> {
-        let is_moment = |symbol: &Symbol| symbol.name.ends_with(']') || is_contact(symbol);
         let symbols = formula.symbols().into_iter().filter(is_moment);
         let moments: Option<Vec<(Symbol, Known)>> =
             symbols.map(|symbol| self.time_of(&symbol.name).map(|known| (symbol, known))).collect();
@@ -93,7 +98,7 @@ impl<'a> Moments<'a> {
     fn time_of(&self, name: &str) -> Option<Known> {
         let at = |time: f64| Known { time, error: self.event_error(time) };
         if let Some((event, count)) = counted(name) {
-            let events = &self.case.run.trajectory.events;
+            let events = &self.solution.run.trajectory.events;
             let mut named = events.iter().filter(|known| known.tags.iter().any(|tag| tag == event));
             return named.nth(count - 1).map(|event| at(event.time));
         }
@@ -114,7 +119,7 @@ impl<'a> Moments<'a> {
 
     /// The contact of that count of a surface, of a body with it, or of one point of the body.
     fn contact(&self, place: &str, count: usize) -> Option<&Contact> {
-        let pairs = self.case.run.equations.pairs();
+        let pairs = self.solution.run.equations.pairs();
         let is_there = |contact: &&Contact| {
             let rest = pairs[contact.pair].name.strip_prefix(place);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
@@ -123,8 +128,8 @@ impl<'a> Moments<'a> {
     }
 }
 
-fn is_contact(symbol: &Symbol) -> bool {
-    symbol.name.contains(".contact[")
+fn is_moment(symbol: &Symbol) -> bool {
+    symbol.name.ends_with(']') || symbol.name.contains(".contact[")
 }
 
 /// `apex[2]` in its two parts.

@@ -78,7 +78,7 @@ fn name_run(said: &mut Diagnostics, label: &str) {
 }
 
 fn empty_windows(study: &Study, case: &Case, said: &mut Diagnostics) -> Result<(), PipelineError> {
-    let moments = Moments::of(study, case);
+    let moments = Moments::of(study, case.solution());
     let plots = study.plots.iter().map(|plot| (format!("the plot `{}`", plot.name), plot.during.as_ref()));
     let checks = study.checks.iter().map(|check| &check.question);
     let questions = study.finds.iter().chain(checks).map(|question| match &question.at {

@@ -1,11 +1,11 @@
 //! Looking at a motion where a scene asks to: at an instant, at the end, or where something is greatest or least.
 
 use tumble_expr::{Dimension, Expr, Unit};
-use tumble_mech::At;
+use tumble_mech::{At, Run};
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, When};
 
-use crate::case::Case;
+use crate::case::{Case, Solution};
 use crate::digits;
 use crate::moments::{Moments, Timed};
 use crate::pipeline::PipelineError;
@@ -52,9 +52,7 @@ pub(crate) fn finds(study: &Study, case: &Case) -> Result<Vec<FindResult>, Pipel
 }
 
 fn find(study: &Study, case: &Case, question: &Question) -> Result<FindResult, PipelineError> {
-    let asked = Asked::of(study, case, question)?;
-    let answer = asked.map(|asked| asked.answer(None)).transpose()?.flatten();
-    let Answer { at, found, error, .. } = answer.unwrap_or(Answer::NOTHING);
+    let Answer { at, found, error, .. } = answer(study, case, question, None)?;
     let Question { name, that, .. } = question;
     let unit = that.quantity.unit.clone();
     Ok(FindResult { name: name.clone(), that: that.text.clone(), unit, at, value: found, error })
@@ -77,9 +75,33 @@ impl Answer {
     pub(crate) const NOTHING: Self = Self { at: f64::NAN, found: f64::NAN, expected: f64::NAN, error: None };
 }
 
+/// What a question comes to in a motion, beside a claim if there is one.
+pub(crate) fn answer(
+    study: &Study,
+    case: &Case,
+    question: &Question,
+    claim: Option<&Expr>,
+) -> Result<Answer, PipelineError> {
+    let Some(asked) = Asked::of(study, case.solution(), question)? else { return Ok(Answer::NOTHING) };
+    let Some((mut answer, difference)) = asked.answer(claim)? else { return Ok(Answer::NOTHING) };
+    if let (Some(known), Some(trust)) = (answer.error, &case.trust) {
+        // The same may be seen in the check runs, where it is a question of events: at each at its own.
+        let of_check = |run: &Run| {
+            let asked = Asked::of(study, Solution { run, trust: None, is_whole: true }, question).ok()??;
+            asked.answer(claim).ok()?.map(|(answer, _)| answer.found - answer.expected)
+        };
+        let compared = match asked.is_of_events {
+            true => trust.compared(&case.run, &difference, asked.at(), of_check)?,
+            false => None,
+        };
+        answer.error = Some(compared.map_or(known, |compared| known.min(compared)));
+    }
+    Ok(answer)
+}
+
 /// A question with its time.
-pub(crate) struct Asked<'a> {
-    case: &'a Case,
+struct Asked<'a> {
+    solution: Solution<'a>,
     moments: Moments<'a>,
     that: Timed,
     dimension: Dimension,
@@ -87,41 +109,60 @@ pub(crate) struct Asked<'a> {
     /// Error of the time, s; `None` where nothing is known of it.
     off: Option<f64>,
     side: Side,
+    /// Whether events or extremes say what is asked for, and not a time alone.
+    is_of_events: bool,
 }
 
 impl<'a> Asked<'a> {
     /// `None` where its time does not come in this motion.
-    pub(crate) fn of(
+    fn of(
         study: &'a Study,
-        case: &'a Case,
+        solution: Solution<'a>,
         question: &Question,
     ) -> Result<Option<Self>, PipelineError> {
-        let moments = Moments::of(study, case);
+        let moments = Moments::of(study, solution);
         let Some(that) = moments.known(&question.that.quantity.formula) else { return Ok(None) };
         // A motion that an event has stopped ends there; one that was refused has no end, and nobody knows what is greatest.
-        let is_whole = case.refusal.is_none();
+        let is_whole = solution.is_whole;
+        let is_of_events = moments.names(&question.that.quantity.formula)
+            || match &question.at {
+                When::End => solution.run.trajectory.last_event().is_some(),
+                When::At(instant) => moments.names(&instant.time),
+                When::Extreme { .. } => true,
+            };
         let found = match &question.at {
             When::End => {
-                let end = case.run.trajectory.end().filter(|_| is_whole);
+                let end = solution.run.trajectory.end().filter(|_| is_whole);
                 end.map(|end| (end, moments.event_error(end), question.side))
             }
             When::At(instant) => moments.time(instant)?.map(|(time, off)| (time, off, question.side)),
             When::Extreme { which, during } => match moments.window(during.as_ref())?.filter(|_| is_whole) {
                 // At an extreme the value does not change with the time.
                 Some(window) => {
-                    let peak = case.run.extreme(&that.formula, *which, window)?;
+                    let peak = solution.run.extreme(&that.formula, *which, window)?;
                     peak.map(|peak| (peak.time, Some(0.0), peak.side))
                 }
                 None => None,
             },
         };
         let dimension = question.that.quantity.dimension;
-        Ok(found.map(|(time, off, side)| Self { case, moments, that, dimension, time, off, side }))
+        Ok(found.map(|(time, off, side)| Self {
+            solution,
+            moments,
+            that,
+            dimension,
+            time,
+            off,
+            side,
+            is_of_events,
+        }))
     }
 
     /// What is found, beside a claim if there is one; `None` outside the motion.
-    pub(crate) fn answer(&self, claim: Option<&Expr>) -> Result<Option<Answer>, PipelineError> {
-        let (case, at) = (self.case, (self.time, self.side));
+    ///
+    /// With the formula of what was found less what was claimed.
+    fn answer(&self, claim: Option<&Expr>) -> Result<Option<(Answer, Expr)>, PipelineError> {
+        let (solution, at) = (self.solution, (self.time, self.side));
         let claimed = match claim {
             None => Some(Timed { formula: 0 * Unit(self.dimension), variants: vec![], is_sure: true }),
             Some(claim) => self.moments.known(claim),
@@ -129,7 +170,7 @@ impl<'a> Asked<'a> {
         let Some(claimed) = claimed else { return Ok(None) };
         let mut is_sure = self.that.is_sure && claimed.is_sure;
         let mut known = |formula: &Expr| {
-            let known = works::known(case, formula.clone(), at)?;
+            let known = works::known(solution, formula.clone(), at)?;
             is_sure &= known.as_ref().is_none_or(|known| known.is_sure);
             Ok::<_, PipelineError>(known)
         };
@@ -143,17 +184,17 @@ impl<'a> Asked<'a> {
         let others = of_that.chain(of_claim.map(|other| &that.formula - other));
         let formulas: Vec<Expr> =
             [&that.formula, &expected.formula, &difference].into_iter().cloned().chain(others).collect();
-        let Some(values) = case.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
+        let Some(values) = solution.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
         let of_variants: f64 = values[3..].iter().map(|other| (other - values[2]).abs()).sum();
-        let at = At { time: self.time, side: self.side, off: self.off.unwrap_or(0.0) };
-        let depends = self.off.is_some() || !tumble_mech::depends_on_motion(&case.run, &difference);
-        let error = digits::error(case, &difference, at)?.filter(|_| is_sure && depends);
-        Ok(Some(Answer {
-            at: self.time,
-            found: values[0] + 0.0,
-            expected: values[1],
-            error: error.map(|error| error + of_variants),
-        }))
+        let depends = self.off.is_some() || !tumble_mech::depends_on_motion(solution.run, &difference);
+        let error = digits::error(solution, &difference, self.at())?.filter(|_| is_sure && depends);
+        let error = error.map(|error| error + of_variants);
+        let answer = Answer { at: self.time, found: values[0] + 0.0, expected: values[1], error };
+        Ok(Some((answer, difference)))
+    }
+
+    fn at(&self) -> At {
+        At { time: self.time, side: self.side, off: self.off.unwrap_or(0.0) }
     }
 }
 

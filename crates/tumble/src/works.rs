@@ -5,7 +5,7 @@ use tumble_mech::{Contribution, Kind, RunBalance};
 use tumble_ode::Side;
 
 use crate::balance::ABOUT;
-use crate::case::Case;
+use crate::case::Solution;
 use crate::pipeline::PipelineError;
 
 /// How their names end.
@@ -23,18 +23,17 @@ pub(crate) struct Known {
 
 /// Puts in the works that loads have done up to a time, s; `None` outside the motion.
 pub(crate) fn known(
-    case: &Case,
+    solution: Solution<'_>,
     formula: Expr,
     (time, side): (f64, Side),
 ) -> Result<Option<Known>, PipelineError> {
-    let symbols: Vec<Symbol> =
-        formula.symbols().into_iter().filter(|symbol| symbol.name.ends_with(WORK)).collect();
+    let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
     if symbols.is_empty() {
         return Ok(Some(Known { formula, variants: vec![], is_sure: true }));
     }
-    let mut balance = RunBalance::of(&case.run, ABOUT)?;
+    let mut balance = RunBalance::of(solution.run, ABOUT)?;
     let Some(reading) = balance.at(time, side)? else { return Ok(None) };
-    let errors = match &case.trust {
+    let errors = match solution.trust {
         Some(trust) => trust.work_errors(&mut balance, time, side)?,
         None => None,
     };
@@ -59,6 +58,11 @@ pub(crate) fn known(
     };
     let variants = (0..symbols.len()).map(|index| with(Some(index))).collect();
     Ok(Some(Known { formula: with(None), variants, is_sure: errors.is_some() }))
+}
+
+/// Whether a symbol is the work of a load.
+pub(crate) fn is_work(symbol: &Symbol) -> bool {
+    symbol.name.ends_with(WORK)
 }
 
 /// Whether a contribution is what the force of a load, or a part of a load such as one contact of a surface, did to a body.

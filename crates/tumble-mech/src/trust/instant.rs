@@ -5,7 +5,9 @@ use tumble_ode::{Place, Side};
 
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
-use crate::trust::{Trust, kinematics};
+use crate::trust::check_run::CheckRun;
+use crate::trust::errors::larger;
+use crate::trust::{Trust, ULPS, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
 const RATE_PART: f64 = 1e-6;
@@ -46,6 +48,24 @@ impl Trust {
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
         let moved = quantity.rate(at.side) * at.off.max(rounded) + self.jumps(run, formula, at)?;
         Ok(Some(motion + noise + moved))
+    }
+
+    /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own;
+    /// `None` where one of them does not come to it.
+    pub fn compared(
+        &self,
+        run: &Run,
+        formula: &Expr,
+        at: At,
+        of_check: impl Fn(&Run) -> Option<f64>,
+    ) -> Result<Option<f64>, RunError> {
+        let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
+        let quantity = Quantity::new(run, formula, &place)?;
+        let off = |check: &CheckRun| Some(check.safety * (of_check(&check.run)? - quantity.value).abs());
+        let offs: Option<Vec<f64>> = self.checks.iter().map(off).collect();
+        let Some(offs) = offs.filter(|_| at.time <= self.end()) else { return Ok(None) };
+        let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
+        Ok(Some(offs.into_iter().fold(0.0, larger) + rounding))
     }
 
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant

@@ -100,7 +100,7 @@ fn least_greatest_last(
     formula: &Expr,
     during: Option<&[Instant; 2]>,
 ) -> Result<[f64; 3], PipelineError> {
-    let (run, moments) = (&case.run, Moments::of(study, case));
+    let (run, moments) = (&case.run, Moments::of(study, case.solution()));
     let (Some(formula), Some(window), Some(end)) =
         (moments.known(formula).map(|timed| timed.formula), moments.window(during)?, run.trajectory.end())
     else {

@@ -157,7 +157,7 @@ impl Seen<'_> {
 
     fn error(&self, time: f64, formula: &Expr) -> Result<Option<f64>, PipelineError> {
         let off = self.case.trust.as_ref().and_then(|trust| trust.event_error(&self.case.run, time));
-        digits::error(self.case, formula, At { time, side: Side::After, off: off.unwrap_or(0.0) })
+        digits::error(self.case.solution(), formula, At { time, side: Side::After, off: off.unwrap_or(0.0) })
     }
 
     /// A value with its digits.
