@@ -21,6 +21,8 @@ struct Known {
     time: f64,
     /// What it may be off by; `None` where nothing is known of that.
     error: Option<f64>,
+    /// What rounding alone may have done to it.
+    blur: f64,
 }
 
 /// A formula with its moments replaced by their times.
@@ -29,8 +31,17 @@ pub(crate) struct Timed {
     pub(crate) formula: Expr,
     /// For each moment, the formula with that one off by its error.
     pub(crate) variants: Vec<Expr>,
+    /// For each moment, the formula with that one off by what rounding alone may have done to it.
+    pub(crate) blurred: Vec<Expr>,
     /// Whether all errors are known.
     pub(crate) is_sure: bool,
+}
+
+impl Timed {
+    /// A formula without moments.
+    pub(crate) fn plain(formula: Expr) -> Self {
+        Self { formula, variants: vec![], blurred: vec![], is_sure: true }
+    }
 }
 
 impl<'a> Moments<'a> {
@@ -80,23 +91,32 @@ impl<'a> Moments<'a> {
         let moments: Option<Vec<(Symbol, Known)>> =
             symbols.map(|symbol| self.time_of(&symbol.name).map(|known| (symbol, known))).collect();
         let moments = moments?;
-        let with = |off: Option<usize>| {
+        let with = |off: Option<usize>, by: f64| {
             let mut times = Substitution::default();
             for (index, (symbol, known)) in moments.iter().enumerate() {
-                let error = if off == Some(index) { known.error.unwrap_or(0.0) } else { 0.0 };
+                let error = if off == Some(index) { by } else { 0.0 };
                 times.insert(symbol.clone(), Expr::from(known.time + error) * tumble_expr::units::S);
             }
             times.apply(formula)
         };
+        let each = |by: fn(&Known) -> f64| {
+            moments.iter().enumerate().map(|(index, (_, known))| with(Some(index), by(known))).collect()
+        };
         Some(Timed {
-            formula: with(None),
-            variants: (0..moments.len()).map(|index| with(Some(index))).collect(),
+            formula: with(None, 0.0),
+            variants: each(|known| known.error.unwrap_or(0.0)),
+            blurred: each(|known| known.blur),
             is_sure: moments.iter().all(|(_, known)| known.error.is_some()),
         })
     }
 
     fn time_of(&self, name: &str) -> Option<Known> {
-        let at = |time: f64| Known { time, error: self.event_error(time) };
+        let run = self.solution.run;
+        let at = |time: f64| Known {
+            time,
+            error: self.event_error(time),
+            blur: tumble_mech::Trust::event_blur(run, time),
+        };
         if let Some((event, count)) = counted(name) {
             let events = &self.solution.run.trajectory.events;
             let mut named = events.iter().filter(|known| known.tags.iter().any(|tag| tag == event));
@@ -109,10 +129,11 @@ impl<'a> Moments<'a> {
         Some(match part {
             "start" => start,
             "end" => end,
-            _ if found.start == found.end => Known { time: 0.0, error: Some(0.0) },
+            _ if found.start == found.end => Known { time: 0.0, error: Some(0.0), blur: 0.0 },
             _ => Known {
                 time: found.end - found.start,
                 error: start.error.zip(end.error).map(|(start, end)| start + end),
+                blur: start.blur + end.blur,
             },
         })
     }

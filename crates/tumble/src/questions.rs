@@ -83,20 +83,29 @@ pub(crate) fn answer(
     claim: Option<&Expr>,
 ) -> Result<Answer, PipelineError> {
     let Some(asked) = Asked::of(study, case.solution(), question)? else { return Ok(Answer::NOTHING) };
-    let Some((mut answer, difference)) = asked.answer(claim)? else { return Ok(Answer::NOTHING) };
+    let Some(Seen { mut answer, difference, blur }) = asked.seen(claim)? else { return Ok(Answer::NOTHING) };
     if let (Some(known), Some(trust)) = (answer.error, &case.trust) {
         // The same may be seen in the check runs, where it is a question of events: at each at its own.
         let of_check = |run: &Run| {
             let asked = Asked::of(study, Solution { run, trust: None, is_whole: true }, question).ok()??;
-            asked.answer(claim).ok()?.map(|(answer, _)| answer.found - answer.expected)
+            asked.seen(claim).ok()?.map(|seen| seen.answer.found - seen.answer.expected)
         };
         let compared = match asked.is_of_events {
             true => trust.compared(&case.run, &difference, asked.at(), of_check)?,
             false => None,
         };
-        answer.error = Some(compared.map_or(known, |compared| known.min(compared)));
+        answer.error = Some(compared.map_or(known, |compared| known.min(compared + blur)));
     }
     Ok(answer)
+}
+
+/// What is seen at the time of a question.
+struct Seen {
+    answer: Answer,
+    /// The formula of what was found less what was claimed.
+    difference: Expr,
+    /// What rounding of the times it names does to that.
+    blur: f64,
 }
 
 /// A question with its time.
@@ -159,12 +168,10 @@ impl<'a> Asked<'a> {
     }
 
     /// What is found, beside a claim if there is one; `None` outside the motion.
-    ///
-    /// With the formula of what was found less what was claimed.
-    fn answer(&self, claim: Option<&Expr>) -> Result<Option<(Answer, Expr)>, PipelineError> {
+    fn seen(&self, claim: Option<&Expr>) -> Result<Option<Seen>, PipelineError> {
         let (solution, at) = (self.solution, (self.time, self.side));
         let claimed = match claim {
-            None => Some(Timed { formula: 0 * Unit(self.dimension), variants: vec![], is_sure: true }),
+            None => Some(Timed::plain(0 * Unit(self.dimension))),
             Some(claim) => self.moments.known(claim),
         };
         let Some(claimed) = claimed else { return Ok(None) };
@@ -178,19 +185,26 @@ impl<'a> Asked<'a> {
             return Ok(None);
         };
         let difference = &that.formula - &expected.formula;
-        let of_that = that.variants.iter().cloned().chain(of_times(&mut known, &self.that)?);
-        let of_that = of_that.map(|other| other - &expected.formula);
-        let of_claim = expected.variants.iter().cloned().chain(of_times(&mut known, &claimed)?);
-        let others = of_that.chain(of_claim.map(|other| &that.formula - other));
-        let formulas: Vec<Expr> =
-            [&that.formula, &expected.formula, &difference].into_iter().cloned().chain(others).collect();
+        let mut formulas = vec![that.formula.clone(), expected.formula.clone(), difference.clone()];
+        let of_works = that.variants.iter().map(|other| other - &expected.formula);
+        let of_works = of_works.chain(expected.variants.iter().map(|other| &that.formula - other));
+        formulas.extend(of_works);
+        let mut of = |of_that: &[Expr], of_claim: &[Expr]| {
+            let of_that = with_works(&mut known, of_that)?.into_iter().map(|other| other - &expected.formula);
+            let of_claim = with_works(&mut known, of_claim)?.into_iter().map(|other| &that.formula - other);
+            Ok::<_, PipelineError>(of_that.chain(of_claim).collect::<Vec<Expr>>())
+        };
+        formulas.extend(of(&self.that.variants, &claimed.variants)?);
+        let first_blurred = formulas.len();
+        formulas.extend(of(&self.that.blurred, &claimed.blurred)?);
         let Some(values) = solution.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
-        let of_variants: f64 = values[3..].iter().map(|other| (other - values[2]).abs()).sum();
+        let off = |others: &[f64]| -> f64 { others.iter().map(|other| (other - values[2]).abs()).sum() };
+        let (of_variants, blur) = (off(&values[3..first_blurred]), off(&values[first_blurred..]));
         let depends = self.off.is_some() || !tumble_mech::depends_on_motion(solution.run, &difference);
         let error = digits::error(solution, &difference, self.at())?.filter(|_| is_sure && depends);
         let error = error.map(|error| error + of_variants);
         let answer = Answer { at: self.time, found: values[0] + 0.0, expected: values[1], error };
-        Ok(Some((answer, difference)))
+        Ok(Some(Seen { answer, difference, blur }))
     }
 
     fn at(&self) -> At {
@@ -198,12 +212,12 @@ impl<'a> Asked<'a> {
     }
 }
 
-/// For each moment of a formula, the formula with that one off by its error.
-fn of_times(
+/// Formulas with their works as numbers.
+fn with_works(
     known: &mut impl FnMut(&Expr) -> Result<Option<works::Known>, PipelineError>,
-    timed: &Timed,
+    formulas: &[Expr],
 ) -> Result<Vec<Expr>, PipelineError> {
-    let variants = timed.variants.iter().map(|variant| Ok(known(variant)?.map(|known| known.formula)));
+    let variants = formulas.iter().map(|variant| Ok(known(variant)?.map(|known| known.formula)));
     let variants: Result<Vec<Option<Expr>>, PipelineError> = variants.collect();
     Ok(variants?.into_iter().flatten().collect())
 }

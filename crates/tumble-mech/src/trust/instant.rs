@@ -50,8 +50,8 @@ impl Trust {
         Ok(Some(motion + noise + moved))
     }
 
-    /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own;
-    /// `None` where one of them does not come to it.
+    /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own, and
+    /// from what rounding does to the instant; `None` where one of them does not come to it.
     pub fn compared(
         &self,
         run: &Run,
@@ -60,12 +60,13 @@ impl Trust {
         of_check: impl Fn(&Run) -> Option<f64>,
     ) -> Result<Option<f64>, RunError> {
         let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
-        let quantity = Quantity::new(run, formula, &place)?;
+        let mut quantity = Quantity::new(run, formula, &place)?;
         let off = |check: &CheckRun| Some(check.safety * (of_check(&check.run)? - quantity.value).abs());
         let offs: Option<Vec<f64>> = self.checks.iter().map(off).collect();
         let Some(offs) = offs.filter(|_| at.time <= self.end()) else { return Ok(None) };
         let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
-        Ok(Some(offs.into_iter().fold(0.0, larger) + rounding))
+        let blur = if at.off > 0.0 { quantity.rate(at.side) * Self::event_blur(run, at.time) } else { 0.0 };
+        Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur))
     }
 
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant

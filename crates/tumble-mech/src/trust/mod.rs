@@ -212,11 +212,17 @@ impl Trust {
     ///
     /// What the check runs are off by, and what rounding of the function that was crossed may have done.
     pub fn event_error(&self, run: &Run, time: f64) -> Option<f64> {
-        let here = run.trajectory.events.iter().filter(|event| event.time == time);
-        let blur = here.map(|event| event.blur).fold(0.0, f64::max);
         let mut off = self.checks.iter().map(|check| Some(check.safety * check.phases.off(time)?));
         let off = off.try_fold(0.0, |worst: f64, off: Option<f64>| Some(worst.max(off?)))?;
-        (time <= self.end()).then_some(off + blur + ULPS * f64::EPSILON * time)
+        (time <= self.end()).then_some(off + Self::event_blur(run, time))
+    }
+
+    /// What rounding of the function that was crossed, and of the time itself, may have done to the time of an event, s.
+    pub fn event_blur(run: &Run, time: f64) -> f64 {
+        let events = &run.trajectory.events;
+        let first = events.partition_point(|event| event.time < time);
+        let here = events[first..].iter().take_while(|event| event.time == time);
+        here.map(|event| event.blur).fold(ULPS * f64::EPSILON * time, |sum: f64, blur| sum.max(blur))
     }
 
     /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
