@@ -1,0 +1,12 @@
+//! Scenes with known answers, from their text to what is found: the truth lies within the error that is stated, the error
+//! is small enough to be of use, and nothing is passed over in silence.
+
+mod ask;
+mod events;
+mod forces;
+mod formulas;
+mod impacts;
+mod lines;
+mod rounding;
+mod signs;
+mod times;
