@@ -1,6 +1,10 @@
 //! Scenes as texts, with what they are asked.
 
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
 use tumble::{Case, FindResult, pipeline};
+use tumble_mech::Run;
 
 /// A point of 1 kg that moves with 1 m/s along x.
 const POINT: &str = r#"
@@ -74,12 +78,42 @@ impl Scene {
             ..Found::of(&case.finds[index])
         })
     }
+
+    /// Why the motion ends early.
+    #[track_caller]
+    pub(crate) fn refusal(&self) -> String {
+        let case = self.run(&[]);
+        case.refusal.expect("a motion that is refused").to_string()
+    }
+
+    /// Steps of the motion, and these with those of all runs that it is checked by.
+    #[track_caller]
+    pub(crate) fn steps(&self) -> Steps {
+        let study = tumble_scene::read("scene", &self.text(&[]), &[]).expect("a scene without mistakes");
+        let until = study.number(&study.until).expect("a time");
+        let taken = Cell::new(0);
+        let progress = |_: f64| {
+            taken.set(taken.get() + 1);
+            ControlFlow::Continue(())
+        };
+        let found = Run::trusted(&study.model, &study.model.parameters, until, study.accuracy, progress);
+        let (run, _) = found.map_err(|error| error.to_string()).expect("a motion");
+        Steps { motion: run.trajectory.pieces.len(), all: taken.get() }
+    }
 }
 
 fn find(question: &str, number: usize) -> String {
     let (that, at) = question.split_once(" at ").unwrap_or((question, ""));
     let at = if at.is_empty() { String::new() } else { format!("at = \"{at}\"\n") };
     format!("[find.answer{number}]\nthat = \"{that}\"\n{at}")
+}
+
+/// What a motion cost.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steps {
+    pub(crate) motion: usize,
+    /// Check runs included.
+    pub(crate) all: usize,
 }
 
 /// A value with the error stated of it.

@@ -2,11 +2,13 @@
 //! is small enough to be of use, and nothing is passed over in silence.
 
 mod ask;
+mod balanced;
 mod events;
 mod forces;
 mod formulas;
 mod impacts;
 mod lines;
+mod refusals;
 mod rounding;
 mod signs;
 mod times;
