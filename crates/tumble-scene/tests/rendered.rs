@@ -101,6 +101,33 @@ fn a_start_that_the_pivot_decides() {
 }
 
 #[test]
+fn what_an_event_makes_of_a_coefficient() {
+    let event = "[event.back]\nwhen = \"rod.omega falls through 0 rad/s\"\naction = { set = { L = \"-L\" } }\n\n\
+                 [torsion.wire]\non = \"rod\"\nstiffness = \"L*(2 N)\"\nrest_angle = 0\n\n[run]";
+    insta::assert_snapshot!(shown("[run]", event));
+}
+
+/// What is said of a scene that can be run and most often has a slip.
+fn warned(old: &str, new: &str) -> String {
+    let study =
+        read("pendulum.toml", &PENDULUM.replace(old, new), &[]).map_err(|mistakes| mistakes.to_string());
+    study.expect("no mistakes").warnings().render(false, 90)
+}
+
+#[test]
+fn a_start_that_is_faster_than_mechanics_goes() {
+    insta::assert_snapshot!(warned("angle = \"10 deg\"", "angle = \"10 deg\", omega = \"3e8 rad/s\""));
+    assert_eq!(warned("angle = \"10 deg\"", "angle = \"10 deg\", omega = \"1e8 rad/s\""), "");
+}
+
+#[test]
+fn masses_that_are_too_unlike() {
+    let moon = |mass: &str| format!("[body.moon]\nball = {{ radius = \"1 m\" }}\nmass = \"{mass}\"\n\n[run]");
+    insta::assert_snapshot!(warned("[run]", &moon("2e15 kg")));
+    assert_eq!(warned("[run]", &moon("1e15 kg")), "");
+}
+
+#[test]
 fn a_setting_of_another_dimension() {
     let set = Override { name: "L".into(), text: "2 s".into() };
     insta::assert_snapshot!(read("pendulum.toml", PENDULUM, &[set]).expect_err("a time").render(false, 90));

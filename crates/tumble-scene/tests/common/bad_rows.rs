@@ -16,10 +16,42 @@ pub(crate) const NUMBERS: &[Row] = &[
     ("half = \"L/2\"", "half = \"L/2)\"", "E0108 )", ""),
     ("half = \"L/2\"", "half = \"sqrt(L, L)\"", "E0303 sqrt(L, L)", ""),
     ("half = \"L/2\"", "half = \"max()\"", "E0303 max()", ""),
+    (
+        "half = \"L/2\"",
+        "half = \"1e300*L*1e300\"",
+        "E0517 \"1e300*L*1e300\"",
+        "parameter `half` is inf: it must be a finite number",
+    ),
+    (
+        "half = \"L/2\"",
+        "half = \"L*sin(2e15)\"",
+        "E0530 \"L*sin(2e15)\"",
+        "at most 1e15 rad are possible here",
+    ),
     ("\"w(t)\" = \"2", "\"w(t)\" = \"w(t)*2", "E0304 w(t) | w(t)", "calls itself"),
 ];
 
 pub(crate) const MOTIONS: &[Row] = &[
+    (
+        "to = [0, \"-L\"] }",
+        "to = [0, \"-L\"], end_radius = \"-1 mm\" }",
+        "E0530 \"-1 mm\"",
+        "end radius of `rod` is -0.001 m: it must not be negative",
+    ),
+    ("rod = { from = [0, 0], to = [0, \"-L\"] }", "point = {}", "E0544 hinge", "nothing says how it turns"),
+    (
+        "[output]",
+        "[surface.floor]\nthrough = [0, \"-9 m\"]\nnormal = [0, 0]\nrigid = { restitution = 1 }\n[output]",
+        "E0543 [0, 0]",
+        "a vector of any length but zero",
+    ),
+    (
+        "[output]",
+        "[event.e]\nwhen = \"rod.x rises through 1 m\"\naction = { set = { T = \"-T\" } }\n\
+         [damper.oil]\nbetween = [\"rod.tip\", \"ball.cm\"]\ndamping = \"m/T\"\n[output]",
+        "E0530 { T = \"-T\" } | \"m/T\"",
+        "after the event `e`: damping of `oil` is -0.5 kg/s: it must not be negative",
+    ),
     ("angle = \"10 deg\"", "angle = \"1e300 rad\"", "E0530 start", "points nowhere"),
     (
         "start = { angle = \"10 deg\", omega = 0 }",

@@ -1,0 +1,107 @@
+//! What happens at one instant: impacts of several points, of held bodies, and between surfaces that close.
+
+use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
+
+use crate::ask::{Found, are, scene};
+
+/// Bodies with the height of their centres where they lie flat, m.
+const FLAT: [(&str, f64); 3] = [
+    ("rod = { from = [\"-0.5 m\", 0], to = [\"0.5 m\", 0] }", 0.0),
+    ("rod = { from = [0, 0], to = [\"1 m\", 0] }", 0.0),
+    ("box = { width = \"1 m\", height = \"0.4 m\" }", 0.2),
+];
+
+fn dropped(shape: &str, height: f64, restitution: f64) -> String {
+    format!(
+        "[body.p]\n{shape}\nmass = \"1 kg\"\nstart = {{ at = [0, \"{height} m\"] }}\n\
+         [surface.floor]\nthrough = [0, 0]\nrigid = {{ restitution = {restitution} }}\n"
+    )
+}
+
+/// Both ends strike at one instant, and nothing turns, now or later.
+#[test]
+fn what_falls_flat_stays_level() {
+    for (shape, centre) in FLAT {
+        for restitution in [0.5, 0.7, 0.9] {
+            for height in [2.0, 1.0, 0.3, 1.7, 12.345] {
+                let scene = scene(&dropped(shape, height, restitution)).heavy().until("4 s");
+                let case = scene.run(&["floor.contact[1].start"]);
+                let states =
+                    case.run.trajectory.events.iter().flat_map(|event| [&event.before, &event.after]);
+                // x, y, vx, vy, angle and omega.
+                let turned = states.filter(|states| states[4] != 0.0 || states[5] != 0.0).count();
+                assert_eq!(turned, 0, "{shape} from {height} m, {restitution}");
+                Found::of(&case.finds[0]).is((2.0 * (height - centre) / 9.81).sqrt(), 1e-13);
+            }
+        }
+    }
+}
+
+const HINGED: &str = r#"
+[body.p]
+rod = { from = [0, 0], to = [0, "-1 m"] }
+mass = "1 kg"
+start = { omega = "1 rad/s" }
+[pivot.hinge]
+body = "p"
+point = [0, 0]
+world = [0, 0]
+[surface.right]
+through = ["0.5 m", 0]
+normal = [-1, 0]
+rigid = { restitution = RESTITUTION }
+[surface.left]
+through = ["-0.5 m", 0]
+normal = [1, 0]
+rigid = { restitution = RESTITUTION }
+"#;
+
+/// It turns evenly by 60 degrees from wall to wall.
+#[test]
+fn a_hinged_rod_strikes_walls() {
+    for restitution in [1.0, 0.8, 0.5] {
+        let scene = scene(&HINGED.replace("RESTITUTION", &restitution.to_string()));
+        let found = scene.ask([
+            "right.contact[1].start",
+            "p.omega at right.contact[1].start",
+            "p.angle at right.contact[1].start",
+            "left.contact[1].start",
+            "p.omega at left.contact[1].start",
+        ]);
+        let turns = FRAC_PI_3 / restitution;
+        let truth = [FRAC_PI_6, -restitution, FRAC_PI_6, FRAC_PI_6 + turns, restitution * restitution];
+        are(&found, truth, 1e-13);
+    }
+}
+
+/// The right wall comes at 0.25 m/s: it is struck at 0.4 s, and the left one at 1 s.
+const CLOSING: &str = r#"
+[body.p]
+point = {}
+mass = "1 kg"
+start = { at = ["0.5 m", 0], velocity = ["1 m/s", 0] }
+[surface.left]
+through = [0, 0]
+normal = [1, 0]
+rigid = { restitution = 1 }
+[surface.right]
+through = ["1 m - t*(0.25 m/s)", 0]
+normal = [-1, 0]
+rigid = { restitution = 1 }
+"#;
+
+#[test]
+fn between_walls_that_close_at_the_very_time_of_an_impact() {
+    let scene = scene(CLOSING).until("2 s");
+    let found = scene.ask(["p.vx at 0.4 s", "p.x at 0.4 s", "p.vx at 1 s", "p.x at 1 s", "p.vx at 0.9 s"]);
+    are(&found, [-1.5, 0.9, 1.5, 0.0, -1.5], 1e-12);
+    let found = scene.ask(["p.vx at right.contact[1].start", "t at left.contact[1].start"]);
+    are(&found, [-1.5, 1.0], 1e-12);
+}
+
+#[test]
+fn before_an_impact_the_velocity_is_that_before_it() {
+    let before = "[find.before]\nthat = \"p.vx\"\nat = \"0.4 s\"\nside = \"before\"\n";
+    let case = scene(&format!("{CLOSING}{before}")).until("2 s").run(&[]);
+    Found::of(&case.finds[0]).is(1.0, 1e-12);
+}
