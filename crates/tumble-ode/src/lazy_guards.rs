@@ -155,9 +155,9 @@ impl LazyGuards {
         let watch = &mut self.all[index];
         let tape = watch.jets(self.order)?.tape().clone();
         let inputs: Vec<Rounded> = watch.inputs.iter().map(|value| Rounded::leaf(*value)).collect();
-        let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::leaf(states[*state])).collect();
+        let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::computed(states[*state])).collect();
         let mut value = Jets::new(tape, 0, &inputs);
-        value.start(Rounded::leaf(time), &own, Branches::Free);
+        value.start(Rounded::computed(time), &own, Branches::Free);
         Ok(value.value_of(0).noise())
     }
 

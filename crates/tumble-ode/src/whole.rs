@@ -148,15 +148,20 @@ impl<'a> Watched<'a> {
 impl Engine {
     /// Rates at the start of a step, with what rounding makes of them.
     pub(crate) fn noise(&mut self, time: f64, states: &[f64]) -> Noise {
-        let signs: Vec<Rounded> = self.signs().iter().map(|sign| Rounded::splat(*sign)).collect();
-        let leaves: Vec<Rounded> = states.iter().map(|state| Rounded::leaf(*state)).collect();
-        self.rounded.start(Rounded::leaf(time), &leaves, tumble_expr::Branches::Frozen(&signs));
+        self.round(Rounded::leaf(time), states.iter().map(|state| Rounded::leaf(*state)));
         let rates = (0..self.system.len()).map(|state| self.rounded.value_of(state));
         let rates: Vec<Rounded> = rates.collect();
         Noise {
             rates: rates.iter().map(|rate| rate.noise()).collect(),
             values: rates.iter().map(|rate| rate.value).collect(),
         }
+    }
+
+    /// Evaluates everything with rounding errors.
+    fn round(&mut self, time: Rounded, states: impl Iterator<Item = Rounded>) {
+        let signs: Vec<Rounded> = self.signs().iter().map(|sign| Rounded::splat(*sign)).collect();
+        let leaves: Vec<Rounded> = states.collect();
+        self.rounded.start(time, &leaves, tumble_expr::Branches::Frozen(&signs));
     }
 
     /// By how much rounding errors of the guards that end a step may have moved its end, s: the error of the function over its
@@ -174,7 +179,7 @@ impl Engine {
         if guards.is_empty() {
             return Ok(0.0);
         }
-        self.noise(time, states);
+        self.round(Rounded::computed(time), states.iter().map(|state| Rounded::computed(*state)));
         let first = self.system.len() + usize::from(self.system.transformed);
         let rate = expansion.time.as_ref().map_or(1.0, |series| polynomial::slope(series, length));
         let mut worst: f64 = 0.0;

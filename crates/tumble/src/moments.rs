@@ -6,7 +6,6 @@ use tumble_scene::{Instant, Study};
 
 use crate::case::Solution;
 use crate::pipeline::PipelineError;
-use crate::works;
 
 /// The events and contacts of one run.
 pub(crate) struct Moments<'a> {
@@ -50,9 +49,9 @@ impl<'a> Moments<'a> {
         Self { study, solution, contacts: solution.run.contacts() }
     }
 
-    /// Whether a formula holds times that only a run knows, or works.
-    pub(crate) fn names(&self, formula: &Expr) -> bool {
-        formula.symbols().iter().any(|symbol| is_moment(symbol) || works::is_work(symbol))
+    /// Whether a formula holds times that only a run knows.
+    pub(crate) fn names(formula: &Expr) -> bool {
+        formula.symbols().iter().any(is_moment)
     }
 
     /// When that is, s, with the error of that; `None` if it does not happen.

@@ -90,11 +90,19 @@ pub(crate) fn answer(
             let asked = Asked::of(study, Solution { run, trust: None, is_whole: true }, question).ok()??;
             asked.seen(claim).ok()?.map(|seen| seen.answer.found - seen.answer.expected)
         };
-        let compared = match asked.is_of_events {
+        let compared = match asked.is_of_events || asked.has_works {
             true => trust.compared(&case.run, &difference, asked.at(), of_check)?,
             false => None,
         };
-        answer.error = Some(compared.map_or(known, |compared| known.min(compared + blur)));
+        let of_works = match asked.has_works {
+            true => trust.potential_error(&case.run, asked.at())?,
+            false => Some(0.0),
+        };
+        let compared = compared.zip(of_works).map(|(compared, of_works)| compared + of_works + blur);
+        answer.error = Some(match compared {
+            Some(compared) if asked.has_works || compared < known => compared,
+            _ => known,
+        });
     }
     Ok(answer)
 }
@@ -120,6 +128,7 @@ struct Asked<'a> {
     side: Side,
     /// Whether events or extremes say what is asked for, and not a time alone.
     is_of_events: bool,
+    has_works: bool,
 }
 
 impl<'a> Asked<'a> {
@@ -133,10 +142,11 @@ impl<'a> Asked<'a> {
         let Some(that) = moments.known(&question.that.quantity.formula) else { return Ok(None) };
         // A motion that an event has stopped ends there; one that was refused has no end, and nobody knows what is greatest.
         let is_whole = solution.is_whole;
-        let is_of_events = moments.names(&question.that.quantity.formula)
+        let has_works = question.that.quantity.formula.symbols().iter().any(works::is_work);
+        let is_of_events = Moments::names(&question.that.quantity.formula)
             || match &question.at {
                 When::End => solution.run.trajectory.last_event().is_some(),
-                When::At(instant) => moments.names(&instant.time),
+                When::At(instant) => Moments::names(&instant.time),
                 When::Extreme { .. } => true,
             };
         let found = match &question.at {
@@ -164,6 +174,7 @@ impl<'a> Asked<'a> {
             off,
             side,
             is_of_events,
+            has_works,
         }))
     }
 

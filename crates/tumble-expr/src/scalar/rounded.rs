@@ -40,6 +40,11 @@ impl Rounded {
         Self::constant(value, is_short(value))
     }
 
+    /// A number that came out of a computation: that it has few digits is where it was stopped, not how it is known.
+    pub fn computed(value: f64) -> Self {
+        Self::constant(value, false)
+    }
+
     /// The error, absolute.
     pub fn noise(self) -> f64 {
         self.error * f64::EPSILON

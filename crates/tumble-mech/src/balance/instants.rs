@@ -13,8 +13,9 @@ use crate::mode::Mode;
 use crate::term::Law;
 
 /// Contacts that begin to last stop what is left of the motion towards them, which is at most this part of the largest
-/// momentum that the body has had: bounces are followed down to 1e-15 of its size, so their speeds down to some 1e-8.
-const SETTLED: f64 = 1e-6;
+/// momentum that the body has had: bounces are followed down to 1e-15 of its size, so their speeds down to some 1e-8, and far from
+/// the origin, where gaps are rounded more, down to some more than that.
+const SETTLED: f64 = 1e-3;
 /// Contacts whose impulses do not differ by more than this part are one to the balance.
 const ALIKE: f64 = 1e-12;
 

@@ -21,7 +21,7 @@ mod accumulation;
 mod contribution;
 mod instants;
 mod lines;
-mod potential;
+pub(crate) mod potential;
 mod quadrature;
 mod stored;
 #[cfg(test)]

@@ -56,6 +56,12 @@ pub(super) fn potentials(equations: &Equations) -> Vec<Potential> {
     weights.chain(interactions).chain(pairs).collect()
 }
 
+/// The energies of weights and interactions, which are there all the time.
+pub(crate) fn lasting(equations: &Equations) -> Vec<Expr> {
+    let all = potentials(equations).into_iter().filter(|potential| potential.pair.is_none());
+    all.map(|potential| potential.energy).collect()
+}
+
 fn of_weight(equations: &Equations, body: usize) -> Option<Potential> {
     let model = equations.model();
     let Gravity::Vertical(g) = &model.gravity else { return None };

@@ -3,6 +3,7 @@
 use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
 use tumble_ode::{Place, Side};
 
+use crate::balance::potential::lasting;
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
 use crate::trust::check_run::CheckRun;
@@ -69,6 +70,18 @@ impl Trust {
         Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur))
     }
 
+    /// What errors of the states do to the potential energies at an instant, J: no work is known better than that, though all runs
+    /// may make the same of it.
+    pub fn potential_error(&self, run: &Run, at: At) -> Result<Option<f64>, RunError> {
+        let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
+        let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
+        let mut sum = 0.0;
+        for energy in lasting(&run.equations) {
+            sum += Quantity::new(run, &energy, &place)?.carried(&states);
+        }
+        Ok(Some(sum))
+    }
+
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant
     /// is asked for on one side.
     fn jumps(&self, run: &Run, formula: &Expr, at: At) -> Result<f64, RunError> {
@@ -121,7 +134,8 @@ impl<'a> Quantity<'a> {
     /// The rounding error of the formula itself, from numbers and states that are rounded.
     fn noise(&self) -> Result<f64, RunError> {
         let inputs: Vec<Rounded> = self.run.inputs.iter().map(|value| Rounded::leaf(*value)).collect();
-        let states: Vec<Rounded> = self.place.states.iter().map(|value| Rounded::leaf(*value)).collect();
+        let leaf = if self.place.time > 0.0 { Rounded::computed } else { Rounded::leaf };
+        let states: Vec<Rounded> = self.place.states.iter().map(|value| leaf(*value)).collect();
         let mut rounded = Jets::new(self.jets.tape().clone(), 0, &inputs);
         rounded.start(Rounded::leaf(self.place.time), &states, Branches::Free);
         let noise = rounded.value_of(0).noise();
