@@ -37,8 +37,9 @@ pub(super) struct Lines {
     jets: Jets<f64>,
 }
 
-/// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the balance's.
-const OUTPUTS: usize = 8;
+/// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the balance's, and the body's
+/// reach.
+const OUTPUTS: usize = 9;
 
 impl Lines {
     pub(super) fn new(
@@ -82,16 +83,20 @@ impl Lines {
     }
 
     fn term(&self, line: usize, sizes: &mut Amounts) -> Amounts {
-        let [vx, vy, fx, fy, couple, omega, rx, ry] =
+        let [vx, vy, fx, fy, couple, omega, rx, ry, reach] =
             std::array::from_fn(|which| self.jets.value_of(line * OUTPUTS + which));
         let raise = |size: &mut f64, parts: &[f64]| {
             *size = parts.iter().fold(*size, |size, part| size.max(part.abs()))
         };
+        // What is a sum along the body has parts that may balance each other: its couple tells of its forces, and they of it.
+        let force = [fx, fy, if reach > 0.0 { couple / reach } else { 0.0 }].map(f64::abs);
+        let force = force.into_iter().fold(0.0, f64::max);
+        let torque_here = couple.abs().max(force * reach);
         let [power, x, y, torque] = sizes;
-        raise(power, &[fx * vx, fy * vy, couple * omega]);
-        raise(torque, &[rx * fy, ry * fx, couple]);
-        raise(x, &[fx, fy]);
-        raise(y, &[fx, fy]);
+        raise(power, &[force * vx, force * vy, torque_here * omega]);
+        raise(torque, &[rx * force, ry * force, torque_here]);
+        raise(x, &[force]);
+        raise(y, &[force]);
         [fx * vx + fy * vy + couple * omega, fx, fy, rx * fy - ry * fx + couple]
     }
 
@@ -174,6 +179,7 @@ fn outputs(equations: &Equations, line: &Line, about: &Vector, definitions: &Def
     let velocity = in_mode(&line.velocity);
     let place = in_mode(&(motion.position() - about)) + &line.term.arm;
     let turning = [line.term.couple.clone(), definitions.apply(&motion.omega())];
-    let pairs = [velocity.components(), line.term.force.components(), &turning, place.components()];
-    pairs.concat()
+    let reach = [equations.model().bodies[line.term.body].reach()];
+    let all = [velocity.components(), line.term.force.components(), &turning, place.components(), &reach];
+    all.concat()
 }
