@@ -94,12 +94,7 @@ pub(crate) fn answer(
             true => trust.compared(&case.run, &difference, asked.at(), of_check)?,
             false => None,
         };
-        let of_works = match asked.has_works {
-            true => trust.potential_error(&case.run, asked.at())?,
-            false => Some(0.0),
-        };
-        let compared = compared.zip(of_works).map(|(compared, of_works)| compared + of_works + blur);
-        answer.error = Some(match compared {
+        answer.error = Some(match compared.map(|compared| compared + blur) {
             Some(compared) if asked.has_works || compared < known => compared,
             _ => known,
         });
@@ -112,7 +107,7 @@ struct Seen {
     answer: Answer,
     /// The formula of what was found less what was claimed.
     difference: Expr,
-    /// What rounding of the times it names does to that.
+    /// What rounding of the times it names, and of the potentials where it names works, does to that.
     blur: f64,
 }
 
@@ -180,7 +175,7 @@ impl<'a> Asked<'a> {
 
     /// What is found, beside a claim if there is one; `None` outside the motion.
     fn seen(&self, claim: Option<&Expr>) -> Result<Option<Seen>, PipelineError> {
-        let (solution, at) = (self.solution, (self.time, self.side));
+        let (solution, at) = (self.solution, self.at());
         let claimed = match claim {
             None => Some(Timed::plain(0 * Unit(self.dimension))),
             Some(claim) => self.moments.known(claim),
@@ -208,6 +203,8 @@ impl<'a> Asked<'a> {
         formulas.extend(of(&self.that.variants, &claimed.variants)?);
         let first_blurred = formulas.len();
         formulas.extend(of(&self.that.blurred, &claimed.blurred)?);
+        formulas.extend(that.blurred.iter().map(|other| other - &expected.formula));
+        formulas.extend(expected.blurred.iter().map(|other| &that.formula - other));
         let Some(values) = solution.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
         let off = |others: &[f64]| -> f64 { others.iter().map(|other| (other - values[2]).abs()).sum() };
         let (of_variants, blur) = (off(&values[3..first_blurred]), off(&values[first_blurred..]));

@@ -1,8 +1,7 @@
 //! Works of loads up to an instant, by the names they have in checks: `floor.work`.
 
 use tumble_expr::{Expr, Substitution, Symbol, units};
-use tumble_mech::{Contribution, Kind, RunBalance};
-use tumble_ode::Side;
+use tumble_mech::{At, Contribution, Kind, RunBalance};
 
 use crate::balance::ABOUT;
 use crate::case::Solution;
@@ -17,24 +16,22 @@ pub(crate) struct Known {
     pub(crate) formula: Expr,
     /// What it may be instead: for each work, the formula with that work off by its error.
     pub(crate) variants: Vec<Expr>,
+    /// For each work, the formula with that one off by what the potentials are known to at most.
+    pub(crate) blurred: Vec<Expr>,
     /// Whether all errors are known.
     pub(crate) is_sure: bool,
 }
 
-/// Puts in the works that loads have done up to a time, s; `None` outside the motion.
-pub(crate) fn known(
-    solution: Solution<'_>,
-    formula: Expr,
-    (time, side): (f64, Side),
-) -> Result<Option<Known>, PipelineError> {
+/// Puts in the works that loads have done up to an instant; `None` outside the motion.
+pub(crate) fn known(solution: Solution<'_>, formula: Expr, at: At) -> Result<Option<Known>, PipelineError> {
     let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
     if symbols.is_empty() {
-        return Ok(Some(Known { formula, variants: vec![], is_sure: true }));
+        return Ok(Some(Known { formula, variants: vec![], blurred: vec![], is_sure: true }));
     }
     let mut balance = RunBalance::of(solution.run, ABOUT)?;
-    let Some(reading) = balance.at(time, side)? else { return Ok(None) };
+    let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
     let errors = match solution.trust {
-        Some(trust) => trust.work_errors(&mut balance, time, side)?,
+        Some(trust) => trust.work_errors(&mut balance, at.time, at.side)?,
         None => None,
     };
     let sum = |symbol: &Symbol, of: &[f64]| -> f64 {
@@ -45,19 +42,26 @@ pub(crate) fn known(
             .map(|(_, amount)| amount)
             .sum()
     };
-    let with = |off: Option<usize>| {
+    let blur = match solution.trust {
+        Some(trust) => trust.potential_error(solution.run, at)?.unwrap_or(0.0),
+        None => 0.0,
+    };
+    let with = |off: Option<usize>, by: &dyn Fn(&Symbol) -> f64| {
         let mut found = Substitution::default();
         for (index, symbol) in symbols.iter().enumerate() {
-            let error = match &errors {
-                Some(errors) if off == Some(index) => sum(symbol, errors),
-                _ => 0.0,
-            };
+            let error = if off == Some(index) { by(symbol) } else { 0.0 };
             found.insert(symbol.clone(), Expr::from(sum(symbol, &reading.work) + error) * units::J);
         }
         found.apply(&formula)
     };
-    let variants = (0..symbols.len()).map(|index| with(Some(index))).collect();
-    Ok(Some(Known { formula: with(None), variants, is_sure: errors.is_some() }))
+    let each = |by: &dyn Fn(&Symbol) -> f64| (0..symbols.len()).map(|index| with(Some(index), by)).collect();
+    let error = |symbol: &Symbol| errors.as_ref().map_or(0.0, |errors| sum(symbol, errors));
+    Ok(Some(Known {
+        formula: with(None, &|_| 0.0),
+        variants: each(&error),
+        blurred: each(&|_| blur),
+        is_sure: errors.is_some(),
+    }))
 }
 
 /// Whether a symbol is the work of a load.

@@ -19,6 +19,9 @@ pub trait Lanewise: Scalar {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
+/// Of what is larger than this, coefficients overflow before the value does.
+const HUGE: f64 = 1e250;
+
 macro_rules! lanewise {
     ($($trait:ident $method:ident)*) => {$(
         impl<const N: usize> $trait for Lanes<N> {
@@ -81,7 +84,10 @@ macro_rules! scalar {
             self.pairs(exponent, libm::pow)
         }
         fn over(self, by: Self) -> Self {
-            self.pairs(by, |of, by| if by.is_infinite() { 0.0 } else { of / by })
+            self.pairs(by, |of, by| match by.abs() > HUGE && (by.is_infinite() || !of.is_finite()) {
+                true => 0.0,
+                false => of / by,
+            })
         }
     };
 }

@@ -47,7 +47,7 @@ impl Trust {
             _ => carried,
         };
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
-        let moved = quantity.rate(at.side) * at.off.max(rounded) + self.jumps(run, formula, at)?;
+        let moved = quantity.rate() * at.off.max(rounded) + self.jumps(run, formula, at)?;
         Ok(Some(motion + noise + moved))
     }
 
@@ -66,7 +66,7 @@ impl Trust {
         let offs: Option<Vec<f64>> = self.checks.iter().map(off).collect();
         let Some(offs) = offs.filter(|_| at.time <= self.end()) else { return Ok(None) };
         let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
-        let blur = if at.off > 0.0 { quantity.rate(at.side) * Self::event_blur(run, at.time) } else { 0.0 };
+        let blur = if at.off > 0.0 { quantity.rate() * Self::event_blur(run, at.time) } else { 0.0 };
         Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur))
     }
 
@@ -161,18 +161,24 @@ impl<'a> Quantity<'a> {
         sum
     }
 
-    /// How fast the value changes there, per s.
-    fn rate(&mut self, side: Side) -> f64 {
-        let Some(piece) = self.run.trajectory.piece_at(self.place.time, side) else { return 0.0 };
+    /// How fast the value changes, per s, on the way there: what an event comes to depends on what was before it.
+    fn rate(&mut self) -> f64 {
+        let Some(piece) = self.run.trajectory.piece_at(self.place.time, Side::Before) else { return 0.0 };
         let length = piece.end - piece.start;
         let step = (RATE_PART * length).max(RATE_ULPS * f64::EPSILON * self.place.time).min(length);
         let mut rate = 0.0_f64;
         for time in [self.place.time - step, self.place.time + step] {
-            if piece.mode != self.place.mode || time < piece.start || time > piece.end {
+            if time < piece.start || time > piece.end {
                 continue;
             }
-            let place = Place { mode: piece.mode, time, states: piece.states_at(time), piece: Some(piece) };
-            let change = (self.at(&place) - self.value).abs() / (time - self.place.time).abs();
+            let place = |time: f64| Place {
+                mode: piece.mode,
+                time,
+                states: piece.states_at(time),
+                piece: Some(piece),
+            };
+            let change = self.at(&place(time)) - self.at(&place(self.place.time));
+            let change = change.abs() / (time - self.place.time).abs();
             rate = if change.is_finite() { rate.max(change) } else { rate };
         }
         rate

@@ -162,6 +162,9 @@ pub(super) fn swing(mut setup: Setup) -> Problem {
     setup.problem("0 m/s^2", &until)
 }
 
+/// A phase that is zero but for the rounding of the closed form.
+const AT_ONCE: f64 = 1e-40;
+
 /// A cos(w t - p)
 struct Wave {
     amplitude: Real,
@@ -186,7 +189,9 @@ impl Wave {
         let first = &self.phase - (Real::pi() / 2 - part.asin());
         let turn = Real::pi() * 2;
         let all = (-1..).map(|count| (&first + &turn * count) / &self.frequency);
-        all.skip_while(|time| time.sign() <= 0).take_while(|time| time < until).collect()
+        // What begins there does not come there then.
+        let begins = Real::of(AT_ONCE) / &self.frequency;
+        all.skip_while(|time| *time <= begins).take_while(|time| time < until).collect()
     }
 }
 
