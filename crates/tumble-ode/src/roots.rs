@@ -29,6 +29,9 @@ pub(crate) struct Root {
 
 /// Roots in (0, length], in order, of a polynomial by its coefficients of powers. One at 0 is not counted.
 pub(crate) fn roots(powers: &[f64], length: f64) -> Vec<Root> {
+    // Over a long interval its high powers overflow, though their coefficients are zero.
+    let degree = powers.iter().rposition(|c| *c != 0.0).unwrap_or(0);
+    let powers = &powers[..powers.len().min(degree + 1)];
     if keeps_away(powers, length) {
         return vec![];
     }
@@ -185,6 +188,15 @@ impl Search<'_> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn over_a_long_interval_zero_coefficients_hide_nothing() {
+        let mut powers = vec![0.16, -8e-12];
+        powers.resize(26, 0.0);
+        let found = roots(&powers, 2.4e12);
+        assert_eq!(found.len(), 1);
+        assert!((found[0].at - 2e10).abs() < 1e-4, "{}", found[0].at);
+    }
 
     /// Coefficients of the product of (s - r) over the roots, times `lead`.
     fn with_roots(lead: f64, roots: &[f64]) -> Vec<f64> {
