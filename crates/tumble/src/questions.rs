@@ -94,7 +94,8 @@ pub(crate) fn answer(
             true => trust.compared(&case.run, &difference, asked.at(), of_check)?,
             false => None,
         };
-        let margin = if matches!(question.at, When::Extreme { .. }) { AT_EXTREME } else { 1.0 };
+        let is_of_one_instant = asked.has_works || matches!(question.at, When::Extreme { .. });
+        let margin = if is_of_one_instant { ONE_INSTANT } else { 1.0 };
         answer.error = Some(match compared.map(|compared| margin * compared + blur) {
             Some(compared) if asked.has_works => compared,
             Some(compared) => known.min(compared),
@@ -104,8 +105,8 @@ pub(crate) fn answer(
     Ok(answer)
 }
 
-/// All of a greatest value's digits hang on one instant of each run, and by accident these may agree; calibrated.
-const AT_EXTREME: f64 = 3.0;
+/// A greatest value, and a work, is compared at one instant of each run, where by accident they may agree; calibrated.
+const ONE_INSTANT: f64 = 3.0;
 
 /// What is seen at the time of a question.
 struct Seen {

@@ -62,7 +62,7 @@ fn ended_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
 fn a_run_that_goes_well() {
     let (code, said) = ended(STONE, &["run", "stone/scene.toml"]);
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.starts_with("A stone falls\n  2 s in 1 step, all exact, 0 events, 14 digits\n"), "{said}");
+    assert!(said.starts_with("A stone falls\n  2 s in 1 step, all exact, 0 events, 15 digits\n"), "{said}");
     assert!(said.contains("check depth: stone.y = -20 m at 2 s holds"), "{said}");
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use tumble_expr::Expr;
 use tumble_ode::{Cause, Reason};
 
 use crate::equations::Equations;
@@ -20,12 +21,14 @@ impl Equations {
         inputs: &[f64],
         mistakes: &mut Vec<ModelError>,
     ) -> Result<Vec<Cause>, ModelError> {
+        // A foot at the origin is where it is by the body's place and the way from there.
+        let extent = |body: &crate::Body| body.kinematics().position().norm() + body.reach();
+        let extents: Vec<Expr> = self.model().bodies.iter().map(extent).collect();
         let formulas: Vec<_> = self
             .pairs()
             .iter()
             .flat_map(|pair| {
-                let place = pair.centre.position();
-                [pair.gap(), place.norm() + pair.through.norm() + &pair.radius]
+                [pair.gap(), &extents[pair.body] + pair.through.norm() + &pair.radius]
             })
             .collect();
         let values = self.values(&formulas, mode, 0.0, states, inputs).map_err(|reason| match reason {

@@ -186,7 +186,9 @@ impl Errors {
         let last = self.rows.len().checked_sub(1)?;
         let next = self.rows.partition_point(|row| row.time < time);
         let after = self.rows.partition_point(|row| row.time <= time);
-        let near = &self.rows[next.saturating_sub(1)..=after.min(last)];
+        // Between two rows both count; a row at the time itself tells of it alone.
+        let near = if next < after { next..after } else { next.saturating_sub(1)..after.min(last) + 1 };
+        let near = &self.rows[near];
         let (first, others) = near.split_first()?;
         let larger_of = |mut worst: Vec<f64>, row: &Row| {
             worst.iter_mut().zip(&row.errors).for_each(|(worst, error)| *worst = larger(*worst, *error));

@@ -92,8 +92,7 @@ impl Trust {
         for index in near {
             let time = events[index].time;
             let error = self.event_error(run, time).unwrap_or(0.0);
-            // The time of an event comes with its error, but for rounding; any other time is exact.
-            let is_asked_for = time == at.time && at.off >= 0.5 * error;
+            let is_asked_for = time == at.time;
             if !is_asked_for && (time - at.time).abs() <= error.max(at.off) {
                 let sides = run.observe(std::slice::from_ref(formula))?.at_event(index);
                 sum += sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());
