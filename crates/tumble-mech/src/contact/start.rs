@@ -27,9 +27,7 @@ impl Equations {
         let formulas: Vec<_> = self
             .pairs()
             .iter()
-            .flat_map(|pair| {
-                [pair.gap(), &extents[pair.body] + pair.through.norm() + &pair.radius]
-            })
+            .flat_map(|pair| [pair.gap(), &extents[pair.body] + pair.through.norm() + &pair.radius])
             .collect();
         let values = self.values(&formulas, mode, 0.0, states, inputs).map_err(|reason| match reason {
             Reason::Compile(mistake) => ModelError::Compile { what: "a surface".into(), mistake },
