@@ -9,7 +9,7 @@ use crate::case::{Case, Solution};
 use crate::digits;
 use crate::moments::{Moments, Timed};
 use crate::pipeline::PipelineError;
-use crate::works;
+use crate::works::{Works, is_work};
 
 /// A value that the scene asks for.
 #[derive(Clone, Debug)]
@@ -90,22 +90,22 @@ pub(crate) fn answer(
             let asked = Asked::of(study, Solution { run, trust: None, is_whole: true }, question).ok()??;
             asked.seen(claim).ok()?.map(|seen| seen.answer.found - seen.answer.expected)
         };
-        let compared = match asked.is_of_events || asked.has_works {
-            true => trust.compared(&case.run, &difference, asked.at(), of_check)?,
-            false => None,
+        let compared = match asked.margin {
+            Some(_) => trust.compared(&case.run, &difference, asked.at(), of_check)?,
+            None => None,
         };
-        let is_of_one_instant = asked.has_works || matches!(question.at, When::Extreme { .. });
-        let margin = if is_of_one_instant { ONE_INSTANT } else { 1.0 };
-        answer.error = Some(match compared.map(|compared| margin * compared + blur) {
+        let compared = compared.zip(asked.margin).map(|(compared, margin)| margin * compared + blur);
+        answer.error = Some(match compared {
             Some(compared) if asked.has_works => compared,
             Some(compared) => known.min(compared),
-            _ => known,
+            None => known,
         });
     }
     Ok(answer)
 }
 
-/// A greatest value, and a work, is compared at one instant of each run, where by accident they may agree; calibrated.
+/// A greatest value, and a work, is compared at one instant of each run, where by accident they may agree: its differences count
+/// more; calibrated.
 const ONE_INSTANT: f64 = 3.0;
 
 /// What is seen at the time of a question.
@@ -127,8 +127,8 @@ struct Asked<'a> {
     /// Error of the time, s; `None` where nothing is known of it.
     off: Option<f64>,
     side: Side,
-    /// Whether events or extremes say what is asked for, and not a time alone.
-    is_of_events: bool,
+    /// What its differences in the check runs are multiplied with; `None` where a time alone says what is asked for.
+    margin: Option<f64>,
     has_works: bool,
 }
 
@@ -143,13 +143,14 @@ impl<'a> Asked<'a> {
         let Some(that) = moments.known(&question.that.quantity.formula) else { return Ok(None) };
         // A motion that an event has stopped ends there; one that was refused has no end, and nobody knows what is greatest.
         let is_whole = solution.is_whole;
-        let has_works = question.that.quantity.formula.symbols().iter().any(works::is_work);
-        let is_of_events = Moments::names(&question.that.quantity.formula)
-            || match &question.at {
-                When::End => solution.run.trajectory.last_event().is_some(),
-                When::At(instant) => Moments::names(&instant.time),
-                When::Extreme { .. } => true,
-            };
+        let has_works = question.that.quantity.formula.symbols().iter().any(is_work);
+        let names = Moments::names(&question.that.quantity.formula);
+        let margin = match &question.at {
+            When::Extreme { .. } => Some(ONE_INSTANT),
+            _ if has_works => Some(ONE_INSTANT),
+            When::End => (names || solution.run.trajectory.last_event().is_some()).then_some(1.0),
+            When::At(instant) => (names || Moments::names(&instant.time)).then_some(1.0),
+        };
         let found = match &question.at {
             When::End => {
                 let end = solution.run.trajectory.end().filter(|_| is_whole);
@@ -174,7 +175,7 @@ impl<'a> Asked<'a> {
             time,
             off,
             side,
-            is_of_events,
+            margin,
             has_works,
         }))
     }
@@ -187,33 +188,26 @@ impl<'a> Asked<'a> {
             Some(claim) => self.moments.known(claim),
         };
         let Some(claimed) = claimed else { return Ok(None) };
-        let mut is_sure = self.that.is_sure && claimed.is_sure;
-        let mut known = |formula: &Expr| {
-            let known = works::known(solution, formula.clone(), at)?;
-            is_sure &= known.as_ref().is_none_or(|known| known.is_sure);
-            Ok::<_, PipelineError>(known)
+        // Works that both sides name are off in both alike.
+        let difference = &self.that.formula - &claimed.formula;
+        let Some(works) = Works::of(solution, &difference, at)? else { return Ok(None) };
+        let of_times = |of_that: &[Expr], of_claim: &[Expr]| -> Vec<Expr> {
+            let of_that = of_that.iter().map(|other| other - &claimed.formula);
+            let of_claim = of_claim.iter().map(|other| &self.that.formula - other);
+            of_that.chain(of_claim).map(|other| works.put_into(&other)).collect()
         };
-        let (Some(that), Some(expected)) = (known(&self.that.formula)?, known(&claimed.formula)?) else {
-            return Ok(None);
-        };
-        let difference = &that.formula - &expected.formula;
-        let mut formulas = vec![that.formula.clone(), expected.formula.clone(), difference.clone()];
-        let of_works = that.variants.iter().map(|other| other - &expected.formula);
-        let of_works = of_works.chain(expected.variants.iter().map(|other| &that.formula - other));
-        formulas.extend(of_works);
-        let mut of = |of_that: &[Expr], of_claim: &[Expr]| {
-            let of_that = with_works(&mut known, of_that)?.into_iter().map(|other| other - &expected.formula);
-            let of_claim = with_works(&mut known, of_claim)?.into_iter().map(|other| &that.formula - other);
-            Ok::<_, PipelineError>(of_that.chain(of_claim).collect::<Vec<Expr>>())
-        };
-        formulas.extend(of(&self.that.variants, &claimed.variants)?);
+        let mut formulas =
+            [&self.that.formula, &claimed.formula, &difference].map(|side| works.put_into(side)).to_vec();
+        formulas.extend(of_times(&self.that.variants, &claimed.variants));
+        formulas.extend(works.variants(&difference));
         let first_blurred = formulas.len();
-        formulas.extend(of(&self.that.blurred, &claimed.blurred)?);
-        formulas.extend(that.blurred.iter().map(|other| other - &expected.formula));
-        formulas.extend(expected.blurred.iter().map(|other| &that.formula - other));
+        formulas.extend(of_times(&self.that.blurred, &claimed.blurred));
+        formulas.extend(works.blurred(&difference));
         let Some(values) = solution.run.observe(&formulas)?.at(self.time, self.side) else { return Ok(None) };
         let off = |others: &[f64]| -> f64 { others.iter().map(|other| (other - values[2]).abs()).sum() };
         let (of_variants, blur) = (off(&values[3..first_blurred]), off(&values[first_blurred..]));
+        let is_sure = self.that.is_sure && claimed.is_sure && works.is_sure();
+        let difference = works.put_into(&difference);
         let depends = self.off.is_some() || !tumble_mech::depends_on_motion(solution.run, &difference);
         let error = digits::error(solution, &difference, self.at())?.filter(|_| is_sure && depends);
         let error = error.map(|error| error + of_variants);
@@ -224,14 +218,4 @@ impl<'a> Asked<'a> {
     fn at(&self) -> At {
         At { time: self.time, side: self.side, off: self.off.unwrap_or(0.0) }
     }
-}
-
-/// Formulas with their works as numbers.
-fn with_works(
-    known: &mut impl FnMut(&Expr) -> Result<Option<works::Known>, PipelineError>,
-    formulas: &[Expr],
-) -> Result<Vec<Expr>, PipelineError> {
-    let variants = formulas.iter().map(|variant| Ok(known(variant)?.map(|known| known.formula)));
-    let variants: Result<Vec<Option<Expr>>, PipelineError> = variants.collect();
-    Ok(variants?.into_iter().flatten().collect())
 }

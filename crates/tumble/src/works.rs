@@ -10,58 +10,82 @@ use crate::pipeline::PipelineError;
 /// How their names end.
 const WORK: &str = ".work";
 
-/// A formula with its works as numbers.
-pub(crate) struct Known {
-    /// The formula with the works that were found.
-    pub(crate) formula: Expr,
-    /// What it may be instead: for each work, the formula with that work off by its error.
-    pub(crate) variants: Vec<Expr>,
-    /// For each work, the formula with that one off by what the potentials are known to at most.
-    pub(crate) blurred: Vec<Expr>,
-    /// Whether all errors are known.
-    pub(crate) is_sure: bool,
+/// Works that some formulas name, up to an instant, J.
+pub(crate) struct Works {
+    known: Vec<(Symbol, Work)>,
+    /// What the potentials are known to at most.
+    blur: f64,
 }
 
-/// Puts in the works that loads have done up to an instant; `None` outside the motion.
-pub(crate) fn known(solution: Solution<'_>, formula: Expr, at: At) -> Result<Option<Known>, PipelineError> {
-    let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
-    if symbols.is_empty() {
-        return Ok(Some(Known { formula, variants: vec![], blurred: vec![], is_sure: true }));
-    }
-    let mut balance = RunBalance::of(solution.run, ABOUT)?;
-    let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
-    let errors = match solution.trust {
-        Some(trust) => trust.work_errors(&mut balance, at.time, at.side)?,
-        None => None,
-    };
-    let sum = |symbol: &Symbol, of: &[f64]| -> f64 {
-        let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
-        let contributions = balance.contributions.iter().zip(of);
-        contributions
-            .filter(|(contribution, _)| is_work_of(contribution, load))
-            .map(|(_, amount)| amount)
-            .sum()
-    };
-    let blur = match solution.trust {
-        Some(trust) => trust.potential_error(solution.run, at)?.unwrap_or(0.0),
-        None => 0.0,
-    };
-    let with = |off: Option<usize>, by: &dyn Fn(&Symbol) -> f64| {
-        let mut found = Substitution::default();
-        for (index, symbol) in symbols.iter().enumerate() {
-            let error = if off == Some(index) { by(symbol) } else { 0.0 };
-            found.insert(symbol.clone(), Expr::from(sum(symbol, &reading.work) + error) * units::J);
+struct Work {
+    done: f64,
+    /// `None` where nothing is known of it.
+    error: Option<f64>,
+}
+
+impl Works {
+    /// `None` outside the motion.
+    pub(crate) fn of(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Option<Self>, PipelineError> {
+        let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
+        if symbols.is_empty() {
+            return Ok(Some(Self { known: vec![], blur: 0.0 }));
         }
-        found.apply(&formula)
-    };
-    let each = |by: &dyn Fn(&Symbol) -> f64| (0..symbols.len()).map(|index| with(Some(index), by)).collect();
-    let error = |symbol: &Symbol| errors.as_ref().map_or(0.0, |errors| sum(symbol, errors));
-    Ok(Some(Known {
-        formula: with(None, &|_| 0.0),
-        variants: each(&error),
-        blurred: each(&|_| blur),
-        is_sure: errors.is_some(),
-    }))
+        let mut balance = RunBalance::of(solution.run, ABOUT)?;
+        let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
+        let (mut errors, mut blur) = (None, 0.0);
+        if let Some(trust) = solution.trust {
+            errors = trust.work_errors(&mut balance, at.time, at.side)?;
+            blur = trust.potential_error(solution.run, at)?.unwrap_or(0.0);
+        }
+        let work = |symbol: Symbol| {
+            let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
+            let sum = |of: &[f64]| -> f64 {
+                let contributions = balance.contributions.iter().zip(of);
+                contributions
+                    .filter(|(contribution, _)| is_work_of(contribution, load))
+                    .map(|(_, amount)| amount)
+                    .sum()
+            };
+            let work = Work { done: sum(&reading.work), error: errors.as_deref().map(sum) };
+            (symbol, work)
+        };
+        Ok(Some(Self { known: symbols.into_iter().map(work).collect(), blur }))
+    }
+
+    /// Whether all errors are known.
+    pub(crate) fn is_sure(&self) -> bool {
+        self.known.iter().all(|(_, work)| work.error.is_some())
+    }
+
+    /// A formula with the works that were found.
+    pub(crate) fn put_into(&self, formula: &Expr) -> Expr {
+        self.with(formula, |_| 0.0)
+    }
+
+    /// For each work, the formula with that one off by its error.
+    pub(crate) fn variants(&self, formula: &Expr) -> Vec<Expr> {
+        self.each(formula, |work| work.error.unwrap_or(0.0))
+    }
+
+    /// For each work, the formula with that one off by what the potentials are known to.
+    pub(crate) fn blurred(&self, formula: &Expr) -> Vec<Expr> {
+        self.each(formula, |_| self.blur)
+    }
+
+    fn each(&self, formula: &Expr, by: impl Fn(&Work) -> f64) -> Vec<Expr> {
+        let off = |index: usize| {
+            self.with(formula, |other| if other == index { by(&self.known[index].1) } else { 0.0 })
+        };
+        (0..self.known.len()).map(off).collect()
+    }
+
+    fn with(&self, formula: &Expr, off: impl Fn(usize) -> f64) -> Expr {
+        let mut found = Substitution::default();
+        for (index, (symbol, work)) in self.known.iter().enumerate() {
+            found.insert(symbol.clone(), Expr::from(work.done + off(index)) * units::J);
+        }
+        found.apply(formula)
+    }
 }
 
 /// Whether a symbol is the work of a load.
