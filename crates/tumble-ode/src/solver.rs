@@ -32,6 +32,9 @@ const SHORTEST_STEP_ULPS: f64 = 4.0;
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What rounding errors of a step add up to, in units of their sum at the worst: some cancel, and few are a whole ulp.
 const STEP_ROUNDING: f64 = 0.125;
+/// An event that rounding has moved by less than this part of the step that led there is moved by it in a check run; where it is
+/// more, as in the last bounces of a Zeno sequence, the motion ahead would be another one.
+const SHARP: f64 = 1e-8;
 /// More events than this without time passing are not going to end.
 const MOST_AT_ONCE: u64 = 1000;
 
@@ -558,12 +561,14 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(())
     }
 
-    /// Moves the states by what rounding may have made of them at this instant, time's own rounding included, and back to what
-    /// is known to be zero.
+    /// Moves the states by what rounding may have made of them at this instant, by that of the time and of the function that was
+    /// crossed included, and back to what is known to be zero.
     fn round_anew(&mut self, mode: usize) {
         let engine = &mut self.engines[mode];
         let noise = engine.noise(self.time, &self.states);
-        let instant = if is_short(self.time) { 0.0 } else { f64::EPSILON * self.time };
+        let way = self.trajectory.pieces.last().map_or(0.0, |piece| piece.end - piece.start);
+        let blur = if self.blur <= SHARP * way { self.blur } else { 0.0 };
+        let instant = if is_short(self.time) { blur } else { blur.max(f64::EPSILON * self.time) };
         for (state, value) in self.states.iter_mut().enumerate() {
             let own = if is_short(*value) { 0.0 } else { f64::EPSILON * value.abs() };
             let moved = noise.values[state].abs() * instant;

@@ -1,7 +1,8 @@
 //! Works of loads up to an instant, by the names they have in checks: `floor.work`.
 
 use tumble_expr::{Expr, Substitution, Symbol, units};
-use tumble_mech::{At, Contribution, Kind, RunBalance};
+use tumble_mech::{At, Contribution, Kind, RunBalance, Trust};
+use tumble_ode::Side;
 
 use crate::balance::ABOUT;
 use crate::case::Solution;
@@ -13,14 +14,14 @@ const WORK: &str = ".work";
 /// Works that some formulas name, up to an instant, J.
 pub(crate) struct Works {
     known: Vec<(Symbol, Work)>,
-    /// What the potentials are known to at most.
-    blur: f64,
 }
 
 struct Work {
     done: f64,
     /// `None` where nothing is known of it.
     error: Option<f64>,
+    /// What it is known to at best: by the potentials, and by rounding of the time of an event.
+    blur: f64,
 }
 
 impl Works {
@@ -28,7 +29,7 @@ impl Works {
     pub(crate) fn of(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Option<Self>, PipelineError> {
         let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
         if symbols.is_empty() {
-            return Ok(Some(Self { known: vec![], blur: 0.0 }));
+            return Ok(Some(Self { known: vec![] }));
         }
         let mut balance = RunBalance::of(solution.run, ABOUT)?;
         let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
@@ -37,6 +38,7 @@ impl Works {
             errors = trust.work_errors(&mut balance, at.time, at.side)?;
             blur = trust.potential_error(solution.run, at)?.unwrap_or(0.0);
         }
+        let [here, before] = around(solution, &mut balance, at)?;
         let work = |symbol: Symbol| {
             let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
             let sum = |of: &[f64]| -> f64 {
@@ -46,10 +48,12 @@ impl Works {
                     .map(|(_, amount)| amount)
                     .sum()
             };
-            let work = Work { done: sum(&reading.work), error: errors.as_deref().map(sum) };
+            let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
+            let work =
+                Work { done: sum(&reading.work), error: errors.as_deref().map(sum), blur: blur + moved };
             (symbol, work)
         };
-        Ok(Some(Self { known: symbols.into_iter().map(work).collect(), blur }))
+        Ok(Some(Self { known: symbols.into_iter().map(work).collect() }))
     }
 
     /// Whether all errors are known.
@@ -67,9 +71,9 @@ impl Works {
         self.each(formula, |work| work.error.unwrap_or(0.0))
     }
 
-    /// For each work, the formula with that one off by what the potentials are known to.
+    /// For each work, the formula with that one off by what it is known to at best.
     pub(crate) fn blurred(&self, formula: &Expr) -> Vec<Expr> {
-        self.each(formula, |_| self.blur)
+        self.each(formula, |work| work.blur)
     }
 
     fn each(&self, formula: &Expr, by: impl Fn(&Work) -> f64) -> Vec<Expr> {
@@ -86,6 +90,23 @@ impl Works {
         }
         found.apply(formula)
     }
+}
+
+/// The works at an event and a little before it: as far as rounding may have moved its time.
+fn around(
+    solution: Solution<'_>,
+    balance: &mut RunBalance<'_>,
+    at: At,
+) -> Result<[Vec<f64>; 2], PipelineError> {
+    let late = if at.off > 0.0 { Trust::event_blur(solution.run, at.time) } else { 0.0 };
+    if late == 0.0 {
+        return Ok([vec![], vec![]]);
+    }
+    let mut works = |time: f64, side: Side| {
+        let reading = balance.at(time, side)?;
+        Ok::<_, PipelineError>(reading.map_or(vec![], |reading| reading.work))
+    };
+    Ok([works(at.time, Side::Before)?, works(at.time - late, Side::After)?])
 }
 
 /// Whether a symbol is the work of a load.

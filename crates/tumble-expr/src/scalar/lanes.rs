@@ -19,8 +19,8 @@ pub trait Lanewise: Scalar {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
-/// Of what is larger than this, coefficients overflow before the value does.
-const HUGE: f64 = 1e250;
+/// Of what is larger than this, coefficients of high order overflow before the value does.
+const HUGE: f64 = 1e150;
 
 macro_rules! lanewise {
     ($($trait:ident $method:ident)*) => {$(

@@ -57,7 +57,8 @@ pub trait Scalar:
     fn square(self) -> Self {
         self * self
     }
-    /// A coefficient of a quotient: nothing is left over what is beyond the range of numbers, whatever its own coefficients are.
+    /// A coefficient of a quotient: nothing is left over what is beyond the range of numbers, or so near to it that its own coefficients
+    /// are.
     fn over(self, by: Self) -> Self {
         self / by
     }

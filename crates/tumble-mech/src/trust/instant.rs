@@ -4,11 +4,13 @@ use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
 use tumble_ode::{Place, Side};
 
 use crate::balance::potential::lasting;
+use crate::contact::Change;
+use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
 use crate::trust::check_run::CheckRun;
 use crate::trust::errors::larger;
-use crate::trust::{Trust, ULPS, kinematics};
+use crate::trust::{MEASURES, Trust, ULPS, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
 const RATE_PART: f64 = 1e-6;
@@ -48,7 +50,8 @@ impl Trust {
         };
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
         let moved = quantity.rate() * at.off.max(rounded) + self.jumps(run, formula, at)?;
-        Ok(Some(motion + noise + moved))
+        let drift = if quantity.is_held() { quantity.carried(&drift(run)) } else { 0.0 };
+        Ok(Some(motion + noise + moved + drift))
     }
 
     /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own, and
@@ -67,7 +70,8 @@ impl Trust {
         let Some(offs) = offs.filter(|_| at.time <= self.end()) else { return Ok(None) };
         let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
         let blur = if at.off > 0.0 { quantity.rate() * Self::event_blur(run, at.time) } else { 0.0 };
-        Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur))
+        let jumps = self.jumps(run, formula, at)?;
+        Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur + jumps))
     }
 
     /// What errors of the states do to the potential energies at an instant, J: no work is known better than that, though all runs
@@ -83,7 +87,7 @@ impl Trust {
     }
 
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant
-    /// is asked for on one side.
+    /// is asked for on one side, but for the end of a Zeno sequence, which leaves out the bounces that were to come.
     fn jumps(&self, run: &Run, formula: &Expr, at: At) -> Result<f64, RunError> {
         let events = &run.trajectory.events;
         let next = events.partition_point(|event| event.time < at.time);
@@ -92,7 +96,7 @@ impl Trust {
         for index in near {
             let time = events[index].time;
             let error = self.event_error(run, time).unwrap_or(0.0);
-            let is_asked_for = time == at.time;
+            let is_asked_for = time == at.time && !Change::ends_zeno_sequence(&events[index]);
             if !is_asked_for && (time - at.time).abs() <= error.max(at.off) {
                 let sides = run.observe(std::slice::from_ref(formula))?.at_event(index);
                 sum += sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());
@@ -100,6 +104,19 @@ impl Trust {
         }
         Ok(if sum.is_finite() { sum } else { 0.0 })
     }
+}
+
+/// What rounding of the forces that hold a body may have moved it by within the run, by [`kinematics`]: all runs round alike what
+/// does not move.
+fn drift(run: &Run) -> Vec<f64> {
+    let of = |measure: Measure| run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
+    let span = run.trajectory.end().unwrap_or(0.0);
+    let one = MEASURES.map(|measure| match measure {
+        Measure::Length => of(measure) + span * of(Measure::Speed),
+        Measure::Angle => of(measure) + span * of(Measure::AngularRate),
+        _ => of(measure),
+    });
+    one.repeat(run.equations.model().bodies.len())
 }
 
 /// Whether a formula holds anything of the motion, and not parameters alone.
@@ -158,6 +175,11 @@ impl<'a> Quantity<'a> {
             sum += change(self, error).max(change(self, -error));
         }
         sum
+    }
+
+    /// Whether a body lies on a rigid surface there.
+    fn is_held(&self) -> bool {
+        self.run.trajectory.modes[self.place.mode].held().next().is_some()
     }
 
     /// How fast the value changes, per s, on the way there: what an event comes to depends on what was before it.
