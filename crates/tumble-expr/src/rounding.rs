@@ -68,8 +68,8 @@ impl Rounding {
         self.off(value, value.abs() * f64::EPSILON, key)
     }
 
-    /// -4 to -1 or 1 to 4; 0 to the nearest.
-    fn draw(self, value: f64, key: u64) -> f64 {
+    /// How many times an error that it may have a value is off: -4 to -1 or 1 to 4; 0 to the nearest.
+    pub fn draw(self, value: f64, key: u64) -> f64 {
         let Some(seed) = self.0 else { return 0.0 };
         let told = value.to_bits() >> (u64::BITS - 12 - TOLD_APART);
         let bits = mix(mix(mix(seed) ^ key) ^ told);

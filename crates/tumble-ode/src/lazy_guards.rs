@@ -7,7 +7,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Symbol, Tape};
+use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Scalar, Symbol, Tape};
 
 use crate::Reason;
 use crate::compiled::fixed;
@@ -150,12 +150,13 @@ impl LazyGuards {
         self.all[index].group
     }
 
-    /// Rounding error of one at an instant, from those of its states.
+    /// Rounding error of one at an instant. What rounding left out of its states is known, and its inputs are the same at all
+    /// instants: only what is computed from them counts.
     pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<f64, Reason> {
         let watch = &mut self.all[index];
         let tape = watch.jets(self.order)?.tape().clone();
-        let inputs: Vec<Rounded> = watch.inputs.iter().map(|value| Rounded::leaf(*value)).collect();
-        let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::computed(states[*state])).collect();
+        let inputs: Vec<Rounded> = watch.inputs.iter().map(|value| Rounded::splat(*value)).collect();
+        let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::splat(states[*state])).collect();
         let mut value = Jets::new(tape, 0, &inputs);
         value.start(Rounded::computed(time), &own, Branches::Free);
         Ok(value.value_of(0).noise())

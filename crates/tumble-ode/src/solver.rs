@@ -18,7 +18,7 @@ use crate::order::{order, reach};
 use crate::polynomial;
 use crate::scale::Scales;
 use crate::trajectory::{Event, Piece, Trajectory, invert};
-use crate::whole::{Demand, Noise, Stretch, Unknown};
+use crate::whole::{Blur, Demand, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
 use memory::Memory;
 
@@ -32,9 +32,8 @@ const SHORTEST_STEP_ULPS: f64 = 4.0;
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What rounding errors of a step add up to, in units of their sum at the worst: some cancel, and few are a whole ulp.
 const STEP_ROUNDING: f64 = 0.125;
-/// An event that rounding has moved by less than this part of the step that led there is moved by it in a check run; where it is
-/// more, as in the last bounces of a Zeno sequence, the motion ahead would be another one.
-const SHARP: f64 = 1e-8;
+/// Key of the draw that puts an event off.
+const LATE: u64 = u64::MAX;
 /// More events than this without time passing are not going to end.
 const MOST_AT_ONCE: u64 = 1000;
 
@@ -92,8 +91,8 @@ pub struct Solver<'a, H: Hybrid> {
     /// Rates at the start of the step, with their rounding errors.
     noise: Noise,
     rounding: Rounding,
-    /// By how much rounding may have moved the time of what ended the last step, s.
-    blur: f64,
+    /// What rounding may have made of the end of the last step.
+    blur: Blur,
     /// Length of an ordinary step in units of the radius.
     reach: f64,
     time: f64,
@@ -129,7 +128,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             accuracy: accuracy.value(),
             noise: Noise::default(),
             rounding: start.rounding,
-            blur: 0.0,
+            blur: Blur::default(),
             reach: reach(tolerance, order(tolerance)),
             time: start.time,
             compensation: vec![0.0; start.states.len()],
@@ -282,7 +281,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
     fn rest(&mut self, mode: usize, end: f64) -> Result<Option<(Expansion, Step)>, Reason> {
-        self.noise = self.engines[mode].noise(self.time, &self.states);
+        self.noise = self.engines[mode].noise(self.time, &self.states, &self.compensation);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
         let Some(mut expansion) = self.engines[mode].rest(self.time, &self.states, &self.noise) else {
             return Ok(None);
@@ -456,11 +455,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if step.length == 0.0 {
             return Ok(());
         }
-        for (state, series) in expansion.states.iter().enumerate() {
-            let (before, change) = (self.states[state], polynomial::increment(series, step.length));
+        for (state, series) in expansion.states.iter_mut().enumerate() {
+            let (before, exact) = (self.states[state], polynomial::increment(series, step.length));
             // Rounded in another way, a step adds what its rate's rounding errors may have added.
-            let error = STEP_ROUNDING * (self.noise.rates[state] * step.length + f64::EPSILON * change.abs());
-            let change = self.rounding.off(change, error, state as u64) + self.compensation[state];
+            let error = STEP_ROUNDING * (self.noise.rates[state] * step.length + f64::EPSILON * exact.abs());
+            let rounded = self.rounding.off(exact, error, state as u64);
+            series[1] += (rounded - exact) / step.length;
+            let change = rounded + self.compensation[state];
             let after = before + change;
             if !after.is_finite() {
                 return Err(Reason::NotFinite { state: self.engines[mode].system.names[state].clone() });
@@ -542,7 +543,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
         let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
         if !unchanged && !self.rounding.is_nearest() {
-            self.round_anew(mode_after);
+            self.round_anew((mode, mode_after), &before);
         }
         let event = Event {
             time: self.time,
@@ -552,7 +553,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             after: self.states.clone(),
             compensation,
             scales,
-            blur: self.blur,
+            blur: self.blur.time,
             mode_before: mode,
             mode_after,
         };
@@ -561,19 +562,31 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(())
     }
 
-    /// Moves the states by what rounding may have made of them at this instant, by that of the time and of the function that was
-    /// crossed included, and back to what is known to be zero.
-    fn round_anew(&mut self, mode: usize) {
-        let engine = &mut self.engines[mode];
-        let noise = engine.noise(self.time, &self.states);
+    /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.
+    ///
+    /// An event that rounding of its time, or of the function that was crossed, puts off by dt leaves the states off by
+    /// `(rates before - rates after) dt`, all with one sign, and what jumps by as much more as the rate of the crossing grows.
+    fn round_anew(&mut self, (before, after): (usize, usize), states_before: &[f64]) {
+        let exact = vec![0.0; states_before.len()];
+        let rates_before = self.engines[before].noise(self.time, states_before, &exact).values;
+        let same = self.engines[before].system.names == self.engines[after].system.names;
+        let engine = &mut self.engines[after];
+        let rates = engine.noise(self.time, &self.states, &self.compensation).values;
         let way = self.trajectory.pieces.last().map_or(0.0, |piece| piece.end - piece.start);
-        let blur = if self.blur <= SHARP * way { self.blur } else { 0.0 };
-        let instant = if is_short(self.time) { blur } else { blur.max(f64::EPSILON * self.time) };
+        let rounded = if is_short(self.time) { 0.0 } else { f64::EPSILON * self.time };
+        let late = self.rounding.draw(self.time, LATE) * self.blur.time.max(rounded).min(way);
         for (state, value) in self.states.iter_mut().enumerate() {
             let own = if is_short(*value) { 0.0 } else { f64::EPSILON * value.abs() };
-            let moved = noise.values[state].abs() * instant;
-            let error = own + if moved.is_finite() { moved } else { 0.0 };
-            *value = self.rounding.off(*value, error, state as u64);
+            // What rounding left out of a state that stays is carried on.
+            let (own, turned) = match rates_before.get(state).filter(|_| same) {
+                Some(rate) if *value == states_before[state] => (0.0, rates[state] - rate),
+                Some(rate) => {
+                    (own, rates[state] - rate - self.blur.growth * (*value - states_before[state]))
+                }
+                None => (own, rates[state]),
+            };
+            let moved = if turned.is_finite() { turned * late } else { 0.0 };
+            *value = self.rounding.off(*value, own, state as u64) + moved;
         }
         let Engine { system, invariants, .. } = engine;
         if !invariants.is_empty() {

@@ -145,10 +145,24 @@ impl<'a> Watched<'a> {
     }
 }
 
+/// What rounding makes of the end of a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Blur {
+    /// By how much it may have moved it, s.
+    pub(crate) time: f64,
+    /// How fast the rate grows at which what ends it is crossed, relative, 1/s.
+    pub(crate) growth: f64,
+}
+
 impl Engine {
-    /// Rates at the start of a step, with what rounding makes of them.
-    pub(crate) fn noise(&mut self, time: f64, states: &[f64]) -> Noise {
-        self.round(Rounded::leaf(time), states.iter().map(|state| Rounded::leaf(*state)));
+    /// Rates at the start of a step, with what rounding makes of them. A state of which rounding left something out is not
+    /// exact, even if it has few digits.
+    pub(crate) fn noise(&mut self, time: f64, states: &[f64], compensation: &[f64]) -> Noise {
+        let leaf = |(state, left_out): (&f64, &f64)| match *left_out == 0.0 {
+            true => Rounded::leaf(*state),
+            false => Rounded::computed(*state),
+        };
+        self.round(Rounded::leaf(time), states.iter().zip(compensation).map(leaf));
         let rates = (0..self.system.len()).map(|state| self.rounded.value_of(state));
         let rates: Vec<Rounded> = rates.collect();
         Noise {
@@ -172,17 +186,17 @@ impl Engine {
         expansion: &Expansion,
         length: f64,
         (time, states): (f64, &[f64]),
-    ) -> Result<f64, Reason> {
+    ) -> Result<Blur, Reason> {
         let guards =
             hits.iter().filter_map(|hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None });
         let guards: Vec<usize> = guards.collect();
         if guards.is_empty() {
-            return Ok(0.0);
+            return Ok(Blur::default());
         }
         self.round(Rounded::computed(time), states.iter().map(|state| Rounded::computed(*state)));
         let first = self.system.len() + usize::from(self.system.transformed);
         let rate = expansion.time.as_ref().map_or(1.0, |series| polynomial::slope(series, length));
-        let mut worst: f64 = 0.0;
+        let mut worst = Blur::default();
         for guard in guards {
             let (noise, series) = match guard.checked_sub(self.system.guards) {
                 None => (self.rounded.value_of(first + guard).noise(), expansion.guards.get(guard)),
@@ -193,10 +207,11 @@ impl Engine {
             };
             let Some(series) = series else { continue };
             let ahead = polynomial::shifted(series, length);
-            let slope = ahead.get(1).map_or(0.0, |slope| slope.abs());
-            let bend = ahead.get(2).map_or(0.0, |bend| bend.abs());
-            let moved = (noise / slope).min((noise / bend).sqrt()) * rate;
-            worst = worst.max(if moved.is_finite() { moved } else { 0.0 });
+            let [slope, bend] = [1, 2].map(|power| ahead.get(power).copied().unwrap_or(0.0));
+            let moved = (noise / slope.abs()).min((noise / bend.abs()).sqrt()) * rate;
+            if moved.is_finite() && moved >= worst.time {
+                worst = Blur { time: moved, growth: 2.0 * bend / (slope * rate) };
+            }
         }
         Ok(worst)
     }
