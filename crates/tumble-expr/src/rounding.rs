@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use crate::scalar::{is_short, nearest};
 
 /// The least and the greatest move, ulps.
-const MOVES: [f64; 2] = [1.0, 4.0];
+const MOVES: [f64; 2] = [0.5, 2.0];
 /// A multiplier that mixes the bits of a key well: that of splitmix64 (Steele, Lea and Flood 2014), as are the shifts.
 const MIX: [u64; 3] = [0x9e37_79b9_7f4a_7c15, 0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb];
 /// Bits of a value that tell it from others: what agrees in them is equal but for rounding.

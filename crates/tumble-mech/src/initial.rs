@@ -55,11 +55,11 @@ impl Equations {
             if let Some(value) = values.iter().copied().find(|value| !value.is_finite()) {
                 note(mistakes, ModelError::NotFinite { what: format!("start of `{}`", body.name), value });
             }
-            let rounding = known.parameters().rounding();
-            let key = |place: usize| (index * values.len() + place) as u64;
-            let rounded =
-                values.iter().enumerate().map(|(place, value)| rounding.computed(*value, key(place)));
-            states.extend(rounded);
+            let first = index * values.len();
+            let rounded = |(place, (formula, value)): (usize, (&Expr, &f64))| {
+                known.parameters().rounded_value(*value, formula, first + place)
+            };
+            states.extend(formulas.iter().zip(&values).enumerate().map(rounded));
         }
         Ok(states)
     }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Branches, CompileError, Expr, Jets, Layout, Node, Rounding, Symbol, Tape};
+use tumble_expr::{Binary, Branches, CompileError, Expr, Jets, Layout, Node, Rounding, Symbol, Tape, Unary};
 
 use crate::error::{ModelError, ModelErrors};
 use crate::kinematics::time;
@@ -89,10 +89,23 @@ impl Parameters {
         if mistakes.is_empty() { Ok(known) } else { Err(ModelErrors(mistakes)) }
     }
 
-    /// A value with the rounding error of its own, beside those of the numbers in its formula.
-    fn rounded_value(&self, value: f64, formula: &Expr, index: usize) -> f64 {
-        let is_computed = !matches!(formula.node(), Node::Number(_) | Node::Symbol(_) | Node::Pi);
-        if is_computed { self.rounding.computed(value, index as u64) } else { value }
+    /// A value with the rounding error of its own, beside those of the numbers in its formula: a lone number has that already, and
+    /// the two might take each other away.
+    pub(crate) fn rounded_value(&self, value: f64, formula: &Expr, index: usize) -> f64 {
+        let is_alone = matches!(formula.node(), Node::Symbol(_) | Node::Pi) || is_rational(formula);
+        if !is_alone { self.rounding.computed(value, index as u64) } else { value }
+    }
+}
+
+/// Whether a formula is arithmetic with numbers alone, which is exact.
+fn is_rational(formula: &Expr) -> bool {
+    match formula.node() {
+        Node::Number(_) => true,
+        Node::Unary(Unary::Neg, a) => is_rational(a),
+        Node::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, a, b) => {
+            is_rational(a) && is_rational(b)
+        }
+        _ => false,
     }
 }
 

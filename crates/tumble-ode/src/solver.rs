@@ -31,7 +31,7 @@ const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What rounding errors of a step add up to, in units of their sum at the worst: some cancel, and few are a whole ulp.
-const STEP_ROUNDING: f64 = 0.125;
+const STEP_ROUNDING: f64 = 0.5;
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
 /// More events than this without time passing are not going to end.
@@ -580,9 +580,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             // What rounding left out of a state that stays is carried on.
             let (own, turned) = match rates_before.get(state).filter(|_| same) {
                 Some(rate) if *value == states_before[state] => (0.0, rates[state] - rate),
-                Some(rate) => {
-                    (own, rates[state] - rate - self.blur.growth * (*value - states_before[state]))
-                }
+                Some(rate) => (own, rates[state] - rate - self.blur.growth * (*value - states_before[state])),
                 None => (own, rates[state]),
             };
             let moved = if turned.is_finite() { turned * late } else { 0.0 };

@@ -42,7 +42,19 @@ pub(crate) fn render(survey: &Survey) -> String {
             if let Fate::Answered(values) = &report.fate {
                 for v in values {
                     if let Verdict::Stated(e) = v.verdict {
-                        eprintln!("DUMP\t{}\t{}\t{}\t{}\t{:e}\t{:e}\t{:e}\t{:e}\t{:e}\t{:e}", FAMILIES[report.key.family].name, report.key.index, v.name, v.what.replace('\n'," "), v.truth, v.value, e.stated, e.real, e.ulp, report.accuracy);
+                        eprintln!(
+                            "DUMP\t{}\t{}\t{}\t{}\t{:e}\t{:e}\t{:e}\t{:e}\t{:e}\t{:e}",
+                            FAMILIES[report.key.family].name,
+                            report.key.index,
+                            v.name,
+                            v.what.replace('\n', " "),
+                            v.truth,
+                            v.value,
+                            e.stated,
+                            e.real,
+                            e.ulp,
+                            report.accuracy
+                        );
                     }
                 }
             }
