@@ -37,29 +37,6 @@ pub(crate) fn missed(survey: &Survey) -> Vec<String> {
 
 /// The tables and the worst failures.
 pub(crate) fn render(survey: &Survey) -> String {
-    if std::env::var_os("DUMP").is_some() {
-        for report in &survey.reports {
-            if let Fate::Answered(values) = &report.fate {
-                for v in values {
-                    if let Verdict::Stated(e) = v.verdict {
-                        eprintln!(
-                            "DUMP\t{}\t{}\t{}\t{}\t{:e}\t{:e}\t{:e}\t{:e}\t{:e}\t{:e}",
-                            FAMILIES[report.key.family].name,
-                            report.key.index,
-                            v.name,
-                            v.what.replace('\n', " "),
-                            v.truth,
-                            v.value,
-                            e.stated,
-                            e.real,
-                            e.ulp,
-                            report.accuracy
-                        );
-                    }
-                }
-            }
-        }
-    }
     let family =
         |index: usize| Tally::of(survey.reports.iter().filter(move |report| report.key.family == index));
     let decade =
