@@ -187,9 +187,15 @@ impl Engine {
         }
     }
 
-    /// What is watched along a motion that stays where it is, if it may: all its rates are zero but for rounding.
-    pub(crate) fn rest(&mut self, time: f64, states: &[f64], noise: &Noise) -> Option<Expansion> {
-        let is_still = noise.values.iter().zip(&noise.rates).all(|(rate, error)| rate.abs() <= *error);
+    /// What is watched along a motion that stays where it is, if it may: all its rates are zero but for this part of their
+    /// rounding errors.
+    pub(crate) fn rest(
+        &mut self,
+        (time, states): (f64, &[f64]),
+        noise: &Noise,
+        part: f64,
+    ) -> Option<Expansion> {
+        let is_still = noise.values.iter().zip(&noise.rates).all(|(rate, error)| rate.abs() <= part * error);
         if self.system.transformed || self.system.exact_degree.is_some() || !is_still {
             return None;
         }

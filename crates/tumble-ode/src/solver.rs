@@ -1,13 +1,14 @@
 //! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
 
-pub(crate) mod memory;
+pub(crate) mod late;
+mod memory;
 mod step;
 
 use std::collections::HashMap;
 
 use step::{SHRINK, Step, shrink};
 use thiserror::Error;
-use tumble_expr::{Rounding, is_short};
+use tumble_expr::Rounding;
 
 use crate::check::Verdict;
 use crate::compiled::{Compiled, beside};
@@ -30,10 +31,13 @@ const SHORT_PART: f64 = 1e-6;
 const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
-/// What rounding errors of a step add up to, in units of their sum at the worst: some cancel, and few are a whole ulp.
-const STEP_ROUNDING: f64 = 0.5;
-/// Key of the draw that puts an event off.
-const LATE: u64 = u64::MAX;
+/// What a check run adds to each state in a step, in units of what rounding may have made of its rate in that time, ...
+const RATE_ROUNDING: f64 = 0.5;
+/// ... and of eps times its change, which is added up with care.
+const CHANGE_ROUNDING: f64 = 0.125;
+/// A check run rests only where its rates are less than this part of their rounding errors: less than any number is moved by, so
+/// that a balance that rounding would upset is not taken for rest.
+const STILL_PART: f64 = 0.25;
 /// More events than this without time passing are not going to end.
 const MOST_AT_ONCE: u64 = 1000;
 
@@ -113,6 +117,8 @@ pub struct Solver<'a, H: Hybrid> {
     memory: Memory,
     /// Whether an event has ended the motion.
     stopped: bool,
+    /// Whether enclosures show that no step passes over what is narrow.
+    is_proved: bool,
     trajectory: Trajectory<H::Mode>,
 }
 
@@ -144,6 +150,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             at_once: 0,
             memory: Memory::default(),
             stopped: false,
+            is_proved: true,
             trajectory: Trajectory {
                 modes: vec![],
                 pieces: vec![],
@@ -283,7 +290,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     fn rest(&mut self, mode: usize, end: f64) -> Result<Option<(Expansion, Step)>, Reason> {
         self.noise = self.engines[mode].noise(self.time, &self.states, &self.compensation);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
-        let Some(mut expansion) = self.engines[mode].rest(self.time, &self.states, &self.noise) else {
+        let part = if self.rounding.is_nearest() { 1.0 } else { STILL_PART };
+        let now = (self.time, self.states.as_slice());
+        let Some(mut expansion) = self.engines[mode].rest(now, &self.noise, part) else {
             return Ok(None);
         };
         let ahead = (self.reach, self.compensation.as_slice());
@@ -296,6 +305,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(holds.then_some((expansion, step)))
     }
 
+    /// Leaves out the enclosures, and with them what shows that nothing narrow was passed over: to measure what they cost, never
+    /// for answers.
+    pub fn unproved(mut self) -> Self {
+        self.is_proved = false;
+        self
+    }
+
     /// How far a step is known, if not to its end.
     fn unknown(
         &mut self,
@@ -303,6 +319,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         expansion: &Expansion,
         step: &Step,
     ) -> Result<Option<Unknown>, Reason> {
+        if !self.is_proved {
+            return Ok(None);
+        }
         let stretch = Stretch { expansion, length: step.length, hits: &step.hits };
         let demand = Demand {
             scales: &self.scales,
@@ -458,7 +477,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         for (state, series) in expansion.states.iter_mut().enumerate() {
             let (before, exact) = (self.states[state], polynomial::increment(series, step.length));
             // Rounded in another way, a step adds what its rate's rounding errors may have added.
-            let error = STEP_ROUNDING * (self.noise.rates[state] * step.length + f64::EPSILON * exact.abs());
+            let error = RATE_ROUNDING * self.noise.rates[state] * step.length
+                + CHANGE_ROUNDING * f64::EPSILON * exact.abs();
             let rounded = self.rounding.off(exact, error, state as u64);
             series[1] += (rounded - exact) / step.length;
             let change = rounded + self.compensation[state];
@@ -560,36 +580,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.memory.hold_event(&event);
         self.trajectory.events.push(event);
         Ok(())
-    }
-
-    /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.
-    ///
-    /// An event that rounding of its time, or of the function that was crossed, puts off by dt leaves the states off by
-    /// `(rates before - rates after) dt`, all with one sign, and what jumps by as much more as the rate of the crossing grows.
-    fn round_anew(&mut self, (before, after): (usize, usize), states_before: &[f64]) {
-        let exact = vec![0.0; states_before.len()];
-        let rates_before = self.engines[before].noise(self.time, states_before, &exact).values;
-        let same = self.engines[before].system.names == self.engines[after].system.names;
-        let engine = &mut self.engines[after];
-        let rates = engine.noise(self.time, &self.states, &self.compensation).values;
-        let way = self.trajectory.pieces.last().map_or(0.0, |piece| piece.end - piece.start);
-        let rounded = if is_short(self.time) { 0.0 } else { f64::EPSILON * self.time };
-        let late = self.rounding.draw(self.time, LATE) * self.blur.time.max(rounded).min(way);
-        for (state, value) in self.states.iter_mut().enumerate() {
-            let own = if is_short(*value) { 0.0 } else { f64::EPSILON * value.abs() };
-            // What rounding left out of a state that stays is carried on.
-            let (own, turned) = match rates_before.get(state).filter(|_| same) {
-                Some(rate) if *value == states_before[state] => (0.0, rates[state] - rate),
-                Some(rate) => (own, rates[state] - rate - self.blur.growth * (*value - states_before[state])),
-                None => (own, rates[state]),
-            };
-            let moved = if turned.is_finite() { turned * late } else { 0.0 };
-            *value = self.rounding.off(*value, own, state as u64) + moved;
-        }
-        let Engine { system, invariants, .. } = engine;
-        if !invariants.is_empty() {
-            invariants.project(self.time, &mut self.states, system, &self.scales);
-        }
     }
 
     /// The latest time that is the same instant as now.

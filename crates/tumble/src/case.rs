@@ -6,6 +6,7 @@ use tumble_scene::{Diagnostics, Study, SweepAxis, SweepValue, Swept};
 
 use crate::balance::CaseBalance;
 use crate::checks::{self, CheckResult};
+use crate::jobs;
 use crate::pipeline::{Options, PipelineError};
 use crate::placed;
 use crate::progress::Progress;
@@ -102,43 +103,55 @@ fn combinations(study: &Study) -> Result<Vec<Values>, PipelineError> {
     Ok(all)
 }
 
-/// Makes the runs of a study one after the other, `done` with each as it is finished; those that were made, and those
-/// that were not because no more were wanted.
+/// Makes the runs of a study on so many cores as the options say, `done` with each as it is finished; those that were made, and
+/// those that were not because no more were wanted. What comes out does not depend on the number of cores: of several runs that
+/// fail the first is told.
 pub(crate) fn all(
     study: &Study,
     options: &Options,
-    done: impl Fn(&mut Case) -> Result<(), PipelineError>,
+    done: impl Fn(&mut Case) -> Result<(), PipelineError> + Sync,
 ) -> Result<(Vec<Case>, Vec<Missing>), PipelineError> {
     let all = combinations(study)?;
-    let mut cases = vec![];
-    for (values, number) in all.iter().zip(1..) {
-        let mut case = match Case::run(study, number, values.clone(), options) {
-            Err(PipelineError::Interrupted) if !cases.is_empty() => break,
-            made => made?,
-        };
+    let progress = Progress::new(&study.title, all.len(), options);
+    let make = |index: usize| {
+        let mut case = Case::run(study, index + 1, all[index].clone(), &progress)?;
         done(&mut case)?;
-        cases.push(case);
+        progress.finish();
+        Ok(case)
+    };
+    let (mut cases, mut missing) = (vec![], vec![]);
+    for (index, made) in jobs::in_order(all.len(), options.jobs, make).into_iter().enumerate() {
+        let left_out = Missing { number: index + 1, label: all[index].label.clone() };
+        match made {
+            Some(Ok(case)) => cases.push(case),
+            None | Some(Err(PipelineError::Interrupted)) => missing.push(left_out),
+            // One after the other it would not have been begun.
+            Some(Err(error)) if missing.is_empty() => return Err(error),
+            Some(Err(_)) => missing.push(left_out),
+        }
     }
-    let missing = all.into_iter().zip(1..).skip(cases.len());
-    let missing = missing.map(|(values, number)| Missing { number, label: values.label });
-    Ok((cases, missing.collect()))
+    if cases.is_empty() { Err(PipelineError::Interrupted) } else { Ok((cases, missing)) }
 }
 
 impl Case {
     /// Integrates one run and holds the scene's claims against it.
     ///
     /// A motion that is refused on the way is no error: what was found before stands.
-    fn run(study: &Study, number: usize, values: Values, options: &Options) -> Result<Self, PipelineError> {
+    fn run(study: &Study, number: usize, values: Values, progress: &Progress) -> Result<Self, PipelineError> {
         let label = values.label.clone();
-        Self::made(study, number, values, options).map_err(|error| error.placed(study).in_run(&label))
+        Self::made(study, number, values, progress).map_err(|error| error.placed(study).in_run(&label))
     }
 
-    fn made(study: &Study, number: usize, values: Values, options: &Options) -> Result<Self, PipelineError> {
+    fn made(
+        study: &Study,
+        number: usize,
+        values: Values,
+        progress: &Progress,
+    ) -> Result<Self, PipelineError> {
         let Values { label, parameters, accuracy } = values;
         let study = &study.with(&parameters);
         let until = study.number(&study.until)?;
-        let title = if label.is_empty() { study.title.clone() } else { label.clone() };
-        let progress = Progress::new(&title, until, options);
+        let progress = progress.of_run(until);
         let reached = |time| progress.reached(time);
         let found = Run::trusted(&study.model, &parameters, until, accuracy, reached);
         let (run, trust, refusal) = match found {

@@ -1,5 +1,6 @@
 //! What the command can do, and what it says.
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -117,6 +118,9 @@ struct Settings {
     /// What to write the report as.
     #[arg(long, value_enum, default_value = "html")]
     report: Form,
+    /// How many runs of a sweep are made at once [default: as many as there are cores].
+    #[arg(long, value_name = "NUMBER")]
+    jobs: Option<NonZeroUsize>,
 }
 
 /// Forms of a report.
@@ -187,10 +191,10 @@ impl Task {
     fn run(self) -> Ending {
         match self {
             Task::Run { scene, settings } => {
-                let Settings { set, out, no_figures, report: form } = settings;
+                let Settings { set, out, no_figures, report: form, jobs } = settings;
                 let form = if no_figures { ReportForm::None } else { form.into() };
-                let options =
-                    Options { set, out, no_figures, report: form, progress: true, stop: interruptible() };
+                let stop = interruptible();
+                let options = Options { set, out, no_figures, report: form, jobs, progress: true, stop };
                 report(&Shown { result: pipeline::run(&scene, &options), scene })
             }
             Task::Check { scene, set } => {

@@ -41,6 +41,7 @@ mod checks;
 mod digits;
 mod figures;
 mod free_bodies;
+mod jobs;
 mod moments;
 mod placed;
 mod questions;

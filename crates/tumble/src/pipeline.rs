@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::io;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -32,7 +33,9 @@ pub struct Options {
     pub no_figures: bool,
     /// Which form of report is written.
     pub report: report::Form,
-    /// Whether a bar may be drawn for work over a second.
+    /// How many runs are made at once; as many as there are cores where nothing is said. What comes out is the same.
+    pub jobs: Option<NonZeroUsize>,
+    /// Whether it may be told how far work over a second is.
     pub progress: bool,
     /// Set by whoever wants no more runs: the run that is being made stops at its next step, and what was finished before
     /// is written.

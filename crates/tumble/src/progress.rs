@@ -1,9 +1,11 @@
-//! A bar for work that takes over a second, on a terminal only.
+//! How far the runs of a scene are: a bar on a terminal, elsewhere a line every few seconds; nothing for what takes no second.
 
 use std::cell::Cell;
+use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -11,46 +13,120 @@ use tumble_scene::printable;
 
 use crate::pipeline::Options;
 
-/// Work is quiet for this long before a bar appears.
+/// Work is quiet for this long.
 const PATIENCE: Duration = Duration::from_secs(1);
+/// Time between two lines where there is no terminal.
+const PAUSE: Duration = Duration::from_secs(5);
 /// Positions of the bar: fine enough for any terminal.
 const POSITIONS: f64 = 1000.0;
 /// The clock is looked at once in so many steps: a step takes microseconds.
 const STEPS_A_LOOK: u32 = 64;
 
-/// Shows how much of the motion is found.
+/// Shows how much of all runs is done.
 pub struct Progress {
     bar: ProgressBar,
-    until: f64,
+    title: String,
+    runs: usize,
+    finished: AtomicUsize,
     began: Instant,
-    steps: Cell<u32>,
+    /// When a line was written last, if lines are wanted.
+    told: Option<Mutex<Instant>>,
     stop: Arc<AtomicBool>,
 }
 
 impl Progress {
-    /// A bar for a motion until that time, s; hidden unless the options want one.
-    pub fn new(title: &str, until: f64, options: &Options) -> Self {
-        let target =
-            if options.progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    /// Of so many runs; silent unless the options want to see it.
+    pub fn new(title: &str, runs: usize, options: &Options) -> Self {
+        let is_terminal = std::io::stderr().is_terminal();
+        let target = match options.progress && is_terminal {
+            true => ProgressDrawTarget::stderr(),
+            false => ProgressDrawTarget::hidden(),
+        };
         let bar = ProgressBar::with_draw_target(Some(POSITIONS as u64), target);
-        let style = ProgressStyle::with_template("{msg} {bar:40} {percent} % of the time, {eta} left");
+        let style = ProgressStyle::with_template("{prefix} {bar:40} {msg}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        bar.set_message(printable(title).into_owned());
-        Self { bar, until, began: Instant::now(), steps: Cell::new(0), stop: options.stop.clone() }
+        let title = printable(title).into_owned();
+        bar.set_prefix(title.clone());
+        let began = Instant::now();
+        let told = (options.progress && !is_terminal).then(|| Mutex::new(began));
+        Self { bar, title, runs, finished: AtomicUsize::new(0), began, told, stop: options.stop.clone() }
     }
 
-    /// The motion is found up to that time, s; it goes on unless no more is wanted.
-    pub fn reached(&self, time: f64) -> ControlFlow<()> {
-        self.steps.set(self.steps.get().wrapping_add(1));
-        if self.steps.get().is_multiple_of(STEPS_A_LOOK) && self.began.elapsed() > PATIENCE {
-            self.bar.set_position((time / self.until * POSITIONS) as u64);
-        }
-        if self.stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    /// Of one of them, with a motion until that time, s.
+    pub fn of_run(&self, until: f64) -> RunProgress<'_> {
+        RunProgress { all: self, until, steps: Cell::new(0) }
     }
+
+    /// One more run is done.
+    pub fn finish(&self) {
+        self.finished.fetch_add(1, Ordering::Relaxed);
+        self.show(1.0);
+    }
+
+    /// Shows it, with this part of a run done.
+    fn show(&self, part: f64) {
+        let elapsed = self.began.elapsed();
+        if elapsed < PATIENCE {
+            return;
+        }
+        let finished = self.finished.load(Ordering::Relaxed);
+        let done = if self.runs == 1 { part } else { finished as f64 / self.runs as f64 };
+        let words = words((finished, self.runs), done, elapsed);
+        self.bar.set_position((done * POSITIONS) as u64);
+        if let Some(told) = &self.told
+            && let Ok(mut told) = told.try_lock()
+            && told.elapsed() > PAUSE
+        {
+            *told = Instant::now();
+            // Where nobody can be told there is nobody to tell that either.
+            let _ = writeln!(std::io::stderr(), "{}: {words}", self.title);
+        }
+        self.bar.set_message(words);
+    }
+}
+
+/// What is done and what is left: `37 of 500, 12 s left`, `40 % of the time, 3 s left`.
+fn words((finished, runs): (usize, usize), done: f64, elapsed: Duration) -> String {
+    let share = match runs {
+        1 => format!("{:.0} % of the time", 100.0 * done),
+        _ => format!("{finished} of {runs}"),
+    };
+    let left = elapsed.as_secs_f64() * (1.0 - done) / done;
+    if left.is_finite() { format!("{share}, {left:.0} s left") } else { share }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// How much of one motion is found.
+pub struct RunProgress<'a> {
+    all: &'a Progress,
+    until: f64,
+    steps: Cell<u32>,
+}
+
+impl RunProgress<'_> {
+    /// The motion is found up to that time, s; it goes on unless no more is wanted.
+    pub fn reached(&self, time: f64) -> ControlFlow<()> {
+        self.steps.set(self.steps.get().wrapping_add(1));
+        if self.steps.get().is_multiple_of(STEPS_A_LOOK) {
+            self.all.show(time / self.until);
+        }
+        if self.all.stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_follows_from_what_is_done() {
+        assert_eq!(words((37, 500), 37.0 / 500.0, Duration::from_secs(2)), "37 of 500, 25 s left");
+        assert_eq!(words((0, 1), 0.4, Duration::from_secs(2)), "40 % of the time, 3 s left");
+        assert_eq!(words((0, 9), 0.0, Duration::from_secs(2)), "0 of 9");
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! `cargo bench -p tumble` prints, for each system and accuracy, the time of one run (the least of many, tape included),
 //! steps, and the error against the reference; then the time of an eighth-order Runge-Kutta code without events at
-//! tolerances tightened until its error is no larger, and the ratio. Last, the processor time of a cold process
+//! tolerances tightened until its error is no larger, and the ratio. Then what the parts of an answer cost: building the
+//! equations, the bare motion, the same with the enclosures of its steps and their share, and all with the check runs. Last, the processor time of a cold process
 //! from a scene's text to its numbers.
 
 mod peer;
@@ -30,7 +31,33 @@ fn main() {
             row(&problem, accuracy);
         }
     }
+    layers();
     cold();
+}
+
+/// What the parts of an answer cost: building, the bare motion, what its enclosures add, and the check runs.
+fn layers() {
+    println!(
+        "\n{:<26} {:>8} {:>9} {:>9} {:>9} {:>10} {:>10}",
+        "system", "accuracy", "build us", "bare us", "proved us", "enclosures", "trusted us"
+    );
+    for problem in problems::all() {
+        for accuracy in [1e-6, 1e-9, 1e-12] {
+            let (build, equations) = least(|| problem.equations());
+            let (bare, _) = least(|| problem.states(&equations, accuracy, false));
+            let (proved, _) = least(|| problem.states(&equations, accuracy, true));
+            let (trusted, _) = least(|| problem.trusted(accuracy));
+            println!(
+                "{:<26} {accuracy:>8.0e} {:>9.0} {:>9.0} {:>9.0} {:>9.0}% {:>10.0}",
+                problem.name,
+                micros(build),
+                micros(bare),
+                micros(proved),
+                100.0 * (1.0 - bare.as_secs_f64() / proved.as_secs_f64()),
+                micros(trusted),
+            );
+        }
+    }
 }
 
 fn row(problem: &Problem, accuracy: f64) {

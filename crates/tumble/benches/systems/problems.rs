@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 
 use tumble::prelude::*;
-use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Release, Surface};
+use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Equations, Release, Surface, Trust};
+use tumble_ode::Solver;
 
 /// A system with its answer.
 pub(crate) struct Problem {
@@ -24,8 +25,37 @@ pub(crate) struct Problem {
 impl Problem {
     pub(crate) fn run(&self, accuracy: f64) -> Run {
         let accuracy = Accuracy::new(accuracy).expect("allowed");
-        let equations = tumble_mech::Equations::new(self.model.clone()).expect("sound");
-        Run::new(equations, &self.model.parameters, self.until, accuracy, |_| ControlFlow::Continue(()))
+        Run::new(
+            self.equations(),
+            &self.model.parameters,
+            self.until,
+            accuracy,
+            |_| ControlFlow::Continue(()),
+        )
+        .expect("smooth")
+    }
+
+    /// States at the end of the motion alone, from equations that are built, with the enclosures of every step or without: what
+    /// they cost.
+    pub(crate) fn states(&self, equations: &Equations, accuracy: f64, is_proved: bool) -> Vec<f64> {
+        let start = equations.start(&self.model.parameters).expect("sound");
+        let accuracy = Accuracy::new(accuracy).expect("allowed");
+        let solver = Solver::new(equations, start, self.until, accuracy);
+        let mut solver = if is_proved { solver } else { solver.unproved() };
+        while !solver.is_done() {
+            solver.advance().expect("smooth");
+        }
+        solver.finish().last_states().expect("ran")
+    }
+
+    pub(crate) fn equations(&self) -> Equations {
+        Equations::new(self.model.clone()).expect("sound")
+    }
+
+    /// The whole answer: the motion with its check runs.
+    pub(crate) fn trusted(&self, accuracy: f64) -> (Run, Trust) {
+        let accuracy = Accuracy::new(accuracy).expect("allowed");
+        Run::trusted(&self.model, &self.model.parameters, self.until, accuracy, |_| ControlFlow::Continue(()))
             .expect("smooth")
     }
 

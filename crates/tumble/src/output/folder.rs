@@ -1,9 +1,9 @@
 //! The folder of one scene's results: written aside, then put in place whole.
 
-use std::cell::RefCell;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::lock::Lock;
 use super::manifest::{HEAD, MARKER, Manifest};
@@ -22,9 +22,9 @@ pub(crate) struct Folder {
     place: PathBuf,
     /// What the scene is read from.
     needed: Vec<PathBuf>,
-    written: RefCell<Manifest>,
+    written: Mutex<Manifest>,
     /// The list as it grows, for whoever finds the folder of a run that was killed.
-    marker: RefCell<Option<File>>,
+    marker: Mutex<Option<File>>,
     /// Whether what was written stays where it is.
     is_kept: bool,
     notes: Vec<String>,
@@ -53,11 +53,11 @@ impl Folder {
         let notes = if lock.is_sure { clear(&place) } else { vec![] };
         let aside = beside(&place, PARTIAL);
         Ok(Self {
-            marker: RefCell::new(Some(begin(&aside)?)),
+            marker: Mutex::new(Some(begin(&aside)?)),
             needed: needed.to_vec(),
             aside,
             place,
-            written: RefCell::default(),
+            written: Mutex::default(),
             is_kept: false,
             notes,
             _lock: lock,
@@ -67,8 +67,7 @@ impl Folder {
     /// A file to be written, its folders made.
     pub(super) fn sink(&self, file: &str) -> Result<Sink, OutputError> {
         let (path, line) = (self.aside.join(file), Manifest::begun(file));
-        let listed =
-            self.marker.borrow_mut().iter_mut().try_for_each(|marker| marker.write_all(line.as_bytes()));
+        let listed = held(&self.marker).iter_mut().try_for_each(|marker| marker.write_all(line.as_bytes()));
         attempt(&self.aside.join(MARKER), listed)?;
         if let Some(parent) = path.parent() {
             attempt(parent, fs::create_dir_all(parent))?;
@@ -78,7 +77,7 @@ impl Folder {
 
     /// Notes a file that was written.
     pub(super) fn wrote(&self, file: &str, sink: Sink) {
-        self.written.borrow_mut().add(file.to_owned(), sink.hash());
+        held(&self.written).add(file.to_owned(), sink.hash());
     }
 
     /// Writes a file.
@@ -92,8 +91,8 @@ impl Folder {
     /// Puts the folder in its place.
     pub(crate) fn finish(mut self) -> Result<Placed, OutputError> {
         // Some systems do not move a folder of which a file is open.
-        self.marker.take();
-        let (marker, text) = (self.aside.join(MARKER), self.written.borrow().text());
+        held(&self.marker).take();
+        let (marker, text) = (self.aside.join(MARKER), held(&self.written).text());
         attempt(&marker, fs::write(&marker, text))?;
         match self.put() {
             Ok(note) => {
@@ -136,6 +135,11 @@ impl Drop for Folder {
             let _ = begun.remove(&self.aside);
         }
     }
+}
+
+/// What several runs write to. One that has panicked leaves a line too few at worst.
+fn held<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
+    shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Makes a folder that says whose it is, and its list.
