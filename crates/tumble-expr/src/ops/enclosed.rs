@@ -9,6 +9,8 @@
 //! right side r lie in `C r` widened by `m/(1-m)` of its largest, where m < 1 bounds the rows of `I - C A`; put into the right
 //! side once more, each unknown has its own width. Source: Neumaier, Interval Methods for Systems of Equations, 4.1.
 
+use std::ops::Add;
+
 use super::kernels::Kernels;
 use super::solve::{factors_of, inverse};
 use super::{Series, Slot};
@@ -30,34 +32,15 @@ impl Kernels for Interval {
 
     fn norm_coefficient(series: &Boxes<'_>, parts: u32, c: &[Self], k: usize) -> Self {
         let is_vanishing = series.vanishing[parts as usize];
-        let parts: Vec<&[Self]> =
-            series.tape.norms[parts as usize].iter().map(|part| series.of(*part)).collect();
-        let shift = usize::from(is_vanishing);
-        // The length of b, up to order k - 1; b is the vector itself, or the vector over s.
-        let mut lengths: Vec<Self> = vec![length(parts.iter().map(|part| part[shift]))];
-        for j in 1..k {
-            let squares = parts.iter().map(|part| super::arithmetic::square(&part[shift..], j));
-            let squares = squares.fold(Self::zero(), |sum, square| sum + square);
-            lengths.push(Self::zero());
-            let before = super::arithmetic::half_square(&lengths, j);
-            lengths[j] = (squares - before) / (Self::splat(2.0) * lengths[0]);
-        }
-        // The derivative, order by order: e |b| = b . a'.
-        let mut slopes: Vec<Self> = vec![];
-        for j in 0..k {
-            let dot = |part: &&[Self]| {
-                let terms =
-                    (0..=j).map(|i| part[shift + i] * (Self::splat((j - i + 1) as f64) * part[j - i + 1]));
-                terms.fold(Self::zero(), |sum, term| sum + term)
-            };
-            let right = parts.iter().map(dot).fold(Self::zero(), |sum, term| sum + term);
-            let taken = (0..j).fold(Self::zero(), |sum, i| sum + slopes[i] * lengths[j - i]);
-            slopes.push((right - taken) / lengths[0]);
-        }
-        let found = slopes[k - 1] / Self::splat(k as f64);
+        let parts = &series.tape.norms[parts as usize];
+        let slope = match is_vanishing {
+            true => vanishing_slope(&parts.iter().map(|part| series.of(*part)).collect::<Vec<_>>(), k),
+            false => slope(parts.iter().map(|part| series.of(*part)), c, k),
+        };
+        let found = slope / Self::splat(k as f64);
         // A length changes no faster than its vector, wherever that is.
         if k == 1 {
-            found.both(Self::around_zero(length(parts.iter().map(|part| part[1])).high))
+            found.both(Self::around_zero(length(parts.iter().map(|part| series.of(*part)[1])).high))
         } else {
             c[0].smooth(found)
         }
@@ -132,6 +115,41 @@ impl Kernels for Interval {
         let row = row as usize;
         near[row] + sum(&mut (0..n).map(|j| factors[n * n + row * n + j] * wide))
     }
+}
+
+/// Coefficient of order k - 1 of the derivative of c, the length of a: `c c' = a . a'`.
+fn slope<'a>(parts: impl Iterator<Item = &'a [Interval]>, c: &[Interval], k: usize) -> Interval {
+    let right = sum(parts.map(|a| sum((1..=k).map(|i| a[k - i] * weighted(a, i)))));
+    (right - sum((1..k).map(|i| weighted(c, i) * c[k - i]))) / c[0]
+}
+
+/// The same of a vector `a = s b` that vanishes at s = 0, with e the derivative: `e |b| = b . a'`.
+fn vanishing_slope(parts: &[&[Interval]], k: usize) -> Interval {
+    // The length of b, up to order k - 1.
+    let mut lengths = vec![length(parts.iter().map(|a| a[1]))];
+    for j in 1..k {
+        let squares = sum(parts.iter().map(|a| super::arithmetic::square(&a[1..], j)));
+        lengths.push(Interval::zero());
+        let before = super::arithmetic::half_square(&lengths, j);
+        lengths[j] = (squares - before) / (Interval::splat(2.0) * lengths[0]);
+    }
+    let mut slopes: Vec<Interval> = vec![];
+    for j in 0..k {
+        let dot = |a: &&[Interval]| sum((0..=j).map(|i| a[1 + i] * weighted(a, j - i + 1)));
+        let right = sum(parts.iter().map(dot));
+        let taken = sum((0..j).map(|i| slopes[i] * lengths[j - i]));
+        slopes.push((right - taken) / lengths[0]);
+    }
+    slopes[k - 1]
+}
+
+/// `i a_i`: a coefficient of the derivative.
+fn weighted(a: &[Interval], i: usize) -> Interval {
+    Interval::splat(i as f64) * a[i]
+}
+
+fn sum(terms: impl Iterator<Item = Interval>) -> Interval {
+    terms.fold(Interval::zero(), Interval::add)
 }
 
 /// Coefficient of order k >= 1 of `a^2 / b`.
