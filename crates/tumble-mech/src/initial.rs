@@ -28,7 +28,8 @@ impl Equations {
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
         match mistakes.is_empty() {
             true => {
-                Ok(NumericStart { time: 0.0, mode, states, inputs, causes, rounding: parameters.rounding() })
+                let rounding = parameters.rounding();
+                Ok(NumericStart { time: 0.0, mode, states, inputs, causes, rounding, is_proved: true })
             }
             false => Err(ModelErrors(mistakes)),
         }

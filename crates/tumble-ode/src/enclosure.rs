@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use tumble_expr::{Branches, Interval, Jets, Scalar, Slot, Tape};
 
-use crate::polynomial::shifted;
+use crate::polynomial::{shifted, shifted_up_to};
 
 /// Highest order of the intervals. A remainder shrinks with this power of the stretch; beyond five, intervals of products
 /// grow as fast as it shrinks.
@@ -211,12 +211,13 @@ fn leaf(series: &[f64], place: f64, reach: f64) -> (Vec<f64>, Vec<Interval>) {
     let about = shifted(series, place);
     let sizes: Vec<f64> = about.iter().map(|c| c.abs()).collect();
     // Shifted by the reach, the sizes are the sums of all that a coefficient can change by, and it itself.
-    let most = shifted(&sizes, reach);
+    let most = shifted_up_to(&sizes, reach, sizes.len().min(ORDER + 2));
     let hull = about.iter().zip(&most).zip(&sizes).map(|((c, most), size)| {
         let change = (most - size) + ROUNDING * most;
         Interval::new(c - change, c + change)
     });
-    (about.clone(), hull.take(ORDER + 2).collect())
+    let hull = hull.collect();
+    (about, hull)
 }
 
 /// What is known of one function along a stretch.

@@ -15,7 +15,7 @@ use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
 use crate::scale::Scales;
 use crate::signs::{leading_sign, sign_after, sign_before};
-use crate::whole::{Demand, Noise};
+use crate::whole::{Demand, Halvings, Noise};
 use crate::work::Work;
 
 /// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
@@ -72,6 +72,7 @@ pub(crate) struct Engine {
     pub(crate) rounded: Jets<Rounded>,
     /// Made when the first step needs it.
     pub(crate) enclosure: Option<Enclosure>,
+    pub(crate) halvings: Halvings,
 }
 
 impl Engine {
@@ -99,6 +100,7 @@ impl Engine {
             inputs: inputs.to_vec(),
             rounded,
             enclosure: None,
+            halvings: Halvings::default(),
         }
     }
 

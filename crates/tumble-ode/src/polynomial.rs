@@ -12,11 +12,17 @@ pub(crate) fn increment(coefficients: &[f64], s: f64) -> f64 {
 
 /// The polynomial from another point on.
 pub(crate) fn shifted(coefficients: &[f64], by: f64) -> Vec<f64> {
-    let mut p = coefficients.to_vec();
-    for first in 0..p.len() {
-        for k in (first..p.len() - 1).rev() {
-            p[k] += by * p[k + 1];
+    shifted_up_to(coefficients, by, coefficients.len())
+}
+
+/// So many of its lowest coefficients: Horner's rule with `s + by`, in which no coefficient waits for another.
+pub(crate) fn shifted_up_to(coefficients: &[f64], by: f64, most: usize) -> Vec<f64> {
+    let mut p = vec![0.0; most];
+    for (known, c) in coefficients.iter().rev().enumerate() {
+        for k in (1..=known.min(most - 1)).rev() {
+            p[k] = p[k - 1] + by * p[k];
         }
+        p[0] = c + by * p[0];
     }
     p
 }

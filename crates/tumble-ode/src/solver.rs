@@ -56,6 +56,8 @@ pub struct Start<Mode> {
     pub causes: Vec<Cause>,
     /// How states are rounded that an event has set; see [`Rounding`].
     pub rounding: Rounding,
+    /// Whether enclosures show of every step that nothing narrow was passed over, which a run that is to be trusted needs.
+    pub is_proved: bool,
 }
 
 /// A motion that was refused, with what was found before.
@@ -117,7 +119,6 @@ pub struct Solver<'a, H: Hybrid> {
     memory: Memory,
     /// Whether an event has ended the motion.
     stopped: bool,
-    /// Whether enclosures show that no step passes over what is narrow.
     is_proved: bool,
     trajectory: Trajectory<H::Mode>,
 }
@@ -150,7 +151,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             at_once: 0,
             memory: Memory::default(),
             stopped: false,
-            is_proved: true,
+            is_proved: start.is_proved,
             trajectory: Trajectory {
                 modes: vec![],
                 pieces: vec![],
@@ -305,13 +306,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(holds.then_some((expansion, step)))
     }
 
-    /// Leaves out the enclosures, and with them what shows that nothing narrow was passed over: to measure what they cost, never
-    /// for answers.
-    pub fn unproved(mut self) -> Self {
-        self.is_proved = false;
-        self
-    }
-
     /// How far a step is known, if not to its end.
     fn unknown(
         &mut self,
@@ -356,7 +350,10 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                         self.trajectory.work.exact_steps += u64::from(exact);
                         return Ok(self.polished(mode, expansion, step, end));
                     }
-                    Some(unknown) => (self.shorter(expansion, &step, unknown.length), unknown.of),
+                    Some(unknown) => {
+                        self.trajectory.work.cuts += 1;
+                        (self.shorter(expansion, &step, unknown.length), unknown.of)
+                    }
                 }
             } else {
                 let state = self.engines[mode].system.names[verdict.state].clone();

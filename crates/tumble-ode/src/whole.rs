@@ -102,7 +102,9 @@ impl<'a> Watched<'a> {
         is_hit: bool,
         length: f64,
     ) -> Self {
-        let term = |k: usize| (series[k] - if k == 0 { offset } else { 0.0 }) * libm::pow(length, k as f64);
+        let powers = std::iter::successors(Some(1.0), |power| Some(power * length));
+        let terms: Vec<f64> = series.iter().zip(powers).map(|(c, power)| c * power).collect();
+        let term = |k: usize| if k == 0 { series[0] - offset } else { terms[k] };
         let largest = (0..series.len()).map(|k| term(k).abs()).fold(offset.abs() * VANISHES, f64::max);
         let counts = |k: &usize| term(*k).abs() > VANISHES * largest;
         // Of a series beyond the range of numbers nothing is read.
@@ -241,7 +243,8 @@ impl Engine {
         let watched = self.watched(step);
         let vanishing = self.vanishing(step);
         let [nothing, at_start, at_end] = &vanishing;
-        let found = first_unsettled(step.length, |part| {
+        let mut halvings = self.halvings;
+        let found = first_unsettled(step.length, &mut halvings, |part| {
             work.enclosures += 1;
             let (is_first, is_last) = (part[0] == 0.0, part[1] == step.length);
             let norms = match (is_first && at_start != nothing, is_last && at_end != nothing) {
@@ -259,6 +262,7 @@ impl Engine {
             }
         });
         self.enclosure = Some(enclosure);
+        self.halvings = halvings;
         found
     }
 
@@ -395,7 +399,7 @@ impl Engine {
             let size = demand.scales.of(self.lazy_guards.group(*index));
             let watched = Watched::new((What::Guard(guard), series, 0.0), size, zeros, is_hit, length);
             let found = self.lazy_guards.with_enclosure(*index, expansion, |enclosure, path| {
-                first_unsettled(length, |part| {
+                first_unsettled(length, &mut Halvings::default(), |part| {
                     work.enclosures += 1;
                     let signs = enclosure.signs(path, part);
                     enclosure.look(path, part, &signs, None);
@@ -419,19 +423,54 @@ impl<'a> Stretch<'a> {
     }
 }
 
+/// How often the last step had to be halved until the first of its parts was settled: the next is begun with such parts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Halvings {
+    needed: u32,
+    /// Steps since larger parts were last tried.
+    since: u32,
+}
+
+impl Halvings {
+    /// One step in so many is begun with parts of twice the length, in case they would do again.
+    const PATIENCE: u32 = 8;
+
+    fn begin(&mut self) -> u32 {
+        self.since = (self.since + 1) % Self::PATIENCE;
+        if self.since == 0 { self.needed.saturating_sub(1) } else { self.needed }
+    }
+}
+
 /// The end of what is settled of a length, from its beginning on; `None` if all of it is. `unsettled` names what is not known of
 /// a part.
-fn first_unsettled(length: f64, mut unsettled: impl FnMut([f64; 2]) -> Option<String>) -> Option<Unknown> {
-    let mut pending = vec![[0.0, length]];
-    let mut looked = 0;
-    while let Some([low, high]) = pending.pop() {
+fn first_unsettled(
+    length: f64,
+    halvings: &mut Halvings,
+    mut unsettled: impl FnMut([f64; 2]) -> Option<String>,
+) -> Option<Unknown> {
+    let halves = |[low, high]: [f64; 2]| {
+        let middle = low + CUT * (high - low);
+        [[middle, high], [low, middle]]
+    };
+    let begin = halvings.begin();
+    let mut pending = vec![([0.0, length], 0)];
+    let (mut looked, mut needed) = (0, u32::MAX);
+    while let Some((part, depth)) = pending.pop() {
+        if depth < begin {
+            pending.extend(halves(part).map(|half| (half, depth + 1)));
+            continue;
+        }
         looked += 1;
-        let Some(of) = unsettled([low, high]) else { continue };
+        let Some(of) = unsettled(part) else {
+            needed = needed.min(depth);
+            continue;
+        };
+        let [low, high] = part;
         if high - low <= SMALLEST * length || looked >= MOST_PARTS {
             return Some(Unknown { length: if low > 0.0 { low } else { high }, of });
         }
-        let middle = low + CUT * (high - low);
-        pending.extend([[middle, high], [low, middle]]);
+        pending.extend(halves(part).map(|half| (half, depth + 1)));
     }
+    halvings.needed = needed;
     None
 }

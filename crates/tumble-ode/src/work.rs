@@ -24,6 +24,8 @@ pub struct Work {
     pub near: u64,
     /// Parts of steps that were looked at as a whole.
     pub enclosures: u64,
+    /// Steps that were cut where they were not known as a whole.
+    pub cuts: u64,
     /// Tapes built, one a mode.
     pub modes: u64,
 }

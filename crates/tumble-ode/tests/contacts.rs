@@ -73,6 +73,7 @@ fn run_with(toy: &Toy, start: &[f64], until: f64, causes: Vec<Cause>) -> Ran {
         inputs: vec![],
         causes,
         rounding: tumble_expr::Rounding::NEAREST,
+        is_proved: true,
     };
     solve(toy, start, until, Accuracy::new(1e-12).expect("allowed")).map_err(Box::new)
 }

@@ -59,6 +59,7 @@ fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory
         inputs: vec![2.0, 1.0],
         causes: vec![],
         rounding: tumble_expr::Rounding::NEAREST,
+        is_proved: true,
     };
     solve(toy, start, until, Accuracy::new(accuracy).expect("allowed")).map_err(Box::new)
 }

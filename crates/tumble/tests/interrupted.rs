@@ -152,10 +152,11 @@ mod signals {
     /// Longer than anything here takes on a machine that has much else to do.
     const PATIENCE: Duration = Duration::from_secs(120);
 
-    /// The command, running, and as far as this file.
-    fn started(folder: &Path, file: &str) -> Child {
+    /// The command, running on so many cores, and as far as this file.
+    fn started(folder: &Path, jobs: &str, file: &str) -> Child {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tumble"));
-        command.current_dir(folder).args(["run", "swing.toml"]).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let arguments = ["run", "--jobs", jobs, "swing.toml"];
+        command.current_dir(folder).args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
         let child = command.spawn().expect("the command starts");
         let begun = Instant::now();
         while !is_being_written(&folder.join("out"), file) {
@@ -173,7 +174,7 @@ mod signals {
     #[test]
     fn control_c_says_what_is_kept_and_what_is_not() {
         let folder = swing();
-        let child = started(folder.path(), "run-002/balance.csv");
+        let child = started(folder.path(), "1", "run-002/balance.csv");
         signal(&child, "-INT");
         let output = child.wait_with_output().expect("it ends");
         let said = text(&output.stdout);
@@ -185,13 +186,25 @@ mod signals {
     }
 
     #[test]
+    fn control_c_keeps_what_any_core_has_finished() {
+        let folder = swing();
+        let child = started(folder.path(), "2", "run-004/balance.csv");
+        signal(&child, "-INT");
+        let output = child.wait_with_output().expect("it ends");
+        let said = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(130), "{said}");
+        let says = "  interrupted: 3 of 4 runs finished; results: out/swing; 1 run was not made\n";
+        assert!(said.ends_with(says), "{said}");
+    }
+
+    #[test]
     fn control_c_before_anything_is_finished() {
         let folder = folder();
         write(
             &folder.path().join("swing.toml"),
             &SWING.replace("end = [\"1 s\", ", "end = [\"1e6 s\", ").replace(", \"1e6 s\", \"3", ", \"3"),
         );
-        let child = started(folder.path(), ".tumble-output");
+        let child = started(folder.path(), "1", ".tumble-output");
         signal(&child, "-INT");
         let output = child.wait_with_output().expect("it ends");
         assert_eq!(output.status.code(), Some(130));
@@ -206,7 +219,7 @@ mod signals {
     #[test]
     fn a_second_run_of_the_same_results_is_refused_while_the_first_goes_on() {
         let folder = swing();
-        let mut child = started(folder.path(), "run-002/balance.csv");
+        let mut child = started(folder.path(), "1", "run-002/balance.csv");
         let output = tumble(folder.path(), &["run", "swing.toml", "--set", "end=1s"]);
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(4), "{said}");
@@ -226,7 +239,7 @@ mod signals {
     #[test]
     fn what_a_killed_run_leaves_is_gone_after_the_next() {
         let folder = swing();
-        let child = started(folder.path(), "run-002/balance.csv");
+        let child = started(folder.path(), "1", "run-002/balance.csv");
         signal(&child, "-KILL");
         child.wait_with_output().expect("it ends");
         let left = names(&folder.path().join("out"));

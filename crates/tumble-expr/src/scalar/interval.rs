@@ -129,16 +129,16 @@ impl Interval {
 }
 
 /// At most the next number below, without a branch: by Rump, Zimmermann, Boldo and Melquiond, Computing predecessor and successor
-/// in rounding to nearest, BIT 49 (2009). Plus infinity becomes no number, which [`Interval::new`] takes for anything.
+/// in rounding to nearest, BIT 49 (2009). What has overflown is at least the largest number.
 #[inline]
 fn down(value: f64) -> f64 {
-    value - (HALF_ULP * value.abs() + LEAST)
+    if value == f64::INFINITY { f64::MAX } else { value - (HALF_ULP * value.abs() + LEAST) }
 }
 
 /// At least the next number above.
 #[inline]
 fn up(value: f64) -> f64 {
-    value + (HALF_ULP * value.abs() + LEAST)
+    if value == f64::NEG_INFINITY { f64::MIN } else { value + (HALF_ULP * value.abs() + LEAST) }
 }
 
 /// `2^-53 (1 + 2^-52)`: this times a number is more than half the distance to its neighbours, ...
@@ -400,5 +400,15 @@ mod tests {
         assert_eq!(about_zero.atan2(about_zero), Interval::ENTIRE);
         assert_eq!(Interval::point(2.0) + Interval::zero(), Interval::point(2.0));
         assert_eq!(about_zero.definite_sign(), 0.0);
+    }
+
+    /// Where ends overflow, what is between them is not lost: one over it is small.
+    #[test]
+    fn what_overflows_is_large() {
+        let huge = Interval::new(1e200, 1e300).square();
+        assert_eq!(huge, Interval::new(f64::MAX, f64::INFINITY));
+        let small = Interval::point(1.0) / huge;
+        assert!(small.low <= 0.0 && (0.0..1e-300).contains(&small.high), "{small:?}");
+        assert_eq!((huge - huge).low, f64::NEG_INFINITY);
     }
 }

@@ -91,7 +91,10 @@ fn perturbed(
 ) -> Result<Run, RunError> {
     let parameters = parameters.rounded(rounding);
     let equations = run.equations.rounded(rounding);
-    let start = equations.start(&parameters)?;
+    let mut start = equations.start(&parameters)?;
+    // Where no step of the motion had to be cut nothing in it is narrow. A check run that passes over something all the same
+    // differs from it, and the error stated says so.
+    start.is_proved = run.trajectory.work.cuts > 0;
     let found = Run::from_start(equations.clone(), start, until, accuracy, progress);
     match found {
         Err(error) if error.is_interrupted() => Err(error),

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use tumble::prelude::*;
 use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Equations, Release, Surface, Trust};
-use tumble_ode::Solver;
+use tumble_ode::{Solver, Start as NumericStart};
 
 /// A system with its answer.
 pub(crate) struct Problem {
@@ -40,8 +40,7 @@ impl Problem {
     pub(crate) fn states(&self, equations: &Equations, accuracy: f64, is_proved: bool) -> Vec<f64> {
         let start = equations.start(&self.model.parameters).expect("sound");
         let accuracy = Accuracy::new(accuracy).expect("allowed");
-        let solver = Solver::new(equations, start, self.until, accuracy);
-        let mut solver = if is_proved { solver } else { solver.unproved() };
+        let mut solver = Solver::new(equations, NumericStart { is_proved, ..start }, self.until, accuracy);
         while !solver.is_done() {
             solver.advance().expect("smooth");
         }

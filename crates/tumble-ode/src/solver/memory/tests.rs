@@ -53,6 +53,7 @@ fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
         inputs: vec![],
         causes: vec![],
         rounding: Rounding::NEAREST,
+        is_proved: true,
     };
     let mut solver = Solver::new(toy, start, until, Accuracy::DEFAULT);
     solver.memory = Memory::of(limit);
