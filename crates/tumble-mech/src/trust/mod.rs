@@ -18,6 +18,10 @@
 //! What is singular, or jumps, elsewhere in the run spoils D there and leaves P. The error of an event's time is SAFETY times
 //! the largest difference of the times, and what rounding of the function does that is crossed.
 //!
+//! What an event or an extremum says is compared with what it says in each check run: SAFETY times the largest difference of f, and
+//! what rounding of the instant does by the rate before it. A body that lies on a rigid surface has, besides, what rounding of the
+//! forces on it may have moved it by: all runs round alike what does not move.
+//!
 //! # Symbols and units
 //! f as the quantity; t, tau, s; x, e as the state; eps the spacing of doubles at 1.
 //!
