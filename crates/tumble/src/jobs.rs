@@ -36,7 +36,7 @@ pub(crate) fn in_order<T: Send, E: Send>(
         return all;
     }
     thread::scope(|scope| {
-        let workers: Vec<_> = (0..jobs.min(count)).map(|_| scope.spawn(&worker)).collect();
+        let workers: Vec<_> = (0..jobs.min(count)).map(|_| scope.spawn(worker)).collect();
         for worker in workers {
             match worker.join() {
                 Ok(done) => keep(done),
