@@ -377,14 +377,16 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if radius.is_finite() { radius * self.reach } else { self.span * BLIND_PART }
     }
 
-    /// Ends a step at `end` at the latest, and makes its times exact: `start + length` is its end, to the bit.
+    /// Ends a step at `end` at the latest, and makes its times exact: `start + length` is its end, to the bit. What comes to the
+    /// same instant as `end` ends there: what is due then would be over after it.
     fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
+        let due = end - SIMULTANEOUS_ULPS * f64::EPSILON * end.abs();
         let (length, end) = match &expansion.time {
-            None if self.time + length >= end => (end - self.time, end),
+            None if self.time + length >= due => (end - self.time, end),
             None => ((self.time + length) - self.time, self.time + length),
             Some(series) => {
                 let reached = self.time + polynomial::increment(series, length);
-                if reached >= end {
+                if reached >= due {
                     (invert(series, end - self.time, length), end)
                 } else {
                     (length, reached)

@@ -111,6 +111,18 @@ fn there_and_back() {
     assert!((back[0] - 2.5).abs() < 1e-12 && (back[1] + 1.0).abs() < 1e-12, "{back:?}");
 }
 
+/// Of a time and the way to a later one the sum may be an ulp less than that: what is scheduled then is not passed over.
+#[test]
+fn what_is_scheduled_happens_wherever_the_step_before_began() {
+    for (first, second) in (1..60).flat_map(|i| (1..60).map(move |j| (f64::from(i), f64::from(j)))) {
+        let times = [0.11 + 0.0071 * first, 0.61 + 0.0173 * second];
+        let schedule = times.map(Expr::from).to_vec();
+        let toy = Toy { rates: vec![("x", leaf("v")), ("v", leaf("t"))], schedule, time_transformation: None };
+        let motion = run(&toy, &[0.0, 0.0], 2.0, 1e-9).expect("polynomials");
+        assert_eq!(motion.events.iter().map(|event| event.time).collect::<Vec<_>>(), times);
+    }
+}
+
 #[test]
 fn a_polynomial_takes_one_exact_step_a_phase() {
     // x'' = t, plus the constant 1 on both rates from t = 1/2 to t = 3/4.
