@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Tape};
+use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Scalar, Tape};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
@@ -142,15 +142,20 @@ fn rates(flow: &Flow) -> Vec<Expr> {
     }
 }
 
-/// Times by formulas of the inputs, each rounded as the flow says.
+/// Key of the draws for scheduled times.
+const SCHEDULED: u64 = u64::MAX - 1;
+
+/// Times by formulas of the inputs, each rounded as the flow says. Neighbours that nearly agree, as both ends of a short window do,
+/// are moved apart or together, and never alike: what lies between them is known no better than both.
 fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<f64>, Reason> {
     let layout = Layout { states: vec![], ..layout.clone() };
-    let inputs: Vec<Rounded> = inputs.iter().map(|value| Rounded::leaf(*value)).collect();
+    let inputs: Vec<Rounded> = inputs.iter().map(|value| Rounded::splat(*value)).collect();
     let mut times = Jets::new(Arc::new(Tape::compile(&layout, &flow.schedule)?), 0, &inputs);
     times.start(Rounded::leaf(f64::NAN), &[], Branches::Free);
     let time = |index: usize| {
         let time = times.value_of(index);
-        flow.rounding.off(time.value, time.noise(), index as u64)
+        let side = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
+        time.value + side * flow.rounding.draw(time.value, SCHEDULED) * time.noise()
     };
     Ok((0..flow.schedule.len()).map(time).collect())
 }

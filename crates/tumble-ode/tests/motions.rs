@@ -117,7 +117,8 @@ fn what_is_scheduled_happens_wherever_the_step_before_began() {
     for (first, second) in (1..60).flat_map(|i| (1..60).map(move |j| (f64::from(i), f64::from(j)))) {
         let times = [0.11 + 0.0071 * first, 0.61 + 0.0173 * second];
         let schedule = times.map(Expr::from).to_vec();
-        let toy = Toy { rates: vec![("x", leaf("v")), ("v", leaf("t"))], schedule, time_transformation: None };
+        let toy =
+            Toy { rates: vec![("x", leaf("v")), ("v", leaf("t"))], schedule, time_transformation: None };
         let motion = run(&toy, &[0.0, 0.0], 2.0, 1e-9).expect("polynomials");
         assert_eq!(motion.events.iter().map(|event| event.time).collect::<Vec<_>>(), times);
     }
