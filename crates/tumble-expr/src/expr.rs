@@ -258,25 +258,6 @@ impl Expr {
         }
     }
 
-    /// Whether this is arithmetic with numbers alone, which is exact; one that is nested very deeply is not looked through, since its
-    /// parts may be shared, and as many as you like.
-    pub fn is_arithmetic(&self) -> bool {
-        self.is_arithmetic_within(Self::DEEPEST)
-    }
-
-    const DEEPEST: usize = 8;
-
-    fn is_arithmetic_within(&self, depth: usize) -> bool {
-        match self.node() {
-            Node::Number(_) => true,
-            Node::Unary(Unary::Neg, a) => depth > 0 && a.is_arithmetic_within(depth - 1),
-            Node::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, a, b) => {
-                depth > 0 && a.is_arithmetic_within(depth - 1) && b.is_arithmetic_within(depth - 1)
-            }
-            _ => false,
-        }
-    }
-
     /// Whether this is the literal zero.
     pub fn is_zero(&self) -> bool {
         self.as_number().is_some_and(Zero::is_zero)

@@ -1,6 +1,6 @@
 //! How numbers that no `f64` is are rounded: to the nearest, or, to see what rounding does to a result, a few ulps off.
 //!
-//! A rounding that is not the nearest moves each number by half an ulp to two, with a sign and a size of its own that follow from
+//! A rounding that is not the nearest moves each number by 0.6 to 2 eps of it, with a sign and a size of its own that follow from
 //! the number and the seed alone: the same number is the same wherever it stands, and equal computations stay equal. Numbers
 //! that are an `f64`, such as 0, 1 or 0.5, are never moved: they hold no rounding error, and structure hangs on them.
 
@@ -55,7 +55,7 @@ impl Rounding {
         if is_short(value) { value } else { self.moved(value, key) }
     }
 
-    /// A value off by half to twice an error that it may have. What nearly agrees in value and key is moved alike, as rounding
+    /// A value off by 0.6 to 2 times an error that it may have. What nearly agrees in value and key is moved alike, as rounding
     /// would: errors of equal computations add up.
     pub fn off(self, value: f64, error: f64, key: u64) -> f64 {
         value + self.draw(value, key) * error
@@ -69,7 +69,7 @@ impl Rounding {
         self.off(value, value.abs() * f64::EPSILON, key)
     }
 
-    /// How many times an error that it may have a value is off: by half to twice, up or down; 0 to the nearest.
+    /// How many times an error that it may have a value is off: 0.6 to 2, up or down; 0 to the nearest.
     pub fn draw(self, value: f64, key: u64) -> f64 {
         let Some(seed) = self.0 else { return 0.0 };
         let told = value.to_bits() >> (u64::BITS - 12 - TOLD_APART);

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Branches, CompileError, Expr, Jets, Layout, Node, Rounding, Symbol, Tape};
+use tumble_expr::{Binary, Branches, CompileError, Expr, Jets, Layout, Node, Rounding, Symbol, Tape, Unary};
 
 use crate::error::{ModelError, ModelErrors};
 use crate::kinematics::time;
@@ -92,8 +92,24 @@ impl Parameters {
     /// A value with the rounding error of its own, beside those of the numbers in its formula: a lone number has that already, and
     /// the two might take each other away.
     pub(crate) fn rounded_value(&self, value: f64, formula: &Expr, index: usize) -> f64 {
-        let is_alone = matches!(formula.node(), Node::Symbol(_) | Node::Pi) || formula.is_arithmetic();
+        let is_alone = matches!(formula.node(), Node::Symbol(_) | Node::Pi)
+            || is_arithmetic(formula, DEEPEST);
         if !is_alone { self.rounding.computed(value, index as u64) } else { value }
+    }
+}
+
+/// Nested deeper than this, a formula is not looked through: its parts may be shared, and as many as you like.
+const DEEPEST: usize = 8;
+
+/// Whether a formula is arithmetic with numbers alone, which is exact.
+fn is_arithmetic(formula: &Expr, depth: usize) -> bool {
+    match formula.node() {
+        Node::Number(_) => true,
+        Node::Unary(Unary::Neg, a) => depth > 0 && is_arithmetic(a, depth - 1),
+        Node::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, a, b) => {
+            depth > 0 && is_arithmetic(a, depth - 1) && is_arithmetic(b, depth - 1)
+        }
+        _ => false,
     }
 }
 

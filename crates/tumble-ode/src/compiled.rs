@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Scalar, Tape};
+use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Rounding, Scalar, Tape};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
@@ -142,20 +142,21 @@ fn rates(flow: &Flow) -> Vec<Expr> {
     }
 }
 
-/// Key of the draws for scheduled times.
-const SCHEDULED: u64 = u64::MAX - 1;
+/// What the draws for scheduled times are told apart by from those for other numbers: not by the times, which may nearly agree.
+const SCHEDULED: f64 = std::f64::consts::TAU;
 
-/// Times by formulas of the inputs, each rounded as the flow says. Neighbours that nearly agree, as both ends of a short window do,
-/// are moved apart or together, and never alike: what lies between them is known no better than both.
+/// Times by formulas of the inputs, each rounded as the flow says. Two that follow each other, as both ends of a short window do, are
+/// moved apart or together, and never alike: what lies between them is known no better than both.
 fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<f64>, Reason> {
-    let layout = Layout { states: vec![], ..layout.clone() };
+    // Inputs are moved already, and numbers are with the whole: two moves might take each other back.
+    let layout = Layout { states: vec![], rounding: Rounding::NEAREST, ..layout.clone() };
     let inputs: Vec<Rounded> = inputs.iter().map(|value| Rounded::splat(*value)).collect();
     let mut times = Jets::new(Arc::new(Tape::compile(&layout, &flow.schedule)?), 0, &inputs);
     times.start(Rounded::leaf(f64::NAN), &[], Branches::Free);
     let time = |index: usize| {
         let time = times.value_of(index);
         let side = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-        time.value + side * flow.rounding.draw(time.value, SCHEDULED) * time.noise()
+        time.value + side * flow.rounding.draw(SCHEDULED, index as u64 / 2) * time.noise()
     };
     Ok((0..flow.schedule.len()).map(time).collect())
 }

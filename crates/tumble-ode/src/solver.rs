@@ -562,7 +562,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
         let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
         if !unchanged && !self.rounding.is_nearest() {
-            self.round_anew((mode, mode_after), &before);
+            self.round_anew((mode, mode_after), &before, &causes);
         }
         let event = Event {
             time: self.time,

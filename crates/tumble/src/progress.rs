@@ -3,9 +3,8 @@
 use std::cell::Cell;
 use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -54,24 +53,33 @@ impl Progress {
 
     /// Of one of them, with a motion until that time, s.
     pub fn of_run(&self, until: f64) -> RunProgress<'_> {
-        RunProgress { all: self, until, steps: Cell::new(0) }
+        RunProgress {
+            all: self,
+            until,
+            steps: Cell::new(0),
+            last: Cell::new(0.0),
+            began: Cell::new(Instant::now()),
+        }
     }
 
     /// One more run is done.
     pub fn finish(&self) {
         self.finished.fetch_add(1, Ordering::Relaxed);
-        self.show(1.0);
+        self.show(1.0, self.began.elapsed());
     }
 
-    /// Shows it, with this part of a run done.
-    fn show(&self, part: f64) {
+    /// Shows it; of a single run, how much of its motion is found, which has taken so long.
+    fn show(&self, part: f64, taken: Duration) {
         let elapsed = self.began.elapsed();
         if elapsed < PATIENCE {
             return;
         }
         let finished = self.finished.load(Ordering::Relaxed);
-        let done = if self.runs == 1 { part } else { finished as f64 / self.runs as f64 };
-        let words = words((finished, self.runs), done, elapsed);
+        let (done, taken) = match self.runs {
+            1 => (part, taken),
+            runs => (finished as f64 / runs as f64, elapsed),
+        };
+        let words = words((finished, self.runs), done, taken);
         self.bar.set_position((done * POSITIONS) as u64);
         if let Some(told) = &self.told
             && let Ok(mut told) = told.try_lock()
@@ -86,12 +94,12 @@ impl Progress {
 }
 
 /// What is done and what is left: `37 of 500, 12 s left`, `40 % of the time, 3 s left`.
-fn words((finished, runs): (usize, usize), done: f64, elapsed: Duration) -> String {
+fn words((finished, runs): (usize, usize), done: f64, taken: Duration) -> String {
     let share = match runs {
         1 => format!("{:.0} % of the time", 100.0 * done),
         _ => format!("{finished} of {runs}"),
     };
-    let left = elapsed.as_secs_f64() * (1.0 - done) / done;
+    let left = taken.as_secs_f64() * (1.0 - done) / done;
     if left.is_finite() { format!("{share}, {left:.0} s left") } else { share }
 }
 
@@ -106,14 +114,20 @@ pub struct RunProgress<'a> {
     all: &'a Progress,
     until: f64,
     steps: Cell<u32>,
+    last: Cell<f64>,
+    /// When the motion was last begun: it is found several times.
+    began: Cell<Instant>,
 }
 
 impl RunProgress<'_> {
     /// The motion is found up to that time, s; it goes on unless no more is wanted.
     pub fn reached(&self, time: f64) -> ControlFlow<()> {
         self.steps.set(self.steps.get().wrapping_add(1));
+        if time < self.last.replace(time) {
+            self.began.set(Instant::now());
+        }
         if self.steps.get().is_multiple_of(STEPS_A_LOOK) {
-            self.all.show(time / self.until);
+            self.all.show(time / self.until, self.began.get().elapsed());
         }
         if self.all.stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

@@ -171,14 +171,20 @@ mod signals {
         assert!(status.expect("there is kill").success());
     }
 
-    #[test]
-    fn control_c_says_what_is_kept_and_what_is_not() {
-        let folder = swing();
-        let child = started(folder.path(), "1", "run-002/balance.csv");
+    /// What is said of runs that Ctrl-C ends when they are as far as this file.
+    fn interrupted(folder: &Path, jobs: &str, file: &str) -> String {
+        let child = started(folder, jobs, file);
         signal(&child, "-INT");
         let output = child.wait_with_output().expect("it ends");
         let said = text(&output.stdout);
         assert_eq!(output.status.code(), Some(130), "{said}");
+        said
+    }
+
+    #[test]
+    fn control_c_says_what_is_kept_and_what_is_not() {
+        let folder = swing();
+        let said = interrupted(folder.path(), "1", "run-002/balance.csv");
         let says = "  interrupted: 2 of 4 runs finished; results: out/swing; 2 runs were not made\n";
         assert!(said.ends_with(says), "{said}");
         assert_eq!(summary(folder.path())["interrupted"]["finished"], 2);
@@ -188,11 +194,7 @@ mod signals {
     #[test]
     fn control_c_keeps_what_any_core_has_finished() {
         let folder = swing();
-        let child = started(folder.path(), "2", "run-004/balance.csv");
-        signal(&child, "-INT");
-        let output = child.wait_with_output().expect("it ends");
-        let said = text(&output.stdout);
-        assert_eq!(output.status.code(), Some(130), "{said}");
+        let said = interrupted(folder.path(), "2", "run-004/balance.csv");
         let says = "  interrupted: 3 of 4 runs finished; results: out/swing; 1 run was not made\n";
         assert!(said.ends_with(says), "{said}");
     }

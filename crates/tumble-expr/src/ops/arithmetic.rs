@@ -25,19 +25,26 @@ pub(crate) fn quotient<S: Scalar>(a: &[S], b: &[S], c: &[S], k: usize) -> S {
     (a[k] - (convolution(&c[1..k], &b[1..k]) + c[0] * b[k])).over(b[0])
 }
 
-/// Sum of `a_i b_(n-1-i)` over two slices of one length n: four sums side by side, and then what is left over.
+/// Sum of `a_i b_(n-1-i)` over two slices of one length n.
 pub(crate) fn convolution<S: Scalar>(a: &[S], b: &[S]) -> S {
+    side_by_side(a, b, |_, x, y| x * y)
+}
+
+/// Sum of what `term` makes of i, `a_i` and `b_(n-1-i)`: four sums side by side, of which none waits for another, and then what is
+/// left over. The order is the same for every scalar.
+pub(crate) fn side_by_side<S: Scalar>(a: &[S], b: &[S], term: impl Fn(usize, S, S) -> S) -> S {
     let mut sums = [S::zero(); WIDTH];
     let (blocks, rest) = a.as_chunks::<WIDTH>();
     let (rest_of_b, blocks_of_b) = b.as_rchunks::<WIDTH>();
-    for (x, y) in blocks.iter().zip(blocks_of_b.iter().rev()) {
+    for (block, (x, y)) in blocks.iter().zip(blocks_of_b.iter().rev()).enumerate() {
         for i in 0..WIDTH {
-            sums[i] = sums[i] + x[i] * y[WIDTH - 1 - i];
+            sums[i] = sums[i] + term(block * WIDTH + i, x[i], y[WIDTH - 1 - i]);
         }
     }
-    let left = rest.iter().zip(rest_of_b.iter().rev()).fold(S::zero(), |sum, (x, y)| sum + *x * *y);
+    let left = rest.iter().zip(rest_of_b.iter().rev()).zip(a.len() - rest.len()..);
+    let left = left.fold(S::zero(), |sum, ((x, y), i)| sum + term(i, *x, *y));
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + left
 }
 
-/// Sums side by side: the next does not wait for the last.
-pub(crate) const WIDTH: usize = 4;
+/// Sums side by side.
+const WIDTH: usize = 4;

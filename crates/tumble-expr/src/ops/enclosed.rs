@@ -119,8 +119,8 @@ impl Kernels for Interval {
 
 /// Coefficient of order k - 1 of the derivative of c, the length of a: `c c' = a . a'`.
 fn slope<'a>(parts: impl Iterator<Item = &'a [Interval]>, c: &[Interval], k: usize) -> Interval {
-    let right = sum(parts.map(|a| sum((1..=k).map(|i| a[k - i] * weighted(a, i)))));
-    (right - sum((1..k).map(|i| weighted(c, i) * c[k - i]))) / c[0]
+    let right = sum(parts.map(|a| sum((1..=k).map(|i| a[k - i] * of_slope(a, i)))));
+    (right - sum((1..k).map(|i| of_slope(c, i) * c[k - i]))) / c[0]
 }
 
 /// The same of a vector `a = s b` that vanishes at s = 0, with e the derivative: `e |b| = b . a'`.
@@ -135,7 +135,7 @@ fn vanishing_slope(parts: &[&[Interval]], k: usize) -> Interval {
     }
     let mut slopes: Vec<Interval> = vec![];
     for j in 0..k {
-        let dot = |a: &&[Interval]| sum((0..=j).map(|i| a[1 + i] * weighted(a, j - i + 1)));
+        let dot = |a: &&[Interval]| sum((0..=j).map(|i| a[1 + i] * of_slope(a, j - i + 1)));
         let right = sum(parts.iter().map(dot));
         let taken = sum((0..j).map(|i| slopes[i] * lengths[j - i]));
         slopes.push((right - taken) / lengths[0]);
@@ -143,8 +143,8 @@ fn vanishing_slope(parts: &[&[Interval]], k: usize) -> Interval {
     slopes[k - 1]
 }
 
-/// `i a_i`: a coefficient of the derivative.
-fn weighted(a: &[Interval], i: usize) -> Interval {
+/// `i a_i`: a coefficient of a derivative.
+fn of_slope(a: &[Interval], i: usize) -> Interval {
     Interval::splat(i as f64) * a[i]
 }
 

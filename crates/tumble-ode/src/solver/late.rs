@@ -3,25 +3,30 @@
 use tumble_expr::is_short;
 
 use super::Solver;
-use crate::Hybrid;
 use crate::engine::Engine;
+use crate::{Cause, Hybrid};
 
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
+
 impl<H: Hybrid> Solver<'_, H> {
     /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.
     ///
     /// An event that rounding of its time, or of the function that was crossed, puts off by dt leaves the states off by
     /// `(rates before - rates after) dt`, all with one sign, and what jumps by as much more as the rate of the crossing grows.
-    pub(super) fn round_anew(&mut self, (before, after): (usize, usize), states_before: &[f64]) {
+    pub(super) fn round_anew(
+        &mut self,
+        (before, after): (usize, usize),
+        states_before: &[f64],
+        causes: &[Cause],
+    ) {
         let exact = vec![0.0; states_before.len()];
         let rates_before = self.engines[before].noise(self.time, states_before, &exact).values;
         let same = self.engines[before].system.names == self.engines[after].system.names;
+        let way = self.trajectory.pieces.last().map_or(0.0, |piece| piece.end - piece.start);
+        let late = self.rounding.draw(self.time, LATE) * self.blur.time.max(self.rounded(causes)).min(way);
         let engine = &mut self.engines[after];
         let rates = engine.noise(self.time, &self.states, &self.compensation).values;
-        let way = self.trajectory.pieces.last().map_or(0.0, |piece| piece.end - piece.start);
-        let rounded = if is_short(self.time) { 0.0 } else { f64::EPSILON * self.time };
-        let late = self.rounding.draw(self.time, LATE) * self.blur.time.max(rounded).min(way);
         for (state, value) in self.states.iter_mut().enumerate() {
             let own = if is_short(*value) { 0.0 } else { f64::EPSILON * value.abs() };
             // What rounding left out of a state that stays is carried on.
@@ -37,5 +42,11 @@ impl<H: Hybrid> Solver<'_, H> {
         if !invariants.is_empty() {
             invariants.project(self.time, &mut self.states, system, &self.scales);
         }
+    }
+
+    /// What rounding makes of the time of an event, s; scheduled times are moved already.
+    fn rounded(&self, causes: &[Cause]) -> f64 {
+        let is_scheduled = causes.iter().all(|cause| matches!(cause, Cause::Scheduled(_)));
+        if is_scheduled || is_short(self.time) { 0.0 } else { f64::EPSILON * self.time }
     }
 }

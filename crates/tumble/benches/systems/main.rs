@@ -3,8 +3,8 @@
 //! `cargo bench -p tumble` prints, for each system and accuracy, the time of one run (the least of many, tape included),
 //! steps, and the error against the reference; then the time of an eighth-order Runge-Kutta code without events at
 //! tolerances tightened until its error is no larger, and the ratio. Then what the parts of an answer cost: building the
-//! equations, the bare motion, the same with the enclosures of its steps and their share, and all with the check runs. Last, the processor time of a cold process
-//! from a scene's text to its numbers.
+//! equations, the bare motion, the same with the enclosures of its steps and their share, and all with the check runs.
+//! Last, the processor time of a cold process from a scene's text to its numbers.
 
 mod peer;
 mod problems;

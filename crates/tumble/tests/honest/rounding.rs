@@ -74,3 +74,55 @@ fn equal_flights_above_a_floor() {
     let found = scene(BOUNCING).heavy().until("1e4 s").ask(["p.y", "p.vy", "floor.contact[10000].start"]);
     are(&found, BOUNCED, 1e-2);
 }
+
+/// Each window is known to what rounding leaves of both its ends, however these are written.
+#[test]
+fn both_ends_of_a_short_window_are_rounded() {
+    for (from, to, length) in [
+        ("1.1641 s", "1.16410013 s", "1.3e-7 s"),
+        ("1.1641 s", "1.1641 s + 1.3e-7 s", "1.3e-7 s"),
+        ("7937.8 us", "7937.801 us", "0.001 us"),
+        ("0.02 s", "0.020000006431 s", "6.431e-3 us"),
+        ("300 s", "300 s + 2.37e-6 s", "2.37e-6 s"),
+        ("9870 s", "9870 s + 0.0138 s", "0.0138 s"),
+        ("1e4 s", "10000.006 s", "6 ms"),
+        ("428.646 s", "428.646 s + 6.92e-6 s", "6.92e-6 s"),
+    ] {
+        let window =
+            force(&format!("(1 N)*(1 s)/({length})")) + &format!("during = [\"{from}\", \"{to}\"]\n");
+        are(&flight(&window).until("12000 s").ask(["p.vx", "push.work"]), [2.0, 1.5], 1e-5);
+    }
+}
+
+/// What is far from the origin starts an ulp off, also where its place is a sum of numbers.
+#[test]
+fn a_start_far_from_the_origin_is_rounded() {
+    for start in ["28000.619 m", "(2.8e4 m) + (0.619 m)", "(2.8e4 m) + (0.1 m) + (0.519 m)"] {
+        let falling = format!(
+            "[body.p]\npoint = {{}}\nmass = \"1 kg\"\n\
+             start = {{ at = [0, \"{start}\"], velocity = [0, \"-1 m/s\"] }}\n\
+             [surface.floor]\nthrough = [0, \"2.8e4 m\"]\nrigid = {{ restitution = 1 }}\n"
+        );
+        let found = scene(&falling).ask(["floor.contact[1].start"]);
+        found[0].is(0.619, 1e-9);
+    }
+}
+
+/// A spring that begins to act far from the origin: its force has the rounding of the place through the last step as well.
+/// Speeds are `v cos(w (T - x/v))`, computed with 40 digits.
+#[test]
+fn a_spring_far_from_the_origin_is_rounded() {
+    let far = |at: &str, speed: &str, place: &str, stiffness: &str, mass: &str| {
+        scene(&format!(
+            "[parameters]\nstiffness = \"0 N/m\"\n[body.p]\npoint = {{}}\nmass = \"{mass}\"\n\
+             start = {{ at = [\"{at}\", 0], velocity = [\"{speed}\", 0] }}\n\
+             [event.there]\nwhen = \"p.x - ({at}) rises through {place}\"\n\
+             action = {{ set = {{ stiffness = \"{stiffness}\" }} }}\n{}",
+            force(&format!("-stiffness*(p.x - ({at}) - ({place}))"))
+        ))
+    };
+    let near = far("-2e5 m", "1 m/s", "0.2 m", "9.8 N/m", "1 kg").until("0.36366 s");
+    near.accuracy(8.7e-10).ask(["p.vx"])[0].is(0.871_601_333_971_249_5, 1e-7);
+    let fast = far("-1.3e9 m", "4.6e4 m/s", "1.69e5 m", "0.4035 N/m", "10 kg").until("6.7111 s");
+    fast.accuracy(7.8e-8).ask(["p.vx"])[0].is(37_701.459_614_461_28, 1e-5);
+}
