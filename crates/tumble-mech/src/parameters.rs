@@ -92,8 +92,8 @@ impl Parameters {
     /// A value with the rounding error of its own, beside those of the numbers in its formula: a lone number has that already, and
     /// the two might take each other away.
     pub(crate) fn rounded_value(&self, value: f64, formula: &Expr, index: usize) -> f64 {
-        let is_alone = matches!(formula.node(), Node::Symbol(_) | Node::Pi)
-            || is_arithmetic(formula, DEEPEST);
+        let is_alone =
+            matches!(formula.node(), Node::Symbol(_) | Node::Pi) || is_arithmetic(formula, DEEPEST);
         if !is_alone { self.rounding.computed(value, index as u64) } else { value }
     }
 }
