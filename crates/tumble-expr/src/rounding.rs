@@ -50,9 +50,10 @@ impl Rounding {
         self.0.is_none()
     }
 
-    /// A number that was computed, which has its rounding; `key` tells numbers of one value apart that are not the same.
+    /// How far a number is off that was computed, which has its rounding; `key` tells numbers of one value apart that are not the
+    /// same.
     pub fn computed(self, value: f64, key: u64) -> f64 {
-        if is_short(value) { value } else { self.moved(value, key) }
+        if is_short(value) { 0.0 } else { self.draw(value, key) * value.abs() * f64::EPSILON }
     }
 
     /// A value off by 0.6 to 2 times an error that it may have. What nearly agrees in value and key is moved alike, as rounding
@@ -81,6 +82,12 @@ impl Rounding {
     }
 }
 
+/// A sum, rounded, and what rounding leaves out of it; exact where the change is the smaller one.
+pub fn rounded_sum(value: f64, change: f64) -> (f64, f64) {
+    let after = value + change;
+    (after, change - (after - value))
+}
+
 fn mix(key: u64) -> u64 {
     let key = key.wrapping_add(MIX[0]);
     let key = (key ^ (key >> 30)).wrapping_mul(MIX[1]);
@@ -96,8 +103,8 @@ mod tests {
     fn exact_numbers_stay_and_others_move_by_some_ulps() {
         for seed in 0..100 {
             let rounding = Rounding::perturbed(seed);
-            assert_eq!(rounding.computed(0.5, 3), 0.5);
-            let ulps = (rounding.computed(0.1, 3) - 0.1) / (0.1 * f64::EPSILON);
+            assert_eq!(rounding.computed(0.5, 3), 0.0);
+            let ulps = rounding.computed(0.1, 3) / (0.1 * f64::EPSILON);
             assert!((0.4..2.6).contains(&ulps.abs()), "{ulps}");
             let tenth = BigRational::new(1.into(), 10.into());
             assert_ne!(Constant::of(&tenth, rounding).value, 0.1);

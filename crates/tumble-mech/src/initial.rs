@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Expr, Vector, rounded_sum};
 use tumble_ode::Start as NumericStart;
 
 use crate::equations::Equations;
@@ -19,7 +19,7 @@ impl Equations {
     pub fn start(&self, parameters: &Parameters) -> Result<NumericStart<Mode>, ModelErrors> {
         let known = parameters.known()?;
         let mut mistakes = self.model().mistakes_with(&known);
-        let states = self.initial_states(&known, &mut mistakes)?;
+        let (states, compensation) = self.initial_states(&known, &mut mistakes)?;
         let mode = self.initial_mode(&known, &mut mistakes)?;
         if !mistakes.is_empty() {
             return Err(ModelErrors(mistakes));
@@ -29,21 +29,32 @@ impl Equations {
         match mistakes.is_empty() {
             true => {
                 let rounding = parameters.rounding();
-                Ok(NumericStart { time: 0.0, mode, states, inputs, causes, rounding, is_proved: true })
+                let is_proved = true;
+                Ok(NumericStart {
+                    time: 0.0,
+                    mode,
+                    states,
+                    compensation,
+                    inputs,
+                    causes,
+                    rounding,
+                    is_proved,
+                })
             }
             false => Err(ModelErrors(mistakes)),
         }
     }
 
+    /// States, and what rounding left out of each.
     fn initial_states(
         &self,
         known: &Known<'_>,
         mistakes: &mut Vec<ModelError>,
-    ) -> Result<Vec<f64>, ModelError> {
+    ) -> Result<(Vec<f64>, Vec<f64>), ModelError> {
         let model = self.model();
         let starts: HashMap<&str, &Start> =
             model.starts.iter().rev().map(|(body, start)| (body.as_str(), start)).collect();
-        let mut states = vec![];
+        let (mut states, mut compensation) = (vec![], vec![]);
         for (index, body) in model.bodies.iter().enumerate() {
             let start = starts.get(body.name.as_str()).map(|start| (*start).clone()).unwrap_or_default();
             let formulas = if self.is_pivoted(index) {
@@ -58,11 +69,14 @@ impl Equations {
             }
             let first = index * values.len();
             let rounded = |(place, (formula, value)): (usize, (&Expr, &f64))| {
-                known.parameters().rounded_value(*value, formula, first + place)
+                rounded_sum(*value, known.parameters().rounding_error(*value, formula, first + place))
             };
-            states.extend(formulas.iter().zip(&values).enumerate().map(rounded));
+            for (state, left_out) in formulas.iter().zip(&values).enumerate().map(rounded) {
+                states.push(state);
+                compensation.push(left_out);
+            }
         }
-        Ok(states)
+        Ok((states, compensation))
     }
 
     fn initial_mode(&self, known: &Known<'_>, mistakes: &mut Vec<ModelError>) -> Result<Mode, ModelError> {

@@ -82,19 +82,20 @@ impl Parameters {
         let mut mistakes = vec![];
         for (index, (symbol, formula)) in self.list.iter().enumerate() {
             let value = known.next(symbol, formula);
-            let rounded = value.clone().ok().flatten().map(|value| self.rounded_value(value, formula, index));
+            let rounded =
+                value.clone().ok().flatten().map(|value| value + self.rounding_error(value, formula, index));
             known.values.push(rounded.unwrap_or(f64::NAN));
             mistakes.extend(value.err());
         }
         if mistakes.is_empty() { Ok(known) } else { Err(ModelErrors(mistakes)) }
     }
 
-    /// A value with the rounding error of its own, beside those of the numbers in its formula: a lone number has that already, and
-    /// the two might take each other away.
-    pub(crate) fn rounded_value(&self, value: f64, formula: &Expr, index: usize) -> f64 {
+    /// The rounding error of its own that a value has, beside those of the numbers in its formula: a lone number has that already,
+    /// and the two might take each other away.
+    pub(crate) fn rounding_error(&self, value: f64, formula: &Expr, index: usize) -> f64 {
         let is_alone =
             matches!(formula.node(), Node::Symbol(_) | Node::Pi) || is_arithmetic(formula, DEEPEST);
-        if !is_alone { self.rounding.computed(value, index as u64) } else { value }
+        if is_alone { 0.0 } else { self.rounding.computed(value, index as u64) }
     }
 }
 

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use step::{SHRINK, Step, shrink};
 use thiserror::Error;
-use tumble_expr::Rounding;
+use tumble_expr::{Rounding, rounded_sum};
 
 use crate::check::Verdict;
 use crate::compiled::{Compiled, beside};
@@ -50,6 +50,8 @@ pub struct Start<Mode> {
     pub mode: Mode,
     /// States in the mode's order.
     pub states: Vec<f64>,
+    /// What rounding left out of each state.
+    pub compensation: Vec<f64>,
     /// Values of the inputs in the flows' order.
     pub inputs: Vec<f64>,
     /// What happens at the very start, before any step.
@@ -138,7 +140,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             blur: Blur::default(),
             reach: reach(tolerance, order(tolerance)),
             time: start.time,
-            compensation: vec![0.0; start.states.len()],
+            compensation: start.compensation,
             states: start.states,
             inputs: start.inputs,
             mode: None,
@@ -268,7 +270,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 same.map(|((before, after), compensation)| if before == after { *compensation } else { 0.0 })
                     .collect()
             }
-            _ => vec![0.0; states.len()],
+            Some(_) => vec![0.0; states.len()],
+            None => self.compensation.clone(),
         }
     }
 
@@ -480,13 +483,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 + CHANGE_ROUNDING * f64::EPSILON * exact.abs();
             let rounded = self.rounding.off(exact, error, state as u64);
             series[1] += (rounded - exact) / step.length;
-            let change = rounded + self.compensation[state];
-            let after = before + change;
+            let (after, left_out) = rounded_sum(before, rounded + self.compensation[state]);
             if !after.is_finite() {
                 return Err(Reason::NotFinite { state: self.engines[mode].system.names[state].clone() });
             }
-            self.compensation[state] = change - (after - before);
-            self.states[state] = after;
+            (self.states[state], self.compensation[state]) = (after, left_out);
         }
         let Engine { system, lazy_guards, invariants, .. } = &mut self.engines[mode];
         lazy_guards.moved(expansion, step.length, &self.states);

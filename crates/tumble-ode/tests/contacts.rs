@@ -70,6 +70,7 @@ fn run_with(toy: &Toy, start: &[f64], until: f64, causes: Vec<Cause>) -> Ran {
         time: 0.0,
         mode: 0,
         states: start.to_vec(),
+        compensation: vec![0.0; start.len()],
         inputs: vec![],
         causes,
         rounding: tumble_expr::Rounding::NEAREST,

@@ -56,6 +56,7 @@ fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory
         time: 0.0,
         mode: 0,
         states: start.to_vec(),
+        compensation: vec![0.0; start.len()],
         inputs: vec![2.0, 1.0],
         causes: vec![],
         rounding: tumble_expr::Rounding::NEAREST,

@@ -1,6 +1,6 @@
 //! The lines of one mode: every term of its equations, split into what a potential stands for and the rest, as numbers.
 
-use tumble_expr::{Branches, Expr, Jets, Vector};
+use tumble_expr::{Branches, Expr, Jets, Rounding, Vector};
 use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
@@ -35,7 +35,11 @@ pub(super) struct Lines {
     /// How many of them are terms.
     terms: usize,
     jets: Jets<f64>,
+    rounding: Rounding,
 }
+
+/// What rounding of a state to the nearest number leaves out of it at most, in units of eps times the state.
+const LEFT_OUT: f64 = 0.5;
 
 /// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the balance's, and the body's
 /// reach.
@@ -63,12 +67,12 @@ impl Lines {
             }
         }
         let jets = equations.compiled(mode, &outputs, inputs)?;
-        Ok(Self { keys, terms, jets })
+        Ok(Self { keys, terms, jets, rounding: equations.rounding() })
     }
 
     /// Power, force and torque of every line at a value of a piece's parameter, per unit of the parameter.
     pub(super) fn sample(&mut self, piece: &Piece, s: f64) -> Sample {
-        self.jets.start(piece.time_at(s), &piece.states_at_parameter(s), Branches::Free);
+        self.jets.start(piece.time_at(s), &self.states(piece, s), Branches::Free);
         let (pace, mut sample) = (piece.time_rate(s), Sample::default());
         for line in 0..self.keys.len() {
             let rates = if line < self.terms {
@@ -80,6 +84,16 @@ impl Lines {
         }
         sample.sizes = sample.sizes.map(|size| size * pace);
         sample
+    }
+
+    /// States, in a check run off by what the rounding of each leaves out of it: far from the origin that is what forces, and so
+    /// works, are off by, and both runs would leave out the same.
+    fn states(&self, piece: &Piece, s: f64) -> Vec<f64> {
+        let mut states = piece.states_at_parameter(s);
+        for (index, state) in states.iter_mut().enumerate() {
+            *state = self.rounding.off(*state, LEFT_OUT * f64::EPSILON * state.abs(), index as u64);
+        }
+        states
     }
 
     fn term(&self, line: usize, sizes: &mut Amounts) -> Amounts {

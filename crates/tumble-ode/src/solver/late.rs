@@ -1,6 +1,6 @@
 //! What rounding makes of the states at an event, which comes a little early or late.
 
-use tumble_expr::is_short;
+use tumble_expr::{is_short, rounded_sum};
 
 use super::Solver;
 use crate::engine::Engine;
@@ -36,7 +36,9 @@ impl<H: Hybrid> Solver<'_, H> {
                 None => (own, rates[state]),
             };
             let moved = if turned.is_finite() { turned * late } else { 0.0 };
-            *value = self.rounding.off(*value, own, state as u64) + moved;
+            let rounded = self.rounding.draw(*value, state as u64) * own;
+            (*value, self.compensation[state]) =
+                rounded_sum(*value, moved + rounded + self.compensation[state]);
         }
         let Engine { system, invariants, .. } = engine;
         if !invariants.is_empty() {

@@ -50,6 +50,7 @@ fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
         time: 0.0,
         mode: (),
         states: vec![0.0],
+        compensation: vec![0.0],
         inputs: vec![],
         causes: vec![],
         rounding: Rounding::NEAREST,
