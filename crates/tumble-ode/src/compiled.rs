@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Rounding, Scalar, Tape};
+use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Rounding, Scalar, Tape, rounded_sum};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
@@ -21,6 +21,8 @@ pub(crate) struct Compiled {
     pub(crate) floors: Vec<f64>,
     /// Scheduled times, each with its index.
     pub(crate) schedule: Vec<f64>,
+    /// What rounding left out of each of them.
+    pub(crate) schedule_left_out: Vec<f64>,
     /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
     pub(crate) exact_degree: Option<usize>,
     pub(crate) transformed: bool,
@@ -42,7 +44,8 @@ impl Compiled {
         let guards = flow.guards.iter().map(|guard| guard.formula.clone());
         let outputs: Vec<Expr> = rates(flow).into_iter().chain(guards).collect();
         let tape = Tape::compile(&layout, &outputs)?;
-        let schedule = scheduled(&layout, flow, inputs)?;
+        let (schedule, schedule_left_out): (Vec<f64>, Vec<f64>) =
+            scheduled(&layout, flow, inputs)?.into_iter().unzip();
         if let Some(&value) = schedule.iter().find(|time| !time.is_finite()) {
             return Err(Reason::BadSchedule { value });
         }
@@ -60,6 +63,7 @@ impl Compiled {
                 .collect(),
             tape: Arc::new(tape),
             schedule,
+            schedule_left_out,
             exact_degree,
             transformed,
             guards: flow.guards.len(),
@@ -76,6 +80,12 @@ impl Compiled {
 
     pub(crate) fn group(&self, state: usize) -> usize {
         self.groups[state]
+    }
+
+    /// What rounding left out of a time, if it is a scheduled one.
+    pub(crate) fn left_out_of(&self, time: f64) -> f64 {
+        let index = self.schedule.iter().position(|scheduled| *scheduled == time);
+        index.map_or(0.0, |index| self.schedule_left_out[index])
     }
 
     /// The first scheduled time after `time`.
@@ -145,9 +155,9 @@ fn rates(flow: &Flow) -> Vec<Expr> {
 /// What the draws for scheduled times are told apart by from those for other numbers: not by the times, which may nearly agree.
 const SCHEDULED: f64 = std::f64::consts::TAU;
 
-/// Times by formulas of the inputs, each rounded as the flow says. Two that follow each other, as both ends of a short window do, are
+/// Times by formulas of the inputs, each rounded as the flow says, and what rounding left out of them. Two that follow each other, as both ends of a short window do, are
 /// moved apart or together, and never alike: what lies between them is known no better than both.
-fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<f64>, Reason> {
+fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<(f64, f64)>, Reason> {
     // Inputs are moved already, and numbers are with the whole: two moves might take each other back.
     let layout = Layout { states: vec![], rounding: Rounding::NEAREST, ..layout.clone() };
     let inputs: Vec<Rounded> = inputs.iter().map(|value| Rounded::splat(*value)).collect();
@@ -156,7 +166,7 @@ fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<f64>, R
     let time = |index: usize| {
         let time = times.value_of(index);
         let side = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-        time.value + side * flow.rounding.draw(SCHEDULED, index as u64 / 2) * time.noise()
+        rounded_sum(time.value, side * flow.rounding.draw(SCHEDULED, index as u64 / 2) * time.noise())
     };
     Ok((0..flow.schedule.len()).map(time).collect())
 }

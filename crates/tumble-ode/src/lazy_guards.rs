@@ -14,7 +14,7 @@ use crate::compiled::fixed;
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
 use crate::hybrid::{Direction, LazyGuard};
-use crate::polynomial::{slope, value};
+use crate::polynomial::{self, slope, value};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 
@@ -203,8 +203,7 @@ pub(crate) fn radius(expansion: &Expansion) -> f64 {
 
 /// By how much each state can change within a step.
 fn travel(expansion: &Expansion, length: f64) -> Vec<f64> {
-    let change = |series: &Vec<f64>| series[1..].iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * length);
-    expansion.states.iter().map(change).collect()
+    expansion.states.iter().map(|series| polynomial::change(series, length)).collect()
 }
 
 /// Where each symbol stands in a layout.

@@ -10,6 +10,11 @@ pub(crate) fn increment(coefficients: &[f64], s: f64) -> f64 {
     value(coefficients.get(1..).unwrap_or_default(), s) * s
 }
 
+/// The sum of the sizes of what it changes by up to `s`.
+pub(crate) fn change(coefficients: &[f64], s: f64) -> f64 {
+    coefficients.iter().skip(1).rev().fold(0.0, |sum, c| (sum + c.abs()) * s)
+}
+
 /// The polynomial from another point on.
 pub(crate) fn shifted(coefficients: &[f64], by: f64) -> Vec<f64> {
     shifted_up_to(coefficients, by, coefficients.len())

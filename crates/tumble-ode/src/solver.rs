@@ -104,6 +104,8 @@ pub struct Solver<'a, H: Hybrid> {
     /// Length of an ordinary step in units of the radius.
     reach: f64,
     time: f64,
+    /// What rounding left out of the time: some, where it is a scheduled one.
+    time_left_out: f64,
     states: Vec<f64>,
     /// What rounding left out of the states so far: added back with the next step.
     compensation: Vec<f64>,
@@ -140,6 +142,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             blur: Blur::default(),
             reach: reach(tolerance, order(tolerance)),
             time: start.time,
+            time_left_out: 0.0,
             compensation: start.compensation,
             states: start.states,
             inputs: start.inputs,
@@ -204,9 +207,10 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             }
         };
         self.pass(mode, &step, &expansion)?;
+        let left_out = self.compensation.clone();
         self.accept(mode, &mut expansion, &step)?;
         let now = (self.time, self.states.as_slice());
-        self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now)?;
+        self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now, &left_out)?;
         let work = &mut self.trajectory.work;
         let ends_flow = self.engines[mode].fired((&step.hits, &expansion, step.length), now, work);
         self.record(mode, expansion, &step);
@@ -384,8 +388,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     /// same instant as `end` ends there: what is due then would be over after it.
     fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
         let due = end - SIMULTANEOUS_ULPS * f64::EPSILON * end.abs();
+        let left_out = |end| self.mode.map_or(0.0, |mode| self.engines[mode].system.left_out_of(end));
         let (length, end) = match &expansion.time {
-            None if self.time + length >= due => (end - self.time, end),
+            None if self.time + length >= due => {
+                (end - self.time + (left_out(end) - self.time_left_out), end)
+            }
             None => ((self.time + length) - self.time, self.time + length),
             Some(series) => {
                 let reached = self.time + polynomial::increment(series, length);
@@ -501,6 +508,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             }
         }
         self.trajectory.work.steps += 1;
+        self.time_left_out = self.engines[mode].system.left_out_of(step.end);
         self.time = step.end;
         Ok(())
     }

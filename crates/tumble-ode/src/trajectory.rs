@@ -179,6 +179,8 @@ impl Piece {
     /// Value of the piece's parameter at a time within the piece.
     pub fn parameter_at(&self, time: f64) -> f64 {
         match &self.time_series {
+            // What rounding left out of times is in the length.
+            None if time == self.end => self.length,
             None => time - self.start,
             Some(series) => invert(series, time - self.start, self.length),
         }

@@ -181,13 +181,15 @@ impl Engine {
     }
 
     /// By how much rounding errors of the guards that end a step may have moved its end, s: the error of the function over its
-    /// rate, or, where that is small, what its bend makes of it.
+    /// rate, or, where that is small, what its bend makes of it. `left_out` is what rounding had left out of the states at the start
+    /// of the step, from which the guards' series begin; what they change by has rounding errors of its own size.
     pub(crate) fn blur(
         &mut self,
         hits: &[Hit],
         expansion: &Expansion,
         length: f64,
         (time, states): (f64, &[f64]),
+        left_out: &[f64],
     ) -> Result<Blur, Reason> {
         let guards =
             hits.iter().filter_map(|hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None });
@@ -195,7 +197,12 @@ impl Engine {
         if guards.is_empty() {
             return Ok(Blur::default());
         }
-        self.round(Rounded::computed(time), states.iter().map(|state| Rounded::computed(*state)));
+        let leaf = |((state, left_out), series): ((&f64, &f64), &Vec<f64>)| Rounded {
+            value: *state,
+            error: left_out.abs() / f64::EPSILON + polynomial::change(series, length),
+        };
+        let leaves = states.iter().zip(left_out).zip(&expansion.states).map(leaf);
+        self.round(Rounded::computed(time), leaves);
         let first = self.system.len() + usize::from(self.system.transformed);
         let rate = expansion.time.as_ref().map_or(1.0, |series| polynomial::slope(series, length));
         let mut worst = Blur::default();

@@ -33,13 +33,12 @@ impl Works {
         }
         let mut balance = RunBalance::of(solution.run, ABOUT)?;
         let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
-        let (mut errors, mut blur) = (None, 0.0);
-        if let Some(trust) = solution.trust {
-            errors = trust.work_errors(&mut balance, at.time, at.side)?;
-            blur = trust.potential_error(solution.run, at)?.unwrap_or(0.0);
-        }
+        let errors = match solution.trust {
+            Some(trust) => trust.work_errors(&mut balance, at.time, at.side)?,
+            None => None,
+        };
         let [here, before] = around(solution, &mut balance, at)?;
-        let work = |symbol: Symbol| {
+        let work = |symbol: Symbol| -> Result<(Symbol, Work), PipelineError> {
             let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
             let sum = |of: &[f64]| -> f64 {
                 let contributions = balance.contributions.iter().zip(of);
@@ -49,11 +48,14 @@ impl Works {
                     .sum()
             };
             let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
-            let work =
-                Work { done: sum(&reading.work), error: errors.as_deref().map(sum), blur: blur + moved };
-            (symbol, work)
+            let potential = match solution.trust {
+                Some(trust) => trust.potential_error(solution.run, load, at)?.unwrap_or(0.0),
+                None => 0.0,
+            };
+            let (done, error) = (sum(&reading.work), errors.as_deref().map(sum));
+            Ok((symbol.clone(), Work { done, error, blur: potential + moved }))
         };
-        Ok(Some(Self { known: symbols.into_iter().map(work).collect() }))
+        Ok(Some(Self { known: symbols.into_iter().map(work).collect::<Result<_, _>>()? }))
     }
 
     /// Whether all errors are known.

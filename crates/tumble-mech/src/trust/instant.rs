@@ -74,13 +74,13 @@ impl Trust {
         Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur + jumps))
     }
 
-    /// What errors of the states do to the potential energies at an instant, J: no work is known better than that, though all runs
-    /// may make the same of it.
-    pub fn potential_error(&self, run: &Run, at: At) -> Result<Option<f64>, RunError> {
+    /// What errors of the states do to the potential energies of a load at an instant, J: its work is known no better than that,
+    /// though all runs may make the same of it.
+    pub fn potential_error(&self, run: &Run, load: &str, at: At) -> Result<Option<f64>, RunError> {
         let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
         let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
         let mut sum = 0.0;
-        for energy in lasting(&run.equations) {
+        for (_, energy) in lasting(&run.equations).into_iter().filter(|(of, _)| of == load) {
             sum += Quantity::new(run, &energy, &place)?.carried(&states);
         }
         Ok(Some(sum))
