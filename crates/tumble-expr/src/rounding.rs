@@ -50,10 +50,10 @@ impl Rounding {
         self.0.is_none()
     }
 
-    /// How far a number is off that was computed, which has its rounding; `key` tells numbers of one value apart that are not the
-    /// same.
-    pub fn computed(self, value: f64, key: u64) -> f64 {
-        if is_short(value) { 0.0 } else { self.draw(value, key) * value.abs() * f64::EPSILON }
+    /// How far a number is off that was computed with such a rounding error; `key` tells numbers of one value apart that are not
+    /// the same.
+    pub fn computed(self, value: f64, error: f64, key: u64) -> f64 {
+        if is_short(value) { 0.0 } else { self.draw(value, key) * error }
     }
 
     /// A value off by 0.6 to 2 times an error that it may have. What nearly agrees in value and key is moved alike, as rounding
@@ -103,8 +103,8 @@ mod tests {
     fn exact_numbers_stay_and_others_move_by_some_ulps() {
         for seed in 0..100 {
             let rounding = Rounding::perturbed(seed);
-            assert_eq!(rounding.computed(0.5, 3), 0.0);
-            let ulps = rounding.computed(0.1, 3) / (0.1 * f64::EPSILON);
+            assert_eq!(rounding.computed(0.5, 1.0, 3), 0.0);
+            let ulps = rounding.computed(0.1, f64::EPSILON, 3) / f64::EPSILON;
             assert!((0.4..2.6).contains(&ulps.abs()), "{ulps}");
             let tenth = BigRational::new(1.into(), 10.into());
             assert_ne!(Constant::of(&tenth, rounding).value, 0.1);

@@ -69,7 +69,7 @@ impl Equations {
             }
             let first = index * values.len();
             let rounded = |(place, (formula, value)): (usize, (&Expr, &f64))| {
-                rounded_sum(*value, known.parameters().rounding_error(*value, formula, first + place))
+                rounded_sum(*value, known.rounding_error(*value, formula, first + place))
             };
             for (state, left_out) in formulas.iter().zip(&values).enumerate().map(rounded) {
                 states.push(state);

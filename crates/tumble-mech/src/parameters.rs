@@ -3,7 +3,9 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Binary, Branches, CompileError, Expr, Jets, Layout, Node, Rounding, Symbol, Tape, Unary};
+use tumble_expr::{
+    Binary, Branches, CompileError, Expr, Jets, Kernels, Layout, Node, Rounded, Rounding, Symbol, Tape, Unary,
+};
 
 use crate::error::{ModelError, ModelErrors};
 use crate::kinematics::time;
@@ -82,20 +84,12 @@ impl Parameters {
         let mut mistakes = vec![];
         for (index, (symbol, formula)) in self.list.iter().enumerate() {
             let value = known.next(symbol, formula);
-            let rounded =
-                value.clone().ok().flatten().map(|value| value + self.rounding_error(value, formula, index));
-            known.values.push(rounded.unwrap_or(f64::NAN));
+            let moved = |value: f64| value + known.rounding_error(value, formula, index);
+            let rounded = value.as_ref().ok().copied().flatten().map_or(f64::NAN, moved);
+            known.values.push(rounded);
             mistakes.extend(value.err());
         }
         if mistakes.is_empty() { Ok(known) } else { Err(ModelErrors(mistakes)) }
-    }
-
-    /// The rounding error of its own that a value has, beside those of the numbers in its formula: a lone number has that already,
-    /// and the two might take each other away.
-    pub(crate) fn rounding_error(&self, value: f64, formula: &Expr, index: usize) -> f64 {
-        let is_alone =
-            matches!(formula.node(), Node::Symbol(_) | Node::Pi) || is_arithmetic(formula, DEEPEST);
-        if is_alone { 0.0 } else { self.rounding.computed(value, index as u64) }
     }
 }
 
@@ -155,7 +149,7 @@ impl Known<'_> {
     /// The same with some values replaced, by the places of their parameters.
     fn evaluate_but(&self, set: &HashMap<usize, f64>, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
         let used = formulas.iter().flat_map(Expr::symbols).collect();
-        self.evaluate_with(&used, set, formulas)
+        self.evaluate_with::<f64>(&used, set, formulas)
             .map_err(|mistake| ModelError::Compile { what: "a formula of the parameters".into(), mistake })
     }
 
@@ -166,7 +160,7 @@ impl Known<'_> {
         if used.iter().filter_map(|used| self.place_of(used)).any(|place| self.values[place].is_nan()) {
             return Ok(None);
         }
-        let value = self.evaluate_with(&used, &HashMap::new(), std::slice::from_ref(formula));
+        let value = self.evaluate_with::<f64>(&used, &HashMap::new(), std::slice::from_ref(formula));
         match value.map_err(|mistake| ModelError::Compile { what: what(), mistake })?[0] {
             value if value.is_finite() => Ok(Some(value)),
             value => Err(ModelError::NotFinite { what: what(), value }),
@@ -180,24 +174,40 @@ impl Known<'_> {
         (is_same && place < self.values.len()).then_some(place)
     }
 
+    /// The rounding error that computing a value from numbers and parameters makes, beside those that these have: a lone number has
+    /// one already, and the two might take each other away.
+    pub(crate) fn rounding_error(&self, value: f64, formula: &Expr, index: usize) -> f64 {
+        let rounding = self.parameters.rounding;
+        let is_alone =
+            matches!(formula.node(), Node::Symbol(_) | Node::Pi) || is_arithmetic(formula, DEEPEST);
+        if rounding.is_nearest() || is_alone {
+            return 0.0;
+        }
+        let formulas = std::slice::from_ref(formula);
+        let found = self.evaluate_with::<Rounded>(&formula.symbols(), &HashMap::new(), formulas);
+        // A formula that has a value compiles.
+        let error = found.map_or(0.0, |found| found[0].noise());
+        rounding.computed(value, if error.is_finite() { 0.5 * error } else { 0.0 }, index as u64)
+    }
+
     /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its
     /// formulas need, and the same ones in every run.
-    fn evaluate_with(
+    fn evaluate_with<S: Kernels>(
         &self,
         used: &HashSet<Symbol>,
         set: &HashMap<usize, f64>,
         formulas: &[Expr],
-    ) -> Result<Vec<f64>, CompileError> {
+    ) -> Result<Vec<S>, CompileError> {
         let list = &self.parameters.list;
         let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
         let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
-        let value = |place: &usize| set.get(place).copied().unwrap_or(self.values[*place]);
-        let values: Vec<f64> = places.iter().map(value).collect();
+        let value = |place: &usize| S::splat(set.get(place).copied().unwrap_or(self.values[*place]));
+        let values: Vec<S> = places.iter().map(value).collect();
         let rounding = self.parameters.rounding;
         let layout = Layout { rounding, ..Layout::new(vec![], time_symbol(), inputs) };
         let mut tape = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, &values);
         // A formula of the parameters has no time: whatever uses it shows as not a number.
-        tape.start(f64::NAN, &[], Branches::Free);
+        tape.start(S::splat(f64::NAN), &[], Branches::Free);
         Ok((0..formulas.len()).map(|index| tape.value_of(index)).collect())
     }
 }

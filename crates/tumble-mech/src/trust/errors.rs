@@ -98,10 +98,7 @@ impl<'a> Beside<'a> {
         while self.phases.next_if(|[here, _]| here.end <= piece.start).is_some() {}
         let phase = **self.phases.peek()?;
         self.longest = self.longest.max(phase[0].end - phase[0].start);
-        // What lies still is rounded by the forces that hold it, as if it still bounced.
-        if !phase[0].ends_zeno_sequence {
-            self.differences.advance();
-        }
+        self.differences.advance();
         Some(phase)
     }
 
@@ -142,9 +139,7 @@ impl Errors {
             let phases: Option<Vec<[Stretch; 2]>> =
                 beside.iter_mut().map(|check| check.phase(piece)).collect();
             let Some(phases) = phases else { break };
-            if phases.iter().all(|phase| !phase[0].ends_zeno_sequence) {
-                sizes.advance();
-            }
+            sizes.advance();
             let is_pressed = run.trajectory.modes[piece.mode].pressed().next().is_some();
             let most =
                 checks.iter().map(|check| check.pieces_between(piece.start, piece.end)).max().unwrap_or(0);

@@ -28,7 +28,7 @@ impl<H: Hybrid> Solver<'_, H> {
         let engine = &mut self.engines[after];
         let rates = engine.noise(self.time, &self.states, &self.compensation).values;
         for (state, value) in self.states.iter_mut().enumerate() {
-            let own = if is_short(*value) { 0.0 } else { f64::EPSILON * value.abs() };
+            let own = if is_short(*value) { 0.0 } else { 0.5 * f64::EPSILON * value.abs() };
             // What rounding left out of a state that stays is carried on.
             let (own, turned) = match rates_before.get(state).filter(|_| same) {
                 Some(rate) if *value == states_before[state] => (0.0, rates[state] - rate),
