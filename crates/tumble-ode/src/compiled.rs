@@ -166,7 +166,7 @@ fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<(f64, f
     let time = |index: usize| {
         let time = times.value_of(index);
         let side = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-        rounded_sum(time.value, side * flow.rounding.draw(SCHEDULED, index as u64 / 2) * time.noise())
+        rounded_sum(time.value, side * flow.rounding.draw(SCHEDULED, index as u64 / 2) * 0.5 * time.noise())
     };
     Ok((0..flow.schedule.len()).map(time).collect())
 }

@@ -20,7 +20,7 @@ struct Work {
     done: f64,
     /// `None` where nothing is known of it.
     error: Option<f64>,
-    /// What it is known to at best: by the potentials, and by rounding of the time of an event.
+    /// What rounding of the time of an event makes of it.
     blur: f64,
 }
 
@@ -38,7 +38,7 @@ impl Works {
             None => None,
         };
         let [here, before] = around(solution, &mut balance, at)?;
-        let work = |symbol: Symbol| -> Result<(Symbol, Work), PipelineError> {
+        let work = |symbol: Symbol| {
             let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
             let sum = |of: &[f64]| -> f64 {
                 let contributions = balance.contributions.iter().zip(of);
@@ -48,14 +48,10 @@ impl Works {
                     .sum()
             };
             let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
-            let potential = match solution.trust {
-                Some(trust) => trust.potential_error(solution.run, load, at)?.unwrap_or(0.0),
-                None => 0.0,
-            };
             let (done, error) = (sum(&reading.work), errors.as_deref().map(sum));
-            Ok((symbol.clone(), Work { done, error, blur: potential + moved }))
+            (symbol.clone(), Work { done, error, blur: moved })
         };
-        Ok(Some(Self { known: symbols.into_iter().map(work).collect::<Result<_, _>>()? }))
+        Ok(Some(Self { known: symbols.into_iter().map(work).collect() }))
     }
 
     /// Whether all errors are known.

@@ -56,12 +56,6 @@ pub(super) fn potentials(equations: &Equations) -> Vec<Potential> {
     weights.chain(interactions).chain(pairs).collect()
 }
 
-/// The energies of weights and interactions, which are there all the time, each with the load that has it.
-pub(crate) fn lasting(equations: &Equations) -> Vec<(String, Expr)> {
-    let all = potentials(equations).into_iter().filter(|potential| potential.pair.is_none());
-    all.map(|potential| (potential.load, potential.energy)).collect()
-}
-
 fn of_weight(equations: &Equations, body: usize) -> Option<Potential> {
     let model = equations.model();
     let Gravity::Vertical(g) = &model.gravity else { return None };

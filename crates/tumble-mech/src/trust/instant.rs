@@ -3,7 +3,6 @@
 use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
 use tumble_ode::{Place, Side};
 
-use crate::balance::potential::lasting;
 use crate::contact::Change;
 use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
@@ -72,18 +71,6 @@ impl Trust {
         let blur = if at.off > 0.0 { quantity.rate() * Self::event_blur(run, at.time) } else { 0.0 };
         let jumps = self.jumps(run, formula, at)?;
         Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur + jumps))
-    }
-
-    /// What errors of the states do to the potential energies of a load at an instant, J: its work is known no better than that,
-    /// though all runs may make the same of it.
-    pub fn potential_error(&self, run: &Run, load: &str, at: At) -> Result<Option<f64>, RunError> {
-        let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
-        let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
-        let mut sum = 0.0;
-        for (_, energy) in lasting(&run.equations).into_iter().filter(|(of, _)| of == load) {
-            sum += Quantity::new(run, &energy, &place)?.carried(&states);
-        }
-        Ok(Some(sum))
     }
 
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant
