@@ -32,6 +32,8 @@ pub(crate) struct Errors {
     pub(crate) real: f64,
     /// Distance from the value to the next double.
     pub(crate) ulp: f64,
+    /// The same for a value of its size, where it is truly zero: a true error below it is rounding.
+    pub(crate) rounding: f64,
 }
 
 impl Errors {
@@ -47,7 +49,7 @@ impl Errors {
 
     /// How many times the true error what is stated is; `None` where the true one is rounding.
     pub(crate) fn ratio(&self) -> Option<f64> {
-        (self.real > self.ulp).then_some(self.stated / self.real)
+        (self.real > self.rounding).then_some(self.stated / self.real)
     }
 }
 
@@ -55,7 +57,7 @@ impl Errors {
 pub(crate) fn judge(asked: &Asked, answer: Answer) -> Judged {
     let verdict = match (answer.value, answer.stated) {
         (None, _) if answer.is_known => Verdict::Missed,
-        (Some(value), Some(stated)) => Verdict::Stated(errors(value, stated, &asked.truth)),
+        (Some(value), Some(stated)) => Verdict::Stated(errors(value, stated, asked)),
         _ => Verdict::Unknown,
     };
     Judged {
@@ -67,17 +69,32 @@ pub(crate) fn judge(asked: &Asked, answer: Answer) -> Judged {
     }
 }
 
-fn errors(value: f64, stated: f64, truth: &Real) -> Errors {
+fn errors(value: f64, stated: f64, Asked { truth, size, .. }: &Asked) -> Errors {
     let real = (Real::of(value) - truth).abs().to_f64();
-    Errors { stated, real, ulp: value.abs().next_up() - value.abs() }
+    let ulp = |value: f64| value.next_up() - value;
+    Errors { stated, real, ulp: ulp(value.abs()), rounding: ulp(value.abs().max(*size)) }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::setup::Place;
     use super::*;
 
+    fn asked(truth: &str, size: f64) -> Asked {
+        let (name, what) = Default::default();
+        Asked { name, place: Place::Find, what, truth: Real::read(truth), size }
+    }
+
     fn of(value: f64, stated: f64) -> Errors {
-        errors(value, stated, &Real::read("0.1"))
+        errors(value, stated, &asked("0.1", 0.0))
+    }
+
+    #[test]
+    fn what_is_truly_zero_has_the_rounding_of_its_size() {
+        let zero = |value: f64| errors(value, 1e-12, &asked("0", 1.0));
+        assert_eq!(zero(1e-16).ratio(), None);
+        assert!(zero(1e-15).ratio().is_some());
+        assert!(errors(1e-16, 1e-17, &asked("0", 1.0)).is_exceeded());
     }
 
     #[test]

@@ -43,6 +43,8 @@ pub(crate) struct Asked {
     pub(crate) what: String,
     /// The true value, in the unit in which it is asked for.
     pub(crate) truth: Real,
+    /// One of its kind in the problem's own size, where it is truly zero and has none of its own; else 0.
+    pub(crate) size: f64,
 }
 
 /// Where the program tells a value.
@@ -236,13 +238,15 @@ impl Setup {
         let _ = writeln!(self.finds, "[find.{name}]\nthat = \"{that}\"\n{when}");
         let what = format!("{that} {}", when.trim_end().replace('\n', " "));
         let what = what.trim_end().to_owned();
-        self.asked.push(Asked { name, place: Place::Find, what, truth: truth / factor });
+        let size = if truth.is_zero() { self.units.size(measure) / factor.to_f64() } else { 0.0 };
+        self.asked.push(Asked { name, place: Place::Find, what, truth: truth / factor, size });
     }
 
     /// Asks when a body comes to rest on a surface for good.
     pub(crate) fn ask_rest(&mut self, truth: &Real) {
         let what = "start of the last contact".to_owned();
-        self.asked.push(Asked { name: "rest".into(), place: Place::Rest, what, truth: truth.clone() });
+        let (name, truth) = ("rest".to_owned(), truth.clone());
+        self.asked.push(Asked { name, place: Place::Rest, what, truth, size: 0.0 });
     }
 
     /// Asks for the time of an instant.

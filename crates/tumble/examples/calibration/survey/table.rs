@@ -37,30 +37,6 @@ pub(crate) fn missed(survey: &Survey) -> Vec<String> {
 
 /// The tables and the worst failures.
 pub(crate) fn render(survey: &Survey) -> String {
-    for report in &survey.reports {
-        if let Fate::Answered(values) = &report.fate {
-            for value in values {
-                if let Verdict::Stated(e) = value.verdict {
-                    if let Some(r) = e.ratio() {
-                        if r > 1000.0 {
-                            eprintln!(
-                                "{} {} ratio {:.1e} value {:e} truly {:e} real {:.1e} stated {:.1e} ulp {:.1e} {}",
-                                command(report),
-                                value.name,
-                                r,
-                                value.value,
-                                value.truth,
-                                e.real,
-                                e.stated,
-                                e.ulp,
-                                value.what
-                            );
-                        }
-                    }
-                }
-            }
-        }
-    }
     let family =
         |index: usize| Tally::of(survey.reports.iter().filter(move |report| report.key.family == index));
     let decade =
