@@ -89,7 +89,8 @@ impl Mul for Rounded {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self.value, other.value);
-        let is_exact = digits(a) + digits(b) <= BITS;
+        // A power of two shifts all digits and adds none.
+        let is_exact = digits(a).min(digits(b)) <= 1 || digits(a) + digits(b) <= BITS;
         let own = if is_exact { 0.0 } else { (a * b).abs() };
         Self { value: a * b, error: a.abs() * other.error + b.abs() * self.error + own }
     }
@@ -206,6 +207,7 @@ mod tests {
     fn few_digits_are_exact() {
         let [one, half, three] = [1.0, 0.5, 3.0].map(Rounded::leaf);
         assert_eq!(error((one + half) * three / half - one), 0.0);
+        assert_eq!(error(half * Rounded::splat(0.1)), 0.0);
         assert_eq!(error(Rounded::leaf(4.0).sqrt()), 0.0);
         assert!(error(one / three) > 0.0 && error(Rounded::leaf(2.0).sqrt()) > 0.0);
         assert!(is_short(1000.0) && is_short(0.0) && !is_short(0.1) && !is_short(1.0 / 3.0));

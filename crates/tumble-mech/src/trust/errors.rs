@@ -16,7 +16,7 @@ use crate::trust::phases::Stretch;
 pub(super) const BRIEF: f64 = 0.05;
 /// A difference may be small by accident for some steps, and a value too: the largest of so many steps counts. What decays is known
 /// ever better, and what was off long ago and is not now has passed.
-const RECENT: usize = 3;
+const RECENT: usize = 1;
 /// Parts of a step at whose ends the runs are compared, at least; as many as the steps of a check run where those are more.
 const PARTS: usize = 4;
 
