@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::ops::kernels::Kernels;
 use crate::ops::solve::Matrix;
 use crate::ops::{Op, Series, Slot};
-use crate::{Lookup, Stage, Tape};
+use crate::{Lookup, Rounded, Stage, Tape};
 
 /// How branches (abs, sign, step, min, max, if) take their sides at order 0.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,16 @@ pub struct Jets<S> {
 
 /// Runs a tape on values.
 pub type Values<S> = Jets<S>;
+
+impl Jets<Rounded> {
+    /// Takes what is computed from numbers and inputs alone as exact: its errors are the same at all instants.
+    pub fn settle(&mut self) {
+        let tape = Arc::clone(&self.tape);
+        for (slot, _) in tape.prologue() {
+            self.data[slot as usize * self.stride].error = 0.0;
+        }
+    }
+}
 
 impl<S: Kernels> Jets<S> {
     /// An evaluator of `tape` up to `order`, for one set of inputs.
@@ -75,7 +85,7 @@ impl<S: Kernels> Jets<S> {
                     let number = &tape.numbers[index as usize];
                     S::constant(number.value, number.is_exact)
                 }
-                Op::Pi => S::constant(tape.pi, false),
+                Op::Pi => S::constant(tape.pi.value, tape.pi.is_exact),
                 _ => self.value(op, true),
             };
             self.data[slot as usize * self.stride] = value;

@@ -44,7 +44,7 @@ impl Lowering {
                 ops: vec![],
                 stages: vec![],
                 numbers: vec![],
-                pi: layout.rounding.pi(),
+                pi: Constant { value: layout.rounding.pi(), is_exact: false },
                 norms: vec![],
                 guards: vec![],
                 outputs: vec![],

@@ -64,7 +64,7 @@ pub struct Tape {
     pub(crate) stages: Vec<Stage>,
     pub(crate) numbers: Vec<Constant>,
     /// pi, rounded.
-    pub(crate) pi: f64,
+    pub(crate) pi: Constant,
     /// Vectors whose lengths are taken, and denominators that may vanish with their numerators.
     pub(crate) norms: Vec<Vec<Slot>>,
     /// Guard slot of each branch.
@@ -108,6 +108,13 @@ pub enum Turning {
 }
 
 impl Tape {
+    /// The same with its numbers taken as they are: what is rounded is what is computed from them.
+    pub fn with_exact_numbers(&self) -> Self {
+        let mut tape = self.clone();
+        tape.numbers.iter_mut().chain([&mut tape.pi]).for_each(|number| number.is_exact = true);
+        tape
+    }
+
     /// Compiles formulas that share a layout; the order of `outputs` is kept.
     pub fn compile(layout: &Layout, outputs: &[Expr]) -> Result<Self, CompileError> {
         for output in outputs {

@@ -150,16 +150,21 @@ impl LazyGuards {
         self.all[index].group
     }
 
-    /// Rounding error of one at an instant. What rounding left out of its states is known, and its inputs are the same at all
-    /// instants: only what is computed from them counts.
-    pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<f64, Reason> {
+    /// Rounding error of one at an instant, and what of it is the same at all instants. What rounding left out of its states is
+    /// known, and its inputs and numbers are what they are: only what is computed from them counts.
+    pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<[f64; 2], Reason> {
         let watch = &mut self.all[index];
-        let tape = watch.jets(self.order)?.tape().clone();
+        let tape = Arc::new(watch.jets(self.order)?.tape().with_exact_numbers());
         let inputs: Vec<Rounded> = watch.inputs.iter().map(|value| Rounded::splat(*value)).collect();
         let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::splat(states[*state])).collect();
         let mut value = Jets::new(tape, 0, &inputs);
-        value.start(Rounded::computed(time), &own, Branches::Free);
-        Ok(value.value_of(0).noise())
+        let noise = |value: &mut Jets<Rounded>| {
+            value.start(Rounded::computed(time), &own, Branches::Free);
+            value.value_of(0).noise()
+        };
+        let all = noise(&mut value);
+        value.settle();
+        Ok([all, all - noise(&mut value)])
     }
 
     /// Looks at one along an expansion, in its own states.

@@ -4,10 +4,15 @@ use tumble_expr::{is_short, rounded_sum};
 
 use super::Solver;
 use crate::engine::Engine;
+use crate::whole::Blur;
 use crate::{Cause, Hybrid};
 
+/// What rounding to the nearest leaves out at most, in units of eps times the number.
+const LEFT_OUT: f64 = 0.5;
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
+/// What the draws for guards are told apart by from those for other numbers.
+const SAME: f64 = std::f64::consts::E;
 
 impl<H: Hybrid> Solver<'_, H> {
     /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.
@@ -24,11 +29,11 @@ impl<H: Hybrid> Solver<'_, H> {
         let rates_before = self.engines[before].noise(self.time, states_before, &exact).values;
         let same = self.engines[before].system.names == self.engines[after].system.names;
         let way = self.trajectory.pieces.last().map_or(0.0, |piece| piece.end - piece.start);
-        let late = self.rounding.draw(self.time, LATE) * self.blur.time.max(self.rounded(causes)).min(way);
+        let late = self.late(causes).clamp(-way, way);
         let engine = &mut self.engines[after];
         let rates = engine.noise(self.time, &self.states, &self.compensation).values;
         for (state, value) in self.states.iter_mut().enumerate() {
-            let own = if is_short(*value) { 0.0 } else { 0.5 * f64::EPSILON * value.abs() };
+            let own = if is_short(*value) { 0.0 } else { LEFT_OUT * f64::EPSILON * value.abs() };
             // What rounding left out of a state that stays is carried on.
             let (own, turned) = match rates_before.get(state).filter(|_| same) {
                 Some(rate) if *value == states_before[state] => (0.0, rates[state] - rate),
@@ -44,6 +49,14 @@ impl<H: Hybrid> Solver<'_, H> {
         if !invariants.is_empty() {
             invariants.project(self.time, &mut self.states, system, &self.scales);
         }
+    }
+
+    /// By how much an event comes late, s: by what is the same at every crossing of a guard, which has a draw of its own, and by
+    /// what is not.
+    fn late(&self, causes: &[Cause]) -> f64 {
+        let Blur { time, same, guard, .. } = self.blur;
+        let drawn = |of: f64, key: u64| LEFT_OUT * self.rounding.draw(of, key);
+        drawn(SAME, guard as u64) * same + drawn(self.time, LATE) * (time - same).max(self.rounded(causes))
     }
 
     /// What rounding makes of the time of an event, s; scheduled times are moved already.
