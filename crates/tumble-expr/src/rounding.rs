@@ -32,7 +32,7 @@ impl Constant {
     pub(crate) fn of(exact: &BigRational, rounding: Rounding) -> Self {
         let value = nearest(exact);
         let is_exact = is_short(value) || BigRational::from_float(value).is_some_and(|back| back == *exact);
-        Self { value: if is_exact { value } else { rounding.moved(value, 0) }, is_exact }
+        Self { value: if is_exact { value } else { rounding.moved(value).0 }, is_exact }
     }
 }
 
@@ -63,11 +63,12 @@ impl Rounding {
     }
 
     pub(crate) fn pi(self) -> f64 {
-        self.moved(std::f64::consts::PI, 0)
+        self.moved(std::f64::consts::PI).0
     }
 
-    fn moved(self, value: f64, key: u64) -> f64 {
-        self.off(value, value.abs() * f64::EPSILON, key)
+    /// A number moved as it is on every tape, and what rounding leaves out of the move.
+    pub fn moved(self, value: f64) -> (f64, f64) {
+        rounded_sum(value, self.draw(value, 0) * value.abs() * f64::EPSILON)
     }
 
     /// How many times an error that it may have a value is off: 0.6 to 2, up or down; 0 to the nearest.

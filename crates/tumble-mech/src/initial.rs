@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Expr, Vector, rounded_sum};
+use tumble_expr::{Expr, Vector};
 use tumble_ode::Start as NumericStart;
 
 use crate::equations::Equations;
@@ -69,7 +69,7 @@ impl Equations {
             }
             let first = index * values.len();
             let rounded = |(place, (formula, value)): (usize, (&Expr, &f64))| {
-                rounded_sum(*value, known.rounding_error(*value, formula, first + place))
+                known.rounded(*value, formula, first + place)
             };
             for (state, left_out) in formulas.iter().zip(&values).enumerate().map(rounded) {
                 states.push(state);

@@ -4,7 +4,8 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use tumble_expr::{
-    Binary, Branches, CompileError, Expr, Jets, Kernels, Layout, Node, Rounded, Rounding, Symbol, Tape, Unary,
+    Binary, Branches, CompileError, Expr, Jets, Kernels, Layout, Node, Rounded, Rounding, Symbol, Tape,
+    Unary, rounded_sum,
 };
 
 use crate::error::{ModelError, ModelErrors};
@@ -84,7 +85,7 @@ impl Parameters {
         let mut mistakes = vec![];
         for (index, (symbol, formula)) in self.list.iter().enumerate() {
             let value = known.next(symbol, formula);
-            let moved = |value: f64| value + known.rounding_error(value, formula, index);
+            let moved = |value: f64| known.rounded(value, formula, index).0;
             let rounded = value.as_ref().ok().copied().flatten().map_or(f64::NAN, moved);
             known.values.push(rounded);
             mistakes.extend(value.err());
@@ -93,6 +94,8 @@ impl Parameters {
     }
 }
 
+/// What rounding to the nearest leaves out at most, in units of what a running error analysis counts, which is eps times the number.
+const LEFT_OUT: f64 = 0.5;
 /// Nested deeper than this, a formula is not looked through: its parts may be shared, and as many as you like.
 const DEEPEST: usize = 8;
 
@@ -174,20 +177,27 @@ impl Known<'_> {
         (is_same && place < self.values.len()).then_some(place)
     }
 
-    /// The rounding error that computing a value from numbers and parameters makes, beside those that these have: a lone number has
-    /// one already, and the two might take each other away.
-    pub(crate) fn rounding_error(&self, value: f64, formula: &Expr, index: usize) -> f64 {
+    /// A value with the rounding error that computing it from numbers and parameters makes, and what rounding leaves out of that.
+    ///
+    /// Beside those that numbers and parameters have: a lone number has one already, and the two might take each other away.
+    pub(crate) fn rounded(&self, value: f64, formula: &Expr, index: usize) -> (f64, f64) {
         let rounding = self.parameters.rounding;
-        let is_alone =
-            matches!(formula.node(), Node::Symbol(_) | Node::Pi) || is_arithmetic(formula, DEEPEST);
-        if rounding.is_nearest() || is_alone {
-            return 0.0;
-        }
         let formulas = std::slice::from_ref(formula);
+        if rounding.is_nearest() || matches!(formula.node(), Node::Symbol(_) | Node::Pi) {
+            return (value, 0.0);
+        }
+        if is_arithmetic(formula, DEEPEST) {
+            // Moved on the tape already; what that left out is found from the number itself.
+            let nearest = Parameters::default();
+            let known = Known { parameters: &nearest, values: vec![] };
+            let number = known.evaluate(formulas).map_or(value, |found| found[0]);
+            return if number == value { (value, 0.0) } else { rounding.moved(number) };
+        }
         let found = self.evaluate_with::<Rounded>(&formula.symbols(), &HashMap::new(), formulas);
         // A formula that has a value compiles.
         let error = found.map_or(0.0, |found| found[0].noise());
-        rounding.computed(value, if error.is_finite() { 0.5 * error } else { 0.0 }, index as u64)
+        let error = if error.is_finite() { LEFT_OUT * error } else { 0.0 };
+        rounded_sum(value, rounding.computed(value, error, index as u64))
     }
 
     /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its

@@ -69,7 +69,9 @@ impl Pair {
 
     /// Distance from the surface, m.
     pub fn gap(&self) -> Expr {
-        dot(&self.normal, &(self.centre.position() - &self.through)) - &self.radius
+        // Far from the origin the difference of the places is exact; what the arm is added to before would be rounded.
+        let from = self.centre.body.position() - &self.through;
+        dot(&self.normal, &(from + self.centre.world_arm())) - &self.radius
     }
 
     /// Rate of the gap, m/s.
