@@ -14,8 +14,8 @@ use crate::trust::phases::Stretch;
 /// A phase pressed into a surface and shorter than this part of the longest so far is an impact, and one in a Zeno sequence is of
 /// its last: what is off within them passes with them.
 pub(super) const BRIEF: f64 = 0.05;
-/// A difference may be small by accident for some steps, and a value too: the largest of so many steps counts. What decays is known
-/// ever better, and what was off long ago and is not now has passed.
+/// Steps before that of a time whose differences count: one may be small by accident, and a value too. What decays is known ever
+/// better, and what was off long ago and is not now has passed.
 const RECENT: usize = 1;
 /// Parts of a step at whose ends the runs are compared, at least; as many as the steps of a check run where those are more.
 const PARTS: usize = 4;

@@ -43,7 +43,7 @@ pub(crate) struct Asked {
     pub(crate) what: String,
     /// The true value, in the unit in which it is asked for.
     pub(crate) truth: Real,
-    /// One of its kind in the problem's own size, where it is truly zero and has none of its own; else 0.
+    /// The size of what it is a sum of, or of its kind in the problem, where it is truly zero and has none of its own; else 0.
     pub(crate) size: f64,
 }
 
@@ -228,6 +228,11 @@ impl Setup {
 
     /// Asks for a value with its truth in SI units.
     pub(crate) fn ask(&mut self, that: &str, at: At, truth: &Real, measure: Measure) {
+        self.ask_beside(that, at, (truth, self.units.size(measure)), measure);
+    }
+
+    /// The same with the size of what it is a sum of, in SI units, for where it is truly zero.
+    pub(crate) fn ask_beside(&mut self, that: &str, at: At, (truth, size): (&Real, f64), measure: Measure) {
         let name = format!("v{}", self.asked.len() + 1);
         let is_own = measure != NUMBER && self.draw.chance(OWN_ANSWER);
         let (unit, factor) = if is_own { self.units.written(measure) } else { Units::standard(measure) };
@@ -238,7 +243,7 @@ impl Setup {
         let _ = writeln!(self.finds, "[find.{name}]\nthat = \"{that}\"\n{when}");
         let what = format!("{that} {}", when.trim_end().replace('\n', " "));
         let what = what.trim_end().to_owned();
-        let size = if truth.is_zero() { self.units.size(measure) / factor.to_f64() } else { 0.0 };
+        let size = if truth.is_zero() { size / factor.to_f64() } else { 0.0 };
         self.asked.push(Asked { name, place: Place::Find, what, truth: truth / factor, size });
     }
 

@@ -200,7 +200,10 @@ fn ask_end(setup: &mut Setup, scene: &Scene, others: Others<'_>) {
         setup.ask(that, At::End, truth, *measure);
     }
     let mass = &scene.mass.value;
-    setup.ask("floor.work", At::End, &-(mass * scene.bounces.lost(time)), ENERGY);
+    // Elastic impacts give back what they take.
+    let taken = (mass * scene.bounces.hits()[0].before.squared() / 2).to_f64();
+    let work = -(mass * scene.bounces.lost(time));
+    setup.ask_beside("floor.work", At::End, (&work, taken), ENERGY);
     let fallen = y - &scene.foot[1].value - &scene.offset[1].value;
     setup.ask("gravity.work", At::End, &-(mass * &scene.gravity.value * fallen), ENERGY);
 }
