@@ -41,6 +41,21 @@ pub struct Jets<S> {
 pub type Values<S> = Jets<S>;
 
 impl Jets<Rounded> {
+    /// Takes numbers to be off by so many eps of them, where they are not exact.
+    pub fn set_errors_of_numbers(&mut self, part: f64) {
+        let tape = Arc::clone(&self.tape);
+        for (slot, op) in tape.prologue() {
+            let value = match op {
+                Op::Number(_) | Op::Pi => {
+                    let Rounded { value, error } = self.data[slot as usize * self.stride];
+                    Rounded { value, error: part * error }
+                }
+                _ => self.value(op, true),
+            };
+            self.data[slot as usize * self.stride] = value;
+        }
+    }
+
     /// Takes what is computed from numbers and inputs alone as exact: its errors are the same at all instants.
     pub fn settle(&mut self) {
         let tape = Arc::clone(&self.tape);

@@ -108,13 +108,6 @@ pub enum Turning {
 }
 
 impl Tape {
-    /// The same with its numbers taken as they are: what is rounded is what is computed from them.
-    pub fn with_exact_numbers(&self) -> Self {
-        let mut tape = self.clone();
-        tape.numbers.iter_mut().chain([&mut tape.pi]).for_each(|number| number.is_exact = true);
-        tape
-    }
-
     /// Compiles formulas that share a layout; the order of `outputs` is kept.
     pub fn compile(layout: &Layout, outputs: &[Expr]) -> Result<Self, CompileError> {
         for output in outputs {

@@ -29,6 +29,9 @@ const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
 
+/// What rounding to the nearest leaves out of a number at most, in units of eps times the number.
+const LEFT_OUT: f64 = 0.5;
+
 pub(crate) struct LazyGuards {
     all: Vec<Watch>,
     order: usize,
@@ -151,13 +154,15 @@ impl LazyGuards {
     }
 
     /// Rounding error of one at an instant, and what of it is the same at all instants. What rounding left out of its states is
-    /// known, and its inputs and numbers are what they are: only what is computed from them counts.
+    /// known; its inputs and numbers are moved, but by whole ulps: what that leaves out is the same at all instants.
     pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<[f64; 2], Reason> {
         let watch = &mut self.all[index];
-        let tape = Arc::new(watch.jets(self.order)?.tape().with_exact_numbers());
-        let inputs: Vec<Rounded> = watch.inputs.iter().map(|value| Rounded::splat(*value)).collect();
+        let tape = watch.jets(self.order)?.tape().clone();
+        let input = |value: &f64| Rounded { error: LEFT_OUT * Rounded::leaf(*value).error, value: *value };
+        let inputs: Vec<Rounded> = watch.inputs.iter().map(input).collect();
         let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::splat(states[*state])).collect();
         let mut value = Jets::new(tape, 0, &inputs);
+        value.set_errors_of_numbers(LEFT_OUT);
         let noise = |value: &mut Jets<Rounded>| {
             value.start(Rounded::computed(time), &own, Branches::Free);
             value.value_of(0).noise()
