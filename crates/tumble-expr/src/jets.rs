@@ -100,7 +100,7 @@ impl<S: Kernels> Jets<S> {
                     let number = &tape.numbers[index as usize];
                     S::constant(number.value, number.is_exact)
                 }
-                Op::Pi => S::constant(tape.pi.value, tape.pi.is_exact),
+                Op::Pi => S::constant(tape.pi, false),
                 _ => self.value(op, true),
             };
             self.data[slot as usize * self.stride] = value;

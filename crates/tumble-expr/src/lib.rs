@@ -40,7 +40,7 @@ pub use graph::{Graph, NodeId, is_identically_zero};
 pub use jets::{Branches, Jets, Values};
 pub use ops::kernels::Kernels;
 pub use ops::{Op, Series, Slot};
-pub use rounding::{Rounding, rounded_sum};
+pub use rounding::{LEFT_OUT, Rounding, rounded_sum};
 pub use scalar::{Interval, Lanes, Lanewise, Rounded, Scalar, is_short, nearest};
 pub use substitute::Substitution;
 pub use table::{Interpolation, Outside, Table, TableError, TableRef};

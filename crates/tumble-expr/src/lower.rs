@@ -44,7 +44,7 @@ impl Lowering {
                 ops: vec![],
                 stages: vec![],
                 numbers: vec![],
-                pi: Constant { value: layout.rounding.pi(), is_exact: false },
+                pi: layout.rounding.pi(),
                 norms: vec![],
                 guards: vec![],
                 outputs: vec![],

@@ -11,6 +11,8 @@ use crate::scalar::{is_short, nearest};
 /// The least and the greatest move, in units of eps times the number: more than rounding to the nearest takes back, so that every
 /// number moves, and no more than twice what that leaves out.
 const MOVES: [f64; 2] = [0.51, 1.0];
+/// What rounding to the nearest leaves out at most, in units of what a running error analysis counts, which is eps times the number.
+pub const LEFT_OUT: f64 = 0.5;
 /// A multiplier that mixes the bits of a key well: that of splitmix64 (Steele, Lea and Flood 2014), as are the shifts.
 const MIX: [u64; 3] = [0x9e37_79b9_7f4a_7c15, 0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb];
 /// Bits of a value that tell it from others: what agrees in them is equal but for rounding.

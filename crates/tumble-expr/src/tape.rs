@@ -64,7 +64,7 @@ pub struct Tape {
     pub(crate) stages: Vec<Stage>,
     pub(crate) numbers: Vec<Constant>,
     /// pi, rounded.
-    pub(crate) pi: Constant,
+    pub(crate) pi: f64,
     /// Vectors whose lengths are taken, and denominators that may vanish with their numerators.
     pub(crate) norms: Vec<Vec<Slot>>,
     /// Guard slot of each branch.

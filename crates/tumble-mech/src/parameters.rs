@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use tumble_expr::{
-    Binary, Branches, CompileError, Expr, Jets, Kernels, Layout, Node, Rounded, Rounding, Symbol, Tape,
-    Unary, rounded_sum,
+    Binary, Branches, CompileError, Expr, Jets, Kernels, LEFT_OUT, Layout, Node, Rounded, Rounding, Symbol,
+    Tape, Unary, rounded_sum,
 };
 
 use crate::error::{ModelError, ModelErrors};
@@ -94,8 +94,6 @@ impl Parameters {
     }
 }
 
-/// What rounding to the nearest leaves out at most, in units of what a running error analysis counts, which is eps times the number.
-const LEFT_OUT: f64 = 0.5;
 /// Nested deeper than this, a formula is not looked through: its parts may be shared, and as many as you like.
 const DEEPEST: usize = 8;
 

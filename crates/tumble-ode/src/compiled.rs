@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Degree, Expr, Jets, Layout, Rounded, Rounding, Scalar, Tape, rounded_sum};
+use tumble_expr::{
+    Branches, Degree, Expr, Jets, LEFT_OUT, Layout, Rounded, Rounding, Scalar, Tape, rounded_sum,
+};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Invariants;
@@ -155,8 +157,9 @@ fn rates(flow: &Flow) -> Vec<Expr> {
 /// What the draws for scheduled times are told apart by from those for other numbers: not by the times, which may nearly agree.
 const SCHEDULED: f64 = std::f64::consts::TAU;
 
-/// Times by formulas of the inputs, each rounded as the flow says, and what rounding left out of them. Two that follow each other, as both ends of a short window do, are
-/// moved apart or together, and never alike: what lies between them is known no better than both.
+/// Times by formulas of the inputs, each rounded as the flow says, and what rounding left out of them. Two that follow each other,
+/// as both ends of a short window do, are moved apart or together, and never alike: what lies between them is known no better than
+/// both.
 fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<(f64, f64)>, Reason> {
     // Inputs are moved already, and numbers are with the whole: two moves might take each other back.
     let layout = Layout { states: vec![], rounding: Rounding::NEAREST, ..layout.clone() };
@@ -166,7 +169,8 @@ fn scheduled(layout: &Layout, flow: &Flow, inputs: &[f64]) -> Result<Vec<(f64, f
     let time = |index: usize| {
         let time = times.value_of(index);
         let side = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-        rounded_sum(time.value, side * flow.rounding.draw(SCHEDULED, index as u64 / 2) * 0.5 * time.noise())
+        let drawn = side * flow.rounding.draw(SCHEDULED, index as u64 / 2);
+        rounded_sum(time.value, drawn * LEFT_OUT * time.noise())
     };
     Ok((0..flow.schedule.len()).map(time).collect())
 }

@@ -7,7 +7,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Scalar, Symbol, Tape};
+use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Layout, Rounded, Scalar, Symbol, Tape};
 
 use crate::Reason;
 use crate::compiled::fixed;
@@ -28,9 +28,6 @@ const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
-
-/// What rounding to the nearest leaves out of a number at most, in units of eps times the number.
-const LEFT_OUT: f64 = 0.5;
 
 pub(crate) struct LazyGuards {
     all: Vec<Watch>,

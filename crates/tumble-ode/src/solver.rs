@@ -207,7 +207,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             }
         };
         self.pass(mode, &step, &expansion)?;
-        let left_out = self.compensation.clone();
+        // Only a hit asks for it.
+        let left_out = if step.hits.is_empty() { vec![] } else { self.compensation.clone() };
         self.accept(mode, &mut expansion, &step)?;
         let now = (self.time, self.states.as_slice());
         self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now, &left_out)?;

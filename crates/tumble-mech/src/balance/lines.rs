@@ -1,6 +1,6 @@
 //! The lines of one mode: every term of its equations, split into what a potential stands for and the rest, as numbers.
 
-use tumble_expr::{Branches, Expr, Jets, Rounding, Vector};
+use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Rounding, Vector};
 use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
@@ -37,9 +37,6 @@ pub(super) struct Lines {
     jets: Jets<f64>,
     rounding: Rounding,
 }
-
-/// What rounding of a state to the nearest number leaves out of it at most, in units of eps times the state.
-const LEFT_OUT: f64 = 0.5;
 
 /// Outputs a term: velocity of its point, force, couple, angular rate, place of its point from the balance's, and the body's
 /// reach.

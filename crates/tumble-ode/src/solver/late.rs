@@ -1,14 +1,12 @@
 //! What rounding makes of the states at an event, which comes a little early or late.
 
-use tumble_expr::{is_short, rounded_sum};
+use tumble_expr::{LEFT_OUT, is_short, rounded_sum};
 
 use super::Solver;
 use crate::engine::Engine;
 use crate::whole::Blur;
 use crate::{Cause, Hybrid};
 
-/// What rounding to the nearest leaves out at most, in units of eps times the number.
-const LEFT_OUT: f64 = 0.5;
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
 /// What the draws for guards are told apart by from those for other numbers.
