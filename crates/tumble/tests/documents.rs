@@ -242,13 +242,24 @@ fn edited(scene: String, edit: &Block) -> String {
     scene
 }
 
-/// Both streams of `$ tumble ...`.
+/// Both streams of `$ tumble ...`, without the lines of progress: only a slow machine writes them.
 fn said(folder: &Path, command: &str, place: &str) -> String {
     let arguments =
         command.strip_prefix("$ tumble ").unwrap_or_else(|| panic!("{place}: not `$ tumble ...`"));
     let words: Vec<&str> = arguments.split(' ').collect();
     let output = tumble(folder, &words);
-    text(&output.stdout) + &text(&output.stderr)
+    let errors = text(&output.stderr);
+    let errors = errors.lines().filter(|line| !is_progress(line));
+    text(&output.stdout) + &errors.map(|line| line.to_owned() + "\n").collect::<String>()
+}
+
+/// Whether a line says how much is done: `title: 2 of 4, 5 s left`, `title: 40 % of the time`.
+fn is_progress(line: &str) -> bool {
+    let words = line.rsplit_once(": ").map_or("", |(_, words)| words);
+    let done = words.split_once(", ").map_or(words, |(done, _)| done);
+    let is_count = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let is_of_runs = done.split_once(" of ").is_some_and(|(some, all)| is_count(some) && is_count(all));
+    is_of_runs || done.strip_suffix(" % of the time").is_some_and(is_count)
 }
 
 /// Whether a text is the one shown, of which a line `...` leaves out any number of lines.
