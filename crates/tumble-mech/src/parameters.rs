@@ -96,6 +96,8 @@ impl Parameters {
 
 /// Nested deeper than this, a formula is not looked through: its parts may be shared, and as many as you like.
 const DEEPEST: usize = 8;
+/// Moves by less than this part of the spacing of doubles are of an error before the last operation: that one is moved by more.
+const HIDDEN: f64 = 0.25;
 
 /// Whether a formula is arithmetic with numbers alone, which is exact.
 fn is_arithmetic(formula: &Expr, depth: usize) -> bool {
@@ -195,7 +197,7 @@ impl Known<'_> {
         // A formula that has a value compiles.
         let error = found.map_or(0.0, |found| found[0].noise());
         let error = if error.is_finite() { LEFT_OUT * error } else { 0.0 };
-        rounded_sum(value, rounding.computed(value, error, index as u64))
+        moved_visibly(value, rounding.computed(value, error, index as u64))
     }
 
     /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its
@@ -218,6 +220,15 @@ impl Known<'_> {
         tape.start(S::splat(f64::NAN), &[], Branches::Free);
         Ok((0..formulas.len()).map(|index| tape.value_of(index)).collect())
     }
+}
+
+/// A value moved by so much, and what the double leaves out of that. A move that rounding would take back goes to the next double
+/// all the same: forces are evaluated at the double alone.
+fn moved_visibly(value: f64, by: f64) -> (f64, f64) {
+    let (moved, left_out) = rounded_sum(value, by);
+    let next = if by > 0.0 { value.next_up() } else { value.next_down() };
+    let is_hidden = moved == value && by.abs() > HIDDEN * (next - value).abs();
+    if is_hidden { (next, by - (next - value)) } else { (moved, left_out) }
 }
 
 /// Parameters after some have been set. What is not set is not copied: there may be as many events as parameters.

@@ -167,13 +167,18 @@ impl Engine {
     ///
     /// A function that is zero now has the sign of its first coefficient that matters. If each side's motion leads to
     /// the other, there is no motion on either.
-    pub(crate) fn expand(&mut self, time: f64, states: &[f64], work: &mut Work) -> Result<Expansion, Reason> {
+    pub(crate) fn expand(
+        &mut self,
+        (time, states): (f64, &[f64]),
+        off: &[f64],
+        work: &mut Work,
+    ) -> Result<Expansion, Reason> {
         let mut turned = vec![false; self.system.tape.guards().len()];
         loop {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
-            let expansion = expand(&self.system, &mut self.jets, self.order, frozen, (time, states, true))?;
+            let expansion = expand(&self.system, &mut self.jets, self.order, frozen, (time, states, true), off)?;
             self.watch_scales(&expansion);
             if self.enter_segments(&expansion) {
                 continue;
@@ -190,19 +195,20 @@ impl Engine {
     }
 
     /// What is watched along a motion that stays where it is, if it may: all its rates are zero but for this part of their
-    /// rounding errors.
+    /// rounding errors; each rate is off by so much.
     pub(crate) fn rest(
         &mut self,
         (time, states): (f64, &[f64]),
         noise: &Noise,
-        part: f64,
+        (part, off): (f64, &[f64]),
     ) -> Option<Expansion> {
         let is_still = noise.values.iter().zip(&noise.rates).all(|(rate, error)| rate.abs() <= part * error);
         if self.system.transformed || self.system.exact_degree.is_some() || !is_still {
             return None;
         }
         let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
-        let found = expand(&self.system, &mut self.jets, self.order, frozen, (time, states, false)).ok()?;
+        let now = (time, states, false);
+        let found = expand(&self.system, &mut self.jets, self.order, frozen, now, off).ok()?;
         self.wrong_side(&found, time).is_none().then_some(found)
     }
 
@@ -510,7 +516,7 @@ impl Engine {
         if expansion.guards.is_empty() {
             return Ok(lazy_guards);
         }
-        let ahead = match self.expand(time, states, work) {
+        let ahead = match self.expand((time, states), &[], work) {
             // There is no motion on either side of the branch: what crosses zero then can still end the flow.
             Err(Reason::Sliding { .. }) if !crossed.is_empty() => return Ok(crossed),
             other => other?,

@@ -62,13 +62,14 @@ pub(crate) struct Frozen<'a> {
 }
 
 /// Expands the solution through `states` at `time`: `(k + 1) x_(k+1)` is the rate's coefficient of order k, or zero in what
-/// does not move.
+/// does not move. Every rate is off by the same all along, if any are.
 pub(crate) fn expand(
     system: &Compiled,
     jets: &mut Jets<f64>,
     order: usize,
     frozen: Frozen<'_>,
     (time, states, moves): (f64, &[f64], bool),
+    off: &[f64],
 ) -> Result<Expansion, Reason> {
     let count = system.len();
     jets.set_vanishing(frozen.vanishing);
@@ -76,7 +77,9 @@ pub(crate) fn expand(
     for k in 0..order {
         let next = (k + 1) as f64;
         for state in 0..count {
-            let coefficient = if moves { jets.output(state)[k] / next } else { 0.0 };
+            let rate = if moves { jets.output(state)[k] } else { 0.0 };
+            let off = off.get(state).filter(|_| k == 0).unwrap_or(&0.0);
+            let coefficient = (rate + off) / next;
             if !coefficient.is_finite() {
                 return Err(Reason::NotFinite { state: system.names[state].clone() });
             }

@@ -31,9 +31,9 @@ const SHORT_PART: f64 = 1e-6;
 const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
-/// What a check run adds to each state in a step, in units of what rounding may have made of its rate in that time, ...
+/// What a check run adds to each rate, in units of what rounding may have made of it, ...
 const RATE_ROUNDING: f64 = 0.5;
-/// ... and of eps times its change, which is added up with care.
+/// ... and to each state in a step, in units of eps times its change, which is added up with care.
 const CHANGE_ROUNDING: f64 = 0.125;
 /// A check run rests only where its rates are less than this part of their rounding errors: less than any number is moved by, so
 /// that a balance that rounding would upset is not taken for rest.
@@ -292,7 +292,19 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn expand(&mut self, mode: usize) -> Result<Expansion, Reason> {
-        self.engines[mode].expand(self.time, &self.states, &mut self.trajectory.work)
+        let off = self.off();
+        self.engines[mode].expand((self.time, &self.states), &off, &mut self.trajectory.work)
+    }
+
+    /// What each rate is off by in this step, rounded in another way: a force that is off by it acts on all that follows from it.
+    fn off(&self) -> Vec<f64> {
+        if self.rounding.is_nearest() {
+            return vec![];
+        }
+        let rates = self.states.iter().zip(&self.noise.rates).enumerate();
+        rates
+            .map(|(state, (value, error))| self.rounding.draw(*value, state as u64) * RATE_ROUNDING * error)
+            .collect()
     }
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
@@ -300,8 +312,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.noise = self.engines[mode].noise(self.time, &self.states, &self.compensation);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
         let part = if self.rounding.is_nearest() { 1.0 } else { STILL_PART };
+        let off = self.off();
         let now = (self.time, self.states.as_slice());
-        let Some(mut expansion) = self.engines[mode].rest(now, &self.noise, part) else {
+        let Some(mut expansion) = self.engines[mode].rest(now, &self.noise, (part, &off)) else {
             return Ok(None);
         };
         let ahead = (self.reach, self.compensation.as_slice());
@@ -486,9 +499,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
         for (state, series) in expansion.states.iter_mut().enumerate() {
             let (before, exact) = (self.states[state], polynomial::increment(series, step.length));
-            // Rounded in another way, a step adds what its rate's rounding errors may have added.
-            let error = RATE_ROUNDING * self.noise.rates[state] * step.length
-                + CHANGE_ROUNDING * f64::EPSILON * exact.abs();
+            let error = CHANGE_ROUNDING * f64::EPSILON * exact.abs();
             let rounded = self.rounding.off(exact, error, state as u64);
             series[1] += (rounded - exact) / step.length;
             let (after, left_out) = rounded_sum(before, rounded + self.compensation[state]);

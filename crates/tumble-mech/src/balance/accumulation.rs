@@ -86,7 +86,7 @@ impl<'a> Accumulation<'a> {
         let mut add = |line: usize, amounts: &Amounts| {
             sums[contributions[line]].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(*amount));
         };
-        let found = quadrature.integrate([0.0, piece.length], &mut |s| lines.sample(piece, s), &mut add);
+        let found = quadrature.integrate([0.0, piece.length], &mut lines.along(piece), &mut add);
         found.map_err(|bad| refused(&lines.keys, piece, &bad))
     }
 
@@ -101,7 +101,7 @@ impl<'a> Accumulation<'a> {
             totals[contributions[line]].iter_mut().zip(amounts).for_each(|(total, amount)| *total += amount);
         };
         let to = piece.parameter_at(time);
-        let found = self.quadrature.integrate([0.0, to], &mut |s| lines.sample(piece, s), &mut add);
+        let found = self.quadrature.integrate([0.0, to], &mut lines.along(piece), &mut add);
         found.map_err(|bad| refused(&lines.keys, piece, &bad))?;
         Ok(totals)
     }

@@ -1,6 +1,6 @@
 //! The lines of one mode: every term of its equations, split into what a potential stands for and the rest, as numbers.
 
-use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Rounding, Vector};
+use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Rounded, Rounding, Vector};
 use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
@@ -35,6 +35,10 @@ pub(super) struct Lines {
     /// How many of them are terms.
     terms: usize,
     jets: Jets<f64>,
+    /// The same with rounding errors.
+    rounded: Jets<Rounded>,
+    /// By term, the size of what its force is a difference of.
+    operands: Vec<f64>,
     rounding: Rounding,
 }
 
@@ -64,11 +68,32 @@ impl Lines {
             }
         }
         let jets = equations.compiled(mode, &outputs, inputs)?;
-        Ok(Self { keys, terms, jets, rounding: equations.rounding() })
+        let numbers: Vec<Rounded> = inputs.iter().map(|value| Rounded::leaf(*value)).collect();
+        let rounded = Jets::new(jets.tape().clone(), 0, &numbers);
+        Ok(Self { keys, terms, jets, rounded, operands: vec![0.0; terms], rounding: equations.rounding() })
     }
 
-    /// Power, force and torque of every line at a value of a piece's parameter, per unit of the parameter.
-    pub(super) fn sample(&mut self, piece: &Piece, s: f64) -> Sample {
+    /// Power, force and torque of every line along a piece, by the piece's parameter and per unit of it.
+    pub(super) fn along<'a>(&'a mut self, piece: &'a Piece) -> impl FnMut(f64) -> Sample + 'a {
+        self.measure(piece);
+        |s| self.sample(piece, s)
+    }
+
+    /// Finds what the forces are differences of: far from the origin, a small force of a spring is a difference of large places, and
+    /// no more nodes make the sum of its rounding errors better.
+    fn measure(&mut self, piece: &Piece) {
+        let middle = 0.5 * piece.length;
+        let leaf = |value: &f64| Rounded::computed(*value);
+        let states: Vec<Rounded> = piece.states_at_parameter(middle).iter().map(leaf).collect();
+        self.rounded.start(Rounded::computed(piece.time_at(middle)), &states, Branches::Free);
+        for (line, operand) in self.operands.iter_mut().enumerate() {
+            let [x, y] = [2, 3].map(|which| self.rounded.value_of(line * OUTPUTS + which).error);
+            let size = x.max(y);
+            *operand = if size.is_finite() { size } else { 0.0 };
+        }
+    }
+
+    fn sample(&mut self, piece: &Piece, s: f64) -> Sample {
         self.jets.start(piece.time_at(s), &self.states(piece, s), Branches::Free);
         let (pace, mut sample) = (piece.time_rate(s), Sample::default());
         for line in 0..self.keys.len() {
@@ -101,7 +126,7 @@ impl Lines {
         };
         // What is a sum along the body has parts that may balance each other: its couple tells of its forces, and they of it.
         let force = [fx, fy, if reach > 0.0 { couple / reach } else { 0.0 }].map(f64::abs);
-        let force = force.into_iter().fold(0.0, f64::max);
+        let force = force.into_iter().fold(self.operands[line], f64::max);
         let torque_here = couple.abs().max(force * reach);
         let [power, x, y, torque] = sizes;
         raise(power, &[force * vx, force * vy, torque_here * omega]);

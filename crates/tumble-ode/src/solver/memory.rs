@@ -140,7 +140,7 @@ impl<H: Hybrid> Solver<'_, H> {
             Some((mode, ended)) => self.engines[mode].name_of(ended),
             None => {
                 let expansion =
-                    self.engines[mode].expand(self.time, &self.states, &mut self.trajectory.work)?;
+                    self.engines[mode].expand((self.time, &self.states), &[], &mut self.trajectory.work)?;
                 self.engines[mode].narrowest(&expansion, &self.scales)
             }
         };
