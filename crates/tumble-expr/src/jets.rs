@@ -56,11 +56,13 @@ impl Jets<Rounded> {
         }
     }
 
-    /// Takes what is computed from numbers and inputs alone as exact: its errors are the same at all instants.
+    /// Takes inputs, numbers and what is computed from them alone as exact: their errors are the same at all instants.
     pub fn settle(&mut self) {
         let tape = Arc::clone(&self.tape);
-        for (slot, _) in tape.prologue() {
-            self.data[slot as usize * self.stride].error = 0.0;
+        let first = tape.states() + 1;
+        let inputs = (first..first + tape.inputs()).chain(tape.prologue().map(|(slot, _)| slot as usize));
+        for slot in inputs {
+            self.data[slot * self.stride].error = 0.0;
         }
     }
 }

@@ -28,6 +28,8 @@ const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
+/// What the draws for guards are told apart by from those for other numbers.
+const NUMBERS: u64 = u64::MAX - 1;
 
 pub(crate) struct LazyGuards {
     all: Vec<Watch>,
@@ -47,6 +49,9 @@ struct Watch {
     direction: Direction,
     /// The lazily evaluated guard is at least so far from zero.
     clearance: f64,
+    /// In a check run, what it is off by at all instants, known once it is evaluated: numbers and inputs are moved by whole ulps,
+    /// and two that stand against each other may be moved alike.
+    offset: Option<f64>,
     /// Built when it is first evaluated.
     jets: Option<Jets<f64>>,
     /// Built when it is first near.
@@ -102,6 +107,7 @@ impl LazyGuards {
                 continue;
             }
             let order = self.order;
+            watch.set_off(expansion, order)?;
             let here = watch.start(expansion, compensation, order)?;
             // Found beyond zero, by rounding, it is near however short the step.
             let is_beyond = watch.direction != Direction::Both && watch.direction.allows(here);
@@ -150,23 +156,11 @@ impl LazyGuards {
         self.all[index].group
     }
 
-    /// Rounding error of one at an instant, and what of it is the same at all instants. What rounding left out of its states is
-    /// known; its inputs and numbers are moved, but by whole ulps: what that leaves out is the same at all instants.
-    pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<[f64; 2], Reason> {
-        let watch = &mut self.all[index];
-        let tape = watch.jets(self.order)?.tape().clone();
-        let input = |value: &f64| Rounded { error: LEFT_OUT * Rounded::leaf(*value).error, value: *value };
-        let inputs: Vec<Rounded> = watch.inputs.iter().map(input).collect();
-        let own: Vec<Rounded> = watch.states.iter().map(|state| Rounded::splat(states[*state])).collect();
-        let mut value = Jets::new(tape, 0, &inputs);
-        value.set_errors_of_numbers(LEFT_OUT);
-        let noise = |value: &mut Jets<Rounded>| {
-            value.start(Rounded::computed(time), &own, Branches::Free);
-            value.value_of(0).noise()
-        };
-        let all = noise(&mut value);
-        value.settle();
-        Ok([all, all - noise(&mut value)])
+    /// Rounding error of one at an instant; what rounding left out of its states is known, and what it leaves out of numbers and
+    /// inputs is the same at all instants.
+    pub(crate) fn noise(&mut self, index: usize, time: f64, states: &[f64]) -> Result<f64, Reason> {
+        let [all, same] = self.all[index].noise(time, states, self.order)?;
+        Ok(all - same)
     }
 
     /// Looks at one along an expansion, in its own states.
@@ -271,6 +265,7 @@ impl Watch {
             group: lazy_guard.group,
             direction: lazy_guard.guard.direction,
             clearance: 0.0,
+            offset: layout.rounding.is_nearest().then_some(0.0),
             jets: None,
             enclosure: None,
         }
@@ -292,20 +287,49 @@ impl Watch {
         Ok(self.jets.as_mut().expect("just built"))
     }
 
+    /// Rounding error at an instant, and what of it is that of numbers and inputs.
+    fn noise(&mut self, time: f64, states: &[f64], order: usize) -> Result<[f64; 2], Reason> {
+        let tape = self.jets(order)?.tape().clone();
+        let input = |value: &f64| Rounded { error: LEFT_OUT * Rounded::leaf(*value).error, value: *value };
+        let inputs: Vec<Rounded> = self.inputs.iter().map(input).collect();
+        let own: Vec<Rounded> = self.states.iter().map(|state| Rounded::splat(states[*state])).collect();
+        let mut value = Jets::new(tape, 0, &inputs);
+        value.set_errors_of_numbers(LEFT_OUT);
+        let noise = |value: &mut Jets<Rounded>| {
+            value.start(Rounded::computed(time), &own, Branches::Free);
+            value.value_of(0).noise()
+        };
+        let all = noise(&mut value);
+        value.settle();
+        Ok([all, all - noise(&mut value)])
+    }
+
+    /// Finds what it is off by, once: guards that hold the same numbers are off by the same.
+    fn set_off(&mut self, expansion: &Expansion, order: usize) -> Result<(), Reason> {
+        if self.offset.is_none() {
+            let states: Vec<f64> = expansion.states.iter().map(|series| series[0]).collect();
+            let [_, same] = self.noise(expansion.start, &states, order)?;
+            let same = if same.is_finite() { same } else { 0.0 };
+            self.offset = Some(self.layout.rounding.draw(same, NUMBERS) * same);
+        }
+        Ok(())
+    }
+
     /// Value at the start of an expansion: at the rounded states, and what the compensations add to first order.
     fn start(&mut self, expansion: &Expansion, compensation: &[f64], order: usize) -> Result<f64, Reason> {
         let compensations: Vec<f64> = self.states.iter().map(|state| compensation[*state]).collect();
         let states: Vec<f64> = self.states.iter().map(|state| expansion.states[*state][0]).collect();
+        let offset = self.offset.unwrap_or(0.0);
         let jets = self.jets(order)?;
         jets.start(expansion.start, &states, Branches::Free);
         if order == 0 || compensations.iter().all(|compensation| *compensation == 0.0) {
-            return Ok(jets.value_of(0));
+            return Ok(jets.value_of(0) + offset);
         }
         for (leaf, compensation) in compensations.iter().chain([&0.0]).enumerate() {
             jets.set(leaf, 1, *compensation);
         }
         jets.extend(1);
-        Ok(jets.output(0)[0] + jets.output(0)[1])
+        Ok(jets.output(0)[0] + (jets.output(0)[1] + offset))
     }
 
     /// Its series along an expansion whose start it was just evaluated at.
@@ -332,6 +356,6 @@ impl Watch {
         let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
         let jets = self.jets.as_mut().expect("a near lazy_guard was evaluated");
         jets.start(time, &states, Branches::Free);
-        jets.value_of(0)
+        jets.value_of(0) + self.offset.unwrap_or(0.0)
     }
 }

@@ -152,10 +152,6 @@ impl<'a> Watched<'a> {
 pub(crate) struct Blur {
     /// By how much it may have moved it, s.
     pub(crate) time: f64,
-    /// What of that is the same at every crossing of this guard, s.
-    pub(crate) same: f64,
-    /// The guard, by its index.
-    pub(crate) guard: usize,
     /// How fast the rate grows at which what ends it is crossed, relative, 1/s.
     pub(crate) growth: f64,
 }
@@ -211,8 +207,8 @@ impl Engine {
         let rate = expansion.time.as_ref().map_or(1.0, |series| polynomial::slope(series, length));
         let mut worst = Blur::default();
         for guard in guards {
-            let ([noise, same], series) = match guard.checked_sub(self.system.guards) {
-                None => ([self.rounded.value_of(first + guard).noise(), 0.0], expansion.guards.get(guard)),
+            let (noise, series) = match guard.checked_sub(self.system.guards) {
+                None => (self.rounded.value_of(first + guard).noise(), expansion.guards.get(guard)),
                 Some(lazy) => {
                     let near = expansion.near.iter().find(|(index, _)| *index == lazy);
                     (self.lazy_guards.noise(lazy, time, states)?, near.map(|(_, series)| series))
@@ -223,8 +219,7 @@ impl Engine {
             let [slope, bend] = [1, 2].map(|power| ahead.get(power).copied().unwrap_or(0.0));
             let moved = (noise / slope.abs()).min((noise / bend.abs()).sqrt()) * rate;
             if moved.is_finite() && moved >= worst.time {
-                let same = if noise > 0.0 { moved * (same / noise) } else { 0.0 };
-                worst = Blur { time: moved, same, guard, growth: 2.0 * bend / (slope * rate) };
+                worst = Blur { time: moved, growth: 2.0 * bend / (slope * rate) };
             }
         }
         Ok(worst)

@@ -151,10 +151,14 @@ impl<'a> Settling<'a> {
             lowest,
         };
         let stands = |position: usize| self.stands(position) && self.part.contains(&position);
-        let moving = |values: &DVector<f64>| {
-            DVector::from_fn(values.len(), |i, _| if stands(i) { 0.0 } else { values[i] })
+        // What closes now has no gap but for rounding, which late in a Zeno sequence is as large as the bounces.
+        let touches = |position: usize| {
+            self.part.contains(&position) && self.touch.gap[position].abs() <= self.touch.blur[position]
         };
-        let time = zeno.remaining(&pick(&moving(&self.touch.gap)), &pick(&moving(&self.touch.rate)))?;
+        let Touch { gap, rate, .. } = &self.touch;
+        let gap = DVector::from_fn(gap.len(), |i, _| if stands(i) || touches(i) { 0.0 } else { gap[i] });
+        let rate = DVector::from_fn(rate.len(), |i, _| if stands(i) { 0.0 } else { rate[i] });
+        let time = zeno.remaining(&pick(&gap), &pick(&rate))?;
         let others = (0..self.touch.pairs.len()).filter(|position| !members.contains(position));
         let undisturbed = others.into_iter().all(|position| self.stays_apart(position, UNDISTURBED * time));
         undisturbed.then_some((members, time))

@@ -4,13 +4,10 @@ use tumble_expr::{LEFT_OUT, is_short, rounded_sum};
 
 use super::Solver;
 use crate::engine::Engine;
-use crate::whole::Blur;
 use crate::{Cause, Hybrid};
 
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
-/// What the draws for guards are told apart by from those for other numbers.
-const SAME: f64 = std::f64::consts::E;
 
 impl<H: Hybrid> Solver<'_, H> {
     /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.
@@ -49,12 +46,9 @@ impl<H: Hybrid> Solver<'_, H> {
         }
     }
 
-    /// By how much an event comes late, s: by what is the same at every crossing of a guard, which has a draw of its own, and by
-    /// what is not.
+    /// By how much an event comes late, s.
     fn late(&self, causes: &[Cause]) -> f64 {
-        let Blur { time, same, guard, .. } = self.blur;
-        let drawn = |of: f64, key: u64| LEFT_OUT * self.rounding.draw(of, key);
-        drawn(SAME, guard as u64) * same + drawn(self.time, LATE) * (time - same).max(self.rounded(causes))
+        LEFT_OUT * self.rounding.draw(self.time, LATE) * self.blur.time.max(self.rounded(causes))
     }
 
     /// What rounding makes of the time of an event, s; scheduled times are moved already.
