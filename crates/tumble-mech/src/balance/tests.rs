@@ -4,6 +4,8 @@ use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_ode::{Accuracy, Direction, Side};
 
+use crate::balance::lines::Lines;
+use crate::balance::quadrature::Quadrature;
 use crate::{
     Action, Anchor, Body, ContactLaw, Contribution, Event, Gravity, Kind, Model, Run, RunBalance, Spring,
     Start, Surface, time,
@@ -51,6 +53,32 @@ fn vertical() -> Model {
 
 fn here(x: f64, y: f64) -> Vector {
     Vector::planar(x * M, y * M)
+}
+
+/// Far from the origin a spring's force is a difference of large numbers: its power is no smaller than what rounding makes of that,
+/// and is not looked at more closely.
+#[test]
+fn sums_of_rounding_errors_are_not_refined() {
+    let mut model = Model::new();
+    let ball = model.add(Body::point("ball").mass(1 * KG));
+    let rest = 1e6 * M;
+    let pull = -(&ball.kinematics().position().components()[0] - &rest) * (1 * N / M);
+    model.force("spring", &ball.cm(), Vector::planar(pull, 0 * N));
+    model.starts.push((ball.name, Start::default().at([rest - 1e-6 * M, 0 * M])));
+    let run = run(model, 1.0, 1e-9);
+    let piece = &run.trajectory.pieces[0];
+    let mode = &run.trajectory.modes[piece.mode];
+    let lines = Lines::new(&run.equations, &[], mode, &run.inputs, &here(0.0, 0.0));
+    let mut lines = lines.expect("lines that compile");
+    let mut samples = 0;
+    let mut along = lines.along(piece);
+    let mut sample = |s: f64| {
+        samples += 1;
+        along(s)
+    };
+    let found = Quadrature::new().integrate([0.0, piece.length], &mut sample, &mut |_, _| ());
+    found.expect("finite powers");
+    assert!(samples < 100, "{samples}");
 }
 
 /// A mass of 2 kg on a line, between a wall and its rest place at 1 m, started at 1.5 m.

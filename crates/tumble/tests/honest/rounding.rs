@@ -1,6 +1,6 @@
 //! Motions that make much of rounding errors: what is stated grows with what they come to.
 
-use std::f64::consts::SQRT_2;
+use std::f64::consts::{PI, SQRT_2};
 
 use crate::ask::{are, flight, force, scene};
 
@@ -169,5 +169,26 @@ fn the_work_within_a_short_window_is_rounded() {
         let kicked = format!("[parameters]\nstart = \"{start} s\"\n{window}");
         let found = flight(&kicked).until("955.96 s").ask(["push.work"]);
         found[0].is(0.5 * (59.0_f64 * 59.0 - 1.0), 1e-5);
+    }
+}
+
+/// What starts by a sum far away is rounded before the first step, and all that happens within that step with it.
+#[test]
+fn the_first_passing_of_a_spring_far_away_is_rounded() {
+    let (omega, speed, place) = (5.2e-5_f64, -7.6e-5, -2.4314);
+    for number in 0..100 {
+        let offset = -2.2 - 0.001 * f64::from(number);
+        let swing = format!(
+            "[parameters]\nanchor = \"8800 m\"\noffset = \"{offset:.3} m\"\n\
+             [body.p]\npoint = {{}}\nmass = \"1 kg\"\n\
+             start = {{ at = [\"anchor + offset\", 0], velocity = [\"{speed} m/s\", 0] }}\n\
+             [event.pass]\nwhen = \"p.x - anchor rises through {place} m\"\n{}",
+            force("-(2.704e-9 kg/s^2)*(p.x - anchor)")
+        );
+        let (amplitude, late) = (offset.hypot(speed / omega), (speed / omega).atan2(offset));
+        let time = (late.rem_euclid(2.0 * PI) - (place / amplitude).acos()) / omega;
+        let found = scene(&swing).until("1e5 s").accuracy(1e-8).ask(["t at pass[1]", "p.vx at pass[1]"]);
+        found[0].is(time, 1e-6);
+        found[1].is(omega * (amplitude * amplitude - place * place).sqrt(), 1e-14);
     }
 }

@@ -116,6 +116,26 @@ fn of_the_limit_of_bounces_down_a_slope() {
     }
 }
 
+/// Late bounces are lower than the rounding of their place, which is the same at all of them: their times are known all the same.
+#[test]
+fn of_bounces_lower_than_their_place_is_known() {
+    let (gravity, fall) = (9.1e-10, 1.6_f64);
+    // Both ends of the rod strike at once.
+    let shapes = [("point = {}", 15), ("rod = { from = [0, 0], to = [\"0.3 m\", 0] }", 29)];
+    for (shape, contact) in shapes {
+        let scene = scene(&format!(
+            "[parameters]\nheight = \"46.221 m\"\n[body.p]\n{shape}\nmass = \"1 kg\"\n\
+             start = {{ at = [0, \"height + 1.6 m\"] }}\n\
+             [surface.floor]\nthrough = [0, \"height\"]\nrigid = {{ restitution = 0.5 }}\n\
+             [force.weight]\non = \"p\"\nat = \"p.cm\"\nforce = [0, \"-9.1e-10 N\"]\n"
+        ));
+        let first = (2.0 * fall / gravity).sqrt();
+        let case = scene.until("2e5 s").accuracy(1e-7).run(&[&format!("floor.contact[{contact}].start")]);
+        Found::of(&case.finds[0]).is(first * (1.0 + 2.0 * (1.0 - 0.5_f64.powi(14))), 1e-8);
+        rest(&case).is(3.0 * first, 1e-8);
+    }
+}
+
 /// A claim that is not known to hold says so, also of a time.
 #[test]
 fn a_claim_on_a_time_is_doubted() {

@@ -122,6 +122,24 @@ impl Setup {
         self.named(name, text, value)
     }
 
+    /// Quantities near sizes in the problem's own size that something is true of together.
+    pub(crate) fn fit_all<const N: usize>(
+        &mut self,
+        names: [&str; N],
+        measure: Measure,
+        sizes: impl Fn(&mut Draw) -> [f64; N],
+        is_fit: impl Fn([&Real; N]) -> bool,
+    ) -> [Given; N] {
+        loop {
+            let sizes = sizes(&mut self.draw);
+            let found = sizes.map(|size| self.quantity(size * self.units.size(measure), measure));
+            if is_fit(found.each_ref().map(|(_, value)| value)) {
+                let mut names = names.into_iter();
+                return found.map(|(text, value)| self.named(names.next().unwrap_or_default(), text, value));
+            }
+        }
+    }
+
     /// A time that something is true of, of those near to what `size` draws, s; `None` where none is found.
     pub(crate) fn time(
         &mut self,

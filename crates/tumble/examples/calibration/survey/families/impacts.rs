@@ -15,6 +15,7 @@
 //! Newton's law of restitution; the sum of a geometric series.
 
 use super::super::bounces::{Bounces, Hit};
+use super::super::draw::Draw;
 use super::super::real::Real;
 use super::super::setup::{At, Given, Problem, Setup};
 use super::super::units::{ACCELERATION, ENERGY, LENGTH, MASS, NUMBER, RATE, SPEED, TIME};
@@ -89,12 +90,14 @@ impl Scene {
     fn random(setup: &mut Setup, slope: Given, radius: Real) -> Self {
         let (mass, gravity) = (setup.given("mass", 1.0, MASS), setup.given("g", 1.0, ACCELERATION));
         let foot = ["foot_x", "foot_y"].map(|name| setup.shift(name));
-        let above = radius.to_f64() / setup.units.size(LENGTH) + setup.draw.log_between(0.05, 3.0);
-        let along = setup.draw.between(-1.0, 1.0);
+        let least = radius.to_f64() / setup.units.size(LENGTH);
         let (sine, cosine) = slope.near().sin_cos();
-        let offset =
-            [("offset_x", along * cosine - above * sine), ("offset_y", along * sine + above * cosine)]
-                .map(|(name, size)| setup.given(name, size, LENGTH));
+        let drawn = |draw: &mut Draw| {
+            let (above, along) = (least + draw.log_between(0.05, 3.0), draw.between(-1.0, 1.0));
+            [along * cosine - above * sine, along * sine + above * cosine]
+        };
+        let is_above = |place: [&Real; 2]| (&turned(place, &slope.value)[0] - &radius).sign() > 0;
+        let offset = setup.fit_all(["offset_x", "offset_y"], LENGTH, drawn, is_above);
         let speeds = [0; 2].map(|_| setup.draw.between(-1.0, 1.0));
         let velocity =
             [("vx", speeds[0]), ("vy", speeds[1])].map(|(name, size)| setup.given(name, size, SPEED));
