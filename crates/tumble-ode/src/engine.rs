@@ -9,8 +9,8 @@ use crate::enclosure::Enclosure;
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
 use crate::invariants::Invariants;
-use crate::lazy_guards::{self, LazyGuards};
-use crate::polynomial;
+use crate::lazy_guards::{self, BETTER, LazyGuards};
+use crate::polynomial::{self, slope, value};
 use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
 use crate::scale::Scales;
@@ -210,6 +210,32 @@ impl Engine {
         let now = (time, states, false);
         let found = expand(&self.system, &mut self.jets, self.order, frozen, now, off).ok()?;
         self.wrong_side(&found, time).is_none().then_some(found)
+    }
+
+    /// How much later than `s` a guard is zero by its value, where its series misses that: the terms of a long step's series are
+    /// larger than their sum, and at a modest accuracy they end early.
+    pub(crate) fn delay(
+        &mut self,
+        guard: usize,
+        expansion: &Expansion,
+        s: f64,
+        scales: &Scales,
+    ) -> Option<f64> {
+        if let Some(lazy) = guard.checked_sub(self.system.guards) {
+            return self.lazy_guards.delay(lazy, expansion, s, scales);
+        }
+        let here = self.guard_at(guard, expansion, s);
+        let delay = -here / slope(&expansion.guards[guard], s);
+        let is_better = |then: f64| then.abs() < here.abs() * BETTER;
+        (s + delay > 0.0 && is_better(self.guard_at(guard, expansion, s + delay))).then_some(delay)
+    }
+
+    /// Value of a guard at the states that the series come to.
+    fn guard_at(&mut self, guard: usize, expansion: &Expansion, s: f64) -> f64 {
+        let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
+        let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
+        self.values.start(time, &states, Branches::Frozen(&self.branch_signs.signs));
+        self.values.value_of(self.system.len() + usize::from(self.system.transformed) + guard)
     }
 
     /// Moves to the segment ahead where an argument stands on a knot. Whether it moved at all.

@@ -32,9 +32,9 @@ const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What a check run adds to each rate, in units of what rounding may have made of it, ...
-const RATE_ROUNDING: f64 = 0.5;
+const RATE_ROUNDING: f64 = 0.4;
 /// ... and to each state in a step, in units of eps times its change, which is added up with care.
-const CHANGE_ROUNDING: f64 = 0.125;
+const CHANGE_ROUNDING: f64 = 0.1;
 /// A check run rests only where its rates are less than this part of their rounding errors: less than any number is moved by, so
 /// that a balance that rounding would upset is not taken for rest.
 const STILL_PART: f64 = 0.25;

@@ -8,8 +8,9 @@ use std::sync::OnceLock;
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{DBig, FBig};
 
-/// Bits of every number: seventy digits and more, of which cancellation and growth may take forty.
-const PRECISION: usize = 256;
+/// Bits of every number: a hundred and fifty digits, of which cancellation and growth may take a hundred and twenty: what decays
+/// for long is a difference of what does not.
+const PRECISION: usize = 512;
 /// Digits to which a decimal number is read; those written in scenes have a dozen at most.
 const DIGITS: usize = 80;
 
