@@ -178,7 +178,8 @@ impl Engine {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
-            let expansion = expand(&self.system, &mut self.jets, self.order, frozen, (time, states, true), off)?;
+            let expansion =
+                expand(&self.system, &mut self.jets, self.order, frozen, (time, states, true), off)?;
             self.watch_scales(&expansion);
             if self.enter_segments(&expansion) {
                 continue;
