@@ -14,6 +14,8 @@ mod twist;
 mod walls;
 mod windows;
 
+use std::panic::catch_unwind;
+
 use super::draw::Draw;
 use super::setup::{Problem, Setup};
 
@@ -46,12 +48,20 @@ pub(crate) const FAMILIES: &[Family] = &[
     Family { name: "switches", make: switches::make },
 ];
 
+/// What the number of a problem that is drawn anew is raised by.
+const ANEW: u64 = 1 << 32;
+
 /// The index of the family of a name.
 pub(crate) fn named(name: &str) -> Option<usize> {
     FAMILIES.iter().position(|family| family.name == name)
 }
 
-/// A problem by the seed of its survey, its family and its number.
+/// A problem by the seed of its survey, its family and its number. Numbers that are written with few digits may make none, such as
+/// a speed of zero where an answer is divided by it: then they are drawn anew.
 pub(crate) fn problem(seed: u64, family: usize, index: u64) -> Problem {
-    (FAMILIES[family].make)(Setup::new(Draw::of(seed, family as u64, index)))
+    let drawn = |attempt: u64| {
+        let draw = Draw::of(seed, family as u64, index + attempt * ANEW);
+        catch_unwind(|| (FAMILIES[family].make)(Setup::new(draw))).ok()
+    };
+    (0..).find_map(drawn).expect("one of many draws makes a problem")
 }
