@@ -61,14 +61,14 @@ impl Equations {
             match cause {
                 Cause::Scheduled(index) => self.pass_time(*index, &mut jump),
                 Cause::Guard(guard) if *guard < self.model().events.len() => {
-                    self.pass_event(*guard, &mut jump);
+                    self.pass_event(*guard, at, &mut jump)?;
                 }
                 Cause::Guard(_) | Cause::LazyGuard(_) | Cause::Wake => {}
             }
         }
         let impulses = self.switch_contacts(at, &mut jump)?;
         for event in self.carried_across(at, &jump)? {
-            self.pass_event(event, &mut jump);
+            self.pass_event(event, at, &mut jump)?;
         }
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
@@ -84,7 +84,7 @@ impl Equations {
         }
     }
 
-    fn pass_event(&self, index: usize, jump: &mut Jump<Mode>) {
+    fn pass_event(&self, index: usize, at: &Crossing<'_, Mode>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let event = &self.model().events[index];
         jump.tags.push(event.name.clone());
         match &event.action {
@@ -94,11 +94,20 @@ impl Equations {
         }
         for (window, of) in self.windows().iter().enumerate() {
             for (end, moment) in of.during.iter().enumerate() {
-                if matches!(moment, Moment::Event(name) if *name == event.name) {
+                let is_this = matches!(moment, Moment::Event(name) if *name == event.name);
+                if is_this && !(end == 0 && self.is_over(window, at)?) {
                     self.switch(window, end == 0, jump);
                 }
             }
         }
+        Ok(())
+    }
+
+    /// Whether a window would end at a time that has passed.
+    fn is_over(&self, window: usize, at: &Crossing<'_, Mode>) -> Result<bool, Reason> {
+        let mut ends = self.windows()[window].times().filter(|(ends, _)| *ends).map(|(_, time)| time.clone());
+        let Some(end) = ends.next() else { return Ok(false) };
+        Ok(self.values(&[end], at.mode, at.time, at.states, at.inputs)?[0] <= at.time)
     }
 
     fn switch(&self, window: usize, acts: bool, jump: &mut Jump<Mode>) {

@@ -430,13 +430,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
     }
 
-    /// A step to where the lazily evaluated guard that cuts it is zero by its value.
+    /// A step to where the guard that cuts it is zero by its value.
     fn polished(&mut self, mode: usize, expansion: &Expansion, step: Step, end: f64) -> Step {
-        let Engine { system, lazy_guards, .. } = &mut self.engines[mode];
-        let lazy_guard =
-            |hit: &Hit| if let Hit::Guard(guard) = hit { guard.checked_sub(system.guards) } else { None };
-        let hit = step.hits.iter().find_map(lazy_guard);
-        match hit.and_then(|hit| lazy_guards.delay(hit, expansion, step.length, &self.scales)) {
+        let guard = |hit: &Hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None };
+        let hit = step.hits.iter().find_map(guard);
+        match hit.and_then(|guard| self.engines[mode].delay(guard, expansion, step.length, &self.scales)) {
             None => step,
             Some(delay) => Step { hits: step.hits, ..self.fit(expansion, step.length + delay, end) },
         }

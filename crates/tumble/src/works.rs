@@ -38,6 +38,8 @@ impl Works {
             None => None,
         };
         let [here, before] = around(solution, &mut balance, at)?;
+        let whole = balance.contributions.iter().zip(&reading.work);
+        let rounding: Vec<f64> = whole.map(|(contribution, work)| contribution.rounding(*work)).collect();
         let work = |symbol: Symbol| {
             let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
             let sum = |of: &[f64]| -> f64 {
@@ -49,7 +51,7 @@ impl Works {
             };
             let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
             let (done, error) = (sum(&reading.work), errors.as_deref().map(sum));
-            (symbol.clone(), Work { done, error, blur: moved })
+            (symbol.clone(), Work { done, error, blur: moved + sum(&rounding) })
         };
         Ok(Some(Self { known: symbols.into_iter().map(work).collect() }))
     }

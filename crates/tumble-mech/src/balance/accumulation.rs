@@ -39,6 +39,8 @@ pub(super) struct Accumulation<'a> {
     pub(super) keys: Vec<Key>,
     known: HashMap<Key, usize>,
     sums: Vec<[Sum; 4]>,
+    /// Sums of the sizes of what works of impacts are differences of, J.
+    sizes: Vec<f64>,
     /// Sums at the start of each piece; contributions that came later are not there yet.
     marks: Vec<Vec<Amounts>>,
 }
@@ -56,6 +58,7 @@ impl<'a> Accumulation<'a> {
             keys: vec![],
             known: HashMap::new(),
             sums: vec![],
+            sizes: vec![],
             marks: vec![],
         }
     }
@@ -130,6 +133,13 @@ impl<'a> Accumulation<'a> {
         self.sums[contribution].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(amount));
     }
 
+    /// Adds the work and the impulses of an impact; its work is a difference of numbers of that size, J.
+    pub(super) fn add_impact(&mut self, key: Key, amounts: Amounts, size: f64) {
+        let contribution = self.contribution(key.clone());
+        self.sizes[contribution] += size;
+        self.add(key, amounts);
+    }
+
     /// Raises the largest sizes.
     pub(super) fn watch(&mut self, stored: &Stored) {
         let Largest { energy, kinetic, momentum, angular } = &mut self.largest;
@@ -146,16 +156,18 @@ impl<'a> Accumulation<'a> {
 
     /// The contributions as they stand.
     pub(super) fn contributions(&self) -> Vec<Contribution> {
-        let contribution = |(key, [work, x, y, angular_impulse]): (&Key, Amounts)| Contribution {
-            load: key.load.clone(),
-            law: key.law,
-            body: key.body,
-            kind: key.kind,
-            work,
-            impulse: [x, y],
-            angular_impulse,
-        };
-        self.keys.iter().zip(self.totals()).map(contribution).collect()
+        let contribution =
+            |((key, [work, x, y, angular_impulse]), size): ((&Key, Amounts), &f64)| Contribution {
+                load: key.load.clone(),
+                law: key.law,
+                body: key.body,
+                kind: key.kind,
+                work,
+                operands: *size,
+                impulse: [x, y],
+                angular_impulse,
+            };
+        self.keys.iter().zip(self.totals()).zip(&self.sizes).map(contribution).collect()
     }
 
     fn prepare(&mut self, mode: usize) -> Result<(), Reason> {
@@ -176,6 +188,7 @@ impl<'a> Accumulation<'a> {
         self.known.insert(key.clone(), self.keys.len());
         self.keys.push(key);
         self.sums.push([Sum::default(); 4]);
+        self.sizes.push(0.0);
         self.keys.len() - 1
     }
 

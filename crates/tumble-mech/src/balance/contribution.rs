@@ -2,6 +2,9 @@
 
 use crate::term::Law;
 
+/// Rounding errors of a work, relative: a few ulps.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// What kind of change a contribution stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -33,6 +36,8 @@ pub struct Contribution {
     pub kind: Kind,
     /// Work on the body, J, positive where it gains energy; for a store, what it gains.
     pub work: f64,
+    /// Of impacts, the size of what their work in the whole run is a difference of, J; zero for others.
+    pub operands: f64,
     /// Impulse on the body, N s, world axes.
     pub impulse: [f64; 2],
     /// Angular impulse on the body about the balance's point, N m s, counter-clockwise positive.
@@ -40,6 +45,11 @@ pub struct Contribution {
 }
 
 impl Contribution {
+    /// What rounding may have made of its work, J, where that is `work`.
+    pub fn rounding(&self, work: f64) -> f64 {
+        ROUNDING * work.abs().max(self.operands)
+    }
+
     /// Whether its work changes the total energy: that of a potential only moves it.
     pub fn counts(&self) -> bool {
         self.kind != Kind::Conservative

@@ -103,7 +103,13 @@ impl Accumulation<'_> {
         let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
         let law = Some(if is_pair { Law::Contact } else { Law::Reaction });
         let (load, body) = (impulse.load.clone(), Some(impulse.body));
-        self.add(Key { load, law, body, kind: Kind::Impact }, [jx * vx + jy * vy, jx, jy, angular]);
+        let speed = |motion: &Motion| {
+            let velocity = libm::hypot(motion.velocity[0], motion.velocity[1]);
+            velocity + motion.omega.abs() * libm::hypot(rx, ry)
+        };
+        let size = 0.5 * libm::hypot(jx, jy) * (speed(old) + speed(new));
+        let amounts = [jx * vx + jy * vy, jx, jy, angular];
+        self.add_impact(Key { load, law, body, kind: Kind::Impact }, amounts, size);
         [jx, jy, rx * jy - ry * jx]
     }
 

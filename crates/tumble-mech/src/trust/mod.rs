@@ -51,7 +51,7 @@ use std::ops::ControlFlow;
 use tumble_expr::Expr;
 use tumble_ode::{Accuracy, Side};
 
-use crate::balance::RunBalance;
+use crate::balance::{Contribution, RunBalance};
 use crate::coordinates::Measure;
 use crate::model::Model;
 use crate::parameters::Parameters;
@@ -237,14 +237,15 @@ impl Trust {
         side: Side,
     ) -> Result<Option<Vec<f64>>, RunError> {
         let Some(here) = balance.at(time, side)?.filter(|_| time <= self.end()) else { return Ok(None) };
-        let mut errors: Vec<f64> = here.work.iter().map(|work| ULPS * f64::EPSILON * work.abs()).collect();
+        let rounding = |(work, whole): (&f64, &Contribution)| whole.rounding(*work);
+        let rounding: Vec<f64> = here.work.iter().zip(&balance.contributions).map(rounding).collect();
+        let mut errors = rounding.clone();
         for check in &self.checks {
             let Some(differences) = check.work_differences(balance, &here.work, (time, side))? else {
                 return Ok(None);
             };
             for (index, difference) in differences.into_iter().enumerate() {
-                let rounding = ULPS * f64::EPSILON * here.work[index].abs();
-                errors[index] = errors::larger(errors[index], check.safety * difference + rounding);
+                errors[index] = errors::larger(errors[index], check.safety * difference + rounding[index]);
             }
         }
         Ok(Some(errors))

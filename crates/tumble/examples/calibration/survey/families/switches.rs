@@ -81,6 +81,9 @@ impl Run {
     }
 }
 
+/// A force acts for at least this part of what is left of the run: none would last long enough that begins when it ends.
+const SHORTEST: f64 = 1e-6;
+
 /// A force from the place on, to a time.
 fn window(setup: &mut Setup, run: &Run) {
     let there = run.there.to_f64();
@@ -88,7 +91,7 @@ fn window(setup: &mut Setup, run: &Run) {
     let end = setup.time(
         "end",
         |draw| there + rest * draw.log_between(1e-3, 1.0),
-        |time| *time > run.there && *time < run.until.value,
+        |time| (time - &run.there).to_f64() > SHORTEST * rest && *time < run.until.value,
     );
     let end = end.unwrap_or_else(|| run.until.clone());
     let impulse = Real::of(setup.draw.sign() * setup.draw.log_between(IMPULSES[0], IMPULSES[1]));

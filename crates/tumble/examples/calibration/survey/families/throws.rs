@@ -84,13 +84,16 @@ fn ask_top(setup: &mut Setup, throw: &Throw) {
     setup.ask("rod.angle", At::After("top".into()), &angle, NUMBER);
 }
 
+/// A height that is this part of the greatest below it is touched and not passed, within rounding.
+const GRAZES: f64 = 1e-12;
+
 /// A height that is passed up and down.
 fn ask_height(setup: &mut Setup, throw: &Throw, until: &Given) {
     let speed = &throw.velocity[1].value;
     let most = speed.squared() / &throw.gravity.value / 2;
     let part = setup.draw.between(0.01, 0.99);
     let height = setup.near("height", &(&most * Real::of(part)), LENGTH);
-    if height.value >= most || height.value.sign() <= 0 {
+    if (&most - &height.value).to_f64() <= GRAZES * most.to_f64() || height.value.sign() <= 0 {
         return;
     }
     setup.write(&format!(
