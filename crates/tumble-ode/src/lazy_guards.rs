@@ -24,8 +24,8 @@ const SLACK: f64 = 4.0;
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Rounding errors of a value, in units of the last place of the lengths it is the difference of.
 const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// A corrected zero is to leave less than this part of the value: what does not come down so far is rounding, or no simple zero.
-pub(crate) const BETTER: f64 = 0.1;
+/// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
+pub(crate) const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
 /// What the draws for guards are told apart by from those for other numbers.

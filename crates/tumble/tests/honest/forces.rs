@@ -55,3 +55,15 @@ fn a_pulse_beside_a_soft_spring() {
     let vx = 0.1_f64.cos() + kick * 0.067_f64.cos();
     flight(&format!("{soft}{}", force(PULSE))).ask(["p.vx"])[0].is(vx, 1e-8);
 }
+
+/// A force that an event begins and a time ends does not begin once that time has come.
+#[test]
+fn a_force_that_begins_after_its_end_does_not_act() {
+    for (end, speed) in [("3 s", 1.0), ("5 s", 1.0), ("7 s", 3.0)] {
+        let pushed = format!(
+            "[event.there]\nwhen = \"p.x rises through 5 m\"\n{}during = [\"there\", \"{end}\"]\n",
+            force("1 N")
+        );
+        flight(&pushed).ask(["p.vx"])[0].is(speed, 1e-12);
+    }
+}

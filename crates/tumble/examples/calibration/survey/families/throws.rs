@@ -13,6 +13,8 @@
 //!
 //! Galilei, Discorsi, fourth day; Landau and Lifshitz, Mechanics, § 21.
 
+use std::f64::consts::TAU;
+
 use super::super::real::Real;
 use super::super::setup::{At, Given, Problem, Setup};
 use super::super::units::{ACCELERATION, LENGTH, MASS, NUMBER, SPEED, STIFFNESS, TIME};
@@ -158,15 +160,13 @@ pub(super) fn swing(mut setup: Setup) -> Problem {
     let [x, v] = wave.at(&until.value);
     setup.ask("p.vx", At::End, &v, SPEED);
     setup.ask(&format!("p.x - {anchor}"), At::End, &x, LENGTH);
-    if size > 1.1 {
+    // As it is written, with few digits.
+    if (&until.value * &wave.frequency).to_f64() > 1.1 * TAU {
         setup.ask("p.x", At::Greatest(None), &(&anchor.value + &wave.amplitude), LENGTH);
         setup.ask("p.vx", At::Least(None), &-(&wave.amplitude * &wave.frequency), SPEED);
     }
     setup.problem("0 m/s^2", &until)
 }
-
-/// A phase that is zero but for the rounding of the closed form.
-const AT_ONCE: f64 = 1e-40;
 
 /// A cos(w t - p)
 struct Wave {
@@ -192,9 +192,7 @@ impl Wave {
         let first = &self.phase - (Real::pi() / 2 - part.asin());
         let turn = Real::pi() * 2;
         let all = (-1..).map(|count| (&first + &turn * count) / &self.frequency);
-        // What begins there does not come there then.
-        let begins = Real::of(AT_ONCE) / &self.frequency;
-        all.skip_while(|time| *time <= begins).take_while(|time| time < until).collect()
+        all.skip_while(|time| time.sign() <= 0).take_while(|time| time < until).collect()
     }
 }
 
@@ -202,7 +200,9 @@ fn ask_passing(setup: &mut Setup, wave: &Wave, anchor: &Given, until: &Given) {
     let size = Real::of(setup.draw.between(-0.98, 0.98));
     let place = setup.near("place", &(&wave.amplitude * size), LENGTH);
     let part = &place.value / &wave.amplitude;
-    if part.abs() >= Real::from(1) {
+    let from = (&wave.at(&Real::from(0))[0] / &wave.amplitude - &part).abs();
+    // Where it begins at the place, rounding decides whether it comes there.
+    if part.abs() >= Real::from(1) || from.to_f64() <= GRAZES {
         return;
     }
     setup.write(&format!(
