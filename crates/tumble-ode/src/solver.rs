@@ -31,9 +31,7 @@ const SHORT_PART: f64 = 1e-6;
 const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
-/// What a check run adds to each rate, in units of what rounding may have made of it, ...
-const RATE_ROUNDING: f64 = 0.4;
-/// ... and to each state in a step, in units of eps times its change, which is added up with care.
+/// What a check run adds to each state in a step, in units of eps times its change, which is added up with care.
 const CHANGE_ROUNDING: f64 = 0.1;
 /// A check run rests only where its rates are less than this part of their rounding errors: less than any number is moved by, so
 /// that a balance that rounding would upset is not taken for rest.
@@ -294,17 +292,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     fn expand(&mut self, mode: usize) -> Result<Expansion, Reason> {
         let off = self.off();
         self.engines[mode].expand((self.time, &self.states), &off, &mut self.trajectory.work)
-    }
-
-    /// What each rate is off by in this step, rounded in another way: a force that is off by it acts on all that follows from it.
-    fn off(&self) -> Vec<f64> {
-        if self.rounding.is_nearest() {
-            return vec![];
-        }
-        let rates = self.states.iter().zip(&self.noise.rates).enumerate();
-        rates
-            .map(|(state, (value, error))| self.rounding.draw(*value, state as u64) * RATE_ROUNDING * error)
-            .collect()
     }
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.

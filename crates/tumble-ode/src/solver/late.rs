@@ -1,4 +1,4 @@
-//! What rounding makes of the states at an event, which comes a little early or late.
+//! What rounding makes of the rates in a step, and of the states at an event, which comes a little early or late.
 
 use tumble_expr::{LEFT_OUT, is_short, rounded_sum};
 
@@ -6,10 +6,23 @@ use super::Solver;
 use crate::engine::Engine;
 use crate::{Cause, Hybrid};
 
+/// What a check run adds to each rate, in units of what rounding may have made of it.
+const RATE_ROUNDING: f64 = 0.4;
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
 
 impl<H: Hybrid> Solver<'_, H> {
+    /// What each rate is off by in this step, rounded in another way: a force that is off by it acts on all that follows from it.
+    pub(super) fn off(&self) -> Vec<f64> {
+        if self.rounding.is_nearest() {
+            return vec![];
+        }
+        let rates = self.states.iter().zip(&self.noise.rates).enumerate();
+        rates
+            .map(|(state, (value, error))| self.rounding.draw(*value, state as u64) * RATE_ROUNDING * error)
+            .collect()
+    }
+
     /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.
     ///
     /// An event that rounding of its time, or of the function that was crossed, puts off by dt leaves the states off by
