@@ -9,8 +9,8 @@ use crate::enclosure::Enclosure;
 use crate::expansion::{Expansion, Frozen, Turn, expand};
 use crate::hybrid::Direction;
 use crate::invariants::Invariants;
-use crate::lazy_guards::{self, BETTER, LazyGuards};
-use crate::polynomial::{self, slope, value};
+use crate::lazy_guards::{self, LazyGuards};
+use crate::polynomial::{self, value};
 use crate::radius::{of_own_size, of_series};
 use crate::roots::roots;
 use crate::scale::Scales;
@@ -225,10 +225,7 @@ impl Engine {
         if let Some(lazy) = guard.checked_sub(self.system.guards) {
             return self.lazy_guards.delay(lazy, expansion, s, scales);
         }
-        let here = self.guard_at(guard, expansion, s);
-        let delay = -here / slope(&expansion.guards[guard], s);
-        let is_better = |then: f64| then.abs() < here.abs() * BETTER;
-        (s + delay > 0.0 && is_better(self.guard_at(guard, expansion, s + delay))).then_some(delay)
+        lazy_guards::delay(&expansion.guards[guard], s, |s| self.guard_at(guard, expansion, s))
     }
 
     /// Value of a guard at the states that the series come to.

@@ -25,7 +25,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Rounding errors of a value, in units of the last place of the lengths it is the difference of.
 const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
-pub(crate) const BETTER: f64 = 0.5;
+const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
 /// What the draws for guards are told apart by from those for other numbers.
@@ -190,11 +190,16 @@ impl LazyGuards {
     ) -> Option<f64> {
         let (_, series) = expansion.near.iter().find(|(near, _)| *near == index)?;
         let watch = &mut self.all[index];
-        let here = watch.value(expansion, s);
-        let delay = -here / slope(series, s);
-        let is_told = here.abs() > VALUE_ROUNDING * scales.of(watch.group) && s + delay > 0.0;
-        (is_told && watch.value(expansion, s + delay).abs() < here.abs() * BETTER).then_some(delay)
+        let is_told = watch.value(expansion, s).abs() > VALUE_ROUNDING * scales.of(watch.group);
+        delay(series, s, |s| watch.value(expansion, s)).filter(|_| is_told)
     }
+}
+
+/// How much later than `s` a guard with this series is zero by its value, where that brings it nearer to zero.
+pub(crate) fn delay(series: &[f64], s: f64, mut at: impl FnMut(f64) -> f64) -> Option<f64> {
+    let here = at(s);
+    let delay = -here / slope(series, s);
+    (s + delay > 0.0 && at(s + delay).abs() < here.abs() * BETTER).then_some(delay)
 }
 
 /// Reach of the near ones' expansions.

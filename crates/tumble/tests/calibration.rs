@@ -8,8 +8,9 @@ mod survey;
 
 /// Problems of the sample: so many that one of them, whose values are off together, is no share that is too large.
 const COUNT: u64 = 1000;
-/// Other problems than those of the program's default.
-const SEED: u64 = 20;
+/// Other problems than those of the program's default, and none that goes on for too long, as `--only spin 20 22` does: nothing
+/// stops it here.
+const SEED: u64 = 611;
 /// The one target that is not reached: some values are right by luck to far more digits than can be known.
 const NOT_REACHED: &str = "99th percentile";
 
