@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use common::{at, close, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, Component, Drag, DragPlace, Gravity, Magnus, Model, Pivot, Start, Wind};
+use tumble_mech::{Body, Component, Drag, DragPlace, Gravity, Magnus, Model, Pivot, Shape, Start, Wind};
 
 const G: f64 = 9.81;
 
@@ -100,6 +100,28 @@ fn a_spinning_rod() {
         assert_eq!(run.quadrature.is_some(), component == Component::Full);
         close(omega, -7.0 / (1.0 + 7.0 * rate * 3.0), tolerance);
     }
+}
+
+/// A box in air that brings it to rest: what rounding has left of its velocity is larger than what is left of its turning, and
+/// hides it. It moves ever less, and so do its steps become ever longer.
+#[test]
+fn what_has_stopped_turning_is_not_followed_in_small_steps() {
+    let [width, height, mass, linear] = [9.3, 1.0, 2.8e5, 90.0];
+    let mut model = Model::new();
+    let shape = Shape::Box { centre: Vector::planar(0 * M, 0 * M), width: width * M, height: height * M };
+    let body = model.add(Body::of_shape("box", shape).mass(mass * KG));
+    let corner = |x: f64, y: f64| body.at(&Vector::planar(x * width / 2.0 * M, y * height / 2.0 * M));
+    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)].map(|(x, y)| corner(x, y));
+    let lines = corners.windows(2).map(|ends| [ends[0].clone(), ends[1].clone()]).collect();
+    model.interact(Drag {
+        name: "air".into(),
+        on: DragPlace::Lines { lines, component: Component::Normal },
+        linear: Some(linear * KG / (M * S)),
+        quadratic: Some(260 * KG / (M * M)),
+    });
+    model.starts.push(("box".into(), Start::default().at([0 * M, 0 * M]).omega(-0.002576 * RAD / S)));
+    let run = run(model, 1.96e4, 4.6e-5);
+    assert!(run.trajectory.work.steps < 1000, "{:?}", run.trajectory.work);
 }
 
 /// The closed form along the rod against many Gauss nodes, with the change of sign anywhere on it or beyond.

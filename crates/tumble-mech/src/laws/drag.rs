@@ -132,7 +132,10 @@ impl Drag {
     /// The integrals of the law's header.
     fn exact(&self, line: &Line, wind: &Wind) -> Resultant {
         let [u0, u1] = [&line.from, &line.to].map(|end| dot(&relative(end, wind), &line.normal));
-        let (middle, change) = ((&u0 + &u1) / 2, &u1 - &u0);
+        // Not `u1 - u0`: in that, the velocity of a body that hardly turns hides the little that u changes by.
+        let gust = wind.at(&line.to.position()) - wind.at(&line.from.position());
+        let change = dot(&gust, &line.normal) - line.from.body.omega() * &line.length;
+        let middle = (&u0 + &u1) / 2;
         let (mut force, mut moment) = (Expr::zero(), Expr::zero());
         if let Some(b) = &self.linear {
             force = force + b * &middle;
@@ -161,8 +164,9 @@ fn integrals(u0: &Expr, u1: &Expr, middle: &Expr, change: &Expr) -> (Expr, Expr)
         &rising * (middle * change / 2 + 2 * middle * &ratio / 3),
         &rising * (middle * middle / 4 + change * change / 32 - &ratio * &ratio / 6),
     );
-    // With `<` a product that is zero counts as one sign, where both forms agree.
-    let changes = Expr::compare(Relation::Less, u0 * u1, Expr::zero());
+    // With `<` what is zero at an end counts as one sign, where both forms agree. Of the product of both, two zeros that are near
+    // each other could not be told from none.
+    let changes = Expr::compare(Relation::Less, u0 * u1.sign(), Expr::zero());
     (Expr::select(changes.clone(), changed.0, kept.0), Expr::select(changes, changed.1, kept.1))
 }
 
