@@ -207,6 +207,19 @@ impl Errors {
     }
 }
 
+/// By how much values of the motion at an instant are off by a check run: the largest, with its safety.
+pub(super) fn difference(
+    check: &CheckRun,
+    formulas: &[Expr],
+    here: &[f64],
+    (time, side): (f64, Side),
+) -> Result<Option<f64>, RunError> {
+    let Some(stretch) = check.phases.stretch(time, side) else { return Ok(None) };
+    let found = Compared::at(&mut check.run.observe(formulas)?, stretch, (time, side));
+    let largest = |found: Compared| found.differences(here).map(|(now, _)| now).fold(0.0, larger);
+    Ok(found.map(|found| check.safety * largest(found)))
+}
+
 /// Unlike `f64::max`, keeps what is not a number.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b <= a { a } else { b }

@@ -8,7 +8,7 @@ use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
 use crate::trust::check_run::CheckRun;
-use crate::trust::errors::larger;
+use crate::trust::errors::{self, larger};
 use crate::trust::{MEASURES, Trust, ULPS, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
@@ -43,14 +43,28 @@ impl Trust {
         let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
         let carried = quantity.carried(&states);
         let direct = self.errors(run, std::slice::from_ref(formula))?.at(at.time).map(|errors| errors[0]);
-        let motion = match direct {
+        let along = match direct {
             Some(direct) if direct.is_finite() && direct <= carried => direct,
             _ => carried,
         };
+        // Between the places where the runs were compared they may be farther apart.
+        let motion = larger(along, self.difference(run, formula, at)?);
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
         let moved = quantity.rate() * at.off.max(rounded) + self.jumps(run, formula, at)?;
         let drift = if quantity.is_held() { quantity.carried(&drift(run)) } else { 0.0 };
         Ok(Some(motion + noise + moved + drift))
+    }
+
+    /// The largest difference of a formula to the check runs at one instant, with their safety; zero where they have none.
+    fn difference(&self, run: &Run, formula: &Expr, At { time, side, .. }: At) -> Result<f64, RunError> {
+        let formulas = std::slice::from_ref(formula);
+        let Some(here) = run.observe(formulas)?.at(time, side) else { return Ok(0.0) };
+        let mut worst = 0.0;
+        for check in &self.checks {
+            let found = errors::difference(check, formulas, &here, (time, side))?;
+            worst = larger(worst, found.filter(|found| found.is_finite()).unwrap_or(0.0));
+        }
+        Ok(worst)
     }
 
     /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own, and

@@ -74,13 +74,18 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
 }
 
 impl Phases {
-    /// The time of the check run that is as long after the last event as `time` is in the run.
-    pub(super) fn counterpart(&self, time: f64, side: Side) -> Option<f64> {
+    /// The stretch that a time of the run lies in.
+    pub(super) fn stretch(&self, time: f64, side: Side) -> Option<[Stretch; 2]> {
         let holds = |here: &Stretch| match side {
             Side::Before => time <= here.end,
             Side::After => time < here.end,
         };
-        let [here, there] = self.all.iter().find(|[here, _]| holds(here)).or(self.all.last())?;
+        self.all.iter().find(|[here, _]| holds(here)).or(self.all.last()).copied()
+    }
+
+    /// The time of the check run that is as long after the last event as `time` is in the run.
+    pub(super) fn counterpart(&self, time: f64, side: Side) -> Option<f64> {
+        let [here, there] = self.stretch(time, side)?;
         Some((there.start + (time - here.start)).clamp(there.start, there.end))
     }
 
