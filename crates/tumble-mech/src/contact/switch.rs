@@ -67,7 +67,7 @@ impl Equations {
                 (true, Watched::Normal) => _ = touched.entry(body).or_default().lifted.insert(pair),
                 (true, _) => _ = touched.entry(body).or_default().closed.insert(pair),
                 (false, _) if closes => self.press(pair, now, jump)?,
-                (false, watched) => self.let_go(pair, watched, jump),
+                (false, watched) => self.let_go(pair, watched, now, jump)?,
             }
             self.restate(&before, jump);
         }
@@ -121,18 +121,33 @@ impl Equations {
         Ok(())
     }
 
-    /// A pressed point comes back to the surface, or its force to zero.
-    fn let_go(&self, index: usize, watched: Watched, jump: &mut Jump<Mode>) {
+    /// A pressed point comes back to the surface, or its force to zero. Where both do so at once but for rounding, it is clear.
+    fn let_go(
+        &self,
+        index: usize,
+        watched: Watched,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
-        let before = jump.mode.contact_mode(index);
-        let (after, change) = match (watched, before) {
-            (Watched::Force, Some(ContactMode::Pressed)) => (Some(ContactMode::Released), Some(Change::End)),
-            (Watched::Force, _) => (Some(ContactMode::Pressed), Some(Change::Start)),
-            (_, Some(ContactMode::Released)) => (None, Some(Change::Clear)),
-            _ => (None, Some(Change::End)),
+        let (after, change) = match (watched, jump.mode.contact_mode(index)) {
+            (Watched::Force, Some(ContactMode::Pressed)) if self.is_at_surface(index, now, jump)? => {
+                jump.zeros.push((pair.guard_name(Watched::Gap), 1));
+                (None, Change::End)
+            }
+            (Watched::Force, Some(ContactMode::Pressed)) => (Some(ContactMode::Released), Change::End),
+            (Watched::Force, _) => (Some(ContactMode::Pressed), Change::Start),
+            (_, Some(ContactMode::Released)) => (None, Change::Clear),
+            _ => (None, Change::End),
         };
         jump.mode.set_contact_mode(index, after);
-        jump.tags.extend(change.map(|change| change.tag(pair)));
+        jump.tags.push(change.tag(pair));
+        Ok(())
+    }
+
+    fn is_at_surface(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
+        let touch = self.touch(self.pairs()[index].body, &jump.mode, &jump.states, now)?;
+        Ok(touch.position(index).is_some_and(|own| touch.gap[own].abs() <= touch.blur[own]))
     }
 
     /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those
