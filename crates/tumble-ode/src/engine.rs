@@ -504,9 +504,7 @@ impl Engine {
                 Hit::Turning(turning) => {
                     work.turns += 1;
                     self.branch_signs.zero_turnings[turning] = true;
-                    if let Turning::Norm { index, .. } = self.turnings[turning] {
-                        self.branch_signs.vanishing[index] = self.vanishes_at(turning, expansion, length);
-                    }
+                    self.vanish(expansion, length);
                 }
                 Hit::Knot(lookup, segment) => {
                     work.knots += 1;
@@ -514,6 +512,18 @@ impl Engine {
                     self.branch_signs.signs[first + lookup] = segment as f64;
                 }
                 Hit::Guard(guard) => self.branch_signs.zero_guards[guard] = 1,
+            }
+        }
+    }
+
+    /// Finds which lengths are zero at the end of a step, but for rounding. Those that turn a little later, though all are zero at
+    /// once, count: the series of what rounding has left of them would be that of nothing.
+    fn vanish(&mut self, expansion: &Expansion, length: f64) {
+        for turning in 0..self.turnings.len() {
+            let Turning::Norm { index, .. } = self.turnings[turning] else { continue };
+            if self.branch_signs.active.turnings[turning] && self.vanishes_at(turning, expansion, length) {
+                self.branch_signs.zero_turnings[turning] = true;
+                self.branch_signs.vanishing[index] = true;
             }
         }
     }

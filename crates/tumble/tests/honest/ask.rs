@@ -46,7 +46,11 @@ impl Scene {
 
     /// In the field of the earth.
     pub(crate) fn heavy(self) -> Self {
-        Self { gravity: "9.81 m/s^2".to_owned(), ..self }
+        self.gravity("9.81 m/s^2")
+    }
+
+    pub(crate) fn gravity(self, gravity: &str) -> Self {
+        Self { gravity: gravity.to_owned(), ..self }
     }
 
     pub(crate) fn accuracy(self, accuracy: f64) -> Self {

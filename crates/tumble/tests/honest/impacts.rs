@@ -105,3 +105,21 @@ fn before_an_impact_the_velocity_is_that_before_it() {
     let case = scene(&format!("{CLOSING}{before}")).until("2 s").run(&[]);
     Found::of(&case.finds[0]).is(1.0, 1e-12);
 }
+
+#[test]
+fn a_surface_without_damping_lets_go_for_good_at_zero_force() {
+    let (g, speed) = (56.38, 0.5);
+    for number in 0..24 {
+        let height = 5.54e-4 + 1e-5 * f64::from(number);
+        let bouncing = format!(
+            "[parameters]\ndamping = \"0 kg/s\"\n\
+             [body.p]\nball = {{ radius = \"0.44812 mm\" }}\nmass = \"2.78348 kg\"\n\
+             start = {{ at = [0, \"0.44812 mm + {height} m\"], velocity = [0, \"-{speed} m/s\"] }}\n\
+             [surface.floor]\nthrough = [0, 0]\n\
+             spring = {{ stiffness = \"0.010639 t/us^2\", damping = \"damping\", release = \"at zero force\" }}\n"
+        );
+        let scene = scene(&bouncing).gravity(&format!("{g} m/s^2")).until("70 ms").accuracy(3.6e-12);
+        let [found] = scene.ask(["p.vy at floor.contact[3].end"]);
+        found.is((2.0 * g * height + speed * speed).sqrt(), 1e-8);
+    }
+}

@@ -63,3 +63,23 @@ fn what_the_nodes_leave_out_is_stated() {
         found.iter().zip(truth).for_each(|(found, truth)| found.is(truth, most));
     }
 }
+
+/// A rod that flies up flat turns at once along all of its length: m v' = -m g - c L v |v|.
+#[test]
+fn a_rod_that_turns_back_at_once_is_known_after() {
+    let (g, k): (f64, f64) = (1.35e6, 0.018_12e-3 * 4.9e4 / 2.8e4);
+    let (rate, fastest) = ((k * g).sqrt(), (g / k).sqrt());
+    for number in 0..24 {
+        let speed = 1.5e5 + 100.0 * f64::from(number);
+        let thrown = format!(
+            "[parameters]\nsize = \"4.9e4 m\"\nx = \"-9.97e8 m\"\nspeed = \"{speed} m/s\"\n\
+             [body.p]\nrod = {{ from = [0, 0], to = [\"size\", 0] }}\nmass = \"2.8e7 g\"\n\
+             start = {{ at = [\"x\", 0], velocity = [0, \"speed\"] }}\n\
+             [drag.air]\nalong = \"p\"\nquadratic = \"0.01812 g/m^2\"\n"
+        );
+        let scene = scene(&thrown).gravity(&format!("{g} m/s^2")).until("0.224 s").accuracy(1.9e-13);
+        let [found] = scene.ask(["p.vy"]);
+        let up = (speed / fastest).atan() / rate;
+        found.is(-fastest * (rate * (0.224 - up)).tanh(), 1e-8);
+    }
+}
