@@ -33,9 +33,9 @@ impl Bounces {
     /// From the gap and its rate at the start; without gravity the rate is negative.
     pub(crate) fn new(gravity: Real, gap: Real, rate: Real, restitution: Real) -> Self {
         let before = (rate.squared() + &gravity * &gap * 2).sqrt();
-        // (rate + before)/gravity, also without gravity; what leaves the surface at once has no gap.
-        let apart = &before - &rate;
-        let time = if apart.is_zero() { &before * 2 / &gravity } else { &gap * 2 / apart };
+        // Both are the same: each is used where it is no difference of what may be nearly equal.
+        let leaves = rate.sign() >= 0 && !gravity.is_zero();
+        let time = if leaves { (&rate + &before) / &gravity } else { &gap * 2 / (&before - &rate) };
         let after = &before * &restitution;
         let mut bounces = Self { gravity, gap, rate, restitution, hits: vec![Hit { time, before, after }] };
         bounces.follow();
