@@ -4,6 +4,9 @@ use crate::term::Law;
 
 /// Rounding errors of a work, relative: a few ulps.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// The same of impacts, of what their works are differences of: each is a product of an impulse and a mean speed, both rounded a
+/// few times, and their errors are added up as if all had one sign.
+const ROUNDING_OF_IMPACTS: f64 = 2.0 * f64::EPSILON;
 
 /// What kind of change a contribution stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -47,7 +50,7 @@ pub struct Contribution {
 impl Contribution {
     /// What rounding may have made of its work, J, where that is `work`.
     pub fn rounding(&self, work: f64) -> f64 {
-        ROUNDING * work.abs().max(self.operands)
+        (ROUNDING * work.abs()).max(ROUNDING_OF_IMPACTS * self.operands)
     }
 
     /// Whether its work changes the total energy: that of a potential only moves it.
