@@ -225,7 +225,7 @@ impl Engine {
         if let Some(lazy) = guard.checked_sub(self.system.guards) {
             return self.lazy_guards.delay(lazy, expansion, s, scales);
         }
-        lazy_guards::delay(&expansion.guards[guard], s, |s| self.guard_at(guard, expansion, s))
+        lazy_guards::delay(&expansion.guards[guard], s, 0.0, |s| self.guard_at(guard, expansion, s))
     }
 
     /// Value of a guard at the states that the series come to.
@@ -504,7 +504,6 @@ impl Engine {
                 Hit::Turning(turning) => {
                     work.turns += 1;
                     self.branch_signs.zero_turnings[turning] = true;
-                    self.vanish(expansion, length);
                 }
                 Hit::Knot(lookup, segment) => {
                     work.knots += 1;
@@ -513,6 +512,9 @@ impl Engine {
                 }
                 Hit::Guard(guard) => self.branch_signs.zero_guards[guard] = 1,
             }
+        }
+        if hits.iter().any(|hit| matches!(hit, Hit::Turning(_))) {
+            self.vanish(expansion, length);
         }
     }
 

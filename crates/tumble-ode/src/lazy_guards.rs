@@ -190,16 +190,16 @@ impl LazyGuards {
     ) -> Option<f64> {
         let (_, series) = expansion.near.iter().find(|(near, _)| *near == index)?;
         let watch = &mut self.all[index];
-        let is_told = watch.value(expansion, s).abs() > VALUE_ROUNDING * scales.of(watch.group);
-        delay(series, s, |s| watch.value(expansion, s)).filter(|_| is_told)
+        let rounding = VALUE_ROUNDING * scales.of(watch.group);
+        delay(series, s, rounding, |s| watch.value(expansion, s))
     }
 }
 
-/// How much later than `s` a guard with this series is zero by its value, where that brings it nearer to zero.
-pub(crate) fn delay(series: &[f64], s: f64, mut at: impl FnMut(f64) -> f64) -> Option<f64> {
+/// How much later than `s` a guard with this series is zero by its value, where that is more than rounding and comes nearer to zero so.
+pub(crate) fn delay(series: &[f64], s: f64, rounding: f64, mut at: impl FnMut(f64) -> f64) -> Option<f64> {
     let here = at(s);
     let delay = -here / slope(series, s);
-    (s + delay > 0.0 && at(s + delay).abs() < here.abs() * BETTER).then_some(delay)
+    (here.abs() > rounding && s + delay > 0.0 && at(s + delay).abs() < here.abs() * BETTER).then_some(delay)
 }
 
 /// Reach of the near ones' expansions.

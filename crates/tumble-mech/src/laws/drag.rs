@@ -17,7 +17,8 @@
 //! # Source
 //! Newton's resistance law; the integrals are elementary.
 //! # Checked by
-//! `tests/air.rs` (a rod falling flat, a spinning rod, a sign change along the rod, the reference of the thrown rod).
+//! `tests/air.rs` (a rod falling flat, a spinning rod, a sign change along the rod, a box that has all but stopped turning, the
+//! reference of the thrown rod).
 
 use tumble_expr::{Binary, Dimension, Expr, Relation, Vector};
 

@@ -207,17 +207,16 @@ impl Errors {
     }
 }
 
-/// By how much values of the motion at an instant are off by a check run: the largest, with its safety.
+/// By how much the value of a formula at an instant of the motion is off by a check run, with its safety.
 pub(super) fn difference(
     check: &CheckRun,
-    formulas: &[Expr],
-    here: &[f64],
-    (time, side): (f64, Side),
+    formula: &Expr,
+    value: f64,
+    at: (f64, Side),
 ) -> Result<Option<f64>, RunError> {
-    let Some(stretch) = check.phases.stretch(time, side) else { return Ok(None) };
-    let found = Compared::at(&mut check.run.observe(formulas)?, stretch, (time, side));
-    let largest = |found: Compared| found.differences(here).map(|(now, _)| now).fold(0.0, larger);
-    Ok(found.map(|found| check.safety * largest(found)))
+    let Some(stretch) = check.phases.stretch(at.0, at.1) else { return Ok(None) };
+    let found = Compared::at(&mut check.run.observe(std::slice::from_ref(formula))?, stretch, at);
+    Ok(found.and_then(|found| found.differences(&[value]).next().map(|(now, _)| check.safety * now)))
 }
 
 /// Unlike `f64::max`, keeps what is not a number.

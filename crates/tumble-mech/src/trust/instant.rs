@@ -48,20 +48,19 @@ impl Trust {
             _ => carried,
         };
         // Between the places where the runs were compared they may be farther apart.
-        let motion = larger(along, self.difference(run, formula, at)?);
+        let motion = larger(along, self.difference(formula, (quantity.value, at))?);
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
         let moved = quantity.rate() * at.off.max(rounded) + self.jumps(run, formula, at)?;
         let drift = if quantity.is_held() { quantity.carried(&drift(run)) } else { 0.0 };
         Ok(Some(motion + noise + moved + drift))
     }
 
-    /// The largest difference of a formula to the check runs at one instant, with their safety; zero where they have none.
-    fn difference(&self, run: &Run, formula: &Expr, At { time, side, .. }: At) -> Result<f64, RunError> {
-        let formulas = std::slice::from_ref(formula);
-        let Some(here) = run.observe(formulas)?.at(time, side) else { return Ok(0.0) };
+    /// The largest difference of a formula to the check runs at one instant, with their safety; zero where they do not come to it.
+    /// `value` is what it is in the motion.
+    fn difference(&self, formula: &Expr, (value, at): (f64, At)) -> Result<f64, RunError> {
         let mut worst = 0.0;
         for check in &self.checks {
-            let found = errors::difference(check, formulas, &here, (time, side))?;
+            let found = errors::difference(check, formula, value, (at.time, at.side))?;
             worst = larger(worst, found.filter(|found| found.is_finite()).unwrap_or(0.0));
         }
         Ok(worst)

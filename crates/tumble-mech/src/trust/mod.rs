@@ -7,7 +7,7 @@
 //! coarser one, and by what the motion makes of rounding errors. The error stated of a quantity f at t is
 //!
 //! ```text
-//! min(D, P) + noise + |f'| tau
+//! max(min(D, P), SAFETY d(t)) + noise + |f'| tau
 //! D = SAFETY max(d(t), max over t' of c(t')) + ULPS eps max over t' of |f(t')|
 //! P = sum over states of |f(.., x_i + e_i, ..) - f(x)|
 //! ```
