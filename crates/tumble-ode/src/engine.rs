@@ -1,44 +1,28 @@
 //! One mode's equations with their evaluators, and the signs of its branches.
 
+mod hits;
+
 use tumble_expr::{Active, Branches, Jets, Rounded, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
 use crate::compiled::{Compiled, Limit};
 use crate::enclosure::Enclosure;
-use crate::expansion::{Expansion, Frozen, Turn, expand};
-use crate::hybrid::Direction;
+use crate::expansion::{Expansion, Frozen, expand};
 use crate::invariants::Invariants;
 use crate::lazy_guards::{self, LazyGuards};
-use crate::polynomial::{self, value};
+use crate::polynomial::value;
 use crate::radius::{of_own_size, of_series};
-use crate::roots::roots;
 use crate::scale::Scales;
 use crate::signs::{leading_sign, sign_after, sign_before};
 use crate::whole::{Demand, Halvings, Noise};
 use crate::work::Work;
+pub(crate) use hits::Hit;
 
 /// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
 const VANISHING: f64 = 1024.0 * f64::EPSILON;
-/// A length that turns slower than this many steps has its singularity far enough for the coefficients to show it.
-const CLOSE_TURN_STEPS: f64 = 4.0;
-/// What moves by less than this part of the scale does not move.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Roots closer than this part of a step are one instant.
 const SIMULTANEOUS_PART: f64 = 4.0 * f64::EPSILON;
-
-/// Something that ends a step before its length does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Hit {
-    /// A branch of the tape changes to this sign.
-    Branch(usize, f64),
-    /// A length, root or power has its least value.
-    Turning(usize),
-    /// The argument of a table passes a knot into this segment.
-    Knot(usize, usize),
-    /// A guard of the model, or after them a lazily evaluated guard, crosses zero.
-    Guard(usize),
-}
 
 /// What is known of the watched functions at the start of a step.
 #[derive(Clone, Debug, Default)]
@@ -50,6 +34,10 @@ struct BranchSigns {
     zero_turnings: Vec<bool>,
     /// How many first coefficients of each guard and lazily evaluated guard are zero now.
     zero_guards: Vec<usize>,
+    /// Sign that each guard had where the last step ended, or before if it was zero there; 0 at the start of a mode.
+    sides: Vec<f64>,
+    /// Whether those are signs of the mode before.
+    sides_are_carried: bool,
     /// Which norms are zero vectors now.
     vanishing: Vec<bool>,
     /// Largest values that lengths have had.
@@ -121,10 +109,25 @@ impl Engine {
                 .map(|name| zeros.iter().filter(|(zero, _)| zero == name).map(|(_, count)| *count).max())
                 .map(Option::unwrap_or_default)
                 .collect(),
+            sides: vec![0.0; self.system.guards],
+            sides_are_carried: false,
             vanishing: vec![false; tape.norms()],
             turning_scales: vec![0.0; self.turnings.len()],
             active: tape.active(self.values.signs()),
         };
+    }
+
+    /// Carries on with the signs that guards had in the mode before, where no state has jumped.
+    pub(crate) fn carry_sides(&mut self, before: &[(String, f64)]) {
+        for (name, side) in self.system.guard_names.iter().zip(&mut self.branch_signs.sides) {
+            *side = before.iter().find(|(known, _)| known == name).map_or(0.0, |(_, side)| *side);
+        }
+        self.branch_signs.sides_are_carried = true;
+    }
+
+    /// Guards by name with the signs that they had where the last step ended.
+    pub(crate) fn sides(&self) -> Vec<(String, f64)> {
+        self.system.guard_names.iter().cloned().zip(self.branch_signs.sides.iter().copied()).collect()
     }
 
     /// The branch signs that hold, then the segments of the tables.
@@ -340,119 +343,6 @@ impl Engine {
         all.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(String::new, |(_, name)| name)
     }
 
-    /// What happens first within a length of the parameter, and when; all that happens at that instant.
-    pub(crate) fn first_hits(
-        &self,
-        expansion: &Expansion,
-        length: f64,
-        scales: &Scales,
-    ) -> Option<(f64, Vec<Hit>)> {
-        let mut hits = self.hits(expansion, length, scales);
-        hits.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let first = hits.first()?.0;
-        let instant = first + SIMULTANEOUS_PART * length.max(expansion.start.abs());
-        let same = hits.into_iter().take_while(|(at, _)| *at <= instant);
-        Some((first, same.map(|(_, hit)| hit).collect()))
-    }
-
-    fn hits(&self, expansion: &Expansion, length: f64, scales: &Scales) -> Vec<(f64, Hit)> {
-        let crossings = |series: &[f64], zeros: usize| {
-            roots(ahead(series, zeros), length)
-                .into_iter()
-                .filter_map(|root| Some((root.at, root.crosses_to?)))
-        };
-        let mut hits = vec![];
-        let active = &self.branch_signs.active;
-        for (branch, series) in
-            expansion.branches.iter().enumerate().filter(|(branch, _)| active.branches[*branch])
-        {
-            let found = crossings(series, usize::from(self.branch_signs.zero_branches[branch]));
-            hits.extend(found.take(1).map(|(at, to)| (at, Hit::Branch(branch, to))));
-        }
-        for (turning, turn) in
-            expansion.turnings.iter().enumerate().filter(|(turning, _)| active.turnings[*turning])
-        {
-            let slope = derivative(&turn.square);
-            let least = crossings(&slope, usize::from(self.branch_signs.zero_turnings[turning]))
-                .filter(|(_, to)| *to > 0.0);
-            let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
-            hits.extend(close.map(|(at, _)| (at, Hit::Turning(turning))));
-        }
-        let branches = expansion.branches.len();
-        for (lookup, series) in
-            expansion.arguments.iter().enumerate().filter(|(lookup, _)| active.tables[*lookup])
-        {
-            let segment = self.branch_signs.signs[branches + lookup] as usize;
-            let ends = self.system.tape.tables()[lookup].table.0.ends(segment);
-            for (knot, direction) in ends.into_iter().zip([-1.0, 1.0]).filter(|(knot, _)| knot.is_finite()) {
-                let mut distance = series.clone();
-                distance[0] -= knot;
-                let beyond = if direction > 0.0 { segment + 1 } else { segment.saturating_sub(1) };
-                let outward =
-                    crossings(&distance, usize::from(distance[0] == 0.0)).filter(|(_, to)| *to == direction);
-                hits.extend(outward.take(1).map(|(at, _)| (at, Hit::Knot(lookup, beyond))));
-            }
-        }
-        for (guard, series) in expansion.guards.iter().enumerate() {
-            let (direction, zeros) =
-                (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
-            if self.is_limit(guard, series, (expansion, length), scales) {
-                hits.push((0.0, Hit::Guard(guard)));
-                continue;
-            }
-            // What is zero now does not cross again at the same instant: that is rounding of a turn.
-            let now = if zeros > 0 { SIMULTANEOUS_PART * length.max(expansion.start.abs()) } else { 0.0 };
-            let found = crossings(series, zeros).filter(|(at, to)| *at > now && direction.allows(*to));
-            hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
-        }
-        for (lazy_guard, series) in &expansion.near {
-            let guard = self.system.guards + lazy_guard;
-            let direction = self.system.guard_directions[guard];
-            let zeros = self.branch_signs.zero_guards[guard];
-            if self.is_limit(guard, series, (expansion, length), scales) {
-                hits.push((0.0, Hit::Guard(guard)));
-                continue;
-            }
-            let first = |zeros: usize| {
-                let mut found = crossings(series, zeros).filter(|(_, to)| direction.allows(*to));
-                found.next().map_or(f64::INFINITY, |(at, _)| at)
-            };
-            // A simple zero that is being left has its sign ahead; what it is short of zero delays the next crossing.
-            // Where rounding has left it beyond zero, so far that the arc ahead does not come back from there, the arc
-            // is taken from zero.
-            let at = match zeros {
-                0 | 1 if direction.allows(series[0]) => first(0).min(first(1)),
-                0 | 1 => first(0),
-                _ => first(zeros),
-            };
-            hits.extend(at.is_finite().then_some((at, Hit::Guard(guard))));
-        }
-        hits
-    }
-
-    /// Whether a guard that is found beyond zero, or at zero and about to cross, ends the flow at the start of a step.
-    fn is_limit(
-        &self,
-        guard: usize,
-        series: &[f64],
-        (expansion, length): (&Expansion, f64),
-        scales: &Scales,
-    ) -> bool {
-        let (direction, zeros) = (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
-        match self.system.guard_limits[guard] {
-            Limit::None => false,
-            Limit::Always => is_overdue(series, zeros, direction),
-            Limit::IfItMoves(response, group) => {
-                let time = expansion.time.as_ref();
-                let elapsed = time.map_or(length, |series| polynomial::increment(series, length));
-                let push = polynomial::value(series, length).abs();
-                let is_beyond = zeros == 0 && direction.allows(series[0]);
-                let moves = response * push * elapsed * elapsed > ROUNDING * scales.of(group);
-                (is_beyond || is_overdue(series, zeros, direction)) && moves
-            }
-        }
-    }
-
     /// Expands the lazily evaluated guards that a step of this length may reach, and shortens it to what their
     /// expansions can tell; `reach` is the length of an ordinary step in units of the radius.
     pub(crate) fn approach(
@@ -481,6 +371,17 @@ impl Engine {
         let Self { system, values, branch_signs, .. } = self;
         let mut check = Check { system, values, demand, signs: &branch_signs.signs };
         check.step(expansion, length, work)
+    }
+
+    /// Finds the signs that guards have where a step ends.
+    pub(crate) fn look_back(&mut self, expansion: &Expansion, length: f64) {
+        let BranchSigns { zero_guards, sides, .. } = &mut self.branch_signs;
+        for ((side, series), zeros) in sides.iter_mut().zip(&expansion.guards).zip(zero_guards.iter()) {
+            if length > 0.0 || *side == 0.0 {
+                *side = sign_before(ahead(series, *zeros), length);
+            }
+        }
+        self.branch_signs.sides_are_carried &= length == 0.0;
     }
 
     /// A step was taken: what was zero at its start is so no more.
@@ -537,7 +438,7 @@ impl Engine {
     /// signs, and after, with the new ones.
     pub(crate) fn fired(
         &mut self,
-        (hits, expansion, length): (&[Hit], &Expansion, f64),
+        hits: &[Hit],
         (time, states): (f64, &[f64]),
         work: &mut Work,
     ) -> Result<Vec<usize>, Reason> {
@@ -549,7 +450,7 @@ impl Engine {
         self.look_again(time, states);
         let lazy_guards = crossed.iter().copied().filter(|guard| *guard >= self.system.guards);
         let lazy_guards: Vec<usize> = lazy_guards.collect();
-        if expansion.guards.is_empty() {
+        if self.system.guards == 0 {
             return Ok(lazy_guards);
         }
         let ahead = match self.expand((time, states), &[], work) {
@@ -559,20 +460,17 @@ impl Engine {
         };
         let crosses = |guard: &usize| {
             let after = sign_after(&ahead.guards[*guard]);
-            let before = sign_before(&expansion.guards[*guard], length);
+            let before = self.branch_signs.sides[*guard];
             let is_limit = !matches!(self.system.guard_limits[*guard], Limit::None);
             let passes = before * after < 0.0 || (is_limit && before == 0.0 && after != 0.0);
             passes && self.system.guard_directions[*guard].allows(after)
         };
-        Ok((0..ahead.guards.len()).filter(crosses).chain(lazy_guards).collect())
+        let fired: Vec<usize> = (0..ahead.guards.len()).filter(crosses).collect();
+        for guard in &fired {
+            self.branch_signs.zero_guards[*guard] = 1;
+        }
+        Ok(fired.into_iter().chain(lazy_guards).collect())
     }
-}
-
-/// Whether a guard that should be on one side is found on, or beyond, zero and goes on beyond: it crosses now, or
-/// rounding has hidden that it did.
-fn is_overdue(series: &[f64], zeros: usize, direction: Direction) -> bool {
-    let beyond = leading_sign(&series[1..]);
-    zeros == 0 && direction != Direction::Both && direction.allows(beyond) && series[0] * beyond >= 0.0
 }
 
 /// The series without its first coefficients that are zero now: its roots are those ahead.
@@ -580,18 +478,4 @@ pub(crate) fn ahead(series: &[f64], zeros: usize) -> &[f64] {
     let series = series.get(zeros..).unwrap_or_default();
     let first = series.iter().position(|c| *c != 0.0).unwrap_or(series.len());
     &series[first..]
-}
-
-fn derivative(series: &[f64]) -> Vec<f64> {
-    series.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect()
-}
-
-/// Whether a square turns so sharply at its least value that a step would not see it in its coefficients.
-///
-/// Near the turn the square is `least + curvature s^2`, with zeros at a distance `sqrt(least / curvature)` off the real
-/// line.
-fn is_close_turn(turn: &Turn, slope: &[f64], at: f64, length: f64) -> bool {
-    let least = turn.length(at);
-    let curvature = 0.5 * polynomial::slope(slope, at);
-    least * least < curvature * (CLOSE_TURN_STEPS * length) * (CLOSE_TURN_STEPS * length)
 }

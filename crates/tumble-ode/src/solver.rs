@@ -211,7 +211,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let now = (self.time, self.states.as_slice());
         self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now, &left_out)?;
         let work = &mut self.trajectory.work;
-        let ends_flow = self.engines[mode].fired((&step.hits, &expansion, step.length), now, work);
+        let ends_flow = self.engines[mode].fired(&step.hits, now, work);
         self.record(mode, expansion, &step);
         let ends_flow = ends_flow?;
         self.jump_if_due(mode, ends_flow, step.end == end)
@@ -249,6 +249,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             Some(&index) => index,
             None => self.compile(mode)?,
         };
+        let sides = self.mode.map(|before| self.engines[before].sides()).unwrap_or_default();
         let engine = &mut self.engines[index];
         let system = &engine.system;
         assert_eq!(states.len(), system.len(), "a model gives a mode as many states as its flow has");
@@ -258,6 +259,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.scales.raise(&system.floors);
         self.scales.watch(system, &states);
         engine.enter(self.time, &states, zeros);
+        if states == self.states {
+            engine.carry_sides(&sides);
+        }
         self.compensation = self.carried(index, &states);
         self.states = states;
         self.mode = Some(index);
@@ -465,6 +469,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     fn pass(&mut self, mode: usize, step: &Step, expansion: &Expansion) -> Result<(), Reason> {
         let work = &mut self.trajectory.work;
         let engine = &mut self.engines[mode];
+        engine.look_back(expansion, step.length);
         if step.length > 0.0 {
             self.at_once = 0;
             engine.leave_start();

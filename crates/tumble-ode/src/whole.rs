@@ -247,6 +247,7 @@ impl Engine {
         let (tape, inputs) = (self.system.tape.clone(), self.inputs.clone());
         let mut enclosure = self.enclosure.take().unwrap_or_else(|| Enclosure::new(tape.clone(), &inputs));
         let path = step.path();
+        self.weigh(step.expansion);
         let watched = self.watched(step);
         let vanishing = self.vanishing(step);
         let [nothing, at_start, at_end] = &vanishing;
@@ -273,8 +274,19 @@ impl Engine {
         found
     }
 
+    /// Where what is watched is zero exactly, as a difference of numbers with few digits may be, finds the sizes of its parts.
+    fn weigh(&mut self, expansion: &Expansion) {
+        let tape = &self.system.tape;
+        let first = self.system.len() + usize::from(self.system.transformed);
+        let mut slots = tape.guards().iter().chain(&tape.outputs()[first..]);
+        if slots.any(|slot| self.size_of(*slot) == 0.0) {
+            let states = expansion.states.iter().map(|series| Rounded::computed(series[0]));
+            self.round(Rounded::computed(expansion.start), states);
+        }
+    }
+
     /// Sum of the sizes of what a slot was made of at the start of the step.
-    fn size_of(&self, slot: Slot) -> f64 {
+    pub(crate) fn size_of(&self, slot: Slot) -> f64 {
         let value = self.rounded.slot(slot)[0];
         value.error.max(value.value.abs())
     }
