@@ -39,6 +39,7 @@ impl Equations {
                     causes,
                     rounding,
                     is_proved,
+                    stride: 1.0,
                 })
             }
             false => Err(ModelErrors(mistakes)),

@@ -37,6 +37,8 @@ pub(crate) struct Compiled {
     pub(crate) guard_limits: Vec<Limit>,
     /// Whether there is anything to watch along a step.
     pub(crate) is_watched: bool,
+    /// Whether rates may change within a stretch that their coefficients do not show.
+    pub(crate) may_be_narrow: bool,
 }
 
 impl Compiled {
@@ -63,6 +65,7 @@ impl Compiled {
                 .zip(&flow.groups)
                 .map(|(floor, group)| if group.per_run { floor / span } else { floor })
                 .collect(),
+            may_be_narrow: tape.may_be_narrow(),
             tape: Arc::new(tape),
             schedule,
             schedule_left_out,

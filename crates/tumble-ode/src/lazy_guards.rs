@@ -163,6 +163,11 @@ impl LazyGuards {
         Ok(all - same)
     }
 
+    /// Whether one may change within a stretch that its coefficients do not show.
+    pub(crate) fn may_be_narrow(&mut self, index: usize) -> Result<bool, Reason> {
+        Ok(self.all[index].jets(self.order)?.tape().may_be_narrow())
+    }
+
     /// Looks at one along an expansion, in its own states.
     pub(crate) fn with_enclosure<T>(
         &mut self,

@@ -54,6 +54,16 @@ impl Scales {
         self.largest[group].max(self.rounding[group])
     }
 
+    /// Length of the run, s.
+    pub(crate) fn span(&self) -> f64 {
+        self.span
+    }
+
+    /// Scale of a group, or, while nothing in it is other than zero, of the way that its rates go in the run.
+    pub(crate) fn of_way(&self, group: usize) -> f64 {
+        if self.of(group) > 0.0 { self.of(group) } else { self.rates[group] * self.span }
+    }
+
     /// Scale of the rates of a group.
     pub(crate) fn of_rate(&self, group: usize) -> f64 {
         self.rates[group].max(self.largest[group] / self.span)

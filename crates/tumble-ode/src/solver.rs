@@ -56,8 +56,11 @@ pub struct Start<Mode> {
     pub causes: Vec<Cause>,
     /// How states are rounded that an event has set; see [`Rounding`].
     pub rounding: Rounding,
-    /// Whether enclosures show of every step that nothing narrow was passed over, which a run that is to be trusted needs.
+    /// Whether enclosures show of every step that nothing narrow was passed over, which a run that is to be trusted needs. Where
+    /// formulas are of a kind that may be narrow, they do so anyway.
     pub is_proved: bool,
+    /// Length of steps, in units of what they would have: a check run takes others than the motion does.
+    pub stride: f64,
 }
 
 /// A motion that was refused, with what was found before.
@@ -101,6 +104,7 @@ pub struct Solver<'a, H: Hybrid> {
     blur: Blur,
     /// Length of an ordinary step in units of the radius.
     reach: f64,
+    stride: f64,
     time: f64,
     /// What rounding left out of the time: some, where it is a scheduled one.
     time_left_out: f64,
@@ -138,7 +142,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             noise: Noise::default(),
             rounding: start.rounding,
             blur: Blur::default(),
-            reach: reach(tolerance, order(tolerance)),
+            reach: start.stride * reach(tolerance, order(tolerance)),
+            stride: start.stride,
             time: start.time,
             time_left_out: 0.0,
             compensation: start.compensation,
@@ -325,9 +330,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         expansion: &Expansion,
         step: &Step,
     ) -> Result<Option<Unknown>, Reason> {
-        if !self.is_proved {
-            return Ok(None);
-        }
         let stretch = Stretch { expansion, length: step.length, hits: &step.hits };
         let demand = Demand {
             scales: &self.scales,
@@ -335,7 +337,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             accuracy: self.accuracy,
             noise: &self.noise,
         };
-        self.engines[mode].unknown(stretch, &demand, &mut self.trajectory.work)
+        self.engines[mode].unknown(stretch, &demand, self.is_proved, &mut self.trajectory.work)
     }
 
     /// The longest step up to `end` that passes the check, cut where something happens.
@@ -386,7 +388,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
         let radius = self.engines[mode].radius(expansion, &self.scales);
-        if radius.is_finite() { radius * self.reach } else { self.span * BLIND_PART }
+        if radius.is_finite() { radius * self.reach } else { self.span * self.stride * BLIND_PART }
     }
 
     /// Ends a step at `end` at the latest, and makes its times exact: `start + length` is its end, to the bit. What comes to the

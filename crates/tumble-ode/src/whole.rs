@@ -34,6 +34,11 @@ const CUT: f64 = 0.487_139;
 const VANISHES: f64 = 64.0 * f64::EPSILON;
 /// Which end of its segment an argument has come to is told from what it is, to this part of it.
 const NEAR: f64 = 1e-9;
+/// What a defect may do to a state in the whole run, in units of the state's scale, and not be looked at closer: a rounding error.
+const HARMLESS: f64 = 4.0 * f64::EPSILON;
+/// The bound of a smooth defect shrinks at least so many times where a part is halved, by the fifth power of its length but for
+/// what intervals lose; that of a narrow bump does not.
+const SHRINKS: f64 = 8.0;
 /// Rounding errors of a defect, in units of that of the rate.
 const DEFECT_ROUNDING: f64 = 64.0;
 
@@ -225,20 +230,21 @@ impl Engine {
         Ok(worst)
     }
 
-    /// How far a step is known, if not to its end.
+    /// How far a step is known, if not to its end; unless all is to be proved, by formulas alone that may be narrow.
     pub(crate) fn unknown(
         &mut self,
         step: Stretch<'_>,
         demand: &Demand<'_>,
+        is_proved: bool,
         work: &mut Work,
     ) -> Result<Option<Unknown>, Reason> {
-        let own =
-            if self.system.exact_degree.is_some() { None } else { self.own_unknown(step, demand, work) };
+        let is_looked_at = self.system.exact_degree.is_none() && (is_proved || self.system.may_be_narrow);
+        let own = if is_looked_at { self.own_unknown(step, demand, work) } else { None };
         let step = match &own {
             Some(own) => Stretch { length: own.length, hits: &[], ..step },
             None => step,
         };
-        let beside = self.lazy_unknown(step, demand, work)?;
+        let beside = self.lazy_unknown(step, demand, is_proved, work)?;
         Ok(beside.or(own))
     }
 
@@ -266,7 +272,10 @@ impl Engine {
             };
             match watched.iter().find(unsettled) {
                 Some((_, watched)) => Some(self.name_of(watched.what)),
-                None => self.disobeys(&enclosure, part, demand),
+                None => self.disobeys(&enclosure, part, demand).or_else(|| match norms {
+                    None if self.system.may_be_narrow => self.hides(&mut enclosure, path, part, demand, work),
+                    _ => None,
+                }),
             }
         });
         self.enclosure = Some(enclosure);
@@ -323,6 +332,41 @@ impl Engine {
             None if self.system.transformed && !time_passes() => Some("the time".to_owned()),
             None => None,
         }
+    }
+
+    /// A state along whose part something is hidden: too small to be seen in the defect, and too narrow for the coefficients to
+    /// know of it, so that no check run would.
+    fn hides(
+        &self,
+        enclosure: &mut Enclosure,
+        path: Path<'_>,
+        part: [f64; 2],
+        demand: &Demand<'_>,
+        work: &mut Work,
+    ) -> Option<String> {
+        let harms = |state: usize, defect: f64| {
+            defect > HARMLESS * demand.scales.of_way(self.system.group(state)) / demand.scales.span()
+        };
+        // Rounding errors are as large in a half as in the whole.
+        let of = |enclosure: &Enclosure, state: usize| {
+            let size = demand.noise.rates[state] + f64::EPSILON * enclosure.slope(state);
+            (enclosure.defect(state, state) - 2.0 * DEFECT_ROUNDING * size).max(0.0)
+        };
+        let whole: Vec<f64> = (0..self.system.len()).map(|state| of(enclosure, state)).collect();
+        if !whole.iter().enumerate().any(|(state, defect)| harms(state, *defect)) {
+            return None;
+        }
+        let mut found = None;
+        for half in halves(part) {
+            work.enclosures += 1;
+            enclosure.look(path, half, self.signs(), None);
+            let is_hidden = |(state, whole): &(usize, &f64)| {
+                let defect = of(enclosure, *state);
+                harms(*state, defect) && defect > *whole / SHRINKS
+            };
+            found = found.or(whole.iter().enumerate().find(is_hidden).map(|(state, _)| state));
+        }
+        found.map(|state| self.system.names[state].clone())
     }
 
     /// Functions of the tape whose zeros are watched, each with its slot.
@@ -407,11 +451,15 @@ impl Engine {
         &mut self,
         step: Stretch<'_>,
         demand: &Demand<'_>,
+        is_proved: bool,
         work: &mut Work,
     ) -> Result<Option<Unknown>, Reason> {
         let Stretch { expansion, mut length, .. } = step;
         let mut shortest = None;
         for (index, series) in &expansion.near {
+            if !is_proved && !self.lazy_guards.may_be_narrow(*index)? {
+                continue;
+            }
             let guard = self.system.guards + index;
             let is_hit = shortest.is_none() && step.hits.contains(&Hit::Guard(guard));
             let zeros = self.zeros_of_guard(guard);
@@ -460,6 +508,12 @@ impl Halvings {
     }
 }
 
+/// Both parts of a part, the later one first.
+fn halves([low, high]: [f64; 2]) -> [[f64; 2]; 2] {
+    let middle = low + CUT * (high - low);
+    [[middle, high], [low, middle]]
+}
+
 /// The end of what is settled of a length, from its beginning on; `None` if all of it is. `unsettled` names what is not known of
 /// a part.
 fn first_unsettled(
@@ -467,10 +521,6 @@ fn first_unsettled(
     halvings: &mut Halvings,
     mut unsettled: impl FnMut([f64; 2]) -> Option<String>,
 ) -> Option<Unknown> {
-    let halves = |[low, high]: [f64; 2]| {
-        let middle = low + CUT * (high - low);
-        [[middle, high], [low, middle]]
-    };
     let begin = halvings.begin();
     let mut pending = vec![([0.0, length], 0)];
     let (mut looked, mut needed) = (0, u32::MAX);

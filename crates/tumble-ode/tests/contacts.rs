@@ -75,6 +75,7 @@ fn run_with(toy: &Toy, start: &[f64], until: f64, causes: Vec<Cause>) -> Ran {
         causes,
         rounding: tumble_expr::Rounding::NEAREST,
         is_proved: true,
+        stride: 1.0,
     };
     solve(toy, start, until, Accuracy::new(1e-12).expect("allowed")).map_err(Box::new)
 }

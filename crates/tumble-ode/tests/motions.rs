@@ -61,6 +61,7 @@ fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory
         causes: vec![],
         rounding: tumble_expr::Rounding::NEAREST,
         is_proved: true,
+        stride: 1.0,
     };
     solve(toy, start, until, Accuracy::new(accuracy).expect("allowed")).map_err(Box::new)
 }

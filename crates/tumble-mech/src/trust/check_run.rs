@@ -14,6 +14,9 @@ use crate::trust::phases::{Phases, phases};
 /// Seeds of the ways in which check runs are rounded: one number of each hides what the others show in a few percent of all
 /// cases, all three in one of ten thousands.
 const SEEDS: [u64; 3] = [0x7475_6d62, 0x6c65_2121, 0x6d6f_7665];
+/// Lengths of their steps: at one tolerance truncation errors of equal steps are equal, and where the errors of steps happen to
+/// cancel each other in one run they do not in the others.
+const STRIDES: [f64; 3] = [1.0, 0.9, 0.8];
 /// A sum with half as many nodes is off by more than the one that is used.
 const HALF_AS_MANY: f64 = 1.0;
 
@@ -36,8 +39,10 @@ impl CheckRun {
         progress: &impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Vec<Self>, RunError> {
         let mut all = vec![];
-        for (seed, accuracy) in SEEDS.into_iter().zip([used.independent(), used, used]) {
-            let check = perturbed(run, parameters, until, (accuracy, Rounding::perturbed(seed)), progress);
+        for ((seed, stride), accuracy) in SEEDS.into_iter().zip(STRIDES).zip([used.independent(), used, used])
+        {
+            let other = Other { accuracy, stride, rounding: Rounding::perturbed(seed) };
+            let check = perturbed(run, parameters, until, other, progress);
             let check = match check {
                 Err(error) if error.is_interrupted() => return Err(error),
                 Err(RunError::Refused { partial, .. }) => *partial,
@@ -81,12 +86,19 @@ impl CheckRun {
     }
 }
 
+/// In what a check run differs from the motion.
+struct Other {
+    accuracy: Accuracy,
+    stride: f64,
+    rounding: Rounding,
+}
+
 /// The same motion from numbers that are rounded in another way.
 fn perturbed(
     run: &Run,
     parameters: &Parameters,
     until: f64,
-    (accuracy, rounding): (Accuracy, Rounding),
+    Other { accuracy, stride, rounding }: Other,
     progress: &impl Fn(f64) -> ControlFlow<()>,
 ) -> Result<Run, RunError> {
     let parameters = parameters.rounded(rounding);
@@ -94,6 +106,7 @@ fn perturbed(
     let mut start = equations.start(&parameters)?;
     // Where no step of the motion had to be cut nothing in it is narrow. A check run that passes over something all the same
     // differs from it, and the error stated says so.
+    start.stride = stride;
     start.is_proved = run.trajectory.work.cuts > 0;
     let found = Run::from_start(equations.clone(), start, until, accuracy, progress);
     match found {

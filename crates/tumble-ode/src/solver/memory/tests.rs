@@ -55,6 +55,7 @@ fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
         causes: vec![],
         rounding: Rounding::NEAREST,
         is_proved: true,
+        stride: 1.0,
     };
     let mut solver = Solver::new(toy, start, until, Accuracy::DEFAULT);
     solver.memory = Memory::of(limit);
