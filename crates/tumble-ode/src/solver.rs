@@ -106,7 +106,7 @@ pub struct Solver<'a, H: Hybrid> {
     reach: f64,
     stride: f64,
     time: f64,
-    /// What rounding left out of the time: some, where it is a scheduled one.
+    /// What rounding left out of the time, where it is a scheduled one or that of an event.
     time_left_out: f64,
     states: Vec<f64>,
     /// What rounding left out of the states so far: added back with the next step.
@@ -391,8 +391,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         if radius.is_finite() { radius * self.reach } else { self.span * self.stride * BLIND_PART }
     }
 
-    /// Ends a step at `end` at the latest, and makes its times exact: `start + length` is its end, to the bit. What comes to the
-    /// same instant as `end` ends there: what is due then would be over after it.
+    /// Ends a step at `end` at the latest, and at a time that is a number, from what rounding left out of its start. What comes to
+    /// the same instant as `end` ends there: what is due then would be over after it.
     fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
         let due = end - SIMULTANEOUS_ULPS * f64::EPSILON * end.abs();
         let left_out = |end| self.mode.map_or(0.0, |mode| self.engines[mode].system.left_out_of(end));
@@ -400,7 +400,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             None if self.time + length >= due => {
                 (end - self.time + (left_out(end) - self.time_left_out), end)
             }
-            None => ((self.time + length) - self.time, self.time + length),
+            None if self.time + length == self.time => (0.0, self.time),
+            None => ((self.time + length) - self.time - self.time_left_out, self.time + length),
             Some(series) => {
                 let reached = self.time + polynomial::increment(series, length);
                 if reached >= due {
@@ -410,7 +411,16 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 }
             }
         };
-        Step { length, end, hits: vec![] }
+        Step { length, end, left_out: left_out(end), hits: vec![] }
+    }
+
+    /// Ends a step where something happens: what its time loses by rounding is kept, since as many events as there are would lose
+    /// it again and again, and always in the same direction where all is as it was before.
+    fn land(&self, expansion: &Expansion, length: f64, end: f64, hits: Vec<Hit>) -> Step {
+        let fitted = self.fit(expansion, length, end);
+        let (time, left_out) = rounded_sum(self.time, length + self.time_left_out);
+        let is_exact = expansion.time.is_none() && fitted.end < end && time > self.time;
+        if is_exact { Step { length, end: time, left_out, hits } } else { Step { hits, ..fitted } }
     }
 
     /// Cuts a step where the first of the watched functions crosses zero.
@@ -419,7 +429,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         match self.engines[mode].first_hits(expansion, step.length, &self.scales) {
             None => step,
             // Up to what happens first the time runs forwards; beyond, it need not, so the step is fitted anew.
-            Some((at, hits)) => Step { hits, ..self.fit(expansion, at.min(step.length), end) },
+            Some((at, hits)) => self.land(expansion, at.min(step.length), end, hits),
         }
     }
 
@@ -429,7 +439,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let hit = step.hits.iter().find_map(guard);
         match hit.and_then(|guard| self.engines[mode].delay(guard, expansion, step.length, &self.scales)) {
             None => step,
-            Some(delay) => Step { hits: step.hits, ..self.fit(expansion, step.length + delay, end) },
+            Some(delay) => self.land(expansion, step.length + delay, end, step.hits),
         }
     }
 
@@ -512,7 +522,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             }
         }
         self.trajectory.work.steps += 1;
-        self.time_left_out = self.engines[mode].system.left_out_of(step.end);
+        self.time_left_out = step.left_out;
         self.time = step.end;
         Ok(())
     }

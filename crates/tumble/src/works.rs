@@ -98,7 +98,7 @@ fn around(
     balance: &mut RunBalance<'_>,
     at: At,
 ) -> Result<[Vec<f64>; 2], PipelineError> {
-    let late = if at.off > 0.0 { Trust::event_blur(solution.run, at.time) } else { 0.0 };
+    let late = if at.off > 0.0 { Trust::instant_blur(solution.run, at.time) } else { 0.0 };
     if late == 0.0 {
         return Ok([vec![], vec![]]);
     }

@@ -81,7 +81,7 @@ impl Trust {
         let offs: Option<Vec<f64>> = self.checks.iter().map(off).collect();
         let Some(offs) = offs.filter(|_| at.time <= self.end()) else { return Ok(None) };
         let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
-        let blur = if at.off > 0.0 { quantity.rate() * Self::event_blur(run, at.time) } else { 0.0 };
+        let blur = if at.off > 0.0 { quantity.rate() * Self::instant_blur(run, at.time) } else { 0.0 };
         let jumps = self.jumps(run, formula, at)?;
         Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur + jumps))
     }

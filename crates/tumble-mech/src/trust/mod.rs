@@ -223,10 +223,20 @@ impl Trust {
 
     /// What rounding of the function that was crossed, and of the time itself, may have done to the time of an event, s.
     pub fn event_blur(run: &Run, time: f64) -> f64 {
-        let events = &run.trajectory.events;
-        let first = events.partition_point(|event| event.time < time);
-        let here = events[first..].iter().take_while(|event| event.time == time);
-        here.map(|event| event.blur).fold(ULPS * f64::EPSILON * time, |sum: f64, blur| sum.max(blur))
+        blurs_at(run, time).fold(ULPS * f64::EPSILON * time, f64::max)
+    }
+
+    /// What rounding may have moved the instant of an event by that its quantities are of, s: not what its time has lost, which the
+    /// step that ends there has in its length.
+    pub fn instant_blur(run: &Run, time: f64) -> f64 {
+        match run.trajectory.piece_at(time, Side::Before) {
+            Some(piece)
+                if piece.end == time && piece.time_series.is_none() && blurs_at(run, time).count() > 0 =>
+            {
+                blurs_at(run, time).fold(ULPS * f64::EPSILON * piece.length, f64::max)
+            }
+            _ => Self::event_blur(run, time),
+        }
     }
 
     /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
@@ -260,6 +270,13 @@ impl Trust {
     fn end(&self) -> f64 {
         self.horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time)
     }
+}
+
+/// What rounding may have moved the events of one time by, s.
+fn blurs_at(run: &Run, time: f64) -> impl Iterator<Item = f64> {
+    let events = &run.trajectory.events;
+    let first = events.partition_point(|event| event.time < time);
+    events[first..].iter().take_while(move |event| event.time == time).map(|event| event.blur)
 }
 
 /// What [`kinematics`] are measured in.

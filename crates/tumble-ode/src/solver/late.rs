@@ -8,6 +8,8 @@ use crate::{Cause, Hybrid};
 
 /// What a check run adds to each rate, in units of what rounding may have made of it.
 const RATE_ROUNDING: f64 = 0.4;
+/// What rounding makes of the place of a zero on a step, in ulps.
+const ROOT_ROUNDING: f64 = 2.0;
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
 
@@ -41,7 +43,10 @@ impl<H: Hybrid> Solver<'_, H> {
         let engine = &mut self.engines[after];
         let rates = engine.noise(self.time, &self.states, &self.compensation).values;
         for (state, value) in self.states.iter_mut().enumerate() {
-            let own = if is_short(*value) { 0.0 } else { LEFT_OUT * f64::EPSILON * value.abs() };
+            // What is only reversed is not rounded.
+            let is_reversed = states_before.get(state).is_some_and(|before| *value == -before);
+            let is_exact = is_short(*value) || (same && is_reversed);
+            let own = if is_exact { 0.0 } else { LEFT_OUT * f64::EPSILON * value.abs() };
             // What rounding left out of a state that stays is carried on.
             let (own, turned) = match rates_before.get(state).filter(|_| same) {
                 Some(rate) if *value == states_before[state] => (0.0, rates[state] - rate),
@@ -64,9 +69,12 @@ impl<H: Hybrid> Solver<'_, H> {
         LEFT_OUT * self.rounding.draw(self.time, LATE) * self.blur.time.max(self.rounded(causes))
     }
 
-    /// What rounding makes of the time of an event, s; scheduled times are moved already.
+    /// What rounding makes of the time of an event, s; scheduled times are moved already. Of what a time loses nothing is lost where
+    /// steps are in time; then it is the step's length that is rounded.
     fn rounded(&self, causes: &[Cause]) -> f64 {
         let is_scheduled = causes.iter().all(|cause| matches!(cause, Cause::Scheduled(_)));
-        if is_scheduled || is_short(self.time) { 0.0 } else { f64::EPSILON * self.time }
+        let last = self.trajectory.pieces.last();
+        let size = last.filter(|piece| piece.time_series.is_none()).map_or(self.time, |piece| piece.length);
+        if is_scheduled || is_short(self.time) { 0.0 } else { ROOT_ROUNDING * f64::EPSILON * size }
     }
 }

@@ -19,6 +19,8 @@ pub(super) struct Step {
     pub(super) length: f64,
     /// Time at its end, s.
     pub(super) end: f64,
+    /// What rounding left out of that.
+    pub(super) left_out: f64,
     /// What ends it, where it is not the check or the schedule.
     pub(super) hits: Vec<Hit>,
 }
