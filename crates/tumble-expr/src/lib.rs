@@ -18,6 +18,7 @@ mod jets;
 pub mod language;
 mod linear;
 mod lower;
+mod narrow;
 mod operators;
 mod ops;
 mod peel;

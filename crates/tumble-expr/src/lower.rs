@@ -16,8 +16,8 @@ use crate::ops::{Op, Slot};
 use crate::table::TableRef;
 use crate::tape::{CompileError, Layout, Lookup, Stage, Tape};
 
-/// Integer powers up to this become products; higher ones, and all others, use the power's own recurrence.
-const LARGEST_UNROLLED_POWER: u32 = 64;
+/// Integer powers up to this become products, a base of zero included; higher ones, and all others, use the power's own recurrence.
+const LARGEST_UNROLLED_POWER: u32 = 1 << 16;
 
 /// Stands for a companion's slot in keys that are looked up before the companion has one.
 const UNPLACED: Slot = Slot::MAX;

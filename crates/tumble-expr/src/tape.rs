@@ -183,18 +183,6 @@ impl Tape {
         self.varying().filter_map(|(_, op)| turning(op)).collect()
     }
 
-    /// Whether something on the tape may change within a stretch that is short beside the distance to where its coefficients do not
-    /// show it: exponentials, their like, and quotients. Polynomials, sines and cosines are as steep everywhere as they are somewhere.
-    pub fn may_be_narrow(&self) -> bool {
-        let is_narrow = |op: Op| match op {
-            Op::Exp(_) | Op::Log(_) | Op::Div(..) | Op::Pow { .. } => true,
-            Op::Sinh { .. } | Op::Cosh { .. } | Op::Tan { .. } | Op::Tanh { .. } => true,
-            Op::Atan { .. } | Op::Atan2 { .. } => true,
-            _ => false,
-        };
-        self.varying().any(|(_, op)| is_narrow(op))
-    }
-
     /// How many norms there are, those of inputs included.
     pub fn norms(&self) -> usize {
         self.norms.len()

@@ -62,7 +62,7 @@ use errors::Row;
 pub use instant::{At, depends_on_motion};
 
 /// The difference of two runs may be small by accident at one time and for one quantity; calibrated by the tests.
-const SAFETY: f64 = 2.7;
+const SAFETY: f64 = 2.4;
 /// Rounding errors, in ulps, that any value has by being computed from states.
 const ULPS: f64 = 4.0;
 /// An error of this part of the scale leaves not one digit.
