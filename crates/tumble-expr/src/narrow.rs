@@ -1,41 +1,55 @@
 //! Whether a formula may be narrow: change within a stretch that its coefficients beside it do not show.
 //!
 //! Exponentials and their like may, and quotients, and high powers: all coefficients of `cos(x)^60` up to the sixtieth are zero where
-//! the cosine is. Products of a few factors, sines and cosines are as steep everywhere as they are somewhere.
+//! the cosine is. Low powers, products of what is zero in different places, sines and cosines are as steep everywhere as they are
+//! somewhere.
 
 use crate::ops::{Op, Slot};
 use crate::tape::{Stage, Tape};
 
-/// A product of at most so many factors is shown whole by its coefficients, which are never fewer.
-const MOST_FACTORS: u32 = 4;
+/// A power up to this is shown by its coefficients, which are always more.
+const HIGHEST_POWER: u32 = 4;
+
+/// A power of what is in a slot.
+#[derive(Clone, Copy)]
+struct Power {
+    base: Slot,
+    exponent: u32,
+}
 
 impl Tape {
     /// Whether something on the tape may be narrow.
     pub fn may_be_narrow(&self) -> bool {
-        let mut factors: Vec<Option<u32>> = Vec::with_capacity(self.len());
+        let mut powers: Vec<Power> = Vec::with_capacity(self.len());
         for (slot, op) in self.ops.iter().enumerate() {
-            let count = match self.stage(slot as Slot) {
-                Stage::Varying => self.factors(*op, &factors).filter(|count| *count <= MOST_FACTORS),
-                _ => Some(0),
-            };
-            factors.push(count);
+            let own = Power { base: slot as Slot, exponent: 1 };
+            let varies = self.stage(slot as Slot) == Stage::Varying;
+            let power = if varies { power(*op, own, &powers) } else { Some(own) };
+            match power.filter(|power| power.exponent <= HIGHEST_POWER) {
+                Some(power) => powers.push(power),
+                None => return true,
+            }
         }
-        factors.contains(&None)
+        false
     }
+}
 
-    /// How many factors that change a result has at most; `None` of what may be narrow.
-    fn factors(&self, op: Op, known: &[Option<u32>]) -> Option<u32> {
-        let of = |slot: Slot| known[slot as usize];
-        match op {
-            Op::State(_) | Op::Time => Some(1),
-            Op::Exp(_) | Op::Log(_) | Op::Div(..) | Op::Pow { .. } => None,
-            Op::Sinh { .. } | Op::Cosh { .. } | Op::Tan { .. } | Op::Tanh { .. } => None,
-            Op::Atan { .. } | Op::Atan2 { .. } => None,
-            Op::Sin { of: a, .. } | Op::Cos { of: a, .. } => of(a).map(|_| 1),
-            Op::Mul(a, b) => Some(of(a)?.saturating_add(of(b)?)),
-            Op::Square(a) => Some(of(a)?.saturating_mul(2)),
-            _ => op.parts(self).into_iter().try_fold(0, |most, part| Some(of(part)?.max(most))),
+/// What power a result is; `None` of what may be narrow.
+fn power(op: Op, own: Power, known: &[Power]) -> Option<Power> {
+    let of = |slot: Slot| known[slot as usize];
+    match op {
+        Op::Exp(_) | Op::Log(_) | Op::Div(..) | Op::Pow { .. } => None,
+        Op::Sinh { .. } | Op::Cosh { .. } | Op::Tan { .. } | Op::Tanh { .. } => None,
+        Op::Atan { .. } | Op::Atan2 { .. } => None,
+        Op::Neg(a) | Op::Scale { of: a, .. } | Op::Shrink { of: a, .. } => Some(of(a)),
+        Op::Square(a) => Some(Power { exponent: 2 * of(a).exponent, ..of(a) }),
+        Op::Mul(a, b) => {
+            let (a, b) = (of(a), of(b));
+            let higher = if a.exponent < b.exponent { b } else { a };
+            let same = Power { exponent: a.exponent + b.exponent, ..a };
+            Some(if a.base == b.base { same } else { higher })
         }
+        _ => Some(own),
     }
 }
 
@@ -57,6 +71,8 @@ mod tests {
         assert!(may(|x, _| x.cos().powi(60)));
         assert!(may(|x, p| (x * p).log()));
         assert!(!may(|x, p| x * p.exp() / (1 + &p * &p)));
+        assert!(may(|x, _| x.sin().powi(3) * x.sin().powi(3)));
+        assert!(!may(|x, p| x.abs() * &x * x.sin() * x.cos() * (p * &x).cos()));
         assert!(!may(|x, p| (3 * &x).sin() * x.powi(2) + p.powi(60)));
     }
 }
