@@ -56,6 +56,34 @@ fn a_pulse_beside_a_soft_spring() {
     flight(&format!("{soft}{}", force(PULSE))).ask(["p.vx"])[0].is(vx, 1e-8);
 }
 
+/// Far less than a millionth of all rates, and far more than the digits that are told.
+#[test]
+fn a_weak_narrow_force() {
+    let kick = 5e-2 * PI.sqrt();
+    for accuracy in [1e-3, 1e-6, 1e-12] {
+        for weak in [1e-4, 5e-8, 1e-11] {
+            let scene = flight(&force(&format!("({weak:e} N)*exp(-((t - 3.3 s)/(50 ms))^2)")));
+            scene.accuracy(accuracy).ask(["p.vx"])[0].is(1.0 + weak * kick, (1e-2 * accuracy).max(1e-14));
+        }
+    }
+}
+
+/// The integral of ((1 + cos t)/2)^30 over five periods is 10 pi times a sixtieth row's middle binomial over 4^30.
+#[test]
+fn a_weak_force_by_a_high_power() {
+    let middle: f64 = (1..=30).map(|k| (2 * k - 1) as f64 / (2 * k) as f64).product();
+    for weak in [1e-3, 1e-11] {
+        let scene = flight(&force(&format!("({weak:e} N)*((1 + cos(t/(1 s)))/2)^30"))).until("10*pi*(1 s)");
+        scene.accuracy(1e-12).ask(["p.vx"])[0].is(1.0 + weak * 10.0 * PI * middle, 1e-13);
+    }
+}
+
+/// A power of what is zero at the start is no singularity there.
+#[test]
+fn a_high_power_of_zero() {
+    flight(&force("(1 N)*(t/(10 s))^199")).ask(["p.vx"])[0].is(1.0 + 10.0 / 200.0, 1e-10);
+}
+
 /// A force that an event begins and a time ends does not begin once that time has come.
 #[test]
 fn a_force_that_begins_after_its_end_does_not_act() {
