@@ -1,12 +1,14 @@
 //! Whether a step is known everywhere, and not only where it was looked at.
 //!
-//! A step is accepted if along all of it the defect `p'(s) - f(t(s), p(s))` is bounded by [`VISIBLE`] of the scale of its rate,
-//! or by the accuracy if that is larger, and if it is settled where each watched function is zero: those are its series' zeros
+//! A step is accepted if along all of it the defect `p'(s) - f(t(s), p(s))` is bounded by a millionth of the scale of its rate,
+//! or by the accuracy if that is larger, if nothing weaker hides in it (see [`defect`]), and if it is settled where each watched function is zero: those are its series' zeros
 //! and no others. What is not settled at once is halved, down to [`SMALLEST`] of the step. The step then ends where
 //! the first part begins that is not settled; if that is the beginning, it becomes that part.
 //!
 //! The scale of a rate is the largest that it has been, and that of the state over the length of the run: a force that has not
 //! acted yet has no scale of its own, and forces that balance each other far from the origin have none either.
+
+mod defect;
 
 use std::cell::OnceCell;
 
@@ -22,8 +24,6 @@ use crate::scale::Scales;
 use crate::settle::{Known, is_settled};
 use crate::work::Work;
 
-/// A part of the scale of a rate that a force may have and still not be seen.
-pub(crate) const VISIBLE: f64 = 1e-6;
 /// Parts shorter than this part of a step are not halved any more: the step is cut, and its successor has other coefficients.
 const SMALLEST: f64 = 1.0 / 128.0;
 /// Parts of one step that are looked at, at most.
@@ -34,13 +34,6 @@ const CUT: f64 = 0.487_139;
 const VANISHES: f64 = 64.0 * f64::EPSILON;
 /// Which end of its segment an argument has come to is told from what it is, to this part of it.
 const NEAR: f64 = 1e-9;
-/// What a defect may do to a state in the whole run, in units of the state's scale, and not be looked at closer: a rounding error.
-const HARMLESS: f64 = 4.0 * f64::EPSILON;
-/// The bound of a smooth defect shrinks at least so many times where a part is halved, by the fifth power of its length but for
-/// what intervals lose; that of a narrow bump does not.
-const SHRINKS: f64 = 8.0;
-/// Rounding errors of a defect, in units of that of the rate.
-const DEFECT_ROUNDING: f64 = 64.0;
 
 /// Rates and what is watched, with rounding errors, at the start of a step.
 #[derive(Clone, Debug, Default)]
@@ -308,65 +301,6 @@ impl Engine {
             What::Guard(guard) => format!("event {}", self.system.guard_names[guard]),
             What::Table(table) => tape.tables()[table].table.0.name.clone(),
         }
-    }
-
-    /// The state whose polynomial does not obey the equations along a part, if there is one.
-    fn disobeys(&self, enclosure: &Enclosure, [low, high]: [f64; 2], demand: &Demand<'_>) -> Option<String> {
-        let visible = VISIBLE.max(demand.accuracy);
-        let obeys = |state: &usize| {
-            let group = self.system.group(*state);
-            let defect = enclosure.defect(*state, *state);
-            // What moves for the first time has the scale of this step.
-            let scale = demand.scales.of_rate(group).max(enclosure.slope(*state));
-            let allowed = visible * scale + DEFECT_ROUNDING * demand.noise.rates[*state];
-            // What the defect could do within the part is less than what every step may do.
-            defect <= allowed || defect * (high - low) <= demand.tolerance * demand.scales.of(group)
-        };
-        let time = self.system.len();
-        let time_passes = || {
-            let size = enclosure.output(time).range(0).magnitude();
-            enclosure.defect(time, time) <= visible * size
-        };
-        match (0..time).find(|state| !obeys(state)) {
-            Some(state) => Some(self.system.names[state].clone()),
-            None if self.system.transformed && !time_passes() => Some("the time".to_owned()),
-            None => None,
-        }
-    }
-
-    /// A state along whose part something is hidden: too small to be seen in the defect, and too narrow for the coefficients to
-    /// know of it, so that no check run would.
-    fn hides(
-        &self,
-        enclosure: &mut Enclosure,
-        path: Path<'_>,
-        part: [f64; 2],
-        demand: &Demand<'_>,
-        work: &mut Work,
-    ) -> Option<String> {
-        let harms = |state: usize, defect: f64| {
-            defect > HARMLESS * demand.scales.of_way(self.system.group(state)) / demand.scales.span()
-        };
-        // Rounding errors are as large in a half as in the whole.
-        let of = |enclosure: &Enclosure, state: usize| {
-            let size = demand.noise.rates[state] + f64::EPSILON * enclosure.slope(state);
-            (enclosure.defect(state, state) - 2.0 * DEFECT_ROUNDING * size).max(0.0)
-        };
-        let whole: Vec<f64> = (0..self.system.len()).map(|state| of(enclosure, state)).collect();
-        if !whole.iter().enumerate().any(|(state, defect)| harms(state, *defect)) {
-            return None;
-        }
-        let mut found = None;
-        for half in halves(part) {
-            work.enclosures += 1;
-            enclosure.look(path, half, self.signs(), None);
-            let is_hidden = |(state, whole): &(usize, &f64)| {
-                let defect = of(enclosure, *state);
-                harms(*state, defect) && defect > *whole / SHRINKS
-            };
-            found = found.or(whole.iter().enumerate().find(is_hidden).map(|(state, _)| state));
-        }
-        found.map(|state| self.system.names[state].clone())
     }
 
     /// Functions of the tape whose zeros are watched, each with its slot.

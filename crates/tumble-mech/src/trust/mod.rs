@@ -2,7 +2,7 @@
 //!
 //! # Law
 //! A motion is found three times more: once to a tighter tolerance, so that the order is another and the steps are others, and
-//! twice to the same; each time from numbers that are rounded in another way, an ulp or two off in every direction, after events
+//! twice to the same in shorter steps; each time from numbers that are rounded in another way, an ulp or two off in every direction, after events
 //! too. Where sums stand for integrals along lines there is a run with half as many nodes besides. Runs differ by the error of the
 //! coarser one, and by what the motion makes of rounding errors. The error stated of a quantity f at t is
 //!
@@ -49,7 +49,7 @@ mod phases;
 use std::ops::ControlFlow;
 
 use tumble_expr::Expr;
-use tumble_ode::{Accuracy, Side};
+use tumble_ode::{Accuracy, Cause, Event, Side};
 
 use crate::balance::{Contribution, RunBalance};
 use crate::coordinates::Measure;
@@ -62,7 +62,7 @@ use errors::Row;
 pub use instant::{At, depends_on_motion};
 
 /// The difference of two runs may be small by accident at one time and for one quantity; calibrated by the tests.
-const SAFETY: f64 = 2.4;
+const SAFETY: f64 = 2.2;
 /// Rounding errors, in ulps, that any value has by being computed from states.
 const ULPS: f64 = 4.0;
 /// An error of this part of the scale leaves not one digit.
@@ -223,17 +223,20 @@ impl Trust {
 
     /// What rounding of the function that was crossed, and of the time itself, may have done to the time of an event, s.
     pub fn event_blur(run: &Run, time: f64) -> f64 {
-        blurs_at(run, time).fold(ULPS * f64::EPSILON * time, f64::max)
+        let blurs = events_at(run, time).map(|event| event.blur);
+        blurs.fold(ULPS * f64::EPSILON * time, f64::max)
     }
 
-    /// What rounding may have moved the instant of an event by that its quantities are of, s: not what its time has lost, which the
-    /// step that ends there has in its length.
+    /// What rounding may have moved the instant of an event by that its quantities are of, s: of one that is located not what its
+    /// time has lost, which the step that ends there has in its length.
     pub fn instant_blur(run: &Run, time: f64) -> f64 {
+        let is_located = |cause: &Cause| matches!(cause, Cause::Guard(_) | Cause::LazyGuard(_));
+        let mut here = events_at(run, time).peekable();
+        let is_found = here.peek().is_some() && here.all(|event| event.causes.iter().all(is_located));
         match run.trajectory.piece_at(time, Side::Before) {
-            Some(piece)
-                if piece.end == time && piece.time_series.is_none() && blurs_at(run, time).count() > 0 =>
-            {
-                blurs_at(run, time).fold(ULPS * f64::EPSILON * piece.length, f64::max)
+            Some(piece) if is_found && piece.end == time && piece.time_series.is_none() => {
+                let blurs = events_at(run, time).map(|event| event.blur);
+                blurs.fold(ULPS * f64::EPSILON * piece.length, f64::max)
             }
             _ => Self::event_blur(run, time),
         }
@@ -272,11 +275,11 @@ impl Trust {
     }
 }
 
-/// What rounding may have moved the events of one time by, s.
-fn blurs_at(run: &Run, time: f64) -> impl Iterator<Item = f64> {
+/// The events of one time.
+fn events_at(run: &Run, time: f64) -> impl Iterator<Item = &Event> {
     let events = &run.trajectory.events;
     let first = events.partition_point(|event| event.time < time);
-    events[first..].iter().take_while(move |event| event.time == time).map(|event| event.blur)
+    events[first..].iter().take_while(move |event| event.time == time)
 }
 
 /// What [`kinematics`] are measured in.
