@@ -6,19 +6,19 @@ mod step;
 
 use std::collections::HashMap;
 
-use step::{SHRINK, Step, shrink};
+use step::{Step, shrink};
 use thiserror::Error;
 use tumble_expr::{Rounding, rounded_sum};
 
 use crate::check::Verdict;
 use crate::compiled::{Compiled, beside};
-use crate::engine::{Engine, Hit};
+use crate::engine::Engine;
 use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::order::{order, reach};
 use crate::polynomial;
 use crate::scale::Scales;
-use crate::trajectory::{Event, Piece, Trajectory, invert};
+use crate::trajectory::{Event, Piece, Trajectory};
 use crate::whole::{Blur, Demand, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
 use memory::Memory;
@@ -380,67 +380,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
     }
 
-    /// A length that is shorter than a step's by more than the rounding of times.
-    fn shorter(&self, expansion: &Expansion, step: &Step, length: f64) -> f64 {
-        let is_shorter = self.fit(expansion, length, step.end).length < step.length;
-        if is_shorter { length } else { step.length * SHRINK.1 }
-    }
-
     fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
         let radius = self.engines[mode].radius(expansion, &self.scales);
         if radius.is_finite() { radius * self.reach } else { self.span * self.stride * BLIND_PART }
-    }
-
-    /// Ends a step at `end` at the latest, and at a time that is a number, from what rounding left out of its start. What comes to
-    /// the same instant as `end` ends there: what is due then would be over after it.
-    fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
-        let due = end - SIMULTANEOUS_ULPS * f64::EPSILON * end.abs();
-        let left_out = |end| self.mode.map_or(0.0, |mode| self.engines[mode].system.left_out_of(end));
-        let (length, end) = match &expansion.time {
-            None if self.time + length >= due => {
-                (end - self.time + (left_out(end) - self.time_left_out), end)
-            }
-            None if self.time + length == self.time => (0.0, self.time),
-            None => ((self.time + length) - self.time - self.time_left_out, self.time + length),
-            Some(series) => {
-                let reached = self.time + polynomial::increment(series, length);
-                if reached >= due {
-                    (invert(series, end - self.time, length), end)
-                } else {
-                    (length, reached)
-                }
-            }
-        };
-        Step { length, end, left_out: left_out(end), hits: vec![] }
-    }
-
-    /// Ends a step where something happens: what its time loses by rounding is kept, since as many events as there are would lose
-    /// it again and again, and always in the same direction where all is as it was before.
-    fn land(&self, expansion: &Expansion, length: f64, end: f64, hits: Vec<Hit>) -> Step {
-        let fitted = self.fit(expansion, length, end);
-        let (time, left_out) = rounded_sum(self.time, length + self.time_left_out);
-        let is_exact = expansion.time.is_none() && fitted.end < end && time > self.time;
-        if is_exact { Step { length, end: time, left_out, hits } } else { Step { hits, ..fitted } }
-    }
-
-    /// Cuts a step where the first of the watched functions crosses zero.
-    fn cut(&self, mode: usize, expansion: &Expansion, length: f64, end: f64) -> Step {
-        let step = self.fit(expansion, length, end);
-        match self.engines[mode].first_hits(expansion, step.length, &self.scales) {
-            None => step,
-            // Up to what happens first the time runs forwards; beyond, it need not, so the step is fitted anew.
-            Some((at, hits)) => self.land(expansion, at.min(step.length), end, hits),
-        }
-    }
-
-    /// A step to where the guard that cuts it is zero by its value.
-    fn polished(&mut self, mode: usize, expansion: &Expansion, step: Step, end: f64) -> Step {
-        let guard = |hit: &Hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None };
-        let hit = step.hits.iter().find_map(guard);
-        match hit.and_then(|guard| self.engines[mode].delay(guard, expansion, step.length, &self.scales)) {
-            None => step,
-            Some(delay) => self.land(expansion, step.length + delay, end, step.hits),
-        }
     }
 
     /// Whether a step is good enough: its states, what it watches, and what it must keep.
