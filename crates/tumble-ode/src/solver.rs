@@ -212,12 +212,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.pass(mode, &step, &expansion)?;
         // Only a hit asks for it.
         let left_out = if step.hits.is_empty() { vec![] } else { self.compensation.clone() };
+        let start_left_out = self.time_left_out;
         self.accept(mode, &mut expansion, &step)?;
         let now = (self.time, self.states.as_slice());
         self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now, &left_out)?;
         let work = &mut self.trajectory.work;
         let ends_flow = self.engines[mode].fired(&step.hits, now, work);
-        self.record(mode, expansion, &step);
+        self.record(mode, (expansion, start_left_out), &step);
         let ends_flow = ends_flow?;
         self.jump_if_due(mode, ends_flow, step.end == end)
     }
@@ -254,7 +255,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             Some(&index) => index,
             None => self.compile(mode)?,
         };
-        let sides = self.mode.map(|before| self.engines[before].sides()).unwrap_or_default();
+        let before = self.mode.filter(|_| states == self.states);
+        let sides = before.map(|before| self.engines[before].sides());
         let engine = &mut self.engines[index];
         let system = &engine.system;
         assert_eq!(states.len(), system.len(), "a model gives a mode as many states as its flow has");
@@ -264,7 +266,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.scales.raise(&system.floors);
         self.scales.watch(system, &states);
         engine.enter(self.time, &states, zeros);
-        if states == self.states {
+        if let Some(sides) = sides {
             engine.carry_sides(&sides);
         }
         self.compensation = self.carried(index, &states);
@@ -470,10 +472,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// Keeps a step that was taken as a piece of the motion.
-    fn record(&mut self, mode: usize, expansion: Expansion, step: &Step) {
+    fn record(&mut self, mode: usize, (expansion, left_out): (Expansion, f64), step: &Step) {
         if step.length > 0.0 {
             let piece = Piece {
                 start: expansion.start,
+                left_out,
                 end: step.end,
                 mode,
                 length: step.length,

@@ -28,6 +28,8 @@ pub struct Trajectory<Mode> {
 pub struct Piece {
     /// Time at s = 0, s.
     pub start: f64,
+    /// What rounding left out of `start`, s: s is counted from the sum of both.
+    pub left_out: f64,
     /// Time at s = `length`, s.
     pub end: f64,
     /// Index in [`Trajectory::modes`].
@@ -181,7 +183,7 @@ impl Piece {
         match &self.time_series {
             // What rounding left out of times is in the length.
             None if time == self.end => self.length,
-            None => time - self.start,
+            None => (time - self.start - self.left_out).max(0.0),
             Some(series) => invert(series, time - self.start, self.length),
         }
     }
@@ -189,7 +191,7 @@ impl Piece {
     /// Time at a value of the piece's parameter.
     pub fn time_at(&self, s: f64) -> f64 {
         match &self.time_series {
-            None => self.start + s,
+            None => self.start + (s + self.left_out),
             Some(series) => self.start + polynomial::increment(series, s),
         }
     }

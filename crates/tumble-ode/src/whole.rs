@@ -1,8 +1,8 @@
 //! Whether a step is known everywhere, and not only where it was looked at.
 //!
 //! A step is accepted if along all of it the defect `p'(s) - f(t(s), p(s))` is bounded by a millionth of the scale of its rate,
-//! or by the accuracy if that is larger, if nothing weaker hides in it (see [`defect`]), and if it is settled where each watched function is zero: those are its series' zeros
-//! and no others. What is not settled at once is halved, down to [`SMALLEST`] of the step. The step then ends where
+//! or by the accuracy if that is larger; if nothing weaker hides in it, see [`defect`]; and if it is settled where each watched
+//! function is zero: those are its series' zeros and no others. What is not settled at once is halved, down to [`SMALLEST`] of the step. The step then ends where
 //! the first part begins that is not settled; if that is the beginning, it becomes that part.
 //!
 //! The scale of a rate is the largest that it has been, and that of the state over the length of the run: a force that has not

@@ -104,9 +104,9 @@ fn perturbed(
     let parameters = parameters.rounded(rounding);
     let equations = run.equations.rounded(rounding);
     let mut start = equations.start(&parameters)?;
+    start.stride = stride;
     // Where no step of the motion had to be cut nothing in it is narrow. A check run that passes over something all the same
     // differs from it, and the error stated says so.
-    start.stride = stride;
     start.is_proved = run.trajectory.work.cuts > 0;
     let found = Run::from_start(equations.clone(), start, until, accuracy, progress);
     match found {

@@ -69,8 +69,8 @@ impl<H: Hybrid> Solver<'_, H> {
         LEFT_OUT * self.rounding.draw(self.time, LATE) * self.blur.time.max(self.rounded(causes))
     }
 
-    /// What rounding makes of the time of an event, s; scheduled times are moved already. Of what a time loses nothing is lost where
-    /// steps are in time; then it is the step's length that is rounded.
+    /// What rounding makes of the time of an event, s; scheduled times are moved already. Where steps are in time what
+    /// its number loses stays in the step's length, and it is that which is rounded.
     fn rounded(&self, causes: &[Cause]) -> f64 {
         let is_scheduled = causes.iter().all(|cause| matches!(cause, Cause::Scheduled(_)));
         let last = self.trajectory.pieces.last();

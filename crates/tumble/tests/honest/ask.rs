@@ -39,6 +39,16 @@ pub(crate) fn force(along_x: &str) -> String {
     format!("[force.push]\non = \"p\"\nat = \"p.cm\"\nforce = [\"{along_x}\", 0]\n")
 }
 
+/// Two elastic walls, at these places along x.
+pub(crate) fn walls(left: &str, right: &str) -> String {
+    let wall = |name: &str, place: &str, normal: i32| {
+        format!(
+            "[surface.{name}]\nthrough = [\"{place}\", 0]\nnormal = [{normal}, 0]\nrigid = {{ restitution = 1 }}\n"
+        )
+    };
+    wall("left", left, 1) + &wall("right", right, -1)
+}
+
 impl Scene {
     pub(crate) fn until(self, until: &str) -> Self {
         Self { until: until.to_owned(), ..self }

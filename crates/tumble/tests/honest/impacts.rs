@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
-use crate::ask::{Found, are, scene};
+use crate::ask::{Found, are, scene, walls};
 
 /// Bodies with the height of their centres where they lie flat, m.
 const FLAT: [(&str, f64); 3] = [
@@ -75,24 +75,16 @@ fn a_hinged_rod_strikes_walls() {
 }
 
 /// The right wall comes at 0.25 m/s: it is struck at 0.4 s, and the left one at 1 s.
-const CLOSING: &str = r#"
-[body.p]
-point = {}
-mass = "1 kg"
-start = { at = ["0.5 m", 0], velocity = ["1 m/s", 0] }
-[surface.left]
-through = [0, 0]
-normal = [1, 0]
-rigid = { restitution = 1 }
-[surface.right]
-through = ["1 m - t*(0.25 m/s)", 0]
-normal = [-1, 0]
-rigid = { restitution = 1 }
-"#;
+fn closing() -> String {
+    let walls = walls("0 m", "1 m - t*(0.25 m/s)");
+    format!(
+        "[body.p]\npoint = {{}}\nmass = \"1 kg\"\nstart = {{ at = [\"0.5 m\", 0], velocity = [\"1 m/s\", 0] }}\n{walls}"
+    )
+}
 
 #[test]
 fn between_walls_that_close_at_the_very_time_of_an_impact() {
-    let scene = scene(CLOSING).until("2 s");
+    let scene = scene(&closing()).until("2 s");
     let found = scene.ask(["p.vx at 0.4 s", "p.x at 0.4 s", "p.vx at 1 s", "p.x at 1 s", "p.vx at 0.9 s"]);
     are(&found, [-1.5, 0.9, 1.5, 0.0, -1.5], 1e-12);
     let found = scene.ask(["p.vx at right.contact[1].start", "t at left.contact[1].start"]);
@@ -102,7 +94,7 @@ fn between_walls_that_close_at_the_very_time_of_an_impact() {
 #[test]
 fn before_an_impact_the_velocity_is_that_before_it() {
     let before = "[find.before]\nthat = \"p.vx\"\nat = \"0.4 s\"\nside = \"before\"\n";
-    let case = scene(&format!("{CLOSING}{before}")).until("2 s").run(&[]);
+    let case = scene(&format!("{}{before}", closing())).until("2 s").run(&[]);
     Found::of(&case.finds[0]).is(1.0, 1e-12);
 }
 
