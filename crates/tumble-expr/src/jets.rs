@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use crate::arena::Arena;
 use crate::ops::kernels::Kernels;
 use crate::ops::solve::Matrix;
 use crate::ops::{Op, Series, Slot};
+use crate::program::{Kernel, Program, Term};
 use crate::{Lookup, Rounded, Stage, Tape};
 
 /// How branches (abs, sign, step, min, max, if) take their sides at order 0.
@@ -23,11 +25,8 @@ pub enum Branches<'a, S> {
 #[derive(Clone, Debug)]
 pub struct Jets<S> {
     tape: Arc<Tape>,
-    stride: usize,
-    /// Operations that change with time, in order.
-    varying: Vec<(Slot, Op)>,
-    /// `[slot][order]`
-    data: Vec<S>,
+    /// Series of the slots, and what kernels keep besides.
+    arena: Arena<S>,
     signs: Vec<S>,
     /// By norm.
     vanishing: Vec<bool>,
@@ -35,6 +34,7 @@ pub struct Jets<S> {
     factors: Vec<S>,
     /// Of an interval of places, how far they are from where what vanishes is zero.
     elapsed: S,
+    time_is_parameter: bool,
 }
 
 /// Runs a tape on values.
@@ -47,12 +47,12 @@ impl Jets<Rounded> {
         for (slot, op) in tape.prologue() {
             let value = match op {
                 Op::Number(_) | Op::Pi => {
-                    let Rounded { value, error } = self.data[slot as usize * self.stride];
+                    let Rounded { value, error } = self.arena.at(slot, 0);
                     Rounded { value, error: part * error }
                 }
                 _ => self.value(op, true),
             };
-            self.data[slot as usize * self.stride] = value;
+            self.arena.put(slot, 0, value);
         }
     }
 
@@ -62,7 +62,7 @@ impl Jets<Rounded> {
         let first = tape.states() + 1;
         let inputs = (first..first + tape.inputs()).chain(tape.prologue().map(|(slot, _)| slot as usize));
         for slot in inputs {
-            self.data[slot * self.stride].error = 0.0;
+            self.arena.change(slot as Slot, |value| value.error = 0.0);
         }
     }
 }
@@ -73,14 +73,12 @@ impl<S: Kernels> Jets<S> {
     /// # Panics
     /// If there are not as many inputs as the tape's layout has.
     pub fn new(tape: Arc<Tape>, order: usize, inputs: &[S]) -> Self {
-        let stride = order + 1;
-        let data = vec![S::zero(); tape.len() * stride];
+        let arena = Arena::new(tape.program().rows, order);
         let signs = vec![S::one(); tape.sides()];
         let vanishing = vec![false; tape.norms.len()];
-        let varying = tape.varying().collect();
         let factors = vec![S::zero(); tape.matrices.iter().map(Matrix::room).sum()];
         let elapsed = S::zero();
-        let mut jets = Self { tape, stride, varying, data, signs, vanishing, factors, elapsed };
+        let mut jets = Self { tape, arena, signs, vanishing, factors, elapsed, time_is_parameter: false };
         jets.bind(inputs);
         jets
     }
@@ -94,7 +92,7 @@ impl<S: Kernels> Jets<S> {
         let tape = Arc::clone(&self.tape);
         let first = tape.states() + 1;
         for (index, value) in inputs.iter().enumerate() {
-            self.data[(first + index) * self.stride] = *value;
+            self.arena.put((first + index) as Slot, 0, *value);
         }
         for (slot, op) in tape.prologue() {
             let value = match op {
@@ -105,7 +103,7 @@ impl<S: Kernels> Jets<S> {
                 Op::Pi => S::constant(tape.pi, false),
                 _ => self.value(op, true),
             };
-            self.data[slot as usize * self.stride] = value;
+            self.arena.put(slot, 0, value);
         }
     }
 
@@ -117,37 +115,72 @@ impl<S: Kernels> Jets<S> {
         let tape = Arc::clone(&self.tape);
         assert_eq!(states.len(), tape.states(), "one value a state");
         for (index, value) in states.iter().chain([&time]).enumerate() {
-            self.data[index * self.stride] = *value;
+            self.arena.put(index as Slot, 0, *value);
         }
         let free = matches!(branches, Branches::Free);
         if let Branches::Frozen(signs) = branches {
             self.freeze(signs);
         }
-        for index in 0..self.varying.len() {
-            let (slot, op) = self.varying[index];
-            self.data[slot as usize * self.stride] = self.value(op, free);
+        let Program { kernels, terms, .. } = tape.program();
+        for (slot, kernel) in kernels {
+            let value = match kernel {
+                Kernel::Other(op) | Kernel::Along { op, .. } => self.value(*op, free),
+                kernel => self.first(kernel, terms),
+            };
+            self.arena.put(*slot, 0, value);
         }
     }
 
+    /// Says whether the time is the parameter of the series but for a constant: what depends on it alone is found faster.
+    pub fn set_time_is_parameter(&mut self, is_so: bool) {
+        self.time_is_parameter = is_so;
+    }
+
     /// Sets a leaf's coefficient: a state's by its index, the time's by the number of states.
+    #[inline]
     pub fn set(&mut self, leaf: usize, order: usize, value: S) {
-        self.data[leaf * self.stride + order] = value;
+        self.arena.put(leaf as Slot, order, value);
     }
 
     /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
     pub fn extend(&mut self, k: usize) {
-        for index in 0..self.varying.len() {
-            let (slot, op) = self.varying[index];
-            let value = self.series().coefficient(op, slot, k);
-            self.data[slot as usize * self.stride + k] = value;
+        let Self { tape, arena, signs, vanishing, factors, elapsed, time_is_parameter } = self;
+        let Program { kernels, terms, .. } = tape.program();
+        for (slot, kernel) in kernels {
+            let value = match kernel {
+                Kernel::Sum(range) => arena.sum(&terms[range.start as usize..range.end as usize], k),
+                Kernel::Product(a, b) => arena.product(*a, *b, k),
+                Kernel::Square(a) => arena.square(*a, k),
+                Kernel::Slope(a) => S::splat(k as f64) * arena.at(*a, k),
+                Kernel::Wave { slope, cos, is_linear, .. } => {
+                    let one_term = *is_linear && *time_is_parameter;
+                    let [sin_k, cos_k] = arena.wave(*slope, (*slot, *cos), k, one_term);
+                    arena.put(*cos, k, cos_k);
+                    sin_k
+                }
+                Kernel::Along { slope, factor, .. } => arena.along(*slope, *factor, k),
+                Kernel::Quotient(a, b) => arena.quotient(*a, *b, *slot, k),
+                Kernel::Root(a) => arena.root(*a, *slot, k),
+                Kernel::Norm { parts, square } => {
+                    let of_square = arena.squares(&tape.norms[*parts as usize], k);
+                    arena.put(*square, k, of_square);
+                    let series = Series { arena, signs, tape, factors, vanishing, elapsed: *elapsed };
+                    S::norm_coefficient(&series, *parts, (*slot, of_square), k)
+                }
+                Kernel::Other(op) => {
+                    let series = Series { arena, signs, tape, factors, vanishing, elapsed: *elapsed };
+                    series.coefficient(*op, *slot, k)
+                }
+            };
+            arena.put(*slot, k, value);
         }
     }
 
     /// Forgets all that was found: every result may be anything.
     pub fn forget(&mut self, anything: S) {
-        for index in 0..self.varying.len() {
-            let slot = self.varying[index].0 as usize;
-            self.data[slot * self.stride..][..self.stride].fill(anything);
+        let tape = Arc::clone(&self.tape);
+        for (slot, _) in tape.varying() {
+            self.arena.fill(slot, anything);
         }
     }
 
@@ -167,7 +200,7 @@ impl<S: Kernels> Jets<S> {
 
     /// Coefficients in a slot.
     pub fn slot(&self, slot: Slot) -> &[S] {
-        &self.data[slot as usize * self.stride..][..self.stride]
+        self.arena.row(slot)
     }
 
     /// Coefficients of an output.
@@ -185,6 +218,11 @@ impl<S: Kernels> Jets<S> {
         &self.signs
     }
 
+    /// Coefficients of the square of a length, by its index in the tape's list.
+    pub fn square_of_norm(&self, norm: usize) -> &[S] {
+        self.slot(self.tape.program().squares[norm])
+    }
+
     /// The tape that runs.
     pub fn tape(&self) -> &Arc<Tape> {
         &self.tape
@@ -198,6 +236,32 @@ impl<S: Kernels> Jets<S> {
             if self.tape.stage(*of) == Stage::Varying {
                 self.signs[side] = signs[side];
             }
+        }
+    }
+
+    /// Value of a kernel that has no branch.
+    fn first(&mut self, kernel: &Kernel, terms: &[Term]) -> S {
+        let at = |slot: Slot| self.arena.at(slot, 0);
+        match *kernel {
+            Kernel::Sum(ref range) => self.arena.sum(&terms[range.start as usize..range.end as usize], 0),
+            Kernel::Product(a, b) => at(a) * at(b),
+            Kernel::Square(a) => at(a).square(),
+            // A row of slopes has no order 0.
+            Kernel::Slope(_) => S::zero(),
+            Kernel::Wave { of, cos, .. } => {
+                let (sin_of, cos_of) = at(of).sin_cos();
+                self.arena.put(cos, 0, cos_of);
+                sin_of
+            }
+            Kernel::Quotient(a, b) => at(a) / at(b),
+            Kernel::Root(a) => at(a).sqrt(),
+            Kernel::Norm { parts, square } => {
+                let parts_of = &self.tape.norms[parts as usize];
+                let of_square = parts_of.iter().fold(S::zero(), |sum, part| sum + at(*part).square());
+                self.arena.put(square, 0, of_square);
+                S::norm(&self.series(), parts)
+            }
+            Kernel::Along { .. } | Kernel::Other(_) => unreachable!("these are found by their operation"),
         }
     }
 
@@ -230,8 +294,7 @@ impl<S: Kernels> Jets<S> {
 
     fn series(&self) -> Series<'_, S> {
         Series {
-            data: &self.data,
-            stride: self.stride,
+            arena: &self.arena,
             signs: &self.signs,
             tape: &self.tape,
             factors: &self.factors,

@@ -6,6 +6,7 @@
 //! It knows nothing of mechanics.
 
 mod active;
+mod arena;
 mod degree;
 mod describe;
 mod differentiate;
@@ -22,6 +23,7 @@ mod narrow;
 mod operators;
 mod ops;
 mod peel;
+mod program;
 mod rounding;
 mod scalar;
 mod simplify;

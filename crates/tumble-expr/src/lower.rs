@@ -13,6 +13,7 @@ use crate::expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
 use crate::hashing::FastMap;
 use crate::ops::{Op, Slot};
+use crate::program::Program;
 use crate::table::TableRef;
 use crate::tape::{CompileError, Layout, Lookup, Stage, Tape};
 
@@ -54,6 +55,7 @@ impl Lowering {
                 systems: vec![],
                 states: layout.states.len(),
                 inputs: layout.inputs.len(),
+                program: Program::default(),
             },
             known: FastMap::default(),
             branches: FastMap::default(),
@@ -76,6 +78,7 @@ impl Lowering {
             slots[id.index()] = Some(self.node(&graph, id, &slots)?);
         }
         self.tape.outputs = roots.iter().map(|root| placed(&slots, *root)).collect();
+        self.tape.program = Program::of(&self.tape);
         Ok(self.tape)
     }
 

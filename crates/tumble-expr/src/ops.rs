@@ -11,11 +11,13 @@ pub(crate) mod integral;
 pub(crate) mod kernels;
 pub(crate) mod norm;
 pub(crate) mod power;
+mod recurrences;
 pub(crate) mod running;
 pub(crate) mod solve;
 pub(crate) mod square_over;
 
 use crate::Tape;
+use crate::arena::Arena;
 use crate::ops::kernels::Kernels;
 use crate::table::Table;
 
@@ -161,8 +163,7 @@ pub enum Op {
 
 /// Series of every slot, as far as they are known.
 pub struct Series<'a, S> {
-    pub(crate) data: &'a [S],
-    pub(crate) stride: usize,
+    pub(crate) arena: &'a Arena<S>,
     /// +1 or -1 a branch, then the segment of each measured function.
     pub(crate) signs: &'a [S],
     pub(crate) tape: &'a Tape,
@@ -176,11 +177,11 @@ pub struct Series<'a, S> {
 
 impl<'a, S: Kernels> Series<'a, S> {
     pub(crate) fn of(&self, slot: Slot) -> &'a [S] {
-        &self.data[slot as usize * self.stride..][..self.stride]
+        self.arena.row(slot)
     }
 
     pub(crate) fn first(&self, slot: Slot) -> S {
-        self.data[slot as usize * self.stride]
+        self.arena.at(slot, 0)
     }
 
     /// Value of an operation whose parts are evaluated. Leaves and numbers are set by the evaluator.
@@ -227,30 +228,13 @@ impl<'a, S: Kernels> Series<'a, S> {
         }
     }
 
-    /// Coefficient of order `k >= 1` of the operation whose result stands in `slot`.
+    /// Coefficient of order `k >= 1` of an operation that has no kernel of its own, whose result stands in `slot`.
     pub(crate) fn coefficient(&self, op: Op, slot: Slot, k: usize) -> S {
         let a = |slot| self.of(slot);
         let c = self.of(slot);
         match op {
-            Op::State(_) | Op::Time => c[k],
-            Op::Input(_) | Op::Number(_) | Op::Pi => S::zero(),
-            Op::Neg(x) => -a(x)[k],
-            Op::Add(x, y) => a(x)[k] + a(y)[k],
-            Op::Sub(x, y) => a(x)[k] - a(y)[k],
-            Op::Mul(x, y) => arithmetic::product(a(x), a(y), k),
-            Op::Scale { of, by } => a(of)[k] * self.first(by),
-            Op::Div(x, y) => arithmetic::quotient(a(x), a(y), c, k),
-            Op::Shrink { of, by } => a(of)[k] / self.first(by),
-            Op::Square(x) => arithmetic::square(a(x), k),
-            Op::Sqrt(x) => power::root(a(x), c, k),
             Op::Pow { of, exponent } => power::power(a(of), self.first(exponent), c, k),
-            Op::Exp(x) => integral::along(a(x), c, k),
             Op::Log(x) => integral::against(a(x)[k], a(x), c, k),
-            Op::Sin { of, cos } => integral::along(a(of), a(cos), k),
-            Op::Cos { of, sin } => -integral::along(a(of), a(sin), k),
-            Op::Sinh { of, cosh } => integral::along(a(of), a(cosh), k),
-            Op::Cosh { of, sinh } => integral::along(a(of), a(sinh), k),
-            Op::Tan { of, slope } | Op::Tanh { of, slope } => integral::along(a(of), a(slope), k),
             Op::Asin { of, root } => integral::against(a(of)[k], a(root), c, k),
             Op::Acos { of, root } => integral::against(-a(of)[k], a(root), c, k),
             Op::Atan { of, square } => integral::against(a(of)[k], a(square), c, k),
@@ -258,18 +242,17 @@ impl<'a, S: Kernels> Series<'a, S> {
                 c[0].smooth(integral::against(integral::sweep(a(x), a(y), k), a(square), c, k))
             }
             Op::Abs { of, branch } => self.sign(branch) * a(of)[k],
-            Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => S::zero(),
-            Op::Factor(_) => S::zero(),
-            Op::Residual { system, row } => solve::residual(self, system, row, k),
-            Op::Forward { system, row } => S::forward(self, system, row, k),
-            Op::Solution { system, row } => S::solution(self, system, row, k),
             Op::Choose { branch, positive, negative } => {
                 self.sign(branch).choose(a(positive)[k], a(negative)[k])
             }
-            Op::Norm(parts) => S::norm_coefficient(self, parts, c, k),
             Op::SquareOver { of, by, vanishing } => {
                 S::square_over_coefficient(self, (of, by, vanishing), c, k)
             }
+            Op::Residual { system, row } => solve::residual(self, system, row, k),
+            Op::Forward { system, row } => S::forward(self, system, row, k),
+            Op::Solution { system, row } => S::solution(self, system, row, k),
+            // Constant along a step, or found by a kernel.
+            _ => S::zero(),
         }
     }
 

@@ -6,6 +6,7 @@ use crate::expr::Symbol;
 use crate::lower::Lowering;
 use crate::ops::solve::{Matrix, System};
 use crate::ops::{Op, Slot};
+use crate::program::Program;
 use crate::rounding::{Constant, Rounding};
 use crate::table::TableRef;
 use crate::{Expr, Kind, TypeError};
@@ -79,6 +80,8 @@ pub struct Tape {
     pub(crate) names: Vec<String>,
     pub(crate) states: usize,
     pub(crate) inputs: usize,
+    /// How it is run.
+    pub(crate) program: Program,
 }
 
 /// A measured function with the slot of its argument.
@@ -181,6 +184,10 @@ impl Tape {
             _ => None,
         };
         self.varying().filter_map(|(_, op)| turning(op)).collect()
+    }
+
+    pub(crate) fn program(&self) -> &Program {
+        &self.program
     }
 
     /// How many norms there are, those of inputs included.

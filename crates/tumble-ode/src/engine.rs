@@ -71,7 +71,8 @@ impl Engine {
         inputs: &[f64],
     ) -> Self {
         let order = system.exact_degree.unwrap_or(order).max(1);
-        let jets = Jets::new(system.tape.clone(), order, inputs);
+        let mut jets = Jets::new(system.tape.clone(), order, inputs);
+        jets.set_time_is_parameter(!system.transformed);
         let values = Jets::new(system.tape.clone(), 0, inputs);
         let turnings = system.tape.turnings();
         let leaves: Vec<Rounded> = inputs.iter().map(|value| Rounded::leaf(*value)).collect();

@@ -114,11 +114,9 @@ fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
 fn turn(turning: &Turning, jets: &Jets<f64>) -> Turn {
     match turning {
         Turning::Power { of } => Turn { square: jets.slot(*of).to_vec(), components: vec![] },
-        Turning::Norm { parts, .. } => {
-            let components: Vec<Vec<f64>> = parts.iter().map(|part| jets.slot(*part).to_vec()).collect();
-            let order =
-                |k: usize| (0..=k).map(|i| components.iter().map(|a| a[i] * a[k - i]).sum::<f64>()).sum();
-            Turn { square: (0..components[0].len()).map(order).collect(), components }
+        Turning::Norm { parts, index } => {
+            let components = parts.iter().map(|part| jets.slot(*part).to_vec()).collect();
+            Turn { square: jets.square_of_norm(*index).to_vec(), components }
         }
     }
 }

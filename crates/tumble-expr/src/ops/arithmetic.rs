@@ -1,11 +1,6 @@
-//! Products and quotients.
+//! Squares and sums of products of series that are no rows of an arena.
 
 use crate::Scalar;
-
-/// `c = a b`: Cauchy's product, `c_k = sum over i of a_i b_(k-i)`.
-pub(crate) fn product<S: Scalar>(a: &[S], b: &[S], k: usize) -> S {
-    convolution(&a[1..k], &b[1..k]) + a[k] * b[0] + a[0] * b[k]
-}
 
 /// `c = a^2`: the product's terms in equal pairs, and the middle one where k is even.
 pub(crate) fn square<S: Scalar>(a: &[S], k: usize) -> S {
@@ -18,11 +13,6 @@ pub(crate) fn half_square<S: Scalar>(a: &[S], k: usize) -> S {
     let pairs = convolution(&a[1..below], &a[k + 1 - below..k]);
     let twice = S::splat(2.0) * pairs;
     if k.is_multiple_of(2) && k > 0 { twice + a[k / 2].square() } else { twice }
-}
-
-/// `c = a / b`, from `c b = a`: `c_k b_0 = a_k - sum over i < k of c_i b_(k-i)`.
-pub(crate) fn quotient<S: Scalar>(a: &[S], b: &[S], c: &[S], k: usize) -> S {
-    (a[k] - (convolution(&c[1..k], &b[1..k]) + c[0] * b[k])).over(b[0])
 }
 
 /// Sum of `a_i b_(n-1-i)` over two slices of one length n.

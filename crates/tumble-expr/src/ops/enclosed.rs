@@ -30,7 +30,8 @@ impl Kernels for Interval {
         all.both(series.elapsed * length(slopes))
     }
 
-    fn norm_coefficient(series: &Boxes<'_>, parts: u32, c: &[Self], k: usize) -> Self {
+    fn norm_coefficient(series: &Boxes<'_>, parts: u32, (slot, _): (Slot, Self), k: usize) -> Self {
+        let c = series.of(slot);
         let is_vanishing = series.vanishing[parts as usize];
         let parts = &series.tape.norms[parts as usize];
         let slope = match is_vanishing {

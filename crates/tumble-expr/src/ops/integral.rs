@@ -1,16 +1,8 @@
-//! Functions known by their derivative: every elementary function but powers.
-//!
-//! Two shapes cover them all. `c' = a' g` with a companion series g: exp (g = c), sin (g = cos), cos (g = -sin), sinh,
-//! cosh, tan (g = 1 + c^2), tanh (g = 1 - c^2). `c' g = n'` with a denominator g: log (g = a), asin and acos
-//! (g = sqrt(1 - a^2)), atan (g = 1 + a^2), atan2 (g = x^2 + y^2).
+//! Functions known by their derivative where that is a quotient: `c' g = n'` with a denominator g: log (g = a), asin and acos
+//! (g = sqrt(1 - a^2)), atan (g = 1 + a^2), atan2 (g = x^2 + y^2). Those with `c' = a' g` are in [`super::recurrences`].
 
 use super::arithmetic::side_by_side;
 use crate::Scalar;
-
-/// `c' = a' g`: comparing orders, `k c_k = sum over i from 1 to k of i a_i g_(k-i)`.
-pub(crate) fn along<S: Scalar>(a: &[S], g: &[S], k: usize) -> S {
-    weighted(&a[1..=k], &g[..k]) / order(k)
-}
 
 /// `c' g = n'` for given `n_k`: `k c_k g_0 = k n_k - sum over i from 1 to k-1 of i c_i g_(k-i)`.
 pub(crate) fn against<S: Scalar>(n: S, g: &[S], c: &[S], k: usize) -> S {

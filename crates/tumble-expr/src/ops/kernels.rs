@@ -7,8 +7,8 @@ use crate::{Lanewise, Scalar};
 pub trait Kernels: Scalar {
     /// Length of a vector.
     fn norm(series: &Series<'_, Self>, parts: u32) -> Self;
-    /// Its coefficient of an order above 0.
-    fn norm_coefficient(series: &Series<'_, Self>, parts: u32, c: &[Self], k: usize) -> Self;
+    /// Its coefficient of an order above 0; `found` is its slot, and the coefficient of its square.
+    fn norm_coefficient(series: &Series<'_, Self>, parts: u32, found: (Slot, Self), k: usize) -> Self;
     /// `a^2 / b` that may vanish.
     fn square_over(series: &Series<'_, Self>, which: (Slot, Slot, u32)) -> Self;
     /// Its coefficient of an order above 0.
@@ -30,8 +30,8 @@ impl<S: Lanewise> Kernels for S {
     fn norm(series: &Series<'_, S>, parts: u32) -> S {
         norm::value(series, parts)
     }
-    fn norm_coefficient(series: &Series<'_, S>, parts: u32, c: &[S], k: usize) -> S {
-        norm::coefficient(series, parts, c, k)
+    fn norm_coefficient(series: &Series<'_, S>, parts: u32, found: (Slot, S), k: usize) -> S {
+        norm::coefficient(series, parts, found, k)
     }
     fn square_over(series: &Series<'_, S>, (of, by, vanishing): (Slot, Slot, u32)) -> S {
         square_over::value(series, of, by, vanishing)

@@ -5,7 +5,7 @@
 //! body released from rest has its exact series, `g s + ...`, and not the one of a singular root. Where a motion passes
 //! through zero, rounding leaves a vector of some ulps: whoever knows that it is zero says so, and order 0 is not read.
 
-use super::arithmetic::{self, half_square};
+use super::arithmetic::half_square;
 use super::{Series, Slot};
 use crate::Lanewise;
 
@@ -17,16 +17,20 @@ pub(crate) fn value<S: Lanewise>(series: &Series<'_, S>, parts: u32) -> S {
     S::from_lanes(|lane| length(parts.iter().map(|part| series.first(*part).lane(lane))))
 }
 
-pub(crate) fn coefficient<S: Lanewise>(series: &Series<'_, S>, parts: u32, c: &[S], k: usize) -> S {
+pub(crate) fn coefficient<S: Lanewise>(
+    series: &Series<'_, S>,
+    parts: u32,
+    (slot, of_square): (Slot, S),
+    k: usize,
+) -> S {
     let lowest = usize::from(series.vanishing[parts as usize]);
-    let parts = &series.tape.norms[parts as usize];
+    let first = series.first(slot);
     // Away from zero in every lane there is nothing to factor out.
-    if lowest == 0 && (0..S::LANES).all(|lane| c[0].lane(lane) != 0.0) {
-        let square = |sum: S, part: &Slot| sum + arithmetic::square(series.of(*part), k);
-        let squares = parts.iter().fold(S::zero(), square);
-        return (squares - half_square(c, k)) / (S::splat(2.0) * c[0]);
+    if lowest == 0 && (0..S::LANES).all(|lane| first.lane(lane) != 0.0) {
+        return (of_square - series.arena.inner_square(slot, k)) / (S::splat(2.0) * first);
     }
-    S::from_lanes(|lane| of_lane(series, parts, c, lowest..=k, lane))
+    let parts = &series.tape.norms[parts as usize];
+    S::from_lanes(|lane| of_lane(series, parts, series.of(slot), lowest..=k, lane))
 }
 
 fn of_lane<S: Lanewise>(

@@ -1,12 +1,6 @@
-//! Square roots and powers with an exponent that does not change with time.
+//! Powers with an exponent that does not change with time.
 
-use super::arithmetic::half_square;
 use crate::Scalar;
-
-/// `c = sqrt(a)`, from `c^2 = a`: `2 c_0 c_k = a_k - sum over 0 < i < k of c_i c_(k-i)`.
-pub(crate) fn root<S: Scalar>(a: &[S], c: &[S], k: usize) -> S {
-    (a[k] - half_square(c, k)) / (S::splat(2.0) * c[0])
-}
 
 /// `c = a^p`, from `a c' = p c a'`: `k a_0 c_k = sum over i < k of (p (k-i) - i) a_(k-i) c_i`.
 pub(crate) fn power<S: Scalar>(a: &[S], p: S, c: &[S], k: usize) -> S {

@@ -16,7 +16,7 @@ impl Kernels for Rounded {
         Self { value, error: error + if error == 0.0 && value == 0.0 { 0.0 } else { value } }
     }
 
-    fn norm_coefficient(_: &Errors<'_>, _: u32, _: &[Self], _: usize) -> Self {
+    fn norm_coefficient(_: &Errors<'_>, _: u32, _: (Slot, Self), _: usize) -> Self {
         Self::zero()
     }
 

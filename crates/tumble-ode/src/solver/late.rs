@@ -64,17 +64,13 @@ impl<H: Hybrid> Solver<'_, H> {
         }
     }
 
-    /// By how much an event comes late, s.
+    /// By how much an event comes late, s. Scheduled times are moved already. Where steps are in time what the number of a time
+    /// loses stays in the step's length, and it is that which is rounded: equal flights are late by the same, and their errors add up.
     fn late(&self, causes: &[Cause]) -> f64 {
-        LEFT_OUT * self.rounding.draw(self.time, LATE) * self.blur.time.max(self.rounded(causes))
-    }
-
-    /// What rounding makes of the time of an event, s; scheduled times are moved already. Where steps are in time what
-    /// its number loses stays in the step's length, and it is that which is rounded.
-    fn rounded(&self, causes: &[Cause]) -> f64 {
         let is_scheduled = causes.iter().all(|cause| matches!(cause, Cause::Scheduled(_)));
         let last = self.trajectory.pieces.last();
         let size = last.filter(|piece| piece.time_series.is_none()).map_or(self.time, |piece| piece.length);
-        if is_scheduled || is_short(self.time) { 0.0 } else { ROOT_ROUNDING * f64::EPSILON * size }
+        let rounded = if is_scheduled || is_short(self.time) { 0.0 } else { ROOT_ROUNDING * f64::EPSILON * size };
+        LEFT_OUT * self.rounding.draw(size, LATE) * self.blur.time.max(rounded)
     }
 }

@@ -1,0 +1,67 @@
+//! Kernels: coefficients of order `k >= 1` of sums, products, quotients, roots and functions known by their derivative.
+//!
+//! `c = a b`: Cauchy's product. `c = a / b`, from `c b = a`: `c_k b_0 = a_k - sum over i < k of c_i b_(k-i)`. `c = sqrt(a)`, from
+//! `c^2 = a`. `c' = a' g` with a companion series g: comparing orders, `k c_k = sum over i from 1 to k of i a_i g_(k-i)`. So are exp (g = c), sin
+//! (g = cos), cos (g = -sin), sinh, cosh, tan (g = 1 + c^2), tanh (g = 1 - c^2).
+
+use super::Slot;
+use crate::Scalar;
+use crate::arena::Arena;
+use crate::program::{By, Term};
+
+impl<S: Scalar> Arena<S> {
+    /// A sum of multiples, at any order.
+    #[inline(always)]
+    pub(crate) fn sum(&self, terms: &[Term], k: usize) -> S {
+        let value = |term: &Term| match term.by {
+            By::One => self.at(term.of, k),
+            By::Times(by) => self.at(term.of, k) * self.at(by, 0),
+            By::Over(by) => self.at(term.of, k) / self.at(by, 0),
+        };
+        let (first, others) = terms.split_first().expect("a sum has terms");
+        let first = if first.is_taken { -value(first) } else { value(first) };
+        others.iter().fold(first, |sum, term| if term.is_taken { sum - value(term) } else { sum + value(term) })
+    }
+
+    #[inline(always)]
+    pub(crate) fn product(&self, a: Slot, b: Slot, k: usize) -> S {
+        self.inner(a, b, k) + self.at(a, 0) * self.at(b, k) + self.at(a, k) * self.at(b, 0)
+    }
+
+    #[inline(always)]
+    pub(crate) fn square(&self, a: Slot, k: usize) -> S {
+        self.inner_square(a, k) + S::splat(2.0) * (self.at(a, 0) * self.at(a, k))
+    }
+
+    /// Of the sum of squares of some rows.
+    #[inline(always)]
+    pub(crate) fn squares(&self, parts: &[Slot], k: usize) -> S {
+        let (first, others) = parts.split_first().expect("a length has components");
+        others.iter().fold(self.square(*first, k), |sum, part| sum + self.square(*part, k))
+    }
+
+    #[inline(always)]
+    pub(crate) fn quotient(&self, a: Slot, b: Slot, c: Slot, k: usize) -> S {
+        (self.at(a, k) - (self.inner(c, b, k) + self.at(c, 0) * self.at(b, k))).over(self.at(b, 0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn root(&self, a: Slot, c: Slot, k: usize) -> S {
+        (self.at(a, k) - self.inner_square(c, k)) / (S::splat(2.0) * self.at(c, 0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn along(&self, slope: Slot, factor: Slot, k: usize) -> S {
+        (self.inner(slope, factor, k) + self.at(slope, k) * self.at(factor, 0)) / S::splat(k as f64)
+    }
+
+    /// Sine and cosine; of an argument that is linear in the parameter one term is left.
+    #[inline(always)]
+    pub(crate) fn wave(&self, slope: Slot, (sin, cos): (Slot, Slot), k: usize, is_linear: bool) -> [S; 2] {
+        if is_linear {
+            let rate = self.at(slope, 1) / S::splat(k as f64);
+            return [rate * self.at(cos, k - 1), -(rate * self.at(sin, k - 1))];
+        }
+        [self.along(slope, cos, k), -self.along(slope, sin, k)]
+    }
+}
