@@ -15,6 +15,7 @@ use std::sync::Arc;
 
 use tumble_expr::{Branches, Interval, Jets, Scalar, Slot, Tape};
 
+use crate::Coefficients;
 use crate::polynomial::{shifted, shifted_up_to};
 
 /// Highest order of the intervals. A remainder shrinks with this power of the stretch; beyond five, intervals of products
@@ -29,7 +30,7 @@ pub struct Path<'a> {
     /// Time at s = 0, s.
     pub start: f64,
     /// Coefficients `[state][order]`.
-    pub states: &'a [Vec<f64>],
+    pub states: &'a Coefficients,
     /// Those of the time, where it is not `start + s`.
     pub time: Option<&'a [f64]>,
 }
@@ -172,7 +173,7 @@ impl Enclosure {
     fn place(&mut self, path: Path<'_>, middle: f64) {
         let plain = [path.start, 1.0];
         let time = path.time.unwrap_or(&plain);
-        let all = path.states.iter().map(Vec::as_slice).chain([time]);
+        let all = path.states.iter().chain([time]);
         let reach = self.reach;
         self.leaves = all.map(|series| leaf(series, middle, reach)).collect();
     }
@@ -313,6 +314,10 @@ mod tests {
         Enclosure::new(Arc::new(Tape::compile(&layout, &[formula]).expect("typed")), &[])
     }
 
+    fn line() -> Coefficients {
+        Coefficients::of([&[0.0, 1.0][..]].into_iter())
+    }
+
     fn x() -> Expr {
         Expr::symbol("x", Dimension::NONE)
     }
@@ -321,7 +326,7 @@ mod tests {
     #[test]
     fn a_steep_formula_ahead_is_seen() {
         let mut steep = enclosure(Expr::unary(Unary::Tanh, (x() - 3) * 30) - 0.5);
-        let states = [vec![0.0, 1.0]];
+        let states = line();
         let path = Path { start: 0.0, states: &states, time: None };
         steep.look(path, [0.0, 2.0], &[], None);
         assert_eq!(steep.output(0).range(0).definite_sign(), -1.0);
@@ -344,12 +349,12 @@ mod tests {
             })
             .collect();
         let mut own = enclosure(x());
-        let states = [series.clone()];
+        let states = Coefficients::of([&series[..]].into_iter());
         own.look(Path { start: 0.0, states: &states, time: None }, [0.0, 0.1], &[], None);
         let truth = series[11] * 0.1_f64.powi(11);
         let defect = own.defect(0, 0);
         assert!(truth <= defect && defect < 1e-8, "{defect:e}");
-        let wrong = [vec![1.0, 1.0]];
+        let wrong = Coefficients::of([&[1.0, 1.0][..]].into_iter());
         own.look(Path { start: 0.0, states: &wrong, time: None }, [0.0, 0.1], &[], None);
         assert!((0.1..0.2).contains(&own.defect(0, 0)));
     }
@@ -357,7 +362,7 @@ mod tests {
     #[test]
     fn a_turn_is_where_the_slope_is_zero() {
         let mut bowl = enclosure((x() - 0.3).powi(2) + 1);
-        let states = [vec![0.0, 1.0]];
+        let states = line();
         bowl.look(Path { start: 0.0, states: &states, time: None }, [0.0, 1.0], &[], None);
         let bounds = bowl.output(0);
         assert!((bounds.turn() + 0.4).abs() < 1e-12);

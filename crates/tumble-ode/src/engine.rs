@@ -183,7 +183,7 @@ impl Engine {
             self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
             let expansion =
-                expand(&self.system, &mut self.jets, self.order, frozen, (time, states, true), off)?;
+                expand(&self.system, &mut self.jets, self.order, (frozen, &self.turnings), (time, states, true), off)?;
             self.watch_scales(&expansion);
             if self.enter_segments(&expansion) {
                 continue;
@@ -213,7 +213,7 @@ impl Engine {
         }
         let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
         let now = (time, states, false);
-        let found = expand(&self.system, &mut self.jets, self.order, frozen, now, off).ok()?;
+        let found = expand(&self.system, &mut self.jets, self.order, (frozen, &self.turnings), now, off).ok()?;
         self.wrong_side(&found, time).is_none().then_some(found)
     }
 
@@ -325,8 +325,9 @@ impl Engine {
         let active = self.branch_signs.active.branches.iter();
         let branches =
             expansion.branches.iter().zip(active).filter(|(_, active)| **active).map(|(series, _)| series);
-        let watched = branches.chain(&expansion.guards).map(|series| of_own_size(series));
-        states.chain(time).chain(watched).fold(f64::INFINITY, f64::min)
+        let watched = branches.chain(expansion.guards.iter());
+        let own = states.chain(time).fold(f64::INFINITY, f64::min);
+        watched.fold(own, |radius, series| of_own_size(series, radius))
     }
 
     /// Name of what limits the radius: a state, an event or a formula with a branch.
@@ -337,9 +338,9 @@ impl Engine {
             (of_series(series, scales.of(self.system.group(state))), names[state].clone())
         });
         let branches = expansion.branches.iter().zip(tape.guards());
-        let branches = branches.map(|(series, slot)| (of_own_size(series), tape.describe(*slot)));
+        let branches = branches.map(|(series, slot)| (of_own_size(series, f64::INFINITY), tape.describe(*slot)));
         let guards = expansion.guards.iter().zip(guard_names);
-        let guards = guards.map(|(series, name)| (of_own_size(series), format!("event {name}")));
+        let guards = guards.map(|(series, name)| (of_own_size(series, f64::INFINITY), format!("event {name}")));
         let all = states.chain(branches).chain(guards);
         all.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(String::new, |(_, name)| name)
     }
@@ -377,7 +378,7 @@ impl Engine {
     /// Finds the signs that guards have where a step ends.
     pub(crate) fn look_back(&mut self, expansion: &Expansion, length: f64) {
         let BranchSigns { zero_guards, sides, .. } = &mut self.branch_signs;
-        for ((side, series), zeros) in sides.iter_mut().zip(&expansion.guards).zip(zero_guards.iter()) {
+        for ((side, series), zeros) in sides.iter_mut().zip(expansion.guards.iter()).zip(zero_guards.iter()) {
             if length > 0.0 || *side == 0.0 {
                 *side = sign_before(ahead(series, *zeros), length);
             }

@@ -1,8 +1,8 @@
 //! The Taylor expansion of a solution at one instant, with all functions that are watched along it.
 
-use tumble_expr::{Branches, Jets, Turning};
+use tumble_expr::{Branches, Jets, Slot, Turning};
 
-use crate::Reason;
+use crate::{Coefficients, Reason};
 use crate::compiled::Compiled;
 use crate::polynomial::value;
 
@@ -12,17 +12,17 @@ pub(crate) struct Expansion {
     /// Time of the instant, s.
     pub(crate) start: f64,
     /// `[state][order]`, orders 0 to `order`.
-    pub(crate) states: Vec<Vec<f64>>,
+    pub(crate) states: Coefficients,
     /// Series of the time in the parameter, where they differ.
     pub(crate) time: Option<Vec<f64>>,
     /// Guards of the tape's branches.
-    pub(crate) branches: Vec<Vec<f64>>,
+    pub(crate) branches: Coefficients,
     /// What turns, in the tape's order.
     pub(crate) turnings: Vec<Turn>,
     /// Arguments of the tape's tables.
-    pub(crate) arguments: Vec<Vec<f64>>,
+    pub(crate) arguments: Coefficients,
     /// Guards of the model.
-    pub(crate) guards: Vec<Vec<f64>>,
+    pub(crate) guards: Coefficients,
     /// Lazily evaluated guards that may be reached, each by its index.
     pub(crate) near: Vec<(usize, Vec<f64>)>,
 }
@@ -34,7 +34,7 @@ pub(crate) struct Turn {
     pub(crate) square: Vec<f64>,
     /// Components of a length. At its least value their squares cancel, so it is found from them and not from the
     /// square.
-    pub(crate) components: Vec<Vec<f64>>,
+    pub(crate) components: Coefficients,
 }
 
 impl Turn {
@@ -50,7 +50,7 @@ impl Turn {
 impl Expansion {
     /// Highest order.
     pub(crate) fn order(&self) -> usize {
-        self.states.first().or(self.time.as_ref()).map_or(1, |series| series.len() - 1)
+        self.states.get(0).or(self.time.as_deref()).map_or(1, |series| series.len() - 1)
     }
 }
 
@@ -67,7 +67,7 @@ pub(crate) fn expand(
     system: &Compiled,
     jets: &mut Jets<f64>,
     order: usize,
-    frozen: Frozen<'_>,
+    (frozen, turnings): (Frozen<'_>, &[Turning]),
     (time, states, moves): (f64, &[f64], bool),
     off: &[f64],
 ) -> Result<Expansion, Reason> {
@@ -91,31 +91,32 @@ pub(crate) fn expand(
             jets.extend(k + 1);
         }
     }
-    Ok(collect(system, jets, time))
+    Ok(collect(system, jets, turnings, time))
 }
 
-fn collect(system: &Compiled, jets: &Jets<f64>, start: f64) -> Expansion {
+fn collect(system: &Compiled, jets: &Jets<f64>, turnings: &[Turning], start: f64) -> Expansion {
     let tape = &system.tape;
-    let slot = |slot: &u32| jets.slot(*slot).to_vec();
+    let slots = |slots: &[Slot]| Coefficients::of(slots.iter().map(|slot| jets.slot(*slot)));
     let first_guard = system.len() + usize::from(system.transformed);
-    let guards = first_guard..first_guard + system.guards;
     Expansion {
         start,
-        states: (0..system.len() as u32).map(|state| slot(&state)).collect(),
-        time: system.transformed.then(|| slot(&tape.time_slot())),
-        branches: tape.guards().iter().map(slot).collect(),
-        turnings: tape.turnings().iter().map(|turning| turn(turning, jets)).collect(),
-        arguments: tape.tables().iter().map(|lookup| slot(&lookup.of)).collect(),
-        guards: guards.map(|output| jets.output(output).to_vec()).collect(),
+        states: Coefficients::of((0..system.len()).map(|state| jets.slot(state as Slot))),
+        time: system.transformed.then(|| jets.slot(tape.time_slot()).to_vec()),
+        branches: slots(tape.guards()),
+        turnings: turnings.iter().map(|turning| turn(turning, jets)).collect(),
+        arguments: Coefficients::of(tape.tables().iter().map(|lookup| jets.slot(lookup.of))),
+        guards: slots(&tape.outputs()[first_guard..][..system.guards]),
         near: vec![],
     }
 }
 
 fn turn(turning: &Turning, jets: &Jets<f64>) -> Turn {
     match turning {
-        Turning::Power { of } => Turn { square: jets.slot(*of).to_vec(), components: vec![] },
+        Turning::Power { of } => {
+            Turn { square: jets.slot(*of).to_vec(), components: Coefficients::default() }
+        }
         Turning::Norm { parts, index } => {
-            let components = parts.iter().map(|part| jets.slot(*part).to_vec()).collect();
+            let components = Coefficients::of(parts.iter().map(|part| jets.slot(*part)));
             Turn { square: jets.square_of_norm(*index).to_vec(), components }
         }
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Layout, Rounded, Scalar, Symbol, Tape};
 
-use crate::Reason;
+use crate::{Coefficients, Reason};
 use crate::compiled::fixed;
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
@@ -177,8 +177,7 @@ impl LazyGuards {
     ) -> Result<T, Reason> {
         let watch = &mut self.all[index];
         let tape = watch.jets(self.order)?.tape().clone();
-        let states: Vec<Vec<f64>> =
-            watch.states.iter().map(|state| expansion.states[*state].clone()).collect();
+        let states = Coefficients::of(watch.states.iter().map(|state| &expansion.states[*state]));
         let path = Path { start: expansion.start, states: &states, time: expansion.time.as_deref() };
         let enclosure = watch.enclosure.get_or_insert_with(|| Enclosure::new(tape, &watch.inputs));
         Ok(look(enclosure, path))
@@ -209,7 +208,7 @@ pub(crate) fn delay(series: &[f64], s: f64, rounding: f64, mut at: impl FnMut(f6
 
 /// Reach of the near ones' expansions.
 pub(crate) fn radius(expansion: &Expansion) -> f64 {
-    expansion.near.iter().map(|(_, series)| of_own_size(series)).fold(f64::INFINITY, f64::min)
+    expansion.near.iter().fold(f64::INFINITY, |radius, (_, series)| of_own_size(series, radius))
 }
 
 /// By how much each state can change within a step.

@@ -6,6 +6,7 @@
 mod accuracy;
 mod bernstein;
 mod check;
+mod coefficients;
 mod compiled;
 mod enclosure;
 mod engine;
@@ -27,6 +28,7 @@ mod whole;
 mod work;
 
 pub use accuracy::{Accuracy, AccuracyError};
+pub use coefficients::Coefficients;
 pub use enclosure::{Bounds, Enclosure, Path, Vanishing};
 pub use hybrid::{
     AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,

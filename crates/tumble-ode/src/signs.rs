@@ -28,7 +28,7 @@ fn sign(value: f64) -> f64 {
 
 /// Sign of a series at its start, or just after where it is zero there.
 pub(crate) fn sign_after(series: &[f64]) -> f64 {
-    let reach = of_own_size(&series[1..]).min(1.0);
+    let reach = of_own_size(&series[1..], 1.0);
     let terms = series.iter().rev().fold(0.0, |sum, c| sum * reach + c.abs());
     if series[0].abs() > ZERO_PART * terms { series[0].signum() } else { leading_sign(&series[1..]) }
 }
@@ -41,7 +41,7 @@ pub(crate) fn leading_sign(series: &[f64]) -> f64 {
 /// Index of that coefficient.
 pub(crate) fn leading(series: &[f64]) -> Option<usize> {
     let first = series.iter().position(|c| *c != 0.0)?;
-    let reach = of_own_size(series).min(1.0);
+    let reach = of_own_size(series, 1.0);
     let term = |k: usize| (series[k] * libm::pow(reach, k as f64)).abs();
     let largest = (first..series.len()).map(term).fold(0.0, f64::max);
     (first..series.len()).find(|k| term(*k) > SIGNIFICANT * largest)

@@ -1,5 +1,6 @@
 //! A motion: polynomial pieces one after the other, and the events between them.
 
+use crate::Coefficients;
 use crate::hybrid::Cause;
 use crate::polynomial;
 use crate::work::Work;
@@ -37,7 +38,7 @@ pub struct Piece {
     /// Length in units of the parameter.
     pub length: f64,
     /// Coefficients `[state][order]` in s.
-    pub states: Vec<Vec<f64>>,
+    pub states: Coefficients,
     /// Coefficients of the time in s; where there are none, the time is `start + s`.
     pub time_series: Option<Vec<f64>>,
 }
@@ -155,8 +156,7 @@ impl<Mode> Trajectory<Mode> {
 impl Piece {
     /// States at a time within the piece.
     pub fn states_at(&self, time: f64) -> Vec<f64> {
-        let s = self.parameter_at(time);
-        self.states.iter().map(|series| polynomial::value(series, s)).collect()
+        self.states_at_parameter(self.parameter_at(time))
     }
 
     /// States at a value of the piece's parameter.

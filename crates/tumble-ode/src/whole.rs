@@ -195,11 +195,11 @@ impl Engine {
         if guards.is_empty() {
             return Ok(Blur::default());
         }
-        let leaf = |((state, left_out), series): ((&f64, &f64), &Vec<f64>)| Rounded {
+        let leaf = |((state, left_out), series): ((&f64, &f64), &[f64])| Rounded {
             value: *state,
             error: left_out.abs() / f64::EPSILON + polynomial::change(series, length),
         };
-        let leaves = states.iter().zip(left_out).zip(&expansion.states).map(leaf);
+        let leaves = states.iter().zip(left_out).zip(expansion.states.iter()).map(leaf);
         self.round(Rounded::computed(time), leaves);
         let first = self.system.len() + usize::from(self.system.transformed);
         let rate = expansion.time.as_ref().map_or(1.0, |series| polynomial::slope(series, length));
@@ -209,7 +209,7 @@ impl Engine {
                 None => (self.rounded.value_of(first + guard).noise(), expansion.guards.get(guard)),
                 Some(lazy) => {
                     let near = expansion.near.iter().find(|(index, _)| *index == lazy);
-                    (self.lazy_guards.noise(lazy, time, states)?, near.map(|(_, series)| series))
+                    (self.lazy_guards.noise(lazy, time, states)?, near.map(|(_, series)| &series[..]))
                 }
             };
             let Some(series) = series else { continue };

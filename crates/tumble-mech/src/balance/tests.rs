@@ -257,7 +257,7 @@ fn the_course_in_time() {
 fn the_motion_does_not_know_of_its_balance() {
     let bits = |run: &Run| -> Vec<u64> {
         let pieces = run.trajectory.pieces.iter();
-        pieces.flat_map(|piece| piece.states.concat()).map(f64::to_bits).collect()
+        pieces.flat_map(|piece| piece.states.all().to_vec()).map(f64::to_bits).collect()
     };
     let with = run(bouncing_rod(hertz(0.05)), 3.0, 1e-12);
     let before = bits(&with);

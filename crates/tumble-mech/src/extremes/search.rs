@@ -219,7 +219,7 @@ impl<'a> Search<'a> {
         let jets = &mut self.evaluator.jets;
         evaluate(jets, &place);
         for k in 1..=super::ORDER {
-            for (leaf, series) in states.iter().chain([&time]).enumerate() {
+            for (leaf, series) in states.iter().map(Vec::as_slice).chain([&time[..]]).enumerate() {
                 jets.set(leaf, k, series.get(k).copied().unwrap_or(0.0));
             }
             jets.extend(k);

@@ -85,7 +85,7 @@ impl Engine {
             let segment = self.branch_signs.signs[branches + lookup] as usize;
             let ends = self.system.tape.tables()[lookup].table.0.ends(segment);
             for (knot, direction) in ends.into_iter().zip([-1.0, 1.0]).filter(|(knot, _)| knot.is_finite()) {
-                let mut distance = series.clone();
+                let mut distance = series.to_vec();
                 distance[0] -= knot;
                 let beyond = if direction > 0.0 { segment + 1 } else { segment.saturating_sub(1) };
                 let outward =

@@ -55,14 +55,14 @@ impl Memory {
     }
 
     pub(super) fn hold_piece(&mut self, piece: &Piece) {
-        let series = piece.states.iter().chain(&piece.time_series);
+        let series = [piece.states.all()].into_iter().chain(piece.time_series.as_deref());
         self.held += (size_of::<Piece>() + series.map(size_of_series).sum::<usize>()) as u64;
     }
 
     pub(super) fn hold_event(&mut self, event: &Event) {
         let series = [&event.before, &event.after, &event.compensation, &event.scales];
         let tags: usize = event.tags.iter().map(|tag| size_of::<String>() + tag.capacity()).sum();
-        let numbers: usize = series.into_iter().map(size_of_series).sum();
+        let numbers: usize = series.into_iter().map(|series| size_of_series(series)).sum();
         self.held += (size_of::<Event>() + numbers + tags) as u64;
     }
 
@@ -127,8 +127,8 @@ fn ended_by(hit: &Hit) -> Option<What> {
     }
 }
 
-fn size_of_series(series: &Vec<f64>) -> usize {
-    size_of::<Vec<f64>>() + series.capacity() * size_of::<f64>()
+fn size_of_series(series: &[f64]) -> usize {
+    size_of::<Vec<f64>>() + size_of_val(series)
 }
 
 impl<H: Hybrid> Solver<'_, H> {
