@@ -29,6 +29,11 @@ impl<S: Scalar> Arena<S> {
         Self { stride, backwards: zeros.clone(), data: zeros }
     }
 
+    /// Length of a row.
+    pub(crate) fn stride(&self) -> usize {
+        self.stride
+    }
+
     #[inline(always)]
     pub(crate) fn row(&self, slot: Slot) -> &[S] {
         &self.data[slot as usize * self.stride..][..self.stride]

@@ -198,6 +198,10 @@ impl<S: Kernels> Jets<S> {
         self.vanishing.copy_from_slice(norms);
     }
 
+    pub(crate) fn arena(&self) -> &Arena<S> {
+        &self.arena
+    }
+
     /// Coefficients in a slot.
     pub fn slot(&self, slot: Slot) -> &[S] {
         self.arena.row(slot)

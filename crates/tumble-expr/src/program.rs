@@ -92,7 +92,13 @@ impl<'a> Resolving<'a> {
         let slots = tape.len();
         let squares = vec![Slot::MAX; tape.norms()];
         let program = Program { rows: slots, squares, ..Program::default() };
-        Self { tape, program, is_merged: merged(tape), is_done: vec![false; slots], slopes: vec![None; slots] }
+        Self {
+            tape,
+            program,
+            is_merged: merged(tape),
+            is_done: vec![false; slots],
+            slopes: vec![None; slots],
+        }
     }
 
     fn run(mut self) -> Program {

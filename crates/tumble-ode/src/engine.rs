@@ -2,7 +2,7 @@
 
 mod hits;
 
-use tumble_expr::{Active, Branches, Jets, Rounded, Turning};
+use tumble_expr::{Active, Branches, Jets, Remainders, Rounded, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
@@ -50,7 +50,7 @@ pub(crate) struct Engine {
     pub(crate) system: Compiled,
     pub(crate) lazy_guards: LazyGuards,
     pub(crate) invariants: Invariants,
-    jets: Jets<f64>,
+    pub(crate) jets: Jets<f64>,
     values: Jets<f64>,
     turnings: Vec<Turning>,
     branch_signs: BranchSigns,
@@ -61,6 +61,8 @@ pub(crate) struct Engine {
     /// Made when the first step needs it.
     pub(crate) enclosure: Option<Enclosure>,
     pub(crate) halvings: Halvings,
+    /// Bounds of what series leave out.
+    pub(crate) remainders: Remainders,
 }
 
 impl Engine {
@@ -90,6 +92,7 @@ impl Engine {
             rounded,
             enclosure: None,
             halvings: Halvings::default(),
+            remainders: Remainders::default(),
         }
     }
 
@@ -182,8 +185,14 @@ impl Engine {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
-            let expansion =
-                expand(&self.system, &mut self.jets, self.order, (frozen, &self.turnings), (time, states, true), off)?;
+            let expansion = expand(
+                &self.system,
+                &mut self.jets,
+                self.order,
+                (frozen, &self.turnings),
+                (time, states, true),
+                off,
+            )?;
             self.watch_scales(&expansion);
             if self.enter_segments(&expansion) {
                 continue;
@@ -213,7 +222,8 @@ impl Engine {
         }
         let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
         let now = (time, states, false);
-        let found = expand(&self.system, &mut self.jets, self.order, (frozen, &self.turnings), now, off).ok()?;
+        let found =
+            expand(&self.system, &mut self.jets, self.order, (frozen, &self.turnings), now, off).ok()?;
         self.wrong_side(&found, time).is_none().then_some(found)
     }
 
@@ -338,9 +348,11 @@ impl Engine {
             (of_series(series, scales.of(self.system.group(state))), names[state].clone())
         });
         let branches = expansion.branches.iter().zip(tape.guards());
-        let branches = branches.map(|(series, slot)| (of_own_size(series, f64::INFINITY), tape.describe(*slot)));
+        let branches =
+            branches.map(|(series, slot)| (of_own_size(series, f64::INFINITY), tape.describe(*slot)));
         let guards = expansion.guards.iter().zip(guard_names);
-        let guards = guards.map(|(series, name)| (of_own_size(series, f64::INFINITY), format!("event {name}")));
+        let guards =
+            guards.map(|(series, name)| (of_own_size(series, f64::INFINITY), format!("event {name}")));
         let all = states.chain(branches).chain(guards);
         all.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(String::new, |(_, name)| name)
     }

@@ -2,9 +2,9 @@
 
 use tumble_expr::{Branches, Jets, Slot, Turning};
 
-use crate::{Coefficients, Reason};
 use crate::compiled::Compiled;
 use crate::polynomial::value;
+use crate::{Coefficients, Reason};
 
 /// Series at one instant, in the parameter that starts there.
 #[derive(Clone, Debug)]

@@ -9,7 +9,6 @@ use std::sync::Arc;
 
 use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Layout, Rounded, Scalar, Symbol, Tape};
 
-use crate::{Coefficients, Reason};
 use crate::compiled::fixed;
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
@@ -17,6 +16,7 @@ use crate::hybrid::{Direction, LazyGuard};
 use crate::polynomial::{self, slope, value};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
+use crate::{Coefficients, Reason};
 
 /// A lazily evaluated guard's series may miss its value by this many tolerances: the order's rule aims at 1.
 const SLACK: f64 = 4.0;

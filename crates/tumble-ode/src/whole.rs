@@ -8,6 +8,7 @@
 //! The scale of a rate is the largest that it has been, and that of the state over the length of the run: a force that has not
 //! acted yet has no scale of its own, and forces that balance each other far from the origin have none either.
 
+mod clear;
 mod defect;
 
 use std::cell::OnceCell;
@@ -232,7 +233,8 @@ impl Engine {
         work: &mut Work,
     ) -> Result<Option<Unknown>, Reason> {
         let is_looked_at = self.system.exact_degree.is_none() && (is_proved || self.system.may_be_narrow);
-        let own = if is_looked_at { self.own_unknown(step, demand, work) } else { None };
+        let is_clear = !is_looked_at || self.is_clear(step, demand);
+        let own = if is_clear { None } else { self.own_unknown(step, demand, work) };
         let step = match &own {
             Some(own) => Stretch { length: own.length, hits: &[], ..step },
             None => step,

@@ -20,7 +20,9 @@ impl<S: Scalar> Arena<S> {
         };
         let (first, others) = terms.split_first().expect("a sum has terms");
         let first = if first.is_taken { -value(first) } else { value(first) };
-        others.iter().fold(first, |sum, term| if term.is_taken { sum - value(term) } else { sum + value(term) })
+        others
+            .iter()
+            .fold(first, |sum, term| if term.is_taken { sum - value(term) } else { sum + value(term) })
     }
 
     #[inline(always)]

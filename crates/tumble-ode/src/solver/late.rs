@@ -70,7 +70,8 @@ impl<H: Hybrid> Solver<'_, H> {
         let is_scheduled = causes.iter().all(|cause| matches!(cause, Cause::Scheduled(_)));
         let last = self.trajectory.pieces.last();
         let size = last.filter(|piece| piece.time_series.is_none()).map_or(self.time, |piece| piece.length);
-        let rounded = if is_scheduled || is_short(self.time) { 0.0 } else { ROOT_ROUNDING * f64::EPSILON * size };
+        let rounded =
+            if is_scheduled || is_short(self.time) { 0.0 } else { ROOT_ROUNDING * f64::EPSILON * size };
         LEFT_OUT * self.rounding.draw(size, LATE) * self.blur.time.max(rounded)
     }
 }

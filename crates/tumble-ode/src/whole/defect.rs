@@ -29,13 +29,12 @@ impl Engine {
     ) -> Option<String> {
         let visible = VISIBLE.max(demand.accuracy);
         let obeys = |state: &usize| {
-            let group = self.system.group(*state);
-            let defect = enclosure.defect(*state, *state);
-            // What moves for the first time has the scale of this step.
-            let scale = demand.scales.of_rate(group).max(enclosure.slope(*state));
-            let allowed = visible * scale + DEFECT_ROUNDING * demand.noise.rates[*state];
-            // What the defect could do within the part is less than what every step may do.
-            defect <= allowed || defect * (high - low) <= demand.tolerance * demand.scales.of(group)
+            self.obeys(
+                *state,
+                [enclosure.defect(*state, *state), enclosure.slope(*state)],
+                high - low,
+                demand,
+            )
         };
         let time = self.system.len();
         let time_passes = || {
@@ -49,6 +48,38 @@ impl Engine {
         }
     }
 
+    /// Whether a state with such a defect and such a slope, at most, along a part of that length obeys the equations.
+    pub(super) fn obeys(
+        &self,
+        state: usize,
+        [defect, slope]: [f64; 2],
+        length: f64,
+        demand: &Demand<'_>,
+    ) -> bool {
+        let group = self.system.group(state);
+        // What moves for the first time has the scale of this step.
+        let scale = demand.scales.of_rate(group).max(slope);
+        let allowed = VISIBLE.max(demand.accuracy) * scale + DEFECT_ROUNDING * demand.noise.rates[state];
+        defect <= allowed || self.is_of_tolerance(state, defect, length, demand)
+    }
+
+    /// Whether what a defect could do within the part is less than what every step may do.
+    pub(super) fn is_of_tolerance(
+        &self,
+        state: usize,
+        defect: f64,
+        length: f64,
+        demand: &Demand<'_>,
+    ) -> bool {
+        defect * length <= demand.tolerance * demand.scales.of(self.system.group(state))
+    }
+
+    /// Whether a defect could not do more within the run than a rounding error.
+    pub(super) fn is_harmless(&self, state: usize, defect: f64, demand: &Demand<'_>) -> bool {
+        let scale = demand.scales.of_way(self.system.group(state));
+        defect <= HARMLESS * scale / demand.scales.span()
+    }
+
     /// A state along whose part something is hidden: too small to be seen in the defect, and too narrow for the coefficients to
     /// know of it, so that no check run would.
     pub(super) fn hides(
@@ -59,9 +90,7 @@ impl Engine {
         demand: &Demand<'_>,
         work: &mut Work,
     ) -> Option<String> {
-        let harms = |state: usize, defect: f64| {
-            defect > HARMLESS * demand.scales.of_way(self.system.group(state)) / demand.scales.span()
-        };
+        let harms = |state: usize, defect: f64| !self.is_harmless(state, defect, demand);
         // Rounding errors are as large in a half as in the whole.
         let of = |enclosure: &Enclosure, state: usize| {
             let size = demand.noise.rates[state] + f64::EPSILON * enclosure.slope(state);

@@ -1,0 +1,103 @@
+//! What truncated series leave out: the bound holds at every place of a step, and is no more than some digits too large.
+
+use std::sync::Arc;
+
+use tumble_expr::{Binary, Branches, Dimension, Expr, Jets, Layout, Remainders, Symbol, Tape, Unary};
+
+/// Low, so that what is left out is far larger than rounding errors.
+const ORDER: usize = 7;
+/// Coefficients of the state x along the step.
+const MOTION: [f64; ORDER + 1] = [0.7, 0.9, -0.4, 0.2, -0.15, 0.05, 0.02, -0.01];
+/// Rounding errors of values that are about 1.
+const ROUNDING: f64 = 1e-14;
+
+fn x() -> Expr {
+    Expr::symbol("x", Dimension::NONE)
+}
+
+fn t() -> Expr {
+    Expr::symbol("t", Dimension::NONE)
+}
+
+fn cases() -> Vec<(&'static str, Expr)> {
+    let unary = Expr::unary;
+    vec![
+        ("linear", x() * 3 - t() / 7 + 2),
+        ("product", x() * t() * (x() - 2)),
+        ("cube", x().powi(3) - x()),
+        ("waves", x().sin() * x().cos() + (t() * 3).cos()),
+        ("quotient", (x() + 1) / (t() + 2)),
+        ("over a product", t() / (x() * x() + 1)),
+        ("root", (x() + t().sin() + 3).sqrt()),
+        ("length", Expr::norm(vec![x() + 1, t().cos() * 2])),
+        ("drag", Expr::norm(vec![x() + 1, t() - 2]) * (x() + 1)),
+        ("exp", unary(Unary::Exp, -x() * x())),
+        ("tanh", unary(Unary::Tanh, x() * 2 - 1) * t()),
+        ("abs", (x() - 3).abs() * t()),
+        ("quotient of a square", Expr::binary(Binary::SquareOver, x().sin(), x() + 2)),
+    ]
+}
+
+fn tape(formula: &Expr) -> Arc<Tape> {
+    let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
+    let layout = Layout::new(vec![symbol("x")], symbol("t"), vec![]);
+    Arc::new(Tape::compile(&layout, std::slice::from_ref(formula)).expect("typed"))
+}
+
+fn value(series: &[f64], s: f64) -> f64 {
+    series.iter().rev().fold(0.0, |sum, c| sum * s + c)
+}
+
+/// Its series along the motion from t = 0.3, and the bound for a step of that length.
+fn bounded(formula: &Expr, length: f64) -> (Vec<f64>, f64) {
+    let mut jets = Jets::<f64>::new(tape(formula), ORDER, &[]);
+    jets.start(0.3, &MOTION[..1], Branches::Free);
+    for k in 1..=ORDER {
+        jets.set(0, k, MOTION[k]);
+        jets.set(1, k, f64::from(u8::from(k == 1)));
+        jets.extend(k);
+    }
+    let mut rests = Remainders::default();
+    jets.remainders(&mut rests, ORDER, length);
+    (jets.output(0).to_vec(), rests.of(jets.tape().outputs()[0]))
+}
+
+#[test]
+fn what_is_left_out_is_within_the_bound() {
+    for (name, formula) in cases() {
+        let mut values = Jets::<f64>::new(tape(&formula), 0, &[]);
+        for length in [0.05, 0.1, 0.2] {
+            let (series, bound) = bounded(&formula, length);
+            let mut worst: f64 = 0.0;
+            for part in 0..=20 {
+                let s = length * f64::from(part) / 20.0;
+                values.start(0.3 + s, &[value(&MOTION, s)], Branches::Free);
+                worst = worst.max((values.value_of(0) - value(&series, s)).abs());
+            }
+            assert!(worst <= bound + ROUNDING, "{name}: {worst:e} over {length}, not {bound:e}");
+            // Signs are not told apart, and roots and quotients are divided by their least.
+            assert!(bound <= 1e3 * worst + ROUNDING, "{name}: {bound:e} over {length} for {worst:e}");
+        }
+    }
+}
+
+#[test]
+fn what_may_be_zero_has_no_bound() {
+    for (name, formula) in ["quotient", "length", "root"].into_iter().zip([
+        t() / (x() - 0.71),
+        Expr::norm(vec![x() - 0.71, x() * 2 - 1.42]),
+        (x() - 0.71).sqrt(),
+    ]) {
+        let bound = bounded(&formula, 0.2).1;
+        assert!(bound.is_nan() || bound == f64::INFINITY, "{name}: {bound:e}");
+    }
+    assert!(!bounded(&Expr::unary(Unary::Exp, (x() - 3) * (x() - 3) * -1e4), 0.2).1.is_finite());
+}
+
+/// A step ahead is beyond what the series know, and the bound says so.
+#[test]
+fn a_step_ahead_has_no_small_bound() {
+    let ahead = Expr::unary(Unary::Tanh, (x() - 0.85) * 100);
+    let bound = bounded(&ahead, 0.3).1;
+    assert!(bound.is_nan() || bound > 1.0, "{bound:e}");
+}
