@@ -7,6 +7,7 @@
 
 mod active;
 mod arena;
+mod bernstein;
 mod degree;
 mod describe;
 mod differentiate;
@@ -37,6 +38,7 @@ mod unit;
 mod vector;
 
 pub use active::Active;
+pub use bernstein::Bernstein;
 pub use degree::Degree;
 pub use dimension::{Dimension, Exponent};
 pub use expr::{Binary, Expr, Node, Relation, Symbol, Unary};
@@ -44,7 +46,7 @@ pub use graph::{Graph, NodeId, is_identically_zero};
 pub use jets::{Branches, Jets, Values};
 pub use ops::kernels::Kernels;
 pub use ops::{Op, Series, Slot};
-pub use remainder::{Remainders, least};
+pub use remainder::Remainders;
 pub use rounding::{LEFT_OUT, Rounding, rounded_sum};
 pub use scalar::{Interval, Lanes, Lanewise, Rounded, Scalar, is_short, nearest};
 pub use substitute::Substitution;

@@ -20,10 +20,10 @@
 //! Source: Moore, Interval Analysis, 1966, chapter 11; Makino and Berz, Taylor models, Int. J. Pure Appl. Math. 4 (2003).
 //! Checked by `tests/remainders.rs`: what is computed from polynomials and their series is within the bound.
 
-use crate::Jets;
 use crate::arena::Arena;
 use crate::ops::{Op, Slot};
 use crate::program::{By, Kernel, Term};
+use crate::{Bernstein, Jets};
 
 /// Bounds of the rests of all slots along a step; kept to be used again for the next one.
 #[derive(Clone, Debug, Default)]
@@ -53,11 +53,16 @@ impl Remainders {
     }
 }
 
-/// A lower bound of `|a|` on [0, h] by a polynomial's coefficients times powers of h; negative where it may be zero.
-pub fn least(mut terms: impl Iterator<Item = f64>) -> f64 {
-    let first = terms.next().unwrap_or(0.0);
+/// Halvings until a polynomial is said to come to zero.
+const HALVINGS: u32 = 3;
+
+/// A lower bound of the size of a polynomial on [0, h] by its coefficients times powers of h; 0 where it may be zero.
+fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
+    let mut all = terms.clone();
+    let first = all.next().unwrap_or(0.0);
     let side = if first < 0.0 { -1.0 } else { 1.0 };
-    terms.fold(first.abs(), |least, term| least + (side * term).min(0.0))
+    let least = all.fold(first.abs(), |least, term| least + (side * term).min(0.0));
+    if least > 0.0 { least } else { Bernstein::new(&terms.collect::<Vec<_>>()).least(HALVINGS) }
 }
 
 impl Jets<f64> {
@@ -124,7 +129,7 @@ impl Along<'_> {
         row.skip(self.order + 1).map(|(c, power)| c.abs() * power).sum()
     }
 
-    /// Lower bound of the size of a slot; negative where it may be zero.
+    /// Lower bound of the size of a slot; not positive where it may be zero.
     fn least(&self, slot: Slot) -> f64 {
         let row = self.arena().row(slot)[..=self.order].iter().zip(&self.found.powers);
         least(row.map(|(c, power)| c * power))

@@ -4,7 +4,6 @@
 //! step) → [`Trajectory`] (polynomial pieces and events). The only knob is the [`Accuracy`]. It knows no body.
 
 mod accuracy;
-mod bernstein;
 mod check;
 mod coefficients;
 mod compiled;

@@ -5,7 +5,8 @@
 //! Roots that stay together down to [`CLUSTER`] of the interval, or a dip to zero that is smaller than rounding, are
 //! one touch if the polynomial has one sign on both sides, and one crossing if it has two.
 
-use crate::bernstein::Bernstein;
+use tumble_expr::Bernstein;
+
 use crate::polynomial;
 use crate::signs::leading;
 

@@ -13,16 +13,26 @@ impl<S: Scalar> Arena<S> {
     /// A sum of multiples, at any order.
     #[inline(always)]
     pub(crate) fn sum(&self, terms: &[Term], k: usize) -> S {
-        let value = |term: &Term| match term.by {
-            By::One => self.at(term.of, k),
-            By::Times(by) => self.at(term.of, k) * self.at(by, 0),
-            By::Over(by) => self.at(term.of, k) / self.at(by, 0),
-        };
         let (first, others) = terms.split_first().expect("a sum has terms");
-        let first = if first.is_taken { -value(first) } else { value(first) };
-        others
-            .iter()
-            .fold(first, |sum, term| if term.is_taken { sum - value(term) } else { sum + value(term) })
+        let mut sum = self.term(first, k);
+        if first.is_taken {
+            sum = -sum;
+        }
+        for term in others {
+            let value = self.term(term, k);
+            sum = if term.is_taken { sum - value } else { sum + value };
+        }
+        sum
+    }
+
+    #[inline(always)]
+    fn term(&self, term: &Term, k: usize) -> S {
+        let value = self.at(term.of, k);
+        match term.by {
+            By::One => value,
+            By::Times(by) => value * self.at(by, 0),
+            By::Over(by) => value / self.at(by, 0),
+        }
     }
 
     #[inline(always)]

@@ -9,23 +9,28 @@
 //!
 //! [`Remainders`]: tumble_expr::Remainders
 
-use tumble_expr::least;
+use tumble_expr::{Bernstein, Slot};
 
 use super::{Demand, Stretch, VANISHES};
 use crate::engine::{Engine, Hit};
 use crate::expansion::Expansion;
 
+/// What is zero at the end of a step is so but for this part of it.
+const END: f64 = 1e-9;
+/// Halvings until a function is said to come to zero.
+const HALVINGS: u32 = 3;
+
 impl Engine {
     /// Whether a step obeys the equations, with nothing hidden in it, and comes to no zero that is watched.
     pub(super) fn is_clear(&mut self, step: Stretch<'_>, demand: &Demand<'_>) -> bool {
         let Stretch { expansion, length, hits } = step;
-        if hits.iter().any(|hit| !matches!(hit, Hit::Turning(_))) || self.system.transformed {
+        if self.system.transformed {
             return false;
         }
         // Of what is not watched the last order is not found.
         let order = expansion.order() - usize::from(!self.system.is_watched);
         self.jets.remainders(&mut self.remainders, order, length);
-        self.keeps_away(expansion, length)
+        self.keeps_away(expansion, length, hits)
             && (0..self.system.len()).all(|state| self.is_obedient(state, (expansion, length, order), demand))
     }
 
@@ -53,31 +58,55 @@ impl Engine {
         }
     }
 
-    /// Whether nothing that is watched comes to zero, but what is zero at the start.
-    fn keeps_away(&self, expansion: &Expansion, length: f64) -> bool {
+    /// Whether nothing that is watched comes to zero within a step: at its start what is zero now, at its end what ends it.
+    fn keeps_away(&self, expansion: &Expansion, length: f64, hits: &[Hit]) -> bool {
         let (tape, active) = (&self.system.tape, self.active());
-        let away = |slot: u32, series: &[f64], zeros: usize, offset: f64| {
-            let mut power = 1.0;
-            let terms = series.iter().enumerate().map(|(k, c)| {
-                let term = if k == 0 { c - offset } else { c * power };
-                power *= length;
-                term
-            });
-            let rounding = VANISHES * (self.size_of(slot) + offset.abs());
-            least(terms.skip(zeros)) > self.remainders.of(slot) + if zeros == 0 { rounding } else { 0.0 }
+        let is_hit = |hit: &dyn Fn(&Hit) -> bool| hits.iter().any(hit);
+        let branch = |(branch, (slot, series)): (usize, (&Slot, &[f64]))| {
+            let ends = is_hit(&|hit| matches!(hit, Hit::Branch(hit, _) if *hit == branch));
+            let zeros = usize::from(self.is_zero_branch(branch));
+            !active.branches[branch] || self.is_away((*slot, series, 0.0), length, (zeros, ends))
         };
-        let branches = tape.guards().iter().zip(expansion.branches.iter()).enumerate();
-        let mut branches = branches.filter(|(branch, _)| active.branches[*branch]);
-        let first = self.system.len();
-        let mut guards = tape.outputs()[first..].iter().zip(expansion.guards.iter()).enumerate();
-        let mut tables = tape.tables().iter().zip(expansion.arguments.iter()).enumerate();
-        branches.all(|(branch, (slot, series))| {
-            away(*slot, series, usize::from(self.is_zero_branch(branch)), 0.0)
-        }) && guards.all(|(guard, (slot, series))| away(*slot, series, self.zeros_of_guard(guard), 0.0))
-            && tables.all(|(lookup, (table, series))| {
-                let segment = self.signs()[tape.guards().len() + lookup] as usize;
-                let ends = table.table.0.ends(segment).into_iter().filter(|knot| knot.is_finite());
-                !active.tables[lookup] || { ends }.all(|knot| away(table.of, series, 0, knot))
+        let guard = |(guard, (slot, series)): (usize, (&Slot, &[f64]))| {
+            let ends = is_hit(&|hit| *hit == Hit::Guard(guard));
+            self.is_away((*slot, series, 0.0), length, (self.zeros_of_guard(guard), ends))
+        };
+        let guards = &tape.outputs()[self.system.len()..];
+        tape.guards().iter().zip(expansion.branches.iter()).enumerate().all(branch)
+            && guards.iter().zip(expansion.guards.iter()).enumerate().all(guard)
+            && (0..tape.tables().len()).all(|lookup| {
+                !active.tables[lookup] || self.stays_on_segment(lookup, &expansion.arguments[lookup], length)
             })
+    }
+
+    /// Whether the argument of a measured function comes to no knot.
+    fn stays_on_segment(&self, lookup: usize, series: &[f64], length: f64) -> bool {
+        let tape = &self.system.tape;
+        let (table, segment) = (&tape.tables()[lookup], self.signs()[tape.guards().len() + lookup] as usize);
+        let mut ends = table.table.0.ends(segment).into_iter().filter(|knot| knot.is_finite());
+        ends.all(|knot| self.is_away((table.of, series, knot), length, (0, false)))
+    }
+
+    /// Whether a function, less an offset, has no zero along a step, but so many at its start, and perhaps one at its end.
+    fn is_away(
+        &self,
+        (slot, series, offset): (Slot, &[f64], f64),
+        length: f64,
+        (zeros, ends): (usize, bool),
+    ) -> bool {
+        let powers = std::iter::successors(Some(1.0), |power| Some(power * length));
+        let term = |(k, (c, power)): (usize, (&f64, f64))| if k == 0 { c - offset } else { c * power };
+        let terms = series.iter().zip(powers).enumerate().map(term);
+        let size = terms.clone().map(f64::abs).sum::<f64>();
+        let own = if zeros == 0 { VANISHES * (self.size_of(slot) + offset.abs()) } else { 0.0 };
+        let noise = own.max(f64::EPSILON * size) + self.remainders.of(slot);
+        let mut terms = terms.skip(zeros);
+        let first = terms.next().unwrap_or(0.0);
+        if !ends && terms.clone().fold(first.abs(), |least, term| least - term.abs()) > noise {
+            return true;
+        }
+        let whole = Bernstein::new(&std::iter::once(first).chain(terms).collect::<Vec<_>>());
+        // Over the way from the end on, what it is there is its slope: the zero is known to this part of the step.
+        if ends { whole.without_end().least(HALVINGS) * END > noise } else { whole.least(HALVINGS) > noise }
     }
 }

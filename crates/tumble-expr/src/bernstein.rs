@@ -5,11 +5,11 @@
 
 /// Coefficients b_0 .. b_n; b_0 and b_n are the values at 0 and 1.
 #[derive(Clone, Debug)]
-pub(crate) struct Bernstein(pub(crate) Vec<f64>);
+pub struct Bernstein(pub Vec<f64>);
 
 impl Bernstein {
     /// From coefficients of powers, lowest first: `b_i = sum over k <= i of C(i,k) / C(n,k) a_k`.
-    pub(crate) fn new(powers: &[f64]) -> Self {
+    pub fn new(powers: &[f64]) -> Self {
         let n = powers.len() - 1;
         // In place: repeated sums of a_k / C(n,k) are the binomial sums.
         let mut b: Vec<f64> = powers.to_vec();
@@ -27,13 +27,13 @@ impl Bernstein {
     }
 
     /// Changes of sign among the coefficients that are larger than `noise`.
-    pub(crate) fn sign_changes(&self, noise: f64) -> usize {
+    pub fn sign_changes(&self, noise: f64) -> usize {
         let signs: Vec<bool> = self.0.iter().filter(|b| b.abs() > noise).map(|b| *b > 0.0).collect();
         signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
     }
 
     /// The halves on [0, 1/2] and [1/2, 1], each stretched to [0, 1], by de Casteljau's averages.
-    pub(crate) fn halves(&self) -> (Self, Self) {
+    pub fn halves(&self) -> (Self, Self) {
         let mut right = self.0.clone();
         let mut left = Vec::with_capacity(right.len());
         let n = right.len();
@@ -45,15 +45,38 @@ impl Bernstein {
         }
         (Self(left), Self(right))
     }
+
+    /// A lower bound of the polynomial's size, found with so many halvings at most; 0 where it may have a zero.
+    pub fn least(&self, halvings: u32) -> f64 {
+        let first = self.0.first().copied().unwrap_or(0.0);
+        if self.0.iter().all(|b| b * first > 0.0) {
+            return self.0.iter().fold(f64::INFINITY, |least, b| least.min(b.abs()));
+        }
+        let last = self.0.last().copied().unwrap_or(0.0);
+        if halvings == 0 || first * last <= 0.0 {
+            return 0.0;
+        }
+        let (left, right) = self.halves();
+        match left.least(halvings - 1) {
+            0.0 => 0.0,
+            left => left.min(right.least(halvings - 1)),
+        }
+    }
+
+    /// The polynomial over `1 - x`, where it is zero at 1: what is not zero there but for rounding is left out.
+    pub fn without_end(&self) -> Self {
+        let n = self.0.len() - 1;
+        Self(self.0[..n].iter().enumerate().map(|(i, b)| b * n as f64 / (n - i) as f64).collect())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polynomial::value;
 
     #[test]
     fn ends_are_values_and_halves_agree() {
+        let value = |p: &[f64], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
         let p = [1.0, -3.0, 0.5, 2.0, -0.25];
         let b = Bernstein::new(&p);
         assert_eq!(b.0[0], 1.0);
@@ -62,5 +85,16 @@ mod tests {
         assert!((left.0[4] - value(&p, 0.5)).abs() < 1e-15);
         assert_eq!(left.0[4], right.0[0]);
         assert_eq!(b.sign_changes(0.0), 2);
+    }
+
+    #[test]
+    fn the_least_size_is_a_lower_bound() {
+        // (x - 1/2)^2 + 1/100, and the same with a zero.
+        let least = |rest: f64| Bernstein::new(&[0.25 + rest, -1.0, 1.0]).least(5);
+        assert!((0.005..=0.01 + 1e-15).contains(&least(0.01)), "{}", least(0.01));
+        assert_eq!((least(0.0), least(-0.01)), (0.0, 0.0));
+        assert_eq!(Bernstein::new(&[-1.0, 2.0]).least(9), 0.0);
+        // (1 - x)(2 + x)
+        assert_eq!(Bernstein::new(&[2.0, -1.0, -1.0]).without_end().0, [2.0, 3.0]);
     }
 }
