@@ -27,6 +27,8 @@ pub struct Jets<S> {
     tape: Arc<Tape>,
     /// Series of the slots, and what kernels keep besides.
     arena: Arena<S>,
+    /// What each term of a sum is multiplied with, its sign included.
+    multipliers: Vec<S>,
     signs: Vec<S>,
     /// By norm.
     vanishing: Vec<bool>,
@@ -78,7 +80,16 @@ impl<S: Kernels> Jets<S> {
         let vanishing = vec![false; tape.norms.len()];
         let factors = vec![S::zero(); tape.matrices.iter().map(Matrix::room).sum()];
         let elapsed = S::zero();
-        let mut jets = Self { tape, arena, signs, vanishing, factors, elapsed, time_is_parameter: false };
+        let mut jets = Self {
+            tape,
+            arena,
+            multipliers: vec![],
+            signs,
+            vanishing,
+            factors,
+            elapsed,
+            time_is_parameter: false,
+        };
         jets.bind(inputs);
         jets
     }
@@ -105,6 +116,8 @@ impl<S: Kernels> Jets<S> {
             };
             self.arena.put(slot, 0, value);
         }
+        self.multipliers.clear();
+        self.multipliers.extend(tape.program().terms.iter().map(|term| self.arena.multiplier(term)));
     }
 
     /// Evaluates everything at one instant.
@@ -144,11 +157,14 @@ impl<S: Kernels> Jets<S> {
 
     /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
     pub fn extend(&mut self, k: usize) {
-        let Self { tape, arena, signs, vanishing, factors, elapsed, time_is_parameter } = self;
+        let Self { tape, arena, multipliers, signs, vanishing, factors, elapsed, time_is_parameter } = self;
         let Program { kernels, terms, .. } = tape.program();
         for (slot, kernel) in kernels {
             let value = match kernel {
-                Kernel::Sum(range) => arena.sum(&terms[range.start as usize..range.end as usize], k),
+                Kernel::Sum(range) => {
+                    let range = range.start as usize..range.end as usize;
+                    arena.sum(&terms[range.clone()], &multipliers[range], k)
+                }
                 Kernel::Product(a, b) => arena.product(*a, *b, k),
                 Kernel::Square(a) => arena.square(*a, k),
                 Kernel::Slope(a) => S::splat(k as f64) * arena.at(*a, k),
@@ -247,7 +263,7 @@ impl<S: Kernels> Jets<S> {
     fn first(&mut self, kernel: &Kernel, terms: &[Term]) -> S {
         let at = |slot: Slot| self.arena.at(slot, 0);
         match *kernel {
-            Kernel::Sum(ref range) => self.arena.sum(&terms[range.start as usize..range.end as usize], 0),
+            Kernel::Sum(ref range) => self.arena.first_sum(&terms[range.start as usize..range.end as usize]),
             Kernel::Product(a, b) => at(a) * at(b),
             Kernel::Square(a) => at(a).square(),
             // A row of slopes has no order 0.

@@ -8,7 +8,7 @@ use tumble_expr::{Branches, Jets};
 
 use crate::compiled::Compiled;
 use crate::expansion::Expansion;
-use crate::polynomial::{slope, slope_terms, value};
+use crate::polynomial::{look, value};
 use crate::whole::Demand;
 use crate::work::Work;
 
@@ -43,6 +43,9 @@ pub(crate) struct Check<'a> {
     pub(crate) demand: &'a Demand<'a>,
     /// The branch signs that hold in the step.
     pub(crate) signs: &'a [f64],
+    /// Values, slopes and sizes of these, and the values alone: room that is used again.
+    pub(crate) places: &'a mut Vec<[f64; 3]>,
+    pub(crate) here: &'a mut Vec<f64>,
 }
 
 impl Check<'_> {
@@ -57,23 +60,26 @@ impl Check<'_> {
     }
 
     fn at(&mut self, expansion: &Expansion, s: f64, h: f64) -> Verdict {
-        let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
+        self.places.clear();
+        self.places.extend(expansion.states.iter().map(|series| look(series, s)));
+        self.here.clear();
+        self.here.extend(self.places.iter().map(|[value, ..]| value));
         let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
-        self.values.start(time, &states, Branches::Frozen(self.signs));
-        let mut worst = Verdict { excess: 0.0, state: 0 };
-        for (state, series) in expansion.states.iter().enumerate() {
-            let excess = self.excess(state, series, states[state], s, h);
-            worst = worst.or(Verdict { excess, state });
-        }
-        worst
+        self.values.start(time, self.here, Branches::Frozen(self.signs));
+        let excess = |(state, (place, series)): (usize, (&[f64; 3], &[f64]))| Verdict {
+            excess: self.excess(state, series, *place, h),
+            state,
+        };
+        let all = self.places.iter().zip(expansion.states.iter()).enumerate().map(excess);
+        all.fold(Verdict { excess: 0.0, state: 0 }, Verdict::or)
     }
 
-    fn excess(&self, state: usize, series: &[f64], here: f64, s: f64, h: f64) -> f64 {
-        let defect = (slope(series, s) - self.values.value_of(state)).abs();
+    fn excess(&self, state: usize, series: &[f64], [here, slope, size]: [f64; 3], h: f64) -> f64 {
+        let defect = (slope - self.values.value_of(state)).abs();
         let order = series.len() as f64;
         let scale = self.demand.scales.of(self.system.group(state)).max(here.abs()).max(series[0].abs());
         let allowed = SLACK * self.demand.tolerance * scale
-            + ROUNDING * slope_terms(series, s) * h
+            + ROUNDING * size * h
             + NOISE * self.demand.noise.rates[state] * h / order;
         let error = defect * h / order;
         if error == 0.0 { 0.0 } else { error / allowed }

@@ -63,6 +63,9 @@ pub(crate) struct Engine {
     pub(crate) halvings: Halvings,
     /// Bounds of what series leave out.
     pub(crate) remainders: Remainders,
+    /// Room for the check.
+    places: Vec<[f64; 3]>,
+    here: Vec<f64>,
 }
 
 impl Engine {
@@ -93,6 +96,8 @@ impl Engine {
             enclosure: None,
             halvings: Halvings::default(),
             remainders: Remainders::default(),
+            places: vec![],
+            here: vec![],
         }
     }
 
@@ -382,8 +387,8 @@ impl Engine {
         demand: &Demand<'_>,
         work: &mut Work,
     ) -> Verdict {
-        let Self { system, values, branch_signs, .. } = self;
-        let mut check = Check { system, values, demand, signs: &branch_signs.signs };
+        let Self { system, values, branch_signs, places, here, .. } = self;
+        let mut check = Check { system, values, demand, signs: &branch_signs.signs, places, here };
         check.step(expansion, length, work)
     }
 

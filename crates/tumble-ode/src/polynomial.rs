@@ -38,10 +38,29 @@ pub(crate) fn slope(coefficients: &[f64], s: f64) -> f64 {
     terms.fold(0.0, |sum, (k, c)| sum * s + k as f64 * c)
 }
 
-/// Sum of the absolute values of the derivative's terms at `s`: what its rounding error is relative to.
-pub(crate) fn slope_terms(coefficients: &[f64], s: f64) -> f64 {
-    let terms = coefficients.iter().enumerate().skip(1).rev();
-    terms.fold(0.0, |sum, (k, c)| sum * s.abs() + k as f64 * c.abs())
+/// Value and derivative at `s`, and the sum of the sizes of the derivative's terms: what its rounding error is relative to.
+///
+/// In two chains, of even and of odd powers, that do not wait for each other.
+pub(crate) fn look(coefficients: &[f64], s: f64) -> [f64; 3] {
+    let square = s * s;
+    let (mut even, mut odd) = ([0.0; 3], [0.0; 3]);
+    let add = |[value, slope, size]: &mut [f64; 3], k: usize, c: f64, power: f64, before: f64| {
+        let term = k as f64 * c * before;
+        *value += c * power;
+        *slope += term;
+        *size += term.abs();
+    };
+    // Powers of even orders and of those after them, and the powers before these.
+    let (mut power, mut before) = (1.0, 0.0);
+    for (pair, cs) in coefficients.chunks(2).enumerate() {
+        add(&mut even, 2 * pair, cs[0], power, before);
+        if let Some(c) = cs.get(1) {
+            add(&mut odd, 2 * pair + 1, *c, power * s, power);
+        }
+        before = power * s;
+        power *= square;
+    }
+    std::array::from_fn(|i| even[i] + odd[i])
 }
 
 #[cfg(test)]
@@ -55,7 +74,8 @@ mod tests {
         assert_eq!(increment(&p, 2.0), 22.0);
         assert_eq!(shifted(&p, 2.0), [23.0, 36.0, 18.5, 3.0]);
         assert_eq!(slope(&p, 2.0), -2.0 + 2.0 + 36.0);
-        assert_eq!(slope_terms(&p, -2.0), 2.0 + 2.0 + 36.0);
+        assert_eq!(look(&p, -2.0), [value(&p, -2.0), slope(&p, -2.0), 2.0 + 2.0 + 36.0]);
+        assert_eq!(look(&p[..3], 2.0), [value(&p[..3], 2.0), 0.0, 4.0]);
         assert_eq!((value(&[], 2.0), increment(&[], 2.0), slope(&[7.0], 2.0)), (0.0, 0.0, 0.0));
     }
 }

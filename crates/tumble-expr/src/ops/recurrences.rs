@@ -10,29 +10,45 @@ use crate::arena::Arena;
 use crate::program::{By, Term};
 
 impl<S: Scalar> Arena<S> {
-    /// A sum of multiples, at any order.
-    #[inline(always)]
-    pub(crate) fn sum(&self, terms: &[Term], k: usize) -> S {
+    /// Order 0 of a sum of multiples.
+    pub(crate) fn first_sum(&self, terms: &[Term]) -> S {
         let (first, others) = terms.split_first().expect("a sum has terms");
-        let mut sum = self.term(first, k);
-        if first.is_taken {
-            sum = -sum;
-        }
-        for term in others {
-            let value = self.term(term, k);
-            sum = if term.is_taken { sum - value } else { sum + value };
-        }
-        sum
+        let start = if first.is_taken { -self.first_term(first) } else { self.first_term(first) };
+        others.iter().fold(start, |sum, term| {
+            let value = self.first_term(term);
+            if term.is_taken { sum - value } else { sum + value }
+        })
     }
 
-    #[inline(always)]
-    fn term(&self, term: &Term, k: usize) -> S {
-        let value = self.at(term.of, k);
+    fn first_term(&self, term: &Term) -> S {
+        let value = self.at(term.of, 0);
         match term.by {
             By::One => value,
             By::Times(by) => value * self.at(by, 0),
             By::Over(by) => value / self.at(by, 0),
         }
+    }
+
+    /// What a term is multiplied with at other orders: a quotient is rounded twice there.
+    pub(crate) fn multiplier(&self, term: &Term) -> S {
+        let size = match term.by {
+            By::One => S::one(),
+            By::Times(by) => self.at(by, 0),
+            By::Over(by) => S::one() / self.at(by, 0),
+        };
+        if term.is_taken { -size } else { size }
+    }
+
+    /// A sum of multiples at other orders.
+    #[inline(always)]
+    pub(crate) fn sum(&self, terms: &[Term], multipliers: &[S], k: usize) -> S {
+        let mut terms = terms.iter().zip(multipliers);
+        let (first, by) = terms.next().expect("a sum has terms");
+        let mut sum = self.at(first.of, k) * *by;
+        for (term, by) in terms {
+            sum = sum + self.at(term.of, k) * *by;
+        }
+        sum
     }
 
     #[inline(always)]
@@ -64,14 +80,14 @@ impl<S: Scalar> Arena<S> {
 
     #[inline(always)]
     pub(crate) fn along(&self, slope: Slot, factor: Slot, k: usize) -> S {
-        (self.inner(slope, factor, k) + self.at(slope, k) * self.at(factor, 0)) / S::splat(k as f64)
+        (self.inner(slope, factor, k) + self.at(slope, k) * self.at(factor, 0)) * S::reciprocal(k)
     }
 
     /// Sine and cosine; of an argument that is linear in the parameter one term is left.
     #[inline(always)]
     pub(crate) fn wave(&self, slope: Slot, (sin, cos): (Slot, Slot), k: usize, is_linear: bool) -> [S; 2] {
         if is_linear {
-            let rate = self.at(slope, 1) / S::splat(k as f64);
+            let rate = self.at(slope, 1) * S::reciprocal(k);
             return [rate * self.at(cos, k - 1), -(rate * self.at(sin, k - 1))];
         }
         [self.along(slope, cos, k), -self.along(slope, sin, k)]
