@@ -58,6 +58,9 @@ pub(crate) struct Engine {
     pub(crate) inputs: Vec<f64>,
     /// Rates and guards with their rounding errors.
     pub(crate) rounded: Jets<Rounded>,
+    /// Room for what they are evaluated at.
+    pub(crate) rounded_leaves: Vec<Rounded>,
+    pub(crate) rounded_signs: Vec<Rounded>,
     /// Made when the first step needs it.
     pub(crate) enclosure: Option<Enclosure>,
     pub(crate) halvings: Halvings,
@@ -93,6 +96,8 @@ impl Engine {
             order,
             inputs: inputs.to_vec(),
             rounded,
+            rounded_leaves: vec![],
+            rounded_signs: vec![],
             enclosure: None,
             halvings: Halvings::default(),
             remainders: Remainders::default(),
@@ -185,7 +190,7 @@ impl Engine {
         off: &[f64],
         work: &mut Work,
     ) -> Result<Expansion, Reason> {
-        let mut turned = vec![false; self.system.tape.guards().len()];
+        let mut turned = vec![];
         loop {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
@@ -203,11 +208,11 @@ impl Engine {
                 continue;
             }
             let Some(branch) = self.wrong_side(&expansion, time) else { return Ok(expansion) };
-            if turned[branch] {
+            if turned.contains(&branch) {
                 let slot = self.system.tape.guards()[branch];
                 return Err(Reason::Sliding { guard: self.system.tape.describe(slot) });
             }
-            turned[branch] = true;
+            turned.push(branch);
             self.branch_signs.signs[branch] = -self.branch_signs.signs[branch];
             self.look_again(time, states);
         }

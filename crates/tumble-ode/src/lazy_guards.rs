@@ -122,11 +122,15 @@ impl LazyGuards {
 
     /// A step of this length was taken, to these states.
     pub(crate) fn moved(&mut self, expansion: &Expansion, length: f64, states: &[f64]) {
+        if self.all.is_empty() {
+            return;
+        }
         let travel = travel(expansion, length);
         for watch in &mut self.all {
             watch.clearance -= watch.change(&travel);
         }
-        self.known_at = states.to_vec();
+        self.known_at.clear();
+        self.known_at.extend_from_slice(states);
     }
 
     /// Largest error of the near ones' series along a step, in units of what is allowed.

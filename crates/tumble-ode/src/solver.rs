@@ -307,7 +307,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
     fn rest(&mut self, mode: usize, end: f64) -> Result<Option<(Expansion, Step)>, Reason> {
-        self.noise = self.engines[mode].noise(self.time, &self.states, &self.compensation);
+        let now = (self.time, self.states.as_slice(), self.compensation.as_slice());
+        self.engines[mode].watch_noise(&mut self.noise, now);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
         let part = if self.rounding.is_nearest() { 1.0 } else { STILL_PART };
         let off = self.off();

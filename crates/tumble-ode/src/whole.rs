@@ -159,24 +159,41 @@ impl Engine {
     /// Rates at the start of a step, with what rounding makes of them. A state of which rounding left something out is not
     /// exact, even if it has few digits.
     pub(crate) fn noise(&mut self, time: f64, states: &[f64], compensation: &[f64]) -> Noise {
+        let mut noise = Noise::default();
+        self.watch_noise(&mut noise, (time, states, compensation));
+        noise
+    }
+
+    /// The same, into what is there already.
+    pub(crate) fn watch_noise(
+        &mut self,
+        noise: &mut Noise,
+        (time, states, compensation): (f64, &[f64], &[f64]),
+    ) {
         let leaf = |(state, left_out): (&f64, &f64)| match *left_out == 0.0 {
             true => Rounded::leaf(*state),
             false => Rounded::computed(*state),
         };
         self.round(Rounded::leaf(time), states.iter().zip(compensation).map(leaf));
-        let rates = (0..self.system.len()).map(|state| self.rounded.value_of(state));
-        let rates: Vec<Rounded> = rates.collect();
-        Noise {
-            rates: rates.iter().map(|rate| rate.noise()).collect(),
-            values: rates.iter().map(|rate| rate.value).collect(),
+        noise.rates.clear();
+        noise.values.clear();
+        for state in 0..self.system.len() {
+            let rate = self.rounded.value_of(state);
+            noise.rates.push(rate.noise());
+            noise.values.push(rate.value);
         }
     }
 
     /// Evaluates everything with rounding errors.
     fn round(&mut self, time: Rounded, states: impl Iterator<Item = Rounded>) {
-        let signs: Vec<Rounded> = self.signs().iter().map(|sign| Rounded::splat(*sign)).collect();
-        let leaves: Vec<Rounded> = states.collect();
+        let (mut leaves, mut signs) =
+            (std::mem::take(&mut self.rounded_leaves), std::mem::take(&mut self.rounded_signs));
+        leaves.clear();
+        leaves.extend(states);
+        signs.clear();
+        signs.extend(self.signs().iter().map(|sign| Rounded::splat(*sign)));
         self.rounded.start(time, &leaves, tumble_expr::Branches::Frozen(&signs));
+        (self.rounded_leaves, self.rounded_signs) = (leaves, signs);
     }
 
     /// By how much rounding errors of the guards that end a step may have moved its end, s: the error of the function over its
