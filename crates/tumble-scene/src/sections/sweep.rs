@@ -52,7 +52,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
         if of == Swept::Accuracy {
             refuse_accuracies(draft, field, &values);
         }
-        draft.sweep.push(SweepAxis { of, values });
+        draft.sweep.push(SweepAxis { of, values: values.into() });
     }
 }
 
