@@ -157,11 +157,12 @@ fn write(
             case.balance = CaseBalance::of(&case)?;
             case.balance.iter().try_for_each(|balance| balance.write(&case, folder))?;
         }
-        Ok((Finished::of(&case), still_needed(study, options, case)))
+        // A motion has its size even where there is none, unless it is in a box.
+        Ok((Finished::of(&case), still_needed(study, options, case).map(Box::new)))
     };
     let (made, missing) = case::all(study, options, write)?;
     let (finished, cases): (Vec<_>, Vec<_>) = made.into_iter().unzip();
-    let cases: Vec<Case> = cases.into_iter().flatten().collect();
+    let cases: Vec<Case> = cases.into_iter().flatten().map(|case| *case).collect();
     let figures = if options.no_figures { vec![] } else { figures::write(study, &cases, folder)? };
     let runs = Runs { cases: &cases, missing: &missing };
     report::write(source, study, runs, folder, options.report)?;
