@@ -75,11 +75,7 @@ struct Values {
 impl Values {
     /// Those that the study has itself.
     fn of(study: &Study) -> Self {
-        Self {
-            label: String::new(),
-            parameters: study.model.parameters.clone(),
-            accuracy: study.accuracy,
-        }
+        Self { label: String::new(), parameters: study.model.parameters.clone(), accuracy: study.accuracy }
     }
 
     /// Puts in a value of a sweep.
@@ -220,4 +216,33 @@ impl Case {
 /// The folder of the tables of a run.
 pub(crate) fn folder(number: usize) -> String {
     format!("run-{number:03}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_axis_changes_fastest() {
+        let scene = r#"
+            version = 1
+            run.until = "1 s"
+            [parameters]
+            a = 1
+            b = 1
+            [body.stone]
+            point = {}
+            mass = "a*b*1 kg"
+            [sweep]
+            a = [1, 2]
+            b = [3, 4, 5]
+        "#;
+        let study = tumble_scene::read("scene", scene, &[]).expect("a scene without mistakes");
+        let all = Combinations::of(&study).expect("values that can be set");
+        let labels: Vec<String> = (0..all.count()).map(|index| all.label(index)).collect();
+        let expected =
+            ["a = 1, b = 3", "a = 1, b = 4", "a = 1, b = 5", "a = 2, b = 3", "a = 2, b = 4", "a = 2, b = 5"];
+        assert_eq!(labels, expected);
+        assert_eq!(all.values(4).expect("a run").parameters.values().expect("numbers"), [2.0, 4.0]);
+    }
 }

@@ -19,6 +19,9 @@ const MOST_CHECKED: f64 = 1.5;
 /// And the whole answer with its check runs.
 const MOST_TRUSTED: f64 = 3.0;
 
+/// No smaller error is asked of the peer: it would be rounding.
+const LEAST_ERROR: f64 = 1e-15;
+
 /// The times of one system at one accuracy.
 pub(crate) struct Layers {
     pub(crate) steps: u64,
@@ -42,7 +45,7 @@ impl Layers {
         let equations = problem.equations();
         let checked = problem.motion(&equations, accuracy, true);
         let error = problem.error(&checked.states);
-        let (tolerance, peer_error) = peer::tolerance(problem, error.max(1e-15));
+        let (tolerance, peer_error) = peer::tolerance(problem, error.max(LEAST_ERROR));
         let steps = |is_proved| problem.motion(&equations, accuracy, is_proved).steps_alone();
         let built = |is_proved| timed(|| problem.motion(&problem.equations(), accuracy, is_proved).states);
         let [bare, checked_time, built_bare, built_checked, trusted, peer] = in_turn(
@@ -66,7 +69,9 @@ impl Layers {
 pub(crate) fn tables(is_long: bool) {
     let patience = Patience::of(is_long);
     let mut all = vec![];
-    println!("time of the layers, and of a step; checked to be {MOST_CHECKED} of bare, trusted {MOST_TRUSTED} of built");
+    println!(
+        "time of the layers, and of a step; checked to be {MOST_CHECKED} of bare, trusted {MOST_TRUSTED} of built"
+    );
     println!(
         "{:<26} {:>8} {:>5} {:>5} | {:>8} {:>7} {:>8} | {:>8} {:>7} {:>8} {:>6} {:>6} | {:>8} {:>6}",
         "system",
@@ -91,7 +96,9 @@ pub(crate) fn tables(is_long: bool) {
             all.push((problem.name, accuracy, target, found));
         }
     }
-    println!("\ntime of the peer over ours at the same error, which should be the target or more");
+    println!(
+        "\ntime of the peer over ours at the same error, which should be the target or more; *: its error is never so small"
+    );
     println!(
         "{:<26} {:>8} {:>8} {:>8} {:>8} | {:>6} {:>7} {:>7} {:>6} {:>6}",
         "system", "accuracy", "error", "peer", "peer us", "bare", "checked", "b.built", "built", "target"
@@ -123,8 +130,9 @@ fn of_layers(problem: &Problem, accuracy: f64, found: &Layers) {
 
 fn of_peer(name: &str, accuracy: f64, target: f64, found: &Layers) {
     let over = |ours: Duration| ratio(found.peer, ours);
+    let mark = if found.peer_error > found.error.max(LEAST_ERROR) { '*' } else { ' ' };
     println!(
-        "{name:<26} {accuracy:>8.0e} {:>8.1e} {:>8.1e} {:>8.0} | {:>6.2} {:>7.2} {:>7.2} {:>6.2} {target:>6.2}",
+        "{name:<26} {accuracy:>8.0e} {:>8.1e} {:>8.1e}{mark}{:>8.0} | {:>6.2} {:>7.2} {:>7.2} {:>6.2} {target:>6.2}",
         found.error,
         found.peer_error,
         micros(found.peer),

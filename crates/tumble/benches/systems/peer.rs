@@ -6,6 +6,9 @@ use ode_solvers::{SVector, System};
 
 use crate::problems::Problem;
 
+/// How finely tolerances are tried, from 1e-4 to 1e-15.
+const TOLERANCES_A_DECADE: u32 = 8;
+
 type State = SVector<f64, 6>;
 
 #[derive(Clone, Copy)]
@@ -22,8 +25,8 @@ impl System<f64, State> for Rates {
 /// the error there.
 pub(crate) fn tolerance(problem: &Problem, error: f64) -> (f64, f64) {
     let mut best = (f64::NAN, f64::INFINITY);
-    for exponent in 8..=30 {
-        let tolerance = 10.0_f64.powf(-f64::from(exponent) / 2.0);
+    for exponent in 4 * TOLERANCES_A_DECADE..=15 * TOLERANCES_A_DECADE {
+        let tolerance = 10.0_f64.powf(-f64::from(exponent) / f64::from(TOLERANCES_A_DECADE));
         let found = solve(problem, tolerance);
         if found < best.1 {
             best = (tolerance, found);

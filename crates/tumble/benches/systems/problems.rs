@@ -40,8 +40,10 @@ impl Motion {
     pub(crate) fn steps_alone(&self) -> Duration {
         let is_step = |index: usize, reached: f64| index > 0 && !self.entered.contains(&reached);
         let laps = self.laps.iter().enumerate();
-        let steps: Vec<Duration> =
-            laps.filter(|(index, (reached, _))| is_step(*index, *reached)).map(|(_, (_, time))| *time).collect();
+        let steps: Vec<Duration> = laps
+            .filter(|(index, (reached, _))| is_step(*index, *reached))
+            .map(|(_, (_, time))| *time)
+            .collect();
         let sum: Duration = steps.iter().sum();
         sum.mul_f64(self.laps.len() as f64 / steps.len().max(1) as f64)
     }
@@ -117,7 +119,11 @@ fn distance(states: &[f64], reference: &[f64]) -> f64 {
 pub(crate) fn all(is_long: bool) -> Vec<Problem> {
     let others = [wind_pendulum_of::<5>, wind_pendulum_of::<20>, wind_pendulum_of::<40>];
     let others = others.into_iter().filter(|_| is_long).map(|problem| problem());
-    [wind_pendulum()].into_iter().chain(others).chain([thrown_rod(), rod_on_a_spring(), rigid_rod()]).collect()
+    [wind_pendulum()]
+        .into_iter()
+        .chain(others)
+        .chain([thrown_rod(), rod_on_a_spring(), rigid_rod()])
+        .collect()
 }
 
 /// Wind on the tip, across the rod, with gusts every second, 20 s.

@@ -55,13 +55,12 @@ fn cold() {
             run(Path::new(SCENE), out.path()).wait().expect("the command ends");
         }
     });
-    tell(
-        spent,
-        |spent| {
-            let each = 1e3 * spent / f64::from(COLD_RUNS);
-            format!("cold process, four runs of the wind pendulum with their tables: {each:.1} ms of processor time")
-        },
-    );
+    tell(spent, |spent| {
+        let each = 1e3 * spent / f64::from(COLD_RUNS);
+        format!(
+            "cold process, four runs of the wind pendulum with their tables: {each:.1} ms of processor time"
+        )
+    });
 }
 
 /// Processor time of a sweep of 500 periods with its tables.
@@ -74,7 +73,9 @@ fn large_sweep() {
         run(&scene, out.path()).wait().expect("the command ends");
     });
     tell(spent, |spent| {
-        format!("500 periods of the wind pendulum with their tables: {spent:.2} s of processor time (target {MOST_SECONDS})")
+        format!(
+            "500 periods of the wind pendulum with their tables: {spent:.2} s of processor time (target {MOST_SECONDS})"
+        )
     });
 }
 

@@ -163,8 +163,7 @@ mod tests {
         std::fs::write(&ladder, LADDER).expect("written");
         let mut compared = 0;
         for scene in scenes.chain([ladder]) {
-            let (study, cases) =
-                pipeline::motions(&scene, &Options::default()).expect("a scene that runs");
+            let (study, cases) = pipeline::motions(&scene, &Options::default()).expect("a scene that runs");
             let case = &cases[0];
             let study = study.with(&case.parameters);
             let names = Names::of(&study).expect("names");

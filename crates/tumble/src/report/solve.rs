@@ -84,9 +84,10 @@ fn of_run(what: &str, cases: &[Case], case: &Case) -> Text {
 fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
     let rows = cases.iter().flat_map(|case| {
         let name = |what: &str| of_run(what, cases, case);
-        let held = case.trust.as_ref().map(|trust| {
-            (name("Verified by an independent check run"), Held::of(trust).words().into())
-        });
+        let held = case
+            .trust
+            .as_ref()
+            .map(|trust| (name("Verified by an independent check run"), Held::of(trust).words().into()));
         let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
         let why =
             horizon.map(|horizon| (name("Verified digits end because"), horizon.reason.to_string().into()));
