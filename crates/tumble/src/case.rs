@@ -227,6 +227,7 @@ mod tests {
         let scene = r#"
             version = 1
             run.until = "1 s"
+            world.gravity = "9.81 m/s^2"
             [parameters]
             a = 1
             b = 1
