@@ -157,8 +157,9 @@ fn write(
             case.balance = CaseBalance::of(&case)?;
             case.balance.iter().try_for_each(|balance| balance.write(&case, folder))?;
         }
-        // A motion has its size even where there is none, unless it is in a box.
-        Ok((Finished::of(&case), still_needed(study, options, case).map(Box::new)))
+        // In boxes, for places are kept for all runs from the start on.
+        let finished = Box::new(Finished::of(&case));
+        Ok((finished, still_needed(study, options, case).map(Box::new)))
     };
     let (made, missing) = case::all(study, options, write)?;
     let (finished, cases): (Vec<_>, Vec<_>) = made.into_iter().unzip();
@@ -167,6 +168,7 @@ fn write(
     let runs = Runs { cases: &cases, missing: &missing };
     report::write(source, study, runs, folder, options.report)?;
     drop(cases);
+    let finished = finished.into_iter().map(|finished: Box<Finished>| *finished).collect();
     let written = Written { figures, cases: finished, missing };
     summary::write(source, study, &written, folder)?;
     Ok(written)
