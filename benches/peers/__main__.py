@@ -6,6 +6,7 @@ import warnings
 
 import air
 import bouncing
+import events
 import slips
 
 if __name__ == "__main__":
@@ -15,5 +16,6 @@ if __name__ == "__main__":
         table(bouncing.PEERS)
     air.pendulum_table()
     air.throw_table()
+    events.equal_error_table()
     slips.refused()
     slips.taken()

@@ -70,8 +70,8 @@ impl Said {
 pub struct SweepAxis {
     /// What it is.
     pub of: Swept,
-    /// Its values, formulas of constants and of parameters that are not swept.
-    pub values: Vec<SweepValue>,
+    /// Its values, formulas of constants and of parameters that are not swept. Shared: every run has a study of its own.
+    pub values: Arc<[SweepValue]>,
 }
 
 /// What takes several values in a sweep.

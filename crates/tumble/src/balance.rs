@@ -88,7 +88,7 @@ fn times(run: &tumble_mech::Run) -> Vec<(f64, Side)> {
 }
 
 /// The balance in `summary.json`.
-#[derive(Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct Summary {
     energy: BalanceSummary,
     momentum: [BalanceSummary; 2],
@@ -97,7 +97,7 @@ pub(crate) struct Summary {
     contributions: Vec<ContributionSummary>,
 }
 
-#[derive(Serialize)]
+#[derive(Clone, Debug, Serialize)]
 struct BalanceSummary {
     start: f64,
     end: f64,
@@ -105,7 +105,7 @@ struct BalanceSummary {
     residual: f64,
 }
 
-#[derive(Serialize)]
+#[derive(Clone, Debug, Serialize)]
 struct ContributionSummary {
     name: String,
     kind: String,

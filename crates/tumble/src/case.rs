@@ -66,7 +66,6 @@ pub struct Missing {
 }
 
 /// What one run is made with, and its label.
-#[derive(Clone)]
 struct Values {
     label: String,
     parameters: Parameters,
@@ -74,63 +73,90 @@ struct Values {
 }
 
 impl Values {
-    /// The same with a value of a sweep.
-    fn with(&self, study: &Study, axis: &SweepAxis, value: &SweepValue) -> Result<Self, PipelineError> {
-        let mut next = self.clone();
+    /// Those that the study has itself.
+    fn of(study: &Study) -> Self {
+        Self { label: String::new(), parameters: study.model.parameters.clone(), accuracy: study.accuracy }
+    }
+
+    /// Puts in a value of a sweep.
+    fn set(&mut self, study: &Study, axis: &SweepAxis, value: &SweepValue) -> Result<(), PipelineError> {
         match &axis.of {
             Swept::Parameter(name) => {
-                let set = next.parameters.set(name, value.value.clone());
+                let set = self.parameters.set(name, value.value.clone());
                 set.map_err(tumble_mech::ModelErrors::from)?;
             }
-            Swept::Accuracy => next.accuracy = Accuracy::new(study.number(&value.value)?)?,
+            Swept::Accuracy => self.accuracy = Accuracy::new(study.number(&value.value)?)?,
         }
-        let separator = if self.label.is_empty() { "" } else { ", " };
-        next.label = format!("{}{separator}{}", self.label, value.label);
-        Ok(next)
+        Ok(())
     }
 }
 
-/// Every combination of what is swept; the last axis changes fastest.
-fn combinations(study: &Study) -> Result<Vec<Values>, PipelineError> {
-    let parameters = study.model.parameters.clone();
-    let mut all = vec![Values { label: String::new(), parameters, accuracy: study.accuracy }];
-    for axis in &study.sweep {
-        let with =
-            |values: &Values| axis.values.iter().map(|value| values.with(study, axis, value)).collect();
-        let next: Vec<Vec<Values>> = all.iter().map(with).collect::<Result<_, PipelineError>>()?;
-        all = next.concat();
+/// Every combination of what is swept, each made when it is asked for; the last axis changes fastest.
+struct Combinations<'a>(&'a Study);
+
+impl<'a> Combinations<'a> {
+    /// Refuses what no run can be made with, before any is begun.
+    fn of(study: &'a Study) -> Result<Self, PipelineError> {
+        for axis in &study.sweep {
+            let mut values = Values::of(study);
+            axis.values.iter().try_for_each(|value| values.set(study, axis, value))?;
+        }
+        Ok(Self(study))
     }
-    Ok(all)
+
+    fn count(&self) -> usize {
+        self.0.sweep.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// A value of each axis.
+    fn choice(&self, index: usize) -> impl Iterator<Item = (&'a SweepAxis, &'a SweepValue)> {
+        let mut inner = self.count();
+        self.0.sweep.iter().map(move |axis| {
+            let outer = inner;
+            inner /= axis.values.len();
+            (axis, &axis.values[index % outer / inner])
+        })
+    }
+
+    fn label(&self, index: usize) -> String {
+        let labels: Vec<&str> = self.choice(index).map(|(_, value)| &*value.label).collect();
+        labels.join(", ")
+    }
+
+    fn values(&self, index: usize) -> Result<Values, PipelineError> {
+        let mut values = Values { label: self.label(index), ..Values::of(self.0) };
+        self.choice(index).try_for_each(|(axis, value)| values.set(self.0, axis, value))?;
+        Ok(values)
+    }
 }
 
-/// Makes the runs of a study on so many cores as the options say, `done` with each as it is finished; those that were made, and
-/// those that were not because no more were wanted. What comes out does not depend on the number of cores: of several runs that
-/// fail the first is told.
-pub(crate) fn all(
+/// Makes the runs of a study on so many cores as the options say: what `done` keeps of each that was made, and those that
+/// were not because no more were wanted. What comes out does not depend on the number of cores: of several runs that fail the
+/// first is told.
+pub(crate) fn all<T: Send>(
     study: &Study,
     options: &Options,
-    done: impl Fn(&mut Case) -> Result<(), PipelineError> + Sync,
-) -> Result<(Vec<Case>, Vec<Missing>), PipelineError> {
-    let all = combinations(study)?;
-    let progress = Progress::new(&study.title, all.len(), options);
+    done: impl Fn(Case) -> Result<T, PipelineError> + Sync,
+) -> Result<(Vec<T>, Vec<Missing>), PipelineError> {
+    let all = Combinations::of(study)?;
+    let progress = Progress::new(&study.title, all.count(), options);
     let make = |index: usize| {
-        let mut case = Case::run(study, index + 1, all[index].clone(), &progress)?;
-        done(&mut case)?;
+        let kept = done(Case::run(study, index + 1, all.values(index)?, &progress)?)?;
         progress.finish();
-        Ok(case)
+        Ok(kept)
     };
-    let (mut cases, mut missing) = (vec![], vec![]);
-    for (index, made) in jobs::in_order(all.len(), options.jobs, make).into_iter().enumerate() {
-        let left_out = Missing { number: index + 1, label: all[index].label.clone() };
+    let (mut kept, mut missing) = (vec![], vec![]);
+    for (index, made) in jobs::in_order(all.count(), options.jobs, make).into_iter().enumerate() {
+        let left_out = || Missing { number: index + 1, label: all.label(index) };
         match made {
-            Some(Ok(case)) => cases.push(case),
-            None | Some(Err(PipelineError::Interrupted)) => missing.push(left_out),
+            Some(Ok(made)) => kept.push(made),
+            None | Some(Err(PipelineError::Interrupted)) => missing.push(left_out()),
             // One after the other it would not have been begun.
             Some(Err(error)) if missing.is_empty() => return Err(error),
-            Some(Err(_)) => missing.push(left_out),
+            Some(Err(_)) => missing.push(left_out()),
         }
     }
-    if cases.is_empty() { Err(PipelineError::Interrupted) } else { Ok((cases, missing)) }
+    if kept.is_empty() { Err(PipelineError::Interrupted) } else { Ok((kept, missing)) }
 }
 
 impl Case {
@@ -181,11 +207,6 @@ impl Case {
         Ok(case)
     }
 
-    /// Whether the motion reached its end and every claim holds.
-    pub fn is_success(&self) -> bool {
-        self.refusal.is_none() && self.checks.iter().all(|check| check.holds)
-    }
-
     /// The folder of its tables.
     pub fn folder(&self) -> String {
         folder(self.number)
@@ -195,4 +216,34 @@ impl Case {
 /// The folder of the tables of a run.
 pub(crate) fn folder(number: usize) -> String {
     format!("run-{number:03}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_axis_changes_fastest() {
+        let scene = r#"
+            version = 1
+            run.until = "1 s"
+            world.gravity = "9.81 m/s^2"
+            [parameters]
+            a = 1
+            b = 1
+            [body.stone]
+            point = {}
+            mass = "a*b*1 kg"
+            [sweep]
+            a = [1, 2]
+            b = [3, 4, 5]
+        "#;
+        let study = tumble_scene::read("scene", scene, &[]).expect("a scene without mistakes");
+        let all = Combinations::of(&study).expect("values that can be set");
+        let labels: Vec<String> = (0..all.count()).map(|index| all.label(index)).collect();
+        let expected =
+            ["a = 1, b = 3", "a = 1, b = 4", "a = 1, b = 5", "a = 2, b = 3", "a = 2, b = 4", "a = 2, b = 5"];
+        assert_eq!(labels, expected);
+        assert_eq!(all.values(4).expect("a run").parameters.values().expect("numbers"), [2.0, 4.0]);
+    }
 }

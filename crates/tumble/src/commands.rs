@@ -10,7 +10,7 @@ use tumble::gallery::{self, GalleryError, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
-use tumble::{Case, FindResult, ReportForm};
+use tumble::{FindResult, Finished, ReportForm};
 use tumble_scene::{Diagnostics, printable};
 
 use crate::tools::new::Kind;
@@ -296,15 +296,14 @@ fn shown(path: &Path) -> String {
     printable(&path.to_string_lossy()).into_owned()
 }
 
-fn describe_case(case: &Case) {
-    let (trajectory, work) = (&case.run.trajectory, case.run.trajectory.work);
+fn describe_case(case: &Finished) {
+    let Finished { end, work, .. } = case;
     let label = if case.label.is_empty() { String::new() } else { format!("{}: ", case.label) };
     let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
-    let end = trajectory.end().unwrap_or(0.0);
-    let (steps, events) = (count(work.steps, "step"), count(trajectory.events.len() as u64, "event"));
-    let digits = case.trustworthiness().map_or_else(String::new, |digits| format!(", {digits}"));
+    let (steps, events) = (count(work.steps, "step"), count(case.events.len() as u64, "event"));
+    let digits = case.held.as_ref().map_or_else(String::new, |held| format!(", {}", held.words()));
     say!("  {label}{end} s in {steps}{exact}, {events}{digits}");
-    if let Some(found) = case.run.quadrature.filter(|found| !found.settled) {
+    if let Some(found) = case.quadrature.filter(|found| !found.settled) {
         say!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
     }
     case.finds.iter().for_each(describe_find);

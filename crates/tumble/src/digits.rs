@@ -1,9 +1,9 @@
 //! How many digits of a value are verified.
 
 use tumble_expr::Expr;
-use tumble_mech::At;
+use tumble_mech::{At, Horizon, Trust};
 
-use crate::case::{Case, Solution};
+use crate::case::Solution;
 use crate::pipeline::PipelineError;
 use crate::questions::FindResult;
 
@@ -36,19 +36,35 @@ impl FindResult {
     }
 }
 
-impl Case {
-    /// How far it can be trusted, in a few words: `11 digits`, `7 digits of the 9 asked for`, `digits up to 12 s`; `None`
-    /// where nothing is known of that.
-    pub fn trustworthiness(&self) -> Option<String> {
-        let trust = self.trust.as_ref()?;
-        if let Some(horizon) = &trust.horizon {
-            return Some(format!("digits up to {:.4} s", horizon.time));
+/// How far a motion can be trusted, as the check runs told.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// Accuracy that was asked for.
+    pub asked: f64,
+    /// Accuracy that steps were held to in the end.
+    pub used: f64,
+    /// Largest error of a position, an angle or a rate, in units of its scale, up to the end or the horizon.
+    pub reached: f64,
+    /// Where the digits end, if they do before the motion does.
+    pub horizon: Option<Horizon>,
+}
+
+impl Held {
+    pub(crate) fn of(trust: &Trust) -> Self {
+        let Trust { asked, used, reached, horizon, .. } = trust;
+        Self { asked: *asked, used: *used, reached: *reached, horizon: horizon.clone() }
+    }
+
+    /// In a few words: `11 digits`, `7 digits of the 9 asked for`, `digits up to 12 s`.
+    pub fn words(&self) -> String {
+        if let Some(horizon) = &self.horizon {
+            return format!("digits up to {:.4} s", horizon.time);
         }
-        let (held, asked) = (digits(1.0, trust.reached), digits(1.0, trust.asked));
-        Some(match trust.is_reached() {
+        let (held, asked) = (digits(1.0, self.reached), digits(1.0, self.asked));
+        match self.reached <= self.asked {
             true => format!("{held} digits"),
             false => format!("{held} digits of the {asked} asked for"),
-        })
+        }
     }
 }
 

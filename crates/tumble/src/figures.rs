@@ -56,6 +56,12 @@ pub(crate) fn write(study: &Study, cases: &[Case], folder: &Folder) -> Result<Ve
     Ok(names)
 }
 
+/// Whether a study has any figure.
+pub(crate) fn are_asked_for(study: &Study) -> bool {
+    let Study { plots, stroboscopes, balances, free_bodies, .. } = study;
+    !(plots.is_empty() && stroboscopes.is_empty() && balances.is_empty() && free_bodies.is_empty())
+}
+
 fn save(folder: &Folder, name: &str, svg: &Svg) -> Result<(), PipelineError> {
     folder.write(&format!("{name}.svg"), svg.to_string().as_bytes())?;
     #[cfg(feature = "png")]

@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 use thiserror::Error;
 use tumble_report::{Entry, Figure, GALLERY_SEAL, IndexPage, Link};
 
-use crate::case::Case;
+use crate::finished::Finished;
 use crate::output::{Kind, OutputError, Single, shown};
 use crate::pipeline::{self, Options, Outcome, PipelineError};
 
@@ -123,17 +123,16 @@ fn entry(outcome: &Outcome) -> Entry {
     }
 }
 
-fn summary(case: &Case) -> Vec<String> {
-    let work = case.run.trajectory.work;
-    let held = case.checks.iter().filter(|check| check.holds).count();
-    let which = if case.label.is_empty() { String::new() } else { format!("{}: ", case.label) };
-    let checks = match case.checks.len() {
+fn summary(run: &Finished) -> Vec<String> {
+    let held = run.checks.iter().filter(|check| check.holds).count();
+    let which = if run.label.is_empty() { String::new() } else { format!("{}: ", run.label) };
+    let checks = match run.checks.len() {
         0 => String::new(),
         all => format!("; {held} of {all} checks hold"),
     };
-    let (end, order) = (case.run.trajectory.end().unwrap_or(0.0), case.run.trajectory.order);
+    let Finished { end, order, work, .. } = run;
     let mut lines =
         vec![format!("{which}{end} s of motion in {} steps of order {order}{checks}.", work.steps)];
-    lines.extend(case.refusal.as_ref().map(ToString::to_string));
+    lines.extend(run.refusal.as_ref().map(ToString::to_string));
     lines
 }

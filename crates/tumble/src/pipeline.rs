@@ -15,6 +15,7 @@ use tumble_scene::{Diagnostics, Files, Override, Study};
 use crate::balance::CaseBalance;
 use crate::case::{self, Case, Missing};
 use crate::figures;
+use crate::finished::Finished;
 use crate::output::{Folder, OutputError, shown};
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
@@ -52,7 +53,7 @@ pub struct Outcome {
     /// Names of the figures, without ending.
     pub figures: Vec<String>,
     /// The runs: one, or one for every combination of swept parameters.
-    pub cases: Vec<Case>,
+    pub cases: Vec<Finished>,
     /// The runs that were not made, because no more were wanted.
     pub missing: Vec<Missing>,
     /// What is left over beside the results and was not removed, with the reason.
@@ -69,7 +70,7 @@ impl Outcome {
 
     /// Whether every run was made, every motion reached its end and every claim holds.
     pub fn is_success(&self) -> bool {
-        self.missing.is_empty() && self.cases.iter().all(Case::is_success)
+        self.missing.is_empty() && self.cases.iter().all(Finished::is_success)
     }
 }
 
@@ -127,43 +128,83 @@ pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
     let source = Source::read(path)?;
     let (study, needed) = read(&source, options)?;
     let folder = Folder::begin(&options.out, &source.name, &needed)?;
-    let (figures, (cases, missing)) =
+    let Written { figures, cases, missing } =
         write(&source, &study, options, &folder).map_err(|error| error.placed(&study))?;
     let placed = folder.finish()?;
     Ok(Outcome { folder: placed.folder, notes: placed.notes, study, figures, cases, missing })
 }
 
 /// Names of figures, the runs that were made, and those that were not.
-type Written = (Vec<String>, (Vec<Case>, Vec<Missing>));
+pub(crate) struct Written {
+    pub(crate) figures: Vec<String>,
+    pub(crate) cases: Vec<Finished>,
+    pub(crate) missing: Vec<Missing>,
+}
 
-/// Makes the runs and all that is told of them; the names of the figures, and the runs that were made and that were not.
+/// Makes the runs and all that is told of them.
+///
+/// A motion is dropped as soon as its tables are written, unless something is still to be drawn or told of it: memory does
+/// not grow with the number of runs by more than what each came to.
 fn write(
     source: &Source,
     study: &Study,
     options: &Options,
     folder: &Folder,
 ) -> Result<Written, PipelineError> {
-    let write = |case: &mut Case| {
-        tables::write(study, case, folder)?;
+    let write = |mut case: Case| {
+        tables::write(study, &case, folder)?;
         if !options.no_figures {
-            case.balance = CaseBalance::of(case)?;
-            case.balance.iter().try_for_each(|balance| balance.write(case, folder))?;
+            case.balance = CaseBalance::of(&case)?;
+            case.balance.iter().try_for_each(|balance| balance.write(&case, folder))?;
         }
-        Ok(())
+        // In boxes, for places are kept for all runs from the start on.
+        let finished = Box::new(Finished::of(&case));
+        Ok((finished, still_needed(study, options, case).map(Box::new)))
     };
-    let (cases, missing) = case::all(study, options, write)?;
+    let (made, missing) = case::all(study, options, write)?;
+    let (finished, cases): (Vec<_>, Vec<_>) = made.into_iter().unzip();
+    let cases: Vec<Case> = cases.into_iter().flatten().map(|case| *case).collect();
     let figures = if options.no_figures { vec![] } else { figures::write(study, &cases, folder)? };
     let runs = Runs { cases: &cases, missing: &missing };
     report::write(source, study, runs, folder, options.report)?;
-    summary::write(source, study, runs, &figures, folder)?;
-    Ok((figures, (cases, missing)))
+    drop(cases);
+    let finished = finished.into_iter().map(|finished: Box<Finished>| *finished).collect();
+    let written = Written { figures, cases: finished, missing };
+    summary::write(source, study, &written, folder)?;
+    Ok(written)
 }
 
-/// The runs that were made, and those that were not.
+/// What figures and the report will read of a run, if anything.
+fn still_needed(study: &Study, options: &Options, case: Case) -> Option<Case> {
+    let has_figures = !options.no_figures && figures::are_asked_for(study);
+    match options.report {
+        report::Form::None if !has_figures => None,
+        report::Form::None => {
+            let balance = case.balance.filter(|_| !study.balances.is_empty());
+            // Only words and numbers say how far it can be trusted.
+            Some(Case { trust: None, balance, ..case })
+        }
+        _ => Some(case),
+    }
+}
+
+/// The runs whose motions are known, and those that were not made.
 #[derive(Clone, Copy)]
 pub(crate) struct Runs<'a> {
     pub(crate) cases: &'a [Case],
     pub(crate) missing: &'a [Missing],
+}
+
+/// Runs a scene file and writes nothing: the study, and the runs with their motions.
+pub fn motions(path: &Path, options: &Options) -> Result<(Study, Vec<Case>), PipelineError> {
+    let (study, _) = read(&Source::read(path)?, options)?;
+    let cases = all_motions(&study, options)?;
+    Ok((study, cases))
+}
+
+fn all_motions(study: &Study, options: &Options) -> Result<Vec<Case>, PipelineError> {
+    let (cases, missing) = case::all(study, options, Ok).map_err(|error| error.placed(study))?;
+    if missing.is_empty() { Ok(cases) } else { Err(PipelineError::Interrupted) }
 }
 
 /// Runs a scene that is given as text, and writes nothing.
@@ -191,7 +232,7 @@ pub(crate) struct Runs<'a> {
 /// ```
 pub fn run_text(name: &str, text: &str) -> Result<Vec<Case>, PipelineError> {
     let study = tumble_scene::read(name, text, &[]).map_err(mistaken)?;
-    Ok(case::all(&study, &Options::default(), |_| Ok(()))?.0)
+    Ok(case::all(&study, &Options::default(), Ok)?.0)
 }
 
 fn mistaken(diagnostics: Diagnostics) -> PipelineError {
@@ -223,10 +264,7 @@ pub fn animate(path: &Path, options: &Options, how: &AnimationOptions) -> Result
     let (study, _) = read(&source, options)?;
     let to = how.to.clone().unwrap_or_else(|| options.out.join(format!("{}.gif", source.name)));
     let file = Single::begin(&to, ANIMATION)?;
-    let (cases, missing) = case::all(&study, options, |_| Ok(())).map_err(|error| error.placed(&study))?;
-    if !missing.is_empty() {
-        return Err(PipelineError::Interrupted);
-    }
+    let cases = all_motions(&study, options)?;
     let animation = report::animation(&study, &cases)?;
     let gif = tumble_report::animation_gif(&animation, how.run.wrapping_sub(1), how.width, how.rate)?;
     Ok(file.finish(&gif)?)

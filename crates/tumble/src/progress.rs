@@ -18,6 +18,8 @@ const PATIENCE: Duration = Duration::from_secs(1);
 const PAUSE: Duration = Duration::from_secs(5);
 /// Positions of the bar: fine enough for any terminal.
 const POSITIONS: f64 = 1000.0;
+/// Characters of a title beside the bar.
+const LONGEST_TITLE: usize = 30;
 /// The clock is looked at once in so many steps: a step takes microseconds.
 const STEPS_A_LOOK: u32 = 64;
 
@@ -42,10 +44,11 @@ impl Progress {
             false => ProgressDrawTarget::hidden(),
         };
         let bar = ProgressBar::with_draw_target(Some(POSITIONS as u64), target);
-        let style = ProgressStyle::with_template("{prefix} {bar:40} {msg}");
+        // As wide as the terminal, and no wider: what is longer than its line would be written again and again.
+        let style = ProgressStyle::with_template("{prefix} {wide_bar} {msg}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let title = printable(title).into_owned();
-        bar.set_prefix(title.clone());
+        bar.set_prefix(short(&title));
         let began = Instant::now();
         let told = (options.progress && !is_terminal).then(|| Mutex::new(began));
         Self { bar, title, runs, finished: AtomicUsize::new(0), began, told, stop: options.stop.clone() }
@@ -103,6 +106,14 @@ fn words((finished, runs): (usize, usize), done: f64, taken: Duration) -> String
     if left.is_finite() { format!("{share}, {left:.0} s left") } else { share }
 }
 
+/// A title that leaves room for a bar beside it.
+fn short(title: &str) -> String {
+    match title.char_indices().nth(LONGEST_TITLE) {
+        Some((end, _)) => format!("{}..", title[..end].trim_end()),
+        None => title.to_owned(),
+    }
+}
+
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
@@ -142,5 +153,11 @@ mod tests {
         assert_eq!(words((37, 500), 37.0 / 500.0, Duration::from_secs(2)), "37 of 500, 25 s left");
         assert_eq!(words((0, 1), 0.4, Duration::from_secs(2)), "40 % of the time, 3 s left");
         assert_eq!(words((0, 9), 0.0, Duration::from_secs(2)), "0 of 9");
+    }
+
+    #[test]
+    fn a_title_leaves_room_for_the_bar() {
+        assert_eq!(short("Pendulum"), "Pendulum");
+        assert_eq!(short("A pendulum of very many links in a wind"), "A pendulum of very many links..");
     }
 }

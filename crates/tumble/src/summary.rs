@@ -2,17 +2,19 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use sha2::{Digest, Sha256};
-use tumble_mech::{MultipleImpacts, Run};
+use tumble_mech::MultipleImpacts;
 use tumble_scene::{Diagnostic, Diagnostics, Study, printable};
 
-use crate::case::{self, Case, Missing};
+use crate::case::{self, Missing};
 use crate::checks::CheckResult;
+use crate::finished::{Finished, Happened};
 use crate::output::Folder;
-use crate::pipeline::{PipelineError, Runs};
+use crate::pipeline::{PipelineError, Written};
 use crate::questions::FindResult;
 use crate::tables::{is_angle, unit};
 
@@ -80,7 +82,19 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<Said>,
     figures: &'a [String],
-    runs: Vec<RunSummary<'a>>,
+    runs: RunSummaries<'a>,
+}
+
+/// The runs, each put into its form as it is written.
+struct RunSummaries<'a> {
+    study: &'a Study,
+    cases: &'a [Finished],
+}
+
+impl Serialize for RunSummaries<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.cases.iter().map(|case| of_run(self.study, case)))
+    }
 }
 
 /// Where no more runs were wanted.
@@ -112,7 +126,7 @@ struct RunSummary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<Said>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    balance: Option<crate::balance::Summary>,
+    balance: Option<&'a crate::balance::Summary>,
 }
 
 /// Something that a user should know.
@@ -232,10 +246,10 @@ struct Check<'a> {
 pub(crate) fn write(
     source: &Source,
     study: &Study,
-    runs: Runs<'_>,
-    figures: &[String],
+    written: &Written,
     folder: &Folder,
 ) -> Result<(), PipelineError> {
+    let Written { figures, cases, missing } = written;
     let summary = Summary {
         schema: SCHEMA,
         schema_version: SCHEMA_VERSION,
@@ -243,14 +257,17 @@ pub(crate) fn write(
         program_version: env!("CARGO_PKG_VERSION"),
         scene_sha256: hash(&source.bytes),
         title: &study.title,
-        complete: runs.missing.is_empty() && runs.cases.iter().all(|case| case.refusal.is_none()),
-        interrupted: interrupted(runs),
+        complete: missing.is_empty() && cases.iter().all(|case| case.refusal.is_none()),
+        interrupted: interrupted(written),
         warnings: said(&study.warnings()),
         figures,
-        runs: runs.cases.iter().map(|case| of_run(study, case)).collect(),
+        runs: RunSummaries { study, cases },
     };
-    let text = serde_json::to_string_pretty(&summary).expect("a summary is plain data with text keys");
-    Ok(folder.write("summary.json", (text + "\n").as_bytes())?)
+    let file = |mut sink: &mut dyn Write| {
+        serde_json::to_writer_pretty(&mut sink, &summary)?;
+        sink.write_all(b"\n")
+    };
+    Ok(folder.write_by("summary.json", file)?)
 }
 
 fn said(diagnostics: &Diagnostics) -> Vec<Said> {
@@ -271,15 +288,14 @@ fn said(diagnostics: &Diagnostics) -> Vec<Said> {
     diagnostics.list.iter().map(one).collect()
 }
 
-fn interrupted(runs: Runs<'_>) -> Option<Interrupted<'_>> {
-    let not_made =
-        runs.missing.iter().map(|Missing { number, label }| NotMade { folder: case::folder(*number), label });
+fn interrupted(written: &Written) -> Option<Interrupted<'_>> {
+    let missing = written.missing.iter();
+    let not_made = missing.map(|Missing { number, label }| NotMade { folder: case::folder(*number), label });
     let not_made: Vec<_> = not_made.collect();
-    (!not_made.is_empty()).then_some(Interrupted { finished: runs.cases.len(), not_made })
+    (!not_made.is_empty()).then_some(Interrupted { finished: written.cases.len(), not_made })
 }
 
-fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
-    let events = case.run.trajectory.events.iter();
+fn of_run<'a>(study: &Study, case: &'a Finished) -> RunSummary<'a> {
     RunSummary {
         folder: case.folder(),
         label: &case.label,
@@ -288,14 +304,14 @@ fn of_run<'a>(study: &Study, case: &'a Case) -> RunSummary<'a> {
             .refusal
             .as_ref()
             .map(|refusal| Stop { time: refusal.time, reason: refusal.reason.to_string() }),
-        parameters: parameters(study, &case.run),
+        parameters: parameters(study, case),
         numerics: numerics(study, case),
-        end: end(&case.run),
-        events: events.map(|event| Event { time: event.time, what: &event.tags }).collect(),
+        end: end(case),
+        events: case.events.iter().map(|Happened { time, what }| Event { time: *time, what }).collect(),
         finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
         warnings: said(&case.said),
-        balance: case.balance.as_ref().map(crate::balance::Summary::of),
+        balance: case.balance.as_ref(),
     }
 }
 
@@ -303,9 +319,9 @@ pub(crate) fn hash(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn parameters(study: &Study, run: &Run) -> BTreeMap<String, Quantity> {
+fn parameters(study: &Study, case: &Finished) -> BTreeMap<String, Quantity> {
     let symbols = study.model.parameters.symbols().into_iter();
-    let values = symbols.zip(&run.inputs);
+    let values = symbols.zip(&case.inputs);
     values
         .map(|(symbol, value)| {
             let is_angle = study.angles.contains(&*symbol.name);
@@ -314,25 +330,24 @@ fn parameters(study: &Study, run: &Run) -> BTreeMap<String, Quantity> {
         .collect()
 }
 
-fn numerics(study: &Study, case: &Case) -> Numerics {
-    let run = &case.run;
-    let work = run.trajectory.work;
+fn numerics(study: &Study, case: &Finished) -> Numerics {
+    let work = case.work;
     Numerics {
         accuracy: case.accuracy.value(),
-        order: run.trajectory.order,
+        order: case.order,
         steps: work.steps,
         exact_steps: work.exact_steps,
         rejected_steps: work.rejected,
         modes: work.modes,
         sign_changes: work.flips,
-        contacts: contacts(study, run),
-        trust: case.trust.as_ref().map(|trust| Trust {
-            used_accuracy: trust.used,
-            reached: trust.reached,
-            verified_until: trust.horizon.as_ref().map_or(end_time(run), |horizon| horizon.time),
-            divergence: trust.horizon.as_ref().map(|horizon| horizon.reason.to_string()),
+        contacts: contacts(study, case),
+        trust: case.held.as_ref().map(|held| Trust {
+            used_accuracy: held.used,
+            reached: held.reached,
+            verified_until: held.horizon.as_ref().map_or(case.end, |horizon| horizon.time),
+            divergence: held.horizon.as_ref().map(|horizon| horizon.reason.to_string()),
         }),
-        quadrature: run.quadrature.map(|found| Quadrature {
+        quadrature: case.quadrature.map(|found| Quadrature {
             nodes: found.nodes,
             change: found.change,
             settled: found.settled,
@@ -340,28 +355,21 @@ fn numerics(study: &Study, case: &Case) -> Numerics {
     }
 }
 
-fn contacts(study: &Study, run: &Run) -> Option<Contacts> {
+fn contacts(study: &Study, case: &Finished) -> Option<Contacts> {
     let impacts = match study.model.multiple_impacts {
         MultipleImpacts::Simultaneous => "simultaneous",
         MultipleImpacts::Sequential => "sequential",
     };
-    let found = Contacts { count: run.contacts().len(), zeno_sequences: run.zeno_sequences(), impacts };
+    let found = Contacts { count: case.contacts, zeno_sequences: case.zeno_sequences, impacts };
     (!study.model.surfaces.is_empty()).then_some(found)
 }
 
-fn end(run: &Run) -> End {
-    let last_mode = run.trajectory.events.last().map_or(0, |event| event.mode_after);
-    let states = run.equations.states(&run.trajectory.modes[last_mode]);
-    let values = run.trajectory.last_states().unwrap_or_default();
-    let named = states.into_iter().zip(values).map(|(symbol, value)| {
-        let unit = unit(symbol.dimension, is_angle(&symbol));
-        (symbol.name.to_string(), Quantity { value, unit })
+fn end(case: &Finished) -> End {
+    let named = case.states.iter().map(|(symbol, value)| {
+        let unit = unit(symbol.dimension, is_angle(symbol));
+        (symbol.name.to_string(), Quantity { value: *value, unit })
     });
-    End { time: end_time(run), states: named.collect() }
-}
-
-fn end_time(run: &Run) -> f64 {
-    run.trajectory.end().unwrap_or(0.0)
+    End { time: case.end, states: named.collect() }
 }
 
 fn finite(value: f64) -> Option<f64> {

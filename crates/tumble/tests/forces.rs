@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{folder, scenes};
+use common::scenes;
 use tumble::Case;
 use tumble::pipeline::{self, Options};
 use tumble_mech::{Forces, Run, joined};
@@ -17,11 +17,7 @@ const INSTANTS: usize = 200;
 const ROUNDING: f64 = 1e-11;
 
 fn run(scene: &Path) -> (Study, Vec<Case>) {
-    let out = folder();
-    let (out, report) = (out.path().to_owned(), tumble::ReportForm::None);
-    let options = Options { out, no_figures: true, report, ..Options::default() };
-    let outcome = pipeline::run(scene, &options).expect("a motion");
-    (outcome.study, outcome.cases)
+    pipeline::motions(scene, &Options::default()).expect("a motion")
 }
 
 #[test]

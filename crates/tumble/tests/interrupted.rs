@@ -3,6 +3,7 @@
 mod common;
 
 use std::fs;
+use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -44,9 +45,9 @@ fn swing() -> tempfile::TempDir {
     folder
 }
 
-/// Runs a scene, and wants no more once a file is there.
+/// Runs a scene, one run after the other, and wants no more once a file is there.
 fn until_there(folder: &Path, scene: &str, file: &str) -> Result<tumble::Outcome, PipelineError> {
-    let options = Options { out: folder.join("out"), ..Options::default() };
+    let options = Options { out: folder.join("out"), jobs: NonZeroUsize::new(1), ..Options::default() };
     let (stop, begun) = (Arc::clone(&options.stop), Arc::new(AtomicBool::new(true)));
     std::thread::scope(|scope| {
         let going = Arc::clone(&begun);

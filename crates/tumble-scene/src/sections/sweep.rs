@@ -52,7 +52,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
         if of == Swept::Accuracy {
             refuse_accuracies(draft, field, &values);
         }
-        draft.sweep.push(SweepAxis { of, values });
+        draft.sweep.push(SweepAxis { of, values: values.into() });
     }
 }
 
@@ -152,12 +152,14 @@ fn range(draft: &mut Draft, field: &Field, want: Want, known: &Known<'_>) -> Opt
     };
     let unit = unit.or(other).unwrap_or_else(|| UnitText::si(want));
     let numbers = numbers(draft, field, known, [&from, &to], log)?;
-    let share = |step: usize| Expr::from(step as i32) / Expr::from(count as i32 - 1);
+    let last = Expr::from(count as i32 - 1);
+    let whole = if log { &to / &from } else { &to - &from };
+    let share = |step: usize| Expr::from(step as i32) / &last;
     let value = |step: usize| match step {
         0 => from.clone(),
         _ if step == count - 1 => to.clone(),
-        _ if log => &from * Expr::binary(Binary::Pow, &to / &from, share(step)),
-        _ => &from + (&to - &from) * share(step),
+        _ if log => &from * Expr::binary(Binary::Pow, whole.clone(), share(step)),
+        _ => &from + &whole * share(step),
     };
     let number = |step: usize| {
         let share = step as f64 / (count - 1) as f64;

@@ -1,13 +1,13 @@
 //! The peer: Dormand and Prince's eighth-order method with dense output off and no events, from another crate.
 
-use std::time::Duration;
-
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::dop853::Dop853;
 use ode_solvers::{SVector, System};
 
-use crate::least;
 use crate::problems::Problem;
+
+/// How finely tolerances are tried, from 1e-4 to 1e-15.
+const TOLERANCES_A_DECADE: u32 = 8;
 
 type State = SVector<f64, 6>;
 
@@ -21,23 +21,25 @@ impl System<f64, State> for Rates {
     }
 }
 
-/// The least time at which the peer's error is no larger than `error`, or, where it never is, of its best.
-pub(crate) fn at_error(problem: &Problem, error: f64) -> (Duration, f64) {
-    let mut best: Option<(Duration, f64)> = None;
-    for exponent in 8..=30 {
-        let tolerance = 10.0_f64.powf(-f64::from(exponent) / 2.0);
-        let (time, found) = least(|| solve(problem, tolerance));
-        if best.is_none_or(|(_, least)| found < least) {
-            best = Some((time, found));
+/// The loosest tolerance at which the peer's error is no larger than `error`, or, where it never is, that of its best; with
+/// the error there.
+pub(crate) fn tolerance(problem: &Problem, error: f64) -> (f64, f64) {
+    let mut best = (f64::NAN, f64::INFINITY);
+    for exponent in 4 * TOLERANCES_A_DECADE..=15 * TOLERANCES_A_DECADE {
+        let tolerance = 10.0_f64.powf(-f64::from(exponent) / f64::from(TOLERANCES_A_DECADE));
+        let found = solve(problem, tolerance);
+        if found < best.1 {
+            best = (tolerance, found);
         }
         if found <= error {
             break;
         }
     }
-    best.unwrap_or((Duration::MAX, f64::INFINITY))
+    best
 }
 
-fn solve(problem: &Problem, tolerance: f64) -> f64 {
+/// The peer's error at a tolerance.
+pub(crate) fn solve(problem: &Problem, tolerance: f64) -> f64 {
     let until = problem.until();
     let start = State::from(problem.start);
     // The code's own defaults, but the steps' ends instead of interpolated output.

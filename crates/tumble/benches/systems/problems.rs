@@ -1,10 +1,11 @@
 //! The systems: as models, as plain right-hand sides for the peer, and their references at 34 digits.
 
 use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
 
 use tumble::prelude::*;
 use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Equations, Release, Surface, Trust};
-use tumble_ode::{Solver, Start as NumericStart};
+use tumble_ode::{Event, Solver, Start as NumericStart};
 
 /// A system with its answer.
 pub(crate) struct Problem {
@@ -22,29 +23,53 @@ pub(crate) struct Problem {
     pub(crate) order: &'static [usize],
 }
 
-impl Problem {
-    pub(crate) fn run(&self, accuracy: f64) -> Run {
-        let accuracy = Accuracy::new(accuracy).expect("allowed");
-        Run::new(
-            self.equations(),
-            &self.model.parameters,
-            self.until,
-            accuracy,
-            |_| ControlFlow::Continue(()),
-        )
-        .expect("smooth")
-    }
+/// A motion that was found, and when each of its steps was done.
+pub(crate) struct Motion {
+    /// States at the end.
+    pub(crate) states: Vec<f64>,
+    pub(crate) steps: u64,
+    pub(crate) order: usize,
+    /// Time of the motion that was reached, s, and how long that took since the one before.
+    laps: Vec<(f64, Duration)>,
+    /// Times of the motion at which a mode was entered for the first time, s: its tape was built in that lap.
+    entered: Vec<f64>,
+}
 
-    /// States at the end of the motion alone, from equations that are built, with the enclosures of every step or without: what
-    /// they cost.
-    pub(crate) fn states(&self, equations: &Equations, accuracy: f64, is_proved: bool) -> Vec<f64> {
+impl Motion {
+    /// How long its steps took, without building: laps that build count as much as the others do on average.
+    pub(crate) fn steps_alone(&self) -> Duration {
+        let is_step = |index: usize, reached: f64| index > 0 && !self.entered.contains(&reached);
+        let laps = self.laps.iter().enumerate();
+        let steps: Vec<Duration> = laps
+            .filter(|(index, (reached, _))| is_step(*index, *reached))
+            .map(|(_, (_, time))| *time)
+            .collect();
+        let sum: Duration = steps.iter().sum();
+        sum.mul_f64(self.laps.len() as f64 / steps.len().max(1) as f64)
+    }
+}
+
+impl Problem {
+    /// The motion alone, from equations that are built, with the enclosures of every step or without.
+    pub(crate) fn motion(&self, equations: &Equations, accuracy: f64, is_proved: bool) -> Motion {
         let start = equations.start(&self.model.parameters).expect("sound");
         let accuracy = Accuracy::new(accuracy).expect("allowed");
         let mut solver = Solver::new(equations, NumericStart { is_proved, ..start }, self.until, accuracy);
+        let (mut laps, mut last) = (Vec::with_capacity(1024), Instant::now());
         while !solver.is_done() {
             solver.advance().expect("smooth");
+            let now = Instant::now();
+            laps.push((solver.time(), now - last));
+            last = now;
         }
-        solver.finish().last_states().expect("ran")
+        let trajectory = solver.finish();
+        Motion {
+            states: trajectory.last_states().expect("ran"),
+            steps: trajectory.work.steps,
+            order: trajectory.order,
+            laps,
+            entered: first_entries(&trajectory.events),
+        }
     }
 
     pub(crate) fn equations(&self) -> Equations {
@@ -58,8 +83,9 @@ impl Problem {
             .expect("smooth")
     }
 
-    pub(crate) fn error(&self, run: &Run) -> f64 {
-        distance(&run.trajectory.last_states().expect("ran"), &self.reference)
+    /// Error of our states at the end.
+    pub(crate) fn error(&self, states: &[f64]) -> f64 {
+        distance(states, &self.reference)
     }
 
     /// Error of the peer's states at the end.
@@ -72,40 +98,73 @@ impl Problem {
     }
 }
 
+/// Modes are counted in the order in which they are entered, so a new one is greater than all before.
+fn first_entries(events: &[Event]) -> Vec<f64> {
+    let mut known = 0;
+    let mut found = vec![];
+    for event in events.iter().filter(|event| event.mode_before != event.mode_after) {
+        if event.mode_after > known {
+            found.push(event.time);
+            known = event.mode_after;
+        }
+    }
+    found
+}
+
 fn distance(states: &[f64], reference: &[f64]) -> f64 {
     states.iter().zip(reference).map(|(a, b)| (a - b).abs() / b.abs().max(1.0)).fold(0.0, f64::max)
 }
 
-pub(crate) fn all() -> Vec<Problem> {
-    vec![wind_pendulum(), thrown_rod(), rod_on_a_spring(), rigid_rod()]
+/// The systems; the pendulum with other periods, too, where there is time.
+pub(crate) fn all(is_long: bool) -> Vec<Problem> {
+    let others = [wind_pendulum_of::<5>, wind_pendulum_of::<20>, wind_pendulum_of::<40>];
+    let others = others.into_iter().filter(|_| is_long).map(|problem| problem());
+    [wind_pendulum()]
+        .into_iter()
+        .chain(others)
+        .chain([thrown_rod(), rod_on_a_spring(), rigid_rod()])
+        .collect()
 }
 
-/// Wind on the tip, T = 1 s, 20 s.
-fn wind_pendulum() -> Problem {
+/// Wind on the tip, across the rod, with gusts every second, 20 s.
+pub(crate) fn wind_pendulum() -> Problem {
+    wind_pendulum_of::<10>()
+}
+
+/// The same with a period in tenths of a second.
+fn wind_pendulum_of<const TENTHS: u32>() -> Problem {
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(9.81 * M / (S * S));
     let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG));
     model.pivot(&rod, [0 * M, 0 * M]);
-    let wind = 10 * M / S * (1 + cos(2 * pi() * t() / (1 * S)));
+    let period = f64::from(TENTHS) / 10.0;
+    let wind = 10 * M / S * (1 + cos(2 * pi() * t() / (period * S)));
     let u = wind * cos(rod.kinematics().angle()) - 1 * M * rod.kinematics().omega();
     model.torque("air", &rod, 0.03 * KG * (abs(u.clone()) * u));
-    // The time is the third state: the peer is given systems without an explicit time only.
-    fn rates(y: &[f64; 6]) -> [f64; 6] {
-        let u = 10.0 * (1.0 + (std::f64::consts::TAU * y[2]).cos()) * y[0].cos() - y[1];
-        let torque = 0.03 * u.abs() * u - 9.81 * 0.5 * y[0].sin();
-        [y[1], 3.0 * torque, 1.0, 0.0, 0.0, 0.0]
-    }
-    let reference = vec![0.316_338_211_194_662_67, 1.832_319_409_834_266_4];
+    let (name, reference) = match TENTHS {
+        5 => ("pendulum, gusts of 0.5 s", [0.574_474_270_911_238_7, 0.200_525_154_242_957]),
+        20 => ("pendulum, gusts of 2 s", [1.419_619_501_631_580_8, 5.624_813_989_322_898]),
+        40 => ("pendulum, gusts of 4 s", [0.985_232_932_833_97, -0.521_658_537_949_117]),
+        _ => ("pendulum in the wind", [0.316_338_211_194_662_67, 1.832_319_409_834_266_4]),
+    };
     Problem {
-        name: "pendulum in the wind",
+        name,
         model,
         until: 20.0,
-        reference,
+        reference: reference.to_vec(),
         peer_reference: None,
         start: [0.0; 6],
-        rates,
+        rates: pendulum_rates::<TENTHS>,
         order: &[0, 1],
     }
+}
+
+/// The time is the third state: the peer is given systems without an explicit time only.
+fn pendulum_rates<const TENTHS: u32>(y: &[f64; 6]) -> [f64; 6] {
+    let turns = const { std::f64::consts::TAU * 10.0 / TENTHS as f64 };
+    let u = 10.0 * (1.0 + (turns * y[2]).cos()) * y[0].cos() - y[1];
+    let torque = 0.03 * u.abs() * u - 9.81 * 0.5 * y[0].sin();
+    [y[1], 3.0 * torque, 1.0, 0.0, 0.0, 0.0]
 }
 
 /// Full drag on eight nodes, 1.2 s.

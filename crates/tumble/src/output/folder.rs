@@ -1,7 +1,7 @@
 //! The folder of one scene's results: written aside, then put in place whole.
 
 use std::fs::{self, File};
-use std::io::{ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -82,9 +82,18 @@ impl Folder {
 
     /// Writes a file.
     pub(crate) fn write(&self, file: &str, contents: &[u8]) -> Result<(), OutputError> {
-        let mut sink = self.sink(file)?;
-        attempt(&self.aside.join(file), sink.write_all(contents))?;
-        self.wrote(file, sink);
+        self.write_by(file, |sink| sink.write_all(contents))
+    }
+
+    /// Writes a file piece by piece, for what is too long to be held at once.
+    pub(crate) fn write_by(
+        &self,
+        file: &str,
+        pieces: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        let mut buffer = BufWriter::new(self.sink(file)?);
+        let written = pieces(&mut buffer).and_then(|()| Ok(buffer.into_inner()?));
+        self.wrote(file, attempt(&self.aside.join(file), written)?);
         Ok(())
     }
 

@@ -163,16 +163,9 @@ mod tests {
         std::fs::write(&ladder, LADDER).expect("written");
         let mut compared = 0;
         for scene in scenes.chain([ladder]) {
-            let out = tempfile::tempdir().expect("a folder");
-            let options = Options {
-                out: out.path().to_owned(),
-                no_figures: true,
-                report: crate::ReportForm::None,
-                ..Options::default()
-            };
-            let outcome = pipeline::run(&scene, &options).expect("a motion");
-            let case = &outcome.cases[0];
-            let study = outcome.study.with(&case.parameters);
+            let (study, cases) = pipeline::motions(&scene, &Options::default()).expect("a scene that runs");
+            let case = &cases[0];
+            let study = study.with(&case.parameters);
             let names = Names::of(&study).expect("names");
             for mode in 0..case.run.trajectory.modes.len().min(MOST_MODES) {
                 for body in 0..study.model.bodies.len() {

@@ -11,6 +11,7 @@ use tumble_scene::Study;
 use super::equations::mode_name;
 use super::names::{Names, math, quantity};
 use crate::case::Case;
+use crate::digits::Held;
 use crate::pipeline::PipelineError;
 use crate::tables::{is_angle, unit};
 
@@ -83,8 +84,10 @@ fn of_run(what: &str, cases: &[Case], case: &Case) -> Text {
 fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
     let rows = cases.iter().flat_map(|case| {
         let name = |what: &str| of_run(what, cases, case);
-        let held =
-            case.trustworthiness().map(|held| (name("Verified by an independent check run"), held.into()));
+        let held = case
+            .trust
+            .as_ref()
+            .map(|trust| (name("Verified by an independent check run"), Held::of(trust).words().into()));
         let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
         let why =
             horizon.map(|horizon| (name("Verified digits end because"), horizon.reason.to_string().into()));

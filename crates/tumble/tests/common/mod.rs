@@ -45,7 +45,7 @@ pub(crate) fn copy_scenes(to: &Path) {
 
 /// What is wrong with the runs of a scene: why each stopped early, and the checks that do not hold.
 pub(crate) fn failures(outcome: &Outcome) -> Vec<String> {
-    let of_case = |case: &tumble::Case| {
+    let of_case = |case: &tumble::Finished| {
         let refusal = case.refusal.iter().map(ToString::to_string);
         let checks = case.checks.iter().filter(|check| !check.holds).map(|check| format!("{check:?}"));
         let found: Vec<_> = refusal.chain(checks).collect();

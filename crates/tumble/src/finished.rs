@@ -1,0 +1,107 @@
+//! What stays of a run once its tables are written: what it came to, without the motion itself.
+//!
+//! A sweep may have thousands of runs, and a motion with its check runs is much larger than what is told of it.
+
+use tumble_expr::Symbol;
+use tumble_mech::{Quadrature, Run};
+use tumble_ode::{Accuracy, Refusal, Work};
+use tumble_scene::Diagnostics;
+
+use crate::balance;
+use crate::case::{Case, folder};
+use crate::checks::CheckResult;
+use crate::digits::Held;
+use crate::questions::FindResult;
+
+/// One run of a study, and what it came to.
+#[derive(Debug)]
+pub struct Finished {
+    /// Counts the runs from 1.
+    pub number: usize,
+    /// What is different about it, as legends say it: `T = 0.5 s`; empty where there is only one run.
+    pub label: String,
+    /// What its motion was to be held to.
+    pub accuracy: Accuracy,
+    /// Time up to which the motion was found, s.
+    pub end: f64,
+    /// Order of its Taylor steps.
+    pub order: usize,
+    /// What it cost.
+    pub work: Work,
+    /// What happened, in order of time.
+    pub events: Vec<Happened>,
+    /// Sums that stand for integrals along lines, where there are any that were refined.
+    pub quadrature: Option<Quadrature>,
+    /// How far it can be trusted; nothing is known of a motion that stopped early.
+    pub held: Option<Held>,
+    /// Why it stopped early, if it did.
+    pub refusal: Option<Refusal>,
+    /// What the scene asks for.
+    pub finds: Vec<FindResult>,
+    /// The scene's claims, each with what was found.
+    pub checks: Vec<CheckResult>,
+    /// What a user should know of it.
+    pub said: Diagnostics,
+    /// Values of the parameters, in their order, SI units.
+    pub(crate) inputs: Vec<f64>,
+    /// The states at the end, SI units.
+    pub(crate) states: Vec<(Symbol, f64)>,
+    /// Contacts, impacts included.
+    pub(crate) contacts: usize,
+    /// Times that impacts following each other ever faster have ended in contact.
+    pub(crate) zeno_sequences: usize,
+    /// Energy, momentum and what changed them; `None` where only numbers were asked for.
+    pub(crate) balance: Option<balance::Summary>,
+}
+
+/// Something that happened in a run.
+#[derive(Clone, Debug)]
+pub struct Happened {
+    /// When, s.
+    pub time: f64,
+    /// What, in the model's words.
+    pub what: Vec<String>,
+}
+
+impl Finished {
+    pub(crate) fn of(case: &Case) -> Self {
+        let (run, trajectory) = (&case.run, &case.run.trajectory);
+        let happened = |event: &tumble_ode::Event| Happened { time: event.time, what: event.tags.clone() };
+        Self {
+            number: case.number,
+            label: case.label.clone(),
+            accuracy: case.accuracy,
+            end: trajectory.end().unwrap_or(0.0),
+            order: trajectory.order,
+            work: trajectory.work,
+            events: trajectory.events.iter().map(happened).collect(),
+            quadrature: run.quadrature,
+            held: case.trust.as_ref().map(Held::of),
+            refusal: case.refusal.clone(),
+            finds: case.finds.clone(),
+            checks: case.checks.clone(),
+            said: case.said.clone(),
+            inputs: run.inputs.clone(),
+            states: last_states(run),
+            contacts: run.contacts().len(),
+            zeno_sequences: run.zeno_sequences(),
+            balance: case.balance.as_ref().map(balance::Summary::of),
+        }
+    }
+
+    /// Whether the motion reached its end and every claim holds.
+    pub fn is_success(&self) -> bool {
+        self.refusal.is_none() && self.checks.iter().all(|check| check.holds)
+    }
+
+    /// The folder of its tables.
+    pub fn folder(&self) -> String {
+        folder(self.number)
+    }
+}
+
+fn last_states(run: &Run) -> Vec<(Symbol, f64)> {
+    let last_mode = run.trajectory.events.last().map_or(0, |event| event.mode_after);
+    let states = run.equations.states(&run.trajectory.modes[last_mode]);
+    states.into_iter().zip(run.trajectory.last_states().unwrap_or_default()).collect()
+}
