@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
-use tumble_ode::{Place, Reason};
+use tumble_ode::{Piece, Place, Reason};
 
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -13,12 +13,17 @@ use crate::parameters::time_symbol;
 const INSIDE: f64 = 1.0 / 1_048_576.0;
 
 /// Evaluates formulas at a place of the motion.
+pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
+    evaluate_in(jets, place.piece, place.time, &place.states);
+}
+
+/// The same at states of a piece, where there is one.
 ///
 /// At the ends of a piece a branch may stand at zero: it has the sign that it has within the piece.
-pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
-    let inside = place.piece.and_then(|piece| {
+pub(crate) fn evaluate_in(jets: &mut Jets<f64>, piece: Option<&Piece>, time: f64, states: &[f64]) {
+    let inside = piece.filter(|_| jets.tape().sides() > 0).and_then(|piece| {
         let reach = INSIDE * piece.length;
-        let s = match place.time {
+        let s = match time {
             time if time == piece.start => reach,
             time if time == piece.end => piece.length - reach,
             _ => return None,
@@ -26,11 +31,11 @@ pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
         Some((piece.time_at(s), piece.states_at_parameter(s)))
     });
     match inside {
-        None => jets.start(place.time, &place.states, Branches::Free),
-        Some((time, states)) => {
-            jets.start(time, &states, Branches::Free);
+        None => jets.start(time, states, Branches::Free),
+        Some((inner_time, inner_states)) => {
+            jets.start(inner_time, &inner_states, Branches::Free);
             let signs = jets.signs().to_vec();
-            jets.start(place.time, &place.states, Branches::Frozen(&signs));
+            jets.start(time, states, Branches::Frozen(&signs));
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Quantities along a trajectory: any formula of the bodies' motion, accelerations included.
 
 use tumble_expr::{Expr, Jets};
-use tumble_ode::{Place, Reason, Side, Trajectory};
+use tumble_ode::{Cursor, Place, Reason, Side, Trajectory};
 
 use crate::equations::Equations;
-use crate::evaluator::evaluate;
+use crate::evaluator::{evaluate, evaluate_in};
 use crate::mode::Mode;
 
 /// Evaluates formulas at any time of one trajectory.
@@ -12,6 +12,8 @@ pub struct Observer<'a> {
     trajectory: &'a Trajectory<Mode>,
     /// By mode of the trajectory.
     tapes: Vec<Jets<f64>>,
+    cursor: Cursor,
+    states: Vec<f64>,
 }
 
 impl<'a> Observer<'a> {
@@ -25,13 +27,24 @@ impl<'a> Observer<'a> {
         let modes = trajectory.modes.iter();
         let tapes =
             modes.map(|mode| equations.evaluator(mode, formulas, inputs)).collect::<Result<_, _>>()?;
-        Ok(Self { trajectory, tapes })
+        Ok(Self { trajectory, tapes, cursor: Cursor::default(), states: vec![] })
     }
 
     /// Values of the formulas at `time`, in their order; `None` outside the trajectory.
     pub fn at(&mut self, time: f64, side: Side) -> Option<Vec<f64>> {
-        let place = self.trajectory.place_at(time, side)?;
-        Some(self.values(&place))
+        let mut values = vec![];
+        self.at_into(time, side, &mut values).then_some(values)
+    }
+
+    /// The same put into `values`; whether there are any. Many times are best asked for in order.
+    pub fn at_into(&mut self, time: f64, side: Side, values: &mut Vec<f64>) -> bool {
+        values.clear();
+        let found = self.trajectory.place_into(time, side, &mut self.cursor, &mut self.states);
+        let Some((mode, piece)) = found else { return false };
+        let tape = &mut self.tapes[mode];
+        evaluate_in(tape, piece, time, &self.states);
+        values.extend((0..tape.tape().outputs().len()).map(|index| tape.value_of(index)));
+        true
     }
 
     /// Values of the formulas just before and just after an event, by its index.

@@ -35,5 +35,5 @@ pub use hybrid::{
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
 pub use solver::{Solver, Start, Stopped, solve};
-pub use trajectory::{Event, Piece, Place, Side, Trajectory};
+pub use trajectory::{Cursor, Event, Piece, Place, Side, Trajectory};
 pub use work::Work;

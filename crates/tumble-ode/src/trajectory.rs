@@ -80,6 +80,10 @@ pub struct Place<'a> {
     pub piece: Option<&'a Piece>,
 }
 
+/// Where in a motion was looked at last: what comes next is found from there.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cursor(usize);
+
 /// Which value is meant at the instant of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -135,6 +139,51 @@ impl<Mode> Trajectory<Mode> {
         }
     }
 
+    /// The same with the states put into `states`: the index of the mode, and the piece. Times in order are found without a
+    /// search.
+    pub fn place_into(
+        &self,
+        time: f64,
+        side: Side,
+        cursor: &mut Cursor,
+        states: &mut Vec<f64>,
+    ) -> Option<(usize, Option<&Piece>)> {
+        states.clear();
+        match (side, self.first_event(), self.last_event()) {
+            (Side::Before, Some(first), _) if first.time == time => {
+                states.extend_from_slice(&first.before);
+                Some((first.mode_before, None))
+            }
+            (Side::After, _, Some(last)) if last.time == time => {
+                states.extend_from_slice(&last.after);
+                Some((last.mode_after, None))
+            }
+            _ => {
+                let piece = self.piece_from(time, side, cursor)?;
+                piece.states_into(piece.parameter_at(time), states);
+                Some((piece.mode, Some(piece)))
+            }
+        }
+    }
+
+    /// [`Trajectory::piece_at`], looked for from where the cursor is.
+    fn piece_from(&self, time: f64, side: Side, cursor: &mut Cursor) -> Option<&Piece> {
+        let is_over = |piece: &Piece| match side {
+            Side::After => piece.end <= time,
+            Side::Before => piece.end < time,
+        };
+        let index = &mut cursor.0;
+        *index = (*index).min(self.pieces.len());
+        while *index > 0 && !is_over(&self.pieces[*index - 1]) {
+            *index -= 1;
+        }
+        while self.pieces.get(*index).is_some_and(is_over) {
+            *index += 1;
+        }
+        let piece = self.pieces.get(*index).or(self.pieces.last())?;
+        (piece.start <= time && time <= piece.end).then_some(piece)
+    }
+
     fn first_event(&self) -> Option<&Event> {
         let start = self.start()?;
         self.events.first().filter(|event| event.time == start)
@@ -162,6 +211,11 @@ impl Piece {
     /// States at a value of the piece's parameter.
     pub fn states_at_parameter(&self, s: f64) -> Vec<f64> {
         self.states.iter().map(|series| polynomial::value(series, s)).collect()
+    }
+
+    /// The same, added to the end of `states`.
+    pub fn states_into(&self, s: f64, states: &mut Vec<f64>) {
+        states.extend(self.states.iter().map(|series| polynomial::value(series, s)));
     }
 
     /// The states as series about a value of the piece's parameter, and the time as one.

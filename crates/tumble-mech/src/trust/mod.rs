@@ -41,6 +41,7 @@
 //! # Checked by
 //! `tests/trust.rs` and the calibration: the error stated is not less than the true one, and no more than some digits larger.
 
+mod beside;
 mod check_run;
 mod errors;
 mod instant;
