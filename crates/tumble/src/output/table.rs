@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+use super::decimal::Decimal;
 use super::manifest::hexadecimal;
 use super::{Folder, OutputError, attempt};
 
@@ -45,6 +46,7 @@ pub(crate) struct Table<'f> {
     name: String,
     path: PathBuf,
     writer: csv::Writer<Sink>,
+    decimal: Decimal,
 }
 
 impl<'f> Table<'f> {
@@ -52,12 +54,33 @@ impl<'f> Table<'f> {
     pub(crate) fn begin(folder: &'f Folder, name: &str) -> Result<Self, OutputError> {
         let sink = folder.sink(name)?;
         let path = sink.path.clone();
-        Ok(Self { folder, name: name.to_owned(), path, writer: csv::Writer::from_writer(sink) })
+        let writer = csv::Writer::from_writer(sink);
+        Ok(Self { folder, name: name.to_owned(), path, writer, decimal: Decimal::default() })
     }
 
     /// Writes a row.
     pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) -> Result<(), OutputError> {
         attempt(&self.path, self.writer.write_record(cells).map_err(io::Error::from))
+    }
+
+    /// Writes a cell of the row that is being written.
+    pub(crate) fn text(&mut self, cell: &str) -> Result<(), OutputError> {
+        attempt(&self.path, self.writer.write_field(cell).map_err(io::Error::from))
+    }
+
+    /// Writes cells of the row that is being written: the shortest decimals that read back as the same numbers.
+    pub(crate) fn numbers(&mut self, values: &[f64]) -> Result<(), OutputError> {
+        for value in values {
+            let written = self.writer.write_field(self.decimal.of(*value));
+            attempt(&self.path, written.map_err(io::Error::from))?;
+        }
+        Ok(())
+    }
+
+    /// Ends the row that is being written.
+    pub(crate) fn end_row(&mut self) -> Result<(), OutputError> {
+        let nothing: [&[u8]; 0] = [];
+        attempt(&self.path, self.writer.write_record(nothing).map_err(io::Error::from))
     }
 
     /// Ends the table.
