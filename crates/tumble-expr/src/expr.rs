@@ -7,6 +7,7 @@ use std::sync::Arc;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use crate::same;
 use crate::table::{Table, TableRef};
 use crate::traces::Traces;
 use crate::typing::{self, Kind, TypeError};
@@ -118,6 +119,17 @@ impl<Part> Node<Part> {
         }
     }
 
+    /// Hands over each of the parts, left to right.
+    pub fn each_part(&self, mut f: impl FnMut(&Part)) {
+        match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => {}
+            Self::Unary(_, a) | Self::Table(_, a) | Self::Unknown(a, _) => f(a),
+            Self::Binary(_, a, b) | Self::Compare(_, a, b) => [a, b].into_iter().for_each(f),
+            Self::Select(a, b, c) => [a, b, c].into_iter().for_each(f),
+            Self::Norm(parts) | Self::System(parts) => parts.iter().for_each(&mut f),
+        }
+    }
+
     /// The same node over other parts.
     pub fn map<Other>(&self, mut f: impl FnMut(&Part) -> Other) -> Node<Other> {
         match self {
@@ -147,6 +159,8 @@ pub(crate) struct Inner {
     pub(crate) node: Node,
     /// Which symbols may be in it.
     pub(crate) traces: Traces,
+    /// Equal for formulas that are written alike.
+    pub(crate) hash: u64,
     pub(crate) kind: Result<Kind, Arc<TypeError>>,
 }
 
@@ -320,7 +334,7 @@ impl Expr {
     }
 
     pub(crate) fn make(node: Node, kind: Result<Kind, Arc<TypeError>>) -> Self {
-        Self(Arc::new(Inner { traces: Traces::of(&node), node, kind }))
+        Self(Arc::new(Inner { traces: Traces::of(&node), hash: same::hash_of(&node), node, kind }))
     }
 
     /// A formula that carries a mistake.

@@ -54,6 +54,7 @@ use tumble_ode::{Accuracy, Cause, Event, Side};
 
 use crate::balance::{Contribution, RunBalance};
 use crate::coordinates::Measure;
+use crate::equations::Equations;
 use crate::model::Model;
 use crate::parameters::Parameters;
 use crate::run::{Run, RunError};
@@ -139,8 +140,19 @@ impl Run {
         accuracy: Accuracy,
         progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<(Self, Trust), RunError> {
+        Self::trusted_of(&Equations::new(model.clone())?, parameters, until, accuracy, progress)
+    }
+
+    /// The same of equations that may be used for other motions too.
+    pub fn trusted_of(
+        equations: &Equations,
+        parameters: &Parameters,
+        until: f64,
+        accuracy: Accuracy,
+        progress: impl Fn(f64) -> ControlFlow<()>,
+    ) -> Result<(Self, Trust), RunError> {
         let at = |held: Accuracy| {
-            let run = Self::refined(model.clone(), parameters, until, held, &progress)?;
+            let run = Self::refined_of(equations, parameters, until, held, &progress)?;
             let trust = Trust::of(&run, parameters, until, (accuracy, held), &progress)?;
             Ok::<_, RunError>((run, trust))
         };
