@@ -1,5 +1,7 @@
 //! A motion: polynomial pieces one after the other, and the events between them.
 
+use tumble_expr::Interval;
+
 use crate::hybrid::Cause;
 use crate::polynomial;
 use crate::work::Work;
@@ -218,6 +220,15 @@ impl Piece {
         states.extend(self.states.iter().map(|series| polynomial::value(series, s)));
     }
 
+    /// Ranges that hold all states from the start of the piece up to `s`, added to the end of `states`, and that of the time.
+    pub fn ranges_into(&self, s: f64, states: &mut Vec<Interval>) -> Interval {
+        states.extend(self.states.iter().map(|series| range(series, s)));
+        match &self.time_series {
+            None => range(&[self.start, 1.0], s),
+            Some(series) => range(series, s),
+        }
+    }
+
     /// The states as series about a value of the piece's parameter, and the time as one.
     pub fn series_at(&self, s: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
         let states = self.states.iter().map(|series| polynomial::shifted(series, s)).collect();
@@ -249,6 +260,18 @@ impl Piece {
             Some(series) => self.start + polynomial::increment(series, s),
         }
     }
+}
+
+/// Rounding errors of a range, and of the values in it, in units of the last place of the sum of all terms.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A range that holds all values of a series from 0 up to `s`: Horner's rule with all that lies between.
+fn range(series: &[f64], s: f64) -> Interval {
+    let wider = |(low, high, size): (f64, f64, f64), c: &f64| {
+        (c + (low * s).min(0.0), c + (high * s).max(0.0), size * s + c.abs())
+    };
+    let (low, high, size) = series.iter().rev().fold((0.0, 0.0, 0.0), wider);
+    Interval::new(low - ROUNDING * size, high + ROUNDING * size)
 }
 
 /// Newton steps that the inversion of a time series may take; each at least halves the bracket where Newton's own
@@ -283,6 +306,16 @@ pub(crate) fn invert(series: &[f64], elapsed: f64, length: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ranges_hold_all_values() {
+        let series = [0.3, -2.0, 0.5, 3.0, -1.0];
+        let Interval { low, high } = range(&series, 1.5);
+        for part in 0..=100 {
+            let value = polynomial::value(&series, 1.5 * f64::from(part) / 100.0);
+            assert!(low <= value && value <= high, "{value} outside {low} and {high}");
+        }
+    }
 
     #[test]
     fn a_time_series_is_inverted() {

@@ -10,7 +10,7 @@
 
 mod search;
 
-use tumble_expr::{Expr, Jets};
+use tumble_expr::{Expr, Interval, Jets};
 use tumble_ode::{Enclosure, Piece, Reason, Side};
 
 use crate::run::{Run, RunError};
@@ -120,7 +120,9 @@ impl Run {
                 let of = std::slice::from_ref(formula);
                 let jets = self.equations.expander(&self.trajectory.modes[mode], of, &self.inputs, ORDER)?;
                 let enclosure = Enclosure::new(jets.tape().clone(), &self.inputs);
-                Ok(empty.insert(Evaluator { jets, enclosure }))
+                let inputs: Vec<Interval> = self.inputs.iter().map(|value| Interval::point(*value)).collect();
+                let ranges = Jets::new(jets.tape().clone(), 0, &inputs);
+                Ok(empty.insert(Evaluator { jets, ranges, enclosure, states: vec![], state_ranges: vec![] }))
             }
         }
     }
@@ -155,7 +157,12 @@ fn kind_of(found: &Candidate, mut search: Search<'_>, edges: [f64; 2]) -> PeakKi
 /// A formula in the states of one mode.
 struct Evaluator {
     jets: Jets<f64>,
+    /// For all values between two of the states at once.
+    ranges: Jets<Interval>,
     enclosure: Enclosure,
+    /// The states at the place that was looked at last, and their ranges.
+    states: Vec<f64>,
+    state_ranges: Vec<Interval>,
 }
 
 /// The best value so far.
