@@ -37,5 +37,5 @@ pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
 pub use solver::{Solver, Start, Stopped, solve};
-pub use trajectory::{Cursor, Event, Piece, Place, Side, Trajectory};
+pub use trajectory::{Cursor, Event, Piece, Place, Side, Spot, Trajectory};
 pub use work::Work;

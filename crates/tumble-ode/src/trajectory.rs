@@ -86,6 +86,39 @@ pub struct Place<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cursor(usize);
 
+/// What the motion at one time is known by.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot<'a> {
+    /// Index in [`Trajectory::modes`].
+    pub mode: usize,
+    of: Known<'a>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Known<'a> {
+    /// Before an event at the very start, or after one at the very end.
+    States(&'a [f64]),
+    Piece(&'a Piece),
+}
+
+impl<'a> Spot<'a> {
+    /// The piece that it lies on, if there is one.
+    pub fn piece(self) -> Option<&'a Piece> {
+        match self.of {
+            Known::States(_) => None,
+            Known::Piece(piece) => Some(piece),
+        }
+    }
+
+    /// The states at that time, added to the end of `states`.
+    pub fn states_into(self, time: f64, states: &mut Vec<f64>) {
+        match self.of {
+            Known::States(known) => states.extend_from_slice(known),
+            Known::Piece(piece) => piece.states_into(piece.parameter_at(time), states),
+        }
+    }
+}
+
 /// Which value is meant at the instant of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -141,29 +174,18 @@ impl<Mode> Trajectory<Mode> {
         }
     }
 
-    /// The same with the states put into `states`: the index of the mode, and the piece. Times in order are found without a
-    /// search.
-    pub fn place_into(
-        &self,
-        time: f64,
-        side: Side,
-        cursor: &mut Cursor,
-        states: &mut Vec<f64>,
-    ) -> Option<(usize, Option<&Piece>)> {
-        states.clear();
+    /// Where `time` lies; `None` outside the motion. Times in order are found without a search.
+    pub fn spot_at(&self, time: f64, side: Side, cursor: &mut Cursor) -> Option<Spot<'_>> {
         match (side, self.first_event(), self.last_event()) {
             (Side::Before, Some(first), _) if first.time == time => {
-                states.extend_from_slice(&first.before);
-                Some((first.mode_before, None))
+                Some(Spot { mode: first.mode_before, of: Known::States(&first.before) })
             }
             (Side::After, _, Some(last)) if last.time == time => {
-                states.extend_from_slice(&last.after);
-                Some((last.mode_after, None))
+                Some(Spot { mode: last.mode_after, of: Known::States(&last.after) })
             }
             _ => {
                 let piece = self.piece_from(time, side, cursor)?;
-                piece.states_into(piece.parameter_at(time), states);
-                Some((piece.mode, Some(piece)))
+                Some(Spot { mode: piece.mode, of: Known::Piece(piece) })
             }
         }
     }

@@ -69,7 +69,7 @@ impl CaseBalance {
         let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
         table.row(self.columns.iter().map(units))?;
         for row in &self.rows {
-            table.numbers(row)?;
+            table.numbers(row);
             table.end_row()?;
         }
         table.finish()

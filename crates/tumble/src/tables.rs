@@ -103,9 +103,9 @@ fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), Pipelin
     let first = ["t [s]".to_owned(), "phase".to_owned()];
     table.row(first.into_iter().chain(header))?;
     for row in sample(study, &case.run, &formulas)? {
-        table.numbers(&[row.time])?;
-        table.text(&row.phase.to_string())?;
-        table.numbers(&row.values)?;
+        table.numbers(&[row.time]);
+        table.text(&row.phase.to_string());
+        table.numbers(&row.values);
         table.end_row()?;
     }
     Ok(table.finish()?)
@@ -125,10 +125,10 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     let first = ["t [s]".to_owned(), "what".to_owned()];
     table.row(first.into_iter().chain(columns))?;
     for event in &run.trajectory.events {
-        table.numbers(&[event.time])?;
-        table.text(&event.tags.join(", "))?;
-        table.numbers(&event.before[..states.len()])?;
-        table.numbers(&event.after[..states.len()])?;
+        table.numbers(&[event.time]);
+        table.text(&event.tags.join(", "));
+        table.numbers(&event.before[..states.len()]);
+        table.numbers(&event.after[..states.len()]);
         table.end_row()?;
     }
     table.finish()

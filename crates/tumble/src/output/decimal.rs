@@ -8,6 +8,9 @@ const PLAIN: [f64; 2] = [1e-4, 1e16];
 const FRACTION: u32 = 52;
 const LAST_BIT: i64 = 1075;
 
+/// No number that is written without an exponent has so many digits after the point.
+const MOST_PLACES: i64 = 24;
+
 /// Writes numbers into a buffer of its own.
 #[derive(Default)]
 pub(crate) struct Decimal {
@@ -20,7 +23,8 @@ impl Decimal {
     pub(crate) fn of(&mut self, value: f64) -> &[u8] {
         if is_plain(value) {
             let text = self.digits.format_finite(value);
-            if !is_between(value, places(text)) {
+            let last_bit = last_bit(value);
+            if last_bit < -MOST_PLACES || !is_between(last_bit, text) {
                 return text.as_bytes();
             }
         }
@@ -35,17 +39,18 @@ fn is_plain(value: f64) -> bool {
     value == 0.0 || (PLAIN[0]..PLAIN[1]).contains(&value.abs())
 }
 
-/// Digits after the point.
-fn places(text: &str) -> i64 {
-    text.find('.').map_or(0, |point| text.len() - point - 1) as i64
+/// Exponent of the last bit of a number that is one.
+fn last_bit(value: f64) -> i64 {
+    let bits = value.abs().to_bits();
+    let fraction = (bits & ((1 << FRACTION) - 1)) | (1 << FRACTION);
+    (bits >> FRACTION) as i64 - LAST_BIT + i64::from(fraction.trailing_zeros())
 }
 
-/// Whether a number may lie in the middle of two decimals of so many places: which of them is written is a matter of taste.
-fn is_between(value: f64, places: i64) -> bool {
-    let bits = value.abs().to_bits();
-    let fraction = bits & ((1 << FRACTION) - 1) | 1 << FRACTION;
-    let last_bit = (bits >> FRACTION) as i64 - LAST_BIT + i64::from(fraction.trailing_zeros());
-    value != 0.0 && last_bit == -(places + 1)
+/// Whether a number with that last bit may lie in the middle of two decimals of as many places: which of them is written is a
+/// matter of taste.
+fn is_between(last_bit: i64, text: &str) -> bool {
+    let places = text.find('.').map_or(0, |point| text.len() - point - 1);
+    last_bit == -(places as i64 + 1)
 }
 
 #[cfg(test)]
