@@ -239,7 +239,12 @@ impl Piece {
 
     /// The same, added to the end of `states`.
     pub fn states_into(&self, s: f64, states: &mut Vec<f64>) {
-        states.extend(self.states.iter().map(|series| polynomial::value(series, s)));
+        let value = |series: &Vec<f64>| match series.first() {
+            // Horner's rule comes to the same, but for the sign of zero.
+            Some(first) if s == 0.0 && *first != 0.0 => *first,
+            _ => polynomial::value(series, s),
+        };
+        states.extend(self.states.iter().map(value));
     }
 
     /// Ranges that hold all states from the start of the piece up to `s`, added to the end of `states`, and that of the time.

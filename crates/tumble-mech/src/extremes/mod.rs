@@ -18,6 +18,8 @@ use search::Search;
 
 /// A later value has to be larger by this part to be another.
 const SAME: f64 = 8.0 * f64::EPSILON;
+/// A value that is smaller by this part is smaller by more than all that rounding adds up to.
+const FAR: f64 = 1e-9;
 /// Taylor coefficients up to here: of value, slope and bend.
 const ORDER: usize = 2;
 /// An instant is that of a turn if the slope and the bend there put the turn no farther away, in parts of the piece.
@@ -89,16 +91,21 @@ impl Run {
             }
             let [low, high] = [from, to].map(|time| piece.parameter_at(time.clamp(piece.start, piece.end)));
             let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
-            let gains = Search::new(piece, index, evaluator, &mut best).gains([low, high]);
-            order.push((index, [low, high], gains));
-        }
-        let larger = |gains: &[f64; 2]| gains[0].max(gains[1]);
-        order.sort_by(|(_, _, a), (_, _, b)| larger(b).total_cmp(&larger(a)));
-        for (index, ends, gains) in order {
-            let piece = &self.trajectory.pieces[index];
-            let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
             let mut search = Search::new(piece, index, evaluator, &mut best);
-            search.whole(ends, gains).map_err(|at| cornered(piece, at))?;
+            let most = search.at_most(high);
+            if search.best.is_far_above(most) {
+                continue;
+            }
+            let gains = search.gains([low, high]);
+            order.push(Begun { index, ends: [low, high], gains, most });
+        }
+        let larger = |begun: &Begun| begun.gains[0].max(begun.gains[1]);
+        order.sort_by(|a, b| larger(b).total_cmp(&larger(a)));
+        for begun in order {
+            let piece = &self.trajectory.pieces[begun.index];
+            let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
+            let mut search = Search::new(piece, begun.index, evaluator, &mut best);
+            search.whole(&begun).map_err(|at| cornered(piece, at))?;
         }
         let Some(found) = best.found else { return Ok(None) };
         let piece = &self.trajectory.pieces[found.piece];
@@ -165,6 +172,17 @@ struct Evaluator {
     state_ranges: Vec<Interval>,
 }
 
+/// A piece whose ends have been looked at.
+struct Begun {
+    index: usize,
+    /// Values of its parameter.
+    ends: [f64; 2],
+    /// What they have to offer.
+    gains: [f64; 2],
+    /// What nothing between them has more of.
+    most: f64,
+}
+
 /// The best value so far.
 struct Best {
     sign: f64,
@@ -190,6 +208,11 @@ impl Best {
         if new.gain.is_finite() && self.found.is_none_or(is_better) {
             self.found = Some(new);
         }
+    }
+
+    /// Whether something of at most that gain is worse, whatever rounding does to both.
+    fn is_far_above(&self, most: f64) -> bool {
+        self.found.is_some_and(|best| most < best.gain - FAR * best.gain.abs())
     }
 
     /// Whether something of at most that gain, from a time on, may be better.

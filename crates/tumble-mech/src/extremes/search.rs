@@ -10,7 +10,7 @@
 use tumble_expr::{Branches, Interval, Stage};
 use tumble_ode::{Bounds, Path, Piece, Place, Side};
 
-use super::{Best, Candidate, Evaluator};
+use super::{Begun, Best, Candidate, Evaluator};
 use crate::evaluator::{evaluate, evaluate_in};
 
 /// Where rounding is measured, in parts of a piece.
@@ -65,8 +65,8 @@ impl<'a> Search<'a> {
     /// All between two values of the parameter; the value at which there are too many parts is an error.
     ///
     /// All parts of one size come before smaller ones, so that good values are known early.
-    pub(super) fn whole(&mut self, ends: [f64; 2], gains: [f64; 2]) -> Result<(), f64> {
-        let most = self.at_most(ends[1]);
+    pub(super) fn whole(&mut self, begun: &Begun) -> Result<(), f64> {
+        let Begun { ends, gains, most, .. } = *begun;
         if !self.best.may_yield_to(most, self.time(ends[0])) {
             return Ok(());
         }
@@ -94,7 +94,7 @@ impl<'a> Search<'a> {
 
     /// What nothing from the start of the piece up to `s` has more of, by the ranges of the states alone: most pieces are far from
     /// the best value.
-    fn at_most(&mut self, s: f64) -> f64 {
+    pub(super) fn at_most(&mut self, s: f64) -> f64 {
         let Evaluator { ranges, state_ranges, .. } = &mut *self.evaluator;
         state_ranges.clear();
         let time = self.piece.ranges_into(s, state_ranges);
