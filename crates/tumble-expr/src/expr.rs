@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use num_rational::BigRational;
@@ -14,12 +15,18 @@ use crate::typing::{self, Kind, TypeError};
 use crate::{Dimension, Exponent};
 
 /// A named leaf: a parameter, a state, the time. Two symbols are one if their names are.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symbol {
     /// Name as the user writes it, such as `rod.tip.vx`.
     pub name: Arc<str>,
     /// What it measures.
     pub dimension: Dimension,
+}
+
+impl Hash for Symbol {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
 }
 
 impl Symbol {
@@ -79,7 +86,7 @@ pub enum Relation {
 }
 
 /// What a formula is made of, over whatever stands for its parts: [`Expr`] in a tree, an index in a graph.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node<Part = Expr> {
     /// An exact number, in SI units.
     Number(BigRational),

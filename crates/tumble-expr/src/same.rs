@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 use std::sync::Arc;
 
-use num_bigint::BigInt;
+use num_rational::BigRational;
 
 use crate::expr::{Expr, Inner, Node};
 use crate::hashing::Mixer;
@@ -72,28 +72,47 @@ fn is_alike(a: &Expr, b: &Expr) -> bool {
 /// A hash of a node from those of its parts: equal for nodes that are written alike.
 pub(crate) fn hash_of(node: &Node) -> u64 {
     let mut mixer = Mixer::default();
-    std::mem::discriminant(node).hash(&mut mixer);
-    match node {
-        Node::Number(value) => {
-            hash_number(value.numer(), &mut mixer);
-            hash_number(value.denom(), &mut mixer);
-        }
-        Node::Symbol(symbol) => mixer.write(symbol.name.as_bytes()),
-        Node::Unary(op, _) => op.hash(&mut mixer),
-        Node::Binary(op, ..) => op.hash(&mut mixer),
-        Node::Compare(relation, ..) => relation.hash(&mut mixer),
-        Node::Table(table, _) => table.hash(&mut mixer),
-        Node::Unknown(_, row) => mixer.write_u32(*row),
-        Node::Pi | Node::Select(..) | Node::Norm(_) | Node::System(_) => {}
-    }
-    node.each_part(|part| mixer.write_u64(part.0.hash));
+    hash_node(node, &mut mixer, |part, mixer| mixer.write_u64(part.0.hash));
     mixer.finish()
 }
 
-/// Words of a number, without a division.
-fn hash_number(value: &BigInt, mixer: &mut Mixer) {
-    mixer.write_u8(value.sign() as u8);
-    value.iter_u64_digits().for_each(|word| mixer.write_u64(word));
+impl<Part: Hash> Hash for Node<Part> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        hash_node(self, state, |part, state| part.hash(state));
+    }
+}
+
+fn hash_node<Part, H: Hasher>(node: &Node<Part>, state: &mut H, hash_part: impl Fn(&Part, &mut H)) {
+    std::mem::discriminant(node).hash(state);
+    match node {
+        Node::Number(value) => hash_number(value, state),
+        Node::Symbol(symbol) => symbol.hash(state),
+        Node::Unary(op, _) => op.hash(state),
+        Node::Binary(op, ..) => op.hash(state),
+        Node::Compare(relation, ..) => relation.hash(state),
+        Node::Table(table, _) => table.hash(state),
+        Node::Unknown(_, row) => row.hash(state),
+        Node::Pi | Node::Select(..) | Node::Norm(_) | Node::System(_) => {}
+    }
+    node.each_part(|part| hash_part(part, state));
+}
+
+/// By the words of a number, without a division; all numbers are in lowest terms.
+fn hash_number<H: Hasher>(value: &BigRational, state: &mut H) {
+    for part in [value.numer(), value.denom()] {
+        state.write_u8(part.sign() as u8);
+        part.iter_u64_digits().for_each(|word| state.write_u64(word));
+    }
+}
+
+/// An exact number as a key.
+#[derive(PartialEq, Eq)]
+pub(crate) struct Exact(pub(crate) BigRational);
+
+impl Hash for Exact {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        hash_number(&self.0, state);
+    }
 }
 
 #[cfg(test)]

@@ -243,11 +243,17 @@ impl Condition {
             _ => "",
         };
         match self.must {
-            Must::Point if !(value > 0.0 && value.is_finite()) => Some(ModelError::NoDirection { what: what() }),
+            Must::Point if !(value > 0.0 && value.is_finite()) => {
+                Some(ModelError::NoDirection { what: what() })
+            }
             _ if !value.is_finite() => Some(ModelError::NotFinite { what: what(), value }),
             Must::Turn if value <= 0.0 => Some(ModelError::NoInertia { what: what() }),
-            Must::BePositive(_) if value <= 0.0 => Some(ModelError::NotPositive { what: what(), value, unit }),
-            Must::BePositive(_) if value.is_subnormal() => Some(ModelError::TooSmall { what: what(), value, unit }),
+            Must::BePositive(_) if value <= 0.0 => {
+                Some(ModelError::NotPositive { what: what(), value, unit })
+            }
+            Must::BePositive(_) if value.is_subnormal() => {
+                Some(ModelError::TooSmall { what: what(), value, unit })
+            }
             Must::NotBeNegative(_) if value < 0.0 => Some(ModelError::Negative { what: what(), value, unit }),
             Must::LieWithinOne if !(0.0..=1.0).contains(&value) => {
                 Some(ModelError::Restitution { what: what(), value })

@@ -316,7 +316,8 @@ impl Equations {
     }
 
     fn acting(&self, mode: &Mode) -> Vec<&Term> {
-        let loads = self.parts.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
+        let loads =
+            self.parts.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
         let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
         loads.chain(touching).collect()
     }
@@ -348,7 +349,8 @@ impl Equations {
     /// The mode's time transformation, where it has one: while Hertzian contacts are pressed, the product of the
     /// depths' roots.
     pub(crate) fn time_transformation(&self, mode: &Mode) -> Option<Expr> {
-        let roots = self.roots(mode).into_iter().map(|pair| Expr::from(self.parts.pairs.all[pair].root_symbol()));
+        let roots =
+            self.roots(mode).into_iter().map(|pair| Expr::from(self.parts.pairs.all[pair].root_symbol()));
         // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
         roots.reduce(|product, root| product * root)
     }

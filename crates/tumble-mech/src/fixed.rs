@@ -66,9 +66,8 @@ impl Known<'_> {
     /// Whether all that is fixed in the formulas of the parameters themselves can be computed with.
     pub(crate) fn has_sound_formulas(&self) -> bool {
         let composed = self.parameters().formulas().filter(|(_, formula)| !formula.children().is_empty());
-        let parts: Vec<Fixed> = composed
-            .flat_map(|(_, formula)| self.parameters().parts_of(formula).to_vec())
-            .collect();
+        let parts: Vec<Fixed> =
+            composed.flat_map(|(_, formula)| self.parameters().parts_of(formula).to_vec()).collect();
         let formulas: Vec<Expr> = parts.iter().map(|part| part.formula.clone()).collect();
         let values = self.evaluate(&formulas);
         values.is_ok_and(|values| parts.iter().zip(values).all(|(part, value)| part.allows(value)))

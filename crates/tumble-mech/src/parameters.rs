@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::convert::Infallible;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use tumble_expr::{
     Binary, Branches, CompileError, Expr, Formulas, Jets, Kernels, LEFT_OUT, Layout, Node, Rounded, Rounding,
@@ -42,6 +42,14 @@ struct FixedTape {
     tape: Arc<Tape>,
     /// Which parameters are its inputs.
     places: Vec<usize>,
+    /// The values, where there are none.
+    constants: OnceLock<Vec<f64>>,
+}
+
+impl FixedTape {
+    fn new(tape: Tape, places: Vec<usize>) -> Self {
+        Self { tape: Arc::new(tape), places, constants: OnceLock::new() }
+    }
 }
 
 impl Parameters {
@@ -95,7 +103,8 @@ impl Parameters {
     /// What is fixed in a formula.
     pub(crate) fn parts_of(&self, formula: &Expr) -> Arc<Vec<Fixed>> {
         let formula = std::slice::from_ref(formula);
-        let found = self.parts.get(&Formulas::new(formula), || Ok::<_, Infallible>(self.fixed_parts(formula)));
+        let found =
+            self.parts.get(&Formulas::new(formula), || Ok::<_, Infallible>(self.fixed_parts(formula)));
         found.unwrap_or_else(|never| match never {})
     }
 
@@ -193,11 +202,9 @@ impl Known<'_> {
     /// The same with some values replaced, by the places of their parameters.
     fn evaluate_but(&self, set: &HashMap<usize, f64>, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
         let tape = self.tape(formulas, self.parameters.rounding);
-        let tape = tape.map_err(|mistake| ModelError::Compile {
-            what: "a formula of the parameters".into(),
-            mistake,
-        })?;
-        Ok(self.run(&tape, set))
+        let tape = tape
+            .map_err(|mistake| ModelError::Compile { what: "a formula of the parameters".into(), mistake })?;
+        Ok(self.numbers(&tape, set))
     }
 
     /// Value of the next parameter; `None` where one that it uses has none.
@@ -209,7 +216,7 @@ impl Known<'_> {
             Ok(tape) => tape,
             Err(mistake) => return Err(ModelError::Compile { what: what(), mistake }),
         };
-        match self.run::<f64>(&tape, &HashMap::new())[0] {
+        match self.numbers(&tape, &HashMap::new())[0] {
             value if value.is_finite() => Ok(Some(value)),
             value => Err(ModelError::NotFinite { what: what(), value }),
         }
@@ -240,7 +247,7 @@ impl Known<'_> {
         if is_arithmetic(formula, DEEPEST) {
             // Moved on the tape already; what that left out is found from the number itself.
             let nearest = self.tape(formulas, Rounding::NEAREST);
-            let number = nearest.map_or(value, |tape| self.run(&tape, &HashMap::new())[0]);
+            let number = nearest.map_or(value, |tape| self.numbers(&tape, &HashMap::new())[0]);
             return if number == value { (value, 0.0) } else { rounding.moved(number) };
         }
         // A formula that has a value compiles.
@@ -251,7 +258,19 @@ impl Known<'_> {
     }
 
     /// Values of the formulas of a tape.
-    fn run<S: Kernels>(&self, FixedTape { tape, places }: &FixedTape, set: &HashMap<usize, f64>) -> Vec<S> {
+    fn numbers(&self, tape: &FixedTape, set: &HashMap<usize, f64>) -> Vec<f64> {
+        match tape.places.is_empty() {
+            true => tape.constants.get_or_init(|| self.run(tape, set)).clone(),
+            false => self.run(tape, set),
+        }
+    }
+
+    /// The same in any numbers.
+    fn run<S: Kernels>(
+        &self,
+        FixedTape { tape, places, .. }: &FixedTape,
+        set: &HashMap<usize, f64>,
+    ) -> Vec<S> {
         let value = |place: &usize| S::splat(set.get(place).copied().unwrap_or(self.values[*place]));
         let values: Vec<S> = places.iter().map(value).collect();
         let mut jets = Jets::new(Arc::clone(tape), 0, &values);
@@ -272,7 +291,7 @@ impl Known<'_> {
         if rounding.is_nearest() {
             return Ok(found);
         }
-        let rounded = || FixedTape { tape: Arc::new(found.tape.rounded(rounding)), places: found.places.clone() };
+        let rounded = || FixedTape::new(found.tape.rounded(rounding), found.places.clone());
         tapes.get(&TapeKey { rounding, ..nearest }, || Ok(rounded()))
     }
 
@@ -284,7 +303,7 @@ impl Known<'_> {
         let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
         let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
         let tape = Tape::compile(&Layout::new(vec![], time_symbol(), inputs), formulas)?;
-        Ok(FixedTape { tape: Arc::new(tape), places: places.into_iter().collect() })
+        Ok(FixedTape::new(tape, places.into_iter().collect()))
     }
 }
 

@@ -21,20 +21,48 @@ const PARTS: usize = 4;
 /// Errors of quantities along a motion.
 #[derive(Clone, Debug)]
 pub struct Errors {
-    rows: Vec<Row>,
+    rows: Rows,
     largest: Vec<f64>,
     until: f64,
 }
 
+/// Errors at several times, in order.
+#[derive(Clone, Debug, Default)]
+struct Rows {
+    /// When, s, and whether they are those of an impact, or next to an event that not every run has come to, and pass with it.
+    instants: Vec<(f64, bool)>,
+    /// By time, then by formula.
+    errors: Vec<f64>,
+}
+
 /// Errors at one time.
-#[derive(Clone, Debug)]
-pub(super) struct Row {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row<'a> {
     /// s
     pub(super) time: f64,
     /// By formula.
-    pub(super) errors: Vec<f64>,
+    pub(super) errors: &'a [f64],
     /// Whether they are those of an impact, or next to an event that not every run has come to, and pass with it.
     pub(super) passes: bool,
+}
+
+impl Rows {
+    fn len(&self) -> usize {
+        self.instants.len()
+    }
+
+    fn row(&self, index: usize) -> Row<'_> {
+        let ((time, passes), width) = (self.instants[index], self.errors.len() / self.len());
+        Row { time, errors: &self.errors[index * width..][..width], passes }
+    }
+
+    fn first_time(&self) -> Option<f64> {
+        self.instants.first().map(|(time, _)| *time)
+    }
+
+    fn last_time(&self) -> Option<f64> {
+        self.instants.last().map(|(time, _)| *time)
+    }
 }
 
 impl Errors {
@@ -64,8 +92,8 @@ impl Errors {
             let (first, last) = (here.saturating_sub(reach), (here + 1 + reach).min(count));
             let mut walk = Walk::new(run, checks, formulas)?;
             walk.along(first.min(last)..last);
-            let is_before = first == 0 || walk.rows.first().is_some_and(|row| row.time < time);
-            let is_after = last == count || walk.rows.last().is_some_and(|row| row.time > time);
+            let is_before = first == 0 || walk.rows.first_time().is_some_and(|first| first < time);
+            let is_after = last == count || walk.rows.last_time().is_some_and(|last| last > time);
             if is_before && is_after {
                 return Ok(Self { rows: walk.rows, largest: walk.largest, until });
             }
@@ -78,22 +106,22 @@ impl Errors {
     /// At an event they are the larger of those before and after it, which are rows of one time.
     pub fn at(&self, time: f64) -> Option<Vec<f64>> {
         let last = self.rows.len().checked_sub(1)?;
-        let next = self.rows.partition_point(|row| row.time < time);
-        let after = self.rows.partition_point(|row| row.time <= time);
+        let next = self.rows.instants.partition_point(|(row, _)| *row < time);
+        let after = self.rows.instants.partition_point(|(row, _)| *row <= time);
         // Between two rows both count; a row at the time itself tells of it alone.
         let near = if next < after { next..after } else { next.saturating_sub(1)..after.min(last) + 1 };
-        let near = &self.rows[near];
-        let (first, others) = near.split_first()?;
-        let larger_of = |mut worst: Vec<f64>, row: &Row| {
-            worst.iter_mut().zip(&row.errors).for_each(|(worst, error)| *worst = larger(*worst, *error));
-            worst
-        };
-        (time <= self.until).then(|| others.iter().fold(first.errors.clone(), larger_of))
+        let mut near = near.map(|index| self.rows.row(index).errors);
+        let mut worst = near.next()?.to_vec();
+        for errors in near {
+            worst.iter_mut().zip(errors).for_each(|(worst, error)| *worst = larger(*worst, *error));
+        }
+        (time <= self.until).then_some(worst)
     }
 
     /// The errors at the end; `None` where nothing can be said of it.
     pub fn last(&self) -> Option<&[f64]> {
-        if self.until.is_finite() { None } else { self.rows.last().map(|row| &*row.errors) }
+        let last = self.rows.len().checked_sub(1)?;
+        self.until.is_infinite().then(|| self.rows.row(last).errors)
     }
 
     /// Largest absolute value of each quantity, SI units.
@@ -101,8 +129,8 @@ impl Errors {
         &self.largest
     }
 
-    pub(super) fn rows(&self) -> &[Row] {
-        &self.rows
+    pub(super) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        (0..self.rows.len()).map(|index| self.rows.row(index))
     }
 }
 
@@ -119,10 +147,12 @@ struct Walk<'a> {
     beside: Vec<Beside<'a>>,
     sizes: Recent,
     largest: Vec<f64>,
-    rows: Vec<Row>,
+    rows: Rows,
     /// Values at the place that is looked at, and their rounding.
     here: Vec<f64>,
     rounding: Vec<f64>,
+    /// Errors there.
+    errors: Vec<f64>,
 }
 
 impl<'a> Walk<'a> {
@@ -134,9 +164,10 @@ impl<'a> Walk<'a> {
             beside: checks.iter().map(|check| Beside::new(check, formulas)).collect::<Result<_, _>>()?,
             sizes: Recent::new(formulas.len()),
             largest: vec![0.0; formulas.len()],
-            rows: vec![],
+            rows: Rows::default(),
             here: vec![],
             rounding: vec![],
+            errors: vec![],
         })
     }
 
@@ -161,16 +192,21 @@ impl<'a> Walk<'a> {
             let is_impact = is_pressed && here.end - here.start < BRIEF * check.longest;
             !is_impact && !here.ends_zeno_sequence
         };
-        let stays: Vec<bool> = self.beside.iter().zip(phases).map(|(check, phase)| stays(check, phase)).collect();
+        let stays: Vec<bool> =
+            self.beside.iter().zip(phases).map(|(check, phase)| stays(check, phase)).collect();
         let steps = self.checks.iter().map(|check| check.pieces_between(piece.start, piece.end));
         let parts = steps.max().unwrap_or(0).max(PARTS);
         for at in places(piece, parts) {
-            let row = self.compare(at, phases, &stays);
-            self.rows.extend(row.filter(|_| is_wanted));
+            let passes = self.compare(at, phases, &stays).filter(|_| is_wanted);
+            if let Some(passes) = passes {
+                self.rows.instants.push((at.0, passes));
+                self.rows.errors.extend_from_slice(&self.errors);
+            }
         }
     }
 
-    fn compare(&mut self, at: (f64, Side), phases: &[[Stretch; 2]], stays: &[bool]) -> Option<Row> {
+    /// Finds the errors at an instant, and whether they pass; `None` where not all runs come to it.
+    fn compare(&mut self, at: (f64, Side), phases: &[[Stretch; 2]], stays: &[bool]) -> Option<bool> {
         if !self.observer.at_into(at.0, at.1, &mut self.here) {
             return None;
         }
@@ -180,15 +216,15 @@ impl<'a> Walk<'a> {
         }
         self.rounding.clear();
         self.rounding.extend(self.sizes.largest.iter().map(|size| ULPS * f64::EPSILON * size));
-        let mut errors = self.rounding.clone();
+        self.errors.clone_from(&self.rounding);
         let (mut is_compared, mut passes) = (true, false);
         for ((check, phase), stays) in self.beside.iter_mut().zip(phases).zip(stays) {
-            match check.raise(&mut errors, (&self.here, &self.rounding), *phase, at, *stays) {
+            match check.raise(&mut self.errors, (&self.here, &self.rounding), *phase, at, *stays) {
                 None => is_compared = false,
                 Some(pass) => passes |= pass,
             }
         }
-        is_compared.then_some(Row { time: at.0, errors, passes })
+        is_compared.then_some(passes)
     }
 }
 

@@ -200,7 +200,7 @@ impl Trust {
             let floor = run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
             SAFETY * ULPS * floor
         });
-        for Row { time, errors, .. } in self.states.rows().iter().filter(|row| !row.passes) {
+        for Row { time, errors, .. } in self.states.rows().filter(|row| !row.passes) {
             // What is no number counts.
             let is_motion =
                 |index: usize, error: f64| error.is_nan() || error > rounding[index % MEASURES.len()];
@@ -208,7 +208,7 @@ impl Trust {
             let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
             let worst = relative.fold(0.0, errors::larger);
             if worst.is_nan() || worst >= LOST {
-                self.horizon = Some(Horizon { time: *time, reason: Divergence::Grown });
+                self.horizon = Some(Horizon { time, reason: Divergence::Grown });
                 break;
             }
             self.reached = self.reached.max(worst);

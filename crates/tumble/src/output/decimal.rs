@@ -62,8 +62,10 @@ mod tests {
         let mut decimal = Decimal::default();
         let powers = (-1074..1024).map(|power| 2.0_f64.powi(power));
         let near = powers.flat_map(|power| [power, power.next_up(), power.next_down(), 3.0 * power]);
-        let short = (0..40).flat_map(|places| (1..999).map(move |part| f64::from(part) / 2.0_f64.powi(places)));
-        let tens = (-30..30).flat_map(|power| (1..99).map(move |part| f64::from(part) * 10.0_f64.powi(power)));
+        let short =
+            (0..40).flat_map(|places| (1..999).map(move |part| f64::from(part) / 2.0_f64.powi(places)));
+        let tens =
+            (-30..30).flat_map(|power| (1..99).map(move |part| f64::from(part) * 10.0_f64.powi(power)));
         let special = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e16, 1e-4, 5e-324];
         let middle = [1_125_899_906_842_624.25, 4_503_599_627_370_497.5];
         for value in near.chain(short).chain(tens).chain(special).chain(middle) {
