@@ -2,23 +2,31 @@
 
 use std::collections::HashSet;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use crate::same;
 use crate::table::{Table, TableRef};
 use crate::traces::Traces;
 use crate::typing::{self, Kind, TypeError};
 use crate::{Dimension, Exponent};
 
 /// A named leaf: a parameter, a state, the time. Two symbols are one if their names are.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symbol {
     /// Name as the user writes it, such as `rod.tip.vx`.
     pub name: Arc<str>,
     /// What it measures.
     pub dimension: Dimension,
+}
+
+impl Hash for Symbol {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
 }
 
 impl Symbol {
@@ -78,7 +86,7 @@ pub enum Relation {
 }
 
 /// What a formula is made of, over whatever stands for its parts: [`Expr`] in a tree, an index in a graph.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node<Part = Expr> {
     /// An exact number, in SI units.
     Number(BigRational),
@@ -118,6 +126,17 @@ impl<Part> Node<Part> {
         }
     }
 
+    /// Hands over each of the parts, left to right.
+    pub fn each_part(&self, mut f: impl FnMut(&Part)) {
+        match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => {}
+            Self::Unary(_, a) | Self::Table(_, a) | Self::Unknown(a, _) => f(a),
+            Self::Binary(_, a, b) | Self::Compare(_, a, b) => [a, b].into_iter().for_each(f),
+            Self::Select(a, b, c) => [a, b, c].into_iter().for_each(f),
+            Self::Norm(parts) | Self::System(parts) => parts.iter().for_each(&mut f),
+        }
+    }
+
     /// The same node over other parts.
     pub fn map<Other>(&self, mut f: impl FnMut(&Part) -> Other) -> Node<Other> {
         match self {
@@ -147,6 +166,8 @@ pub(crate) struct Inner {
     pub(crate) node: Node,
     /// Which symbols may be in it.
     pub(crate) traces: Traces,
+    /// Equal for formulas that are written alike.
+    pub(crate) hash: u64,
     pub(crate) kind: Result<Kind, Arc<TypeError>>,
 }
 
@@ -320,7 +341,7 @@ impl Expr {
     }
 
     pub(crate) fn make(node: Node, kind: Result<Kind, Arc<TypeError>>) -> Self {
-        Self(Arc::new(Inner { traces: Traces::of(&node), node, kind }))
+        Self(Arc::new(Inner { traces: Traces::of(&node), hash: same::hash_of(&node), node, kind }))
     }
 
     /// A formula that carries a mistake.

@@ -14,6 +14,7 @@ use crate::graph::{Graph, NodeId};
 use crate::hashing::FastMap;
 use crate::ops::{Op, Slot};
 use crate::program::Program;
+use crate::same::Exact;
 use crate::table::TableRef;
 use crate::tape::{CompileError, Layout, Lookup, Stage, Tape};
 
@@ -28,7 +29,7 @@ pub(crate) struct Lowering {
     tape: Tape,
     rounding: Rounding,
     /// Indices in the tape's list of numbers.
-    numbers: HashMap<BigRational, u32>,
+    numbers: HashMap<Exact, u32>,
     /// Operations already on the tape.
     known: FastMap<Op, Slot>,
     /// Branches by their guard.
@@ -106,7 +107,7 @@ impl Lowering {
 
     fn number(&mut self, value: &BigRational) -> Slot {
         let (list, rounding) = (&mut self.tape.numbers, self.rounding);
-        let index = *self.numbers.entry(value.clone()).or_insert_with(|| {
+        let index = *self.numbers.entry(Exact(value.clone())).or_insert_with(|| {
             list.push(Constant::of(value, rounding));
             list.len() as u32 - 1
         });

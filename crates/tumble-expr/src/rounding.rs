@@ -26,6 +26,8 @@ pub struct Rounding(Option<u64>);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Constant {
     pub(crate) value: f64,
+    /// The number nearest to the exact one.
+    nearest: f64,
     /// Whether it is the exact one.
     pub(crate) is_exact: bool,
 }
@@ -34,7 +36,13 @@ impl Constant {
     pub(crate) fn of(exact: &BigRational, rounding: Rounding) -> Self {
         let value = nearest(exact);
         let is_exact = is_short(value) || BigRational::from_float(value).is_some_and(|back| back == *exact);
-        Self { value: if is_exact { value } else { rounding.moved(value).0 }, is_exact }
+        Self { value, nearest: value, is_exact }.rounded(rounding)
+    }
+
+    /// The same number rounded in another way.
+    pub(crate) fn rounded(self, rounding: Rounding) -> Self {
+        let value = if self.is_exact { self.nearest } else { rounding.moved(self.nearest).0 };
+        Self { value, ..self }
     }
 }
 

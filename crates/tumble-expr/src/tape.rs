@@ -122,6 +122,15 @@ impl Tape {
         Lowering::new(layout).lower(outputs)
     }
 
+    /// The same with numbers rounded in another way.
+    #[must_use]
+    pub fn rounded(&self, rounding: Rounding) -> Self {
+        let mut tape = self.clone();
+        tape.numbers.iter_mut().for_each(|number| *number = number.rounded(rounding));
+        tape.pi = rounding.pi();
+        tape
+    }
+
     /// How many operations there are, leaves included.
     pub fn len(&self) -> usize {
         self.ops.len()

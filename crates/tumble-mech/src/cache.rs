@@ -5,18 +5,30 @@ use std::fmt;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Values by key, built when they are first asked for.
+/// More values than this are not kept: formulas with the times and works of one run are asked for once.
+const MOST: usize = 2048;
+
+/// Values by key, built when they are first asked for. Which of them are there changes no result.
 pub(crate) struct Cache<K, V>(Arc<Mutex<HashMap<K, Arc<V>>>>);
 
 impl<K: Clone + Eq + Hash, V> Cache<K, V> {
+    /// The value of a key, if it has been built.
+    pub(crate) fn known(&self, key: &K) -> Option<Arc<V>> {
+        self.lock().get(key).map(Arc::clone)
+    }
+
     /// The value of a key. Two threads that ask at once may both build it; one of the two is kept.
     pub(crate) fn get<E>(&self, key: &K, build: impl FnOnce() -> Result<V, E>) -> Result<Arc<V>, E> {
-        if let Some(value) = self.lock().get(key) {
-            return Ok(Arc::clone(value));
+        if let Some(value) = self.known(key) {
+            return Ok(value);
         }
         // Not under the lock: what is built may ask for other values.
         let value = Arc::new(build()?);
-        Ok(Arc::clone(self.lock().entry(key.clone()).or_insert(value)))
+        let mut known = self.lock();
+        if known.len() >= MOST {
+            known.clear();
+        }
+        Ok(Arc::clone(known.entry(key.clone()).or_insert(value)))
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<K, Arc<V>>> {

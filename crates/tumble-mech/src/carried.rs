@@ -3,20 +3,14 @@
 //! Between jumps the integrator locates the crossings. At a jump there is nothing to locate: a formula that is on one side
 //! of zero before and on the other after it has crossed then.
 
-use std::sync::Arc;
-
-use tumble_expr::{Branches, Jets, Tape};
+use tumble_expr::Expr;
 use tumble_ode::{Cause, Crossing, Jump, Reason};
 
-use crate::cache::Cache;
 use crate::equations::Equations;
 use crate::mode::Mode;
 
 /// A value this much smaller than it was, or will be, is what rounding has left of zero: there is no crossing.
 const VANISHED: f64 = 1e-12;
-
-/// Tapes of the events' formulas by mode.
-pub(crate) type EventTapes = Cache<Mode, Tape>;
 
 impl Equations {
     /// Events that a jump makes happen, by index, beside those that have caused it.
@@ -47,16 +41,7 @@ impl Equations {
         states: &[f64],
         inputs: &[f64],
     ) -> Result<Vec<f64>, Reason> {
-        let mut jets = Jets::new(self.event_tape(mode)?, 0, inputs);
-        jets.start(time, states, Branches::Free);
-        Ok((0..self.model().events.len()).map(|event| jets.value_of(event)).collect())
-    }
-
-    fn event_tape(&self, mode: &Mode) -> Result<Arc<Tape>, Reason> {
-        self.event_tapes().get(mode, || {
-            let definitions = self.definitions_of(mode);
-            let formulas = self.model().events.iter().map(|event| definitions.apply(&event.when));
-            Ok(Tape::compile(&self.layout(mode), &formulas.collect::<Vec<_>>())?)
-        })
+        let formulas: Vec<Expr> = self.model().events.iter().map(|event| event.when.clone()).collect();
+        self.values(&formulas, mode, time, states, inputs)
     }
 }

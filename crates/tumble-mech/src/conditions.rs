@@ -1,6 +1,7 @@
 //! What the values of a model must be: at the start, and after every event that sets parameters.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
+use std::convert::Infallible;
 use std::sync::Arc;
 
 use tumble_expr::{Expr, Vector, is_identically_zero};
@@ -11,7 +12,7 @@ use crate::coordinates::{Coordinates, Pivot};
 use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::event::Event;
-use crate::fixed::LARGEST_ANGLE;
+use crate::fixed::{Fixed, LARGEST_ANGLE};
 use crate::interaction::Interaction;
 use crate::model::Model;
 use crate::parameters::{Known, Parameters};
@@ -143,14 +144,60 @@ impl Conditions {
     }
 }
 
+/// Formulas of the parameters in a model, and what their values must be.
+pub(crate) struct Sound {
+    conditions: Conditions,
+    /// Of the conditions, then of the parts.
+    formulas: Vec<Expr>,
+    /// What is fixed in the model's other formulas.
+    parts: Vec<Fixed>,
+}
+
+impl Sound {
+    fn of(model: &Model, known: &Known<'_>) -> Self {
+        let conditions = Conditions::of(model, known);
+        let stated: Vec<Expr> = model.stated().into_iter().map(|stated| stated.formula).collect();
+        let parts = known.parameters().fixed_parts(&stated);
+        let of_conditions = conditions.list.iter().map(|condition| &condition.formula);
+        let formulas = of_conditions.chain(parts.iter().map(|part| &part.formula)).cloned().collect();
+        Self { conditions, formulas, parts }
+    }
+
+    /// Whether nothing is wrong with these values; what is, [`Model::mistakes_with`] says.
+    fn allows(&self, model: &Model, known: &Known<'_>) -> bool {
+        let Ok(values) = known.evaluate(&self.formulas) else { return false };
+        let (conditions, parts) = values.split_at(self.conditions.list.len());
+        let mut conditions = self.conditions.list.iter().zip(conditions);
+        let mut parts = self.parts.iter().zip(parts);
+        conditions.all(|(condition, value)| condition.mistake(*value).is_none())
+            && parts.all(|(part, value)| part.allows(*value))
+            && known.has_sound_formulas()
+            && model.events.iter().all(|event| self.allows_after(event, known))
+    }
+
+    fn allows_after(&self, event: &Event, known: &Known<'_>) -> bool {
+        event.settings().is_empty() || self.conditions.broken_by(event, known, &HashSet::new()).is_empty()
+    }
+}
+
 impl Equations {
+    /// All mistakes in the values of the model with these parameters.
+    pub(crate) fn value_mistakes(&self, known: &Known<'_>) -> Vec<ModelError> {
+        let sound = self.built().sound.get(&(), || Ok::<_, Infallible>(Sound::of(self.model(), known)));
+        match sound {
+            Ok(sound) if sound.allows(self.model(), known) => vec![],
+            _ => self.model().mistakes_with(known),
+        }
+    }
+
     /// A reason to stop where several events together make a value impossible that none of them does alone.
     pub(crate) fn refuse_changes(&self, changes: &[usize], inputs: &[f64]) -> Result<(), Reason> {
         if changes.len() < 2 {
             return Ok(());
         }
         let bits = inputs.iter().map(|value| value.to_bits()).collect();
-        self.sound_changes()
+        self.built()
+            .sound_changes
             .get(&(changes.to_vec(), bits), || self.check_changes(changes, inputs))
             .map(|_| ())
     }
@@ -190,23 +237,29 @@ fn unfit(model: &Model, known: &Known<'_>, others: &[ModelError]) -> Vec<ModelEr
 
 impl Condition {
     fn mistake(&self, value: f64) -> Option<ModelError> {
-        let what = self.what.clone();
+        let what = || self.what.clone();
         let unit = match self.must {
             Must::BePositive(unit) | Must::NotBeNegative(unit) => unit,
             _ => "",
         };
         match self.must {
-            Must::Point if !(value > 0.0 && value.is_finite()) => Some(ModelError::NoDirection { what }),
-            _ if !value.is_finite() => Some(ModelError::NotFinite { what, value }),
-            Must::Turn if value <= 0.0 => Some(ModelError::NoInertia { what }),
-            Must::BePositive(_) if value <= 0.0 => Some(ModelError::NotPositive { what, value, unit }),
-            Must::BePositive(_) if value.is_subnormal() => Some(ModelError::TooSmall { what, value, unit }),
-            Must::NotBeNegative(_) if value < 0.0 => Some(ModelError::Negative { what, value, unit }),
+            Must::Point if !(value > 0.0 && value.is_finite()) => {
+                Some(ModelError::NoDirection { what: what() })
+            }
+            _ if !value.is_finite() => Some(ModelError::NotFinite { what: what(), value }),
+            Must::Turn if value <= 0.0 => Some(ModelError::NoInertia { what: what() }),
+            Must::BePositive(_) if value <= 0.0 => {
+                Some(ModelError::NotPositive { what: what(), value, unit })
+            }
+            Must::BePositive(_) if value.is_subnormal() => {
+                Some(ModelError::TooSmall { what: what(), value, unit })
+            }
+            Must::NotBeNegative(_) if value < 0.0 => Some(ModelError::Negative { what: what(), value, unit }),
             Must::LieWithinOne if !(0.0..=1.0).contains(&value) => {
-                Some(ModelError::Restitution { what, value })
+                Some(ModelError::Restitution { what: what(), value })
             }
             Must::BeAnAngle if value.abs() > LARGEST_ANGLE => {
-                Some(ModelError::Angle { what, value, most: LARGEST_ANGLE })
+                Some(ModelError::Angle { what: what(), value, most: LARGEST_ANGLE })
             }
             _ => None,
         }

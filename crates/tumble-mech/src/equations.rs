@@ -4,13 +4,14 @@ use std::convert::Infallible;
 use std::sync::Arc;
 
 use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
-use tumble_ode::{Invariant, ScaleGroup};
+use tumble_ode::{Invariant, Program, ScaleGroup};
 
 use crate::cache::Cache;
-use crate::carried::EventTapes;
+use crate::conditions::Sound;
 use crate::contact::{Pair, Pairs, TouchTapes};
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::error::{ModelError, ModelErrors};
+use crate::evaluator::Tapes;
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
@@ -18,24 +19,44 @@ use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
 use crate::model::Model;
+use crate::parameters::Parameters;
 use crate::term::Term;
 
 /// The equations of motion of a model, for every mode and every value of the parameters.
+///
+/// What follows from formulas alone is built once: copies share it, also those with other values of the parameters and with
+/// numbers rounded in another way.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    model: Model,
+    model: Arc<Model>,
+    parts: Arc<Parts>,
+    rounding: Rounding,
+}
+
+/// What the equations are made of, whatever the values of the parameters.
+#[derive(Debug)]
+struct Parts {
     bodies: Vec<BodyEquations>,
     terms: Vec<Term>,
     windows: Vec<Window>,
     pairs: Pairs,
-    touch_tapes: TouchTapes,
-    event_tapes: EventTapes,
-    known: Cache<Mode, Definitions>,
-    rounding: Rounding,
-    /// Events that have set parameters, with the values before them, that leave every value possible.
-    sound_changes: Cache<(Vec<usize>, Vec<u64>), ()>,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
+    built: Built,
+}
+
+/// What has been built of them so far.
+#[derive(Debug, Default)]
+pub(crate) struct Built {
+    pub(crate) definitions: Cache<Mode, Definitions>,
+    pub(crate) programs: Cache<(Mode, Rounding), Program>,
+    pub(crate) tapes: Tapes,
+    pub(crate) touch_tapes: TouchTapes,
+    /// Events that have set parameters, with the values before them, that leave every value possible.
+    pub(crate) sound_changes: Cache<(Vec<usize>, Vec<u64>), ()>,
+    pub(crate) sound: Cache<(), Sound>,
+    /// The equations with other numbers of nodes along lines.
+    pub(crate) by_nodes: Cache<usize, Equations>,
 }
 
 /// What symbols stand for in a mode: first the kinematic ones that are not states, then parameters that were changed.
@@ -89,27 +110,32 @@ impl Equations {
         }
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
-        let equations = Self {
-            model,
-            bodies,
-            terms,
-            windows,
-            pairs,
-            definitions,
-            touch_tapes: TouchTapes::default(),
-            event_tapes: EventTapes::default(),
-            known: Cache::default(),
-            rounding: Rounding::NEAREST,
-            sound_changes: Cache::default(),
-        };
+        let parts = Parts { bodies, terms, windows, pairs, definitions, built: Built::default() };
+        let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
     }
 
     /// The same equations with numbers rounded in another way.
     pub fn rounded(&self, rounding: Rounding) -> Self {
-        let (touch_tapes, event_tapes) = (TouchTapes::default(), EventTapes::default());
-        Self { touch_tapes, event_tapes, rounding, ..self.clone() }
+        Self { rounding, ..self.clone() }
+    }
+
+    /// The equations of the same model with these parameters.
+    pub fn with(&self, parameters: &Parameters) -> Result<Self, ModelErrors> {
+        let model = Model { parameters: parameters.clone(), ..(*self.model).clone() };
+        // Formulas hold the parameters by their symbols: their values are nothing to them.
+        match self.model.parameters.has_symbols_of(parameters) {
+            true => Ok(Self { model: Arc::new(model), ..self.clone() }),
+            false => Ok(Self::new(model)?.rounded(self.rounding)),
+        }
+    }
+
+    /// The equations of the same model with so many Gauss nodes along each line.
+    pub(crate) fn with_nodes(&self, nodes: usize) -> Result<Self, ModelErrors> {
+        let build = || Self::new(Model { nodes, ..(*self.model).clone() });
+        let found = self.parts.built.by_nodes.get(&nodes, build)?;
+        Ok(found.with(&self.model.parameters)?.rounded(self.rounding))
     }
 
     /// How numbers in them are rounded.
@@ -124,22 +150,22 @@ impl Equations {
 
     /// Formulas of the scheduled times, in the order in which causes count them.
     pub fn scheduled_times(&self) -> Vec<Expr> {
-        self.windows.iter().flat_map(|window| window.times().map(|(_, time)| time.clone())).collect()
+        self.parts.windows.iter().flat_map(|window| window.times().map(|(_, time)| time.clone())).collect()
     }
 
     /// When loads act that do not always.
     pub fn windows(&self) -> &[Window] {
-        &self.windows
+        &self.parts.windows
     }
 
     /// Mass properties of a body, by its index.
     pub fn mass_properties(&self, body: usize) -> &MassProperties {
-        &self.bodies[body].mass
+        &self.parts.bodies[body].mass
     }
 
     /// Whether a body, by its index, is held at a point.
     pub(crate) fn is_pivoted(&self, body: usize) -> bool {
-        matches!(self.bodies[body].coordinates, Coordinates::Pivoted { .. })
+        matches!(self.parts.bodies[body].coordinates, Coordinates::Pivoted { .. })
     }
 
     /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
@@ -160,12 +186,12 @@ impl Equations {
     }
 
     fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
-        self.changes(mode).apply(&self.definitions.apply(formula))
+        self.changes(mode).apply(&self.parts.definitions.apply(formula))
     }
 
     fn terms_with(&self, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {
         let acting = self.acting(mode);
-        let reactions = self.bodies.iter().enumerate().filter_map(|(index, body)| {
+        let reactions = self.parts.bodies.iter().enumerate().filter_map(|(index, body)| {
             let terms = on_body(&acting, index);
             body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
         });
@@ -192,8 +218,8 @@ impl Equations {
 
     /// What every kinematic symbol stands for in a mode.
     pub(crate) fn definitions_of(&self, mode: &Mode) -> Arc<Definitions> {
-        let found = self.known.get(mode, || {
-            let all: Vec<usize> = (0..self.bodies.len()).collect();
+        let found = self.parts.built.definitions.get(mode, || {
+            let all: Vec<usize> = (0..self.parts.bodies.len()).collect();
             let kinematic = self.definitions_in(mode, &all);
             Ok::<_, Infallible>(Definitions { kinematic, changes: self.changes(mode) })
         });
@@ -210,17 +236,17 @@ impl Equations {
     /// Positions and velocities are found first: an acceleration's formula holds them.
     fn definitions_in(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
         let acting = self.acting(mode);
-        let mut all = self.definitions.clone();
+        let mut all = self.parts.definitions.clone();
         let forces = self.contact_forces(mode, bodies);
         for &index in bodies {
-            let accelerations = self.bodies[index].accelerations(&on_body(&acting, index));
+            let accelerations = self.parts.bodies[index].accelerations(&on_body(&acting, index));
             for (symbol, formula) in accelerations {
-                all.insert(symbol, self.definitions.apply(&forces.apply(&formula)));
+                all.insert(symbol, self.parts.definitions.apply(&forces.apply(&formula)));
             }
         }
-        for pair in self.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
+        for pair in self.parts.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
             let force: Expr = pair.force_symbol().into();
-            all.insert(pair.force_symbol(), self.definitions.apply(&forces.apply(&force)));
+            all.insert(pair.force_symbol(), self.parts.definitions.apply(&forces.apply(&force)));
         }
         all
     }
@@ -228,17 +254,17 @@ impl Equations {
     /// Normal forces of all pairs in a mode, in kinematic symbols without accelerations: zero where they are apart.
     fn contact_forces(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
         let mut forces = Substitution::default();
-        for pair in self.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
+        for pair in self.parts.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
             forces.insert(pair.force_symbol(), Expr::zero());
         }
-        for pair in mode.pressed().map(|pair| &self.pairs.all[pair]) {
+        for pair in mode.pressed().map(|pair| &self.parts.pairs.all[pair]) {
             forces
                 .insert(pair.force_symbol(), laws::compliant::normal_force(pair).unwrap_or_else(Expr::zero));
         }
         let acting = self.acting(mode);
         let mut held_forces = vec![];
         for &index in bodies {
-            let body = &self.bodies[index];
+            let body = &self.parts.bodies[index];
             let held: Vec<&Pair> = self.held_on(mode, index).collect();
             if held.is_empty() {
                 continue;
@@ -273,7 +299,7 @@ impl Equations {
 
     /// Pairs of a body that rigid surfaces hold in a mode.
     fn held_on<'a>(&'a self, mode: &'a Mode, body: usize) -> impl Iterator<Item = &'a Pair> {
-        mode.held().map(|pair| &self.pairs.all[pair]).filter(move |pair| pair.body == body)
+        mode.held().map(|pair| &self.parts.pairs.all[pair]).filter(move |pair| pair.body == body)
     }
 
     /// Parameters that events have given other formulas.
@@ -290,19 +316,20 @@ impl Equations {
     }
 
     fn acting(&self, mode: &Mode) -> Vec<&Term> {
-        let loads = self.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
-        let touching = mode.pressed().chain(mode.held()).map(|pair| &self.pairs.terms[pair]);
+        let loads =
+            self.parts.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
+        let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
         loads.chain(touching).collect()
     }
 
     /// The states of a mode: those of the bodies, then the roots of the depths of Hertzian contacts.
     pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
-        let bodies = self.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics));
+        let bodies = self.parts.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics));
         let roots = self.roots(mode);
         let root = |index: &usize| {
-            let pair = &self.pairs.all[*index];
+            let pair = &self.parts.pairs.all[*index];
             let others = roots.iter().filter(|other| *other != index);
-            let others = others.map(|other| Expr::from(self.pairs.all[*other].root_symbol()));
+            let others = others.map(|other| Expr::from(self.parts.pairs.all[*other].root_symbol()));
             let others = others.fold(Expr::one(), |product, root| product * root);
             StateRate {
                 symbol: pair.root_symbol(),
@@ -316,13 +343,14 @@ impl Equations {
 
     /// Pairs whose depth's root is a state of a mode.
     pub(crate) fn roots(&self, mode: &Mode) -> Vec<usize> {
-        mode.pressed().filter(|pair| self.pairs.all[*pair].is_hertzian()).collect()
+        mode.pressed().filter(|pair| self.parts.pairs.all[*pair].is_hertzian()).collect()
     }
 
     /// The mode's time transformation, where it has one: while Hertzian contacts are pressed, the product of the
     /// depths' roots.
     pub(crate) fn time_transformation(&self, mode: &Mode) -> Option<Expr> {
-        let roots = self.roots(mode).into_iter().map(|pair| Expr::from(self.pairs.all[pair].root_symbol()));
+        let roots =
+            self.roots(mode).into_iter().map(|pair| Expr::from(self.parts.pairs.all[pair].root_symbol()));
         // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
         roots.reduce(|product, root| product * root)
     }
@@ -334,46 +362,38 @@ impl Equations {
             formula: definitions.apply(&formula),
             group: measure as usize,
         };
-        let held = mode.held().map(|pair| &self.pairs.all[pair]);
+        let held = mode.held().map(|pair| &self.parts.pairs.all[pair]);
         let held = held.flat_map(|pair| {
             [invariant(pair.gap(), Measure::Length), invariant(pair.gap_rate(), Measure::Speed)]
         });
-        let roots = self.roots(mode).into_iter().map(|pair| &self.pairs.all[pair]);
+        let roots = self.roots(mode).into_iter().map(|pair| &self.parts.pairs.all[pair]);
         let roots = roots.map(|pair| invariant(laws::compliant::root_invariant(pair), Measure::Length));
         held.chain(roots).collect()
     }
 
     pub(crate) fn pair_list(&self) -> &Pairs {
-        &self.pairs
+        &self.parts.pairs
     }
 
-    pub(crate) fn sound_changes(&self) -> &Cache<(Vec<usize>, Vec<u64>), ()> {
-        &self.sound_changes
-    }
-
-    pub(crate) fn event_tapes(&self) -> &EventTapes {
-        &self.event_tapes
-    }
-
-    pub(crate) fn touch_tapes(&self) -> &TouchTapes {
-        &self.touch_tapes
+    pub(crate) fn built(&self) -> &Built {
+        &self.parts.built
     }
 
     /// Index of a body's first state.
     pub(crate) fn first_state(&self, body: usize) -> usize {
-        let before = self.bodies[..body].iter();
+        let before = self.parts.bodies[..body].iter();
         before.map(|body| body.coordinates.states(&body.kinematics).len()).sum()
     }
 
     /// Indices of a body's velocities among the states.
     pub(crate) fn velocity_states(&self, body: usize) -> Vec<usize> {
         let first = self.first_state(body);
-        self.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
+        self.parts.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
     }
 
     /// What an impulse does to each of a body's velocities.
     pub(crate) fn inverse_masses(&self, body: usize) -> Vec<Expr> {
-        let body = &self.bodies[body];
+        let body = &self.parts.bodies[body];
         body.coordinates.inverse_masses(&body.mass)
     }
 
@@ -407,9 +427,9 @@ impl Equations {
         let is_point = |body: &BodyEquations| {
             matches!(body.coordinates, Coordinates::Free) && is_identically_zero(&body.mass.inertia)
         };
-        let points: Vec<bool> = self.bodies.iter().map(is_point).collect();
+        let points: Vec<bool> = self.parts.bodies.iter().map(is_point).collect();
         let turned = |term: &&Term| points[term.body] && !is_identically_zero(&term.torque());
-        let mistakes = self.terms.iter().filter(turned).map(|term| ModelError::PointTurned {
+        let mistakes = self.parts.terms.iter().filter(turned).map(|term| ModelError::PointTurned {
             body: self.model.bodies[term.body].name.clone(),
             load: term.load.clone(),
         });

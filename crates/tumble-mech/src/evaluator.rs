@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Layout, Tape};
-use tumble_ode::{Place, Reason};
+use tumble_expr::{Branches, Expr, Formulas, Jets, Layout, Rounding, Tape};
+use tumble_ode::{Piece, Place, Reason};
 
+use crate::cache::Cache;
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
@@ -13,12 +14,17 @@ use crate::parameters::time_symbol;
 const INSIDE: f64 = 1.0 / 1_048_576.0;
 
 /// Evaluates formulas at a place of the motion.
+pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
+    evaluate_in(jets, place.piece, place.time, &place.states);
+}
+
+/// The same at states of a piece, where there is one.
 ///
 /// At the ends of a piece a branch may stand at zero: it has the sign that it has within the piece.
-pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
-    let inside = place.piece.and_then(|piece| {
+pub(crate) fn evaluate_in(jets: &mut Jets<f64>, piece: Option<&Piece>, time: f64, states: &[f64]) {
+    let inside = piece.filter(|_| jets.tape().sides() > 0).and_then(|piece| {
         let reach = INSIDE * piece.length;
-        let s = match place.time {
+        let s = match time {
             time if time == piece.start => reach,
             time if time == piece.end => piece.length - reach,
             _ => return None,
@@ -26,13 +32,34 @@ pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
         Some((piece.time_at(s), piece.states_at_parameter(s)))
     });
     match inside {
-        None => jets.start(place.time, &place.states, Branches::Free),
-        Some((time, states)) => {
-            jets.start(time, &states, Branches::Free);
+        None => jets.start(time, states, Branches::Free),
+        Some((inner_time, inner_states)) => {
+            jets.start(inner_time, &inner_states, Branches::Free);
             let signs = jets.signs().to_vec();
-            jets.start(place.time, &place.states, Branches::Frozen(&signs));
+            jets.start(time, states, Branches::Frozen(&signs));
         }
     }
+}
+
+/// Tapes of formulas, by what they are compiled of.
+pub(crate) type Tapes = Cache<TapeKey, Tape>;
+
+/// What a tape of formulas depends on.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct TapeKey {
+    mode: Mode,
+    formulas: Formulas,
+    symbols: Symbols,
+    rounding: Rounding,
+}
+
+/// What the symbols in formulas stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Symbols {
+    /// States, parameters and the time.
+    States,
+    /// Any of the motion, which are put into states first.
+    Motion,
 }
 
 impl Equations {
@@ -49,7 +76,7 @@ impl Equations {
         formulas: &[Expr],
         inputs: &[f64],
     ) -> Result<Jets<f64>, Reason> {
-        Ok(Jets::new(self.tape(mode, formulas)?, 0, inputs))
+        Ok(Jets::new(self.tape(mode, formulas, Symbols::States)?, 0, inputs))
     }
 
     /// An evaluator of values of formulas of any kinematic symbols, accelerations and contact forces included.
@@ -70,13 +97,45 @@ impl Equations {
         inputs: &[f64],
         order: usize,
     ) -> Result<Jets<f64>, Reason> {
-        let definitions = self.definitions_of(mode);
-        let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
-        Ok(Jets::new(self.tape(mode, &formulas)?, order, inputs))
+        Ok(Jets::new(self.motion_tape(mode, formulas)?, order, inputs))
     }
 
-    fn tape(&self, mode: &Mode, formulas: &[Expr]) -> Result<Arc<Tape>, Reason> {
-        Ok(Arc::new(Tape::compile(&self.layout(mode), formulas)?))
+    /// The tape of formulas of any kinematic symbols.
+    pub(crate) fn motion_tape(&self, mode: &Mode, formulas: &[Expr]) -> Result<Arc<Tape>, Reason> {
+        self.tape(mode, formulas, Symbols::Motion)
+    }
+
+    fn tape(&self, mode: &Mode, formulas: &[Expr], symbols: Symbols) -> Result<Arc<Tape>, Reason> {
+        let (formulas, rounding) = (Formulas::new(formulas), self.rounding());
+        self.tape_of(TapeKey { mode: mode.clone(), formulas, symbols, rounding })
+    }
+
+    /// Numbers alone are different in other roundings: the operations are found once.
+    fn tape_of(&self, key: TapeKey) -> Result<Arc<Tape>, Reason> {
+        let tapes = &self.built().tapes;
+        if let Some(known) = tapes.known(&key) {
+            return Ok(known);
+        }
+        let rounding = key.rounding;
+        let nearest = TapeKey { rounding: Rounding::NEAREST, ..key };
+        let found = tapes.get(&nearest, || self.compile(&nearest))?;
+        match rounding.is_nearest() {
+            true => Ok(found),
+            false => tapes.get(&TapeKey { rounding, ..nearest }, || Ok(found.rounded(rounding))),
+        }
+    }
+
+    fn compile(&self, key: &TapeKey) -> Result<Tape, Reason> {
+        let layout = Layout { rounding: Rounding::NEAREST, ..self.layout(&key.mode) };
+        let formulas = key.formulas.list();
+        Ok(match key.symbols {
+            Symbols::States => Tape::compile(&layout, formulas)?,
+            Symbols::Motion => {
+                let definitions = self.definitions_of(&key.mode);
+                let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
+                Tape::compile(&layout, &formulas)?
+            }
+        })
     }
 
     /// Values of such formulas at one instant.

@@ -34,6 +34,46 @@ impl Known<'_> {
     }
 }
 
+/// A formula that is fixed by the parameters and must have a value that can be computed with.
+#[derive(Clone, Debug)]
+pub(crate) struct Fixed {
+    pub(crate) formula: Expr,
+    /// Whether a sine or cosine is taken of it.
+    is_argument: bool,
+}
+
+impl Fixed {
+    pub(crate) fn allows(&self, value: f64) -> bool {
+        is_fit(value, self.is_argument)
+    }
+}
+
+fn is_fit(value: f64, is_argument: bool) -> bool {
+    value.is_finite() && !(is_argument && value.abs() > LARGEST_ARGUMENT)
+}
+
+impl Parameters {
+    /// What is fixed in some formulas.
+    pub(crate) fn fixed_parts(&self, formulas: &[Expr]) -> Vec<Fixed> {
+        let mut search = Search { parameters: self, fixed: HashMap::new(), seen: HashSet::new() };
+        let parts = formulas.iter().flat_map(|formula| search.parts("", formula));
+        let fixed = |part: Part<'_>| Fixed { formula: part.formula.clone(), is_argument: part.is_argument };
+        parts.map(fixed).collect()
+    }
+}
+
+impl Known<'_> {
+    /// Whether all that is fixed in the formulas of the parameters themselves can be computed with.
+    pub(crate) fn has_sound_formulas(&self) -> bool {
+        let composed = self.parameters().formulas().filter(|(_, formula)| !formula.children().is_empty());
+        let parts: Vec<Fixed> =
+            composed.flat_map(|(_, formula)| self.parameters().parts_of(formula).to_vec()).collect();
+        let formulas: Vec<Expr> = parts.iter().map(|part| part.formula.clone()).collect();
+        let values = self.evaluate(&formulas);
+        values.is_ok_and(|values| parts.iter().zip(values).all(|(part, value)| part.allows(value)))
+    }
+}
+
 /// A part of a formula that is fixed.
 struct Part<'f> {
     what: &'f str,

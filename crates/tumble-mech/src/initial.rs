@@ -18,7 +18,7 @@ impl Equations {
     /// parameters make of it.
     pub fn start(&self, parameters: &Parameters) -> Result<NumericStart<Mode>, ModelErrors> {
         let known = parameters.known()?;
-        let mut mistakes = self.model().mistakes_with(&known);
+        let mut mistakes = self.value_mistakes(&known);
         let (states, compensation) = self.initial_states(&known, &mut mistakes)?;
         let mode = self.initial_mode(&known, &mut mistakes)?;
         if !mistakes.is_empty() {

@@ -1,14 +1,17 @@
 //! Parameters: named quantities that may depend on each other, and their values in one run.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::sync::Arc;
+use std::convert::Infallible;
+use std::sync::{Arc, OnceLock};
 
 use tumble_expr::{
-    Binary, Branches, CompileError, Expr, Jets, Kernels, LEFT_OUT, Layout, Node, Rounded, Rounding, Symbol,
-    Tape, Unary, rounded_sum,
+    Binary, Branches, CompileError, Expr, Formulas, Jets, Kernels, LEFT_OUT, Layout, Node, Rounded, Rounding,
+    Symbol, Tape, Unary, rounded_sum,
 };
 
+use crate::cache::Cache;
 use crate::error::{ModelError, ModelErrors};
+use crate::fixed::Fixed;
 use crate::kinematics::time;
 
 /// Parameters in an order in which each depends on earlier ones only.
@@ -18,6 +21,35 @@ pub struct Parameters {
     /// Where each name stands in the list.
     places: HashMap<Arc<str>, usize>,
     rounding: Rounding,
+    /// What formulas of them run on.
+    tapes: Cache<TapeKey, FixedTape>,
+    /// What is fixed in each formula.
+    parts: Cache<Formulas, Vec<Fixed>>,
+}
+
+/// What the tape of some formulas depends on, beside the symbols of the parameters.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+struct TapeKey {
+    formulas: Formulas,
+    /// How many parameters may be used.
+    known: usize,
+    rounding: Rounding,
+}
+
+/// A tape of formulas of the parameters.
+#[derive(Debug)]
+struct FixedTape {
+    tape: Arc<Tape>,
+    /// Which parameters are its inputs.
+    places: Vec<usize>,
+    /// The values, where there are none.
+    constants: OnceLock<Vec<f64>>,
+}
+
+impl FixedTape {
+    fn new(tape: Tape, places: Vec<usize>) -> Self {
+        Self { tape: Arc::new(tape), places, constants: OnceLock::new() }
+    }
 }
 
 impl Parameters {
@@ -39,6 +71,10 @@ impl Parameters {
             .dimension()
             .map_err(|mistake| ModelError::Type { what: format!("parameter `{name}`"), mistake })?;
         let symbol = Symbol::new(name, dimension);
+        // A formula of its own is nothing to those that use it.
+        if self.symbol(name) != Some(&symbol) {
+            (self.tapes, self.parts) = (Cache::default(), Cache::default());
+        }
         match self.places.get(name) {
             Some(place) => self.list[*place] = (symbol.clone(), formula),
             None => {
@@ -62,6 +98,20 @@ impl Parameters {
     /// Whether this is one of the parameters.
     pub fn contains(&self, symbol: &Symbol) -> bool {
         self.symbol(&symbol.name) == Some(symbol)
+    }
+
+    /// What is fixed in a formula.
+    pub(crate) fn parts_of(&self, formula: &Expr) -> Arc<Vec<Fixed>> {
+        let formula = std::slice::from_ref(formula);
+        let found =
+            self.parts.get(&Formulas::new(formula), || Ok::<_, Infallible>(self.fixed_parts(formula)));
+        found.unwrap_or_else(|never| match never {})
+    }
+
+    /// Whether others have the same symbols in the same order.
+    pub(crate) fn has_symbols_of(&self, others: &Self) -> bool {
+        let [own, other] = [self, others].map(|parameters| parameters.list.iter().map(|(symbol, _)| symbol));
+        own.eq(other)
     }
 
     /// Formulas in order.
@@ -151,23 +201,31 @@ impl Known<'_> {
 
     /// The same with some values replaced, by the places of their parameters.
     fn evaluate_but(&self, set: &HashMap<usize, f64>, formulas: &[Expr]) -> Result<Vec<f64>, ModelError> {
-        let used = formulas.iter().flat_map(Expr::symbols).collect();
-        self.evaluate_with::<f64>(&used, set, formulas)
-            .map_err(|mistake| ModelError::Compile { what: "a formula of the parameters".into(), mistake })
+        let tape = self.tape(formulas, self.parameters.rounding);
+        let tape = tape
+            .map_err(|mistake| ModelError::Compile { what: "a formula of the parameters".into(), mistake })?;
+        Ok(self.numbers(&tape, set))
     }
 
     /// Value of the next parameter; `None` where one that it uses has none.
     fn next(&self, symbol: &Symbol, formula: &Expr) -> Result<Option<f64>, ModelError> {
         let what = || format!("parameter `{}`", symbol.name);
-        let used = formula.symbols();
-        if used.iter().filter_map(|used| self.place_of(used)).any(|place| self.values[place].is_nan()) {
-            return Ok(None);
-        }
-        let value = self.evaluate_with::<f64>(&used, &HashMap::new(), std::slice::from_ref(formula));
-        match value.map_err(|mistake| ModelError::Compile { what: what(), mistake })?[0] {
+        let tape = match self.tape(std::slice::from_ref(formula), self.parameters.rounding) {
+            Ok(tape) if tape.places.iter().any(|place| self.values[*place].is_nan()) => return Ok(None),
+            Err(_) if self.uses_none(formula) => return Ok(None),
+            Ok(tape) => tape,
+            Err(mistake) => return Err(ModelError::Compile { what: what(), mistake }),
+        };
+        match self.numbers(&tape, &HashMap::new())[0] {
             value if value.is_finite() => Ok(Some(value)),
             value => Err(ModelError::NotFinite { what: what(), value }),
         }
+    }
+
+    /// Whether a formula uses a parameter that has no value.
+    fn uses_none(&self, formula: &Expr) -> bool {
+        let used = formula.symbols();
+        used.iter().filter_map(|used| self.place_of(used)).any(|place| self.values[place].is_nan())
     }
 
     /// Where a parameter that has been evaluated stands.
@@ -188,37 +246,64 @@ impl Known<'_> {
         }
         if is_arithmetic(formula, DEEPEST) {
             // Moved on the tape already; what that left out is found from the number itself.
-            let nearest = Parameters::default();
-            let known = Known { parameters: &nearest, values: vec![] };
-            let number = known.evaluate(formulas).map_or(value, |found| found[0]);
+            let nearest = self.tape(formulas, Rounding::NEAREST);
+            let number = nearest.map_or(value, |tape| self.numbers(&tape, &HashMap::new())[0]);
             return if number == value { (value, 0.0) } else { rounding.moved(number) };
         }
-        let found = self.evaluate_with::<Rounded>(&formula.symbols(), &HashMap::new(), formulas);
         // A formula that has a value compiles.
-        let error = found.map_or(0.0, |found| found[0].noise());
+        let found = self.tape(formulas, rounding);
+        let error = found.map_or(0.0, |tape| self.run::<Rounded>(&tape, &HashMap::new())[0].noise());
         let error = if error.is_finite() { LEFT_OUT * error } else { 0.0 };
         moved_visibly(value, rounding.computed(value, error, index as u64))
     }
 
-    /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its
-    /// formulas need, and the same ones in every run.
-    fn evaluate_with<S: Kernels>(
+    /// Values of the formulas of a tape.
+    fn numbers(&self, tape: &FixedTape, set: &HashMap<usize, f64>) -> Vec<f64> {
+        match tape.places.is_empty() {
+            true => tape.constants.get_or_init(|| self.run(tape, set)).clone(),
+            false => self.run(tape, set),
+        }
+    }
+
+    /// The same in any numbers.
+    fn run<S: Kernels>(
         &self,
-        used: &HashSet<Symbol>,
+        FixedTape { tape, places, .. }: &FixedTape,
         set: &HashMap<usize, f64>,
-        formulas: &[Expr],
-    ) -> Result<Vec<S>, CompileError> {
-        let list = &self.parameters.list;
-        let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
-        let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
+    ) -> Vec<S> {
         let value = |place: &usize| S::splat(set.get(place).copied().unwrap_or(self.values[*place]));
         let values: Vec<S> = places.iter().map(value).collect();
-        let rounding = self.parameters.rounding;
-        let layout = Layout { rounding, ..Layout::new(vec![], time_symbol(), inputs) };
-        let mut tape = Jets::new(Arc::new(Tape::compile(&layout, formulas)?), 0, &values);
+        let mut jets = Jets::new(Arc::clone(tape), 0, &values);
         // A formula of the parameters has no time: whatever uses it shows as not a number.
-        tape.start(S::splat(f64::NAN), &[], Branches::Free);
-        Ok((0..formulas.len()).map(|index| tape.value_of(index)).collect())
+        jets.start(S::splat(f64::NAN), &[], Branches::Free);
+        (0..tape.outputs().len()).map(|index| jets.value_of(index)).collect()
+    }
+
+    /// The tape of some formulas; numbers alone are different in other roundings.
+    fn tape(&self, formulas: &[Expr], rounding: Rounding) -> Result<Arc<FixedTape>, CompileError> {
+        let tapes = &self.parameters.tapes;
+        let key = TapeKey { formulas: Formulas::new(formulas), known: self.values.len(), rounding };
+        if let Some(known) = tapes.known(&key) {
+            return Ok(known);
+        }
+        let nearest = TapeKey { rounding: Rounding::NEAREST, ..key };
+        let found = tapes.get(&nearest, || self.compile(formulas))?;
+        if rounding.is_nearest() {
+            return Ok(found);
+        }
+        let rounded = || FixedTape::new(found.tape.rounded(rounding), found.places.clone());
+        tapes.get(&TapeKey { rounding, ..nearest }, || Ok(rounded()))
+    }
+
+    /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its
+    /// formulas need, and the same ones in every run.
+    fn compile(&self, formulas: &[Expr]) -> Result<FixedTape, CompileError> {
+        let list = &self.parameters.list;
+        let used: HashSet<Symbol> = formulas.iter().flat_map(Expr::symbols).collect();
+        let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
+        let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
+        let tape = Tape::compile(&Layout::new(vec![], time_symbol(), inputs), formulas)?;
+        Ok(FixedTape::new(tape, places.into_iter().collect()))
     }
 }
 

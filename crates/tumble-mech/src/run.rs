@@ -160,13 +160,21 @@ impl Run {
         accuracy: Accuracy,
         progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
-        let with = |nodes: usize| {
-            let equations = Equations::new(Model { nodes, ..model.clone() })?;
-            Self::new(equations, parameters, until, accuracy, &progress)
-        };
-        let mut run = with(model.nodes)?;
-        while model.has_quadrature() && run.equations.model().nodes < MOST_NODES {
-            let mut finer = with(2 * run.equations.model().nodes)?;
+        Self::refined_of(&Equations::new(model)?, parameters, until, accuracy, progress)
+    }
+
+    /// The same of equations that may be used for other motions too.
+    pub fn refined_of(
+        equations: &Equations,
+        parameters: &Parameters,
+        until: f64,
+        accuracy: Accuracy,
+        progress: impl Fn(f64) -> ControlFlow<()>,
+    ) -> Result<Self, RunError> {
+        let with = |equations: Equations| Self::new(equations, parameters, until, accuracy, &progress);
+        let mut run = with(equations.clone())?;
+        while equations.model().has_quadrature() && run.equations.model().nodes < MOST_NODES {
+            let mut finer = with(equations.with_nodes(2 * run.equations.model().nodes)?)?;
             let change = run.change_to(&finer);
             let settled = change <= accuracy.value();
             finer.quadrature = Some(Quadrature { nodes: finer.equations.model().nodes, change, settled });

@@ -1,6 +1,11 @@
 //! The equations as the integrator sees them: flows by mode, and what happens between.
 
-use tumble_ode::{AtZero, Cause, Crossing, Flow, Guard, Hybrid, Jump, LazyGuard, Reason, StateVariable};
+use std::sync::Arc;
+
+use tumble_expr::Rounding;
+use tumble_ode::{
+    AtZero, Cause, Crossing, Flow, Guard, Hybrid, Jump, LazyGuard, Program, Reason, StateVariable,
+};
 
 use crate::contact::Impulses;
 use crate::equations::Equations;
@@ -44,6 +49,19 @@ impl Hybrid for Equations {
             invariants: self.invariants(mode),
             time_transformation: self.time_transformation(mode),
         })
+    }
+
+    fn program(&self, mode: &Mode) -> Result<Arc<Program>, Reason> {
+        let (programs, rounding) = (&self.built().programs, self.rounding());
+        if let Some(known) = programs.known(&(mode.clone(), rounding)) {
+            return Ok(known);
+        }
+        let compile = || Program::new(&Flow { rounding: Rounding::NEAREST, ..self.flow(mode)? });
+        let nearest = programs.get(&(mode.clone(), Rounding::NEAREST), compile)?;
+        match rounding.is_nearest() {
+            true => Ok(nearest),
+            false => programs.get(&(mode.clone(), rounding), || Ok(nearest.rounded(rounding))),
+        }
     }
 
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {

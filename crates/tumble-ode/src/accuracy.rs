@@ -20,7 +20,7 @@ impl Accuracy {
     pub const DEFAULT: Self = Self(1e-9);
 
     /// Errors of many steps add up and grow: each is held to this much of the whole.
-    const LOCAL_MARGIN: f64 = 1e-3;
+    const LOCAL_MARGIN: f64 = 1e-2;
     /// Runs this far apart in tolerance have orders four apart, and the error of one is small beside the other's.
     const OTHER: f64 = 1e3;
     /// A run that is coarser for want of a finer one: other steps, and an error that is not much larger.

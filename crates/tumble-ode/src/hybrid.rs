@@ -2,10 +2,12 @@
 
 use std::fmt::Debug;
 use std::hash::Hash;
+use std::sync::Arc;
 
 use tumble_expr::{Expr, Rounding, Symbol};
 
 use crate::Reason;
+use crate::program::Program;
 
 /// A system that flows by one set of equations at a time and jumps between them.
 pub trait Hybrid {
@@ -14,6 +16,11 @@ pub trait Hybrid {
 
     /// The equations of a mode. Asked for once a mode, when the motion first enters it.
     fn flow(&self, mode: &Self::Mode) -> Result<Flow, Reason>;
+
+    /// The same compiled. What is integrated more than once may keep it.
+    fn program(&self, mode: &Self::Mode) -> Result<Arc<Program>, Reason> {
+        Ok(Arc::new(Program::new(&self.flow(mode)?)?))
+    }
 
     /// What happens at an instant that ends a flow; all that happens then is given at once.
     fn jump(&self, at: &Crossing<'_, Self::Mode>) -> Result<Jump<Self::Mode>, Reason>;

@@ -6,11 +6,11 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Jets, Layout, Tape};
+use tumble_expr::{Branches, Expr, Jets, Layout};
 
-use crate::Reason;
 use crate::compiled::Compiled;
 use crate::hybrid::Invariant;
+use crate::program::Program;
 use crate::scale::Scales;
 
 /// A step may move an invariant by this part of its scale: a few ulps.
@@ -23,11 +23,12 @@ const CORRECTIONS: usize = 2;
 pub(crate) struct Invariants {
     /// Outputs: each function, then its slopes.
     values: Jets<f64>,
-    rows: Vec<Row>,
+    rows: Arc<[Row]>,
 }
 
 /// One function.
-struct Row {
+#[derive(Debug)]
+pub(crate) struct Row {
     group: usize,
     /// Index of its value among the outputs; its slopes follow.
     output: usize,
@@ -35,8 +36,9 @@ struct Row {
     states: Vec<usize>,
 }
 
-impl Invariants {
-    pub(crate) fn new(invariants: &[Invariant], layout: &Layout, inputs: &[f64]) -> Result<Self, Reason> {
+impl Row {
+    /// The rows of some functions, and the formulas that they are evaluated by.
+    pub(crate) fn of_all(invariants: &[Invariant], layout: &Layout) -> (Vec<Expr>, Vec<Self>) {
         let (mut outputs, mut rows) = (vec![], vec![]);
         for Invariant { formula, group } in invariants {
             let used = formula.symbols();
@@ -45,10 +47,16 @@ impl Invariants {
             let output = outputs.len();
             outputs.push(formula.clone());
             outputs.extend(states.iter().map(|state| formula.derivative(&layout.states[*state])));
-            rows.push(Row { group: *group, output, states });
+            rows.push(Self { group: *group, output, states });
         }
-        let tape = Arc::new(Tape::compile(layout, &outputs)?);
-        Ok(Self { values: Jets::new(tape, 0, inputs), rows })
+        (outputs, rows)
+    }
+}
+
+impl Invariants {
+    pub(crate) fn new(program: &Program, inputs: &[f64]) -> Self {
+        let values = Jets::new(Arc::clone(&program.invariants), 0, inputs);
+        Self { values, rows: Arc::clone(&program.plan.invariants) }
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -5,15 +5,17 @@
 //! use that up, it is not evaluated at all.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Layout, Rounded, Scalar, Symbol, Tape};
+use tumble_expr::{
+    Branches, CompileError, Expr, Jets, LEFT_OUT, Layout, Rounded, Rounding, Scalar, Symbol, Tape,
+};
 
-use crate::compiled::fixed;
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
 use crate::hybrid::{Direction, LazyGuard};
 use crate::polynomial::{self, slope, value};
+use crate::program::{Program, WatchTape, values};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 use crate::{Coefficients, Reason};
@@ -38,15 +40,31 @@ pub(crate) struct LazyGuards {
     known_at: Vec<f64>,
 }
 
-struct Watch {
+/// What is known of a lazily evaluated guard by its formula.
+#[derive(Debug)]
+pub(crate) struct WatchPlan {
     formula: Expr,
+    /// With the states and inputs that it depends on, and numbers to the nearest.
     layout: Layout,
+    /// Index of each of those states and inputs among all.
+    states: Vec<usize>,
+    inputs: Vec<usize>,
+    /// The states that it has a bound for its change by.
+    slopes: Option<Vec<usize>>,
+    group: usize,
+    direction: Direction,
+    tape: OnceLock<Arc<Tape>>,
+}
+
+struct Watch {
+    of: Arc<WatchTape>,
     inputs: Vec<f64>,
     /// Index of each state in the layout.
     states: Vec<usize>,
     slopes: Option<Vec<(usize, f64)>>,
     group: usize,
     direction: Direction,
+    rounding: Rounding,
     /// The lazily evaluated guard is at least so far from zero.
     clearance: f64,
     /// In a check run, what it is off by at all instants, known once it is evaluated: numbers and inputs are moved by whole ulps,
@@ -59,20 +77,10 @@ struct Watch {
 }
 
 impl LazyGuards {
-    pub(crate) fn new(
-        lazy_guards: &[LazyGuard],
-        layout: &Layout,
-        inputs: &[f64],
-        order: usize,
-    ) -> Result<Self, Reason> {
-        // One tape for the slopes of all: each for itself would compile the whole layout anew.
-        let slopes = lazy_guards.iter().flat_map(|lazy_guard| lazy_guard.slopes.iter().flatten());
-        let slopes: Vec<Expr> = slopes.map(|(_, slope)| slope.clone()).collect();
-        let mut values = fixed(layout, &slopes, inputs)?.into_iter();
-        let places = Places::of(layout);
-        let watch = |lazy_guard: &LazyGuard| Watch::new(lazy_guard, layout, &places, inputs, &mut values);
-        let all = lazy_guards.iter().map(watch).collect();
-        Ok(Self { all, order, known_at: vec![] })
+    pub(crate) fn new(program: &Program, inputs: &[f64], order: usize) -> Self {
+        let mut slopes = values(&program.slopes, inputs).into_iter();
+        let watch = |of: &Arc<WatchTape>| Watch::new(of, program.rounding, inputs, &mut slopes);
+        Self { all: program.watches.iter().map(watch).collect(), order, known_at: vec![] }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -248,37 +256,66 @@ fn in_order(places: &HashMap<Symbol, usize>, used: &HashSet<Symbol>) -> Vec<usiz
     found
 }
 
-impl Watch {
-    /// `values` has the slopes of this lazily evaluated guard next.
-    fn new(
-        lazy_guard: &LazyGuard,
-        layout: &Layout,
-        places: &Places,
-        inputs: &[f64],
-        values: &mut impl Iterator<Item = f64>,
-    ) -> Self {
+impl WatchPlan {
+    pub(crate) fn of_all(lazy_guards: &[LazyGuard], layout: &Layout) -> Vec<Self> {
+        let places = Places::of(layout);
+        lazy_guards.iter().map(|lazy_guard| Self::of(lazy_guard, layout, &places)).collect()
+    }
+
+    fn of(lazy_guard: &LazyGuard, layout: &Layout, places: &Places) -> Self {
         let used = lazy_guard.guard.formula.symbols();
-        let (states, known) = (places.states(&used), places.inputs(&used));
+        let (states, inputs) = (places.states(&used), places.inputs(&used));
         let pick = |symbols: &[Symbol], which: &[usize]| which.iter().map(|i| symbols[*i].clone()).collect();
-        let slopes = lazy_guard.slopes.as_ref().map(|slopes| {
-            let with_value = slopes.iter().zip(values).map(|((state, _), value)| (*state, value.abs()));
-            with_value.collect()
-        });
+        let slopes = lazy_guard.slopes.as_ref();
         Self {
             formula: lazy_guard.guard.formula.clone(),
             layout: Layout {
                 states: pick(&layout.states, &states),
-                time: layout.time.clone(),
-                inputs: pick(&layout.inputs, &known),
-                rounding: layout.rounding,
+                inputs: pick(&layout.inputs, &inputs),
+                ..layout.clone()
             },
-            inputs: known.iter().map(|index| inputs[*index]).collect(),
             states,
-            slopes,
+            inputs,
+            slopes: slopes.map(|slopes| slopes.iter().map(|(state, _)| *state).collect()),
             group: lazy_guard.group,
             direction: lazy_guard.guard.direction,
+            tape: OnceLock::new(),
+        }
+    }
+
+    /// Built when it is first asked for.
+    pub(crate) fn tape(&self) -> Result<Arc<Tape>, CompileError> {
+        if let Some(known) = self.tape.get() {
+            return Ok(Arc::clone(known));
+        }
+        let tape = Arc::new(Tape::compile(&self.layout, std::slice::from_ref(&self.formula))?);
+        Ok(Arc::clone(self.tape.get_or_init(|| tape)))
+    }
+}
+
+impl Watch {
+    /// `values` has the slopes of this lazily evaluated guard next.
+    fn new(
+        of: &Arc<WatchTape>,
+        rounding: Rounding,
+        inputs: &[f64],
+        values: &mut impl Iterator<Item = f64>,
+    ) -> Self {
+        let plan = &of.plan;
+        let slopes = plan.slopes.as_ref().map(|slopes| {
+            let with_value = slopes.iter().zip(values).map(|(state, value)| (*state, value.abs()));
+            with_value.collect()
+        });
+        Self {
+            of: Arc::clone(of),
+            inputs: plan.inputs.iter().map(|index| inputs[*index]).collect(),
+            states: plan.states.clone(),
+            slopes,
+            group: plan.group,
+            direction: plan.direction,
+            rounding,
             clearance: 0.0,
-            offset: layout.rounding.is_nearest().then_some(0.0),
+            offset: rounding.is_nearest().then_some(0.0),
             jets: None,
             enclosure: None,
         }
@@ -294,8 +331,7 @@ impl Watch {
 
     fn jets(&mut self, order: usize) -> Result<&mut Jets<f64>, Reason> {
         if self.jets.is_none() {
-            let tape = Tape::compile(&self.layout, std::slice::from_ref(&self.formula))?;
-            self.jets = Some(Jets::new(Arc::new(tape), order, &self.inputs));
+            self.jets = Some(Jets::new(self.of.tape()?, order, &self.inputs));
         }
         Ok(self.jets.as_mut().expect("just built"))
     }
@@ -323,7 +359,7 @@ impl Watch {
             let states: Vec<f64> = expansion.states.iter().map(|series| series[0]).collect();
             let [_, same] = self.noise(expansion.start, &states, order)?;
             let same = if same.is_finite() { same } else { 0.0 };
-            self.offset = Some(self.layout.rounding.draw(same, NUMBERS) * same);
+            self.offset = Some(self.rounding.draw(same, NUMBERS) * same);
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Initial value problems with events, solved by Taylor steps whose every result is a polynomial.
 //!
-//! The way through this crate is [`Hybrid`] (what moves, by mode) → `Compiled` (one tape a mode) → [`Solver`] (step by
+//! The way through this crate is [`Hybrid`] (what moves, by mode) → [`Program`] (one tape a mode) → [`Solver`] (step by
 //! step) → [`Trajectory`] (polynomial pieces and events). The only knob is the [`Accuracy`]. It knows no body.
 
 mod accuracy;
@@ -15,6 +15,7 @@ mod invariants;
 mod lazy_guards;
 mod order;
 mod polynomial;
+mod program;
 mod radius;
 mod refusal;
 mod roots;
@@ -33,8 +34,9 @@ pub use hybrid::{
     AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
     StateVariable,
 };
+pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
 pub use solver::{Solver, Start, Stopped, solve};
-pub use trajectory::{Event, Piece, Place, Side, Trajectory};
+pub use trajectory::{Cursor, Event, Piece, Place, Side, Spot, Trajectory};
 pub use work::Work;

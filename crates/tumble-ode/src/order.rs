@@ -4,8 +4,8 @@
 //! least near `p = ln(1/tolerance) / 2`; measured optima on mechanical systems lie somewhat above it.
 
 /// Slope and offset of the measured optimum in `ln(1/tolerance)`.
-const SLOPE: f64 = 0.6;
-const OFFSET: f64 = 3.5;
+const SLOPE: f64 = 0.75;
+const OFFSET: f64 = 5.0;
 
 /// The order for a local tolerance below 1.
 pub(crate) fn order(tolerance: f64) -> usize {

@@ -290,9 +290,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     fn compile(&mut self, mode: H::Mode) -> Result<usize, Reason> {
-        let flow = self.system.flow(&mode)?;
-        let system = Compiled::new(&flow, &self.inputs, self.span)?;
-        let beside = beside(&flow, &self.inputs, self.trajectory.order)?;
+        let program = self.system.program(&mode)?;
+        let system = Compiled::new(&program, &self.inputs, self.span)?;
+        let beside = beside(&program, &self.inputs, self.trajectory.order);
         self.engines.push(Engine::new(system, beside, self.trajectory.order, &self.inputs));
         self.trajectory.modes.push(mode.clone());
         self.trajectory.work.modes += 1;

@@ -1,5 +1,7 @@
 //! A motion: polynomial pieces one after the other, and the events between them.
 
+use tumble_expr::Interval;
+
 use crate::Coefficients;
 use crate::hybrid::Cause;
 use crate::polynomial;
@@ -81,6 +83,43 @@ pub struct Place<'a> {
     pub piece: Option<&'a Piece>,
 }
 
+/// Where in a motion was looked at last: what comes next is found from there.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cursor(usize);
+
+/// What the motion at one time is known by.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot<'a> {
+    /// Index in [`Trajectory::modes`].
+    pub mode: usize,
+    of: Known<'a>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Known<'a> {
+    /// Before an event at the very start, or after one at the very end.
+    States(&'a [f64]),
+    Piece(&'a Piece),
+}
+
+impl<'a> Spot<'a> {
+    /// The piece that it lies on, if there is one.
+    pub fn piece(self) -> Option<&'a Piece> {
+        match self.of {
+            Known::States(_) => None,
+            Known::Piece(piece) => Some(piece),
+        }
+    }
+
+    /// The states at that time, added to the end of `states`.
+    pub fn states_into(self, time: f64, states: &mut Vec<f64>) {
+        match self.of {
+            Known::States(known) => states.extend_from_slice(known),
+            Known::Piece(piece) => piece.states_into(piece.parameter_at(time), states),
+        }
+    }
+}
+
 /// Which value is meant at the instant of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -136,6 +175,40 @@ impl<Mode> Trajectory<Mode> {
         }
     }
 
+    /// Where `time` lies; `None` outside the motion. Times in order are found without a search.
+    pub fn spot_at(&self, time: f64, side: Side, cursor: &mut Cursor) -> Option<Spot<'_>> {
+        match (side, self.first_event(), self.last_event()) {
+            (Side::Before, Some(first), _) if first.time == time => {
+                Some(Spot { mode: first.mode_before, of: Known::States(&first.before) })
+            }
+            (Side::After, _, Some(last)) if last.time == time => {
+                Some(Spot { mode: last.mode_after, of: Known::States(&last.after) })
+            }
+            _ => {
+                let piece = self.piece_from(time, side, cursor)?;
+                Some(Spot { mode: piece.mode, of: Known::Piece(piece) })
+            }
+        }
+    }
+
+    /// [`Trajectory::piece_at`], looked for from where the cursor is.
+    fn piece_from(&self, time: f64, side: Side, cursor: &mut Cursor) -> Option<&Piece> {
+        let is_over = |piece: &Piece| match side {
+            Side::After => piece.end <= time,
+            Side::Before => piece.end < time,
+        };
+        let index = &mut cursor.0;
+        *index = (*index).min(self.pieces.len());
+        while *index > 0 && !is_over(&self.pieces[*index - 1]) {
+            *index -= 1;
+        }
+        while self.pieces.get(*index).is_some_and(is_over) {
+            *index += 1;
+        }
+        let piece = self.pieces.get(*index).or(self.pieces.last())?;
+        (piece.start <= time && time <= piece.end).then_some(piece)
+    }
+
     fn first_event(&self) -> Option<&Event> {
         let start = self.start()?;
         self.events.first().filter(|event| event.time == start)
@@ -162,6 +235,25 @@ impl Piece {
     /// States at a value of the piece's parameter.
     pub fn states_at_parameter(&self, s: f64) -> Vec<f64> {
         self.states.iter().map(|series| polynomial::value(series, s)).collect()
+    }
+
+    /// The same, added to the end of `states`.
+    pub fn states_into(&self, s: f64, states: &mut Vec<f64>) {
+        let value = |series: &[f64]| match series.first() {
+            // Horner's rule comes to the same, but for the sign of zero.
+            Some(first) if s == 0.0 && *first != 0.0 => *first,
+            _ => polynomial::value(series, s),
+        };
+        states.extend(self.states.iter().map(value));
+    }
+
+    /// Ranges that hold all states from the start of the piece up to `s`, added to the end of `states`, and that of the time.
+    pub fn ranges_into(&self, s: f64, states: &mut Vec<Interval>) -> Interval {
+        states.extend(self.states.iter().map(|series| range(series, s)));
+        match &self.time_series {
+            None => range(&[self.start, 1.0], s),
+            Some(series) => range(series, s),
+        }
     }
 
     /// The states as series about a value of the piece's parameter, and the time as one.
@@ -197,6 +289,18 @@ impl Piece {
     }
 }
 
+/// Rounding errors of a range, and of the values in it, in units of the last place of the sum of all terms.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A range that holds all values of a series from 0 up to `s`: Horner's rule with all that lies between.
+fn range(series: &[f64], s: f64) -> Interval {
+    let wider = |(low, high, size): (f64, f64, f64), c: &f64| {
+        (c + (low * s).min(0.0), c + (high * s).max(0.0), size * s + c.abs())
+    };
+    let (low, high, size) = series.iter().rev().fold((0.0, 0.0, 0.0), wider);
+    Interval::new(low - ROUNDING * size, high + ROUNDING * size)
+}
+
 /// Newton steps that the inversion of a time series may take; each at least halves the bracket where Newton's own
 /// fails.
 const INVERSION_STEPS: usize = 100;
@@ -229,6 +333,16 @@ pub(crate) fn invert(series: &[f64], elapsed: f64, length: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ranges_hold_all_values() {
+        let series = [0.3, -2.0, 0.5, 3.0, -1.0];
+        let Interval { low, high } = range(&series, 1.5);
+        for part in 0..=100 {
+            let value = polynomial::value(&series, 1.5 * f64::from(part) / 100.0);
+            assert!(low <= value && value <= high, "{value} outside {low} and {high}");
+        }
+    }
 
     #[test]
     fn a_time_series_is_inverted() {

@@ -7,7 +7,7 @@ use tumble_ode::Side;
 use crate::case::Case;
 use crate::output::{Folder, OutputError, Table};
 use crate::pipeline::PipelineError;
-use crate::tables::{equal_times, number};
+use crate::tables::equal_times;
 
 /// Rows of `balance.csv`, beside both sides of each event.
 const ROWS: usize = 500;
@@ -69,7 +69,8 @@ impl CaseBalance {
         let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
         table.row(self.columns.iter().map(units))?;
         for row in &self.rows {
-            table.row(row.iter().map(|value| number(*value)))?;
+            table.numbers(row);
+            table.end_row()?;
         }
         table.finish()
     }

@@ -1,6 +1,6 @@
 //! The runs of a study: one, or one for every combination of what is swept.
 
-use tumble_mech::{Parameters, Run, RunError, Trust};
+use tumble_mech::{Equations, Parameters, Run, RunError, Trust};
 use tumble_ode::{Accuracy, Refusal};
 use tumble_scene::{Diagnostics, Study, SweepAxis, SweepValue, Swept};
 
@@ -140,8 +140,11 @@ pub(crate) fn all<T: Send>(
 ) -> Result<(Vec<T>, Vec<Missing>), PipelineError> {
     let all = Combinations::of(study)?;
     let progress = Progress::new(&study.title, all.count(), options);
+    // What the runs have in common is built once. Mistakes are told by the run that has them.
+    let equations = Equations::new(study.model.clone()).ok();
     let make = |index: usize| {
-        let kept = done(Case::run(study, index + 1, all.values(index)?, &progress)?)?;
+        let run = (index + 1, all.values(index)?);
+        let kept = done(Case::run(study, equations.as_ref(), run, &progress)?)?;
         progress.finish();
         Ok(kept)
     };
@@ -163,15 +166,21 @@ impl Case {
     /// Integrates one run and holds the scene's claims against it.
     ///
     /// A motion that is refused on the way is no error: what was found before stands.
-    fn run(study: &Study, number: usize, values: Values, progress: &Progress) -> Result<Self, PipelineError> {
+    fn run(
+        study: &Study,
+        equations: Option<&Equations>,
+        (number, values): (usize, Values),
+        progress: &Progress,
+    ) -> Result<Self, PipelineError> {
         let label = values.label.clone();
-        Self::made(study, number, values, progress).map_err(|error| error.placed(study).in_run(&label))
+        let made = Self::made(study, equations, (number, values), progress);
+        made.map_err(|error| error.placed(study).in_run(&label))
     }
 
     fn made(
         study: &Study,
-        number: usize,
-        values: Values,
+        equations: Option<&Equations>,
+        (number, values): (usize, Values),
         progress: &Progress,
     ) -> Result<Self, PipelineError> {
         let Values { label, parameters, accuracy } = values;
@@ -179,7 +188,11 @@ impl Case {
         let until = study.number(&study.until)?;
         let progress = progress.of_run(until);
         let reached = |time| progress.reached(time);
-        let found = Run::trusted(&study.model, &parameters, until, accuracy, reached);
+        let equations = match equations {
+            Some(equations) => equations.with(&parameters)?,
+            None => Equations::new(study.model.clone())?,
+        };
+        let found = Run::trusted_of(&equations, &parameters, until, accuracy, reached);
         let (run, trust, refusal) = match found {
             Ok((run, trust)) => (run, Some(trust), None),
             Err(error) if error.is_interrupted() => return Err(PipelineError::Interrupted),

@@ -103,9 +103,10 @@ fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), Pipelin
     let first = ["t [s]".to_owned(), "phase".to_owned()];
     table.row(first.into_iter().chain(header))?;
     for row in sample(study, &case.run, &formulas)? {
-        let first = [number(row.time), row.phase.to_string()];
-        let values = row.values.into_iter().map(number);
-        table.row(first.into_iter().chain(values))?;
+        table.numbers(&[row.time]);
+        table.text(&row.phase.to_string());
+        table.numbers(&row.values);
+        table.end_row()?;
     }
     Ok(table.finish()?)
 }
@@ -124,10 +125,11 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     let first = ["t [s]".to_owned(), "what".to_owned()];
     table.row(first.into_iter().chain(columns))?;
     for event in &run.trajectory.events {
-        let first = [number(event.time), event.tags.join(", ")];
-        let of_bodies = |side: &'_ [f64]| side[..states.len()].to_vec();
-        let values = [of_bodies(&event.before), of_bodies(&event.after)].concat().into_iter().map(number);
-        table.row(first.into_iter().chain(values))?;
+        table.numbers(&[event.time]);
+        table.text(&event.tags.join(", "));
+        table.numbers(&event.before[..states.len()]);
+        table.numbers(&event.after[..states.len()]);
+        table.end_row()?;
     }
     table.finish()
 }
@@ -140,11 +142,6 @@ fn column(name: &str, unit: &str) -> String {
 /// Whether a state is an angle or its rate.
 pub(crate) fn is_angle(state: &Symbol) -> bool {
     state.name.ends_with(".angle") || state.name.ends_with(".omega")
-}
-
-/// The shortest decimal that reads back as the same number.
-pub(crate) fn number(value: f64) -> String {
-    format!("{value:?}")
 }
 
 /// A column's unit.

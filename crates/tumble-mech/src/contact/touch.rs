@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Rounded, Tape};
+use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Rounding, Tape};
 use tumble_ode::Reason;
 
 use crate::cache::Cache;
@@ -64,8 +64,8 @@ pub(crate) struct Touch {
     velocities: Vec<usize>,
 }
 
-/// Tapes by body and mode.
-pub(crate) type TouchTapes = Cache<(usize, Mode), Tape>;
+/// Tapes by body, mode and how numbers are rounded.
+pub(crate) type TouchTapes = Cache<(usize, Mode, Rounding), Tape>;
 
 /// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
 const BEFORE_ROW: usize = 4;
@@ -166,12 +166,22 @@ impl Equations {
     }
 
     fn touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
-        let key = (body, mode.without_support(self.pairs(), body));
-        self.touch_tapes().get(&key, || self.build_touch_tape(body, &key.1, pairs))
+        let (mode, rounding) = (mode.without_support(self.pairs(), body), self.rounding());
+        let tapes = &self.built().touch_tapes;
+        let key = (body, mode, rounding);
+        if let Some(known) = tapes.known(&key) {
+            return Ok(known);
+        }
+        let nearest = (body, key.1, Rounding::NEAREST);
+        let found = tapes.get(&nearest, || self.build_touch_tape(body, &nearest.1, pairs))?;
+        match rounding.is_nearest() {
+            true => Ok(found),
+            false => tapes.get(&(body, nearest.1, rounding), || Ok(found.rounded(rounding))),
+        }
     }
 
     fn build_touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
-        let layout = self.layout(mode);
+        let layout = Layout { rounding: Rounding::NEAREST, ..self.layout(mode) };
         let velocities: Vec<_> =
             self.velocity_states(body).into_iter().map(|state| layout.states[state].clone()).collect();
         let definitions = self.definitions_about(mode, body);

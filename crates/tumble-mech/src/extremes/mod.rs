@@ -10,7 +10,7 @@
 
 mod search;
 
-use tumble_expr::{Expr, Jets};
+use tumble_expr::{Expr, Interval, Jets};
 use tumble_ode::{Enclosure, Piece, Reason, Side};
 
 use crate::run::{Run, RunError};
@@ -18,6 +18,8 @@ use search::Search;
 
 /// A later value has to be larger by this part to be another.
 const SAME: f64 = 8.0 * f64::EPSILON;
+/// A value that is smaller by this part is smaller by more than all that rounding adds up to.
+const FAR: f64 = 1e-9;
 /// Taylor coefficients up to here: of value, slope and bend.
 const ORDER: usize = 2;
 /// An instant is that of a turn if the slope and the bend there put the turn no farther away, in parts of the piece.
@@ -89,16 +91,21 @@ impl Run {
             }
             let [low, high] = [from, to].map(|time| piece.parameter_at(time.clamp(piece.start, piece.end)));
             let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
-            let gains = Search::new(piece, index, evaluator, &mut best).gains([low, high]);
-            order.push((index, [low, high], gains));
-        }
-        let larger = |gains: &[f64; 2]| gains[0].max(gains[1]);
-        order.sort_by(|(_, _, a), (_, _, b)| larger(b).total_cmp(&larger(a)));
-        for (index, ends, gains) in order {
-            let piece = &self.trajectory.pieces[index];
-            let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
             let mut search = Search::new(piece, index, evaluator, &mut best);
-            search.whole(ends, gains).map_err(|at| cornered(piece, at))?;
+            let most = search.at_most(high);
+            if search.best.is_far_above(most) {
+                continue;
+            }
+            let gains = search.gains([low, high]);
+            order.push(Begun { index, ends: [low, high], gains, most });
+        }
+        let larger = |begun: &Begun| begun.gains[0].max(begun.gains[1]);
+        order.sort_by(|a, b| larger(b).total_cmp(&larger(a)));
+        for begun in order {
+            let piece = &self.trajectory.pieces[begun.index];
+            let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
+            let mut search = Search::new(piece, begun.index, evaluator, &mut best);
+            search.whole(&begun).map_err(|at| cornered(piece, at))?;
         }
         let Some(found) = best.found else { return Ok(None) };
         let piece = &self.trajectory.pieces[found.piece];
@@ -120,7 +127,9 @@ impl Run {
                 let of = std::slice::from_ref(formula);
                 let jets = self.equations.expander(&self.trajectory.modes[mode], of, &self.inputs, ORDER)?;
                 let enclosure = Enclosure::new(jets.tape().clone(), &self.inputs);
-                Ok(empty.insert(Evaluator { jets, enclosure }))
+                let inputs: Vec<Interval> = self.inputs.iter().map(|value| Interval::point(*value)).collect();
+                let ranges = Jets::new(jets.tape().clone(), 0, &inputs);
+                Ok(empty.insert(Evaluator { jets, ranges, enclosure, states: vec![], state_ranges: vec![] }))
             }
         }
     }
@@ -155,7 +164,23 @@ fn kind_of(found: &Candidate, mut search: Search<'_>, edges: [f64; 2]) -> PeakKi
 /// A formula in the states of one mode.
 struct Evaluator {
     jets: Jets<f64>,
+    /// For all values between two of the states at once.
+    ranges: Jets<Interval>,
     enclosure: Enclosure,
+    /// The states at the place that was looked at last, and their ranges.
+    states: Vec<f64>,
+    state_ranges: Vec<Interval>,
+}
+
+/// A piece whose ends have been looked at.
+struct Begun {
+    index: usize,
+    /// Values of its parameter.
+    ends: [f64; 2],
+    /// What they have to offer.
+    gains: [f64; 2],
+    /// What nothing between them has more of.
+    most: f64,
 }
 
 /// The best value so far.
@@ -183,6 +208,11 @@ impl Best {
         if new.gain.is_finite() && self.found.is_none_or(is_better) {
             self.found = Some(new);
         }
+    }
+
+    /// Whether something of at most that gain is worse, whatever rounding does to both.
+    fn is_far_above(&self, most: f64) -> bool {
+        self.found.is_some_and(|best| most < best.gain - FAR * best.gain.abs())
     }
 
     /// Whether something of at most that gain, from a time on, may be better.

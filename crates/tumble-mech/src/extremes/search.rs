@@ -1,17 +1,17 @@
 //! The extremes of one formula in one piece, by branch and bound.
 //!
-//! A part whose range cannot be better than the best value so far is done with. Where the slope keeps its sign the ends count;
-//! where the formula bends to one side only, its turn and the ends. Any other part is halved, and so is one in which a branch
-//! of the formula may change its sign, down to [`SHORTEST`] of the piece: what is left is at a kink or a jump of the formula,
-//! and both its ends count.
+//! A piece, or a part of it, whose range cannot be better than the best value so far is done with. Where the slope keeps its
+//! sign the ends count; where the formula bends to one side only, its turn and the ends. Any other part is halved, and so is
+//! one in which a branch of the formula may change its sign, down to [`SHORTEST`] of the piece: what is left is at a kink or
+//! a jump of the formula, and both its ends count.
 //!
 //! Source: Horst and Tuy, Global Optimization; Hansen and Walster, Global Optimization Using Interval Analysis.
 
 use tumble_expr::{Branches, Interval, Stage};
 use tumble_ode::{Bounds, Path, Piece, Place, Side};
 
-use super::{Best, Candidate, Evaluator};
-use crate::evaluator::evaluate;
+use super::{Begun, Best, Candidate, Evaluator};
+use crate::evaluator::{evaluate, evaluate_in};
 
 /// Where rounding is measured, in parts of a piece.
 const PLACES: [f64; 5] = [0.125, 0.25, 0.5, 0.618, 0.8];
@@ -65,7 +65,11 @@ impl<'a> Search<'a> {
     /// All between two values of the parameter; the value at which there are too many parts is an error.
     ///
     /// All parts of one size come before smaller ones, so that good values are known early.
-    pub(super) fn whole(&mut self, ends: [f64; 2], gains: [f64; 2]) -> Result<(), f64> {
+    pub(super) fn whole(&mut self, begun: &Begun) -> Result<(), f64> {
+        let Begun { ends, gains, most, .. } = *begun;
+        if !self.best.may_yield_to(most, self.time(ends[0])) {
+            return Ok(());
+        }
         let mut level = vec![Part { ends, gains }];
         let mut looked = 0;
         let mut is_first = true;
@@ -86,6 +90,17 @@ impl<'a> Search<'a> {
             level = next;
         }
         Ok(())
+    }
+
+    /// What nothing from the start of the piece up to `s` has more of, by the ranges of the states alone: most pieces are far from
+    /// the best value.
+    pub(super) fn at_most(&mut self, s: f64) -> f64 {
+        let Evaluator { ranges, state_ranges, .. } = &mut *self.evaluator;
+        state_ranges.clear();
+        let time = self.piece.ranges_into(s, state_ranges);
+        ranges.start(time, state_ranges, Branches::Free);
+        let most = ranges.value_of(0);
+        self.most(most)
     }
 
     fn halves(&mut self, Part { ends: [low, high], gains: [first, last] }: Part) -> [Part; 2] {
@@ -185,9 +200,12 @@ impl<'a> Search<'a> {
     }
 
     fn value(&mut self, s: f64) -> f64 {
-        let place = self.place(s);
-        evaluate(&mut self.evaluator.jets, &place);
-        self.evaluator.jets.value_of(0)
+        let time = self.time(s);
+        let Evaluator { jets, states, .. } = &mut *self.evaluator;
+        states.clear();
+        self.piece.states_into(s, states);
+        evaluate_in(jets, Some(self.piece), time, states);
+        jets.value_of(0)
     }
 
     /// The value where every other state is off by one part of itself, and those between them by another.

@@ -1,6 +1,6 @@
 //! Errors of quantities along a motion, from its difference to a check run.
 
-use std::collections::VecDeque;
+use std::ops::Range;
 
 use tumble_expr::Expr;
 use tumble_ode::{Piece, Side};
@@ -8,117 +8,60 @@ use tumble_ode::{Piece, Side};
 use crate::observer::Observer;
 use crate::run::{Run, RunError};
 use crate::trust::ULPS;
+use crate::trust::beside::{Beside, Compared, RECENT, Recent};
 use crate::trust::check_run::CheckRun;
 use crate::trust::phases::Stretch;
 
 /// A phase pressed into a surface and shorter than this part of the longest so far is an impact, and one in a Zeno sequence is of
 /// its last: what is off within them passes with them.
 pub(super) const BRIEF: f64 = 0.05;
-/// Steps before that of a time whose differences count: one may be small by accident, and a value too. What decays is known ever
-/// better, and what was off long ago and is not now has passed.
-const RECENT: usize = 1;
 /// Parts of a step at whose ends the runs are compared, at least; as many as the steps of a check run where those are more.
 const PARTS: usize = 4;
 
 /// Errors of quantities along a motion.
 #[derive(Clone, Debug)]
 pub struct Errors {
-    rows: Vec<Row>,
+    rows: Rows,
     largest: Vec<f64>,
     until: f64,
 }
 
+/// Errors at several times, in order.
+#[derive(Clone, Debug, Default)]
+struct Rows {
+    /// When, s, and whether they are those of an impact, or next to an event that not every run has come to, and pass with it.
+    instants: Vec<(f64, bool)>,
+    /// By time, then by formula.
+    errors: Vec<f64>,
+}
+
 /// Errors at one time.
-#[derive(Clone, Debug)]
-pub(super) struct Row {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row<'a> {
     /// s
     pub(super) time: f64,
     /// By formula.
-    pub(super) errors: Vec<f64>,
+    pub(super) errors: &'a [f64],
     /// Whether they are those of an impact, or next to an event that not every run has come to, and pass with it.
     pub(super) passes: bool,
 }
 
-/// A check run on its way along the motion.
-struct Beside<'a> {
-    observer: Observer<'a>,
-    phases: std::iter::Peekable<std::slice::Iter<'a, [Stretch; 2]>>,
-    safety: f64,
-    /// Differences that stay, by formula.
-    differences: Recent,
-    longest: f64,
-}
-
-/// The largest values of some quantities over the last steps.
-struct Recent {
-    /// Of each step before this one.
-    steps: VecDeque<Vec<f64>>,
-    /// Of this step and those.
-    largest: Vec<f64>,
-    /// Of this step.
-    now: Vec<f64>,
-}
-
-impl Recent {
-    fn new(quantities: usize) -> Self {
-        let none = vec![0.0; quantities];
-        Self { steps: VecDeque::new(), largest: none.clone(), now: none }
+impl Rows {
+    fn len(&self) -> usize {
+        self.instants.len()
     }
 
-    /// Begins another step.
-    fn advance(&mut self) {
-        let quantities = self.now.len();
-        self.steps.push_back(std::mem::replace(&mut self.now, vec![0.0; quantities]));
-        if self.steps.len() > RECENT {
-            self.steps.pop_front();
-        }
-        let of_all = |index: usize| self.steps.iter().map(|step| step[index]).fold(0.0, larger);
-        self.largest = (0..quantities).map(of_all).collect();
+    fn row(&self, index: usize) -> Row<'_> {
+        let ((time, passes), width) = (self.instants[index], self.errors.len() / self.len());
+        Row { time, errors: &self.errors[index * width..][..width], passes }
     }
 
-    fn add(&mut self, index: usize, value: f64) {
-        self.now[index] = larger(self.now[index], value);
-        self.largest[index] = larger(self.largest[index], value);
-    }
-}
-
-impl<'a> Beside<'a> {
-    fn new(check: &'a CheckRun, formulas: &[Expr]) -> Result<Self, RunError> {
-        Ok(Self {
-            observer: check.run.observe(formulas)?,
-            phases: check.phases.all.iter().peekable(),
-            safety: check.safety,
-            differences: Recent::new(formulas.len()),
-            longest: 0.0,
-        })
+    fn first_time(&self) -> Option<f64> {
+        self.instants.first().map(|(time, _)| *time)
     }
 
-    /// The stretch that a piece of the motion lies in.
-    fn phase(&mut self, piece: &Piece) -> Option<[Stretch; 2]> {
-        while self.phases.next_if(|[here, _]| here.end <= piece.start).is_some() {}
-        let phase = **self.phases.peek()?;
-        self.longest = self.longest.max(phase[0].end - phase[0].start);
-        self.differences.advance();
-        Some(phase)
-    }
-
-    /// Errors that this run tells of, of values of the motion at an instant within a stretch, and whether they pass.
-    fn errors(
-        &mut self,
-        here: &[f64],
-        phase: [Stretch; 2],
-        (time, side): (f64, Side),
-        stays: bool,
-    ) -> Option<(Vec<f64>, bool)> {
-        let found = Compared::at(&mut self.observer, phase, (time, side))?;
-        let passes = !stays || found.same.is_none();
-        let stated = found.differences(here).enumerate().map(|(index, (now, later))| {
-            if stays {
-                self.differences.add(index, later);
-            }
-            self.safety * larger(self.differences.largest[index], now)
-        });
-        Some((stated.collect(), passes))
+    fn last_time(&self) -> Option<f64> {
+        self.instants.last().map(|(time, _)| *time)
     }
 }
 
@@ -129,49 +72,33 @@ impl Errors {
         until: f64,
         formulas: &[Expr],
     ) -> Result<Self, RunError> {
-        let mut observer = run.observe(formulas)?;
-        let mut beside =
-            checks.iter().map(|check| Beside::new(check, formulas)).collect::<Result<Vec<_>, _>>()?;
-        let mut sizes = Recent::new(formulas.len());
-        let mut largest = vec![0.0_f64; formulas.len()];
-        let mut rows = vec![];
-        for piece in run.trajectory.pieces.iter().take_while(|piece| piece.start < until) {
-            let phases: Option<Vec<[Stretch; 2]>> =
-                beside.iter_mut().map(|check| check.phase(piece)).collect();
-            let Some(phases) = phases else { break };
-            sizes.advance();
-            let is_pressed = run.trajectory.modes[piece.mode].pressed().next().is_some();
-            let most =
-                checks.iter().map(|check| check.pieces_between(piece.start, piece.end)).max().unwrap_or(0);
-            for (time, side) in places(piece, most.max(PARTS)) {
-                let Some(here) = observer.at(time, side) else { continue };
-                for (index, value) in here.iter().enumerate().filter(|(_, value)| value.is_finite()) {
-                    sizes.add(index, value.abs());
-                    largest[index] = largest[index].max(value.abs());
-                }
-                let rounding: Vec<f64> =
-                    sizes.largest.iter().map(|size| ULPS * f64::EPSILON * size).collect();
-                let mut row = rounding.clone();
-                let (mut is_compared, mut passes) = (true, false);
-                for (check, phase) in beside.iter_mut().zip(&phases) {
-                    let is_impact = is_pressed && phase[0].end - phase[0].start < BRIEF * check.longest;
-                    let stays = !is_impact && !phase[0].ends_zeno_sequence;
-                    match check.errors(&here, *phase, (time, side), stays) {
-                        None => is_compared = false,
-                        Some((errors, pass)) => {
-                            passes |= pass;
-                            let stated =
-                                errors.iter().zip(&rounding).map(|(error, rounding)| error + rounding);
-                            row.iter_mut().zip(stated).for_each(|(row, stated)| *row = larger(*row, stated));
-                        }
-                    }
-                }
-                if is_compared {
-                    rows.push(Row { time, errors: row, passes });
-                }
+        let mut walk = Walk::new(run, checks, formulas)?;
+        walk.along(0..pieces_until(run, until));
+        Ok(Self { rows: walk.rows, largest: walk.largest, until })
+    }
+
+    /// Those about one time, s: as many as [`Errors::at`] needs for it.
+    pub(super) fn near(
+        run: &Run,
+        checks: &[CheckRun],
+        until: f64,
+        formulas: &[Expr],
+        time: f64,
+    ) -> Result<Self, RunError> {
+        let (pieces, count) = (&run.trajectory.pieces, pieces_until(run, until));
+        let here = pieces[..count].partition_point(|piece| piece.end < time);
+        let mut reach = 1;
+        loop {
+            let (first, last) = (here.saturating_sub(reach), (here + 1 + reach).min(count));
+            let mut walk = Walk::new(run, checks, formulas)?;
+            walk.along(first.min(last)..last);
+            let is_before = first == 0 || walk.rows.first_time().is_some_and(|first| first < time);
+            let is_after = last == count || walk.rows.last_time().is_some_and(|last| last > time);
+            if is_before && is_after {
+                return Ok(Self { rows: walk.rows, largest: walk.largest, until });
             }
+            reach *= 2;
         }
-        Ok(Self { rows, largest, until })
     }
 
     /// The errors at a time, s, in the order of the formulas; `None` where nothing can be said.
@@ -179,22 +106,22 @@ impl Errors {
     /// At an event they are the larger of those before and after it, which are rows of one time.
     pub fn at(&self, time: f64) -> Option<Vec<f64>> {
         let last = self.rows.len().checked_sub(1)?;
-        let next = self.rows.partition_point(|row| row.time < time);
-        let after = self.rows.partition_point(|row| row.time <= time);
+        let next = self.rows.instants.partition_point(|(row, _)| *row < time);
+        let after = self.rows.instants.partition_point(|(row, _)| *row <= time);
         // Between two rows both count; a row at the time itself tells of it alone.
         let near = if next < after { next..after } else { next.saturating_sub(1)..after.min(last) + 1 };
-        let near = &self.rows[near];
-        let (first, others) = near.split_first()?;
-        let larger_of = |mut worst: Vec<f64>, row: &Row| {
-            worst.iter_mut().zip(&row.errors).for_each(|(worst, error)| *worst = larger(*worst, *error));
-            worst
-        };
-        (time <= self.until).then(|| others.iter().fold(first.errors.clone(), larger_of))
+        let mut near = near.map(|index| self.rows.row(index).errors);
+        let mut worst = near.next()?.to_vec();
+        for errors in near {
+            worst.iter_mut().zip(errors).for_each(|(worst, error)| *worst = larger(*worst, *error));
+        }
+        (time <= self.until).then_some(worst)
     }
 
     /// The errors at the end; `None` where nothing can be said of it.
     pub fn last(&self) -> Option<&[f64]> {
-        if self.until.is_finite() { None } else { self.rows.last().map(|row| &*row.errors) }
+        let last = self.rows.len().checked_sub(1)?;
+        self.until.is_infinite().then(|| self.rows.row(last).errors)
     }
 
     /// Largest absolute value of each quantity, SI units.
@@ -202,8 +129,102 @@ impl Errors {
         &self.largest
     }
 
-    pub(super) fn rows(&self) -> &[Row] {
-        &self.rows
+    pub(super) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        (0..self.rows.len()).map(|index| self.rows.row(index))
+    }
+}
+
+/// How many pieces begin before a time, s.
+fn pieces_until(run: &Run, until: f64) -> usize {
+    run.trajectory.pieces.iter().take_while(|piece| piece.start < until).count()
+}
+
+/// The motion and its check runs, compared piece by piece.
+struct Walk<'a> {
+    run: &'a Run,
+    checks: &'a [CheckRun],
+    observer: Observer<'a>,
+    beside: Vec<Beside<'a>>,
+    sizes: Recent,
+    largest: Vec<f64>,
+    rows: Rows,
+    /// Values at the place that is looked at, and their rounding.
+    here: Vec<f64>,
+    rounding: Vec<f64>,
+    /// Errors there.
+    errors: Vec<f64>,
+}
+
+impl<'a> Walk<'a> {
+    fn new(run: &'a Run, checks: &'a [CheckRun], formulas: &[Expr]) -> Result<Self, RunError> {
+        Ok(Self {
+            run,
+            checks,
+            observer: run.observe(formulas)?,
+            beside: checks.iter().map(|check| Beside::new(check, formulas)).collect::<Result<_, _>>()?,
+            sizes: Recent::new(formulas.len()),
+            largest: vec![0.0; formulas.len()],
+            rows: Rows::default(),
+            here: vec![],
+            rounding: vec![],
+            errors: vec![],
+        })
+    }
+
+    /// Makes the rows of these pieces. Of those before them only the last ones count.
+    fn along(&mut self, wanted: Range<usize>) {
+        let run = self.run;
+        for (index, piece) in run.trajectory.pieces[..wanted.end].iter().enumerate() {
+            let phases: Option<Vec<[Stretch; 2]>> =
+                self.beside.iter_mut().map(|check| check.phase(piece)).collect();
+            let Some(phases) = phases else { break };
+            if index + RECENT >= wanted.start {
+                self.step(piece, &phases, wanted.contains(&index));
+            }
+        }
+    }
+
+    fn step(&mut self, piece: &Piece, phases: &[[Stretch; 2]], is_wanted: bool) {
+        self.sizes.advance();
+        self.beside.iter_mut().for_each(Beside::advance);
+        let is_pressed = self.run.trajectory.modes[piece.mode].pressed().next().is_some();
+        let stays = |check: &Beside<'_>, [here, _]: &[Stretch; 2]| {
+            let is_impact = is_pressed && here.end - here.start < BRIEF * check.longest;
+            !is_impact && !here.ends_zeno_sequence
+        };
+        let stays: Vec<bool> =
+            self.beside.iter().zip(phases).map(|(check, phase)| stays(check, phase)).collect();
+        let steps = self.checks.iter().map(|check| check.pieces_between(piece.start, piece.end));
+        let parts = steps.max().unwrap_or(0).max(PARTS);
+        for at in places(piece, parts) {
+            let passes = self.compare(at, phases, &stays).filter(|_| is_wanted);
+            if let Some(passes) = passes {
+                self.rows.instants.push((at.0, passes));
+                self.rows.errors.extend_from_slice(&self.errors);
+            }
+        }
+    }
+
+    /// Finds the errors at an instant, and whether they pass; `None` where not all runs come to it.
+    fn compare(&mut self, at: (f64, Side), phases: &[[Stretch; 2]], stays: &[bool]) -> Option<bool> {
+        if !self.observer.at_into(at.0, at.1, &mut self.here) {
+            return None;
+        }
+        for (index, value) in self.here.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+            self.sizes.add(index, value.abs());
+            self.largest[index] = self.largest[index].max(value.abs());
+        }
+        self.rounding.clear();
+        self.rounding.extend(self.sizes.largest.iter().map(|size| ULPS * f64::EPSILON * size));
+        self.errors.clone_from(&self.rounding);
+        let (mut is_compared, mut passes) = (true, false);
+        for ((check, phase), stays) in self.beside.iter_mut().zip(phases).zip(stays) {
+            match check.raise(&mut self.errors, (&self.here, &self.rounding), *phase, at, *stays) {
+                None => is_compared = false,
+                Some(pass) => passes |= pass,
+            }
+        }
+        is_compared.then_some(passes)
     }
 }
 
@@ -215,8 +236,9 @@ pub(super) fn difference(
     at: (f64, Side),
 ) -> Result<Option<f64>, RunError> {
     let Some(stretch) = check.phases.stretch(at.0, at.1) else { return Ok(None) };
-    let found = Compared::at(&mut check.run.observe(std::slice::from_ref(formula))?, stretch, at);
-    Ok(found.and_then(|found| found.differences(&[value]).next().map(|(now, _)| check.safety * now)))
+    let mut compared = Compared::new(check, std::slice::from_ref(formula))?;
+    let is_there = compared.look(stretch, at);
+    Ok(is_there.then(|| check.safety * compared.difference(0, value).0))
 }
 
 /// Unlike `f64::max`, keeps what is not a number.
@@ -230,32 +252,4 @@ fn places(piece: &Piece, parts: usize) -> impl Iterator<Item = (f64, Side)> {
         last if last == parts => (piece.end, Side::Before),
         _ => (piece.start + (piece.end - piece.start) * part as f64 / parts as f64, Side::After),
     })
-}
-
-/// Values of a check run that belong to one time of the motion.
-struct Compared {
-    /// At the same time since the phase began.
-    since: Vec<f64>,
-    /// At the same time, where both runs are in the phase.
-    same: Option<Vec<f64>>,
-}
-
-impl Compared {
-    fn at(check: &mut Observer<'_>, [here, there]: [Stretch; 2], (time, side): (f64, Side)) -> Option<Self> {
-        let since = (there.start + (time - here.start)).clamp(there.start, there.end);
-        let is_in = there.start <= time && time <= there.end;
-        let since = check.at(since, side)?;
-        Some(Self { since, same: if is_in { check.at(time, side) } else { None } })
-    }
-
-    /// How far each value is off now, and by how much of that it may stay so.
-    fn differences<'a>(&'a self, here: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
-        (0..here.len()).map(move |index| {
-            let since = (here[index] - self.since[index]).abs();
-            // Next to an event, that it comes a little late tells of no later time.
-            let Some(same) = &self.same else { return (since, 0.0) };
-            let now = (here[index] - same[index]).abs();
-            (now, if now < since { now } else { since })
-        })
-    }
 }

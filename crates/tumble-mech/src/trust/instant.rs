@@ -8,7 +8,7 @@ use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
 use crate::trust::check_run::CheckRun;
-use crate::trust::errors::{self, larger};
+use crate::trust::errors::{self, Errors, larger};
 use crate::trust::{MEASURES, Trust, ULPS, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
@@ -42,7 +42,8 @@ impl Trust {
         }
         let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
         let carried = quantity.carried(&states);
-        let direct = self.errors(run, std::slice::from_ref(formula))?.at(at.time).map(|errors| errors[0]);
+        let near = Errors::near(run, &self.checks, self.end(), std::slice::from_ref(formula), at.time)?;
+        let direct = near.at(at.time).map(|errors| errors[0]);
         let along = match direct {
             Some(direct) if direct.is_finite() && direct <= carried => direct,
             _ => carried,

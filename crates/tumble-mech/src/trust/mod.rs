@@ -41,6 +41,7 @@
 //! # Checked by
 //! `tests/trust.rs` and the calibration: the error stated is not less than the true one, and no more than some digits larger.
 
+mod beside;
 mod check_run;
 mod errors;
 mod instant;
@@ -53,6 +54,7 @@ use tumble_ode::{Accuracy, Cause, Event, Side};
 
 use crate::balance::{Contribution, RunBalance};
 use crate::coordinates::Measure;
+use crate::equations::Equations;
 use crate::model::Model;
 use crate::parameters::Parameters;
 use crate::run::{Run, RunError};
@@ -138,8 +140,19 @@ impl Run {
         accuracy: Accuracy,
         progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<(Self, Trust), RunError> {
+        Self::trusted_of(&Equations::new(model.clone())?, parameters, until, accuracy, progress)
+    }
+
+    /// The same of equations that may be used for other motions too.
+    pub fn trusted_of(
+        equations: &Equations,
+        parameters: &Parameters,
+        until: f64,
+        accuracy: Accuracy,
+        progress: impl Fn(f64) -> ControlFlow<()>,
+    ) -> Result<(Self, Trust), RunError> {
         let at = |held: Accuracy| {
-            let run = Self::refined(model.clone(), parameters, until, held, &progress)?;
+            let run = Self::refined_of(equations, parameters, until, held, &progress)?;
             let trust = Trust::of(&run, parameters, until, (accuracy, held), &progress)?;
             Ok::<_, RunError>((run, trust))
         };
@@ -187,7 +200,7 @@ impl Trust {
             let floor = run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
             SAFETY * ULPS * floor
         });
-        for Row { time, errors, .. } in self.states.rows().iter().filter(|row| !row.passes) {
+        for Row { time, errors, .. } in self.states.rows().filter(|row| !row.passes) {
             // What is no number counts.
             let is_motion =
                 |index: usize, error: f64| error.is_nan() || error > rounding[index % MEASURES.len()];
@@ -195,7 +208,7 @@ impl Trust {
             let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
             let worst = relative.fold(0.0, errors::larger);
             if worst.is_nan() || worst >= LOST {
-                self.horizon = Some(Horizon { time: *time, reason: Divergence::Grown });
+                self.horizon = Some(Horizon { time, reason: Divergence::Grown });
                 break;
             }
             self.reached = self.reached.max(worst);

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+use super::decimal::Decimal;
 use super::manifest::hexadecimal;
 use super::{Folder, OutputError, attempt};
 
@@ -39,31 +40,73 @@ impl Write for Sink {
     }
 }
 
-/// A table of a folder, as CSV.
+/// Bytes of a table that are written at once.
+const BLOCK: usize = 1 << 16;
+/// What a cell of text is put in quotes for: a reader would take it for the end of the cell, or of the row.
+const SPECIAL: [char; 4] = [',', '"', '\n', '\r'];
+
+/// A table of a folder, as CSV (RFC 4180, with rows that end in a line feed).
 pub(crate) struct Table<'f> {
     folder: &'f Folder,
     name: String,
-    path: PathBuf,
-    writer: csv::Writer<Sink>,
+    sink: Sink,
+    decimal: Decimal,
+    /// What is not written yet; each cell ends in a comma, the last one of a row in a line feed.
+    buffer: Vec<u8>,
 }
 
 impl<'f> Table<'f> {
     /// Begins the table of that name in a folder.
     pub(crate) fn begin(folder: &'f Folder, name: &str) -> Result<Self, OutputError> {
-        let sink = folder.sink(name)?;
-        let path = sink.path.clone();
-        Ok(Self { folder, name: name.to_owned(), path, writer: csv::Writer::from_writer(sink) })
+        let (sink, buffer) = (folder.sink(name)?, Vec::with_capacity(2 * BLOCK));
+        Ok(Self { folder, name: name.to_owned(), sink, decimal: Decimal::default(), buffer })
     }
 
-    /// Writes a row.
+    /// Writes a row of text.
     pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) -> Result<(), OutputError> {
-        attempt(&self.path, self.writer.write_record(cells).map_err(io::Error::from))
+        cells.into_iter().for_each(|cell| self.text(&cell));
+        self.end_row()
+    }
+
+    /// Writes a cell of the row that is being written.
+    pub(crate) fn text(&mut self, cell: &str) {
+        if cell.contains(SPECIAL) {
+            self.buffer.push(b'"');
+            self.buffer.extend_from_slice(cell.replace('"', "\"\"").as_bytes());
+            self.buffer.push(b'"');
+        } else {
+            self.buffer.extend_from_slice(cell.as_bytes());
+        }
+        self.buffer.push(b',');
+    }
+
+    /// Writes cells of the row that is being written: the shortest decimals that read back as the same numbers.
+    pub(crate) fn numbers(&mut self, values: &[f64]) {
+        for value in values {
+            self.buffer.extend_from_slice(self.decimal.of(*value));
+            self.buffer.push(b',');
+        }
+    }
+
+    /// Ends the row that is being written.
+    pub(crate) fn end_row(&mut self) -> Result<(), OutputError> {
+        if let Some(end) = self.buffer.last_mut() {
+            *end = b'\n';
+        }
+        if self.buffer.len() < BLOCK { Ok(()) } else { self.write() }
+    }
+
+    fn write(&mut self) -> Result<(), OutputError> {
+        let written = self.sink.write_all(&self.buffer);
+        attempt(&self.sink.path, written)?;
+        self.buffer.clear();
+        Ok(())
     }
 
     /// Ends the table.
-    pub(crate) fn finish(self) -> Result<(), OutputError> {
-        let sink = attempt(&self.path, self.writer.into_inner().map_err(|error| error.into_error()))?;
-        self.folder.wrote(&self.name, sink);
+    pub(crate) fn finish(mut self) -> Result<(), OutputError> {
+        self.write()?;
+        self.folder.wrote(&self.name, self.sink);
         Ok(())
     }
 }

@@ -1,0 +1,264 @@
+//! The equations of a mode, compiled once: for any values of the inputs, any length of the run, and any rounding of numbers.
+
+use std::sync::{Arc, OnceLock};
+
+use tumble_expr::{Branches, CompileError, Degree, Expr, Jets, Layout, Rounding, Tape};
+
+use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
+use crate::invariants::Row;
+use crate::lazy_guards::WatchPlan;
+use crate::{Flow, Reason};
+
+/// A polynomial solution of higher degree than this is left to ordinary steps: its coefficients would overflow first.
+const LARGEST_EXACT_DEGREE: u32 = 48;
+
+/// The equations of a mode, compiled. Whoever integrates many motions keeps it.
+#[derive(Clone, Debug)]
+pub struct Program {
+    pub(crate) plan: Arc<Plan>,
+    pub(crate) rounding: Rounding,
+    /// Its outputs are the rates of all states with respect to the parameter s, then dt/ds where s is not the time, then the
+    /// model's guards.
+    pub(crate) tape: Arc<Tape>,
+    pub(crate) floors: Arc<Tape>,
+    /// What guards that end a flow if they move something are multiplied with.
+    pub(crate) responses: Vec<Option<Arc<Tape>>>,
+    /// Of all lazily evaluated guards, one after the other.
+    pub(crate) slopes: Arc<Tape>,
+    pub(crate) invariants: Arc<Tape>,
+    pub(crate) watches: Vec<Arc<WatchTape>>,
+}
+
+/// What rounding has no part in.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    pub(crate) names: Vec<String>,
+    pub(crate) groups: Vec<usize>,
+    /// Whether the floor of each group is divided by the length of the run.
+    pub(crate) per_run: Vec<bool>,
+    /// Scheduled times. Inputs are rounded already, and numbers are with the whole: two moves might take each other back.
+    pub(crate) schedule: Arc<Tape>,
+    pub(crate) exact_degree: Option<usize>,
+    pub(crate) transformed: bool,
+    pub(crate) guards: usize,
+    pub(crate) guard_names: Vec<String>,
+    pub(crate) guard_directions: Vec<Direction>,
+    /// By guard: what it does at zero.
+    pub(crate) at_zero: Vec<AtZero>,
+    pub(crate) is_watched: bool,
+    pub(crate) may_be_narrow: bool,
+    pub(crate) invariants: Arc<[Row]>,
+}
+
+impl Program {
+    /// Compiles the equations of a mode.
+    pub fn new(flow: &Flow) -> Result<Self, Reason> {
+        let layout = layout(flow);
+        let guards = flow.guards.iter().map(|guard| guard.formula.clone());
+        let outputs: Vec<Expr> = rates(flow).into_iter().chain(guards).collect();
+        let tape = Tape::compile(&layout, &outputs)?;
+        let fixed = |formulas: &[Expr]| fixed(&layout, formulas);
+        let floors: Vec<Expr> = flow.groups.iter().map(|group| group.floor.clone()).collect();
+        let response = |guard: &Guard| match &guard.at_zero {
+            AtZero::EndsIfItMoves { response, .. } => fixed(std::slice::from_ref(response)).map(Some),
+            AtZero::Begins | AtZero::Ends => Ok(None),
+        };
+        let slopes = flow.lazy_guards.iter().flat_map(|lazy_guard| lazy_guard.slopes.iter().flatten());
+        let slopes: Vec<Expr> = slopes.map(|(_, slope)| slope.clone()).collect();
+        let (invariants, rows) = Row::of_all(&flow.invariants, &layout);
+        let transformed = flow.time_transformation.is_some();
+        let plan = Plan {
+            names: layout.states.iter().map(|state| state.name.to_string()).collect(),
+            groups: flow.states.iter().map(|state| state.group).collect(),
+            per_run: flow.groups.iter().map(|group| group.per_run).collect(),
+            schedule: fixed(&flow.schedule)?,
+            exact_degree: if transformed { None } else { polynomial_degree(&tape) },
+            transformed,
+            guards: flow.guards.len(),
+            guard_names: watched(flow).map(|guard| guard.name.clone()).collect(),
+            guard_directions: watched(flow).map(|guard| guard.direction).collect(),
+            at_zero: watched(flow).map(|guard| guard.at_zero.clone()).collect(),
+            is_watched: !flow.guards.is_empty() || tape.sides() > 0 || !tape.turnings().is_empty(),
+            may_be_narrow: tape.may_be_narrow(),
+            invariants: rows.into(),
+        };
+        let watches = WatchPlan::of_all(&flow.lazy_guards, &layout).into_iter();
+        let nearest = Self {
+            plan: Arc::new(plan),
+            rounding: Rounding::NEAREST,
+            tape: Arc::new(tape),
+            floors: fixed(&floors)?,
+            responses: watched(flow).map(response).collect::<Result<_, _>>()?,
+            slopes: fixed(&slopes)?,
+            invariants: Arc::new(Tape::compile(&layout, &invariants)?),
+            watches: watches.map(|plan| Arc::new(WatchTape::new(plan))).collect(),
+        };
+        Ok(if flow.rounding.is_nearest() { nearest } else { nearest.rounded(flow.rounding) })
+    }
+
+    /// The same with numbers rounded in another way.
+    #[must_use]
+    pub fn rounded(&self, rounding: Rounding) -> Self {
+        let again = |tape: &Arc<Tape>| Arc::new(tape.rounded(rounding));
+        Self {
+            plan: Arc::clone(&self.plan),
+            rounding,
+            tape: again(&self.tape),
+            floors: again(&self.floors),
+            responses: self.responses.iter().map(|tape| tape.as_ref().map(again)).collect(),
+            slopes: again(&self.slopes),
+            invariants: again(&self.invariants),
+            watches: self.watches.iter().map(|watch| Arc::new(watch.rounded(rounding))).collect(),
+        }
+    }
+}
+
+/// The tape of a lazily evaluated guard, compiled when it is first near zero.
+#[derive(Debug)]
+pub(crate) struct WatchTape {
+    pub(crate) plan: Arc<WatchPlan>,
+    rounding: Rounding,
+    tape: OnceLock<Arc<Tape>>,
+}
+
+impl WatchTape {
+    fn new(plan: WatchPlan) -> Self {
+        Self { plan: Arc::new(plan), rounding: Rounding::NEAREST, tape: OnceLock::new() }
+    }
+
+    fn rounded(&self, rounding: Rounding) -> Self {
+        Self { plan: Arc::clone(&self.plan), rounding, tape: OnceLock::new() }
+    }
+
+    pub(crate) fn tape(&self) -> Result<Arc<Tape>, CompileError> {
+        if let Some(known) = self.tape.get() {
+            return Ok(Arc::clone(known));
+        }
+        let nearest = self.plan.tape()?;
+        Ok(Arc::clone(self.tape.get_or_init(|| match self.rounding.is_nearest() {
+            true => nearest,
+            false => Arc::new(nearest.rounded(self.rounding)),
+        })))
+    }
+}
+
+/// What the tapes of a flow run on, rounded to the nearest.
+fn layout(flow: &Flow) -> Layout {
+    let states = flow.states.iter().map(|state| state.symbol.clone()).collect();
+    Layout::new(states, flow.time.clone(), flow.inputs.clone())
+}
+
+/// The tape of formulas of the inputs.
+fn fixed(layout: &Layout, formulas: &[Expr]) -> Result<Arc<Tape>, CompileError> {
+    let layout = Layout { states: vec![], ..layout.clone() };
+    Ok(Arc::new(Tape::compile(&layout, formulas)?))
+}
+
+/// Values of formulas of the inputs.
+pub(crate) fn values(tape: &Arc<Tape>, inputs: &[f64]) -> Vec<f64> {
+    let mut values = Jets::new(Arc::clone(tape), 0, inputs);
+    values.start(f64::NAN, &[], Branches::Free);
+    (0..tape.outputs().len()).map(|index| values.value_of(index)).collect()
+}
+
+/// Guards, then those of lazily evaluated guards.
+fn watched(flow: &Flow) -> impl Iterator<Item = &Guard> {
+    flow.guards.iter().chain(flow.lazy_guards.iter().map(|lazy_guard| &lazy_guard.guard))
+}
+
+/// Rates with respect to the parameter.
+fn rates(flow: &Flow) -> Vec<Expr> {
+    let states = flow.states.iter().map(|state| &state.rate);
+    match &flow.time_transformation {
+        None => states.cloned().collect(),
+        Some(time_rate) => {
+            let per_parameter = |state: &StateVariable| match state.per_parameter {
+                true => state.rate.clone(),
+                false => &state.rate * time_rate,
+            };
+            flow.states.iter().map(per_parameter).chain([time_rate.clone()]).collect()
+        }
+    }
+}
+
+/// Degree of the solution, found state by state: one whose rate is a polynomial of states already known is one itself.
+/// What is watched along it must be polynomial too, or its zeros could be missed.
+///
+/// Each pass settles at least one more state or ends, so there are at most as many passes as states.
+fn polynomial_degree(tape: &Tape) -> Option<usize> {
+    let mut known: Vec<Degree> = vec![None; tape.states()];
+    loop {
+        let outputs = tape.degrees(&known);
+        let next: Vec<Degree> = outputs
+            .iter()
+            .take(known.len())
+            .zip(0..)
+            .map(|(rate, state)| integral(tape, *rate, state))
+            .collect();
+        if next == known {
+            break;
+        }
+        known = next;
+    }
+    let watched = tape.watched_degrees(&known);
+    let degree =
+        known.into_iter().chain(watched).try_fold(0, |largest, degree| Some(degree?.max(largest)))?;
+    (degree <= LARGEST_EXACT_DEGREE).then_some(degree as usize)
+}
+
+fn integral(tape: &Tape, rate: Degree, state: usize) -> Degree {
+    let slot = tape.outputs()[state];
+    // A rate that is literally zero leaves the state constant.
+    if tape.is_zero(slot) { Some(0) } else { rate?.checked_add(1) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ScaleGroup, StateVariable};
+    use tumble_expr::{Dimension, Symbol};
+
+    fn degree(rates: &[Expr]) -> Option<usize> {
+        let symbol = |name: String| Symbol::new(name, Dimension::NONE);
+        let states = rates.iter().enumerate().map(|(i, rate)| StateVariable {
+            symbol: symbol(format!("x{i}")),
+            rate: rate.clone(),
+            group: 0,
+            per_parameter: false,
+        });
+        let flow = Flow {
+            states: states.collect(),
+            time: symbol("t".into()),
+            inputs: vec![symbol("p".into())],
+            rounding: tumble_expr::Rounding::NEAREST,
+            groups: vec![ScaleGroup { name: "size".into(), floor: Expr::one(), per_run: false }],
+            schedule: vec![],
+            guards: vec![],
+            lazy_guards: vec![],
+            invariants: vec![],
+            time_transformation: None,
+        };
+        Program::new(&flow).expect("pure numbers").plan.exact_degree
+    }
+
+    fn leaf(name: &str) -> Expr {
+        Expr::symbol(name, Dimension::NONE)
+    }
+
+    #[test]
+    fn chains_of_polynomials_are_found() {
+        // x0' = x1, x1' = p, x2' = x0^2: degrees 2, 1, 5.
+        assert_eq!(degree(&[leaf("x1"), leaf("p"), leaf("x0").powi(2)]), Some(5));
+        assert_eq!(degree(&[Expr::zero()]), Some(0));
+        assert_eq!(degree(&[leaf("t").powi(3)]), Some(4));
+    }
+
+    #[test]
+    fn loops_and_functions_are_not() {
+        assert_eq!(degree(&[leaf("x1"), leaf("x0")]), None);
+        assert_eq!(degree(&[leaf("t").sin()]), None);
+        // A parameter may make it polynomial, but the tape must hold for every value.
+        assert_eq!(degree(&[leaf("p") * leaf("x0")]), None);
+        assert_eq!(degree(&[leaf("t").powi(60)]), None);
+    }
+}
