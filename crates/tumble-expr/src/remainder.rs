@@ -14,8 +14,8 @@
 //!
 //! The rest of a quotient or a root follows from what `c b - a` and `c^2 - a` leave over; that of sine and cosine, E, from
 //! `E' = a' J E + r` with J a rotation, which keeps lengths; those of exp and tanh from Gronwall's lemma. What has no rule has
-//! no bound. All of it is in exact numbers: rounding errors of coefficients are told elsewhere. A rest falls with `s^(m+1)`
-//! towards the beginning of the step.
+//! no bound. Rounding errors of the coefficients are in it, since exp and tanh make them grow: far from where a tanh is steep its
+//! slope is rounded to nothing.
 //!
 //! Source: Moore, Interval Analysis, 1966, chapter 11; Makino and Berz, Taylor models, Int. J. Pure Appl. Math. 4 (2003).
 //! Checked by `tests/remainders.rs`: what is computed from polynomials and their series is within the bound.
@@ -53,6 +53,8 @@ impl Remainders {
     }
 }
 
+/// Rounding errors of a coefficient, in units of the terms that it is made of.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Halvings until a polynomial is said to come to zero.
 const HALVINGS: u32 = 3;
 
@@ -145,14 +147,15 @@ impl Along<'_> {
 
     fn product(&mut self, a: Slot, b: Slot) -> f64 {
         let (size_a, size_b, rest_a, rest_b) = (self.size(a), self.size(b), self.rest(a), self.rest(b));
-        self.left_out(a, b) + size_a * rest_b + size_b * rest_a + rest_a * rest_b
+        let own = self.left_out(a, b) + ROUNDING * size_a * size_b;
+        own + size_a * rest_b + size_b * rest_a + rest_a * rest_b
     }
 
     fn find(&mut self, slot: Slot, kernel: &Kernel) {
         let rest = match *kernel {
             Kernel::Sum(ref range) => {
                 let terms = &self.jets.tape().program().terms[range.start as usize..range.end as usize];
-                terms.iter().map(|term| self.multiple(term)).sum()
+                terms.iter().map(|term| self.multiple(term)).sum::<f64>()
             }
             Kernel::Product(a, b) => self.product(a, b),
             Kernel::Square(a) => self.product(a, a),
@@ -161,8 +164,9 @@ impl Along<'_> {
             Kernel::Wave { of, slope, cos, .. } => {
                 let turned =
                     self.left_out(slope, slot).max(self.left_out(slope, cos)) * std::f64::consts::SQRT_2;
-                self.found.rests[cos as usize] = turned + self.rest(of);
-                turned + self.rest(of)
+                let rest = turned + self.rest(of) + ROUNDING;
+                self.found.rests[cos as usize] = rest;
+                rest
             }
             Kernel::Along { op: Op::Exp(of), slope, .. } => self.exponential(slot, of, slope),
             Kernel::Along { op: Op::Tanh { of, .. }, slope, factor } => {
@@ -186,7 +190,7 @@ impl Along<'_> {
     }
 
     fn multiple(&self, term: &Term) -> f64 {
-        let rest = self.rest(term.of);
+        let rest = self.rest(term.of) + ROUNDING * self.arena().at(term.of, 0).abs();
         match term.by {
             By::One => rest,
             By::Times(by) => rest * self.arena().at(by, 0).abs(),
@@ -200,7 +204,8 @@ impl Along<'_> {
         if least.is_nan() || least <= 0.0 {
             return f64::INFINITY;
         }
-        (self.left_out(c, b) + self.size(c) * self.rest(b) + left) / least
+        let rounding = ROUNDING * self.size(c) * self.size(b);
+        (self.left_out(c, b) + self.size(c) * self.rest(b) + left + rounding) / least
     }
 
     fn root(&mut self, left: f64, c: Slot) -> f64 {
@@ -208,19 +213,21 @@ impl Along<'_> {
         if least.is_nan() || least <= 0.0 || self.arena().at(c, 0) < 0.0 {
             return f64::INFINITY;
         }
-        (self.left_out(c, c) + left) / least
+        (self.left_out(c, c) + left + ROUNDING * self.size(c) * self.size(c)) / least
     }
 
     fn exponential(&mut self, slot: Slot, of: Slot, slope: Slot) -> f64 {
         let changes = self.size(of) - self.arena().at(of, 0).abs();
-        let own = self.left_out(slope, slot) * libm::exp(changes);
+        let first = ROUNDING * self.size(slot) + f64::MIN_POSITIVE;
+        let own = (self.left_out(slope, slot) + first) * libm::exp(changes);
         own + (self.size(slot) + own) * libm::expm1(self.rest(of))
     }
 
     /// Of tanh, with `1 - tanh^2` as the factor.
     fn tangent(&mut self, slot: Slot, of: Slot, (slope, factor): (Slot, Slot)) -> f64 {
         let changes = self.size(of) - self.arena().at(of, 0).abs();
-        let own = self.left_out(slope, factor) + changes * self.left_out(slot, slot);
+        let first = ROUNDING * (1.0 + changes);
+        let own = self.left_out(slope, factor) + changes * self.left_out(slot, slot) + first;
         own * libm::exp(changes * (1.0 + self.size(slot))) + self.rest(of)
     }
 

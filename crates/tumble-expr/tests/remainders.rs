@@ -97,7 +97,12 @@ fn what_may_be_zero_has_no_bound() {
 /// A step ahead is beyond what the series know, and the bound says so.
 #[test]
 fn a_step_ahead_has_no_small_bound() {
-    let ahead = Expr::unary(Unary::Tanh, (x() - 0.85) * 100);
-    let bound = bounded(&ahead, 0.3).1;
-    assert!(bound.is_nan() || bound > 1.0, "{bound:e}");
+    for steep in [100, 1000, 10_000, 1_000_000] {
+        let ahead = Expr::unary(Unary::Tanh, (x() - 0.85) * steep);
+        let bump = Expr::unary(Unary::Exp, (x() - 0.85).powi(2) * -steep * steep);
+        for (name, formula) in [("step", ahead), ("bump", bump)] {
+            let bound = bounded(&formula, 0.3).1;
+            assert!(bound.is_nan() || bound > 1.0, "{name} {steep}: {bound:e}");
+        }
+    }
 }
