@@ -4,21 +4,21 @@
 //! `sum |c_k| s^k`. What it last was, less what it may have changed since, is its clearance: while the next step cannot
 //! use that up, it is not evaluated at all.
 
-use std::collections::{HashMap, HashSet};
-use std::sync::{Arc, OnceLock};
+mod plan;
 
-use tumble_expr::{
-    Branches, CompileError, Expr, Jets, LEFT_OUT, Layout, Rounded, Rounding, Scalar, Symbol, Tape,
-};
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Scalar};
 
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
-use crate::hybrid::{Direction, LazyGuard};
+use crate::hybrid::Direction;
 use crate::polynomial::{self, slope, value};
-use crate::program::{Program, WatchTape, values};
+use crate::program::{Program, values};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 use crate::{Coefficients, Reason};
+pub(crate) use plan::{WatchPlan, WatchTape};
 
 /// A lazily evaluated guard's series may miss its value by this many tolerances: the order's rule aims at 1.
 const SLACK: f64 = 4.0;
@@ -38,22 +38,6 @@ pub(crate) struct LazyGuards {
     order: usize,
     /// The states that the clearances hold for.
     known_at: Vec<f64>,
-}
-
-/// What is known of a lazily evaluated guard by its formula.
-#[derive(Debug)]
-pub(crate) struct WatchPlan {
-    formula: Expr,
-    /// With the states and inputs that it depends on, and numbers to the nearest.
-    layout: Layout,
-    /// Index of each of those states and inputs among all.
-    states: Vec<usize>,
-    inputs: Vec<usize>,
-    /// The states that it has a bound for its change by.
-    slopes: Option<Vec<usize>>,
-    group: usize,
-    direction: Direction,
-    tape: OnceLock<Arc<Tape>>,
 }
 
 struct Watch {
@@ -226,71 +210,6 @@ pub(crate) fn radius(expansion: &Expansion) -> f64 {
 /// By how much each state can change within a step.
 fn travel(expansion: &Expansion, length: f64) -> Vec<f64> {
     expansion.states.iter().map(|series| polynomial::change(series, length)).collect()
-}
-
-/// Where each symbol stands in a layout.
-struct Places {
-    states: HashMap<Symbol, usize>,
-    inputs: HashMap<Symbol, usize>,
-}
-
-impl Places {
-    fn of(layout: &Layout) -> Self {
-        let places = |symbols: &[Symbol]| symbols.iter().cloned().zip(0..).collect();
-        Self { states: places(&layout.states), inputs: places(&layout.inputs) }
-    }
-
-    /// Indices of the states among these symbols, in order.
-    fn states(&self, used: &HashSet<Symbol>) -> Vec<usize> {
-        in_order(&self.states, used)
-    }
-
-    fn inputs(&self, used: &HashSet<Symbol>) -> Vec<usize> {
-        in_order(&self.inputs, used)
-    }
-}
-
-fn in_order(places: &HashMap<Symbol, usize>, used: &HashSet<Symbol>) -> Vec<usize> {
-    let mut found: Vec<usize> = used.iter().filter_map(|symbol| places.get(symbol).copied()).collect();
-    found.sort_unstable();
-    found
-}
-
-impl WatchPlan {
-    pub(crate) fn of_all(lazy_guards: &[LazyGuard], layout: &Layout) -> Vec<Self> {
-        let places = Places::of(layout);
-        lazy_guards.iter().map(|lazy_guard| Self::of(lazy_guard, layout, &places)).collect()
-    }
-
-    fn of(lazy_guard: &LazyGuard, layout: &Layout, places: &Places) -> Self {
-        let used = lazy_guard.guard.formula.symbols();
-        let (states, inputs) = (places.states(&used), places.inputs(&used));
-        let pick = |symbols: &[Symbol], which: &[usize]| which.iter().map(|i| symbols[*i].clone()).collect();
-        let slopes = lazy_guard.slopes.as_ref();
-        Self {
-            formula: lazy_guard.guard.formula.clone(),
-            layout: Layout {
-                states: pick(&layout.states, &states),
-                inputs: pick(&layout.inputs, &inputs),
-                ..layout.clone()
-            },
-            states,
-            inputs,
-            slopes: slopes.map(|slopes| slopes.iter().map(|(state, _)| *state).collect()),
-            group: lazy_guard.group,
-            direction: lazy_guard.guard.direction,
-            tape: OnceLock::new(),
-        }
-    }
-
-    /// Built when it is first asked for.
-    pub(crate) fn tape(&self) -> Result<Arc<Tape>, CompileError> {
-        if let Some(known) = self.tape.get() {
-            return Ok(Arc::clone(known));
-        }
-        let tape = Arc::new(Tape::compile(&self.layout, std::slice::from_ref(&self.formula))?);
-        Ok(Arc::clone(self.tape.get_or_init(|| tape)))
-    }
 }
 
 impl Watch {

@@ -1,12 +1,12 @@
 //! The equations of a mode, compiled once: for any values of the inputs, any length of the run, and any rounding of numbers.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use tumble_expr::{Branches, CompileError, Degree, Expr, Jets, Layout, Rounding, Tape};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
 use crate::invariants::Row;
-use crate::lazy_guards::WatchPlan;
+use crate::lazy_guards::{WatchPlan, WatchTape};
 use crate::{Flow, Reason};
 
 /// A polynomial solution of higher degree than this is left to ordinary steps: its coefficients would overflow first.
@@ -110,35 +110,6 @@ impl Program {
             invariants: again(&self.invariants),
             watches: self.watches.iter().map(|watch| Arc::new(watch.rounded(rounding))).collect(),
         }
-    }
-}
-
-/// The tape of a lazily evaluated guard, compiled when it is first near zero.
-#[derive(Debug)]
-pub(crate) struct WatchTape {
-    pub(crate) plan: Arc<WatchPlan>,
-    rounding: Rounding,
-    tape: OnceLock<Arc<Tape>>,
-}
-
-impl WatchTape {
-    fn new(plan: WatchPlan) -> Self {
-        Self { plan: Arc::new(plan), rounding: Rounding::NEAREST, tape: OnceLock::new() }
-    }
-
-    fn rounded(&self, rounding: Rounding) -> Self {
-        Self { plan: Arc::clone(&self.plan), rounding, tape: OnceLock::new() }
-    }
-
-    pub(crate) fn tape(&self) -> Result<Arc<Tape>, CompileError> {
-        if let Some(known) = self.tape.get() {
-            return Ok(Arc::clone(known));
-        }
-        let nearest = self.plan.tape()?;
-        Ok(Arc::clone(self.tape.get_or_init(|| match self.rounding.is_nearest() {
-            true => nearest,
-            false => Arc::new(nearest.rounded(self.rounding)),
-        })))
     }
 }
 

@@ -50,6 +50,9 @@ impl Recent {
 
 /// A check run on its way along the motion.
 pub(super) struct Beside<'a> {
+    pieces: &'a [Piece],
+    /// The first of its pieces that is not over, and the first that has not begun, where the last step was.
+    near: [usize; 2],
     phases: std::iter::Peekable<std::slice::Iter<'a, [Stretch; 2]>>,
     safety: f64,
     compared: Compared<'a>,
@@ -62,6 +65,8 @@ pub(super) struct Beside<'a> {
 impl<'a> Beside<'a> {
     pub(super) fn new(check: &'a CheckRun, formulas: &[Expr]) -> Result<Self, RunError> {
         Ok(Self {
+            pieces: &check.run.trajectory.pieces,
+            near: [0; 2],
             phases: check.phases.all.iter().peekable(),
             safety: check.safety,
             compared: Compared::new(check, formulas)?,
@@ -78,9 +83,17 @@ impl<'a> Beside<'a> {
         Some(phase)
     }
 
-    /// Begins another step.
-    pub(super) fn advance(&mut self) {
+    /// Begins another step; how many of its own pieces lie in it.
+    pub(super) fn advance(&mut self, piece: &Piece) -> usize {
         self.differences.advance();
+        let [first, beyond] = &mut self.near;
+        while self.pieces.get(*first).is_some_and(|own| own.end <= piece.start) {
+            *first += 1;
+        }
+        while self.pieces.get(*beyond).is_some_and(|own| own.start < piece.end) {
+            *beyond += 1;
+        }
+        beyond.saturating_sub(*first)
     }
 
     /// Makes the errors at least as large as those that this run tells of, of values of the motion at an instant within a

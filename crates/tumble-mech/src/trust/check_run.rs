@@ -58,13 +58,6 @@ impl CheckRun {
         Self { phases: phases(run, &check), run: check, safety }
     }
 
-    /// How many of its pieces lie in a stretch of time, s.
-    pub(super) fn pieces_between(&self, start: f64, end: f64) -> usize {
-        let pieces = &self.run.trajectory.pieces;
-        let first = pieces.partition_point(|piece| piece.end <= start);
-        pieces.partition_point(|piece| piece.start < end).saturating_sub(first)
-    }
-
     /// By how much the works of a balance's contributions are off; `None` where nothing can be said of them.
     pub(super) fn work_differences(
         &self,

@@ -142,7 +142,6 @@ fn pieces_until(run: &Run, until: f64) -> usize {
 /// The motion and its check runs, compared piece by piece.
 struct Walk<'a> {
     run: &'a Run,
-    checks: &'a [CheckRun],
     observer: Observer<'a>,
     beside: Vec<Beside<'a>>,
     sizes: Recent,
@@ -159,7 +158,6 @@ impl<'a> Walk<'a> {
     fn new(run: &'a Run, checks: &'a [CheckRun], formulas: &[Expr]) -> Result<Self, RunError> {
         Ok(Self {
             run,
-            checks,
             observer: run.observe(formulas)?,
             beside: checks.iter().map(|check| Beside::new(check, formulas)).collect::<Result<_, _>>()?,
             sizes: Recent::new(formulas.len()),
@@ -186,7 +184,7 @@ impl<'a> Walk<'a> {
 
     fn step(&mut self, piece: &Piece, phases: &[[Stretch; 2]], is_wanted: bool) {
         self.sizes.advance();
-        self.beside.iter_mut().for_each(Beside::advance);
+        let steps = self.beside.iter_mut().map(|check| check.advance(piece)).max();
         let is_pressed = self.run.trajectory.modes[piece.mode].pressed().next().is_some();
         let stays = |check: &Beside<'_>, [here, _]: &[Stretch; 2]| {
             let is_impact = is_pressed && here.end - here.start < BRIEF * check.longest;
@@ -194,8 +192,7 @@ impl<'a> Walk<'a> {
         };
         let stays: Vec<bool> =
             self.beside.iter().zip(phases).map(|(check, phase)| stays(check, phase)).collect();
-        let steps = self.checks.iter().map(|check| check.pieces_between(piece.start, piece.end));
-        let parts = steps.max().unwrap_or(0).max(PARTS);
+        let parts = steps.unwrap_or(0).max(PARTS);
         for at in places(piece, parts) {
             let passes = self.compare(at, phases, &stays).filter(|_| is_wanted);
             if let Some(passes) = passes {

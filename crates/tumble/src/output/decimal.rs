@@ -67,7 +67,7 @@ mod tests {
         let tens =
             (-30..30).flat_map(|power| (1..99).map(move |part| f64::from(part) * 10.0_f64.powi(power)));
         let special = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e16, 1e-4, 5e-324];
-        let middle = [1_125_899_906_842_624.25, 4_503_599_627_370_497.5];
+        let middle = [2.0_f64.powi(50) + 0.25, 2.0_f64.powi(52) + 1.5];
         for value in near.chain(short).chain(tens).chain(special).chain(middle) {
             for value in [value, -value, value / 3.0] {
                 assert_eq!(String::from_utf8_lossy(decimal.of(value)), format!("{value:?}"));
