@@ -6,7 +6,7 @@ use crate::arena::Arena;
 use crate::ops::kernels::Kernels;
 use crate::ops::solve::Matrix;
 use crate::ops::{Op, Series, Slot};
-use crate::program::{Kernel, Program, Term};
+use crate::resolved::{Kernel, Resolved};
 use crate::{Lookup, Rounded, Stage, Tape};
 
 /// How branches (abs, sign, step, min, max, if) take their sides at order 0.
@@ -75,7 +75,7 @@ impl<S: Kernels> Jets<S> {
     /// # Panics
     /// If there are not as many inputs as the tape's layout has.
     pub fn new(tape: Arc<Tape>, order: usize, inputs: &[S]) -> Self {
-        let arena = Arena::new(tape.program().rows, order);
+        let arena = Arena::new(tape.resolved().rows, order);
         let signs = vec![S::one(); tape.sides()];
         let vanishing = vec![false; tape.norms.len()];
         let factors = vec![S::zero(); tape.matrices.iter().map(Matrix::room).sum()];
@@ -117,7 +117,7 @@ impl<S: Kernels> Jets<S> {
             self.arena.put(slot, 0, value);
         }
         self.multipliers.clear();
-        self.multipliers.extend(tape.program().terms.iter().map(|term| self.arena.multiplier(term)));
+        self.multipliers.extend(tape.resolved().terms.iter().map(|term| self.arena.multiplier(term)));
     }
 
     /// Evaluates everything at one instant.
@@ -125,8 +125,7 @@ impl<S: Kernels> Jets<S> {
     /// # Panics
     /// If there are not as many states, or frozen branches, as the tape has.
     pub fn start(&mut self, time: S, states: &[S], branches: Branches<'_, S>) {
-        let tape = Arc::clone(&self.tape);
-        assert_eq!(states.len(), tape.states(), "one value a state");
+        assert_eq!(states.len(), self.tape.states(), "one value a state");
         for (index, value) in states.iter().chain([&time]).enumerate() {
             self.arena.put(index as Slot, 0, *value);
         }
@@ -134,13 +133,14 @@ impl<S: Kernels> Jets<S> {
         if let Branches::Frozen(signs) = branches {
             self.freeze(signs);
         }
-        let Program { kernels, terms, .. } = tape.program();
-        for (slot, kernel) in kernels {
+        // The tape is not held: threads share it, and the count of its holders.
+        for index in 0..self.tape.resolved().kernels.len() {
+            let (slot, kernel) = self.tape.resolved().kernels[index].clone();
             let value = match kernel {
-                Kernel::Other(op) | Kernel::Along { op, .. } => self.value(*op, free),
-                kernel => self.first(kernel, terms),
+                Kernel::Other(op) | Kernel::Along { op, .. } => self.value(op, free),
+                kernel => self.first(&kernel),
             };
-            self.arena.put(*slot, 0, value);
+            self.arena.put(slot, 0, value);
         }
     }
 
@@ -158,7 +158,7 @@ impl<S: Kernels> Jets<S> {
     /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
     pub fn extend(&mut self, k: usize) {
         let Self { tape, arena, multipliers, signs, vanishing, factors, elapsed, time_is_parameter } = self;
-        let Program { kernels, terms, .. } = tape.program();
+        let Resolved { kernels, terms, .. } = tape.resolved();
         for (slot, kernel) in kernels {
             let value = match kernel {
                 Kernel::Sum(range) => {
@@ -240,7 +240,7 @@ impl<S: Kernels> Jets<S> {
 
     /// Coefficients of the square of a length, by its index in the tape's list.
     pub fn square_of_norm(&self, norm: usize) -> &[S] {
-        self.slot(self.tape.program().squares[norm])
+        self.slot(self.tape.resolved().squares[norm])
     }
 
     /// The tape that runs.
@@ -260,10 +260,13 @@ impl<S: Kernels> Jets<S> {
     }
 
     /// Value of a kernel that has no branch.
-    fn first(&mut self, kernel: &Kernel, terms: &[Term]) -> S {
+    fn first(&mut self, kernel: &Kernel) -> S {
         let at = |slot: Slot| self.arena.at(slot, 0);
         match *kernel {
-            Kernel::Sum(ref range) => self.arena.first_sum(&terms[range.start as usize..range.end as usize]),
+            Kernel::Sum(ref range) => {
+                let terms = &self.tape.resolved().terms;
+                self.arena.first_sum(&terms[range.start as usize..range.end as usize])
+            }
             Kernel::Product(a, b) => at(a) * at(b),
             Kernel::Square(a) => at(a).square(),
             // A row of slopes has no order 0.

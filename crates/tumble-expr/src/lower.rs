@@ -13,7 +13,7 @@ use crate::expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
 use crate::hashing::FastMap;
 use crate::ops::{Op, Slot};
-use crate::program::Program;
+use crate::resolved::Resolved;
 use crate::same::Exact;
 use crate::table::TableRef;
 use crate::tape::{CompileError, Layout, Lookup, Stage, Tape};
@@ -56,7 +56,7 @@ impl Lowering {
                 systems: vec![],
                 states: layout.states.len(),
                 inputs: layout.inputs.len(),
-                program: Program::default(),
+                resolved: Resolved::default(),
             },
             known: FastMap::default(),
             branches: FastMap::default(),
@@ -79,7 +79,7 @@ impl Lowering {
             slots[id.index()] = Some(self.node(&graph, id, &slots)?);
         }
         self.tape.outputs = roots.iter().map(|root| placed(&slots, *root)).collect();
-        self.tape.program = Program::of(&self.tape);
+        self.tape.resolved = Resolved::of(&self.tape);
         Ok(self.tape)
     }
 

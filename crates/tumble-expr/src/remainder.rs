@@ -22,7 +22,7 @@
 
 use crate::arena::Arena;
 use crate::ops::{Op, Slot};
-use crate::program::{By, Kernel, Term};
+use crate::resolved::{By, Kernel, Term};
 use crate::{Bernstein, Jets};
 
 /// Bounds of the rests of all slots along a step; kept to be used again for the next one.
@@ -70,13 +70,13 @@ fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
 impl Jets<f64> {
     /// Finds how far series to that order are from their functions on a step of that length.
     pub fn remainders(&self, found: &mut Remainders, order: usize, length: f64) {
-        let (tape, rows) = (self.tape(), self.tape().program().rows);
+        let (tape, rows) = (self.tape(), self.tape().resolved().rows);
         found.begin(rows, self.arena().stride(), length);
         let mut along = Along { jets: self, found, order };
         for leaf in 0..=tape.states() {
             along.found.rests[leaf] = along.beyond(leaf as Slot);
         }
-        for (slot, kernel) in &tape.program().kernels {
+        for (slot, kernel) in &tape.resolved().kernels {
             along.find(*slot, kernel);
         }
     }
@@ -154,7 +154,7 @@ impl Along<'_> {
     fn find(&mut self, slot: Slot, kernel: &Kernel) {
         let rest = match *kernel {
             Kernel::Sum(ref range) => {
-                let terms = &self.jets.tape().program().terms[range.start as usize..range.end as usize];
+                let terms = &self.jets.tape().resolved().terms[range.start as usize..range.end as usize];
                 terms.iter().map(|term| self.multiple(term)).sum::<f64>()
             }
             Kernel::Product(a, b) => self.product(a, b),

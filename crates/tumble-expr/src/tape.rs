@@ -6,7 +6,7 @@ use crate::expr::Symbol;
 use crate::lower::Lowering;
 use crate::ops::solve::{Matrix, System};
 use crate::ops::{Op, Slot};
-use crate::program::Program;
+use crate::resolved::Resolved;
 use crate::rounding::{Constant, Rounding};
 use crate::table::TableRef;
 use crate::{Expr, Kind, TypeError};
@@ -81,7 +81,7 @@ pub struct Tape {
     pub(crate) states: usize,
     pub(crate) inputs: usize,
     /// How it is run.
-    pub(crate) program: Program,
+    pub(crate) resolved: Resolved,
 }
 
 /// A measured function with the slot of its argument.
@@ -195,8 +195,8 @@ impl Tape {
         self.varying().filter_map(|(_, op)| turning(op)).collect()
     }
 
-    pub(crate) fn program(&self) -> &Program {
-        &self.program
+    pub(crate) fn resolved(&self) -> &Resolved {
+        &self.resolved
     }
 
     /// How many norms there are, those of inputs included.

@@ -7,7 +7,7 @@
 use super::Slot;
 use crate::Scalar;
 use crate::arena::Arena;
-use crate::program::{By, Term};
+use crate::resolved::{By, Term};
 
 impl<S: Scalar> Arena<S> {
     /// Order 0 of a sum of multiples.

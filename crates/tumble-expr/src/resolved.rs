@@ -12,7 +12,7 @@ use crate::{Stage, Tape};
 /// What is run at once. Rows are slots of the tape, or come after them.
 #[derive(Clone, Debug)]
 pub(crate) enum Kernel {
-    /// A sum of multiples, by a range of the program's terms.
+    /// A sum of multiples, by a range of the terms.
     Sum(Range<u32>),
     Product(Slot, Slot),
     Square(Slot),
@@ -61,7 +61,7 @@ pub(crate) enum By {
 
 /// The kernels of what changes with time.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Program {
+pub(crate) struct Resolved {
     pub(crate) kernels: Vec<(Slot, Kernel)>,
     pub(crate) terms: Vec<Term>,
     /// How many rows there are: slots, and what is kept besides.
@@ -70,7 +70,7 @@ pub(crate) struct Program {
     pub(crate) squares: Vec<Slot>,
 }
 
-impl Program {
+impl Resolved {
     pub(crate) fn of(tape: &Tape) -> Self {
         Resolving::new(tape).run()
     }
@@ -78,7 +78,7 @@ impl Program {
 
 struct Resolving<'a> {
     tape: &'a Tape,
-    program: Program,
+    resolved: Resolved,
     /// Slots that are terms of one sum and nothing else.
     is_merged: Vec<bool>,
     /// Slots that are found together with another.
@@ -91,24 +91,24 @@ impl<'a> Resolving<'a> {
     fn new(tape: &'a Tape) -> Self {
         let slots = tape.len();
         let squares = vec![Slot::MAX; tape.norms()];
-        let program = Program { rows: slots, squares, ..Program::default() };
+        let resolved = Resolved { rows: slots, squares, ..Resolved::default() };
         Self {
             tape,
-            program,
+            resolved,
             is_merged: merged(tape),
             is_done: vec![false; slots],
             slopes: vec![None; slots],
         }
     }
 
-    fn run(mut self) -> Program {
+    fn run(mut self) -> Resolved {
         for (slot, op) in self.tape.varying() {
             if !self.is_merged[slot as usize] && !self.is_done[slot as usize] {
                 let kernel = self.kernel(slot, op);
-                self.program.kernels.push((slot, kernel));
+                self.resolved.kernels.push((slot, kernel));
             }
         }
-        self.program
+        self.resolved
     }
 
     fn kernel(&mut self, slot: Slot, op: Op) -> Kernel {
@@ -130,13 +130,13 @@ impl<'a> Resolving<'a> {
             Op::Sqrt(a) => Kernel::Root(a),
             Op::Norm(parts) => {
                 let square = self.row();
-                self.program.squares[parts as usize] = square;
+                self.resolved.squares[parts as usize] = square;
                 Kernel::Norm { parts, square }
             }
             Op::SquareOver { by, vanishing, .. } => {
                 let square = self.row();
-                self.program.squares[vanishing as usize] = square;
-                self.program.kernels.push((square, Kernel::Square(by)));
+                self.resolved.squares[vanishing as usize] = square;
+                self.resolved.kernels.push((square, Kernel::Square(by)));
                 Kernel::Other(op)
             }
             op => Kernel::Other(op),
@@ -144,8 +144,8 @@ impl<'a> Resolving<'a> {
     }
 
     fn row(&mut self) -> Slot {
-        self.program.rows += 1;
-        self.program.rows as Slot - 1
+        self.resolved.rows += 1;
+        self.resolved.rows as Slot - 1
     }
 
     /// The row of `k a_k`, made where it is first needed.
@@ -155,13 +155,13 @@ impl<'a> Resolving<'a> {
         }
         let row = self.row();
         self.slopes[of as usize] = Some(row);
-        self.program.kernels.push((row, Kernel::Slope(of)));
+        self.resolved.kernels.push((row, Kernel::Slope(of)));
         row
     }
 
     /// The terms of a slot in the order in which the tape adds them: what is merged on the left comes first.
     fn sum(&mut self, slot: Slot) -> Kernel {
-        let first = self.program.terms.len();
+        let first = self.resolved.terms.len();
         let mut next = slot;
         let mut last_first = vec![];
         loop {
@@ -179,8 +179,8 @@ impl<'a> Resolving<'a> {
             }
             next = left;
         }
-        self.program.terms.extend(last_first.into_iter().rev());
-        Kernel::Sum(first as u32..self.program.terms.len() as u32)
+        self.resolved.terms.extend(last_first.into_iter().rev());
+        Kernel::Sum(first as u32..self.resolved.terms.len() as u32)
     }
 
     /// A slot that is a multiple of another, as a term.
