@@ -52,8 +52,8 @@ fn value(series: &[f64], s: f64) -> f64 {
 fn bounded(formula: &Expr, length: f64) -> (Vec<f64>, f64) {
     let mut jets = Jets::<f64>::new(tape(formula), ORDER, &[]);
     jets.start(0.3, &MOTION[..1], Branches::Free);
-    for k in 1..=ORDER {
-        jets.set(0, k, MOTION[k]);
+    for (k, coefficient) in MOTION.iter().enumerate().skip(1) {
+        jets.set(0, k, *coefficient);
         jets.set(1, k, f64::from(u8::from(k == 1)));
         jets.extend(k);
     }

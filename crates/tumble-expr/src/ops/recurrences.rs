@@ -29,12 +29,11 @@ impl<S: Scalar> Arena<S> {
         }
     }
 
-    /// What a term is multiplied with at other orders: a quotient is rounded twice there.
+    /// What a term is multiplied with or divided by at other orders, with its sign.
     pub(crate) fn multiplier(&self, term: &Term) -> S {
         let size = match term.by {
             By::One => S::one(),
-            By::Times(by) => self.at(by, 0),
-            By::Over(by) => S::one() / self.at(by, 0),
+            By::Times(by) | By::Over(by) => self.at(by, 0),
         };
         if term.is_taken { -size } else { size }
     }
@@ -44,11 +43,18 @@ impl<S: Scalar> Arena<S> {
     pub(crate) fn sum(&self, terms: &[Term], multipliers: &[S], k: usize) -> S {
         let mut terms = terms.iter().zip(multipliers);
         let (first, by) = terms.next().expect("a sum has terms");
-        let mut sum = self.at(first.of, k) * *by;
+        let mut sum = self.term(first, *by, k);
         for (term, by) in terms {
-            sum = sum + self.at(term.of, k) * *by;
+            sum = sum + self.term(term, *by, k);
         }
         sum
+    }
+
+    /// A reciprocal that is rounded once would be off by the same at every step, and what is conserved would drift.
+    #[inline(always)]
+    fn term(&self, term: &Term, by: S, k: usize) -> S {
+        let value = self.at(term.of, k);
+        if matches!(term.by, By::Over(_)) { value / by } else { value * by }
     }
 
     #[inline(always)]
@@ -80,14 +86,14 @@ impl<S: Scalar> Arena<S> {
 
     #[inline(always)]
     pub(crate) fn along(&self, slope: Slot, factor: Slot, k: usize) -> S {
-        (self.inner(slope, factor, k) + self.at(slope, k) * self.at(factor, 0)) * S::reciprocal(k)
+        (self.inner(slope, factor, k) + self.at(slope, k) * self.at(factor, 0)) / S::splat(k as f64)
     }
 
     /// Sine and cosine; of an argument that is linear in the parameter one term is left.
     #[inline(always)]
     pub(crate) fn wave(&self, slope: Slot, (sin, cos): (Slot, Slot), k: usize, is_linear: bool) -> [S; 2] {
         if is_linear {
-            let rate = self.at(slope, 1) * S::reciprocal(k);
+            let rate = self.at(slope, 1) / S::splat(k as f64);
             return [rate * self.at(cos, k - 1), -(rate * self.at(sin, k - 1))];
         }
         [self.along(slope, cos, k), -self.along(slope, sin, k)]

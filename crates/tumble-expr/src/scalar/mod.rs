@@ -57,14 +57,6 @@ pub trait Scalar:
     fn square(self) -> Self {
         self * self
     }
-    /// 1/k, as near as it is.
-    #[inline(always)]
-    fn reciprocal(k: usize) -> Self {
-        RECIPROCALS.get(k).map_or_else(
-            || Self::one() / Self::splat(k as f64),
-            |value| Self::constant(*value, k.is_power_of_two()),
-        )
-    }
     /// A coefficient of a quotient: nothing is left over what is beyond the range of numbers, or so near to it that its own coefficients
     /// are.
     fn over(self, by: Self) -> Self {
@@ -107,17 +99,6 @@ pub trait Scalar:
         coefficient
     }
 }
-
-/// 1/k up to orders beyond those of any step.
-const RECIPROCALS: [f64; 64] = {
-    let mut all = [0.0; 64];
-    let mut k = 1;
-    while k < all.len() {
-        all[k] = 1.0 / k as f64;
-        k += 1;
-    }
-    all
-};
 
 /// The nearest `f64`; beyond its range, infinite.
 pub fn nearest(value: &BigRational) -> f64 {
