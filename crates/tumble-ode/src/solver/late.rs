@@ -8,8 +8,8 @@ use crate::{Cause, Hybrid};
 
 /// What a check run adds to each rate, in units of what rounding may have made of it.
 const RATE_ROUNDING: f64 = 0.4;
-/// What rounding makes of the place of a zero on a step, in ulps.
-const ROOT_ROUNDING: f64 = 2.0;
+/// What rounding makes of the place of a zero on a step, in ulps of its length.
+const ROOT_ROUNDING: f64 = 1.0;
 /// Key of the draw that puts an event off.
 const LATE: u64 = u64::MAX;
 
@@ -72,6 +72,8 @@ impl<H: Hybrid> Solver<'_, H> {
         let size = last.filter(|piece| piece.time_series.is_none()).map_or(self.time, |piece| piece.length);
         let rounded =
             if is_scheduled || is_short(self.time) { 0.0 } else { ROOT_ROUNDING * f64::EPSILON * size };
-        LEFT_OUT * self.rounding.draw(size, LATE) * self.blur.time.max(rounded)
+        LEFT_OUT
+            * (self.rounding.draw(self.time, LATE) * self.blur.time
+                + self.rounding.draw(size, LATE) * rounded)
     }
 }
