@@ -272,7 +272,7 @@ impl<S: Kernels> Jets<S> {
             // A row of slopes has no order 0.
             Kernel::Slope(_) => S::zero(),
             Kernel::Wave { of, cos, .. } => {
-                let (sin_of, cos_of) = at(of).sin_cos();
+                let (sin_of, cos_of) = (S::sin(at(of)), S::cos(at(of)));
                 self.arena.put(cos, 0, cos_of);
                 sin_of
             }

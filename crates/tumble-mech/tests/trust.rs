@@ -59,11 +59,16 @@ fn covers((run, trust): &(Run, Trust), time: f64, formulas: &[Expr], expected: &
     let stated =
         stated.at(time).unwrap_or_else(|| panic!("nothing is said of {time} s: {:?}", trust.horizon));
     let found = run.at(time).expect("within");
+    // One of several values may be near its truth by accident: what is stated is held to the worst of them.
+    let off = |(formula, expected): (&Expr, &f64)| {
+        (found.value(formula.clone()).expect("a value") - expected).abs() / expected.abs().max(1.0)
+    };
+    let worst = formulas.iter().zip(expected).map(off).fold(0.0, f64::max);
     for (index, (expected, stated)) in expected.iter().zip(stated).enumerate() {
         let truth = (found.value(formulas[index].clone()).expect("a value") - expected).abs();
         println!("{time} s: {index} true {truth:e} stated {stated:e}");
         assert!(truth <= stated, "{truth:e} is more than the {stated:e} stated of {index} at {time} s");
-        let most = truth.max(ROUNDING * expected.abs().max(1.0)) * GENEROUS;
+        let most = worst.max(ROUNDING) * expected.abs().max(1.0) * GENEROUS;
         assert!(stated <= most, "{stated:e} is stated of {index} at {time} s, where the error is {truth:e}");
     }
 }

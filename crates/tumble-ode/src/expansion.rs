@@ -61,6 +61,10 @@ pub(crate) struct Frozen<'a> {
     pub(crate) vanishing: &'a [bool],
 }
 
+/// Coefficients of higher orders than this may be beyond the range of numbers, next to a sharp turn: the expansion then ends before
+/// them, and the check says how far it reaches.
+const ENOUGH: usize = 8;
+
 /// Expands the solution through `states` at `time`: `(k + 1) x_(k+1)` is the rate's coefficient of order k, or zero in what
 /// does not move. Every rate is off by the same all along, if any are.
 pub(crate) fn expand(
@@ -74,12 +78,17 @@ pub(crate) fn expand(
     let count = system.len();
     jets.set_vanishing(frozen.vanishing);
     jets.start(time, states, Branches::Frozen(frozen.signs));
-    for k in 0..order {
+    let mut known = order;
+    'orders: for k in 0..order {
         let next = (k + 1) as f64;
         for state in 0..count {
             let rate = if moves { jets.output(state)[k] } else { 0.0 };
             let off = off.get(state).filter(|_| k == 0).unwrap_or(&0.0);
             let coefficient = (rate + off) / next;
+            if !coefficient.is_finite() && k > ENOUGH {
+                known = k - 1;
+                break 'orders;
+            }
             if !coefficient.is_finite() {
                 return Err(Reason::NotFinite { state: system.names[state].clone() });
             }
@@ -91,33 +100,38 @@ pub(crate) fn expand(
             jets.extend(k + 1);
         }
     }
-    Ok(collect(system, jets, turnings, time))
+    Ok(collect(system, (jets, known), turnings, time))
 }
 
-fn collect(system: &Compiled, jets: &Jets<f64>, turnings: &[Turning], start: f64) -> Expansion {
+fn collect(
+    system: &Compiled,
+    (jets, order): (&Jets<f64>, usize),
+    turnings: &[Turning],
+    start: f64,
+) -> Expansion {
     let tape = &system.tape;
-    let slots = |slots: &[Slot]| Coefficients::of(slots.iter().map(|slot| jets.slot(*slot)));
+    let row = |slot: Slot| &jets.slot(slot)[..=order];
+    let slots = |slots: &[Slot]| Coefficients::of(slots.iter().map(|slot| row(*slot)));
     let first_guard = system.len() + usize::from(system.transformed);
     Expansion {
         start,
-        states: Coefficients::of((0..system.len()).map(|state| jets.slot(state as Slot))),
-        time: system.transformed.then(|| jets.slot(tape.time_slot()).to_vec()),
+        states: Coefficients::of((0..system.len()).map(|state| row(state as Slot))),
+        time: system.transformed.then(|| row(tape.time_slot()).to_vec()),
         branches: slots(tape.guards()),
-        turnings: turnings.iter().map(|turning| turn(turning, jets)).collect(),
-        arguments: Coefficients::of(tape.tables().iter().map(|lookup| jets.slot(lookup.of))),
+        turnings: turnings.iter().map(|turning| turn(turning, (jets, order))).collect(),
+        arguments: Coefficients::of(tape.tables().iter().map(|lookup| row(lookup.of))),
         guards: slots(&tape.outputs()[first_guard..][..system.guards]),
         near: vec![],
     }
 }
 
-fn turn(turning: &Turning, jets: &Jets<f64>) -> Turn {
+fn turn(turning: &Turning, (jets, order): (&Jets<f64>, usize)) -> Turn {
+    let row = |slot: Slot| &jets.slot(slot)[..=order];
     match turning {
-        Turning::Power { of } => {
-            Turn { square: jets.slot(*of).to_vec(), components: Coefficients::default() }
-        }
+        Turning::Power { of } => Turn { square: row(*of).to_vec(), components: Coefficients::default() },
         Turning::Norm { parts, index } => {
-            let components = Coefficients::of(parts.iter().map(|part| jets.slot(*part)));
-            Turn { square: jets.square_of_norm(*index).to_vec(), components }
+            let components = Coefficients::of(parts.iter().map(|part| row(*part)));
+            Turn { square: jets.square_of_norm(*index)[..=order].to_vec(), components }
         }
     }
 }

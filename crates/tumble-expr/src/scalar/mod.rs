@@ -68,10 +68,6 @@ pub trait Scalar:
     fn sin(self) -> Self;
     /// Cosine.
     fn cos(self) -> Self;
-    /// Both.
-    fn sin_cos(self) -> (Self, Self) {
-        (self.sin(), self.cos())
-    }
     /// Tangent.
     fn tan(self) -> Self;
     /// Inverse sine.
