@@ -15,6 +15,8 @@ use std::cell::OnceCell;
 
 use tumble_expr::{Rounded, Scalar, Slot, Turning};
 
+use clear::Clear;
+
 use crate::Reason;
 use crate::enclosure::{Bounds, Enclosure, Path, Vanishing};
 use crate::engine::{Engine, Hit, ahead};
@@ -250,8 +252,11 @@ impl Engine {
         work: &mut Work,
     ) -> Result<Option<Unknown>, Reason> {
         let is_looked_at = self.system.exact_degree.is_none() && (is_proved || self.system.may_be_narrow);
-        let is_clear = !is_looked_at || self.is_clear(step, demand);
-        let own = if is_clear { None } else { self.own_unknown(step, demand, work) };
+        let own = match if is_looked_at { self.clear(step, demand) } else { Clear::Whole } {
+            Clear::Whole => None,
+            Clear::Part(part) => Some(part),
+            Clear::Not => self.own_unknown(step, demand, work),
+        };
         let step = match &own {
             Some(own) => Stretch { length: own.length, hits: &[], ..step },
             None => step,
