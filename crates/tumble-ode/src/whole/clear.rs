@@ -44,6 +44,10 @@ impl Engine {
             return Clear::Not;
         }
         let Some(state) = found else { return Clear::Whole };
+        // A length that vanishes where the step ends has no bound before, and shorter steps would never come there.
+        if !hits.is_empty() {
+            return Clear::Not;
+        }
         let obeys = |part: &f64| self.disobedient(expansion, part * length, demand).is_none();
         match PARTS.into_iter().find(obeys) {
             Some(part) => {
