@@ -44,8 +44,9 @@ impl Engine {
             return Clear::Not;
         }
         let Some(state) = found else { return Clear::Whole };
-        // A length that vanishes where the step ends has no bound before, and shorter steps would never come there.
-        if !hits.is_empty() {
+        // A length that vanishes where the step ends has no bound before, and shorter steps would never come there. What may be narrow
+        // is held to so much that intervals cost less than shorter steps.
+        if !hits.is_empty() || self.system.may_be_narrow {
             return Clear::Not;
         }
         let obeys = |part: &f64| self.disobedient(expansion, part * length, demand).is_none();
