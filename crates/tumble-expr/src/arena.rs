@@ -51,14 +51,6 @@ impl<S: Scalar> Arena<S> {
         self.backwards[row + self.stride - 1 - k] = value;
     }
 
-    /// Only order 0, where no product will be taken.
-    #[inline(always)]
-    pub(crate) fn change(&mut self, slot: Slot, change: impl FnOnce(&mut S)) {
-        let mut value = self.at(slot, 0);
-        change(&mut value);
-        self.put(slot, 0, value);
-    }
-
     pub(crate) fn fill(&mut self, slot: Slot, value: S) {
         let row = slot as usize * self.stride..(slot as usize + 1) * self.stride;
         self.data[row.clone()].fill(value);

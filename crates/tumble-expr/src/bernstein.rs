@@ -3,6 +3,9 @@
 //! The polynomial lies between its least and largest coefficient, and has at most as many roots in (0, 1) as its
 //! coefficients have changes of sign, and as many but for an even number (Descartes' rule).
 
+/// Halvings until a polynomial is said to come to zero.
+const HALVINGS: u32 = 3;
+
 /// Coefficients b_0 .. b_n; b_0 and b_n are the values at 0 and 1.
 #[derive(Clone, Debug)]
 pub struct Bernstein(pub Vec<f64>);
@@ -46,8 +49,12 @@ impl Bernstein {
         (Self(left), Self(right))
     }
 
-    /// A lower bound of the polynomial's size, found with so many halvings at most; 0 where it may have a zero.
-    pub fn least(&self, halvings: u32) -> f64 {
+    /// A lower bound of the polynomial's size; 0 where it may have a zero.
+    pub fn least(&self) -> f64 {
+        self.least_within(HALVINGS)
+    }
+
+    fn least_within(&self, halvings: u32) -> f64 {
         let first = self.0.first().copied().unwrap_or(0.0);
         if self.0.iter().all(|b| b * first > 0.0) {
             return self.0.iter().fold(f64::INFINITY, |least, b| least.min(b.abs()));
@@ -57,9 +64,9 @@ impl Bernstein {
             return 0.0;
         }
         let (left, right) = self.halves();
-        match left.least(halvings - 1) {
+        match left.least_within(halvings - 1) {
             0.0 => 0.0,
-            left => left.min(right.least(halvings - 1)),
+            left => left.min(right.least_within(halvings - 1)),
         }
     }
 
@@ -90,10 +97,10 @@ mod tests {
     #[test]
     fn the_least_size_is_a_lower_bound() {
         // (x - 1/2)^2 + 1/100, and the same with a zero.
-        let least = |rest: f64| Bernstein::new(&[0.25 + rest, -1.0, 1.0]).least(5);
+        let least = |rest: f64| Bernstein::new(&[0.25 + rest, -1.0, 1.0]).least();
         assert!((0.005..=0.01 + 1e-15).contains(&least(0.01)), "{}", least(0.01));
         assert_eq!((least(0.0), least(-0.01)), (0.0, 0.0));
-        assert_eq!(Bernstein::new(&[-1.0, 2.0]).least(9), 0.0);
+        assert_eq!(Bernstein::new(&[-1.0, 2.0]).least(), 0.0);
         // (1 - x)(2 + x)
         assert_eq!(Bernstein::new(&[2.0, -1.0, -1.0]).without_end().0, [2.0, 3.0]);
     }

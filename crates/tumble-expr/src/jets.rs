@@ -64,7 +64,8 @@ impl Jets<Rounded> {
         let first = tape.states() + 1;
         let inputs = (first..first + tape.inputs()).chain(tape.prologue().map(|(slot, _)| slot as usize));
         for slot in inputs {
-            self.arena.change(slot as Slot, |value| value.error = 0.0);
+            let value = self.arena.at(slot as Slot, 0);
+            self.arena.put(slot as Slot, 0, Rounded { error: 0.0, ..value });
         }
     }
 }

@@ -55,8 +55,6 @@ impl Remainders {
 
 /// Rounding errors of a coefficient, in units of the terms that it is made of.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Halvings until a polynomial is said to come to zero.
-const HALVINGS: u32 = 3;
 
 /// A lower bound of the size of a polynomial on [0, h] by its coefficients times powers of h; 0 where it may be zero.
 fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
@@ -64,7 +62,7 @@ fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
     let first = all.next().unwrap_or(0.0);
     let side = if first < 0.0 { -1.0 } else { 1.0 };
     let least = all.fold(first.abs(), |least, term| least + (side * term).min(0.0));
-    if least > 0.0 { least } else { Bernstein::new(&terms.collect::<Vec<_>>()).least(HALVINGS) }
+    if least > 0.0 { least } else { Bernstein::new(&terms.collect::<Vec<_>>()).least() }
 }
 
 impl Jets<f64> {

@@ -5,6 +5,8 @@ use std::fmt;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use tumble_expr::Rounding;
+
 /// More values than this are not kept: formulas with the times and works of one run are asked for once.
 const MOST: usize = 2048;
 
@@ -33,6 +35,29 @@ impl<K: Clone + Eq + Hash, V> Cache<K, V> {
 
     fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<K, Arc<V>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Of what holds numbers, which are different in other roundings, and nothing else is.
+impl<K: Clone + Eq + Hash, V> Cache<(K, Rounding), V> {
+    /// The value of a key with numbers rounded so: built with the nearest, and from that rounded again.
+    pub(crate) fn get_rounded<E>(
+        &self,
+        key: K,
+        rounding: Rounding,
+        build: impl FnOnce(&K) -> Result<V, E>,
+        again: impl FnOnce(&V, Rounding) -> V,
+    ) -> Result<Arc<V>, E> {
+        let nearest = (key, Rounding::NEAREST);
+        if rounding.is_nearest() {
+            return self.get(&nearest, || build(&nearest.0));
+        }
+        let key = (nearest.0.clone(), rounding);
+        if let Some(known) = self.known(&key) {
+            return Ok(known);
+        }
+        let found = self.get(&nearest, || build(&nearest.0))?;
+        self.get(&key, || Ok(again(&found, rounding)))
     }
 }
 

@@ -42,7 +42,7 @@ pub(crate) fn evaluate_in(jets: &mut Jets<f64>, piece: Option<&Piece>, time: f64
 }
 
 /// Tapes of formulas, by what they are compiled of.
-pub(crate) type Tapes = Cache<TapeKey, Tape>;
+pub(crate) type Tapes = Cache<(TapeKey, Rounding), Tape>;
 
 /// What a tape of formulas depends on.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -50,7 +50,6 @@ pub(crate) struct TapeKey {
     mode: Mode,
     formulas: Formulas,
     symbols: Symbols,
-    rounding: Rounding,
 }
 
 /// What the symbols in formulas stand for.
@@ -106,23 +105,8 @@ impl Equations {
     }
 
     fn tape(&self, mode: &Mode, formulas: &[Expr], symbols: Symbols) -> Result<Arc<Tape>, Reason> {
-        let (formulas, rounding) = (Formulas::new(formulas), self.rounding());
-        self.tape_of(TapeKey { mode: mode.clone(), formulas, symbols, rounding })
-    }
-
-    /// Numbers alone are different in other roundings: the operations are found once.
-    fn tape_of(&self, key: TapeKey) -> Result<Arc<Tape>, Reason> {
-        let tapes = &self.built().tapes;
-        if let Some(known) = tapes.known(&key) {
-            return Ok(known);
-        }
-        let rounding = key.rounding;
-        let nearest = TapeKey { rounding: Rounding::NEAREST, ..key };
-        let found = tapes.get(&nearest, || self.compile(&nearest))?;
-        match rounding.is_nearest() {
-            true => Ok(found),
-            false => tapes.get(&TapeKey { rounding, ..nearest }, || Ok(found.rounded(rounding))),
-        }
+        let key = TapeKey { mode: mode.clone(), formulas: Formulas::new(formulas), symbols };
+        self.built().tapes.get_rounded(key, self.rounding(), |key| self.compile(key), Tape::rounded)
     }
 
     fn compile(&self, key: &TapeKey) -> Result<Tape, Reason> {

@@ -21,19 +21,10 @@ pub struct Parameters {
     /// Where each name stands in the list.
     places: HashMap<Arc<str>, usize>,
     rounding: Rounding,
-    /// What formulas of them run on.
-    tapes: Cache<TapeKey, FixedTape>,
+    /// What formulas run on that may hold so many of them.
+    tapes: Cache<((Formulas, usize), Rounding), FixedTape>,
     /// What is fixed in each formula.
     parts: Cache<Formulas, Vec<Fixed>>,
-}
-
-/// What the tape of some formulas depends on, beside the symbols of the parameters.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-struct TapeKey {
-    formulas: Formulas,
-    /// How many parameters may be used.
-    known: usize,
-    rounding: Rounding,
 }
 
 /// A tape of formulas of the parameters.
@@ -47,6 +38,10 @@ struct FixedTape {
 }
 
 impl FixedTape {
+    fn rounded(&self, rounding: Rounding) -> Self {
+        Self::new(self.tape.rounded(rounding), self.places.clone())
+    }
+
     fn new(tape: Tape, places: Vec<usize>) -> Self {
         Self { tape: Arc::new(tape), places, constants: OnceLock::new() }
     }
@@ -279,20 +274,10 @@ impl Known<'_> {
         (0..tape.outputs().len()).map(|index| jets.value_of(index)).collect()
     }
 
-    /// The tape of some formulas; numbers alone are different in other roundings.
+    /// The tape of some formulas.
     fn tape(&self, formulas: &[Expr], rounding: Rounding) -> Result<Arc<FixedTape>, CompileError> {
-        let tapes = &self.parameters.tapes;
-        let key = TapeKey { formulas: Formulas::new(formulas), known: self.values.len(), rounding };
-        if let Some(known) = tapes.known(&key) {
-            return Ok(known);
-        }
-        let nearest = TapeKey { rounding: Rounding::NEAREST, ..key };
-        let found = tapes.get(&nearest, || self.compile(formulas))?;
-        if rounding.is_nearest() {
-            return Ok(found);
-        }
-        let rounded = || FixedTape::new(found.tape.rounded(rounding), found.places.clone());
-        tapes.get(&TapeKey { rounding, ..nearest }, || Ok(rounded()))
+        let key = (Formulas::new(formulas), self.values.len());
+        self.parameters.tapes.get_rounded(key, rounding, |_| self.compile(formulas), FixedTape::rounded)
     }
 
     /// Only the symbols that are used become inputs, in the order of the parameters: a tape has no more leaves than its

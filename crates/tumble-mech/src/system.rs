@@ -52,16 +52,8 @@ impl Hybrid for Equations {
     }
 
     fn program(&self, mode: &Mode) -> Result<Arc<Program>, Reason> {
-        let (programs, rounding) = (&self.built().programs, self.rounding());
-        if let Some(known) = programs.known(&(mode.clone(), rounding)) {
-            return Ok(known);
-        }
-        let compile = || Program::new(&Flow { rounding: Rounding::NEAREST, ..self.flow(mode)? });
-        let nearest = programs.get(&(mode.clone(), Rounding::NEAREST), compile)?;
-        match rounding.is_nearest() {
-            true => Ok(nearest),
-            false => programs.get(&(mode.clone(), rounding), || Ok(nearest.rounded(rounding))),
-        }
+        let compile = |mode: &Mode| Program::new(&Flow { rounding: Rounding::NEAREST, ..self.flow(mode)? });
+        self.built().programs.get_rounded(mode.clone(), self.rounding(), compile, Program::rounded)
     }
 
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {

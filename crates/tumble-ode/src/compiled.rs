@@ -1,40 +1,35 @@
 //! A flow as the integrator runs it: its program, and what is known of it with the values of the inputs before any step.
 
+use std::ops::Deref;
 use std::sync::Arc;
 
 use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Scalar, Tape, rounded_sum};
 
 use crate::Reason;
-use crate::hybrid::{AtZero, Direction};
+use crate::hybrid::AtZero;
 use crate::invariants::Invariants;
 use crate::lazy_guards::LazyGuards;
-use crate::program::{Program, values};
+use crate::program::{Plan, Program, values};
 
 /// The tape's outputs are the rates of all states with respect to the parameter s, then dt/ds where s is not the time,
 /// then the model's guards.
 pub(crate) struct Compiled {
+    plan: Arc<Plan>,
     pub(crate) tape: Arc<Tape>,
-    pub(crate) names: Vec<String>,
-    groups: Vec<usize>,
     pub(crate) floors: Vec<f64>,
     /// Scheduled times, each with its index.
     pub(crate) schedule: Vec<f64>,
     /// What rounding left out of each of them.
     pub(crate) schedule_left_out: Vec<f64>,
-    /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
-    pub(crate) exact_degree: Option<usize>,
-    pub(crate) transformed: bool,
-    /// How many guards the tape has; lazily evaluated guards are counted after them.
-    pub(crate) guards: usize,
-    /// Names of guards and lazily evaluated guards.
-    pub(crate) guard_names: Vec<String>,
-    pub(crate) guard_directions: Vec<Direction>,
-    /// What they do where they are at zero and about to cross.
+    /// What guards and lazily evaluated guards do where they are at zero and about to cross.
     pub(crate) guard_limits: Vec<Limit>,
-    /// Whether there is anything to watch along a step.
-    pub(crate) is_watched: bool,
-    /// Whether rates may change within a stretch that their coefficients do not show.
-    pub(crate) may_be_narrow: bool,
+}
+
+impl Deref for Compiled {
+    type Target = Plan;
+    fn deref(&self) -> &Plan {
+        &self.plan
+    }
 }
 
 impl Compiled {
@@ -48,20 +43,12 @@ impl Compiled {
         }
         let floors = values(&program.floors, inputs).into_iter().zip(&plan.per_run);
         Ok(Self {
-            names: plan.names.clone(),
-            groups: plan.groups.clone(),
+            plan: Arc::clone(plan),
             floors: floors.map(|(floor, per_run)| if *per_run { floor / span } else { floor }).collect(),
-            may_be_narrow: plan.may_be_narrow,
             tape: Arc::clone(&program.tape),
             schedule,
             schedule_left_out,
-            exact_degree: plan.exact_degree,
-            transformed: plan.transformed,
-            guards: plan.guards,
-            guard_names: plan.guard_names.clone(),
-            guard_directions: plan.guard_directions.clone(),
             guard_limits: limits(program, inputs),
-            is_watched: plan.is_watched,
         })
     }
 

@@ -12,6 +12,7 @@ use crate::expansion::{Expansion, Frozen, expand};
 use crate::invariants::Invariants;
 use crate::lazy_guards::{self, LazyGuards};
 use crate::polynomial::value;
+use crate::program::Plan;
 use crate::radius::{of_own_size, of_series};
 use crate::scale::Scales;
 use crate::signs::{leading_sign, sign_after, sign_before};
@@ -352,7 +353,7 @@ impl Engine {
 
     /// Name of what limits the radius: a state, an event or a formula with a branch.
     pub(crate) fn narrowest(&self, expansion: &Expansion, scales: &Scales) -> String {
-        let Compiled { tape, names, guard_names, .. } = &self.system;
+        let (tape, Plan { names, guard_names, .. }) = (&self.system.tape, &*self.system);
         let states = expansion.states.iter().enumerate();
         let states = states.map(|(state, series)| {
             (of_series(series, scales.of(self.system.group(state))), names[state].clone())

@@ -38,14 +38,19 @@ pub(crate) struct Plan {
     pub(crate) per_run: Vec<bool>,
     /// Scheduled times. Inputs are rounded already, and numbers are with the whole: two moves might take each other back.
     pub(crate) schedule: Arc<Tape>,
+    /// Highest degree of the solution, where it is a polynomial in time whatever the inputs are.
     pub(crate) exact_degree: Option<usize>,
     pub(crate) transformed: bool,
+    /// How many guards the tape has; lazily evaluated guards are counted after them.
     pub(crate) guards: usize,
+    /// Names of guards and lazily evaluated guards.
     pub(crate) guard_names: Vec<String>,
     pub(crate) guard_directions: Vec<Direction>,
-    /// By guard: what it does at zero.
+    /// What each of them does at zero.
     pub(crate) at_zero: Vec<AtZero>,
+    /// Whether there is anything to watch along a step.
     pub(crate) is_watched: bool,
+    /// Whether rates may change within a stretch that their coefficients do not show.
     pub(crate) may_be_narrow: bool,
     pub(crate) invariants: Arc<[Row]>,
 }

@@ -17,6 +17,7 @@ use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::order::{order, reach};
 use crate::polynomial;
+use crate::program::Plan;
 use crate::scale::Scales;
 use crate::trajectory::{Event, Piece, Trajectory};
 use crate::whole::{Blur, Demand, Noise, Stretch, Unknown};
@@ -516,7 +517,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             causes: &causes,
             scales: self.scales.all(),
         })?;
-        let Compiled { guard_names, guards, .. } = &self.engines[mode].system;
+        let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
         let crossed = |cause: &Cause| match cause {
             Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
             Cause::LazyGuard(lazy_guard) => Some((guard_names[guards + lazy_guard].clone(), 1)),

@@ -65,7 +65,7 @@ pub(crate) struct Touch {
 }
 
 /// Tapes by body, mode and how numbers are rounded.
-pub(crate) type TouchTapes = Cache<(usize, Mode, Rounding), Tape>;
+pub(crate) type TouchTapes = Cache<((usize, Mode), Rounding), Tape>;
 
 /// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
 const BEFORE_ROW: usize = 4;
@@ -166,18 +166,9 @@ impl Equations {
     }
 
     fn touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
-        let (mode, rounding) = (mode.without_support(self.pairs(), body), self.rounding());
-        let tapes = &self.built().touch_tapes;
-        let key = (body, mode, rounding);
-        if let Some(known) = tapes.known(&key) {
-            return Ok(known);
-        }
-        let nearest = (body, key.1, Rounding::NEAREST);
-        let found = tapes.get(&nearest, || self.build_touch_tape(body, &nearest.1, pairs))?;
-        match rounding.is_nearest() {
-            true => Ok(found),
-            false => tapes.get(&(body, nearest.1, rounding), || Ok(found.rounded(rounding))),
-        }
+        let key = (body, mode.without_support(self.pairs(), body));
+        let build = |(body, mode): &(usize, Mode)| self.build_touch_tape(*body, mode, pairs);
+        self.built().touch_tapes.get_rounded(key, self.rounding(), build, Tape::rounded)
     }
 
     fn build_touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {

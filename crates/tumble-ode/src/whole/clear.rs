@@ -17,8 +17,6 @@ use crate::expansion::Expansion;
 
 /// What is zero at the end of a step is so but for this part of it.
 const END: f64 = 1e-9;
-/// Halvings until a function is said to come to zero.
-const HALVINGS: u32 = 3;
 /// Parts of a step that are tried where the whole does not obey by its bound: some more steps cost less than intervals.
 const PARTS: [f64; 3] = [0.8, 0.6, 0.4];
 
@@ -139,6 +137,6 @@ impl Engine {
         }
         let whole = Bernstein::new(&std::iter::once(first).chain(terms).collect::<Vec<_>>());
         // Over the way from the end on, what it is there is its slope: the zero is known to this part of the step.
-        if ends { whole.without_end().least(HALVINGS) * END > noise } else { whole.least(HALVINGS) > noise }
+        if ends { whole.without_end().least() * END > noise } else { whole.least() > noise }
     }
 }
