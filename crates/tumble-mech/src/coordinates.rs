@@ -15,12 +15,12 @@
 //! `tests/free_flight.rs`, `tests/kicked_ball.rs`, `tests/pendulum.rs` (elliptic functions; the reaction closes
 //! both laws), `tests/springs.rs` (a shaken pivot).
 
-use tumble_expr::{Expr, Substitution, Symbol, Vector};
+use tumble_expr::{Dimension, Expr, Substitution, Symbol, Vector};
 
 use crate::anchor::rate;
-use crate::contact::Pair;
 use crate::kinematics::{Kinematics, PointRef};
 use crate::mass::MassProperties;
+use crate::row::Wrench;
 use crate::term::{Law, Term};
 
 /// A point of the world, fixed or moved on a given path, that a point of the body is held at.
@@ -34,6 +34,18 @@ pub struct Pivot {
     pub point: Vector,
     /// Where it is held, m, world axes; a formula of the time where it moves.
     pub world: Vector,
+}
+
+impl Pivot {
+    /// Symbols of its force on the body, N.
+    pub fn force_symbols(&self) -> [Symbol; 2] {
+        force_symbols(&self.name)
+    }
+}
+
+/// Symbols of the force of a joint of that name on the first body it holds, N.
+pub(crate) fn force_symbols(joint: &str) -> [Symbol; 2] {
+    ["fx", "fy"].map(|name| Symbol::new(format!("{joint}.{name}"), Dimension::FORCE))
 }
 
 /// The coordinates of one body: which of its kinematic symbols are states, and what the others are.
@@ -58,6 +70,16 @@ pub(crate) enum Measure {
     AngularRate,
     /// Root of the depth of a Hertzian contact.
     Root,
+}
+
+impl Measure {
+    /// What the rate of something so measured is measured in.
+    pub(crate) fn rate(self) -> Self {
+        match self {
+            Self::Angle => Self::AngularRate,
+            _ => Self::Speed,
+        }
+    }
 }
 
 /// A state with its rate, in the body's kinematic symbols.
@@ -165,6 +187,27 @@ impl Coordinates {
         }
     }
 
+    /// Indices of what those are the rates of.
+    pub(crate) fn coordinate_states(&self) -> &'static [usize] {
+        match self {
+            Self::Free => &[0, 1, 4],
+            Self::Pivoted { .. } => &[0],
+        }
+    }
+
+    /// What each velocity takes to be changed: kg, of a rotation kg m^2. What has no moment of inertia and does not turn either has
+    /// one of 1 kg m^2, which nothing reaches.
+    pub(crate) fn masses(&self, mass: &MassProperties, turns: bool) -> Vec<Expr> {
+        match self {
+            Self::Free => {
+                let is_point = tumble_expr::is_identically_zero(&mass.inertia);
+                let inertia = if is_point && !turns { Expr::one() } else { mass.inertia.clone() };
+                vec![mass.mass.clone(), mass.mass.clone(), inertia]
+            }
+            Self::Pivoted { arm, .. } => vec![inertia_about_pivot(arm, mass)],
+        }
+    }
+
     /// Change of each velocity by a unit of its impulse: 1/kg, or 1/(kg m^2) of a rotation.
     pub(crate) fn inverse_masses(&self, mass: &MassProperties) -> Vec<Expr> {
         match self {
@@ -179,22 +222,21 @@ impl Coordinates {
         }
     }
 
-    /// Acceleration of the gap of one pair by a unit force at another of the same body, 1/kg.
-    pub(crate) fn response(&self, body: &Kinematics, mass: &MassProperties, i: &Pair, j: &Pair) -> Expr {
-        let lever = |pair: &Pair, from: &Vector| (from + pair.arm()).cross_planar(&pair.normal);
+    /// What a unit of one wrench on the body does along another: 1/kg for two forces.
+    pub(crate) fn response(&self, body: &Kinematics, mass: &MassProperties, i: &Wrench, j: &Wrench) -> Expr {
         match self {
             Self::Free => {
-                let along = i.normal.x() * j.normal.x() + i.normal.y() * j.normal.y();
+                let along = i.force.x() * j.force.x() + i.force.y() * j.force.y();
                 let centre = Vector::planar(Expr::zero(), Expr::zero());
                 let pushed = along / &mass.mass;
                 match tumble_expr::is_identically_zero(&mass.inertia) {
                     true => pushed,
-                    false => pushed + lever(i, &centre) * lever(j, &centre) / &mass.inertia,
+                    false => pushed + i.torque_about(&centre) * j.torque_about(&centre) / &mass.inertia,
                 }
             }
             Self::Pivoted { arm, .. } => {
                 let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
-                lever(i, &from_pivot) * lever(j, &from_pivot) / inertia_about_pivot(arm, mass)
+                i.torque_about(&from_pivot) * j.torque_about(&from_pivot) / inertia_about_pivot(arm, mass)
             }
         }
     }

@@ -4,12 +4,13 @@ use std::convert::Infallible;
 use std::sync::Arc;
 
 use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
-use tumble_ode::{Invariant, Program, ScaleGroup};
+use tumble_ode::{Program, ScaleGroup};
 
 use crate::cache::Cache;
 use crate::conditions::Sound;
-use crate::contact::{Pair, Pairs, TouchTapes};
-use crate::coordinates::{Coordinates, Measure, StateRate};
+use crate::constraints::JointEquations;
+use crate::contact::{Pairs, TouchTapes};
+use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols};
 use crate::error::{ModelError, ModelErrors};
 use crate::evaluator::Tapes;
 use crate::interaction::Bodies;
@@ -20,6 +21,7 @@ use crate::mass::MassProperties;
 use crate::mode::Mode;
 use crate::model::Model;
 use crate::parameters::Parameters;
+use crate::row::Wrench;
 use crate::term::Term;
 
 /// The equations of motion of a model, for every mode and every value of the parameters.
@@ -40,6 +42,7 @@ struct Parts {
     terms: Vec<Term>,
     windows: Vec<Window>,
     pairs: Pairs,
+    joints: Vec<JointEquations>,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
     built: Built,
@@ -93,10 +96,10 @@ impl Window {
 }
 
 #[derive(Clone, Debug)]
-struct BodyEquations {
-    kinematics: Kinematics,
-    mass: MassProperties,
-    coordinates: Coordinates,
+pub(crate) struct BodyEquations {
+    pub(crate) kinematics: Kinematics,
+    pub(crate) mass: MassProperties,
+    pub(crate) coordinates: Coordinates,
 }
 
 impl Equations {
@@ -110,7 +113,8 @@ impl Equations {
         }
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
-        let parts = Parts { bodies, terms, windows, pairs, definitions, built: Built::default() };
+        let joints = JointEquations::all(&model);
+        let parts = Parts { bodies, terms, windows, pairs, joints, definitions, built: Built::default() };
         let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
@@ -180,12 +184,7 @@ impl Equations {
         self.terms_with(mode, |formula| self.shown(mode, formula))
     }
 
-    /// By how fast the gaps change that lasting contacts of a body keep at zero, m/s^2, shown like the terms.
-    pub fn shown_constraints(&self, mode: &Mode, body: usize) -> Vec<Expr> {
-        self.held_on(mode, body).map(|pair| self.shown(mode, &pair.gap_acceleration())).collect()
-    }
-
-    fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
+    pub(crate) fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
         self.changes(mode).apply(&self.parts.definitions.apply(formula))
     }
 
@@ -226,9 +225,9 @@ impl Equations {
         found.unwrap_or_else(|never| match never {})
     }
 
-    /// The same, accelerations and contact forces of one body only: what its own contacts need.
-    pub(crate) fn definitions_about(&self, mode: &Mode, body: usize) -> Definitions {
-        Definitions { kinematic: self.definitions_in(mode, &[body]), changes: self.changes(mode) }
+    /// The same, accelerations and constraint forces of one island only: what its own contacts need.
+    pub(crate) fn definitions_about(&self, mode: &Mode, island: &[usize]) -> Definitions {
+        Definitions { kinematic: self.definitions_in(mode, island), changes: self.changes(mode) }
     }
 
     /// Formulas for all kinematic symbols that are not states.
@@ -237,55 +236,28 @@ impl Equations {
     fn definitions_in(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
         let acting = self.acting(mode);
         let mut all = self.parts.definitions.clone();
-        let forces = self.contact_forces(mode, bodies);
+        let (symbols, forces) = self.constraint_forces(mode, bodies);
         for &index in bodies {
             let accelerations = self.parts.bodies[index].accelerations(&on_body(&acting, index));
             for (symbol, formula) in accelerations {
                 all.insert(symbol, self.parts.definitions.apply(&forces.apply(&formula)));
             }
         }
-        for pair in self.parts.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
-            let force: Expr = pair.force_symbol().into();
-            all.insert(pair.force_symbol(), self.parts.definitions.apply(&forces.apply(&force)));
+        for symbol in symbols {
+            let force: Expr = symbol.clone().into();
+            all.insert(symbol, self.parts.definitions.apply(&forces.apply(&force)));
+        }
+        for &index in bodies {
+            for (symbol, force) in self.parts.bodies[index].reaction(index, &on_body(&acting, index)) {
+                let force = all.apply(&force);
+                all.insert(symbol, force);
+            }
         }
         all
     }
 
-    /// Normal forces of all pairs in a mode, in kinematic symbols without accelerations: zero where they are apart.
-    fn contact_forces(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
-        let mut forces = Substitution::default();
-        for pair in self.parts.pairs.all.iter().filter(|pair| bodies.contains(&pair.body)) {
-            forces.insert(pair.force_symbol(), Expr::zero());
-        }
-        for pair in mode.pressed().map(|pair| &self.parts.pairs.all[pair]) {
-            forces
-                .insert(pair.force_symbol(), laws::compliant::normal_force(pair).unwrap_or_else(Expr::zero));
-        }
-        let acting = self.acting(mode);
-        let mut held_forces = vec![];
-        for &index in bodies {
-            let body = &self.parts.bodies[index];
-            let held: Vec<&Pair> = self.held_on(mode, index).collect();
-            if held.is_empty() {
-                continue;
-            }
-            let mut free = Substitution::default();
-            for (symbol, formula) in body.accelerations(&on_body(&acting, index)) {
-                free.insert(symbol, forces.apply(&formula));
-            }
-            let known = (&body.kinematics, &body.mass, &body.coordinates);
-            let found = laws::support::normal_forces(&held, known, &free);
-            held_forces.extend(held.iter().map(|pair| pair.force_symbol()).zip(found));
-        }
-        for (symbol, force) in held_forces {
-            forces.insert(symbol, force);
-        }
-        forces
-    }
-
     /// The terms on one body in a mode, reactions left out, in the states of the mode.
-    pub(crate) fn terms_on(&self, mode: &Mode, body: usize) -> Vec<Term> {
-        let definitions = self.definitions_about(mode, body);
+    pub(crate) fn terms_on(&self, mode: &Mode, body: usize, definitions: &Definitions) -> Vec<Term> {
         let acting = self.acting(mode);
         let in_mode = |formula: &Expr| definitions.apply(formula);
         let in_states = |term: &&Term| Term {
@@ -295,11 +267,6 @@ impl Equations {
             ..(*term).clone()
         };
         on_body(&acting, body).iter().map(in_states).collect()
-    }
-
-    /// Pairs of a body that rigid surfaces hold in a mode.
-    fn held_on<'a>(&'a self, mode: &'a Mode, body: usize) -> impl Iterator<Item = &'a Pair> {
-        mode.held().map(|pair| &self.parts.pairs.all[pair]).filter(move |pair| pair.body == body)
     }
 
     /// Parameters that events have given other formulas.
@@ -315,14 +282,16 @@ impl Equations {
         changes
     }
 
-    fn acting(&self, mode: &Mode) -> Vec<&Term> {
+    pub(crate) fn acting(&self, mode: &Mode) -> Vec<&Term> {
         let loads =
             self.parts.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
         let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
-        loads.chain(touching).collect()
+        let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| mode.holds(*joint));
+        loads.chain(touching).chain(joints.flat_map(|(_, joint)| &joint.terms)).collect()
     }
 
-    /// The states of a mode: those of the bodies, then the roots of the depths of Hertzian contacts.
+    /// The states of a mode: those of the bodies, then where events have made joints, then the roots of the depths of Hertzian
+    /// contacts.
     pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
         let bodies = self.parts.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics));
         let roots = self.roots(mode);
@@ -338,7 +307,7 @@ impl Equations {
                 per_parameter: true,
             }
         };
-        bodies.chain(roots.iter().map(root)).collect()
+        bodies.chain(self.seats(mode)).chain(roots.iter().map(root)).collect()
     }
 
     /// Pairs whose depth's root is a state of a mode.
@@ -355,20 +324,12 @@ impl Equations {
         roots.reduce(|product, root| product * root)
     }
 
-    /// What is zero all along a mode.
-    pub(crate) fn invariants(&self, mode: &Mode) -> Vec<Invariant> {
-        let definitions = self.definitions_of(mode);
-        let invariant = |formula: Expr, measure: Measure| Invariant {
-            formula: definitions.apply(&formula),
-            group: measure as usize,
-        };
-        let held = mode.held().map(|pair| &self.parts.pairs.all[pair]);
-        let held = held.flat_map(|pair| {
-            [invariant(pair.gap(), Measure::Length), invariant(pair.gap_rate(), Measure::Speed)]
-        });
-        let roots = self.roots(mode).into_iter().map(|pair| &self.parts.pairs.all[pair]);
-        let roots = roots.map(|pair| invariant(laws::compliant::root_invariant(pair), Measure::Length));
-        held.chain(roots).collect()
+    pub(crate) fn joints(&self) -> &[JointEquations] {
+        &self.parts.joints
+    }
+
+    pub(crate) fn body_equations(&self, body: usize) -> &BodyEquations {
+        &self.parts.bodies[body]
     }
 
     pub(crate) fn pair_list(&self) -> &Pairs {
@@ -389,6 +350,12 @@ impl Equations {
     pub(crate) fn velocity_states(&self, body: usize) -> Vec<usize> {
         let first = self.first_state(body);
         self.parts.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
+    }
+
+    /// Indices of the states that a body's velocities are the rates of.
+    pub(crate) fn coordinate_states(&self, body: usize) -> Vec<usize> {
+        let first = self.first_state(body);
+        self.parts.bodies[body].coordinates.coordinate_states().iter().map(|state| first + state).collect()
     }
 
     /// What an impulse does to each of a body's velocities.
@@ -424,10 +391,12 @@ impl Equations {
     }
 
     fn check_points_turn(&self) -> Result<(), ModelErrors> {
-        let is_point = |body: &BodyEquations| {
-            matches!(body.coordinates, Coordinates::Free) && is_identically_zero(&body.mass.inertia)
+        let is_point = |(index, body): (usize, &BodyEquations)| {
+            matches!(body.coordinates, Coordinates::Free)
+                && is_identically_zero(&body.mass.inertia)
+                && !self.joints().iter().any(|joint| joint.bodies.contains(&index))
         };
-        let points: Vec<bool> = self.parts.bodies.iter().map(is_point).collect();
+        let points: Vec<bool> = self.parts.bodies.iter().enumerate().map(is_point).collect();
         let turned = |term: &&Term| points[term.body] && !is_identically_zero(&term.torque());
         let mistakes = self.parts.terms.iter().filter(turned).map(|term| ModelError::PointTurned {
             body: self.model.bodies[term.body].name.clone(),
@@ -439,8 +408,23 @@ impl Equations {
 }
 
 impl BodyEquations {
+    /// What a unit of one wrench on the body does along another.
+    pub(crate) fn response(&self, i: &Wrench, j: &Wrench) -> Expr {
+        self.coordinates.response(&self.kinematics, &self.mass, i, j)
+    }
+
+    /// What its pivot does to it under these terms, by its symbols, in accelerations.
+    fn reaction(&self, index: usize, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
+        let term = self.coordinates.reaction(index, &self.kinematics, &self.mass, terms);
+        let by_symbol = |term: Term| {
+            let components = term.force.components().to_vec();
+            force_symbols(&term.load).into_iter().zip(components).collect()
+        };
+        term.map(by_symbol).unwrap_or_default()
+    }
+
     /// The accelerations under these terms, by their symbols.
-    fn accelerations(&self, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
+    pub(crate) fn accelerations(&self, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
         let (a, alpha) = self.coordinates.accelerations(&self.kinematics, &self.mass, terms);
         let along = self.kinematics.acceleration_symbols().into_iter().zip(a.components().to_vec());
         along.chain([(self.kinematics.alpha_symbol(), alpha)]).collect()
@@ -479,6 +463,6 @@ fn window(load: &Load, windows: &mut Vec<Window>) -> Option<usize> {
     Some(windows.len() - 1)
 }
 
-fn on_body<'a>(terms: &[&'a Term], body: usize) -> Vec<&'a Term> {
+pub(crate) fn on_body<'a>(terms: &[&'a Term], body: usize) -> Vec<&'a Term> {
     terms.iter().copied().filter(|term| term.body == body).collect()
 }

@@ -151,6 +151,38 @@ pub enum ModelError {
         /// Name of the other.
         second: String,
     },
+    /// A joint of something with itself.
+    #[error("`{joint}` joins {what}: a joint keeps a body at another body or at a place")]
+    JointOfOne {
+        /// Name of the joint.
+        joint: String,
+        /// What it joins.
+        what: String,
+    },
+    /// A joint whose points are not at one place at the start.
+    #[error("what `{joint}` joins is {gap} m apart at the start: place it there, or write `assemble = true`")]
+    JointOpen {
+        /// Name of the joint.
+        joint: String,
+        /// m; of a weld an angle, rad, may be in it.
+        gap: f64,
+    },
+    /// A joint whose points move apart at the start.
+    #[error("what `{joint}` joins moves apart at {rate} m/s at the start: give it fitting velocities, or write `assemble = true`")]
+    JointMoves {
+        /// Name of the joint.
+        joint: String,
+        /// m/s; of a weld an angular rate, rad/s, may be in it.
+        rate: f64,
+    },
+    /// Joints that no pose of their bodies closes.
+    #[error("no pose of the bodies was found in which {} hold: what is left is {gap} m", listed(joints))]
+    JointsDoNotClose {
+        /// Their names.
+        joints: Vec<String>,
+        /// What is left, m.
+        gap: f64,
+    },
     /// A path that a pivot is moved on with a corner or a jump.
     #[error(
         "the path of {what} has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \
@@ -246,4 +278,9 @@ impl ModelErrors {
     pub(crate) fn into_first(self) -> ModelError {
         self.0.into_iter().next().unwrap_or(ModelError::Empty)
     }
+}
+
+fn listed(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
 }

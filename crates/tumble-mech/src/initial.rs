@@ -1,15 +1,13 @@
 //! Values to start a run from: checked numbers for the parameters, the states and the mode.
 
-use std::collections::HashMap;
-
-use tumble_expr::{Expr, Vector};
+use tumble_expr::Expr;
 use tumble_ode::Start as NumericStart;
 
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
 use crate::mode::Mode;
 use crate::parameters::{Known, Parameters};
-use crate::start::Start;
+use crate::placement::Placement;
 
 impl Equations {
     /// Start of a run at time 0 with these parameters, which have the model's names.
@@ -19,12 +17,13 @@ impl Equations {
     pub fn start(&self, parameters: &Parameters) -> Result<NumericStart<Mode>, ModelErrors> {
         let known = parameters.known()?;
         let mut mistakes = self.value_mistakes(&known);
-        let (states, compensation) = self.initial_states(&known, &mut mistakes)?;
-        let mode = self.initial_mode(&known, &mut mistakes)?;
+        let (mut states, mut compensation) = self.initial_states(&known, &mut mistakes)?;
+        let mut mode = self.initial_mode(&known, &mut mistakes)?;
         if !mistakes.is_empty() {
             return Err(ModelErrors(mistakes));
         }
         let inputs = known.values().to_vec();
+        self.assemble(&mut mode, &mut states, &mut compensation, &inputs)?;
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
         match mistakes.is_empty() {
             true => {
@@ -53,16 +52,14 @@ impl Equations {
         mistakes: &mut Vec<ModelError>,
     ) -> Result<(Vec<f64>, Vec<f64>), ModelError> {
         let model = self.model();
-        let starts: HashMap<&str, &Start> =
-            model.starts.iter().rev().map(|(body, start)| (body.as_str(), start)).collect();
+        let placements = model.placements();
         let (mut states, mut compensation) = (vec![], vec![]);
         for (index, body) in model.bodies.iter().enumerate() {
-            let start = starts.get(body.name.as_str()).map(|start| (*start).clone()).unwrap_or_default();
-            let formulas = if self.is_pivoted(index) {
-                turning(&start)
-            } else {
-                let drawn = &self.mass_properties(index).centre;
-                moving(&start, drawn).into_iter().chain(turning(&start)).collect()
+            let Placement { position, velocity, angle, omega } = &placements[index];
+            let turning = [angle.clone(), omega.clone()];
+            let formulas = match self.is_pivoted(index) {
+                true => turning.to_vec(),
+                false => [position.components(), velocity.components(), &turning].concat(),
             };
             let values = known.evaluate(&formulas)?;
             if let Some(value) = values.iter().copied().find(|value| !value.is_finite()) {
@@ -100,7 +97,8 @@ impl Equations {
             }
             windows.push(from <= 0.0 && 0.0 < to);
         }
-        Ok(Mode { windows, ..Mode::default() })
+        let made = self.model().joints.iter().enumerate().filter(|(_, joint)| joint.from.is_some());
+        Ok(Mode { windows, released: made.map(|(index, _)| index).collect(), ..Mode::default() })
     }
 }
 
@@ -109,16 +107,4 @@ fn note(mistakes: &mut Vec<ModelError>, mistake: ModelError) {
     if mistakes.iter().all(|known| known.what() != mistake.what()) {
         mistakes.push(mistake);
     }
-}
-
-fn moving(start: &Start, drawn: &Vector) -> Vec<Expr> {
-    let at = start.at.as_ref().unwrap_or(drawn).components().to_vec();
-    let rest = Vector::planar(Expr::zero(), Expr::zero());
-    let velocity = start.velocity.as_ref().unwrap_or(&rest).components().to_vec();
-    at.into_iter().chain(velocity).collect()
-}
-
-fn turning(start: &Start) -> Vec<Expr> {
-    let value = |formula: &Option<Expr>| formula.clone().unwrap_or_else(Expr::zero);
-    vec![value(&start.angle), value(&start.omega)]
 }

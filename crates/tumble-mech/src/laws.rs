@@ -6,6 +6,5 @@ pub(crate) mod drag;
 pub(crate) mod impact;
 pub(crate) mod magnus;
 pub(crate) mod spring;
-pub(crate) mod support;
 pub(crate) mod torsion;
 pub(crate) mod weight;

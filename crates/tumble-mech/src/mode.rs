@@ -12,6 +12,10 @@ pub struct Mode {
     pub changes: Vec<usize>,
     /// Which pairs touch and how, in the order of the pairs; those not mentioned are open.
     pub contacts: Vec<(usize, ContactMode)>,
+    /// Joints that do not hold, in order.
+    pub released: Vec<usize>,
+    /// Rows of joints that follow from others and are left out, in order; see [`crate::Equations::joint_rows`].
+    pub redundant: Vec<usize>,
 }
 
 impl Mode {
@@ -19,6 +23,11 @@ impl Mode {
     pub(crate) fn change(&mut self, event: usize) {
         self.changes.retain(|known| *known != event);
         self.changes.push(event);
+    }
+
+    /// Whether the joint of that index holds.
+    pub fn holds(&self, joint: usize) -> bool {
+        !self.released.contains(&joint)
     }
 
     /// Contact mode of a pair; `None` if it is open.
@@ -34,12 +43,12 @@ impl Mode {
         self.contacts.sort_unstable();
     }
 
-    /// The same mode as far as a body's free motion depends on it: without its lasting contacts and those of others,
+    /// The same mode as far as the free motion of an island depends on it: without its lasting contacts and those of others,
     /// except where they are states.
-    pub(crate) fn without_support(&self, pairs: &[Pair], body: usize) -> Self {
+    pub(crate) fn without_support(&self, pairs: &[Pair], island: &[usize]) -> Self {
         let mut mode = self.clone();
         mode.contacts.retain(|(pair, contact_mode)| {
-            let (own, is_state) = (pairs[*pair].body == body, pairs[*pair].is_hertzian());
+            let (own, is_state) = (island.contains(&pairs[*pair].body), pairs[*pair].is_hertzian());
             if own { !contact_mode.is_lasting() } else { is_state && *contact_mode == ContactMode::Pressed }
         });
         mode

@@ -10,6 +10,7 @@ use crate::contact::{Pair, Pairs};
 use crate::coordinates::Pivot;
 use crate::event::Event;
 use crate::interaction::Interaction;
+use crate::joint::Joint;
 use crate::kinematics::PointRef;
 use crate::laws::impact::MultipleImpacts;
 use crate::load::Load;
@@ -53,6 +54,8 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// At most one a body.
     pub pivots: Vec<Pivot>,
+    /// What keeps points of bodies together.
+    pub joints: Vec<Joint>,
     /// Forces and torques.
     pub loads: Vec<Load>,
     /// Air resistance, springs and other laws known by their coefficients.
@@ -85,6 +88,7 @@ impl Model {
             gravity: Gravity::None,
             bodies: vec![],
             pivots: vec![],
+            joints: vec![],
             loads: vec![],
             interactions: vec![],
             surfaces: vec![],
@@ -111,6 +115,11 @@ impl Model {
     pub fn pivot_at(&mut self, name: impl Into<String>, body: &Body, point: [Expr; 2], world: [Expr; 2]) {
         let [point, world] = [point, world].map(|[x, y]| Vector::planar(x, y));
         self.pivots.push(Pivot { name: name.into(), body: body.name.clone(), point, world });
+    }
+
+    /// Keeps points of bodies, or a point and a place, together.
+    pub fn join(&mut self, joint: Joint) {
+        self.joints.push(joint);
     }
 
     /// A force on a material point of a body, N, in world axes.

@@ -2,11 +2,13 @@
 
 use tumble_expr::{Dimension, Expr, Vector};
 
+use crate::anchor::Anchor;
 use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::ModelError;
 use crate::event::Event;
 use crate::interaction::Interaction;
+use crate::joint::Joint;
 use crate::load::{Application, Load, Moment};
 use crate::model::{Gravity, Model};
 use crate::place::Place;
@@ -42,6 +44,7 @@ impl Model {
             list.add("gravity", [g], Dimension::ACCELERATION);
         }
         self.pivots.iter().for_each(|pivot| list.pivot(pivot));
+        self.joints.iter().for_each(|joint| list.joint(joint));
         self.loads.iter().for_each(|load| list.load(load));
         self.events.iter().for_each(|event| list.event(event, self));
         list.add("wind", self.wind.0.components(), Dimension::SPEED);
@@ -93,6 +96,11 @@ impl List {
     fn pivot(&mut self, pivot: &Pivot) {
         let places = pivot.point.components().iter().chain(pivot.world.components());
         self.add(&format!("pivot `{}`", pivot.name), places, Dimension::LENGTH);
+    }
+
+    fn joint(&mut self, joint: &Joint) {
+        let places = joint.ends.iter().flat_map(Anchor::places);
+        self.add(&format!("joint `{}`", joint.name), places, Dimension::LENGTH);
     }
 
     fn load(&mut self, load: &Load) {

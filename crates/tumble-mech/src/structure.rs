@@ -2,11 +2,14 @@
 
 use std::collections::{HashMap, HashSet};
 
+use tumble_expr::Vector;
+
 use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
 use crate::interaction::Interaction;
+use crate::joint::Joint;
 use crate::load::{Load, Moment};
 use crate::model::Model;
 use crate::parameters::time_symbol;
@@ -52,6 +55,7 @@ impl<'m> Structure<'m> {
         mistakes.extend(model.bodies.is_empty().then_some(ModelError::Empty));
         mistakes.extend(self.same_names());
         mistakes.extend(model.pivots.iter().flat_map(|pivot| self.of_pivot(pivot)));
+        mistakes.extend(model.joints.iter().flat_map(|joint| self.of_joint(joint)));
         mistakes.extend(model.loads.iter().flat_map(|load| self.of_load(load)));
         mistakes.extend(model.events.iter().flat_map(|event| self.of_event(event)));
         let interactions = model.interactions.iter();
@@ -68,6 +72,7 @@ impl<'m> Structure<'m> {
         names.extend(model.bodies.iter().map(|body| body.name.as_str()));
         names.extend(model.loads.iter().map(|load| load.name.as_str()));
         names.extend(model.pivots.iter().map(|pivot| pivot.name.as_str()));
+        names.extend(model.joints.iter().map(|joint| joint.name.as_str()));
         names.extend(model.events.iter().map(|event| event.name.as_str()));
         names.extend(model.interactions.iter().map(|interaction| interaction.name()));
         names.extend(model.surfaces.iter().map(|surface| surface.name.as_str()));
@@ -89,6 +94,24 @@ impl<'m> Structure<'m> {
                 second: pivot.name.clone(),
             });
         }
+        mistakes
+    }
+
+    fn of_joint(&self, joint: &Joint) -> Vec<ModelError> {
+        let mut mistakes: Vec<ModelError> = joint.bodies().filter_map(|body| self.unknown_body(body)).collect();
+        let bodies: Vec<&str> = joint.bodies().collect();
+        let what = match bodies[..] {
+            [] => Some("no body".to_owned()),
+            [a, b] if a == b => Some(format!("`{a}` with itself")),
+            _ => None,
+        };
+        mistakes.extend(what.map(|what| ModelError::JointOfOne { joint: joint.name.clone(), what }));
+        let path = joint.world().into_iter().flat_map(Vector::components);
+        if path.into_iter().any(|path| path.branches_on(&[time_symbol()])) {
+            mistakes.push(ModelError::CorneredPath { what: format!("joint `{}`", joint.name) });
+        }
+        let events = joint.from.iter().chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
+        mistakes.extend(events.map(|name| ModelError::Unknown { kind: "event", name: name.clone() }));
         mistakes
     }
 

@@ -93,6 +93,12 @@ tumble_expr::codes! {
     NoForce = "E0545";
     /// A spring whose ends are at one place at the start.
     NoSpan = "E0546";
+    /// An event that does not exist.
+    UnknownEvent = "E0547";
+    /// A joint whose ends are not together at the start, or do not stay so.
+    JointOpen = "E0548";
+    /// Joints that no pose of their bodies closes.
+    JointsDoNotClose = "E0549";
     /// A file outside of the scene's folder.
     FilePath = "E0550";
     /// A file that cannot be read.

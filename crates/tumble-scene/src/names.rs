@@ -47,6 +47,8 @@ pub(crate) struct Names {
     pub(crate) events: Vec<String>,
     /// Starts and ends of forces that do not act always: `kick.end`.
     pub(crate) windows: BTreeSet<String>,
+    /// The names of all joints, pivots among them, likewise.
+    pub(crate) joints: Vec<String>,
     /// The names of all surfaces, likewise.
     pub(crate) surfaces: Vec<String>,
     /// What may touch what: `floor`, `floor.rod` and `floor.rod.tip`.
@@ -105,6 +107,7 @@ impl Names {
             "t" => Some(Level::Time),
             _ if of_body && ACCELERATIONS.contains(&last) => Some(Level::Output),
             _ if of_body => Some(Level::Motion),
+            _ if self.joints.iter().any(|joint| joint == first_word(name)) => Some(Level::Output),
             _ if of_surface && last == "normal" => Some(Level::Output),
             _ if of_surface && last == "gap" => Some(Level::Motion),
             _ => None,

@@ -68,6 +68,18 @@ impl Places {
             ModelError::NoSpan { load } => about(Code::NoSpan, &format!("`{load}`"))
                 .label("of no length at the start")
                 .help("start the bodies apart; only a spring of no rest length and no damping may have no length"),
+            ModelError::JointOpen { joint, .. } => about(Code::JointOpen, &format!("joint `{joint}`"))
+                .label("apart at the start")
+                .help("start the bodies where the joint holds, leave out `at` of one of them, or write `assemble = true`"),
+            ModelError::JointMoves { joint, .. } => about(Code::JointOpen, &format!("joint `{joint}`"))
+                .label("coming apart at the start")
+                .help("give its bodies velocities that fit, leave out `velocity` of one of them, or write `assemble = true`"),
+            ModelError::JointsDoNotClose { joints, .. } => {
+                let first = joints.first().map(String::as_str).unwrap_or_default();
+                about(Code::JointsDoNotClose, &format!("joint `{first}`"))
+                    .label("does not close")
+                    .help("are the lengths such that a loop can close? Start nearer to the pose that is meant")
+            }
             ModelError::AfterEvent { event, mistake } => self.after_event(event, mistake, &message),
             other => self.about_value(other, &message),
         }

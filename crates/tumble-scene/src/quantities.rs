@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use tumble_expr::language::{Formula, Value};
-use tumble_expr::{Dimension, Expr, Symbol};
+use tumble_expr::{Dimension, Expr, Symbol, Vector};
 use tumble_mech::{Body, Gravity, Model, time};
 
 use crate::code::Code;
@@ -78,13 +78,21 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
     }
 }
 
+/// Gives what a joint does its names: `hinge.fx`, `hinge.fy`, `hinge.force`, of a weld `joint.torque`.
+pub(crate) fn define_joint(names: &mut Names, joint: &str, multipliers: Vec<Symbol>) {
+    let force = Vector::planar(multipliers[0].clone().into(), multipliers[1].clone().into());
+    names.define(Level::Output, &format!("{joint}.force"), &force.norm());
+    multipliers.into_iter().for_each(|symbol| define_symbol(names, Level::Output, symbol));
+}
+
 /// Names everything that does work, once the model is complete.
 pub(crate) fn define_works(names: &mut Names, model: &Model) {
     let loads = model.loads.iter().map(|load| load.name.clone());
     let interactions = model.interactions.iter().map(|interaction| interaction.name().to_owned());
     let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
+    let joints = model.joints.iter().map(|joint| joint.name.clone());
     let weight = ["gravity".to_owned()];
-    names.working.extend(loads.chain(interactions).chain(pivots).chain(weight).chain(names.touching.clone()));
+    names.working.extend(loads.chain(interactions).chain(pivots).chain(joints).chain(weight).chain(names.touching.clone()));
 }
 
 /// The works in a formula, by the names they have there: `floor.work`, J.

@@ -104,6 +104,17 @@ impl Draft {
         self.model.bodies.iter().find(|body| body.name == name).cloned()
     }
 
+    /// `true` or `false`.
+    pub(crate) fn flag(&mut self, field: &Field) -> Option<bool> {
+        match field.value {
+            DeValue::Boolean(flag) => Some(*flag),
+            _ => {
+                self.wrong_type(field, "`true` or `false`");
+                None
+            }
+        }
+    }
+
     /// Everything that was not asked for is unknown.
     pub(crate) fn done(&mut self, table: Table) {
         for field in &table.fields {

@@ -18,9 +18,10 @@ use tumble_expr::{Dimension, Expr, Symbol, Vector, is_identically_zero};
 use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::feature::Feature;
-use crate::coordinates::Pivot;
+use crate::coordinates::{Measure, Pivot};
 use crate::kinematics::PointRef;
 use crate::parameters::time_symbol;
+use crate::row::{Row, Wrench};
 use crate::surface::{ContactLaw, Surface};
 use crate::term::{Law, Term};
 
@@ -122,6 +123,19 @@ impl Pair {
             force: &force * &self.normal,
             couple: Expr::zero(),
             window: None,
+        }
+    }
+
+    /// The condition that the gap stays closed.
+    pub(crate) fn row(&self) -> Row {
+        let (body, arm, force) = (self.body, self.arm(), self.normal.clone());
+        Row {
+            multiplier: self.force_symbol(),
+            wrenches: vec![Wrench { body, arm, force, couple: Expr::zero() }],
+            position: self.gap(),
+            rate: self.gap_rate(),
+            acceleration: self.gap_acceleration(),
+            measure: Measure::Length,
         }
     }
 

@@ -1,4 +1,4 @@
-//! What an instant changes for a body that touches rigid surfaces: impacts, then which contacts last.
+//! What an instant changes for an island that touches rigid surfaces: impacts, then which contacts last.
 
 use std::collections::BTreeSet;
 

@@ -62,7 +62,7 @@ impl Equations {
         let mut touched = self.still_standing(at, jump);
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
-            let body = self.pairs()[pair].body;
+            let body = self.island_of(&jump.mode, self.pairs()[pair].body)[0];
             match (self.pairs()[pair].is_rigid(), watched) {
                 (true, Watched::Normal) => _ = touched.entry(body).or_default().lifted.insert(pair),
                 (true, _) => _ = touched.entry(body).or_default().closed.insert(pair),
@@ -86,7 +86,8 @@ impl Equations {
             return BTreeMap::new();
         }
         let lasting = at.mode.contacts.iter().filter(|(_, contact_mode)| contact_mode.is_lasting());
-        lasting.map(|(pair, _)| (self.pairs()[*pair].body, Touched::default())).collect()
+        let first = |pair: &usize| self.island_of(&jump.mode, self.pairs()[*pair].body)[0];
+        lasting.map(|(pair, _)| (first(pair), Touched::default())).collect()
     }
 
     /// Impacts that were too small to follow have ended.

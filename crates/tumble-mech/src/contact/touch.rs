@@ -1,4 +1,7 @@
-//! The numbers of one body's pairs at an instant: what impacts and lasting contacts are found from.
+//! The numbers of an island's pairs at an instant: what impacts and lasting contacts are found from.
+//!
+//! With M the masses, J the gradients of the gaps' rates and B those of the joints' rows, impulses P at the pairs change velocities by
+//! `M^-1 (J^T P + B^T Q)`, with `Q = -(B M^-1 B^T)^-1 B M^-1 J^T P` so that the joints hold.
 
 use std::sync::Arc;
 
@@ -8,8 +11,9 @@ use tumble_ode::Reason;
 
 use crate::cache::Cache;
 use crate::coordinates::Measure;
-use crate::equations::Equations;
+use crate::equations::{Definitions, Equations};
 use crate::mode::Mode;
+use crate::restrained::respond;
 use crate::surface::ContactLaw;
 use crate::term::Term;
 
@@ -36,9 +40,9 @@ const ONE_INSTANT: f64 = 16.0;
 /// Impulses along the normals by the index of the pair, N s.
 pub(crate) type Impulses = Vec<(usize, f64)>;
 
-/// One body's pairs at an instant, by their order among the body's own.
+/// An island's pairs at an instant, by their order among its own.
 pub(crate) struct Touch {
-    /// Largest extent of the body, m; zero where it has none.
+    /// Largest extent of a body, m; zero where none has any.
     pub(crate) size: f64,
     /// Index of each among all pairs.
     pub(crate) pairs: Vec<usize>,
@@ -50,7 +54,7 @@ pub(crate) struct Touch {
     pub(crate) rate: DVector<f64>,
     /// Rounding in a rate is relative to this, m/s.
     pub(crate) speed: DVector<f64>,
-    /// Accelerations of the gaps without lasting contacts of this body, m/s^2.
+    /// Accelerations of the gaps without lasting contacts of this island, m/s^2.
     pub(crate) free: DVector<f64>,
     /// Rounding in accelerations is relative to this: what all forces would do if none were against another, m/s^2.
     pub(crate) strength: f64,
@@ -62,9 +66,25 @@ pub(crate) struct Touch {
     kicks: DMatrix<f64>,
     /// Index of each velocity state.
     velocities: Vec<usize>,
+    /// The rows of joints that hold.
+    pub(crate) joints: Joined,
 }
 
-/// Tapes by body, mode and how numbers are rounded.
+/// Rows of joints at an instant, which impulses of their own keep.
+pub(crate) struct Joined {
+    /// Index of each among all rows of joints.
+    pub(crate) rows: Vec<usize>,
+    /// m/s or rad/s
+    pub(crate) rate: DVector<f64>,
+    /// Impulse of each by a unit impulse at a pair.
+    pub(crate) share: DMatrix<f64>,
+    /// Impulse of each by a unit of a rate that is to be stopped.
+    pub(crate) stop: DMatrix<f64>,
+    /// Change of each velocity state by a unit of a rate that is stopped.
+    stops: DMatrix<f64>,
+}
+
+/// Tapes by the first body of an island, mode and how numbers are rounded.
 pub(crate) type TouchTapes = Cache<((usize, Mode), Rounding), Tape>;
 
 /// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
@@ -82,14 +102,21 @@ impl Touch {
         }
     }
 
-    /// Position of a pair among the body's own.
+    /// Takes the rates out of the rows of joints; the impulses of the rows.
+    pub(crate) fn stop(&self, states: &mut [f64]) -> DVector<f64> {
+        let changes = &self.joints.stops * &self.joints.rate;
+        self.velocities.iter().zip(&changes).for_each(|(state, change)| states[*state] += change);
+        &self.joints.stop * &self.joints.rate
+    }
+
+    /// Position of a pair among the island's own.
     pub(crate) fn position(&self, pair: usize) -> Option<usize> {
         self.pairs.iter().position(|known| *known == pair)
     }
 }
 
 impl Equations {
-    /// The numbers of a body's pairs.
+    /// The numbers of the pairs of the island that a body belongs to.
     pub(crate) fn touch(
         &self,
         body: usize,
@@ -97,9 +124,10 @@ impl Equations {
         states: &[f64],
         now: Now<'_>,
     ) -> Result<Touch, Reason> {
-        let pairs: Vec<usize> = self.pair_list().of_body(body).collect();
-        let velocities = self.velocity_states(body);
-        let mut jets = Jets::new(self.touch_tape(body, mode, &pairs)?, 1, now.inputs);
+        let island = self.island_of(mode, body);
+        let pairs: Vec<usize> = island.iter().flat_map(|body| self.pair_list().of_body(*body)).collect();
+        let velocities: Vec<usize> = island.iter().flat_map(|body| self.velocity_states(*body)).collect();
+        let mut jets = Jets::new(self.touch_tape(&island, mode, &pairs)?, 1, now.inputs);
         jets.start(now.time, states, Branches::Free);
         // Gaps are differences of much larger numbers: what the carries add to them is found to first order.
         for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
@@ -108,14 +136,27 @@ impl Equations {
         jets.set(states.len(), 1, 0.0);
         jets.extend(1);
         let (n, dofs) = (pairs.len(), velocities.len());
-        let after_rows = n * (BEFORE_ROW + dofs);
+        let joint_rows = self.independent_rows_of(mode, &island);
+        let first_joint = n * (BEFORE_ROW + dofs);
+        let after_rows = first_joint + joint_rows.len() * (1 + dofs);
         let value = |pair: usize, which: usize| jets.value_of(pair * (BEFORE_ROW + dofs) + which);
         let column = |which: usize| DVector::from_fn(n, |pair, _| value(pair, which));
         let rows = DMatrix::from_fn(n, dofs, |pair, dof| value(pair, BEFORE_ROW + dof));
         let inverse = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dof));
-        let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
+        let joint_value = |row: usize, which: usize| jets.value_of(first_joint + row * (1 + dofs) + which);
+        let slopes = DMatrix::from_fn(joint_rows.len(), dofs, |row, dof| joint_value(row, 1 + dof));
+        let rate = DVector::from_fn(joint_rows.len(), |row, _| joint_value(row, 0));
+        let (kicks, joints) = match joint_rows.is_empty() {
+            true => (DMatrix::from_diagonal(&inverse) * rows.transpose(), Joined::none(n, dofs)),
+            false => {
+                let mass = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + 2 * dofs + 1 + dof));
+                Joined::new((joint_rows, rate), &slopes, (&rows, &mass))
+                    .ok_or_else(|| self.not_independent(&island))?
+            }
+        };
         let pushed = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dofs + dof));
-        let measures = self.velocity_measures(body);
+        let measures: Vec<Measure> =
+            island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
         let speed = |pair: usize| -> f64 {
             let own = |dof: usize| rows[(pair, dof)] * states[velocities[dof]];
             let left = |dof: usize| rows[(pair, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
@@ -138,6 +179,7 @@ impl Equations {
             pairs,
             kicks,
             velocities,
+            joints,
         };
         match touch.rate.iter().chain(&touch.free).all(|value| value.is_finite()) {
             true => Ok(touch),
@@ -165,17 +207,17 @@ impl Equations {
         })
     }
 
-    fn touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
-        let key = (body, mode.without_support(self.pairs(), body));
-        let build = |(body, mode): &(usize, Mode)| self.build_touch_tape(*body, mode, pairs);
+    fn touch_tape(&self, island: &[usize], mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
+        let key = (island[0], mode.without_support(self.pairs(), island));
+        let build = |(_, mode): &(usize, Mode)| self.build_touch_tape(island, mode, pairs);
         self.built().touch_tapes.get_rounded(key, self.rounding(), build, Tape::rounded)
     }
 
-    fn build_touch_tape(&self, body: usize, mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
+    fn build_touch_tape(&self, island: &[usize], mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
         let layout = Layout { rounding: Rounding::NEAREST, ..self.layout(mode) };
-        let velocities: Vec<_> =
-            self.velocity_states(body).into_iter().map(|state| layout.states[state].clone()).collect();
-        let definitions = self.definitions_about(mode, body);
+        let velocities: Vec<_> = island.iter().flat_map(|body| self.velocity_states(*body)).collect();
+        let velocities: Vec<_> = velocities.into_iter().map(|state| layout.states[state].clone()).collect();
+        let definitions = self.definitions_about(mode, island);
         let mut outputs: Vec<Expr> = vec![];
         for pair in pairs.iter().map(|pair| &self.pairs()[*pair]) {
             let restitution = match &pair.law {
@@ -189,10 +231,28 @@ impl Equations {
             outputs.push(definitions.apply(&restitution));
             outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
         }
-        outputs.extend(self.inverse_masses(body).iter().map(|formula| definitions.apply(formula)));
-        outputs.extend(self.pushes(body, mode));
-        outputs.push(self.model().bodies[body].reach() * 2);
+        let joints = self.independent_rows_of(mode, island);
+        for (_, row) in self.joint_rows(mode).filter(|(index, _)| joints.contains(index)) {
+            let rate = definitions.apply(&row.rate);
+            outputs.push(rate.clone());
+            outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
+        }
+        let inverse = island.iter().flat_map(|body| self.inverse_masses(*body));
+        outputs.extend(inverse.map(|formula| definitions.apply(&formula)));
+        outputs.extend(island.iter().flat_map(|body| self.pushes(*body, mode, &definitions)));
+        let reaches = island.iter().map(|body| self.model().bodies[*body].reach() * 2);
+        let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
+        outputs.extend(size);
+        if !joints.is_empty() {
+            let masses = island.iter().flat_map(|body| self.masses(mode, *body));
+            outputs.extend(masses.map(|formula| definitions.apply(&formula)));
+        }
         Ok(Tape::compile(&layout, &outputs)?)
+    }
+
+    fn not_independent(&self, island: &[usize]) -> Reason {
+        let names: Vec<&str> = island.iter().map(|body| self.model().bodies[*body].name.as_str()).collect();
+        Reason::Model(format!("the joints of {} do not determine their impulses here", names.join(", ")))
     }
 
     /// What kind each velocity of a body is of.
@@ -205,8 +265,8 @@ impl Equations {
 
     /// Sizes of all forces and torques on a body, lasting contacts left out, added up without signs: one for each
     /// velocity.
-    fn pushes(&self, body: usize, mode: &Mode) -> Vec<Expr> {
-        let terms = self.terms_on(mode, body);
+    fn pushes(&self, body: usize, mode: &Mode, definitions: &Definitions) -> Vec<Expr> {
+        let terms = self.terms_on(mode, body, definitions);
         let total =
             |of: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + of(term).abs());
         match self.pivot_arm(body) {
@@ -216,10 +276,34 @@ impl Equations {
                 total(&Term::torque),
             ],
             Some((_, arm)) => {
-                let definitions = self.definitions_about(mode, body);
                 let arm = arm.map(|part| definitions.apply(part));
                 vec![total(&|term| term.torque_about(&(&term.arm - &arm)))]
             }
         }
+    }
+}
+
+impl Joined {
+    fn none(pairs: usize, velocities: usize) -> Self {
+        Self {
+            rows: vec![],
+            rate: DVector::zeros(0),
+            share: DMatrix::zeros(0, pairs),
+            stops: DMatrix::zeros(velocities, 0),
+            stop: DMatrix::zeros(0, 0),
+        }
+    }
+
+    /// What impulses at the pairs do to the velocities, and the joints' part in it. `slopes` are the gradients of the rows' rates,
+    /// `gaps` those of the gaps' rates, by velocity.
+    fn new(
+        (rows, rate): (Vec<usize>, DVector<f64>),
+        slopes: &DMatrix<f64>,
+        (gaps, mass): (&DMatrix<f64>, &DVector<f64>),
+    ) -> Option<(DMatrix<f64>, Self)> {
+        let (n, m, dofs) = (gaps.nrows(), rows.len(), mass.len());
+        let (kicks, share) = respond(mass, slopes, &gaps.transpose(), &DMatrix::zeros(m, n))?;
+        let (stops, stop) = respond(mass, slopes, &DMatrix::zeros(dofs, m), &-DMatrix::identity(m, m))?;
+        Some((kicks, Self { rows, rate, share, stops, stop }))
     }
 }

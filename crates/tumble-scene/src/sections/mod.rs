@@ -10,6 +10,7 @@ mod force;
 mod free_body;
 mod functions;
 mod header;
+mod joint;
 mod lift;
 mod output;
 mod parameters;
@@ -65,6 +66,8 @@ pub(crate) const SECTIONS: &[Section] = &[
     needed("world", "[world]\ngravity = \"9.81 m/s^2\"", world::read),
     needed("body", "[body.ball]\nball = { radius = \"0.1 m\" }\nmass = \"1 kg\"", body::read),
     optional("pivot", pivot::read),
+    optional("pin", joint::read_pins),
+    optional("weld", joint::read_welds),
     optional("surface", surface::read),
     optional("event", event::read),
     optional("force", force::read),
@@ -90,6 +93,7 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     draft.names.bodies = second_names(&top, "body");
     draft.names.points = points::all_names(&top);
     draft.names.events = second_names(&top, "event");
+    draft.names.joints = ["pivot", "pin", "weld"].iter().flat_map(|section| second_names(&top, section)).collect();
     draft.names.surfaces = second_names(&top, "surface");
     for section in SECTIONS {
         if draft.is_full() {

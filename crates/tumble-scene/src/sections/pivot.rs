@@ -8,6 +8,7 @@ use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
 use crate::names::Level;
+use crate::quantities;
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, pivot);
@@ -22,5 +23,7 @@ fn pivot(draft: &mut Draft, field: &Field, table: &mut Table) {
     let moving = Want::constant(Dimension::LENGTH).at(Level::Time);
     let world = draft.required(table, "world", "[0, 0]").and_then(|field| draft.vector(&field, moving));
     let (Some(body), Some(point), Some(world)) = (held, point, world) else { return };
-    draft.model.pivots.push(Pivot { name, body, point, world });
+    let pivot = Pivot { name, body, point, world };
+    quantities::define_joint(&mut draft.names, &pivot.name, pivot.force_symbols().into());
+    draft.model.pivots.push(pivot);
 }

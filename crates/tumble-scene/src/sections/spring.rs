@@ -61,7 +61,7 @@ pub(super) fn between(draft: &mut Draft, table: &mut Table) -> Option<[Anchor; 2
     None
 }
 
-fn anchor(draft: &mut Draft, field: &Field) -> Option<Anchor> {
+pub(super) fn anchor(draft: &mut Draft, field: &Field) -> Option<Anchor> {
     if field.value.as_str().is_some() {
         return points::named_anywhere(draft, field).map(Anchor::Material);
     }

@@ -4,12 +4,14 @@ use serde_json::{Value, json};
 
 use super::parts::{Key, choice, closed, each, may, must, named, open};
 
-/// `[surface.NAME]`, `[body.NAME]` and `[pivot.NAME]`.
+/// `[surface.NAME]`, `[body.NAME]`, `[pivot.NAME]`, `[pin.NAME]` and `[weld.NAME]`.
 pub(super) fn sections() -> Vec<Key> {
     vec![
         may("surface", each(surface()), "Floors, walls and slopes, and what they do to what touches them."),
         must("body", each(body()), "Bodies: a shape with its mass, parts, or stated mass properties."),
         may("pivot", each(pivot()), "Points of bodies that are held at a place in the world."),
+        may("pin", each(joint("[pin.NAME]")), "Joints about which bodies turn, without friction."),
+        may("weld", each(joint("[weld.NAME]")), "Joints that leave nothing free."),
     ]
 }
 
@@ -92,6 +94,22 @@ fn pivot() -> Value {
             must("body", named("text"), "Name of the body."),
             must("point", point, "Its point: \"rod.tip\", or `[x, y]` in body coordinates."),
             must("world", named("vector"), "Where that point is held; it may depend on the time."),
+        ],
+    )
+}
+
+fn joint(title: &str) -> Value {
+    let world = closed("end of a joint", &[must("world", named("vector"), "A place; it may depend on the time.")]);
+    let end = json!({ "anyOf": [named("text"), world] });
+    let between = "Two points such as \"upper.tip\", or a point and a place; of a joint that an event makes also a \
+                   point and a body.";
+    closed(
+        title,
+        &[
+            must("between", super::parts::pair(end), between),
+            may("from", named("text"), "Name of the event that makes it; it holds from the start without it."),
+            may("until", named("text"), "Name of the event that releases it."),
+            may("assemble", json!({ "type": "boolean" }), "Whether bodies that do not fit at the start are brought together."),
         ],
     )
 }

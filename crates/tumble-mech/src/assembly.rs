@@ -1,0 +1,205 @@
+//! Bodies at the start brought to where their joints hold, and rows of joints that follow from others.
+//!
+//! The correction of a gap g is what an impulse at the joints would do to rates that are to change by `-g` (Newton's method): as little
+//! mass as possible is moved.
+
+use nalgebra::{DMatrix, DVector};
+use tumble_expr::{Branches, Expr, Jets, Rounded};
+use tumble_ode::Reason;
+
+use crate::equations::Equations;
+use crate::error::{ModelError, ModelErrors};
+use crate::mode::Mode;
+use crate::restrained::respond;
+
+/// Places and rates that fit within so many times their rounding error fit.
+const FITS: f64 = 64.0;
+/// Newton's method doubles its digits near the answer; what has none by then has none.
+const CORRECTIONS: usize = 60;
+/// Gradients that are this small once those before are taken out of them, in parts of what they were, are sums of those: eight
+/// digits are more than starts are usually given with, and less than rounding leaves.
+pub(crate) const DEPENDENT: f64 = 1e-9;
+
+/// All rows of joints at one instant.
+pub(crate) struct Rows {
+    /// Index of each.
+    pub(crate) indices: Vec<usize>,
+    /// m or rad; and what it is but for rounding.
+    position: Vec<Rounded>,
+    /// m/s or rad/s
+    rate: Vec<Rounded>,
+    /// By row and velocity.
+    pub(crate) gradient: DMatrix<f64>,
+    /// By velocity, kg or kg m^2.
+    pub(crate) mass: DVector<f64>,
+    /// States that the velocities are, and the coordinates that they are rates of.
+    velocities: Vec<usize>,
+    coordinates: Vec<usize>,
+}
+
+impl Equations {
+    /// Brings the states to where all joints that hold do, where they are not; finds what is redundant.
+    pub(crate) fn assemble(
+        &self,
+        mode: &mut Mode,
+        states: &mut [f64],
+        compensation: &mut [f64],
+        inputs: &[f64],
+    ) -> Result<(), ModelErrors> {
+        if self.joint_rows(mode).next().is_none() {
+            return Ok(());
+        }
+        let rows = |states: &[f64]| self.rows_at(mode, 0.0, states, inputs);
+        let given = rows(states).map_err(|reason| unusable(&reason))?;
+        let mistakes = self.misfits(mode, &given);
+        if !mistakes.is_empty() {
+            return Err(ModelErrors(mistakes));
+        }
+        let before = states.to_vec();
+        let mut now = given;
+        for _ in 0..CORRECTIONS {
+            if now.position.iter().all(|value| is_none(*value)) {
+                break;
+            }
+            let off = DVector::from_iterator(now.indices.len(), now.position.iter().map(|value| value.value));
+            let step = now.correction(&off);
+            now.coordinates.iter().zip(&step).for_each(|(state, step)| states[*state] -= step);
+            now = rows(states).map_err(|reason| unusable(&reason))?;
+        }
+        if let Some(mistake) = self.not_closed(mode, &now) {
+            return Err(mistake.into());
+        }
+        let off = DVector::from_iterator(now.indices.len(), now.rate.iter().map(|value| value.value));
+        if !now.rate.iter().all(|value| value.value == 0.0) {
+            let step = now.correction(&off);
+            now.velocities.iter().zip(&step).for_each(|(state, step)| states[*state] -= step);
+        }
+        let moved = states.iter().zip(&before).map(|(now, before)| now != before);
+        moved.zip(compensation).filter(|(moved, _)| *moved).for_each(|(_, left)| *left = 0.0);
+        mode.redundant = now.redundant();
+        Ok(())
+    }
+
+    /// The rows of all joints that hold in a mode, redundant ones included.
+    pub(crate) fn rows_at(
+        &self,
+        mode: &Mode,
+        time: f64,
+        states: &[f64],
+        inputs: &[f64],
+    ) -> Result<Rows, Reason> {
+        let layout = self.layout(mode);
+        let bodies = 0..self.model().bodies.len();
+        let velocities: Vec<usize> = bodies.clone().flat_map(|body| self.velocity_states(body)).collect();
+        let coordinates = bodies.clone().flat_map(|body| self.coordinate_states(body)).collect();
+        let definitions = self.definitions_of(mode);
+        let (mut outputs, mut indices, mut used) = (vec![], vec![], vec![]);
+        for (index, row) in self.joint_rows(mode) {
+            indices.push(index);
+            let rate = definitions.apply(&row.rate);
+            let symbols = rate.symbols();
+            let own = velocities.iter().enumerate().filter(|(_, state)| symbols.contains(&layout.states[**state]));
+            let own: Vec<usize> = own.map(|(place, _)| place).collect();
+            outputs.extend([definitions.apply(&row.position), rate.clone()]);
+            outputs.extend(own.iter().map(|place| rate.derivative(&layout.states[velocities[*place]])));
+            used.push(own);
+        }
+        let masses = outputs.len();
+        outputs.extend(bodies.flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)));
+        let numbers = |values: &[f64]| values.iter().map(|value| Rounded::computed(*value)).collect::<Vec<_>>();
+        let tape = self.compiled(mode, &outputs, inputs)?.tape().clone();
+        let mut jets = Jets::new(tape, 0, &numbers(inputs));
+        jets.start(Rounded::leaf(time), &numbers(states), Branches::Free);
+        let mut gradient = DMatrix::zeros(indices.len(), velocities.len());
+        let (mut position, mut rate, mut output) = (vec![], vec![], 0);
+        for (row, own) in used.iter().enumerate() {
+            position.push(jets.value_of(output));
+            rate.push(jets.value_of(output + 1));
+            own.iter().enumerate().for_each(|(slope, place)| {
+                gradient[(row, *place)] = jets.value_of(output + 2 + slope).value;
+            });
+            output += 2 + own.len();
+        }
+        let mass = DVector::from_fn(velocities.len(), |place, _| jets.value_of(masses + place).value);
+        Ok(Rows { indices, position, rate, gradient, mass, velocities, coordinates })
+    }
+
+    /// Joints that are not to be assembled and do not fit.
+    fn misfits(&self, mode: &Mode, rows: &Rows) -> Vec<ModelError> {
+        let off = |joint: usize, values: &[Rounded]| {
+            let own = self.places_of(mode, joint, rows);
+            let wrong = own.clone().any(|place| !is_none(values[place]));
+            let size = own.map(|place| values[place].value).fold(0.0, libm::hypot);
+            wrong.then_some(size)
+        };
+        let mut mistakes = vec![];
+        for (index, joint) in self.model().joints.iter().enumerate() {
+            if joint.assemble || !mode.holds(index) {
+                continue;
+            }
+            let name = || joint.name.clone();
+            match (off(index, &rows.position), off(index, &rows.rate)) {
+                (Some(gap), _) => mistakes.push(ModelError::JointOpen { joint: name(), gap }),
+                (None, Some(rate)) => mistakes.push(ModelError::JointMoves { joint: name(), rate }),
+                (None, None) => {}
+            }
+        }
+        mistakes
+    }
+
+    /// That joints leave a gap which nothing closes.
+    fn not_closed(&self, mode: &Mode, rows: &Rows) -> Option<ModelError> {
+        let is_open = |joint: &usize| {
+            mode.holds(*joint) && self.places_of(mode, *joint, rows).any(|place| !is_none(rows.position[place]))
+        };
+        let open: Vec<usize> = (0..self.joints().len()).filter(is_open).collect();
+        let gap = rows.position.iter().fold(0.0, |gap: f64, value| gap.max(value.value.abs()));
+        let joints = open.iter().map(|joint| self.model().joints[*joint].name.clone()).collect();
+        (!open.is_empty()).then_some(ModelError::JointsDoNotClose { joints, gap })
+    }
+
+    /// Places of a joint's rows among those that hold.
+    fn places_of(&self, mode: &Mode, joint: usize, rows: &Rows) -> std::ops::Range<usize> {
+        let first: usize = self.joints()[..joint].iter().map(|joint| joint.rows.len()).sum();
+        let after = first + self.joints()[joint].rows.len();
+        let place = |index: usize| rows.indices.partition_point(|known| *known < index);
+        if mode.holds(joint) { place(first)..place(after) } else { 0..0 }
+    }
+}
+
+impl Rows {
+    /// What takes this out of the rows, by velocity or coordinate.
+    fn correction(&self, off: &DVector<f64>) -> DVector<f64> {
+        let (rates, impulses) = (DMatrix::from_column_slice(off.len(), 1, off.as_slice()), self.mass.len());
+        let found = respond(&self.mass, &self.gradient, &DMatrix::zeros(impulses, 1), &rates);
+        found.map_or_else(|| DVector::zeros(impulses), |(changes, _)| changes.column(0).into_owned())
+    }
+
+    /// Rows that are sums of others, by index: of several that are, the later ones.
+    pub(crate) fn redundant(&self) -> Vec<usize> {
+        let mut kept: Vec<DVector<f64>> = vec![];
+        let mut redundant = vec![];
+        for (place, index) in self.indices.iter().enumerate() {
+            let whole = self.gradient.row(place).transpose();
+            let mut rest = whole.clone();
+            for _ in 0..2 {
+                for other in &kept {
+                    rest.axpy(-other.dot(&rest), other, 1.0);
+                }
+            }
+            match rest.norm() <= DEPENDENT * whole.norm() {
+                true => redundant.push(*index),
+                false => kept.push(rest.normalize()),
+            }
+        }
+        redundant
+    }
+}
+
+fn is_none(value: Rounded) -> bool {
+    value.value.abs() <= FITS * value.noise()
+}
+
+fn unusable(reason: &Reason) -> ModelErrors {
+    ModelError::Start { body: "joints".into(), problem: reason.to_string() }.into()
+}

@@ -1,0 +1,220 @@
+//! What holds bodies in a mode: the rows of joints and of lasting contacts, by island, and the forces that keep them.
+
+use tumble_expr::{Expr, Substitution, Symbol, is_identically_zero};
+use tumble_ode::Invariant;
+
+use crate::contact::Pair;
+use crate::coordinates::{Coordinates, Measure, StateRate};
+use crate::equations::{Equations, on_body};
+use crate::joint::{Joint, Side};
+use crate::laws;
+use crate::mode::Mode;
+use crate::model::Model;
+use crate::placement::Placement;
+use crate::row::{Light, Row, solved};
+use crate::term::Term;
+
+/// A joint with its bodies by index.
+#[derive(Clone, Debug)]
+pub(crate) struct JointEquations {
+    pub(crate) bodies: Vec<usize>,
+    pub(crate) rows: Vec<Row>,
+    pub(crate) terms: Vec<Term>,
+    /// States that it has while it holds, with what they are when it begins to.
+    pub(crate) seat: Vec<(Symbol, Measure)>,
+    pub(crate) seat_values: Vec<Expr>,
+    /// Symbols of what keeps it, also while it does not hold.
+    multipliers: Vec<Symbol>,
+}
+
+impl JointEquations {
+    /// Those of a model, in its order.
+    pub(crate) fn all(model: &Model) -> Vec<Self> {
+        if model.joints.is_empty() {
+            return vec![];
+        }
+        let placements = model.placements();
+        model.joints.iter().map(|joint| Self::of(model, joint, &placements)).collect()
+    }
+
+    fn of(model: &Model, joint: &Joint, placements: &[Placement]) -> Self {
+        let index = |name: &str| model.body_index(name).expect("the model was checked");
+        let angle = |side: Side<'_>| side.sign * &placements[index(&side.point.body.body)].angle;
+        let angle = joint.sides().map(angle).fold(Expr::zero(), |sum, angle| sum + angle);
+        Self {
+            bodies: joint.bodies().map(index).collect(),
+            rows: joint.rows(&angle, index),
+            terms: joint.terms(index),
+            seat: joint.seat(),
+            seat_values: joint.seat_values(),
+            multipliers: joint.multipliers(),
+        }
+    }
+}
+
+impl Equations {
+    /// Rows of the joints that hold in a mode, all that are counted by [`Mode::redundant`] included: index and row.
+    pub(crate) fn joint_rows(&self, mode: &Mode) -> impl Iterator<Item = (usize, &Row)> {
+        let joints = self.joints().iter().enumerate();
+        let rows = joints.flat_map(|(joint, known)| known.rows.iter().map(move |row| (joint, row))).enumerate();
+        rows.filter(|(_, (joint, _))| mode.holds(*joint)).map(|(index, (_, row))| (index, row))
+    }
+
+    /// States of the joints that events have made: they do not change while those hold.
+    pub(crate) fn seats(&self, mode: &Mode) -> Vec<StateRate> {
+        let joints = self.joints().iter().enumerate().filter(|(joint, _)| mode.holds(*joint));
+        let state = |(symbol, measure): &(Symbol, Measure)| StateRate {
+            symbol: symbol.clone(),
+            rate: Expr::zero(),
+            measure: *measure,
+            per_parameter: false,
+        };
+        joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
+    }
+
+    /// Bodies that joints keep together with a body in a mode, itself included, in order.
+    pub(crate) fn island_of(&self, mode: &Mode, body: usize) -> Vec<usize> {
+        let mut island = vec![body];
+        let mut next = 0;
+        while next < island.len() {
+            let here = island[next];
+            let joints = self.joints().iter().enumerate();
+            let own = joints.filter(|(index, joint)| mode.holds(*index) && joint.bodies.contains(&here));
+            for other in own.flat_map(|(_, joint)| &joint.bodies) {
+                if !island.contains(other) {
+                    island.push(*other);
+                }
+            }
+            next += 1;
+        }
+        island.sort_unstable();
+        island
+    }
+
+    /// All islands of some bodies, each once.
+    pub(crate) fn islands(&self, mode: &Mode, bodies: &[usize]) -> Vec<Vec<usize>> {
+        let mut found: Vec<Vec<usize>> = vec![];
+        let mut is_placed = vec![false; self.model().bodies.len()];
+        for &body in bodies {
+            if !is_placed[body] {
+                let island = self.island_of(mode, body);
+                island.iter().for_each(|member| is_placed[*member] = true);
+                found.push(island);
+            }
+        }
+        found
+    }
+
+    /// Indices of the rows of an island's joints in a mode, without what is redundant.
+    pub(crate) fn independent_rows_of(&self, mode: &Mode, island: &[usize]) -> Vec<usize> {
+        let is_own = |row: &Row| row.wrenches.iter().all(|wrench| island.contains(&wrench.body));
+        let own = self.joint_rows(mode).filter(|(index, row)| !mode.redundant.contains(index) && is_own(row));
+        own.map(|(index, _)| index).collect()
+    }
+
+    /// The rows that hold an island in a mode: of its joints, without what is redundant, then of its lasting contacts.
+    pub(crate) fn rows_on(&self, mode: &Mode, island: &[usize]) -> Vec<Row> {
+        let own = self.independent_rows_of(mode, island);
+        let joints = self.joint_rows(mode).filter(|(index, _)| own.contains(index));
+        let held = mode.held().map(|pair| &self.pairs()[pair]).filter(|pair| island.contains(&pair.body));
+        joints.map(|(_, row)| row.clone()).chain(held.map(Pair::row)).collect()
+    }
+
+    /// By how fast the conditions change that hold an island of a body in a mode, m/s^2, shown like the terms.
+    pub fn shown_constraints(&self, mode: &Mode, body: usize) -> Vec<Expr> {
+        let rows = self.rows_on(mode, &self.island_of(mode, body));
+        let own = rows.iter().filter(|row| row.wrenches.iter().any(|wrench| wrench.body == body));
+        own.map(|row| self.shown(mode, &row.acceleration)).collect()
+    }
+
+    /// Forces of contacts and joints in a mode, in kinematic symbols without accelerations, with the symbols of all: zero
+    /// where nothing is kept.
+    pub(crate) fn constraint_forces(&self, mode: &Mode, bodies: &[usize]) -> (Vec<Symbol>, Substitution) {
+        let pairs = self.pairs().iter().filter(|pair| bodies.contains(&pair.body));
+        let joints = self.joints().iter().filter(|joint| joint.bodies.iter().any(|body| bodies.contains(body)));
+        let joints = joints.flat_map(|joint| joint.multipliers.iter().cloned());
+        let mut symbols: Vec<Symbol> = pairs.map(Pair::force_symbol).chain(joints).collect();
+        let mut forces = Substitution::default();
+        symbols.iter().for_each(|symbol| forces.insert(symbol.clone(), Expr::zero()));
+        for pair in mode.pressed().map(|pair| &self.pairs()[pair]) {
+            let force = laws::compliant::normal_force(pair).unwrap_or_else(Expr::zero);
+            forces.insert(pair.force_symbol(), force);
+        }
+        let mut kept = vec![];
+        for island in self.islands(mode, bodies) {
+            let rows = self.rows_on(mode, &island);
+            if !rows.is_empty() {
+                kept.extend(self.kept(mode, &island, rows, &forces));
+            }
+        }
+        for (symbol, force) in kept {
+            if !symbols.contains(&symbol) {
+                symbols.push(symbol.clone());
+            }
+            forces.insert(symbol, force);
+        }
+        (symbols, forces)
+    }
+
+    /// What keeps the rows of an island, given the forces of all else, and how bodies without moment of inertia turn.
+    fn kept(
+        &self,
+        mode: &Mode,
+        island: &[usize],
+        rows: Vec<Row>,
+        forces: &Substitution,
+    ) -> Vec<(Symbol, Expr)> {
+        let acting = self.acting(mode);
+        let mut free = Substitution::default();
+        for &body in island {
+            for (symbol, formula) in self.body_equations(body).accelerations(&on_body(&acting, body)) {
+                free.insert(symbol, forces.apply(&formula));
+            }
+        }
+        let light = island.iter().filter(|body| self.is_turned_by_joints(mode, **body)).map(|body| {
+            let torques = on_body(&acting, *body).into_iter().map(Term::torque);
+            let torque = torques.fold(Expr::zero(), |sum, torque| sum + torque);
+            let alpha = self.body_equations(*body).kinematics.alpha_symbol();
+            Light { body: *body, alpha, torque: forces.apply(&torque) }
+        });
+        let light: Vec<Light> = light.collect();
+        let found = solved(&rows, &light, |i, j| self.body_equations(i.body).response(i, j), &free);
+        let symbols = rows.into_iter().map(|row| row.multiplier).chain(light.into_iter().map(|light| light.alpha));
+        symbols.zip(found).collect()
+    }
+
+    /// Whether a body has no moment of inertia and joints hold it beside its centre: they say how it turns.
+    pub(crate) fn is_turned_by_joints(&self, mode: &Mode, body: usize) -> bool {
+        let known = self.body_equations(body);
+        let is_point = matches!(known.coordinates, Coordinates::Free) && is_identically_zero(&known.mass.inertia);
+        let has_arm = |row: &Row| {
+            let own = row.wrenches.iter().filter(|wrench| wrench.body == body);
+            own.into_iter().any(|wrench| !wrench.arm.components().iter().all(is_identically_zero))
+        };
+        is_point && self.joint_rows(mode).any(|(_, row)| has_arm(row))
+    }
+
+    /// What each velocity of a body takes to be changed, kg or kg m^2.
+    pub(crate) fn masses(&self, mode: &Mode, body: usize) -> Vec<Expr> {
+        let known = self.body_equations(body);
+        known.coordinates.masses(&known.mass, self.is_turned_by_joints(mode, body))
+    }
+
+    /// What is zero all along a mode.
+    pub(crate) fn invariants(&self, mode: &Mode) -> Vec<Invariant> {
+        let definitions = self.definitions_of(mode);
+        let invariant = |formula: &Expr, measure: Measure| Invariant {
+            formula: definitions.apply(formula),
+            group: measure as usize,
+        };
+        let joints = self.joint_rows(mode).filter(|(index, _)| !mode.redundant.contains(index));
+        let held = mode.held().map(|pair| self.pairs()[pair].row());
+        let rows = joints.map(|(_, row)| row.clone()).chain(held);
+        let rows = rows.flat_map(|row| {
+            [invariant(&row.position, row.measure), invariant(&row.rate, row.measure.rate())]
+        });
+        let roots = self.roots(mode).into_iter().map(|pair| &self.pairs()[pair]);
+        let roots = roots.map(|pair| invariant(&laws::compliant::root_invariant(pair), Measure::Length));
+        rows.chain(roots).collect()
+    }
+}

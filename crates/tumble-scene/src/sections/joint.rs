@@ -1,0 +1,130 @@
+//! `[pin.NAME]` and `[weld.NAME]`: keep a point of a body at a point of another or at a place.
+
+use tumble_mech::{Anchor, Joint, JointKind, Kinematics, Pivot};
+
+use super::{each, spring};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::quantities;
+use crate::suggest;
+
+pub(super) fn read_pins(draft: &mut Draft, section: &Field) {
+    each(draft, section, |draft, field, table| joint(draft, field, table, JointKind::Pin));
+}
+
+pub(super) fn read_welds(draft: &mut Draft, section: &Field) {
+    each(draft, section, |draft, field, table| joint(draft, field, table, JointKind::Weld));
+}
+
+/// What the second end of a joint may be besides an anchor: wherever the first is on a body when an event makes the joint.
+enum Second {
+    Anchor(Anchor),
+    On(Kinematics),
+}
+
+fn joint(draft: &mut Draft, field: &Field, table: &mut Table, kind: JointKind) {
+    let owner = if kind == JointKind::Pin { "a pin" } else { "a weld" };
+    let name = draft.own_name(owner, field);
+    draft.remember(format!("joint `{}`", field.key), &field.key_span);
+    let from = table.take("from").map(|field| event(draft, &field));
+    let until = table.take("until").map(|field| event(draft, &field));
+    let between = ends(draft, table, from.is_some());
+    let assemble = match table.take("assemble") {
+        Some(field) => draft.flag(&field),
+        None => Some(false),
+    };
+    let (Some((first, second)), Some(assemble)) = (between, assemble) else { return };
+    let (from, until) = match (from, until) {
+        (Some(None), _) | (_, Some(None)) => return,
+        (from, until) => (from.flatten(), until.flatten()),
+    };
+    let joint = |ends| {
+        let joint = if kind == JointKind::Pin { Joint::pin(&name, ends) } else { Joint::weld(&name, ends) };
+        Joint { assemble, from: from.clone(), until: until.clone(), ..joint }
+    };
+    let joint = match second {
+        Second::Anchor(second) => joint([first, second]),
+        Second::On(body) => joint([first.clone(), first]).seated_on(&body),
+    };
+    match pivot(draft, &joint) {
+        Some(pivot) => {
+            draft.remember(format!("pivot `{}`", field.key), &field.key_span);
+            quantities::define_joint(&mut draft.names, &pivot.name, pivot.force_symbols().into());
+            draft.model.pivots.push(pivot);
+        }
+        None => {
+            quantities::define_joint(&mut draft.names, &joint.name, joint.multipliers());
+            draft.model.join(joint);
+        }
+    }
+}
+
+/// A pin of a body and a place that always holds is a pivot, whose body is known by its angle alone; a body has one at most.
+fn pivot(draft: &Draft, joint: &Joint) -> Option<Pivot> {
+    let is_lasting = joint.from.is_none() && joint.until.is_none() && joint.kind == JointKind::Pin;
+    let (Anchor::Material(point), Anchor::World(world)) = (&joint.ends[0], &joint.ends[1]) else {
+        let [first, second] = &joint.ends;
+        let is_turned = matches!((first, second), (Anchor::World(_), Anchor::Material(_)));
+        let turned = Joint { ends: [second.clone(), first.clone()], ..joint.clone() };
+        return if is_turned { pivot(draft, &turned) } else { None };
+    };
+    let body = draft.model.bodies.iter().find(|body| body.name == point.body.body)?;
+    let is_free = draft.model.pivot_of(&body.name).is_none();
+    let start = draft.model.start_of(&body.name);
+    let is_placed = start.at.is_some() || start.velocity.is_some();
+    (is_lasting && is_free && !is_placed).then(|| Pivot {
+        name: joint.name.clone(),
+        body: body.name.clone(),
+        point: &point.arm + &body.mass_properties().centre,
+        world: world.clone(),
+    })
+}
+
+/// `between = ["upper.tip", "lower.top"]`, `["rod.tip", { world = [0, 0] }]`, or of a joint that an event makes `["bullet.cm", "rod"]`.
+fn ends(draft: &mut Draft, table: &mut Table, is_made: bool) -> Option<(Anchor, Second)> {
+    let field = draft.required(table, "between", "[\"upper.tip\", \"lower.top\"]")?;
+    let pair = draft.pair(&field, "[one end, the other end]")?;
+    let first = spring::anchor(draft, &pair[0]);
+    let named = pair[1].value.as_str().filter(|name| draft.names.bodies.iter().any(|body| body == name));
+    let second = match named {
+        Some(body) if is_made => Some(Second::On(Kinematics::new(body))),
+        Some(body) => {
+            let message = format!("\"{body}\" is a body: which point of it is joined?");
+            let mistake = Diagnostic::new(Code::UnknownPoint, pair[1].span.clone(), message).label("a point is needed");
+            let known = format!("{body}.cm");
+            draft.note(mistake.help(format!(
+                "write a point, such as \"{known}\"; a body alone stands for the place where the joint is when an event makes it (`from`)"
+            )));
+            None
+        }
+        None => spring::anchor(draft, &pair[1]).map(Second::Anchor),
+    };
+    let (first, second) = (first?, second?);
+    let mistake = match (&first, &second) {
+        (Anchor::World(_), Second::Anchor(Anchor::World(_))) => "both ends belong to the world, and nothing is kept",
+        (Anchor::World(_), Second::On(_)) => "a place is joined to a body: write the body's point first",
+        (Anchor::Material(a), Second::Anchor(Anchor::Material(b))) if a.body == b.body => {
+            "both ends belong to one rigid body, which keeps them where they are anyway"
+        }
+        (Anchor::Material(a), Second::On(b)) if a.body == *b => {
+            "both ends belong to one rigid body, which keeps them where they are anyway"
+        }
+        _ => return Some((first, second)),
+    };
+    draft.note(Diagnostic::new(Code::Exclusive, field.span, mistake).label("joins nothing"));
+    None
+}
+
+/// The name of an event, which must exist.
+fn event(draft: &mut Draft, field: &Field) -> Option<String> {
+    let name = draft.words(field)?;
+    if draft.names.events.contains(&name) {
+        return Some(name);
+    }
+    let help = suggest::name(&name, "events", draft.names.events.iter().map(String::as_str));
+    let message = format!("there is no event \"{name}\"");
+    draft.note(Diagnostic::new(Code::UnknownEvent, field.span.clone(), message).label("unknown event").help(help));
+    None
+}
