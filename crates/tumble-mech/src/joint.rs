@@ -106,6 +106,11 @@ impl Joint {
         })
     }
 
+    /// Velocity of what it keeps together, m/s: of the place that moves as it is told to, or else of the first end.
+    pub(crate) fn velocity(&self) -> Vector {
+        self.world().map_or_else(|| self.ends[0].velocity(), rate)
+    }
+
     /// Symbols of the force on the first end, N, and for a weld of the couple, N m.
     pub fn multipliers(&self) -> Vec<Symbol> {
         let force = force_symbols(&self.name);

@@ -8,6 +8,7 @@ use crate::balance::contribution::Kind;
 use crate::balance::potential::Potential;
 use crate::balance::quadrature::{Amounts, Sample};
 use crate::equations::{Definitions, Equations};
+use crate::joint::Joint;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
 use crate::term::{Law, Term};
@@ -192,14 +193,17 @@ fn lines(
     lines
 }
 
-/// Velocity of a term's point, in kinematic symbols. What a pivot or a rigid surface holds moves as they do, so that at
-/// rest they do no work at all, not even that of rounding.
+/// Velocity of a term's point, in kinematic symbols. What a pivot, a joint or a rigid surface holds moves as they do, so that at
+/// rest they do no work at all, not even that of rounding, and what a joint does to one of its bodies it takes from the other.
 fn velocity(equations: &Equations, mode: &Mode, term: &Term) -> Vector {
     let body = &equations.model().bodies[term.body];
-    if term.law == Law::Reaction
-        && let Some(pivot) = equations.model().pivot_of(&body.name)
-    {
-        return rate(&pivot.world);
+    if term.law == Law::Reaction {
+        let pivot = equations.model().pivots.iter().find(|pivot| pivot.name == term.load);
+        let joint = equations.model().joints.iter().find(|joint| joint.name == term.load);
+        let kept = pivot.map(|pivot| rate(&pivot.world)).or_else(|| joint.map(Joint::velocity));
+        if let Some(velocity) = kept {
+            return velocity;
+        }
     }
     let mut held = mode.held().map(|pair| &equations.pairs()[pair]);
     if let Some(pair) = held.find(|pair| term.law == Law::Contact && pair.name == term.load) {
