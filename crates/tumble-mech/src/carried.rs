@@ -4,10 +4,11 @@
 //! of zero before and on the other after it has crossed then.
 
 use tumble_expr::Expr;
-use tumble_ode::{Cause, Crossing, Jump, Reason};
+use tumble_ode::{Cause, Crossing, Reason};
 
 use crate::equations::Equations;
 use crate::mode::Mode;
+use crate::record::Jump;
 
 /// A value this much smaller than it was, or will be, is what rounding has left of zero: there is no crossing.
 const VANISHED: f64 = 1e-12;

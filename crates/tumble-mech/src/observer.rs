@@ -1,15 +1,14 @@
 //! Quantities along a trajectory: any formula of the bodies' motion, accelerations included.
 
 use tumble_expr::{Expr, Jets};
-use tumble_ode::{Cursor, Piece, Place, Reason, Side, Trajectory};
+use tumble_ode::{Cursor, Motion, Piece, Place, Reason, Side};
 
 use crate::equations::Equations;
 use crate::evaluator::{evaluate, evaluate_in};
-use crate::mode::Mode;
 
 /// Evaluates formulas at any time of one trajectory.
 pub struct Observer<'a> {
-    trajectory: &'a Trajectory<Mode>,
+    trajectory: &'a Motion<Equations>,
     /// By mode of the trajectory.
     tapes: Vec<Jets<f64>>,
     cursor: Cursor,
@@ -22,7 +21,7 @@ impl<'a> Observer<'a> {
     /// Prepares `formulas` for every mode of the trajectory; `inputs` are the values it was found with.
     pub fn new(
         equations: &Equations,
-        trajectory: &'a Trajectory<Mode>,
+        trajectory: &'a Motion<Equations>,
         inputs: &[f64],
         formulas: &[Expr],
     ) -> Result<Self, Reason> {

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use thiserror::Error;
 use tumble_expr::{Expr, Vector};
-use tumble_ode::{Accuracy, Reason, Refusal, Side, Solver, Trajectory};
+use tumble_ode::{Accuracy, Motion, Reason, Refusal, Side, Solver};
 
 use crate::body::Body;
 use crate::equations::Equations;
@@ -25,7 +25,7 @@ pub struct Run {
     /// The equations of motion.
     pub equations: Equations,
     /// The motion.
-    pub trajectory: Trajectory<Mode>,
+    pub trajectory: Motion<Equations>,
     /// Values of the parameters, in the equations' order.
     pub inputs: Vec<f64>,
     /// Sums that stand for integrals along lines, where there are any that were refined.
@@ -119,7 +119,7 @@ impl Run {
     }
 
     /// A motion that was found elsewhere, with the equations and the values of the parameters that it was found from.
-    pub fn of(equations: Equations, trajectory: Trajectory<Mode>, inputs: Vec<f64>) -> Self {
+    pub fn of(equations: Equations, trajectory: Motion<Equations>, inputs: Vec<f64>) -> Self {
         Self { equations, trajectory, inputs, quadrature: None, coarser: None }
     }
 

@@ -3,19 +3,18 @@
 use std::sync::Arc;
 
 use tumble_expr::Rounding;
-use tumble_ode::{
-    AtZero, Cause, Crossing, Flow, Guard, Hybrid, Jump, LazyGuard, Program, Reason, StateVariable,
-};
+use tumble_ode::{AtZero, Cause, Crossing, Flow, Guard, Hybrid, LazyGuard, Program, Reason, StateVariable};
 
-use crate::contact::Impulses;
 use crate::equations::Equations;
 use crate::event::Action;
 use crate::load::Moment;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
+use crate::record::{Happening, Jump, Record};
 
 impl Hybrid for Equations {
     type Mode = Mode;
+    type Record = Record;
 
     fn flow(&self, mode: &Mode) -> Result<Flow, Reason> {
         let in_mode = self.definitions_of(mode);
@@ -56,16 +55,9 @@ impl Hybrid for Equations {
         self.built().programs.get_rounded(mode.clone(), self.rounding(), compile, Program::rounded)
     }
 
-    fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
-        self.transition(at).map(|(jump, _)| jump)
-    }
-}
-
-impl Equations {
     /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,
-    /// which see all forces that act from now on, and last the events that all this has made happen. With the impulses
-    /// of impacts, by pair, N s.
-    pub(crate) fn transition(&self, at: &Crossing<'_, Mode>) -> Result<(Jump<Mode>, Impulses), Reason> {
+    /// which see all forces that act from now on, and last the events that all this has made happen.
+    fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
         for cause in at.causes {
             match cause {
@@ -76,27 +68,34 @@ impl Equations {
                 Cause::Guard(_) | Cause::LazyGuard(_) | Cause::Wake => {}
             }
         }
-        let impulses = self.switch_contacts(at, &mut jump)?;
+        let along_normals = self.switch_contacts(at, &mut jump)?;
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, at, &mut jump)?;
         }
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }
-        Ok((jump, impulses))
+        jump.record.impulses = self.impulses(&along_normals, at, &jump)?;
+        Ok(jump)
     }
 
+    fn held_by(record: &Record) -> usize {
+        record.held()
+    }
+}
+
+impl Equations {
     fn pass_time(&self, index: usize, jump: &mut Jump<Mode>) {
         let windows = self.windows().iter().enumerate();
         let mut times = windows.flat_map(|(window, of)| of.times().map(move |(ends, _)| (window, ends)));
         if let Some((window, ends)) = times.nth(index) {
-            self.switch(window, !ends, jump);
+            switch(window, ends, jump);
         }
     }
 
     fn pass_event(&self, index: usize, at: &Crossing<'_, Mode>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let event = &self.model().events[index];
-        jump.tags.push(event.name.clone());
+        jump.record.happened.push(Happening::Event(index));
         match &event.action {
             Action::Record => {}
             Action::Stop => jump.stop = true,
@@ -106,7 +105,7 @@ impl Equations {
             for (end, moment) in of.during.iter().enumerate() {
                 let is_this = matches!(moment, Moment::Event(name) if *name == event.name);
                 if is_this && !(end == 0 && self.is_over(window, at)?) {
-                    self.switch(window, end == 0, jump);
+                    switch(window, end == 1, jump);
                 }
             }
         }
@@ -119,9 +118,9 @@ impl Equations {
         let Some(end) = ends.next() else { return Ok(false) };
         Ok(self.values(&[end], at.mode, at.time, at.states, at.inputs)?[0] <= at.time)
     }
+}
 
-    fn switch(&self, window: usize, acts: bool, jump: &mut Jump<Mode>) {
-        jump.mode.windows[window] = acts;
-        jump.tags.push(format!("{}.{}", self.windows()[window].load, if acts { "start" } else { "end" }));
-    }
+fn switch(window: usize, ends: bool, jump: &mut Jump<Mode>) {
+    jump.mode.windows[window] = !ends;
+    jump.record.happened.push(Happening::Window { window, ends });
 }

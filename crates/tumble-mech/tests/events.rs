@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use tumble_expr::units::{KG, M, N, RAD, S};
 use tumble_expr::{Expr, Relation, Vector};
 use tumble_mech::{
-    Action, Body, ContactLaw, Event, Gravity, Load, Model, Moment, Place, Start, Surface, time,
+    Action, Body, ContactLaw, Event, Gravity, Happening, Load, Model, Moment, Place, Start, Surface, time,
 };
 use tumble_ode::Direction;
 
@@ -64,8 +64,8 @@ proptest! {
             let dense: Vec<usize> =
                 (0..DENSE).filter(|i| values[*i][index] * values[i + 1][index] < 0.0).collect();
             let name = format!("e{index}");
-            let named = |event: &&tumble_ode::Event| event.tags.contains(&name);
-            let found: Vec<f64> = run.trajectory.events.iter().filter(named).map(|event| event.time).collect();
+            let named = run.trajectory.events.iter().filter(|event| event.record.happened.contains(&Happening::Event(index)));
+            let found: Vec<f64> = named.map(|event| event.time).collect();
             // Two zeros within a cell of the grid are the located ones' to find, not the grid's.
             let cell = |t: f64| (t / until * DENSE as f64) as usize;
             for i in &dense {
@@ -101,7 +101,7 @@ fn an_event_is_recorded_and_changes_nothing() {
     let (model, ball) = thrown(Action::Record);
     let run = run(model, 3.0, 1e-9);
     let event = &run.trajectory.events[0];
-    assert_eq!((event.time, event.tags.as_slice()), (1.0, &["apex".to_owned()][..]));
+    assert_eq!((event.time, &event.record.happened[..]), (1.0, &[Happening::Event(0)][..]));
     assert_eq!(event.before, event.after);
     close(at(&run, 3.0, [ball.kinematics().position()[1].clone()])[0], -15.0, 1e-15);
 }
@@ -177,7 +177,8 @@ fn a_jump_of_the_motion_is_an_event() {
         model.loads.push(gust.during(Moment::Time(0.5 * S), Moment::Time(0.6 * S)));
         model.events = vec![Event { name: "e".into(), when: when(&ball), direction, action: Action::Record }];
         let run = run(model, 3.5, 1e-9);
-        let own = run.trajectory.events.iter().filter(|event| event.tags.contains(&"e".to_owned()));
+        let own =
+            run.trajectory.events.iter().filter(|event| event.record.happened.contains(&Happening::Event(0)));
         own.map(|event| (event.time * 1e6).round() / 1e6).collect::<Vec<f64>>()
     };
     let vy = |ball: &Body| ball.kinematics().velocity().y().clone();
@@ -242,8 +243,9 @@ fn a_window_opens_and_closes_at_events() {
     let push = Load::force("push", "ball", Place::Material(ball.cm()), Vector::planar(Expr::zero(), 10 * N));
     model.loads.push(push.during(Moment::Event("apex".into()), Moment::Event("far".into())));
     let run = run(model, 3.0, 1e-9);
-    let tags: Vec<String> = run.trajectory.events.iter().flat_map(|event| event.tags.clone()).collect();
-    assert_eq!(tags, ["apex", "push.start", "far", "push.end"]);
+    let events = run.trajectory.events.iter();
+    let names: Vec<String> = events.flat_map(|event| run.equations.names_of(&event.record)).collect();
+    assert_eq!(names, ["apex", "push.start", "far", "push.end"]);
     // Weightless from 1 s to 2 s, at the height of 5 m.
     let [y] = at(&run, 3.0, [ball.kinematics().position()[1].clone()]);
     close(y, 0.0, 1e-14);

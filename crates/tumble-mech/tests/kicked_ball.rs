@@ -44,7 +44,7 @@ fn a_fixed_offset_gives_the_formulas() {
     close(theta, -28.685373822794553, 1e-15);
     close(x, force * dt * dt / (2.0 * mass) + v * (1.0 - dt), 1e-15);
     assert_eq!((run.trajectory.work.steps, run.trajectory.work.exact_steps), (2, 2));
-    assert_eq!(run.trajectory.events[0].tags, ["kick.end"]);
+    assert_eq!(run.equations.names_of(&run.trajectory.events[0].record), ["kick.end"]);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
-use tumble_mech::{Action, Body, Event, Model, Start, time};
+use tumble_mech::{Action, Body, Event, Model, Run, Start, time};
 use tumble_ode::{Direction, Side};
 
 const LEVELS: [f64; 13] = [-1.0, -0.5, -0.25, -0.125, 0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 1.0, 2.0];
@@ -67,17 +67,20 @@ fn motion(
     (model, watched)
 }
 
+/// How often an event happens.
+fn count(run: &Run, name: &str) -> usize {
+    let happening = run.equations.named(name).expect("an event");
+    run.trajectory.events.iter().filter(|event| event.record.happened.contains(&happening)).count()
+}
+
 /// A step that ends as a velocity touches a level leaves it there by rounding alone.
 #[test]
 fn a_touch_where_a_step_ends_is_not_refused() {
     let (model, _) = motion((5, 5, 5), (1.0, 1.0), (0.625, 0.0), &[-1.0, 0.25, -1.0]);
-    let found = run(model, 2.0, 1e-9).trajectory.events;
+    let found = run(model, 2.0, 1e-9);
     for index in 0..3 {
-        let count = |way: &str| {
-            let name = format!("{way}{index}");
-            found.iter().filter(|event| event.tags.contains(&name)).count()
-        };
-        assert!(index != 1 || count("up") == count("down"), "{found:?}");
+        let count = |way: &str| count(&found, &format!("{way}{index}"));
+        assert!(index != 1 || count("up") == count("down"), "{:?}", found.trajectory.events);
     }
 }
 
@@ -87,10 +90,10 @@ fn a_crossing_where_a_step_ends_is_counted_once() {
     for (switches, start, level) in [((0.25, 1.25), (0.75, 0.5), 0.75), ((0.25, 1.0), (0.375, -0.125), -0.25)]
     {
         let (model, _) = motion((1, 2, 5), switches, start, &[-1.0, -1.0, level]);
-        let events = run(model, 2.0, 1e-9).trajectory.events;
-        let near = events.iter().filter(|event| (event.time - 1.0).abs() < 1e-9);
-        let tags: Vec<&String> = near.flat_map(|event| &event.tags).filter(|tag| tag.contains('2')).collect();
-        assert_eq!(tags, ["up2"], "{start:?}");
+        let run = run(model, 2.0, 1e-9);
+        let near = run.trajectory.events.iter().filter(|event| (event.time - 1.0).abs() < 1e-9);
+        let names = near.flat_map(|event| run.equations.names_of(&event.record));
+        assert_eq!(names.filter(|name| name.contains('2')).collect::<Vec<_>>(), ["up2"], "{start:?}");
     }
 }
 
@@ -122,8 +125,7 @@ proptest! {
             for (way, to) in [("up", 1.0), ("down", -1.0)] {
                 let expected = signs.windows(2).filter(|pair| pair[0] != pair[1] && pair[1] == to).count();
                 let name = format!("{way}{index}");
-                let found = run.trajectory.events.iter().filter(|event| event.tags.contains(&name)).count();
-                prop_assert_eq!(found, expected, "{} of {:?} {:?} {:?} {:?}", name, kinds, switches, start, levels);
+                prop_assert_eq!(count(&run, &name), expected, "{} of {:?} {:?} {:?} {:?}", name, kinds, switches, start, levels);
             }
         }
     }

@@ -247,7 +247,9 @@ fn losses(run: &Run, inertia: f64, e: f64) {
         let is_wall = |name: &str| name.starts_with("left") || name.starts_with("right");
         let lasting = [event.mode_before, event.mode_after].map(|mode| &run.trajectory.modes[mode].contacts);
         let mut lasting = lasting.into_iter().flatten().map(|(pair, _)| &run.equations.pairs()[*pair]);
-        if !event.tags.iter().any(|tag| is_wall(tag)) && !lasting.any(|pair| is_wall(&pair.name)) {
+        if !run.equations.names_of(&event.record).iter().any(|name| is_wall(name))
+            && !lasting.any(|pair| is_wall(&pair.name))
+        {
             assert_eq!(event.before[2], event.after[2], "a floor pushes along itself");
         }
     }
@@ -310,9 +312,9 @@ fn impulses_are_complementary() {
             (start[4], start[5]) = (0.0, 0.0);
         }
         let run = kind.throw(&start, 1.0, 1e-12);
-        for (index, event) in run.trajectory.events.iter().enumerate().take(4) {
-            for impulse in run.impulses(index).expect("known") {
-                let outward = match impulse.load.as_str() {
+        for event in run.trajectory.events.iter().take(4) {
+            for impulse in &event.record.impulses {
+                let outward = match run.equations.source_name(impulse.source) {
                     load if load.starts_with("floor") => impulse.impulse[1],
                     load if load.starts_with("left") => impulse.impulse[0],
                     _ => -impulse.impulse[0],

@@ -14,6 +14,9 @@ pub trait Hybrid {
     /// Which equations hold.
     type Mode: Clone + Eq + Hash + Debug;
 
+    /// What a jump did, in the model's terms, as data.
+    type Record: Clone + Debug + Default + PartialEq;
+
     /// The equations of a mode. Asked for once a mode, when the motion first enters it.
     fn flow(&self, mode: &Self::Mode) -> Result<Flow, Reason>;
 
@@ -23,7 +26,12 @@ pub trait Hybrid {
     }
 
     /// What happens at an instant that ends a flow; all that happens then is given at once.
-    fn jump(&self, at: &Crossing<'_, Self::Mode>) -> Result<Jump<Self::Mode>, Reason>;
+    fn jump(&self, at: &Crossing<'_, Self::Mode>) -> Result<Jump<Self::Mode, Self::Record>, Reason>;
+
+    /// Bytes that a record holds beside its own size: a motion is kept in memory as a whole.
+    fn held_by(_record: &Self::Record) -> usize {
+        0
+    }
 }
 
 /// Equations of one mode, as formulas of the states, the time and the inputs.
@@ -188,13 +196,13 @@ pub enum Cause {
 
 /// How the motion goes on after a crossing.
 #[derive(Clone, Debug)]
-pub struct Jump<Mode> {
+pub struct Jump<Mode, Record = ()> {
     /// The mode that begins.
     pub mode: Mode,
     /// The states just after; another mode may have another number of them.
     pub states: Vec<f64>,
-    /// What happened, in the model's words.
-    pub tags: Vec<String>,
+    /// What happened, in the model's terms.
+    pub record: Record,
     /// Whether the motion ends here.
     pub stop: bool,
     /// Guards and lazily evaluated guards of the new mode that are zero now, whatever rounding has left of them, by
@@ -205,9 +213,9 @@ pub struct Jump<Mode> {
     pub wake: Option<f64>,
 }
 
-impl<Mode> Jump<Mode> {
+impl<Mode, Record: Default> Jump<Mode, Record> {
     /// A jump that changes nothing yet.
     pub fn to(mode: Mode, states: Vec<f64>) -> Self {
-        Self { mode, states, tags: vec![], stop: false, zeros: vec![], wake: None }
+        Self { mode, states, record: Record::default(), stop: false, zeros: vec![], wake: None }
     }
 }

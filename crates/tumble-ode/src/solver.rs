@@ -64,14 +64,17 @@ pub struct Start<Mode> {
     pub stride: f64,
 }
 
+/// A motion of a system.
+pub type Motion<H> = Trajectory<<H as Hybrid>::Mode, <H as Hybrid>::Record>;
+
 /// A motion that was refused, with what was found before.
 #[derive(Clone, Debug, Error)]
 #[error("{refusal}")]
-pub struct Stopped<Mode: std::fmt::Debug> {
+pub struct Stopped<Mode: std::fmt::Debug, Record: std::fmt::Debug = ()> {
     /// Why, and when.
     pub refusal: Refusal,
     /// The motion up to there.
-    pub trajectory: Box<Trajectory<Mode>>,
+    pub trajectory: Box<Trajectory<Mode, Record>>,
 }
 
 /// Integrates a motion to its end.
@@ -80,7 +83,7 @@ pub fn solve<H: Hybrid>(
     start: Start<H::Mode>,
     until: f64,
     accuracy: Accuracy,
-) -> Result<Trajectory<H::Mode>, Stopped<H::Mode>> {
+) -> Result<Motion<H>, Stopped<H::Mode, H::Record>> {
     let mut solver = Solver::new(system, start, until, accuracy);
     while !solver.is_done() {
         if let Err(refusal) = solver.advance() {
@@ -127,7 +130,7 @@ pub struct Solver<'a, H: Hybrid> {
     /// Whether an event has ended the motion.
     stopped: bool,
     is_proved: bool,
-    trajectory: Trajectory<H::Mode>,
+    trajectory: Motion<H>,
 }
 
 impl<'a, H: Hybrid> Solver<'a, H> {
@@ -184,7 +187,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// The motion as far as it is found.
-    pub fn finish(mut self) -> Trajectory<H::Mode> {
+    pub fn finish(mut self) -> Motion<H> {
         self.trajectory.scales = self.scales.all().to_vec();
         self.trajectory.rounding = self.scales.rounding().to_vec();
         self.trajectory
@@ -525,8 +528,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         };
         let zeros: Vec<(String, usize)> = causes.iter().filter_map(crossed).chain(jump.zeros).collect();
         self.wakes.extend(jump.wake);
-        let (before, compensation, scales) =
-            (self.states.clone(), self.compensation.clone(), self.scales.all().to_vec());
+        let before = self.states.clone();
         // An event that changes nothing does not disturb the branch signs of the motion.
         self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
@@ -537,16 +539,14 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let event = Event {
             time: self.time,
             causes,
-            tags: jump.tags,
+            record: jump.record,
             before,
             after: self.states.clone(),
-            compensation,
-            scales,
             blur: self.blur.time,
             mode_before: mode,
             mode_after,
         };
-        self.memory.hold_event(&event);
+        self.memory.hold_event(&event, H::held_by(&event.record));
         self.trajectory.events.push(event);
         Ok(())
     }

@@ -9,13 +9,13 @@ use crate::work::Work;
 
 /// A motion from its start to its end, or as far as it was found.
 #[derive(Clone, Debug)]
-pub struct Trajectory<Mode> {
+pub struct Trajectory<Mode, Record = ()> {
     /// The modes that occurred, in order of first entry.
     pub modes: Vec<Mode>,
     /// Pieces in order of time; each begins where the one before ends.
     pub pieces: Vec<Piece>,
     /// Events in order of time.
-    pub events: Vec<Event>,
+    pub events: Vec<Event<Record>>,
     /// What it cost.
     pub work: Work,
     /// Order of the Taylor steps.
@@ -47,21 +47,17 @@ pub struct Piece {
 
 /// Something that happened at one instant.
 #[derive(Clone, Debug)]
-pub struct Event {
+pub struct Event<Record = ()> {
     /// When, s.
     pub time: f64,
     /// What the integrator saw.
     pub causes: Vec<Cause>,
-    /// What it means, in the model's words.
-    pub tags: Vec<String>,
+    /// What happened, in the model's terms.
+    pub record: Record,
     /// States just before.
     pub before: Vec<f64>,
     /// States just after.
     pub after: Vec<f64>,
-    /// What rounding had left out of the states before, and the scales then: with them the jump can be made again.
-    pub compensation: Vec<f64>,
-    /// Scales of the groups of states at that time.
-    pub scales: Vec<f64>,
     /// By how much rounding errors of what was crossed may have moved the time, s.
     pub blur: f64,
     /// Index in [`Trajectory::modes`] of the mode that ended.
@@ -129,7 +125,7 @@ pub enum Side {
     After,
 }
 
-impl<Mode> Trajectory<Mode> {
+impl<Mode, Record> Trajectory<Mode, Record> {
     /// Time of the start, s; `None` if nothing was integrated and nothing happened.
     pub fn start(&self) -> Option<f64> {
         let first = || self.events.first().map(|event| event.time);
@@ -209,7 +205,7 @@ impl<Mode> Trajectory<Mode> {
         (piece.start <= time && time <= piece.end).then_some(piece)
     }
 
-    fn first_event(&self) -> Option<&Event> {
+    fn first_event(&self) -> Option<&Event<Record>> {
         let start = self.start()?;
         self.events.first().filter(|event| event.time == start)
     }
@@ -220,7 +216,7 @@ impl<Mode> Trajectory<Mode> {
     }
 
     /// The event at the very end, if there is one.
-    pub fn last_event(&self) -> Option<&Event> {
+    pub fn last_event(&self) -> Option<&Event<Record>> {
         let end = self.end()?;
         self.events.last().filter(|event| event.time == end)
     }

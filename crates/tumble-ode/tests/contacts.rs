@@ -36,6 +36,7 @@ struct Toy {
 impl Hybrid for Toy {
     /// How many jumps there were.
     type Mode = i32;
+    type Record = ();
 
     fn flow(&self, _: &i32) -> Result<Flow, Reason> {
         let states = self.rates.iter().map(|(name, rate)| StateVariable {

@@ -21,6 +21,8 @@ struct Toy {
 impl Hybrid for Toy {
     /// How many scheduled times have passed, modulo two.
     type Mode = i32;
+    /// How many passed at once.
+    type Record = i32;
 
     fn flow(&self, mode: &i32) -> Result<Flow, Reason> {
         let symbol = |name: &str| Symbol::new(name, Dimension::NONE);
@@ -44,14 +46,15 @@ impl Hybrid for Toy {
         })
     }
 
-    fn jump(&self, at: &Crossing<'_, i32>) -> Result<Jump<i32>, Reason> {
+    fn jump(&self, at: &Crossing<'_, i32>) -> Result<Jump<i32, i32>, Reason> {
         let passed = at.causes.iter().filter(|cause| matches!(cause, Cause::Scheduled(_))).count() as i32;
-        let tags = vec![format!("{passed} passed")];
-        Ok(Jump { tags, ..Jump::to((at.mode + passed) % 2, at.states.to_vec()) })
+        Ok(Jump { record: passed, ..Jump::to((at.mode + passed) % 2, at.states.to_vec()) })
     }
 }
 
-fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Result<Trajectory<i32>, Box<Stopped<i32>>> {
+type Ran = Result<Trajectory<i32, i32>, Box<Stopped<i32, i32>>>;
+
+fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Ran {
     let start = Start {
         time: 0.0,
         mode: 0,
@@ -151,7 +154,7 @@ fn both_sides_of_an_event_are_kept() {
     let event = &motion.events[0];
     assert_eq!((event.time, event.mode_before, event.mode_after), (1.0, 0, 1));
     assert_eq!(event.before, event.after);
-    assert_eq!(event.tags, ["1 passed"]);
+    assert_eq!(event.record, 1);
     let before = motion.piece_at(1.0, Side::Before).expect("inside");
     let after = motion.piece_at(1.0, Side::After).expect("inside");
     assert_eq!((before.end, after.start), (1.0, 1.0));

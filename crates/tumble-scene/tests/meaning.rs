@@ -65,7 +65,9 @@ fn events_are_found_and_change_parameters() {
     assert!(matches!(&study.model.events[0].action, Action::Set(set) if set[0].0 == "g2"));
     let run = run(&study);
     let time = |name: &str| {
-        let event = run.trajectory.events.iter().find(|event| event.tags.iter().any(|tag| tag == name));
+        let happening = run.equations.named(name).expect(name);
+        let mut events = run.trajectory.events.iter();
+        let event = events.find(|event| event.record.happened.contains(&happening));
         event.expect(name).time
     };
     assert!((time("apex") - 1.0).abs() < 1e-12);

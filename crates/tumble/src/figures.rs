@@ -1,7 +1,7 @@
 //! Figures of a run: the study says which, the motion says what is in them.
 
 use tumble_expr::{Dimension, Expr, Vector};
-use tumble_mech::{Body, Run, Shape};
+use tumble_mech::{Body, Happening, Record, Run, Shape};
 use tumble_ode::Side;
 use tumble_report::free_body::Surface;
 use tumble_report::{
@@ -139,25 +139,27 @@ fn mark_events(figure: &mut CurveFigure, case: &Case) {
         return;
     }
     for event in events {
-        figure.marks.push(Mark { at: event.time, label: Label::plain(&mark(case, &event.tags)) });
+        figure.marks.push(Mark { at: event.time, label: Label::plain(&mark(case, &event.record)) });
     }
 }
 
 /// What happens at an event, short: a point by its own name where there is one surface and one body, and once.
-fn mark(case: &Case, tags: &[String]) -> String {
-    let model = case.run.equations.model();
+fn mark(case: &Case, record: &Record) -> String {
+    let equations = &case.run.equations;
+    let model = equations.model();
     let alone = match (&model.surfaces[..], &model.bodies[..]) {
         ([surface], [body]) => format!("{}.{}.", surface.name, body.name),
         _ => String::new(),
     };
-    let mut shown: Vec<&str> = vec![];
-    for tag in tags.iter().map(|tag| tag.strip_prefix(&alone).unwrap_or(tag)) {
-        let place = |tag: &str| tag.rsplit_once('.').map(|(place, _)| place.to_owned());
-        if !shown.iter().any(|known| place(known).is_some() && place(known) == place(tag)) {
-            shown.push(tag);
+    let mut shown: Vec<&Happening> = vec![];
+    for happening in &record.happened {
+        if !shown.iter().any(|known| known.is_of_same(happening)) {
+            shown.push(happening);
         }
     }
-    shown.join(", ")
+    let names = shown.into_iter().map(|happening| equations.name_of(happening));
+    let short = names.map(|name| name.strip_prefix(&alone).unwrap_or(&name).to_owned());
+    short.collect::<Vec<_>>().join(", ")
 }
 
 /// What is different about a run: `T = 0.5 s` with its symbol, or the user's words.

@@ -3,7 +3,7 @@
 //! A sweep may have thousands of runs, and a motion with its check runs is much larger than what is told of it.
 
 use tumble_expr::Symbol;
-use tumble_mech::{Quadrature, Run};
+use tumble_mech::{Quadrature, Record, Run};
 use tumble_ode::{Accuracy, Refusal, Work};
 use tumble_scene::Diagnostics;
 
@@ -66,7 +66,10 @@ pub struct Happened {
 impl Finished {
     pub(crate) fn of(case: &Case) -> Self {
         let (run, trajectory) = (&case.run, &case.run.trajectory);
-        let happened = |event: &tumble_ode::Event| Happened { time: event.time, what: event.tags.clone() };
+        let happened = |event: &tumble_ode::Event<Record>| Happened {
+            time: event.time,
+            what: run.equations.names_of(&event.record),
+        };
         Self {
             number: case.number,
             label: case.label.clone(),

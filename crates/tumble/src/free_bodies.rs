@@ -1,6 +1,6 @@
 //! Free-body diagrams: the forces that were integrated, at the instants the study asks for.
 
-use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Run, Shape, joined};
+use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Run, Shape, Source, joined};
 use tumble_ode::Side;
 use tumble_report::free_body::{AngleMark, Arrow, Couple, FreeBody, Kind, Sheet, SideView, Surface};
 use tumble_report::{Label, Pose};
@@ -67,12 +67,12 @@ impl Drawing<'_> {
         let mut panel = FreeBody::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
             .heading(Label::markup(label))
             .heading(Label::equation("t", &shown(time), "s"));
-        let impulses = self.impulses(time)?;
+        let impulses: Vec<&Impulse> = self.impulses(time).collect();
         if impulses.is_empty() {
             self.add_forces(&mut panel, pose, time)?;
         } else {
             panel = panel.impulses();
-            let arrows = impulses.iter().map(|impulse| self.impulse(impulse, pose));
+            let arrows = impulses.into_iter().map(|impulse| self.impulse(impulse, pose));
             panel.forces.extend(arrows);
         }
         for surface in self.surfaces(body, pose, time)? {
@@ -128,23 +128,22 @@ impl Drawing<'_> {
     }
 
     /// Impulses on the body of a rigid impact at just this time.
-    fn impulses(&self, time: f64) -> Result<Vec<Impulse>, PipelineError> {
-        let events = self.run.trajectory.events.iter().enumerate();
-        let mut found = vec![];
-        for (index, _) in events.filter(|(_, event)| event.time == time) {
-            found.extend(self.run.impulses(index)?);
-        }
-        found.retain(|impulse| impulse.body == self.body);
-        Ok(found)
+    fn impulses(&self, time: f64) -> impl Iterator<Item = &Impulse> {
+        let events = self.run.trajectory.events.iter().filter(move |event| event.time == time);
+        let impulses = events.flat_map(|event| &event.record.impulses);
+        impulses.filter(|impulse| impulse.body == self.body)
     }
 
     fn impulse(&self, impulse: &Impulse, pose: Pose) -> Arrow {
-        let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
-        let kind = if is_pair { Kind::Contact } else { Kind::Reaction };
+        let kind = match impulse.source {
+            Source::Pair(_) => Kind::Contact,
+            Source::Pivot(_) => Kind::Reaction,
+        };
+        let name = self.run.equations.source_name(impulse.source);
         let point = [pose.x + impulse.arm[0], pose.y + impulse.arm[1]];
         Arrow::new(
             kind,
-            Label::symbol(&format!("J_{}", symbols::contact(self.study, &impulse.load))),
+            Label::symbol(&format!("J_{}", symbols::contact(self.study, name))),
             point,
             impulse.impulse,
         )

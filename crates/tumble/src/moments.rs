@@ -117,9 +117,10 @@ impl<'a> Moments<'a> {
             blur: tumble_mech::Trust::event_blur(run, time),
         };
         if let Some((event, count)) = counted(name) {
-            let events = &self.solution.run.trajectory.events;
-            let mut named = events.iter().filter(|known| known.tags.iter().any(|tag| tag == event));
-            return named.nth(count - 1).map(|event| at(event.time));
+            let happening = run.equations.named(event)?;
+            let mut there =
+                run.trajectory.events.iter().filter(|event| event.record.happened.contains(&happening));
+            return there.nth(count - 1).map(|event| at(event.time));
         }
         let (contact, part) = name.rsplit_once('.')?;
         let (place, count) = counted(contact)?;

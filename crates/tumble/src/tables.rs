@@ -126,7 +126,7 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     table.row(first.into_iter().chain(columns))?;
     for event in &run.trajectory.events {
         table.numbers(&[event.time]);
-        table.text(&event.tags.join(", "));
+        table.text(&run.equations.names_of(&event.record).join(", "));
         table.numbers(&event.before[..states.len()]);
         table.numbers(&event.after[..states.len()]);
         table.end_row()?;

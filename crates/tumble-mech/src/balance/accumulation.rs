@@ -66,12 +66,10 @@ impl<'a> Accumulation<'a> {
     /// Adds everything from the start of the run to its end.
     pub(super) fn run_through(&mut self) -> Result<(), Reason> {
         let run = self.run;
-        let times: Vec<f64> = run.trajectory.events.iter().map(|event| event.time).collect();
-        let mut next = 0;
+        let mut events = run.trajectory.events.iter().peekable();
         for piece in &run.trajectory.pieces {
-            while next < times.len() && times[next] <= piece.start {
-                self.add_event(next)?;
-                next += 1;
+            while let Some(event) = events.next_if(|event| event.time <= piece.start) {
+                self.add_event(event)?;
             }
             self.marks.push(self.totals());
             let states = piece.states_at_parameter(0.0);
@@ -79,7 +77,7 @@ impl<'a> Accumulation<'a> {
             self.watch(&stored);
             self.add_piece(piece)?;
         }
-        (next..times.len()).try_for_each(|event| self.add_event(event))
+        events.try_for_each(|event| self.add_event(event))
     }
 
     fn add_piece(&mut self, piece: &Piece) -> Result<(), Reason> {

@@ -7,9 +7,10 @@ use crate::balance::accumulation::Accumulation;
 use crate::balance::contribution::Kind;
 use crate::balance::lines::Key;
 use crate::balance::stored::{Motion, Stored};
-use crate::contact::{ContactMode, Impulse};
+use crate::contact::{ContactMode, Impulse, Source};
 use crate::event::Action;
 use crate::mode::Mode;
+use crate::record::{Happening, Record};
 use crate::term::Law;
 
 /// Contacts that begin to last stop what is left of the motion towards them, which is at most this part of the largest
@@ -23,33 +24,36 @@ const ALIKE: f64 = 1e-12;
 type Change = [f64; 3];
 
 impl Accumulation<'_> {
-    /// Adds an event, by its index.
-    pub(super) fn add_event(&mut self, index: usize) -> Result<(), Reason> {
+    /// Adds an event of the run.
+    pub(super) fn add_event(&mut self, event: &Event<Record>) -> Result<(), Reason> {
         let run = self.run;
-        let event = &run.trajectory.events[index];
         let [before, after] = [event.mode_before, event.mode_after].map(|mode| &run.trajectory.modes[mode]);
         let mut stored = self.stored(before, event.time, &event.before)?;
         self.watch(&stored);
         if before.changes != after.changes {
             let changed = Mode { changes: after.changes.clone(), ..before.clone() };
             let then = self.stored(&changed, event.time, &event.before)?;
-            self.add_parameters(event, &stored, &then);
+            self.add_parameters(&event.record, &stored, &then);
             stored = then;
         }
         let then = self.stored(after, event.time, &event.after)?;
         self.watch(&then);
-        self.add_impacts(index, &stored, &then)?;
+        self.add_impacts(event, &stored, &then)?;
         self.add_releases(&stored, &then);
         Ok(())
     }
 
     /// What new values of parameters do to energies and momenta.
-    fn add_parameters(&mut self, event: &Event, before: &Stored, after: &Stored) {
+    fn add_parameters(&mut self, record: &Record, before: &Stored, after: &Stored) {
         let events = &self.run.equations.model().events;
-        let sets = |tag: &&String| {
-            events.iter().any(|event| event.name == **tag && matches!(event.action, Action::Set(_)))
+        let setting = |happening: &Happening| match happening {
+            Happening::Event(event) => {
+                Some(&events[*event]).filter(|event| matches!(event.action, Action::Set(_)))
+            }
+            _ => None,
         };
-        let name = event.tags.iter().filter(sets).cloned().collect::<Vec<String>>().join(", ");
+        let names = record.happened.iter().filter_map(setting).map(|event| event.name.as_str());
+        let name = names.collect::<Vec<_>>().join(", ");
         for (body, (old, new)) in before.bodies.iter().zip(&after.bodies).enumerate() {
             let change = |axis: usize| new.momentum[axis] - old.momentum[axis];
             let change = [new.kinetic - old.kinetic, change(0), change(1), new.angular - old.angular];
@@ -74,18 +78,18 @@ impl Accumulation<'_> {
         }
     }
 
-    fn add_impacts(&mut self, index: usize, before: &Stored, after: &Stored) -> Result<(), Reason> {
+    fn add_impacts(&mut self, event: &Event<Record>, before: &Stored, after: &Stored) -> Result<(), Reason> {
         let mut left: Vec<Change> =
             before.bodies.iter().zip(&after.bodies).map(|(old, new)| change(old, new)).collect();
         if left.iter().all(|change| *change == [0.0; 3]) {
             return Ok(());
         }
-        for impulse in self.run.impulses(index)? {
-            let taken = self.add_impulse(&impulse, before, after);
+        for impulse in &event.record.impulses {
+            let taken = self.add_impulse(impulse, before, after);
             subtract(&mut left[impulse.body], taken);
         }
         for (body, left) in left.into_iter().enumerate() {
-            for impulse in self.settled(index, body, left)? {
+            for impulse in self.settled(event, body, left)? {
                 self.add_impulse(&impulse, before, after);
             }
         }
@@ -100,9 +104,12 @@ impl Accumulation<'_> {
         let mean = |axis: usize| 0.5 * (old.velocity[axis] + new.velocity[axis]);
         let (vx, vy) = (mean(0) - omega * ry, mean(1) + omega * rx);
         let angular = (old.place[0] + rx) * jy - (old.place[1] + ry) * jx;
-        let is_pair = self.run.equations.pairs().iter().any(|pair| pair.name == impulse.load);
-        let law = Some(if is_pair { Law::Contact } else { Law::Reaction });
-        let (load, body) = (impulse.load.clone(), Some(impulse.body));
+        let law = Some(match impulse.source {
+            Source::Pair(_) => Law::Contact,
+            Source::Pivot(_) => Law::Reaction,
+        });
+        let load = self.run.equations.source_name(impulse.source).to_owned();
+        let body = Some(impulse.body);
         let speed = |motion: &Motion| {
             let velocity = libm::hypot(motion.velocity[0], motion.velocity[1]);
             velocity + motion.omega.abs() * libm::hypot(rx, ry)
@@ -114,29 +121,27 @@ impl Accumulation<'_> {
     }
 
     /// Impulses by which contacts that last, and the pivot, stop what is left of a body's motion towards them.
-    fn settled(&self, index: usize, body: usize, left: Change) -> Result<Vec<Impulse>, Reason> {
-        let event = &self.run.trajectory.events[index];
+    fn settled(&self, event: &Event<Record>, body: usize, left: Change) -> Result<Vec<Impulse>, Reason> {
         let mode = &self.run.trajectory.modes[event.mode_after];
         let (equations, inputs) = (&self.run.equations, &self.run.inputs);
-        let pairs = equations.pairs();
         let lasting = mode.contacts.iter().filter(|(_, contact_mode)| ContactMode::is_lasting(*contact_mode));
-        let lasting = lasting.map(|(pair, _)| &pairs[*pair]).filter(|pair| pair.body == body);
-        let mut names = vec![];
+        let lasting = lasting.map(|(pair, _)| (*pair, &equations.pairs()[*pair]));
+        let mut sources = vec![];
         let mut formulas = vec![];
-        for pair in lasting {
-            names.push(pair.name.clone());
+        for (index, pair) in lasting.filter(|(_, pair)| pair.body == body) {
+            sources.push(Source::Pair(index));
             formulas.push([pair.arm().components(), pair.normal.components()].concat());
         }
-        if names.is_empty() || left == [0.0; 3] {
+        if sources.is_empty() || left == [0.0; 3] {
             return Ok(vec![]);
         }
-        if let Some((name, arm)) = equations.pivot_arm(body) {
+        if let Some((source, (_, arm))) = equations.pivot_source(body).zip(equations.pivot_arm(body)) {
             let [x, y] = [[1, 0], [0, 1]].map(|axis| axis.map(tumble_expr::Expr::from));
-            names.extend([name.clone(), name]);
+            sources.extend([source, source]);
             formulas.extend([[arm.components(), &x].concat(), [arm.components(), &y].concat()]);
         }
         let values = equations.values(&formulas.concat(), mode, event.time, &event.after, inputs)?;
-        let impulses = solved(&names, values.as_slice(), body, left);
+        let impulses = solved(&sources, values.as_slice(), body, left);
         let largest = SETTLED * self.largest.momentum[body];
         let is_small = |impulse: &Impulse| libm::hypot(impulse.impulse[0], impulse.impulse[1]) <= largest;
         Ok(if impulses.iter().all(is_small) { impulses } else { vec![] })
@@ -154,7 +159,7 @@ fn subtract(left: &mut Change, taken: Change) {
 
 /// Impulses along the given directions that make up a change of momenta, the least ones where more do; each contact has
 /// its arm and its direction among the values.
-fn solved(names: &[String], values: &[f64], body: usize, change: Change) -> Vec<Impulse> {
+fn solved(sources: &[Source], values: &[f64], body: usize, change: Change) -> Vec<Impulse> {
     let columns: Vec<[f64; 4]> = values.chunks_exact(4).map(|v| [v[0], v[1], v[2], v[3]]).collect();
     let matrix = DMatrix::from_fn(3, columns.len(), |row, column| {
         let [rx, ry, nx, ny] = columns[column];
@@ -163,11 +168,11 @@ fn solved(names: &[String], values: &[f64], body: usize, change: Change) -> Vec<
     let decomposition = matrix.svd(true, true);
     let sizes = decomposition.solve(&DVector::from_row_slice(&change), ALIKE);
     let sizes = sizes.unwrap_or_else(|_| DVector::zeros(columns.len()));
-    let impulse = |((name, [rx, ry, nx, ny]), size): ((&String, &[f64; 4]), &f64)| Impulse {
-        load: name.clone(),
+    let impulse = |((source, [rx, ry, nx, ny]), size): ((&Source, &[f64; 4]), &f64)| Impulse {
+        source: *source,
         body,
         arm: [*rx, *ry],
         impulse: [nx * size, ny * size],
     };
-    names.iter().zip(&columns).zip(&sizes).map(impulse).collect()
+    sources.iter().zip(&columns).zip(&sizes).map(impulse).collect()
 }

@@ -1,56 +1,9 @@
-//! What happened at contacts in a run: when each began and ended, and the impulses of impacts.
+//! When each contact of a run began and ended.
 
-use tumble_ode::{Event, Reason, Trajectory};
+use tumble_ode::Event;
 
-use crate::contact::pair::Pair;
-use crate::mode::Mode;
-
-/// What can happen to a pair at an instant; its tag on an event ends in this.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Change {
-    /// An impact, of no duration.
-    Impact,
-    /// Impacts have become too small to be followed one by one.
-    Zeno,
-    /// A contact begins that lasts.
-    Start,
-    /// A lasting contact ends.
-    End,
-    /// A body that a surface has let go inside itself is out of it.
-    Clear,
-}
-
-impl Change {
-    const ALL: [(Self, &'static str); 5] = [
-        (Self::Impact, "impact"),
-        (Self::Zeno, "zeno"),
-        (Self::Start, "start"),
-        (Self::End, "end"),
-        (Self::Clear, "clear"),
-    ];
-
-    fn word(self) -> &'static str {
-        Self::ALL.iter().find(|(change, _)| *change == self).map_or("", |(_, word)| word)
-    }
-
-    /// `floor.rod.tip.impact`
-    pub(crate) fn tag(self, pair: &Pair) -> String {
-        format!("{}.{}", pair.name, self.word())
-    }
-
-    /// Whether impacts that follow each other ever faster end there.
-    pub(crate) fn ends_zeno_sequence(event: &Event) -> bool {
-        let is_zeno = |tag: &String| Self::read(tag).is_some_and(|(_, change)| change == Self::Zeno);
-        event.tags.iter().any(is_zeno)
-    }
-
-    /// The pair's name and the change that a tag tells of.
-    fn read(tag: &str) -> Option<(&str, Self)> {
-        let (pair, word) = tag.rsplit_once('.')?;
-        let (change, _) = Self::ALL.iter().find(|(_, known)| *known == word)?;
-        Some((pair, *change))
-    }
-}
+use crate::contact::change::Change;
+use crate::record::Happening;
 
 /// A stretch of time in which a point of a body touches a surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,63 +20,34 @@ pub struct Contact {
     pub is_open: bool,
 }
 
-/// An impulse on a body, of a rigid impact.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Impulse {
-    /// Name of the pair or of the pivot.
-    pub load: String,
-    /// Index of the body.
-    pub body: usize,
-    /// From its centre of mass to the point of action, m, world axes.
-    pub arm: [f64; 2],
-    /// N s, world axes.
-    pub impulse: [f64; 2],
-}
-
-/// Every contact of a run, in the order in which they begin.
-pub(crate) fn contacts(pairs: &[Pair], trajectory: &Trajectory<Mode>) -> Vec<Contact> {
-    let end = trajectory.end().unwrap_or(0.0);
-    let mut found: Vec<Contact> = vec![];
-    for Event { time, tags, .. } in &trajectory.events {
-        for (name, change) in tags.iter().filter_map(|tag| Change::read(tag)) {
-            let Some(pair) = pairs.iter().position(|pair| pair.name == name) else { continue };
-            let contact =
-                |end, is_impact| Contact { pair, start: *time, end, is_impact, is_open: !is_impact };
-            match change {
-                Change::Impact => found.push(contact(*time, true)),
-                Change::Start => found.push(contact(end, false)),
-                Change::Zeno | Change::Clear => {}
-                Change::End => {
-                    if let Some(open) = found.iter_mut().rev().find(|open| open.pair == pair && open.is_open)
-                    {
-                        (open.end, open.is_open) = (*time, false);
+impl crate::Run {
+    /// Every contact of the motion, in the order in which they begin.
+    pub fn contacts(&self) -> Vec<Contact> {
+        let end = self.trajectory.end().unwrap_or(0.0);
+        let mut found: Vec<Contact> = vec![];
+        for Event { time, record, .. } in &self.trajectory.events {
+            for happening in &record.happened {
+                let Happening::Contact { pair, change } = *happening else { continue };
+                let contact =
+                    |end, is_impact| Contact { pair, start: *time, end, is_impact, is_open: !is_impact };
+                match change {
+                    Change::Impact => found.push(contact(*time, true)),
+                    Change::Start => found.push(contact(end, false)),
+                    Change::Zeno | Change::Clear => {}
+                    Change::End => {
+                        let mut latest = found.iter_mut().rev();
+                        if let Some(open) = latest.find(|open| open.pair == pair && open.is_open) {
+                            (open.end, open.is_open) = (*time, false);
+                        }
                     }
                 }
             }
         }
-    }
-    found
-}
-
-/// How many Zeno sequences of impacts have come to an end in contact.
-pub(crate) fn zeno_sequences(trajectory: &Trajectory<Mode>) -> usize {
-    trajectory.events.iter().filter(|event| Change::ends_zeno_sequence(event)).count()
-}
-
-impl crate::Run {
-    /// Every contact of the motion, in the order in which they begin.
-    pub fn contacts(&self) -> Vec<Contact> {
-        contacts(self.equations.pairs(), &self.trajectory)
+        found
     }
 
     /// How many times impacts that followed each other ever faster have ended in contact.
     pub fn zeno_sequences(&self) -> usize {
-        zeno_sequences(&self.trajectory)
-    }
-
-    /// Impulses of the impacts at an event, those of pivots included; the event by its index in the trajectory.
-    pub fn impulses(&self, event: usize) -> Result<Vec<Impulse>, Reason> {
-        let Some(event) = self.trajectory.events.get(event) else { return Ok(vec![]) };
-        self.equations.impulses(event, &self.trajectory, &self.inputs)
+        self.trajectory.events.iter().filter(|event| event.record.ends_zeno_sequence()).count()
     }
 }

@@ -4,9 +4,11 @@
 //! numbers of one body's pairs at an instant; `settle` finds what an instant changes; `zeno` ends impacts that
 //! accumulate.
 
+mod change;
 pub(crate) mod complementarity;
 mod contact_mode;
 mod feature;
+mod impulse;
 mod interval;
 mod pair;
 mod pairs;
@@ -16,10 +18,11 @@ mod switch;
 mod touch;
 mod zeno;
 
+pub use change::Change;
 pub use contact_mode::ContactMode;
 pub use feature::Feature;
-pub(crate) use interval::Change;
-pub use interval::{Contact, Impulse};
+pub use impulse::{Impulse, Source};
+pub use interval::Contact;
 pub use pair::Pair;
 pub(crate) use pairs::Pairs;
-pub(crate) use touch::{Impulses, TouchTapes};
+pub(crate) use touch::TouchTapes;

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_ode::{Jump, Reason};
+use tumble_ode::Reason;
 
+use crate::contact::change::Change;
 use crate::contact::complementarity::{pushing, standing};
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::interval::Change;
 use crate::contact::pair::Watched;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::zeno::{LOWEST, ZenoSequence};
@@ -15,6 +15,7 @@ use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::laws::impact::impulses;
 use crate::mode::Mode;
+use crate::record::{Happening, Jump};
 
 /// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
 pub(crate) const STANDS: f64 = 1e-12;
@@ -255,7 +256,8 @@ impl<'a> Settling<'a> {
                     .then_some(Change::Start),
                 (before.is_some() && after.is_none()).then_some(Change::End),
             ];
-            jump.tags.extend(changes.into_iter().flatten().map(|change| change.tag(pair)));
+            let happening = |change| Happening::Contact { pair: index, change };
+            jump.record.happened.extend(changes.into_iter().flatten().map(happening));
             jump.mode.set_contact_mode(index, after);
             if after.is_none() {
                 let zeros = self.zeros(position);

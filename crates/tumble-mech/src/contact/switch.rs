@@ -1,16 +1,17 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use tumble_ode::{Cause, Crossing, Event, Jump, Reason, Trajectory};
+use tumble_ode::{Cause, Crossing, Reason};
 
+use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::interval::{Change, Impulse};
 use crate::contact::pair::Watched;
 use crate::contact::settle::{STANDS, Touched};
-use crate::contact::touch::Now;
+use crate::contact::touch::{Impulses, Now};
 use crate::equations::Equations;
 use crate::mode::Mode;
+use crate::record::{Happening, Jump};
 
 /// What the integrator saw of contacts, by pair.
 #[derive(Clone, Debug, Default)]
@@ -50,7 +51,7 @@ impl Equations {
         &self,
         at: &Crossing<'_, Mode>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Vec<(usize, f64)>, Reason> {
+    ) -> Result<Impulses, Reason> {
         if self.pairs().is_empty() {
             return Ok(vec![]);
         }
@@ -95,7 +96,7 @@ impl Equations {
         for (pair, contact_mode) in &mut jump.mode.contacts {
             if *contact_mode == ContactMode::Settling {
                 *contact_mode = ContactMode::Resting;
-                jump.tags.push(Change::Start.tag(&self.pairs()[*pair]));
+                jump.record.happened.push(Happening::Contact { pair: *pair, change: Change::Start });
             }
         }
     }
@@ -117,7 +118,7 @@ impl Equations {
         }
         if closes {
             jump.mode.set_contact_mode(index, Some(ContactMode::Pressed));
-            jump.tags.push(Change::Start.tag(pair));
+            jump.record.happened.push(Happening::Contact { pair: index, change: Change::Start });
         }
         Ok(())
     }
@@ -142,7 +143,7 @@ impl Equations {
             _ => (None, Change::End),
         };
         jump.mode.set_contact_mode(index, after);
-        jump.tags.push(change.tag(pair));
+        jump.record.happened.push(Happening::Contact { pair: index, change });
         Ok(())
     }
 
@@ -176,63 +177,5 @@ impl Equations {
              little later",
             names.join(", ")
         )))
-    }
-
-    /// Impulses of the impacts at an event.
-    pub(crate) fn impulses(
-        &self,
-        event: &Event,
-        trajectory: &Trajectory<Mode>,
-        inputs: &[f64],
-    ) -> Result<Vec<Impulse>, Reason> {
-        let at = Crossing {
-            time: event.time,
-            mode: &trajectory.modes[event.mode_before],
-            states: &event.before,
-            compensation: &event.compensation,
-            inputs,
-            causes: &event.causes,
-            scales: &event.scales,
-        };
-        let (jump, by_pair) = self.transition(&at)?;
-        let mut impulses = vec![];
-        let bodies: BTreeSet<usize> = by_pair.iter().map(|(pair, _)| self.pairs()[*pair].body).collect();
-        for (pair, impulse) in by_pair {
-            let pair = &self.pairs()[pair];
-            let formulas = [pair.arm().components(), pair.normal.components()].concat();
-            let values = self.values(&formulas, at.mode, at.time, at.states, inputs)?;
-            impulses.push(Impulse {
-                load: pair.name.clone(),
-                body: pair.body,
-                arm: [values[0], values[1]],
-                impulse: [impulse * values[2], impulse * values[3]],
-            });
-        }
-        for body in bodies {
-            impulses.extend(self.pivot_impulse(body, &impulses, &at, &jump)?);
-        }
-        Ok(impulses)
-    }
-
-    /// What the pivot adds, so that all impulses together are the change of momentum.
-    fn pivot_impulse(
-        &self,
-        body: usize,
-        others: &[Impulse],
-        at: &Crossing<'_, Mode>,
-        jump: &Jump<Mode>,
-    ) -> Result<Option<Impulse>, Reason> {
-        let Some((name, arm)) = self.pivot_arm(body) else { return Ok(None) };
-        let kinematics = self.model().bodies[body].kinematics();
-        let mass = &self.mass_properties(body).mass;
-        let momentum = kinematics.velocity().map(|v| mass * v);
-        let before = self.values(momentum.components(), at.mode, at.time, at.states, at.inputs)?;
-        let after = self.values(momentum.components(), &jump.mode, at.time, &jump.states, at.inputs)?;
-        let arm = self.values(arm.components(), at.mode, at.time, at.states, at.inputs)?;
-        let mut impulse = [after[0] - before[0], after[1] - before[1]];
-        for other in others.iter().filter(|other| other.body == body) {
-            impulse = [impulse[0] - other.impulse[0], impulse[1] - other.impulse[1]];
-        }
-        Ok(Some(Impulse { load: name, body, arm: [arm[0], arm[1]], impulse }))
     }
 }

@@ -3,7 +3,6 @@
 use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
 use tumble_ode::{Place, Side};
 
-use crate::contact::Change;
 use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
@@ -97,7 +96,7 @@ impl Trust {
         for index in near {
             let time = events[index].time;
             let error = self.event_error(run, time).unwrap_or(0.0);
-            let is_asked_for = time == at.time && !Change::ends_zeno_sequence(&events[index]);
+            let is_asked_for = time == at.time && !events[index].record.ends_zeno_sequence();
             if !is_asked_for && (time - at.time).abs() <= error.max(at.off) {
                 let sides = run.observe(std::slice::from_ref(formula))?.at_event(index);
                 sum += sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());

@@ -57,6 +57,7 @@ use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::model::Model;
 use crate::parameters::Parameters;
+use crate::record::Record;
 use crate::run::{Run, RunError};
 use check_run::CheckRun;
 pub use errors::Errors;
@@ -118,7 +119,7 @@ pub enum Divergence {
 
 impl std::fmt::Display for Divergence {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let list = |tags: &[String]| if tags.is_empty() { "nothing".to_owned() } else { tags.join(", ") };
+        let list = |names: &[String]| if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
         match self {
             Self::Grown => write!(f, "the check run has diverged"),
             Self::Events { first, second } => {
@@ -289,7 +290,7 @@ impl Trust {
 }
 
 /// The events of one time.
-fn events_at(run: &Run, time: f64) -> impl Iterator<Item = &Event> {
+fn events_at(run: &Run, time: f64) -> impl Iterator<Item = &Event<Record>> {
     let events = &run.trajectory.events;
     let first = events.partition_point(|event| event.time < time);
     events[first..].iter().take_while(move |event| event.time == time)

@@ -2,10 +2,9 @@
 
 use std::collections::{HashMap, VecDeque};
 
-use tumble_ode::{Event, Side, Trajectory};
+use tumble_ode::Side;
 
-use crate::contact::Change;
-use crate::mode::Mode;
+use crate::record::{Happening, Record};
 use crate::run::Run;
 use crate::trust::errors::BRIEF;
 use crate::trust::{Divergence, Horizon};
@@ -13,6 +12,8 @@ use crate::trust::{Divergence, Horizon};
 /// Two Zeno sequences end at one time if that differs by no more than this part of it: their last impacts need not
 /// match.
 const SAME_LIMIT: f64 = 1e-6;
+
+type Event = tumble_ode::Event<Record>;
 
 /// Stretches of both runs between events that both have.
 #[derive(Clone, Debug, Default)]
@@ -39,8 +40,8 @@ pub(super) struct Stretch {
 /// Events that only record change nothing: that one run has one more of them, at the edge of what it asks for, says
 /// nothing of the motion.
 pub(super) fn phases(first: &Run, second: &Run) -> Phases {
-    let runs = [&first.trajectory, &second.trajectory];
-    let ends = runs.map(|run| run.end().unwrap_or(0.0));
+    let runs = [first, second];
+    let ends = runs.map(|run| run.trajectory.end().unwrap_or(0.0));
     let mut found = Phases { recorded: recorded(runs), ..Phases::default() };
     let changing = runs.map(changing);
     let (mut from, mut at) = ([0.0; 2], [0; 2]);
@@ -49,13 +50,13 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
         let (next, is_zeno) = match events {
             [None, None] => break,
             [Some(a), Some(b)] if is_same(runs, [a, b]) => {
-                (at.map(|index| index + 1), Change::ends_zeno_sequence(a))
+                (at.map(|index| index + 1), a.record.ends_zeno_sequence())
             }
             _ => match after_zeno_sequences(&changing, at) {
                 Some(next) => (next, true),
                 None => {
                     let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
-                    found.diverge(from, times, events);
+                    found.diverge(runs, [from, times], events);
                     return found;
                 }
             },
@@ -67,7 +68,7 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     found.push(from, ends, false);
     // One of them stopped early, without an event.
     let last = ends[0].min(ends[1]);
-    if ends[1] < ends[0] && runs[0].last_event().is_none() {
+    if ends[1] < ends[0] && first.trajectory.last_event().is_none() {
         found.divergence = Some(Horizon { time: last, reason: Divergence::Refused });
     }
     found
@@ -107,39 +108,41 @@ impl Phases {
         }
     }
 
-    fn diverge(&mut self, from: [f64; 2], to: [f64; 2], events: [Option<&Event>; 2]) {
+    fn diverge(&mut self, runs: [&Run; 2], [from, to]: [[f64; 2]; 2], events: [Option<&Event>; 2]) {
         let time = to[0].min(to[1]);
-        let tags = |event: Option<&Event>| {
-            event.filter(|event| event.time <= time).map(|event| event.tags.clone()).unwrap_or_default()
+        let names = |run: usize| {
+            let event = events[run].filter(|event| event.time <= time);
+            event.map(|event| runs[run].equations.names_of(&event.record)).unwrap_or_default()
         };
         self.push(from, [time.max(from[0]), time.max(from[1])], false);
-        let reason = Divergence::Events { first: tags(events[0]), second: tags(events[1]) };
+        let reason = Divergence::Events { first: names(0), second: names(1) };
         self.divergence = Some(Horizon { time, reason });
     }
 }
 
 /// Events that change the motion or end it.
-fn changing(run: &Trajectory<Mode>) -> Vec<&Event> {
+fn changing(run: &Run) -> Vec<&Event> {
+    let end = run.trajectory.end();
     let changes = |event: &&Event| {
-        event.mode_before != event.mode_after || event.before != event.after || run.end() == Some(event.time)
+        event.mode_before != event.mode_after || event.before != event.after || end == Some(event.time)
     };
-    run.events.iter().filter(changes).collect()
+    run.trajectory.events.iter().filter(changes).collect()
 }
 
 /// Times of the other events that both runs have: the first of a kind in both, the second, and so on.
-fn recorded(runs: [&Trajectory<Mode>; 2]) -> Vec<[f64; 2]> {
-    let mut later: HashMap<&[String], VecDeque<f64>> = HashMap::new();
-    for event in &runs[1].events {
-        later.entry(&event.tags).or_default().push_back(event.time);
+fn recorded([first, second]: [&Run; 2]) -> Vec<[f64; 2]> {
+    let mut later: HashMap<&[Happening], VecDeque<f64>> = HashMap::new();
+    for event in &second.trajectory.events {
+        later.entry(&event.record.happened).or_default().push_back(event.time);
     }
-    let pair = |event: &Event| Some([event.time, later.get_mut(&event.tags[..])?.pop_front()?]);
-    runs[0].events.iter().filter_map(pair).collect()
+    let pair = |event: &Event| Some([event.time, later.get_mut(&event.record.happened[..])?.pop_front()?]);
+    first.trajectory.events.iter().filter_map(pair).collect()
 }
 
 /// Whether the same things happen, between the same modes.
-fn is_same(runs: [&Trajectory<Mode>; 2], [a, b]: [&Event; 2]) -> bool {
-    let mode = |run: usize, index: usize| &runs[run].modes[index];
-    a.tags == b.tags
+fn is_same(runs: [&Run; 2], [a, b]: [&Event; 2]) -> bool {
+    let mode = |run: usize, index: usize| &runs[run].trajectory.modes[index];
+    a.record.happened == b.record.happened
         && mode(0, a.mode_before) == mode(1, b.mode_before)
         && mode(0, a.mode_after) == mode(1, b.mode_after)
 }
@@ -148,12 +151,13 @@ fn is_same(runs: [&Trajectory<Mode>; 2], [a, b]: [&Event; 2]) -> bool {
 fn after_zeno_sequences(runs: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
     let next = |run: usize| {
         let rest = runs[run].iter().enumerate().skip(at[run]);
-        rest.filter(|(_, event)| Change::ends_zeno_sequence(event)).map(|(index, _)| index).next()
+        rest.filter(|(_, event)| event.record.ends_zeno_sequence()).map(|(index, _)| index).next()
     };
     let [a, b] = [next(0)?, next(1)?];
     let events = [runs[0][a], runs[1][b]];
     let difference = (events[0].time - events[1].time).abs();
-    let is_limit = events[0].tags == events[1].tags && difference <= SAME_LIMIT * events[0].time;
+    let is_limit =
+        events[0].record.happened == events[1].record.happened && difference <= SAME_LIMIT * events[0].time;
     is_limit.then_some([a + 1, b + 1])
 }
 
@@ -187,11 +191,12 @@ mod tests {
     #[test]
     fn runs_diverge_by_what_changes_them_only() {
         let first = run();
-        let bounces = changing(&first.trajectory).len();
+        let bounces = changing(&first).len();
         assert!(bounces > 1 && bounces < first.trajectory.events.len());
 
         let mut other = first.clone();
-        let last_top = other.trajectory.events.iter().rposition(|event| event.tags == ["top"]);
+        let last_top =
+            other.trajectory.events.iter().rposition(|event| event.record.happened == [Happening::Event(0)]);
         other.trajectory.events.remove(last_top.expect("there are tops"));
         let found = phases(&first, &other);
         assert!(found.divergence.is_none());

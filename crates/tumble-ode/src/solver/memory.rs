@@ -59,11 +59,9 @@ impl Memory {
         self.held += (size_of::<Piece>() + series.map(size_of_series).sum::<usize>()) as u64;
     }
 
-    pub(super) fn hold_event(&mut self, event: &Event) {
-        let series = [&event.before, &event.after, &event.compensation, &event.scales];
-        let tags: usize = event.tags.iter().map(|tag| size_of::<String>() + tag.capacity()).sum();
-        let numbers: usize = series.into_iter().map(|series| size_of_series(series)).sum();
-        self.held += (size_of::<Event>() + numbers + tags) as u64;
+    pub(super) fn hold_event<Record>(&mut self, event: &Event<Record>, held_by_record: usize) {
+        let numbers = size_of_series(&event.before) + size_of_series(&event.after);
+        self.held += (size_of::<Event<Record>>() + numbers + held_by_record) as u64;
     }
 
     pub(super) fn count(&mut self, mode: usize, hits: &[Hit]) {

@@ -99,7 +99,7 @@ impl Problem {
 }
 
 /// Modes are counted in the order in which they are entered, so a new one is greater than all before.
-fn first_entries(events: &[Event]) -> Vec<f64> {
+fn first_entries<R>(events: &[Event<R>]) -> Vec<f64> {
     let mut known = 0;
     let mut found = vec![];
     for event in events.iter().filter(|event| event.mode_before != event.mode_after) {

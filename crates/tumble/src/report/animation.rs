@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use tumble_expr::{Expr, Substitution};
-use tumble_mech::{Body, Forces, Gravity, Run, joined, place_symbols};
-use tumble_ode::Side;
+use tumble_mech::{Body, Forces, Gravity, Record, Run, joined, place_symbols};
+use tumble_ode::{Event, Side};
 use tumble_report::curves::Mark;
 use tumble_report::free_body::NamedPoint;
 use tumble_report::report::{
@@ -103,7 +103,8 @@ fn marks(run: &Run) -> Vec<Mark> {
     if events.len() > MOST_MARKS {
         return vec![];
     }
-    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&event.tags.join(", ")) }).collect()
+    let names = |event: &Event<Record>| run.equations.names_of(&event.record).join(", ");
+    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&names(event)) }).collect()
 }
 
 /// Springs and dampers with the places of their ends.

@@ -2,7 +2,7 @@
 
 use tumble_expr::{Dimension, Expr, Substitution, Symbol};
 use tumble_math::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
-use tumble_mech::{Mode, Run};
+use tumble_mech::{Mode, Record, Run};
 use tumble_ode::{Cause, Event};
 use tumble_report::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
 use tumble_report::{Label, numeral};
@@ -101,7 +101,10 @@ fn events(case: &Case) -> Table {
     let caption = if case.label.is_empty() { "Events".to_owned() } else { format!("Events, {}", case.label) };
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
-    let row = |event: &Event| vec![quantity(event.time, ""), event.tags.join(", ").into()];
+    let row = |event: &Event<Record>| {
+        let names = case.run.equations.names_of(&event.record);
+        vec![quantity(event.time, ""), names.join(", ").into()]
+    };
     let mut table = Table::new(caption, columns);
     table.rows = case.run.trajectory.events.iter().map(row).collect();
     if table.rows.is_empty() {
@@ -148,12 +151,12 @@ fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, Pipel
 fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
     let trajectory = &run.trajectory;
     let schedule: Vec<Expr> = run.equations.scheduled_times();
-    let end = |event: &Event| match &event.causes[..] {
+    let end = |event: &Event<Record>| match &event.causes[..] {
         [Cause::Scheduled(index), ..] => schedule.get(*index).cloned(),
         _ => None,
     };
     let Some(first) = trajectory.pieces.first() else { return vec![] };
-    let changes: Vec<&Event> =
+    let changes: Vec<&Event<Record>> =
         trajectory.events.iter().filter(|event| event.mode_before != event.mode_after).collect();
     let mut found = vec![];
     let mut mode = first.mode;

@@ -13,6 +13,7 @@ struct Toy(Expr);
 
 impl Hybrid for Toy {
     type Mode = ();
+    type Record = ();
 
     fn flow(&self, (): &()) -> Result<Flow, Reason> {
         let symbol = |name: &str| Symbol::new(name, Dimension::NONE);

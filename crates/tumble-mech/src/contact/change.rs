@@ -1,0 +1,29 @@
+//! What an instant changes for a pair.
+
+/// What can happen to a pair at an instant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Change {
+    /// An impact, of no duration.
+    Impact,
+    /// Impacts have become too small to be followed one by one.
+    Zeno,
+    /// A contact begins that lasts.
+    Start,
+    /// A lasting contact ends.
+    End,
+    /// A body that a surface has let go inside itself is out of it.
+    Clear,
+}
+
+impl Change {
+    /// What people call it.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Impact => "impact",
+            Self::Zeno => "zeno",
+            Self::Start => "start",
+            Self::End => "end",
+            Self::Clear => "clear",
+        }
+    }
+}

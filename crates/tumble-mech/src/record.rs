@@ -1,0 +1,88 @@
+//! What happened at one instant of a motion, as data; names are made of it where people read them.
+
+use crate::contact::{Change, Impulse};
+use crate::equations::Equations;
+
+/// What a jump leaves to be known beside the states and modes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record {
+    /// What happened, in the order in which it was dealt with.
+    pub happened: Vec<Happening>,
+    /// Impulses that acted, those of pivots included.
+    pub impulses: Vec<Impulse>,
+}
+
+/// Something that happens at an instant; what it happens to is known by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Happening {
+    /// One of the model's events.
+    Event(usize),
+    /// A load begins or ceases to act.
+    Window {
+        /// Among the equations' windows.
+        window: usize,
+        /// Whether it is the end.
+        ends: bool,
+    },
+    /// A contact changes.
+    Contact {
+        /// Among the equations' pairs.
+        pair: usize,
+        /// How.
+        change: Change,
+    },
+}
+
+/// A jump that leaves a record.
+pub(crate) type Jump<Mode> = tumble_ode::Jump<Mode, Record>;
+
+impl Record {
+    /// Whether impacts that follow each other ever faster end here.
+    pub(crate) fn ends_zeno_sequence(&self) -> bool {
+        let is_zeno =
+            |happening: &Happening| matches!(happening, Happening::Contact { change: Change::Zeno, .. });
+        self.happened.iter().any(is_zeno)
+    }
+
+    /// Bytes that it holds beside its own size.
+    pub(crate) fn held(&self) -> usize {
+        size_of_val(&self.happened[..]) + size_of_val(&self.impulses[..])
+    }
+}
+
+impl Happening {
+    /// Whether both are of the same load or the same contact.
+    pub fn is_of_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Window { window: a, .. }, Self::Window { window: b, .. }) => a == b,
+            (Self::Contact { pair: a, .. }, Self::Contact { pair: b, .. }) => a == b,
+            _ => false,
+        }
+    }
+}
+
+impl Equations {
+    /// What people call it: `apex`, `wind.start`, `floor.rod.tip.impact`.
+    pub fn name_of(&self, happening: &Happening) -> String {
+        match *happening {
+            Happening::Event(event) => self.model().events[event].name.clone(),
+            Happening::Window { window, ends } => {
+                format!("{}.{}", self.windows()[window].load, if ends { "end" } else { "start" })
+            }
+            Happening::Contact { pair, change } => format!("{}.{}", self.pairs()[pair].name, change.word()),
+        }
+    }
+
+    /// What people call all that happened at an instant.
+    pub fn names_of(&self, record: &Record) -> Vec<String> {
+        record.happened.iter().map(|happening| self.name_of(happening)).collect()
+    }
+
+    /// The event, or the start or end of a load, that people call so.
+    pub fn named(&self, name: &str) -> Option<Happening> {
+        let events = (0..self.model().events.len()).map(Happening::Event);
+        let ends = |window| [false, true].map(|ends| Happening::Window { window, ends });
+        let mut all = events.chain((0..self.windows().len()).flat_map(ends));
+        all.find(|happening| self.name_of(happening) == name)
+    }
+}
