@@ -33,7 +33,7 @@ pub(crate) struct Rows {
     /// By velocity, kg or kg m^2.
     pub(crate) mass: DVector<f64>,
     /// States that the velocities are, and the coordinates that they are rates of.
-    velocities: Vec<usize>,
+    pub(crate) velocities: Vec<usize>,
     coordinates: Vec<usize>,
 }
 
@@ -98,15 +98,19 @@ impl Equations {
             indices.push(index);
             let rate = definitions.apply(&row.rate);
             let symbols = rate.symbols();
-            let own = velocities.iter().enumerate().filter(|(_, state)| symbols.contains(&layout.states[**state]));
+            let own =
+                velocities.iter().enumerate().filter(|(_, state)| symbols.contains(&layout.states[**state]));
             let own: Vec<usize> = own.map(|(place, _)| place).collect();
             outputs.extend([definitions.apply(&row.position), rate.clone()]);
             outputs.extend(own.iter().map(|place| rate.derivative(&layout.states[velocities[*place]])));
             used.push(own);
         }
         let masses = outputs.len();
-        outputs.extend(bodies.flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)));
-        let numbers = |values: &[f64]| values.iter().map(|value| Rounded::computed(*value)).collect::<Vec<_>>();
+        outputs.extend(
+            bodies.flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)),
+        );
+        let numbers =
+            |values: &[f64]| values.iter().map(|value| Rounded::computed(*value)).collect::<Vec<_>>();
         let tape = self.compiled(mode, &outputs, inputs)?.tape().clone();
         let mut jets = Jets::new(tape, 0, &numbers(inputs));
         jets.start(Rounded::leaf(time), &numbers(states), Branches::Free);
@@ -150,12 +154,19 @@ impl Equations {
     /// That joints leave a gap which nothing closes.
     fn not_closed(&self, mode: &Mode, rows: &Rows) -> Option<ModelError> {
         let is_open = |joint: &usize| {
-            mode.holds(*joint) && self.places_of(mode, *joint, rows).any(|place| !is_none(rows.position[place]))
+            mode.holds(*joint)
+                && self.places_of(mode, *joint, rows).any(|place| !is_none(rows.position[place]))
         };
         let open: Vec<usize> = (0..self.joints().len()).filter(is_open).collect();
         let gap = rows.position.iter().fold(0.0, |gap: f64, value| gap.max(value.value.abs()));
         let joints = open.iter().map(|joint| self.model().joints[*joint].name.clone()).collect();
         (!open.is_empty()).then_some(ModelError::JointsDoNotClose { joints, gap })
+    }
+
+    /// How far apart a joint's points are, m.
+    pub(crate) fn gap_of(&self, mode: &Mode, joint: usize, rows: &Rows) -> f64 {
+        let places = self.places_of(mode, joint, rows).take(2);
+        places.map(|place| rows.position[place].value).fold(0.0, libm::hypot)
     }
 
     /// Places of a joint's rows among those that hold.
@@ -173,6 +184,23 @@ impl Rows {
         let (rates, impulses) = (DMatrix::from_column_slice(off.len(), 1, off.as_slice()), self.mass.len());
         let found = respond(&self.mass, &self.gradient, &DMatrix::zeros(impulses, 1), &rates);
         found.map_or_else(|| DVector::zeros(impulses), |(changes, _)| changes.column(0).into_owned())
+    }
+
+    /// What impulses on the velocities change while all rows come to hold, and the impulses of the rows.
+    pub(crate) fn respond(&self, pushes: &DMatrix<f64>) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+        let rates = DMatrix::from_fn(self.rate.len(), 1, |row, _| -self.rate[row].value);
+        respond(&self.mass, &self.gradient, pushes, &rates)
+    }
+
+    /// The same without some rows, by index.
+    pub(crate) fn without(mut self, left_out: &[usize]) -> Self {
+        let places = (0..self.indices.len()).filter(|place| !left_out.contains(&self.indices[*place]));
+        let places: Vec<usize> = places.collect();
+        self.gradient = self.gradient.select_rows(&places);
+        self.indices = places.iter().map(|place| self.indices[*place]).collect();
+        self.position = places.iter().map(|place| self.position[*place]).collect();
+        self.rate = places.iter().map(|place| self.rate[*place]).collect();
+        self
     }
 
     /// Rows that are sums of others, by index: of several that are, the later ones.

@@ -11,7 +11,7 @@ use crate::laws;
 use crate::mode::Mode;
 use crate::model::Model;
 use crate::placement::Placement;
-use crate::row::{Light, Row, solved};
+use crate::row::{Light, Row, Wrench, solved};
 use crate::term::Term;
 
 /// A joint with its bodies by index.
@@ -56,7 +56,8 @@ impl Equations {
     /// Rows of the joints that hold in a mode, all that are counted by [`Mode::redundant`] included: index and row.
     pub(crate) fn joint_rows(&self, mode: &Mode) -> impl Iterator<Item = (usize, &Row)> {
         let joints = self.joints().iter().enumerate();
-        let rows = joints.flat_map(|(joint, known)| known.rows.iter().map(move |row| (joint, row))).enumerate();
+        let rows =
+            joints.flat_map(|(joint, known)| known.rows.iter().map(move |row| (joint, row))).enumerate();
         rows.filter(|(_, (joint, _))| mode.holds(*joint)).map(|(index, (_, row))| (index, row))
     }
 
@@ -131,7 +132,8 @@ impl Equations {
     /// where nothing is kept.
     pub(crate) fn constraint_forces(&self, mode: &Mode, bodies: &[usize]) -> (Vec<Symbol>, Substitution) {
         let pairs = self.pairs().iter().filter(|pair| bodies.contains(&pair.body));
-        let joints = self.joints().iter().filter(|joint| joint.bodies.iter().any(|body| bodies.contains(body)));
+        let joints =
+            self.joints().iter().filter(|joint| joint.bodies.iter().any(|body| bodies.contains(body)));
         let joints = joints.flat_map(|joint| joint.multipliers.iter().cloned());
         let mut symbols: Vec<Symbol> = pairs.map(Pair::force_symbol).chain(joints).collect();
         let mut forces = Substitution::default();
@@ -179,19 +181,23 @@ impl Equations {
         });
         let light: Vec<Light> = light.collect();
         let found = solved(&rows, &light, |i, j| self.body_equations(i.body).response(i, j), &free);
-        let symbols = rows.into_iter().map(|row| row.multiplier).chain(light.into_iter().map(|light| light.alpha));
+        let symbols =
+            rows.into_iter().map(|row| row.multiplier).chain(light.into_iter().map(|light| light.alpha));
         symbols.zip(found).collect()
     }
 
-    /// Whether a body has no moment of inertia and joints hold it beside its centre: they say how it turns.
+    /// Whether a body has no moment of inertia and joints hold it beside its centre or its angle: they say how it turns.
     pub(crate) fn is_turned_by_joints(&self, mode: &Mode, body: usize) -> bool {
         let known = self.body_equations(body);
-        let is_point = matches!(known.coordinates, Coordinates::Free) && is_identically_zero(&known.mass.inertia);
-        let has_arm = |row: &Row| {
+        let is_point =
+            matches!(known.coordinates, Coordinates::Free) && is_identically_zero(&known.mass.inertia);
+        let turns = |row: &Row| {
             let own = row.wrenches.iter().filter(|wrench| wrench.body == body);
-            own.into_iter().any(|wrench| !wrench.arm.components().iter().all(is_identically_zero))
+            own.into_iter().any(|Wrench { arm, couple, .. }| {
+                !couple.is_zero() || !arm.components().iter().all(is_identically_zero)
+            })
         };
-        is_point && self.joint_rows(mode).any(|(_, row)| has_arm(row))
+        is_point && self.joint_rows(mode).any(|(_, row)| turns(row))
     }
 
     /// What each velocity of a body takes to be changed, kg or kg m^2.

@@ -168,7 +168,9 @@ pub enum ModelError {
         gap: f64,
     },
     /// A joint whose points move apart at the start.
-    #[error("what `{joint}` joins moves apart at {rate} m/s at the start: give it fitting velocities, or write `assemble = true`")]
+    #[error(
+        "what `{joint}` joins moves apart at {rate} m/s at the start: give it fitting velocities, or write `assemble = true`"
+    )]
     JointMoves {
         /// Name of the joint.
         joint: String,

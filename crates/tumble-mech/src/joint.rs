@@ -173,17 +173,25 @@ impl Joint {
         let [x, y] = [[1, 0], [0, 1]].map(|[x, y]| Vector::planar(x.into(), y.into()));
         let turning = Vector::planar(Expr::zero(), Expr::zero());
         let conditions = self.conditions(angle).into_iter().zip([x, y, turning]);
-        let row = |(([position, rate, acceleration], direction), multiplier): (([Expr; 3], Vector), Symbol)| {
-            let is_turning = direction.components().iter().all(Expr::is_zero);
-            let wrench = |Side { point, sign }: Side<'_>| Wrench {
-                body: body_index(&point.body.body),
-                arm: point.world_arm(),
-                force: if sign > 0 { direction.clone() } else { -&direction },
-                couple: if is_turning { sign.into() } else { Expr::zero() },
+        let row =
+            |(([position, rate, acceleration], direction), multiplier): (([Expr; 3], Vector), Symbol)| {
+                let is_turning = direction.components().iter().all(Expr::is_zero);
+                let wrench = |Side { point, sign }: Side<'_>| Wrench {
+                    body: body_index(&point.body.body),
+                    arm: point.world_arm(),
+                    force: if sign > 0 { direction.clone() } else { -&direction },
+                    couple: if is_turning { sign.into() } else { Expr::zero() },
+                };
+                let measure = if is_turning { Measure::Angle } else { Measure::Length };
+                Row {
+                    multiplier,
+                    wrenches: self.sides().map(wrench).collect(),
+                    position,
+                    rate,
+                    acceleration,
+                    measure,
+                }
             };
-            let measure = if is_turning { Measure::Angle } else { Measure::Length };
-            Row { multiplier, wrenches: self.sides().map(wrench).collect(), position, rate, acceleration, measure }
-        };
         conditions.zip(self.multipliers()).map(row).collect()
     }
 

@@ -30,6 +30,15 @@ impl Mode {
         !self.released.contains(&joint)
     }
 
+    pub(crate) fn release(&mut self, joint: usize) {
+        self.released.push(joint);
+        self.released.sort_unstable();
+    }
+
+    pub(crate) fn hold(&mut self, joint: usize) {
+        self.released.retain(|known| *known != joint);
+    }
+
     /// Contact mode of a pair; `None` if it is open.
     pub fn contact_mode(&self, pair: usize) -> Option<ContactMode> {
         let at = self.contacts.binary_search_by_key(&pair, |(known, _)| *known).ok()?;

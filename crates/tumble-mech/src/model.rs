@@ -9,6 +9,7 @@ use crate::body::Body;
 use crate::contact::{Pair, Pairs};
 use crate::coordinates::Pivot;
 use crate::event::Event;
+use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
 use crate::joint::Joint;
 use crate::kinematics::PointRef;
@@ -58,6 +59,8 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// Forces and torques.
     pub loads: Vec<Load>,
+    /// What events apply at once.
+    pub impulses: Vec<AppliedImpulse>,
     /// Air resistance, springs and other laws known by their coefficients.
     pub interactions: Vec<Arc<dyn Interaction>>,
     /// What bodies meet.
@@ -90,6 +93,7 @@ impl Model {
             pivots: vec![],
             joints: vec![],
             loads: vec![],
+            impulses: vec![],
             interactions: vec![],
             surfaces: vec![],
             multiple_impacts: MultipleImpacts::default(),

@@ -60,7 +60,9 @@ impl<'m> Placing<'m> {
         for body in &model.bodies {
             let start = starts.get(body.name.as_str()).map(|start| (*start).clone()).unwrap_or_default();
             let welded = model.joints.iter().any(|joint| {
-                joint.kind == JointKind::Weld && joint.from.is_none() && joint.bodies().any(|name| name == body.name)
+                joint.kind == JointKind::Weld
+                    && joint.from.is_none()
+                    && joint.bodies().any(|name| name == body.name)
             });
             let (angle, omega) = (start.angle.clone(), start.omega.clone());
             let is_free = !joined(&body.name);

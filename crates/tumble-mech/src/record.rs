@@ -1,7 +1,8 @@
 //! What happened at one instant of a motion, as data; names are made of it where people read them.
 
-use crate::contact::{Change, Impulse};
+use crate::contact::Change;
 use crate::equations::Equations;
+use crate::impulse::Impulse;
 
 /// What a jump leaves to be known beside the states and modes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,6 +25,15 @@ pub enum Happening {
         /// Whether it is the end.
         ends: bool,
     },
+    /// A joint begins or ceases to hold.
+    Joint {
+        /// Among the model's joints.
+        joint: usize,
+        /// Whether it holds from now on.
+        holds: bool,
+    },
+    /// An impulse that an event applies, among the model's.
+    Impulse(usize),
     /// A contact changes.
     Contact {
         /// Among the equations' pairs.
@@ -55,6 +65,7 @@ impl Happening {
     pub fn is_of_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Window { window: a, .. }, Self::Window { window: b, .. }) => a == b,
+            (Self::Joint { joint: a, .. }, Self::Joint { joint: b, .. }) => a == b,
             (Self::Contact { pair: a, .. }, Self::Contact { pair: b, .. }) => a == b,
             _ => false,
         }
@@ -69,6 +80,10 @@ impl Equations {
             Happening::Window { window, ends } => {
                 format!("{}.{}", self.windows()[window].load, if ends { "end" } else { "start" })
             }
+            Happening::Joint { joint, holds } => {
+                format!("{}.{}", self.model().joints[joint].name, if holds { "start" } else { "end" })
+            }
+            Happening::Impulse(impulse) => self.model().impulses[impulse].name.clone(),
             Happening::Contact { pair, change } => format!("{}.{}", self.pairs()[pair].name, change.word()),
         }
     }
@@ -78,11 +93,15 @@ impl Equations {
         record.happened.iter().map(|happening| self.name_of(happening)).collect()
     }
 
-    /// The event, or the start or end of a load, that people call so.
+    /// The event, the start or end of a load or a joint, or the impulse that people call so.
     pub fn named(&self, name: &str) -> Option<Happening> {
         let events = (0..self.model().events.len()).map(Happening::Event);
         let ends = |window| [false, true].map(|ends| Happening::Window { window, ends });
-        let mut all = events.chain((0..self.windows().len()).flat_map(ends));
+        let joints = (0..self.model().joints.len())
+            .flat_map(|joint| [true, false].map(|holds| Happening::Joint { joint, holds }));
+        let impulses = (0..self.model().impulses.len()).map(Happening::Impulse);
+        let loads = (0..self.windows().len()).flat_map(ends);
+        let mut all = events.chain(loads).chain(joints).chain(impulses);
         all.find(|happening| self.name_of(happening) == name)
     }
 }

@@ -53,7 +53,8 @@ pub(crate) fn respond(
 /// The unit of a rate that has no mass, beside those that have one in the same rows: of them the largest part.
 fn least(root: &DVector<f64>, rows: &DMatrix<f64>, column: usize) -> f64 {
     let shared = rows.row_iter().filter(|row| row[column] != 0.0);
-    let parts = shared.flat_map(|row| row.iter().zip(root).map(|(slope, root)| slope.abs() * root).collect::<Vec<_>>());
+    let parts = shared
+        .flat_map(|row| row.iter().zip(root).map(|(slope, root)| slope.abs() * root).collect::<Vec<_>>());
     let largest = parts.fold(0.0, f64::max);
     if largest > 0.0 { largest } else { 1.0 }
 }

@@ -7,6 +7,7 @@ use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::ModelError;
 use crate::event::Event;
+use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
 use crate::joint::Joint;
 use crate::load::{Application, Load, Moment};
@@ -46,6 +47,7 @@ impl Model {
         self.pivots.iter().for_each(|pivot| list.pivot(pivot));
         self.joints.iter().for_each(|joint| list.joint(joint));
         self.loads.iter().for_each(|load| list.load(load));
+        self.impulses.iter().for_each(|impulse| list.impulse(impulse));
         self.events.iter().for_each(|event| list.event(event, self));
         list.add("wind", self.wind.0.components(), Dimension::SPEED);
         self.interactions.iter().for_each(|interaction| list.interaction(&**interaction));
@@ -105,12 +107,39 @@ impl List {
 
     fn load(&mut self, load: &Load) {
         let what = format!("`{}`", load.name);
-        match &load.application {
+        self.application(
+            &what,
+            &load.application,
+            ["force", "torque"],
+            [Dimension::FORCE, Dimension::TORQUE],
+        );
+        let times = load.during.iter().flatten().filter_map(|moment| match moment {
+            Moment::Time(time) => Some(time),
+            Moment::Event(_) => None,
+        });
+        self.add(&format!("times of {what}"), times, Dimension::TIME);
+    }
+
+    fn impulse(&mut self, impulse: &AppliedImpulse) {
+        let dimensions = [Dimension::new(1, 1, -1), Dimension::new(2, 1, -1)];
+        let words = ["impulse", "angular impulse"];
+        self.application(&format!("`{}`", impulse.name), &impulse.application, words, dimensions);
+    }
+
+    /// `words` and `dimensions` are those of a force and of a torque.
+    fn application(
+        &mut self,
+        what: &str,
+        application: &Application,
+        words: [&str; 2],
+        dimensions: [Dimension; 2],
+    ) {
+        match application {
             Application::Torque(torque) => {
-                self.add(&format!("torque of {what}"), [torque], Dimension::TORQUE);
+                self.add(&format!("{} of {what}", words[1]), [torque], dimensions[1]);
             }
             Application::Force { at, force, .. } => {
-                self.add(&format!("force of {what}"), force.components(), Dimension::FORCE);
+                self.add(&format!("{} of {what}", words[0]), force.components(), dimensions[0]);
                 let place = match at {
                     Place::Material(point) => &point.arm,
                     Place::World(place) | Place::FromCentre(place) => place,
@@ -118,11 +147,6 @@ impl List {
                 self.add(&format!("place of {what}"), place.components(), Dimension::LENGTH);
             }
         }
-        let times = load.during.iter().flatten().filter_map(|moment| match moment {
-            Moment::Time(time) => Some(time),
-            Moment::Event(_) => None,
-        });
-        self.add(&format!("times of {what}"), times, Dimension::TIME);
     }
 
     fn event(&mut self, event: &Event, model: &Model) {

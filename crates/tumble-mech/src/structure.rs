@@ -8,6 +8,7 @@ use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
+use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
 use crate::joint::Joint;
 use crate::load::{Load, Moment};
@@ -57,6 +58,7 @@ impl<'m> Structure<'m> {
         mistakes.extend(model.pivots.iter().flat_map(|pivot| self.of_pivot(pivot)));
         mistakes.extend(model.joints.iter().flat_map(|joint| self.of_joint(joint)));
         mistakes.extend(model.loads.iter().flat_map(|load| self.of_load(load)));
+        mistakes.extend(model.impulses.iter().flat_map(|impulse| self.of_impulse(impulse)));
         mistakes.extend(model.events.iter().flat_map(|event| self.of_event(event)));
         let interactions = model.interactions.iter();
         mistakes.extend(interactions.flat_map(|interaction| self.of_interaction(&**interaction)));
@@ -73,6 +75,7 @@ impl<'m> Structure<'m> {
         names.extend(model.loads.iter().map(|load| load.name.as_str()));
         names.extend(model.pivots.iter().map(|pivot| pivot.name.as_str()));
         names.extend(model.joints.iter().map(|joint| joint.name.as_str()));
+        names.extend(model.impulses.iter().map(|impulse| impulse.name.as_str()));
         names.extend(model.events.iter().map(|event| event.name.as_str()));
         names.extend(model.interactions.iter().map(|interaction| interaction.name()));
         names.extend(model.surfaces.iter().map(|surface| surface.name.as_str()));
@@ -98,7 +101,8 @@ impl<'m> Structure<'m> {
     }
 
     fn of_joint(&self, joint: &Joint) -> Vec<ModelError> {
-        let mut mistakes: Vec<ModelError> = joint.bodies().filter_map(|body| self.unknown_body(body)).collect();
+        let mut mistakes: Vec<ModelError> =
+            joint.bodies().filter_map(|body| self.unknown_body(body)).collect();
         let bodies: Vec<&str> = joint.bodies().collect();
         let what = match bodies[..] {
             [] => Some("no body".to_owned()),
@@ -110,7 +114,8 @@ impl<'m> Structure<'m> {
         if path.into_iter().any(|path| path.branches_on(&[time_symbol()])) {
             mistakes.push(ModelError::CorneredPath { what: format!("joint `{}`", joint.name) });
         }
-        let events = joint.from.iter().chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
+        let events =
+            joint.from.iter().chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
         mistakes.extend(events.map(|name| ModelError::Unknown { kind: "event", name: name.clone() }));
         mistakes
     }
@@ -123,6 +128,12 @@ impl<'m> Structure<'m> {
             _ => None,
         });
         self.unknown_body(&load.body).into_iter().chain(unknown).collect()
+    }
+
+    fn of_impulse(&self, impulse: &AppliedImpulse) -> Vec<ModelError> {
+        let is_known = self.events.contains(impulse.when.as_str());
+        let unknown = (!is_known).then(|| ModelError::Unknown { kind: "event", name: impulse.when.clone() });
+        self.unknown_body(&impulse.body).into_iter().chain(unknown).collect()
     }
 
     fn of_event(&self, event: &Event) -> Vec<ModelError> {

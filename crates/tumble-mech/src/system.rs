@@ -68,14 +68,17 @@ impl Hybrid for Equations {
                 Cause::Guard(_) | Cause::LazyGuard(_) | Cause::Wake => {}
             }
         }
-        let along_normals = self.switch_contacts(at, &mut jump)?;
+        let mut impulses = self.couple(&jump.record.happened.clone(), at, &mut jump)?;
+        impulses.add(self.switch_contacts(at, &mut jump)?);
+        let known = jump.record.happened.len();
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, at, &mut jump)?;
         }
+        impulses.add(self.couple(&jump.record.happened[known..].to_vec(), at, &mut jump)?);
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }
-        jump.record.impulses = self.impulses(&along_normals, at, &jump)?;
+        jump.record.impulses = self.impulses(impulses, at, &jump)?;
         Ok(jump)
     }
 

@@ -48,6 +48,7 @@ pub use code::Code;
 pub use diagnostic::{Diagnostic, Diagnostics, Label, Severity, Source, Span};
 pub use file_names::file_name_fault;
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
+pub use moments::Count;
 pub use printable::{is_unseen, printable, printable_lines};
 pub use settings::Override;
 pub use study::{

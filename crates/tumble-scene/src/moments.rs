@@ -17,6 +17,44 @@ use crate::study::Instant;
 /// What a contact may be asked for.
 const PARTS: &[&str] = &["start", "end", "duration"];
 
+/// Which of several of a kind is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Count {
+    /// From the first, which is 1.
+    Nth(usize),
+    /// The last one of the run.
+    Last,
+}
+
+impl Count {
+    const FIRST: Self = Self::Nth(1);
+
+    /// `1`, `2`, ... or `last`.
+    pub fn read(text: &str) -> Option<Self> {
+        match text {
+            "last" => Some(Self::Last),
+            _ => text.parse().ok().filter(|count| *count > 0).map(Self::Nth),
+        }
+    }
+
+    /// The one that is meant.
+    pub fn of<T>(self, mut all: impl Iterator<Item = T>) -> Option<T> {
+        match self {
+            Self::Nth(count) => all.nth(count - 1),
+            Self::Last => all.last(),
+        }
+    }
+}
+
+impl std::fmt::Display for Count {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Nth(count) => write!(f, "{count}"),
+            Self::Last => write!(f, "last"),
+        }
+    }
+}
+
 /// A time, perhaps before or after an event or a contact: `"floor.contact[1].start - 20 ms"`.
 pub(crate) fn instant(draft: &mut Draft, field: &Field) -> Option<Instant> {
     let want = Want { moments: true, ..Want::constant(Dimension::TIME) };
@@ -55,23 +93,23 @@ fn part_of_contact(names: &Names, text: &Text) -> Result<Text, Diagnostic> {
 }
 
 /// What touches, and which time it does, of `floor.rod.contact[2]`.
-fn contact_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, usize)> {
+fn contact_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, Count)> {
     let (pair, rest) = text.rsplit_once(".contact")?;
     let count = match rest {
-        "" => 1,
-        _ => rest.strip_prefix('[')?.strip_suffix(']')?.parse().ok()?,
+        "" => Count::FIRST,
+        _ => Count::read(rest.strip_prefix('[')?.strip_suffix(']')?)?,
     };
-    (names.touching.contains(pair) && count > 0).then_some((pair, count))
+    names.touching.contains(pair).then_some((pair, count))
 }
 
 /// An event with its count, `apex[2]`; the first where none is said.
-fn event_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, usize)> {
+fn event_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, Count)> {
     let (name, count) = match text.split_once('[') {
-        Some((name, rest)) => (name, rest.strip_suffix(']')?.parse().ok()?),
-        None => (text, 1),
+        Some((name, rest)) => (name, Count::read(rest.strip_suffix(']')?)?),
+        None => (text, Count::FIRST),
     };
-    let is_known = names.windows.contains(name) || names.events.iter().any(|event| event == name);
-    (is_known && count > 0).then_some((name, count))
+    let is_known = names.happenings.contains(name) || names.events.iter().any(|event| event == name);
+    is_known.then_some((name, count))
 }
 
 /// The symbols of all moments in a formula, by the names they have there.

@@ -45,8 +45,8 @@ pub(crate) struct Names {
     pub(crate) points: BTreeMap<String, Vec<String>>,
     /// The names of all events, likewise.
     pub(crate) events: Vec<String>,
-    /// Starts and ends of forces that do not act always: `kick.end`.
-    pub(crate) windows: BTreeSet<String>,
+    /// What happens beside events: starts and ends of forces and joints that do not act always, `kick.end`, and impulses.
+    pub(crate) happenings: BTreeSet<String>,
     /// The names of all joints, pivots among them, likewise.
     pub(crate) joints: Vec<String>,
     /// The names of all surfaces, likewise.

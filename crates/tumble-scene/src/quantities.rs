@@ -92,7 +92,9 @@ pub(crate) fn define_works(names: &mut Names, model: &Model) {
     let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
     let joints = model.joints.iter().map(|joint| joint.name.clone());
     let weight = ["gravity".to_owned()];
-    names.working.extend(loads.chain(interactions).chain(pivots).chain(joints).chain(weight).chain(names.touching.clone()));
+    names.working.extend(
+        loads.chain(interactions).chain(pivots).chain(joints).chain(weight).chain(names.touching.clone()),
+    );
 }
 
 /// The works in a formula, by the names they have there: `floor.work`, J.

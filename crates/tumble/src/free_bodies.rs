@@ -72,8 +72,16 @@ impl Drawing<'_> {
             self.add_forces(&mut panel, pose, time)?;
         } else {
             panel = panel.impulses();
-            let arrows = impulses.into_iter().map(|impulse| self.impulse(impulse, pose));
-            panel.forces.extend(arrows);
+            for impulse in impulses {
+                let (kind, symbol) = self.source_of(impulse);
+                if impulse.impulse != [0.0; 2] {
+                    let point = [pose.x + impulse.arm[0], pose.y + impulse.arm[1]];
+                    panel.forces.push(Arrow::new(kind, symbol.clone(), point, impulse.impulse));
+                }
+                if impulse.couple != 0.0 {
+                    panel.couples.push(Couple::new(kind, symbol, impulse.couple));
+                }
+            }
         }
         for surface in self.surfaces(body, pose, time)? {
             panel = panel.surface(surface);
@@ -134,19 +142,14 @@ impl Drawing<'_> {
         impulses.filter(|impulse| impulse.body == self.body)
     }
 
-    fn impulse(&self, impulse: &Impulse, pose: Pose) -> Arrow {
+    fn source_of(&self, impulse: &Impulse) -> (Kind, Label) {
         let kind = match impulse.source {
             Source::Pair(_) => Kind::Contact,
-            Source::Pivot(_) => Kind::Reaction,
+            Source::Pivot(_) | Source::Joint(_) => Kind::Reaction,
+            Source::Applied(_) => Kind::Applied,
         };
         let name = self.run.equations.source_name(impulse.source);
-        let point = [pose.x + impulse.arm[0], pose.y + impulse.arm[1]];
-        Arrow::new(
-            kind,
-            Label::symbol(&format!("J_{}", symbols::contact(self.study, name))),
-            point,
-            impulse.impulse,
-        )
+        (kind, Label::symbol(&format!("J_{}", symbols::contact(self.study, name))))
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, PipelineError> {

@@ -2,7 +2,7 @@
 
 use tumble_expr::{Expr, Substitution, Symbol};
 use tumble_mech::Contact;
-use tumble_scene::{Instant, Study};
+use tumble_scene::{Count, Instant, Study};
 
 use crate::case::Solution;
 use crate::pipeline::PipelineError;
@@ -118,9 +118,9 @@ impl<'a> Moments<'a> {
         };
         if let Some((event, count)) = counted(name) {
             let happening = run.equations.named(event)?;
-            let mut there =
+            let there =
                 run.trajectory.events.iter().filter(|event| event.record.happened.contains(&happening));
-            return there.nth(count - 1).map(|event| at(event.time));
+            return count.of(there).map(|event| at(event.time));
         }
         let (contact, part) = name.rsplit_once('.')?;
         let (place, count) = counted(contact)?;
@@ -139,13 +139,13 @@ impl<'a> Moments<'a> {
     }
 
     /// The contact of that count of a surface, of a body with it, or of one point of the body.
-    fn contact(&self, place: &str, count: usize) -> Option<&Contact> {
+    fn contact(&self, place: &str, count: Count) -> Option<&Contact> {
         let pairs = self.solution.run.equations.pairs();
         let is_there = |contact: &&Contact| {
             let rest = pairs[contact.pair].name.strip_prefix(place);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
-        self.contacts.iter().filter(is_there).nth(count - 1)
+        count.of(self.contacts.iter().filter(is_there))
     }
 }
 
@@ -154,7 +154,7 @@ fn is_moment(symbol: &Symbol) -> bool {
 }
 
 /// `apex[2]` in its two parts.
-fn counted(name: &str) -> Option<(&str, usize)> {
+fn counted(name: &str) -> Option<(&str, Count)> {
     let (name, count) = name.strip_suffix(']')?.rsplit_once('[')?;
-    Some((name, count.parse().ok().filter(|count| *count > 0)?))
+    Some((name, Count::read(count)?))
 }

@@ -159,7 +159,10 @@ impl Lexer<'_> {
     }
 }
 
-/// One past the name that begins at `start`: words joined by dots, each perhaps with a count such as `contact[1]`.
+/// Counts what is the last of its kind.
+const LAST: &str = "last";
+
+/// One past the name that begins at `start`: words joined by dots, each perhaps with a count such as `contact[1]` or `apex[last]`.
 pub(super) fn name_end(text: &str, start: usize) -> usize {
     let mut end = counted_end(text, chain::word_end(text, start));
     while let Some(rest) = text[end..].strip_prefix('.') {
@@ -173,8 +176,11 @@ pub(super) fn name_end(text: &str, start: usize) -> usize {
 
 fn counted_end(text: &str, end: usize) -> usize {
     let Some(inner) = text[end..].strip_prefix('[') else { return end };
-    let digits = inner.bytes().take_while(u8::is_ascii_digit).count();
-    if digits > 0 && inner[digits..].starts_with(']') { end + digits + 2 } else { end }
+    let count = match inner.starts_with(LAST) {
+        true => LAST.len(),
+        false => inner.bytes().take_while(u8::is_ascii_digit).count(),
+    };
+    if count > 0 && inner[count..].starts_with(']') { end + count + 2 } else { end }
 }
 
 #[cfg(test)]

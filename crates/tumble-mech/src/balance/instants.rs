@@ -7,8 +7,9 @@ use crate::balance::accumulation::Accumulation;
 use crate::balance::contribution::Kind;
 use crate::balance::lines::Key;
 use crate::balance::stored::{Motion, Stored};
-use crate::contact::{ContactMode, Impulse, Source};
+use crate::contact::ContactMode;
 use crate::event::Action;
+use crate::impulse::{Impulse, Source};
 use crate::mode::Mode;
 use crate::record::{Happening, Record};
 use crate::term::Law;
@@ -103,10 +104,11 @@ impl Accumulation<'_> {
         let omega = 0.5 * (old.omega + new.omega);
         let mean = |axis: usize| 0.5 * (old.velocity[axis] + new.velocity[axis]);
         let (vx, vy) = (mean(0) - omega * ry, mean(1) + omega * rx);
-        let angular = (old.place[0] + rx) * jy - (old.place[1] + ry) * jx;
+        let angular = (old.place[0] + rx) * jy - (old.place[1] + ry) * jx + impulse.couple;
         let law = Some(match impulse.source {
             Source::Pair(_) => Law::Contact,
-            Source::Pivot(_) => Law::Reaction,
+            Source::Pivot(_) | Source::Joint(_) => Law::Reaction,
+            Source::Applied(_) => Law::Force,
         });
         let load = self.run.equations.source_name(impulse.source).to_owned();
         let body = Some(impulse.body);
@@ -114,10 +116,11 @@ impl Accumulation<'_> {
             let velocity = libm::hypot(motion.velocity[0], motion.velocity[1]);
             velocity + motion.omega.abs() * libm::hypot(rx, ry)
         };
-        let size = 0.5 * libm::hypot(jx, jy) * (speed(old) + speed(new));
-        let amounts = [jx * vx + jy * vy, jx, jy, angular];
+        let turning = impulse.couple.abs() * (old.omega.abs() + new.omega.abs());
+        let size = 0.5 * (libm::hypot(jx, jy) * (speed(old) + speed(new)) + turning);
+        let amounts = [jx * vx + jy * vy + impulse.couple * omega, jx, jy, angular];
         self.add_impact(Key { load, law, body, kind: Kind::Impact }, amounts, size);
-        [jx, jy, rx * jy - ry * jx]
+        [jx, jy, rx * jy - ry * jx + impulse.couple]
     }
 
     /// Impulses by which contacts that last, and the pivot, stop what is left of a body's motion towards them.
@@ -173,6 +176,7 @@ fn solved(sources: &[Source], values: &[f64], body: usize, change: Change) -> Ve
         body,
         arm: [*rx, *ry],
         impulse: [nx * size, ny * size],
+        couple: 0.0,
     };
     sources.iter().zip(&columns).zip(&sizes).map(impulse).collect()
 }

@@ -13,6 +13,7 @@ use crate::contact::touch::{Now, Touch};
 use crate::contact::zeno::{LOWEST, ZenoSequence};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
+use crate::impulse::Sizes;
 use crate::laws::impact::impulses;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
@@ -56,14 +57,14 @@ struct Settling<'a> {
 }
 
 impl Equations {
-    /// Settles a body's rigid contacts. The impulses of the impact, by pair, N s.
+    /// Settles the rigid contacts of the island that a body belongs to. The impulses of the impact.
     pub(crate) fn settle(
         &self,
         body: usize,
         touched: &Touched,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Vec<(usize, f64)>, Reason> {
+    ) -> Result<Sizes, Reason> {
         let mut settling = Settling::new(self, body, touched, now, jump)?;
         settling.impact(jump)?;
         let zeno = settling.zeno();
@@ -310,8 +311,16 @@ impl<'a> Settling<'a> {
         Reason::Model(format!("no impulses or forces were found for the {what} of `{body}`"))
     }
 
-    fn found(&self) -> Vec<(usize, f64)> {
-        let by_pair = self.touch.pairs.iter().zip(&self.impulses);
-        by_pair.filter(|(_, impulse)| **impulse != 0.0).map(|(pair, impulse)| (*pair, *impulse)).collect()
+    fn found(&self) -> Sizes {
+        let by_index = |indices: &[usize], impulses: &DVector<f64>| {
+            let all = indices.iter().zip(impulses).filter(|(_, impulse)| **impulse != 0.0);
+            all.map(|(index, impulse)| (*index, *impulse)).collect()
+        };
+        let shares = &self.touch.joints.share * &self.impulses;
+        Sizes {
+            normals: by_index(&self.touch.pairs, &self.impulses),
+            rows: by_index(&self.touch.joints.rows, &shares),
+            applied: vec![],
+        }
     }
 }

@@ -8,8 +8,9 @@ use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::pair::Watched;
 use crate::contact::settle::{STANDS, Touched};
-use crate::contact::touch::{Impulses, Now};
+use crate::contact::touch::Now;
 use crate::equations::Equations;
+use crate::impulse::Sizes;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
 
@@ -46,14 +47,14 @@ impl Causes {
 }
 
 impl Equations {
-    /// Deals with all contacts of an instant; `jump` holds what else happens then. Impulses by pair, N s.
+    /// Deals with all contacts of an instant; `jump` holds what else happens then. The sizes of the impulses.
     pub(crate) fn switch_contacts(
         &self,
         at: &Crossing<'_, Mode>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Impulses, Reason> {
+    ) -> Result<Sizes, Reason> {
         if self.pairs().is_empty() {
-            return Ok(vec![]);
+            return Ok(Sizes::default());
         }
         let causes = Causes::of(self, at);
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
@@ -73,16 +74,20 @@ impl Equations {
             self.restate(&before, jump);
         }
         self.refuse_common_beginning(jump)?;
-        let mut impulses = vec![];
+        let mut impulses = Sizes::default();
         for (body, touched) in touched {
-            impulses.extend(self.settle(body, &touched, now, jump)?);
+            impulses.add(self.settle(body, &touched, now, jump)?);
         }
         Ok(impulses)
     }
 
     /// Bodies with lasting contacts, where loads or parameters change now: what held them may not any more.
     fn still_standing(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> BTreeMap<usize, Touched> {
-        let same = at.mode.windows == jump.mode.windows && at.mode.changes == jump.mode.changes;
+        let is_pushed =
+            |happening: &Happening| matches!(happening, Happening::Joint { .. } | Happening::Impulse(_));
+        let same = at.mode.windows == jump.mode.windows
+            && at.mode.changes == jump.mode.changes
+            && !jump.record.happened.iter().any(is_pushed);
         if same {
             return BTreeMap::new();
         }

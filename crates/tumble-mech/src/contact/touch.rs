@@ -37,9 +37,6 @@ const BALANCES: f64 = 64.0 * f64::EPSILON;
 /// Gaps of one body that are zero within so many times their rounding error close at one instant.
 const ONE_INSTANT: f64 = 16.0;
 
-/// Impulses along the normals by the index of the pair, N s.
-pub(crate) type Impulses = Vec<(usize, f64)>;
-
 /// An island's pairs at an instant, by their order among its own.
 pub(crate) struct Touch {
     /// Largest extent of a body, m; zero where none has any.
@@ -74,14 +71,8 @@ pub(crate) struct Touch {
 pub(crate) struct Joined {
     /// Index of each among all rows of joints.
     pub(crate) rows: Vec<usize>,
-    /// m/s or rad/s
-    pub(crate) rate: DVector<f64>,
     /// Impulse of each by a unit impulse at a pair.
     pub(crate) share: DMatrix<f64>,
-    /// Impulse of each by a unit of a rate that is to be stopped.
-    pub(crate) stop: DMatrix<f64>,
-    /// Change of each velocity state by a unit of a rate that is stopped.
-    stops: DMatrix<f64>,
 }
 
 /// Tapes by the first body of an island, mode and how numbers are rounded.
@@ -100,13 +91,6 @@ impl Touch {
                 states[self.velocities[index]] += change;
             }
         }
-    }
-
-    /// Takes the rates out of the rows of joints; the impulses of the rows.
-    pub(crate) fn stop(&self, states: &mut [f64]) -> DVector<f64> {
-        let changes = &self.joints.stops * &self.joints.rate;
-        self.velocities.iter().zip(&changes).for_each(|(state, change)| states[*state] += change);
-        &self.joints.stop * &self.joints.rate
     }
 
     /// Position of a pair among the island's own.
@@ -138,20 +122,24 @@ impl Equations {
         let (n, dofs) = (pairs.len(), velocities.len());
         let joint_rows = self.independent_rows_of(mode, &island);
         let first_joint = n * (BEFORE_ROW + dofs);
-        let after_rows = first_joint + joint_rows.len() * (1 + dofs);
+        let after_rows = first_joint + joint_rows.len() * dofs;
         let value = |pair: usize, which: usize| jets.value_of(pair * (BEFORE_ROW + dofs) + which);
         let column = |which: usize| DVector::from_fn(n, |pair, _| value(pair, which));
         let rows = DMatrix::from_fn(n, dofs, |pair, dof| value(pair, BEFORE_ROW + dof));
         let inverse = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dof));
-        let joint_value = |row: usize, which: usize| jets.value_of(first_joint + row * (1 + dofs) + which);
-        let slopes = DMatrix::from_fn(joint_rows.len(), dofs, |row, dof| joint_value(row, 1 + dof));
-        let rate = DVector::from_fn(joint_rows.len(), |row, _| joint_value(row, 0));
+        let joint_value = |row: usize, which: usize| jets.value_of(first_joint + row * dofs + which);
+        let slopes = DMatrix::from_fn(joint_rows.len(), dofs, joint_value);
         let (kicks, joints) = match joint_rows.is_empty() {
-            true => (DMatrix::from_diagonal(&inverse) * rows.transpose(), Joined::none(n, dofs)),
+            true => {
+                let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
+                (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, n) })
+            }
             false => {
                 let mass = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + 2 * dofs + 1 + dof));
-                Joined::new((joint_rows, rate), &slopes, (&rows, &mass))
-                    .ok_or_else(|| self.not_independent(&island))?
+                let none = DMatrix::zeros(joint_rows.len(), n);
+                let (kicks, share) = respond(&mass, &slopes, &rows.transpose(), &none)
+                    .ok_or_else(|| self.not_independent(&island))?;
+                (kicks, Joined { rows: joint_rows, share })
             }
         };
         let pushed = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dofs + dof));
@@ -234,7 +222,6 @@ impl Equations {
         let joints = self.independent_rows_of(mode, island);
         for (_, row) in self.joint_rows(mode).filter(|(index, _)| joints.contains(index)) {
             let rate = definitions.apply(&row.rate);
-            outputs.push(rate.clone());
             outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
         }
         let inverse = island.iter().flat_map(|body| self.inverse_masses(*body));
@@ -280,30 +267,5 @@ impl Equations {
                 vec![total(&|term| term.torque_about(&(&term.arm - &arm)))]
             }
         }
-    }
-}
-
-impl Joined {
-    fn none(pairs: usize, velocities: usize) -> Self {
-        Self {
-            rows: vec![],
-            rate: DVector::zeros(0),
-            share: DMatrix::zeros(0, pairs),
-            stops: DMatrix::zeros(velocities, 0),
-            stop: DMatrix::zeros(0, 0),
-        }
-    }
-
-    /// What impulses at the pairs do to the velocities, and the joints' part in it. `slopes` are the gradients of the rows' rates,
-    /// `gaps` those of the gaps' rates, by velocity.
-    fn new(
-        (rows, rate): (Vec<usize>, DVector<f64>),
-        slopes: &DMatrix<f64>,
-        (gaps, mass): (&DMatrix<f64>, &DVector<f64>),
-    ) -> Option<(DMatrix<f64>, Self)> {
-        let (n, m, dofs) = (gaps.nrows(), rows.len(), mass.len());
-        let (kicks, share) = respond(mass, slopes, &gaps.transpose(), &DMatrix::zeros(m, n))?;
-        let (stops, stop) = respond(mass, slopes, &DMatrix::zeros(dofs, m), &-DMatrix::identity(m, m))?;
-        Some((kicks, Self { rows, rate, share, stops, stop }))
     }
 }

@@ -1,9 +1,10 @@
-//! `[force.NAME]`: a force at a point of a body, or a torque.
+//! `[force.NAME]`: a force at a point of a body, or a torque; `[impulse.NAME]`: the impulse of one that lasts no time, at each of the
+//! events of a name.
 
 use tumble_expr::{Dimension, Vector};
-use tumble_mech::{Application, Frame, Load, Moment, Place};
+use tumble_mech::{Application, AppliedImpulse, Frame, Load, Moment, Place};
 
-use super::{body, each, points};
+use super::{body, each, event_named as event, points};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
@@ -11,34 +12,81 @@ use crate::draft::Draft;
 use crate::formula::Want;
 use crate::names::Level;
 
+/// How a kind of load is written.
+struct Words {
+    /// Keys of what acts at a point and of what turns only.
+    keys: [&'static str; 2],
+    /// What messages call them.
+    what: [&'static str; 2],
+    one: [&'static str; 2],
+    dimensions: [Dimension; 2],
+    example: &'static str,
+}
+
+const FORCE: Words = Words {
+    keys: ["force", "torque"],
+    what: ["force", "torque"],
+    one: ["a force", "a torque"],
+    dimensions: [Dimension::FORCE, Dimension::TORQUE],
+    example: "add `force = [\"10 N\", 0]` with `at`, or `torque = \"1 N*m\"`",
+};
+
+const IMPULSE: Words = Words {
+    keys: ["impulse", "angular_impulse"],
+    what: ["impulse", "angular impulse"],
+    one: ["an impulse", "an angular impulse"],
+    dimensions: [Dimension::new(1, 1, -1), Dimension::new(2, 1, -1)],
+    example: "add `impulse = [\"10 N*s\", 0]` with `at`, or `angular_impulse = \"1 N*m*s\"`",
+};
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, load);
+}
+
+pub(super) fn read_impulses(draft: &mut Draft, section: &Field) {
+    each(draft, section, impulse);
 }
 
 fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a force", field);
     let on = draft.required(table, "on", "\"rod\"").and_then(|field| body(draft, &field));
-    let application = application(draft, &name, on.as_deref(), table);
+    let application = application(draft, &FORCE, &name, on.as_deref(), table);
     let during = during(draft, &name, table);
     let (Some(body), Some(application), Some(during)) = (on, application, during) else { return };
     if during.is_some() {
-        draft.names.windows.extend(["start", "end"].map(|end| format!("{name}.{end}")));
+        draft.names.happenings.extend(["start", "end"].map(|end| format!("{name}.{end}")));
     }
     draft.model.loads.push(Load { name, body, application, during });
 }
 
-fn application(draft: &mut Draft, name: &str, on: Option<&str>, table: &mut Table) -> Option<Application> {
-    match (table.take("force"), table.take("torque")) {
+fn impulse(draft: &mut Draft, field: &Field, table: &mut Table) {
+    let name = draft.own_name("an impulse", field);
+    let on = draft.required(table, "on", "\"rod\"").and_then(|field| body(draft, &field));
+    let application = application(draft, &IMPULSE, &name, on.as_deref(), table);
+    let when = draft.required(table, "when", "\"hit\"").and_then(|field| event(draft, &field));
+    let (Some(body), Some(application), Some(when)) = (on, application, when) else { return };
+    draft.names.happenings.insert(name.clone());
+    draft.model.impulses.push(AppliedImpulse { name, body, when, application });
+}
+
+fn application(
+    draft: &mut Draft,
+    words: &Words,
+    name: &str,
+    on: Option<&str>,
+    table: &mut Table,
+) -> Option<Application> {
+    match (table.take(words.keys[0]), table.take(words.keys[1])) {
         (Some(force), None) => {
-            draft.remember(format!("force of `{name}`"), &force.span);
-            pushed(draft, name, on, table, &force)
+            draft.remember(format!("{} of `{name}`", words.what[0]), &force.span);
+            pushed(draft, words, name, on, table, &force)
         }
         (None, Some(torque)) => {
-            draft.remember(format!("torque of `{name}`"), &torque.span);
-            turned(draft, table, &torque)
+            draft.remember(format!("{} of `{name}`", words.what[1]), &torque.span);
+            turned(draft, words, table, &torque)
         }
         (force, torque) => {
-            let mistake = not_one(table, force.zip(torque));
+            let mistake = not_one(words, table, force.zip(torque));
             draft.note(mistake);
             // What belongs to the one or the other is no mistake of its own.
             let _ = (table.take("at"), table.take("frame"));
@@ -47,31 +95,32 @@ fn application(draft: &mut Draft, name: &str, on: Option<&str>, table: &mut Tabl
     }
 }
 
-fn not_one(table: &Table, both: Option<(Field, Field)>) -> Diagnostic {
+fn not_one(words: &Words, table: &Table, both: Option<(Field, Field)>) -> Diagnostic {
+    let [[a_force, a_torque], [force_key, torque_key]] = [words.one, words.keys];
     match both {
         Some((force, torque)) => {
-            let message = format!("`{}` is a force and a torque", table.title);
+            let message = format!("`{}` is {a_force} and {a_torque}", table.title);
             Diagnostic::new(Code::Exclusive, torque.key_span, message)
-                .label("a torque")
-                .also(force.key_span, "a force")
+                .label(a_torque)
+                .also(force.key_span, a_force)
                 .help("make them two sections, each with its name")
         }
         None => {
-            let message = format!("`{}` has neither `force` nor `torque`", table.title);
-            Diagnostic::new(Code::MissingKey, table.span.clone(), message)
-                .help("add `force = [\"10 N\", 0]` with `at`, or `torque = \"1 N*m\"`")
+            let message = format!("`{}` has neither `{force_key}` nor `{torque_key}`", table.title);
+            Diagnostic::new(Code::MissingKey, table.span.clone(), message).help(words.example)
         }
     }
 }
 
 fn pushed(
     draft: &mut Draft,
+    words: &Words,
     name: &str,
     on: Option<&str>,
     table: &mut Table,
     force: &Field,
 ) -> Option<Application> {
-    let force = draft.vector(force, Want::constant(Dimension::FORCE).at(Level::Motion));
+    let force = draft.vector(force, Want::constant(words.dimensions[0]).at(Level::Motion));
     let at = draft.required(table, "at", &format!("\"{}.cm\"", on.unwrap_or("rod")));
     let at = at.zip(on).and_then(|(field, on)| {
         draft.remember(format!("place of `{name}`"), &field.span);
@@ -86,14 +135,16 @@ fn pushed(
 }
 
 /// A torque is the same wherever it acts, and has no components.
-fn turned(draft: &mut Draft, table: &mut Table, torque: &Field) -> Option<Application> {
+fn turned(draft: &mut Draft, words: &Words, table: &mut Table, torque: &Field) -> Option<Application> {
     for key in ["at", "frame"] {
         let Some(field) = table.take(key) else { continue };
-        let message = format!("`{}` is a torque and has no `{key}`", table.title);
-        let mistake = Diagnostic::new(Code::Exclusive, field.key_span, message).label("only for a force");
+        let [a_force, a_torque] = words.one;
+        let message = format!("`{}` is {a_torque} and has no `{key}`", table.title);
+        let mistake =
+            Diagnostic::new(Code::Exclusive, field.key_span, message).label(format!("only for {a_force}"));
         draft.note(mistake.help("a torque without a force turns a body in the same way wherever it acts"));
     }
-    draft.number(torque, Want::constant(Dimension::TORQUE).at(Level::Motion)).map(Application::Torque)
+    draft.number(torque, Want::constant(words.dimensions[1]).at(Level::Motion)).map(Application::Torque)
 }
 
 /// `"rod.tip"`, `{ body = [..] }`, `{ world = [..] }` or `{ from_centre = [..] }`.

@@ -2,13 +2,12 @@
 
 use tumble_mech::{Anchor, Joint, JointKind, Kinematics, Pivot};
 
-use super::{each, spring};
+use super::{each, event_named as event, spring};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::quantities;
-use crate::suggest;
 
 pub(super) fn read_pins(draft: &mut Draft, section: &Field) {
     each(draft, section, |draft, field, table| joint(draft, field, table, JointKind::Pin));
@@ -56,6 +55,8 @@ fn joint(draft: &mut Draft, field: &Field, table: &mut Table, kind: JointKind) {
         }
         None => {
             quantities::define_joint(&mut draft.names, &joint.name, joint.multipliers());
+            let ends = [joint.from.is_some().then_some("start"), joint.until.is_some().then_some("end")];
+            draft.names.happenings.extend(ends.iter().flatten().map(|end| format!("{}.{end}", joint.name)));
             draft.model.join(joint);
         }
     }
@@ -92,7 +93,8 @@ fn ends(draft: &mut Draft, table: &mut Table, is_made: bool) -> Option<(Anchor, 
         Some(body) if is_made => Some(Second::On(Kinematics::new(body))),
         Some(body) => {
             let message = format!("\"{body}\" is a body: which point of it is joined?");
-            let mistake = Diagnostic::new(Code::UnknownPoint, pair[1].span.clone(), message).label("a point is needed");
+            let mistake =
+                Diagnostic::new(Code::UnknownPoint, pair[1].span.clone(), message).label("a point is needed");
             let known = format!("{body}.cm");
             draft.note(mistake.help(format!(
                 "write a point, such as \"{known}\"; a body alone stands for the place where the joint is when an event makes it (`from`)"
@@ -103,7 +105,9 @@ fn ends(draft: &mut Draft, table: &mut Table, is_made: bool) -> Option<(Anchor, 
     };
     let (first, second) = (first?, second?);
     let mistake = match (&first, &second) {
-        (Anchor::World(_), Second::Anchor(Anchor::World(_))) => "both ends belong to the world, and nothing is kept",
+        (Anchor::World(_), Second::Anchor(Anchor::World(_))) => {
+            "both ends belong to the world, and nothing is kept"
+        }
         (Anchor::World(_), Second::On(_)) => "a place is joined to a body: write the body's point first",
         (Anchor::Material(a), Second::Anchor(Anchor::Material(b))) if a.body == b.body => {
             "both ends belong to one rigid body, which keeps them where they are anyway"
@@ -114,17 +118,5 @@ fn ends(draft: &mut Draft, table: &mut Table, is_made: bool) -> Option<(Anchor, 
         _ => return Some((first, second)),
     };
     draft.note(Diagnostic::new(Code::Exclusive, field.span, mistake).label("joins nothing"));
-    None
-}
-
-/// The name of an event, which must exist.
-fn event(draft: &mut Draft, field: &Field) -> Option<String> {
-    let name = draft.words(field)?;
-    if draft.names.events.contains(&name) {
-        return Some(name);
-    }
-    let help = suggest::name(&name, "events", draft.names.events.iter().map(String::as_str));
-    let message = format!("there is no event \"{name}\"");
-    draft.note(Diagnostic::new(Code::UnknownEvent, field.span.clone(), message).label("unknown event").help(help));
     None
 }

@@ -71,6 +71,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("surface", surface::read),
     optional("event", event::read),
     optional("force", force::read),
+    optional("impulse", force::read_impulses),
     optional("drag", drag::read),
     optional("lift", lift::read),
     optional("spring", spring::read),
@@ -93,7 +94,8 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     draft.names.bodies = second_names(&top, "body");
     draft.names.points = points::all_names(&top);
     draft.names.events = second_names(&top, "event");
-    draft.names.joints = ["pivot", "pin", "weld"].iter().flat_map(|section| second_names(&top, section)).collect();
+    draft.names.joints =
+        ["pivot", "pin", "weld"].iter().flat_map(|section| second_names(&top, section)).collect();
     draft.names.surfaces = second_names(&top, "surface");
     for section in SECTIONS {
         if draft.is_full() {
@@ -195,6 +197,20 @@ fn body(draft: &mut Draft, field: &Field) -> Option<String> {
     let message = format!("there is no body \"{name}\"");
     draft.note(
         Diagnostic::new(Code::UnknownBody, field.span.clone(), message).label("unknown body").help(help),
+    );
+    None
+}
+
+/// The name of an event, which must exist.
+fn event_named(draft: &mut Draft, field: &Field) -> Option<String> {
+    let name = draft.words(field)?;
+    if draft.names.events.contains(&name) {
+        return Some(name);
+    }
+    let help = suggest::name(&name, "events", draft.names.events.iter().map(String::as_str));
+    let message = format!("there is no event \"{name}\"");
+    draft.note(
+        Diagnostic::new(Code::UnknownEvent, field.span.clone(), message).label("unknown event").help(help),
     );
     None
 }

@@ -99,7 +99,8 @@ fn pivot() -> Value {
 }
 
 fn joint(title: &str) -> Value {
-    let world = closed("end of a joint", &[must("world", named("vector"), "A place; it may depend on the time.")]);
+    let world =
+        closed("end of a joint", &[must("world", named("vector"), "A place; it may depend on the time.")]);
     let end = json!({ "anyOf": [named("text"), world] });
     let between = "Two points such as \"upper.tip\", or a point and a place; of a joint that an event makes also a \
                    point and a body.";
@@ -107,9 +108,17 @@ fn joint(title: &str) -> Value {
         title,
         &[
             must("between", super::parts::pair(end), between),
-            may("from", named("text"), "Name of the event that makes it; it holds from the start without it."),
+            may(
+                "from",
+                named("text"),
+                "Name of the event that makes it; it holds from the start without it.",
+            ),
             may("until", named("text"), "Name of the event that releases it."),
-            may("assemble", json!({ "type": "boolean" }), "Whether bodies that do not fit at the start are brought together."),
+            may(
+                "assemble",
+                json!({ "type": "boolean" }),
+                "Whether bodies that do not fit at the start are brought together.",
+            ),
         ],
     )
 }

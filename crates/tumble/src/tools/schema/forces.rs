@@ -8,12 +8,27 @@ use super::parts::{Key, choice, closed, each, may, must, named, pair};
 pub(super) fn sections() -> Vec<Key> {
     vec![
         may("force", each(force()), "Forces at points of bodies, and torques."),
+        may("impulse", each(impulse()), "Impulses that events apply to bodies."),
         may("drag", each(drag()), "Resistance of the air."),
         may("lift", each(lift()), "Lift on spinning bodies."),
         may("spring", each(spring()), "Springs between two points."),
         may("damper", each(damper()), "Dampers between two points."),
         may("torsion", each(torsion()), "Springs that turn a body back to an angle."),
     ]
+}
+
+fn impulse() -> Value {
+    closed(
+        "[impulse.NAME]",
+        &[
+            must("on", named("text"), "Name of the body."),
+            must("when", named("text"), "Name of the event; at each time that it happens."),
+            may("impulse", named("vector"), "Components, N s; this or `angular_impulse`."),
+            may("angular_impulse", named("quantity"), "Counter-clockwise, N m s; this or `impulse`."),
+            may("at", place(), "Where it acts."),
+            may("frame", choice(&["world", "body"]), "What the components refer to; the world without it."),
+        ],
+    )
 }
 
 fn force() -> Value {
