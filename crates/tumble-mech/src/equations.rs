@@ -397,11 +397,11 @@ impl Equations {
         body.coordinates.inverse_masses(&body.mass)
     }
 
-    /// A pivot's name and where it is from the body's centre of mass, m, world axes.
-    pub(crate) fn pivot_arm(&self, body: usize) -> Option<(String, Vector)> {
+    /// Index of a body's pivot, and where it is from the body's centre of mass, m, world axes.
+    pub(crate) fn pivot_arm(&self, body: usize) -> Option<(usize, Vector)> {
         let body = &self.model.bodies[body];
-        let pivot = self.model.pivot_of(&body.name)?;
-        Some((pivot.name.clone(), body.at(&pivot.point).world_arm()))
+        let index = self.model.pivots.iter().position(|pivot| pivot.body == body.name)?;
+        Some((index, body.at(&self.model.pivots[index].point).world_arm()))
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
@@ -467,9 +467,7 @@ fn terms(model: &Model, bodies: &[BodyEquations]) -> (Vec<Window>, Vec<Term>) {
         let window = window(load, &mut windows);
         terms.push(laws::applied::term(load, body, &bodies[body].kinematics, window));
     }
-    let names: Vec<String> = model.bodies.iter().map(|body| body.name.clone()).collect();
-    let context = Bodies { names: &names, wind: &model.wind, nodes: model.nodes };
-    terms.extend(model.interactions.iter().flat_map(|interaction| interaction.terms(&context)));
+    terms.extend(model.interactions.iter().flat_map(|interaction| interaction.terms(&Bodies::of(model))));
     (windows, terms)
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use tumble_ode::{Crossing, Reason};
 
+use crate::contact::pairs::Pairs;
 use crate::contact::touch::Impulses;
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -47,10 +48,11 @@ impl Equations {
         at: &Crossing<'_, Mode>,
         jump: &Jump<Mode>,
     ) -> Result<Vec<Impulse>, Reason> {
-        let mut impulses = vec![];
+        let mut impulses = Vec::with_capacity(along_normals.len());
         for &(index, impulse) in along_normals {
-            let pair = &self.pairs()[index];
-            let formulas = [pair.arm().components(), pair.normal.components()].concat();
+            let Pairs { all, terms } = self.pair_list();
+            let pair = &all[index];
+            let formulas = [terms[index].arm.components(), pair.normal.components()].concat();
             let values = self.values(&formulas, at.mode, at.time, at.states, at.inputs)?;
             impulses.push(Impulse {
                 source: Source::Pair(index),
@@ -66,12 +68,6 @@ impl Equations {
         Ok(impulses)
     }
 
-    /// The pivot of a body, to exert impulses.
-    pub(crate) fn pivot_source(&self, body: usize) -> Option<Source> {
-        let name = &self.model().bodies[body].name;
-        self.model().pivots.iter().position(|pivot| pivot.body == *name).map(Source::Pivot)
-    }
-
     /// What the pivot adds, so that all impulses together are the change of momentum.
     fn pivot_impulse(
         &self,
@@ -80,8 +76,7 @@ impl Equations {
         at: &Crossing<'_, Mode>,
         jump: &Jump<Mode>,
     ) -> Result<Option<Impulse>, Reason> {
-        let Some(source) = self.pivot_source(body) else { return Ok(None) };
-        let Some((_, arm)) = self.pivot_arm(body) else { return Ok(None) };
+        let Some((pivot, arm)) = self.pivot_arm(body) else { return Ok(None) };
         let kinematics = self.model().bodies[body].kinematics();
         let mass = &self.mass_properties(body).mass;
         let momentum = kinematics.velocity().map(|v| mass * v);
@@ -92,6 +87,6 @@ impl Equations {
         for other in others.iter().filter(|other| other.body == body) {
             impulse = [impulse[0] - other.impulse[0], impulse[1] - other.impulse[1]];
         }
-        Ok(Some(Impulse { source, body, arm: [arm[0], arm[1]], impulse }))
+        Ok(Some(Impulse { source: Source::Pivot(pivot), body, arm: [arm[0], arm[1]], impulse }))
     }
 }
