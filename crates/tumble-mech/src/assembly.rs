@@ -138,7 +138,7 @@ impl Equations {
         };
         let mut mistakes = vec![];
         for (index, joint) in self.model().joints.iter().enumerate() {
-            if joint.assemble || !mode.holds(index) {
+            if joint.assemble || !self.holds(mode, index) {
                 continue;
             }
             let name = || joint.name.clone();
@@ -154,7 +154,7 @@ impl Equations {
     /// That joints leave a gap which nothing closes.
     fn not_closed(&self, mode: &Mode, rows: &Rows) -> Option<ModelError> {
         let is_open = |joint: &usize| {
-            mode.holds(*joint)
+            self.holds(mode, *joint)
                 && self.places_of(mode, *joint, rows).any(|place| !is_none(rows.position[place]))
         };
         let open: Vec<usize> = (0..self.joints().len()).filter(is_open).collect();
@@ -174,7 +174,7 @@ impl Equations {
         let first: usize = self.joints()[..joint].iter().map(|joint| joint.rows.len()).sum();
         let after = first + self.joints()[joint].rows.len();
         let place = |index: usize| rows.indices.partition_point(|known| *known < index);
-        if mode.holds(joint) { place(first)..place(after) } else { 0..0 }
+        if self.holds(mode, joint) { place(first)..place(after) } else { 0..0 }
     }
 }
 

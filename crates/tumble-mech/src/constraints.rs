@@ -53,17 +53,22 @@ impl JointEquations {
 }
 
 impl Equations {
+    /// Whether a joint, by its index, holds in a mode.
+    pub fn holds(&self, mode: &Mode, joint: usize) -> bool {
+        self.model().joints[joint].from.is_none() != mode.switched.contains(&joint)
+    }
+
     /// Rows of the joints that hold in a mode, all that are counted by [`Mode::redundant`] included: index and row.
     pub(crate) fn joint_rows(&self, mode: &Mode) -> impl Iterator<Item = (usize, &Row)> {
         let joints = self.joints().iter().enumerate();
         let rows =
             joints.flat_map(|(joint, known)| known.rows.iter().map(move |row| (joint, row))).enumerate();
-        rows.filter(|(_, (joint, _))| mode.holds(*joint)).map(|(index, (_, row))| (index, row))
+        rows.filter(|(_, (joint, _))| self.holds(mode, *joint)).map(|(index, (_, row))| (index, row))
     }
 
     /// States of the joints that events have made: they do not change while those hold.
     pub(crate) fn seats(&self, mode: &Mode) -> Vec<StateRate> {
-        let joints = self.joints().iter().enumerate().filter(|(joint, _)| mode.holds(*joint));
+        let joints = self.joints().iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         let state = |(symbol, measure): &(Symbol, Measure)| StateRate {
             symbol: symbol.clone(),
             rate: Expr::zero(),
@@ -80,7 +85,8 @@ impl Equations {
         while next < island.len() {
             let here = island[next];
             let joints = self.joints().iter().enumerate();
-            let own = joints.filter(|(index, joint)| mode.holds(*index) && joint.bodies.contains(&here));
+            let own =
+                joints.filter(|(index, joint)| self.holds(mode, *index) && joint.bodies.contains(&here));
             for other in own.flat_map(|(_, joint)| &joint.bodies) {
                 if !island.contains(other) {
                     island.push(*other);

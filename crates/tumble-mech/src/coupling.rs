@@ -56,7 +56,7 @@ impl Equations {
         let is_now = |event: &Option<String>| event.as_deref().is_some_and(|event| events.contains(&event));
         let (mut released, mut made) = (vec![], vec![]);
         for (index, joint) in self.model().joints.iter().enumerate() {
-            match jump.mode.holds(index) {
+            match self.holds(&jump.mode, index) {
                 true if is_now(&joint.until) => released.push(index),
                 false if is_now(&joint.from) => made.push(index),
                 _ => {}
@@ -68,13 +68,13 @@ impl Equations {
         for &joint in &released {
             let seat = self.seat_states(&jump.mode, joint);
             jump.states.drain(seat);
-            jump.mode.release(joint);
+            jump.mode.switch_joint(joint);
             jump.record.happened.push(Happening::Joint { joint, holds: false });
         }
         for &joint in &made {
             let seat = &self.joints()[joint].seat_values;
             let values = self.values(seat, &jump.mode, at.time, &jump.states, at.inputs)?;
-            jump.mode.hold(joint);
+            jump.mode.switch_joint(joint);
             let place = self.seat_states(&jump.mode, joint).start;
             jump.states.splice(place..place, values);
             jump.record.happened.push(Happening::Joint { joint, holds: true });
@@ -139,7 +139,7 @@ impl Equations {
     /// Where the states of a joint's seat are.
     fn seat_states(&self, mode: &Mode, joint: usize) -> std::ops::Range<usize> {
         let bodies = self.first_state(self.model().bodies.len());
-        let before = (0..joint).filter(|other| mode.holds(*other));
+        let before = (0..joint).filter(|other| self.holds(mode, *other));
         let first = bodies + before.map(|other| self.joints()[other].seat.len()).sum::<usize>();
         first..first + self.joints()[joint].seat.len()
     }

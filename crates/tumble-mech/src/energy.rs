@@ -1,12 +1,11 @@
 //! # Law
-//! Energy of a rigid body: of its motion, `T = M v^2/2 + I omega^2/2`, and of its weight, `V = M g y`.
+//! Energy of the motion of a rigid body: `T = M v^2/2 + I omega^2/2`.
 //! # Symbols and units
-//! M mass (kg), v velocity of the centre of mass (m/s), I moment of inertia about it (kg m^2), omega (rad/s),
-//! g (m/s^2), y height of the centre of mass (m); energies in J.
+//! M mass (kg), v velocity of the centre of mass (m/s), I moment of inertia about it (kg m^2), omega (rad/s), T (J).
 //! # Sign and frame
-//! World axes, y up; V is zero at y = 0.
+//! World axes; T is not negative.
 //! # Validity
-//! Uniform gravity along -y; where the plane of motion is horizontal or there is no gravity, V is zero.
+//! Motion in a plane of symmetry.
 //! # Source
 //! König's theorem.
 //! # Checked by
@@ -15,7 +14,6 @@
 use tumble_expr::Expr;
 
 use crate::body::Body;
-use crate::model::Gravity;
 
 impl Body {
     /// Energy of the motion of the centre of mass and of the turning about it, J.
@@ -25,14 +23,6 @@ impl Body {
         let speed_squared = v.x() * v.x() + v.y() * v.y();
         (mass.mass * speed_squared + mass.inertia * (&omega * &omega)) / 2
     }
-
-    /// Energy of the weight, J.
-    pub fn potential_energy(&self, gravity: &Gravity) -> Expr {
-        match gravity {
-            Gravity::Vertical(g) => self.mass_properties().mass * g * self.kinematics().position().y(),
-            Gravity::None | Gravity::Horizontal(_) => Expr::zero(),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -40,7 +30,7 @@ mod tests {
     use tumble_expr::units::{KG, M, S};
 
     use super::*;
-    use crate::{Model, Start};
+    use crate::{Gravity, Model, Start};
 
     #[test]
     fn a_thrown_rod_keeps_its_energy() {

@@ -286,7 +286,7 @@ impl Equations {
         let loads =
             self.parts.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
         let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
-        let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| mode.holds(*joint));
+        let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         loads.chain(touching).chain(joints.flat_map(|(_, joint)| &joint.terms)).collect()
     }
 
@@ -364,11 +364,11 @@ impl Equations {
         body.coordinates.inverse_masses(&body.mass)
     }
 
-    /// A pivot's name and where it is from the body's centre of mass, m, world axes.
-    pub(crate) fn pivot_arm(&self, body: usize) -> Option<(String, Vector)> {
+    /// Index of a body's pivot, and where it is from the body's centre of mass, m, world axes.
+    pub(crate) fn pivot_arm(&self, body: usize) -> Option<(usize, Vector)> {
         let body = &self.model.bodies[body];
-        let pivot = self.model.pivot_of(&body.name)?;
-        Some((pivot.name.clone(), body.at(&pivot.point).world_arm()))
+        let index = self.model.pivots.iter().position(|pivot| pivot.body == body.name)?;
+        Some((index, body.at(&self.model.pivots[index].point).world_arm()))
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
@@ -451,9 +451,7 @@ fn terms(model: &Model, bodies: &[BodyEquations]) -> (Vec<Window>, Vec<Term>) {
         let window = window(load, &mut windows);
         terms.push(laws::applied::term(load, body, &bodies[body].kinematics, window));
     }
-    let names: Vec<String> = model.bodies.iter().map(|body| body.name.clone()).collect();
-    let context = Bodies { names: &names, wind: &model.wind, nodes: model.nodes };
-    terms.extend(model.interactions.iter().flat_map(|interaction| interaction.terms(&context)));
+    terms.extend(model.interactions.iter().flat_map(|interaction| interaction.terms(&Bodies::of(model))));
     (windows, terms)
 }
 

@@ -182,12 +182,6 @@ impl Equations {
         })
     }
 
-    /// The pivot of a body, to exert impulses.
-    pub(crate) fn pivot_source(&self, body: usize) -> Option<Source> {
-        let name = &self.model().bodies[body].name;
-        self.model().pivots.iter().position(|pivot| pivot.body == *name).map(Source::Pivot)
-    }
-
     /// What the pivot adds, so that all impulses together are the change of momentum.
     fn pivot_impulse(
         &self,
@@ -196,8 +190,7 @@ impl Equations {
         at: &Crossing<'_, Mode>,
         jump: &Jump<Mode>,
     ) -> Result<Option<Impulse>, Reason> {
-        let Some(source) = self.pivot_source(body) else { return Ok(None) };
-        let Some((_, arm)) = self.pivot_arm(body) else { return Ok(None) };
+        let Some((pivot, arm)) = self.pivot_arm(body) else { return Ok(None) };
         let kinematics = self.model().bodies[body].kinematics();
         let mass = &self.mass_properties(body).mass;
         let momentum = kinematics.velocity().map(|v| mass * v);
@@ -208,6 +201,7 @@ impl Equations {
         for other in others.iter().filter(|other| other.body == body) {
             impulse = [impulse[0] - other.impulse[0], impulse[1] - other.impulse[1]];
         }
+        let source = Source::Pivot(pivot);
         Ok(Some(Impulse { source, body, arm: [arm[0], arm[1]], impulse, couple: 0.0 }))
     }
 }

@@ -97,8 +97,7 @@ impl Equations {
             }
             windows.push(from <= 0.0 && 0.0 < to);
         }
-        let made = self.model().joints.iter().enumerate().filter(|(_, joint)| joint.from.is_some());
-        Ok(Mode { windows, released: made.map(|(index, _)| index).collect(), ..Mode::default() })
+        Ok(Mode { windows, ..Mode::default() })
     }
 }
 

@@ -5,6 +5,9 @@ use std::fmt::Debug;
 use tumble_expr::{Dimension, Expr, Vector};
 
 use crate::air::Wind;
+use crate::body::Body;
+use crate::model::Model;
+use crate::potential::Potential;
 use crate::term::{Law, Term};
 
 /// A law of force that the model knows by its coefficients.
@@ -13,6 +16,10 @@ pub trait Interaction: Debug + Send + Sync {
     fn name(&self) -> &str;
     /// The terms it contributes.
     fn terms(&self, bodies: &Bodies<'_>) -> Vec<Term>;
+    /// The energy that its terms, or a part of them, come from, if there is one.
+    fn potential(&self, _: &Bodies<'_>) -> Option<Potential> {
+        None
+    }
     /// Names of the bodies it acts on.
     fn bodies(&self) -> Vec<&str>;
     /// Its coefficients: key, formula, dimension it must have.
@@ -42,14 +49,18 @@ pub trait Interaction: Debug + Send + Sync {
 /// What an interaction may look up.
 #[derive(Clone, Copy)]
 pub struct Bodies<'a> {
-    pub(crate) names: &'a [String],
+    bodies: &'a [Body],
     /// The air.
     pub wind: &'a Wind,
     /// Gauss nodes on each line that has no closed form.
     pub nodes: usize,
 }
 
-impl Bodies<'_> {
+impl<'a> Bodies<'a> {
+    pub(crate) fn of(model: &'a Model) -> Self {
+        Self { bodies: &model.bodies, wind: &model.wind, nodes: model.nodes }
+    }
+
     /// A term on the body of that name; the model was checked to have it.
     pub(crate) fn term(
         &self,
@@ -60,7 +71,7 @@ impl Bodies<'_> {
         force: Vector,
         couple: Expr,
     ) -> Term {
-        let body = self.names.iter().position(|name| name == body).expect("the model was checked");
+        let body = self.bodies.iter().position(|known| known.name == body).expect("the model was checked");
         Term { load: load.to_owned(), law, body, arm, force, couple, window: None }
     }
 }

@@ -12,8 +12,8 @@ pub struct Mode {
     pub changes: Vec<usize>,
     /// Which pairs touch and how, in the order of the pairs; those not mentioned are open.
     pub contacts: Vec<(usize, ContactMode)>,
-    /// Joints that do not hold, in order.
-    pub released: Vec<usize>,
+    /// Joints that hold though they did not at the start, or the other way round, in order; see [`crate::Equations::holds`].
+    pub switched: Vec<usize>,
     /// Rows of joints that follow from others and are left out, in order; see [`crate::Equations::joint_rows`].
     pub redundant: Vec<usize>,
 }
@@ -25,18 +25,13 @@ impl Mode {
         self.changes.push(event);
     }
 
-    /// Whether the joint of that index holds.
-    pub fn holds(&self, joint: usize) -> bool {
-        !self.released.contains(&joint)
-    }
-
-    pub(crate) fn release(&mut self, joint: usize) {
-        self.released.push(joint);
-        self.released.sort_unstable();
-    }
-
-    pub(crate) fn hold(&mut self, joint: usize) {
-        self.released.retain(|known| *known != joint);
+    /// The joint of that index begins or ceases to hold.
+    pub(crate) fn switch_joint(&mut self, joint: usize) {
+        match self.switched.iter().position(|known| *known == joint) {
+            Some(place) => _ = self.switched.remove(place),
+            None => self.switched.push(joint),
+        }
+        self.switched.sort_unstable();
     }
 
     /// Contact mode of a pair; `None` if it is open.

@@ -56,7 +56,7 @@ impl Record {
 
     /// Bytes that it holds beside its own size.
     pub(crate) fn held(&self) -> usize {
-        size_of_val(&self.happened[..]) + size_of_val(&self.impulses[..])
+        self.happened.capacity() * size_of::<Happening>() + self.impulses.capacity() * size_of::<Impulse>()
     }
 }
 

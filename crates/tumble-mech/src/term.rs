@@ -25,6 +25,13 @@ pub enum Law {
     Contact,
 }
 
+impl Law {
+    /// Whether it is a couple, without a force.
+    pub fn is_couple(self) -> bool {
+        matches!(self, Self::Torque | Self::Torsion)
+    }
+}
+
 /// A force at its point and a couple, as they enter the equations.
 #[derive(Clone, Debug)]
 pub struct Term {

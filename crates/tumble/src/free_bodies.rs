@@ -110,7 +110,7 @@ impl Drawing<'_> {
         let largest = own.iter().map(|force| force.torque().abs()).fold(0.0, f64::max);
         for force in &own {
             let (kind, symbol) = (kind(force.law), symbols::force_label(self.study, &force.load, force.law));
-            let is_force = force.law != Law::Torque && force.law != Law::Torsion;
+            let is_force = !force.law.is_couple();
             if is_force {
                 let point = [pose.x + force.arm[0], pose.y + force.arm[1]];
                 panel.forces.push(Arrow::new(kind, symbol.clone(), point, force.force));

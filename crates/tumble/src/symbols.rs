@@ -14,7 +14,7 @@ pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
         Law::Weight => "W".to_owned(),
         Law::Contact => format!("N_{}", contact(study, load)),
         Law::Reaction => format!("R_{last}"),
-        Law::Torque | Law::Torsion => format!("tau_{last}"),
+        _ if law.is_couple() => format!("tau_{last}"),
         _ => format!("F_{last}"),
     }
 }

@@ -7,10 +7,10 @@ use tumble_ode::{Piece, Reason};
 
 use crate::balance::contribution::{Contribution, Kind};
 use crate::balance::lines::{Key, Lines};
-use crate::balance::potential::{Potential, potentials};
 use crate::balance::quadrature::{Amounts, NotFinite, Quadrature, Sum};
 use crate::balance::stored::{Stored, StoredEvaluator};
 use crate::mode::Mode;
+use crate::potential::Potential;
 use crate::run::Run;
 
 /// The largest sizes in a run of what is balanced.
@@ -49,7 +49,7 @@ impl<'a> Accumulation<'a> {
     pub(super) fn new(run: &'a Run, [x, y]: [f64; 2]) -> Self {
         Self {
             run,
-            potentials: potentials(&run.equations),
+            potentials: run.equations.potentials(),
             largest: Largest::default(),
             about: Vector::planar(Expr::from(x) * units::M, Expr::from(y) * units::M),
             quadrature: Quadrature::new(),

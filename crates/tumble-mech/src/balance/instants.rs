@@ -138,9 +138,9 @@ impl Accumulation<'_> {
         if sources.is_empty() || left == [0.0; 3] {
             return Ok(vec![]);
         }
-        if let Some((source, (_, arm))) = equations.pivot_source(body).zip(equations.pivot_arm(body)) {
+        if let Some((pivot, arm)) = equations.pivot_arm(body) {
             let [x, y] = [[1, 0], [0, 1]].map(|axis| axis.map(tumble_expr::Expr::from));
-            sources.extend([source, source]);
+            sources.extend([Source::Pivot(pivot); 2]);
             formulas.extend([[arm.components(), &x].concat(), [arm.components(), &y].concat()]);
         }
         let values = equations.values(&formulas.concat(), mode, event.time, &event.after, inputs)?;

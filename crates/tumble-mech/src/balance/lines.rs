@@ -5,12 +5,12 @@ use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
 use crate::balance::contribution::Kind;
-use crate::balance::potential::Potential;
 use crate::balance::quadrature::{Amounts, Sample};
 use crate::equations::{Definitions, Equations};
 use crate::joint::Joint;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
+use crate::potential::Potential;
 use crate::term::{Law, Term};
 
 /// To which contribution a line belongs.

@@ -5,7 +5,7 @@
 //! It is made of the terms that were integrated, along the pieces that were accepted: power, force and torque of each
 //! term are integrated over each piece to rounding (`quadrature`), and each event adds its impacts, the parameters it
 //! changed and the energy that a surface keeps when it lets go (`instants`). A load with a potential energy
-//! (`potential`: weight, springs, torsion springs, compliant surfaces) counts by that energy; all else that it does,
+//! (`Potential`: weight, springs, torsion springs, compliant surfaces) counts by that energy; all else that it does,
 //! such as its damper's part, counts by its work, and nothing by both. So
 //!
 //! - the total energy changes by the work of all contributions but those of [`Kind::Conservative`],
@@ -21,7 +21,6 @@ mod accumulation;
 mod contribution;
 mod instants;
 mod lines;
-pub(crate) mod potential;
 mod quadrature;
 mod stored;
 #[cfg(test)]
@@ -34,6 +33,7 @@ use tumble_ode::{Reason, Side};
 use crate::balance::accumulation::Accumulation;
 use crate::balance::quadrature::Amounts;
 use crate::balance::stored::Stored;
+use crate::potential::Potential;
 use crate::run::Run;
 
 /// The energy and momentum balance of a run.
@@ -189,7 +189,7 @@ impl Accumulation<'_> {
 
 fn stores(accumulation: &Accumulation<'_>, [first, last]: &[Stored; 2]) -> Vec<Store> {
     let ends = first.potentials.iter().zip(&last.potentials);
-    let store = |(potential, (start, end)): (&potential::Potential, (&f64, &f64))| Store {
+    let store = |(potential, (start, end)): (&Potential, (&f64, &f64))| Store {
         load: potential.load.clone(),
         law: potential.law,
         body: potential.body,

@@ -3,9 +3,9 @@
 use tumble_expr::{Branches, Expr, Jets, Vector};
 use tumble_ode::Reason;
 
-use crate::balance::potential::Potential;
 use crate::equations::Equations;
 use crate::mode::Mode;
+use crate::potential::Potential;
 
 /// The motion of one body.
 #[derive(Clone, Copy, Debug, Default)]

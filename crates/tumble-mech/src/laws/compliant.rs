@@ -2,9 +2,10 @@
 //! A compliant surface pushes with `N = k d + c d'` (spring and damper side by side) or, after Hertz with the
 //! damping of Hunt and Crossley, `N = k d^(3/2) (1 + c d')`, where d is the depth, the gap taken negative.
 //! A damped spring lets go when the force comes down to zero (the surface recovers on its own, slower than the body
-//! leaves) or when the body is back at the undeformed surface; by then the damper has pulled for a moment.
+//! leaves) or when the body is back at the undeformed surface; by then the damper has pulled for a moment. The energy is
+//! `V = k d^2 / 2` or, after Hertz, `V = (2/5) k d^(5/2)`.
 //! # Symbols and units
-//! N (N), d (m), k (N/m, N/m^(3/2)), c (kg/s, s/m).
+//! N (N), d (m), k (N/m, N/m^(3/2)), c (kg/s, s/m), V (J).
 //! # Sign and frame
 //! N is along the surface's normal, out of the solid.
 //! # Validity
@@ -15,22 +16,58 @@
 //! # Checked by
 //! `tests/compliant.rs`: contact times on a spring with gravity, damped and Hertzian, in closed form; energy.
 
-use tumble_expr::Expr;
+use tumble_expr::{Expr, is_identically_zero};
 
 use crate::contact::Pair;
+use crate::parameters::time_symbol;
+use crate::potential::Potential;
 use crate::surface::ContactLaw;
+use crate::term::Term;
 
 /// Force of a pressed pair along the normal, N, in the body's position and velocity and, for Hertz, the root of the
 /// depth.
 pub(crate) fn normal_force(pair: &Pair) -> Option<Expr> {
-    let closing = -pair.gap_rate();
+    let (stiffness, damping) = coefficients(pair)?;
+    Some(damped_force(pair, stiffness, damping))
+}
+
+/// The energy of a pressed pair, by its index.
+pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
+    let (stiffness, damping) = coefficients(pair)?;
+    let force = damped_force(pair, stiffness, &Expr::zero());
+    let (energy, by_path) = match pair.is_hertzian() {
+        true => {
+            let moved = pair.gap().derivative(&time_symbol());
+            (stiffness * Expr::from(pair.root_symbol()).powi(5) * 2 / 5, -(&force * moved))
+        }
+        // The gap is in the formula itself.
+        false => (stiffness * (pair.gap() * pair.gap()) / 2, Expr::zero()),
+    };
+    let elastic = Term { force: &force * &pair.normal, ..pair.term() };
+    let whole = Potential::of(energy, elastic, vec![stiffness.clone()]);
+    Some(Potential {
+        pair: Some(index),
+        driven: &whole.driven + by_path,
+        is_whole: is_identically_zero(damping),
+        ..whole
+    })
+}
+
+/// Stiffness and damping.
+fn coefficients(pair: &Pair) -> Option<(&Expr, &Expr)> {
     match &pair.law {
-        ContactLaw::Spring { stiffness, damping, .. } => Some(-(stiffness * pair.gap()) + damping * closing),
-        ContactLaw::Hertz { stiffness, damping } => {
-            let root: Expr = pair.root_symbol().into();
-            Some(stiffness * root.powi(3) * (1 + damping * closing))
+        ContactLaw::Spring { stiffness, damping, .. } | ContactLaw::Hertz { stiffness, damping } => {
+            Some((stiffness, damping))
         }
         ContactLaw::Rigid { .. } => None,
+    }
+}
+
+fn damped_force(pair: &Pair, stiffness: &Expr, damping: &Expr) -> Expr {
+    let closing = -pair.gap_rate();
+    match pair.is_hertzian() {
+        true => stiffness * Expr::from(pair.root_symbol()).powi(3) * (1 + damping * closing),
+        false => -(stiffness * pair.gap()) + damping * closing,
     }
 }
 

@@ -1,8 +1,9 @@
 //! # Law
 //! A spring and a damper between two points a and b at the distance d along the unit vector e from a to b: the force on
-//! a is `(k (d - d_0) + c d') e`, on b the opposite, with `d' = (v_b - v_a) . e`.
+//! a is `(k (d - d_0) + c d') e`, on b the opposite, with `d' = (v_b - v_a) . e`. The spring's part has the energy
+//! `V = k (d - d_0)^2 / 2`.
 //! # Symbols and units
-//! k stiffness (N/m), d_0 rest length (m), c damping (kg/s).
+//! k stiffness (N/m), d_0 rest length (m), c damping (kg/s), V (J).
 //! # Sign and frame
 //! World axes; a stretched spring pulls.
 //! # Validity
@@ -11,12 +12,13 @@
 //! # Source
 //! Hooke's law.
 //! # Checked by
-//! `tests/springs.rs` (oscillators against closed forms, two bodies, a shaken anchor).
+//! `tests/springs.rs` (oscillators against closed forms, two bodies, a shaken anchor); energy in `tests/balance.rs`.
 
-use tumble_expr::{Dimension, Expr, Vector};
+use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
 
 use crate::anchor::Anchor;
 use crate::interaction::{Bodies, Interaction};
+use crate::potential::Potential;
 use crate::term::{Law, Term};
 
 /// A spring, a damper, or both side by side.
@@ -35,10 +37,16 @@ pub struct Spring {
 }
 
 impl Spring {
+    /// From the first end to the second, m.
+    fn span(&self) -> Vector {
+        let [a, b] = &self.ends;
+        b.position() - a.position()
+    }
+
     /// Force on the first end.
     fn force(&self) -> Vector {
         let [a, b] = &self.ends;
-        let span = b.position() - a.position();
+        let span = self.span();
         if self.rest_length.is_zero() && self.damping.is_zero() {
             return &self.stiffness * span;
         }
@@ -51,6 +59,19 @@ impl Spring {
             pull = pull + (&self.damping * closing / (&distance * &distance)) * &span;
         }
         pull
+    }
+
+    /// Energy, J.
+    fn energy(&self) -> Expr {
+        let span = self.span();
+        let squared = match self.rest_length.is_zero() {
+            true => span.x() * span.x() + span.y() * span.y(),
+            false => {
+                let longer = span.norm() - &self.rest_length;
+                &longer * &longer
+            }
+        };
+        &self.stiffness * squared / 2
     }
 }
 
@@ -69,6 +90,16 @@ impl Interaction for Spring {
             }
         };
         self.ends.iter().zip([pull.clone(), -&pull]).filter_map(on_end).collect()
+    }
+
+    fn potential(&self, bodies: &Bodies<'_>) -> Option<Potential> {
+        let energy = Some(self.energy()).filter(|energy| !is_identically_zero(energy))?;
+        let elastic = Self { damping: Expr::zero(), ..self.clone() }.terms(bodies);
+        let places = self.ends.iter().flat_map(Anchor::places);
+        let given = [&self.stiffness, &self.rest_length].into_iter().chain(places).cloned().collect();
+        let is_whole = is_identically_zero(&self.damping);
+        let first = elastic.first()?.clone();
+        Some(Potential { body: None, elastic, is_whole, ..Potential::of(energy, first, given) })
     }
 
     fn ends(&self) -> Option<[Vector; 2]> {

@@ -1,7 +1,8 @@
 //! # Law
 //! A torsion spring and damper between a body and the world: `tau = -kappa (theta - theta_0) - c omega`.
+//! The spring's part has the energy `V = kappa (theta - theta_0)^2 / 2`.
 //! # Symbols and units
-//! kappa stiffness (N m/rad), theta_0 rest angle (rad), c damping (N m s/rad).
+//! kappa stiffness (N m/rad), theta_0 rest angle (rad), c damping (N m s/rad), V (J).
 //! # Sign and frame
 //! Counter-clockwise positive; the torque is a couple.
 //! # Validity
@@ -9,12 +10,13 @@
 //! # Source
 //! Hooke's law for torsion.
 //! # Checked by
-//! `tests/springs.rs` (a torsion pendulum, damped).
+//! `tests/springs.rs` (a torsion pendulum, damped); energy in `tests/balance.rs`.
 
-use tumble_expr::{Dimension, Expr, Vector};
+use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
 
 use crate::interaction::{Bodies, Interaction};
 use crate::kinematics::Kinematics;
+use crate::potential::Potential;
 use crate::term::{Law, Term};
 
 /// A torsion spring, a torsion damper, or both.
@@ -32,16 +34,32 @@ pub struct Torsion {
     pub damping: Expr,
 }
 
+impl Torsion {
+    /// rad
+    fn twist(&self) -> Expr {
+        self.body.angle() - &self.rest_angle
+    }
+}
+
 impl Interaction for Torsion {
     fn name(&self) -> &str {
         &self.name
     }
 
     fn terms(&self, bodies: &Bodies<'_>) -> Vec<Term> {
-        let twist = self.body.angle() - &self.rest_angle;
-        let torque = -(&self.stiffness * twist) - &self.damping * self.body.omega();
+        let torque = -(&self.stiffness * self.twist()) - &self.damping * self.body.omega();
         let nothing = || Vector::planar(Expr::zero(), Expr::zero());
         vec![bodies.term(&self.name, Law::Torsion, &self.body.body, nothing(), nothing(), torque)]
+    }
+
+    fn potential(&self, bodies: &Bodies<'_>) -> Option<Potential> {
+        let twist = self.twist();
+        let energy = &self.stiffness * (&twist * &twist) / 2;
+        let energy = Some(energy).filter(|energy| !is_identically_zero(energy))?;
+        let elastic = Self { damping: Expr::zero(), ..self.clone() }.terms(bodies).pop()?;
+        let given = vec![self.stiffness.clone(), self.rest_angle.clone()];
+        let is_whole = is_identically_zero(&self.damping);
+        Some(Potential { is_whole, ..Potential::of(energy, elastic, given) })
     }
 
     fn bodies(&self) -> Vec<&str> {

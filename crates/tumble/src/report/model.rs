@@ -133,7 +133,7 @@ fn row(study: &Study, names: &Names, equations: &Equations, terms: &[&Term]) -> 
     }
     let formula = match term.law {
         Law::Reaction => words("holds the point in its place"),
-        Law::Torque | Law::Torsion => {
+        law if law.is_couple() => {
             readable(std::slice::from_ref(&term.couple), |couple| names.formula(&couple[0]))
         }
         _ => readable(term.force.components(), |force| vector(names, force)),
@@ -194,7 +194,7 @@ fn point(equations: &Equations, term: &Term) -> String {
         (_, Some((name, _))) => format!("{}.{name}", body.name),
         (Law::Contact, None) => term.load.clone(),
         (Law::Reaction, None) => term.load.clone(),
-        (Law::Torque | Law::Torsion, None) => "everywhere".to_owned(),
+        (law, None) if law.is_couple() => "everywhere".to_owned(),
         _ => "its point of action".to_owned(),
     }
 }
