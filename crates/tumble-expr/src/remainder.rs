@@ -62,7 +62,7 @@ fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
     let first = all.next().unwrap_or(0.0);
     let side = if first < 0.0 { -1.0 } else { 1.0 };
     let least = all.fold(first.abs(), |least, term| least + (side * term).min(0.0));
-    if least > 0.0 { least } else { Bernstein::new(&terms.collect::<Vec<_>>()).least() }
+    if least > 0.0 { least } else { Bernstein::new(terms).least() }
 }
 
 impl Jets<f64> {
