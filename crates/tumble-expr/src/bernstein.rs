@@ -29,8 +29,11 @@ impl Bernstein {
             *a /= choose;
         }
         for level in 1..=n {
-            for i in (level..=n).rev() {
-                b[i] += b[i - 1];
+            let mut before = b[level - 1];
+            for sum in &mut b[level..] {
+                let own = *sum;
+                *sum += before;
+                before = own;
             }
         }
         Self(coefficients)

@@ -110,14 +110,15 @@ pub(crate) fn expand(
     off: &[f64],
     found: &mut Expansion,
 ) -> Result<(), Reason> {
-    let count = system.len();
+    let (count, outputs) = (system.len(), system.tape.outputs());
+    let rates = &outputs[..count];
     jets.set_vanishing(frozen.vanishing);
     jets.start(time, states, Branches::Frozen(frozen.signs));
     let mut known = order;
     'orders: for k in 0..order {
         let next = (k + 1) as f64;
-        for state in 0..count {
-            let rate = if moves { jets.output(state)[k] } else { 0.0 };
+        for (state, slot) in rates.iter().enumerate() {
+            let rate = if moves { jets.coefficient(*slot, k) } else { 0.0 };
             let off = off.get(state).filter(|_| k == 0).unwrap_or(&0.0);
             let coefficient = (rate + off) / next;
             if !coefficient.is_finite() && k > ENOUGH {
@@ -129,7 +130,8 @@ pub(crate) fn expand(
             }
             jets.set(state, k + 1, coefficient);
         }
-        let time_rate = if system.transformed { jets.output(count)[k] } else { f64::from(k == 0) };
+        let time_rate =
+            if system.transformed { jets.coefficient(outputs[count], k) } else { f64::from(k == 0) };
         jets.set(count, k + 1, time_rate / next);
         if k + 1 < order || system.is_watched {
             jets.extend(k + 1);

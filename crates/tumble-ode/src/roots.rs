@@ -40,14 +40,19 @@ pub(crate) fn roots(powers: &[f64], length: f64) -> Roots {
     if keeps_away(powers, length) {
         return smallvec![];
     }
-    let mut found = inside(powers, length);
-    found.extend(at_end(powers, length));
+    let size = size_of(powers, length);
+    let mut found = inside(powers, length, size);
+    found.extend(at_end(powers, length, size));
     found
 }
 
+/// The sum of the sizes of all terms at the end of the interval.
+fn size_of(powers: &[f64], length: f64) -> f64 {
+    powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs())
+}
+
 /// A root at the end of the interval, but for rounding: signs within it do not tell of that one.
-fn at_end(powers: &[f64], length: f64) -> Option<Root> {
-    let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
+fn at_end(powers: &[f64], length: f64, size: f64) -> Option<Root> {
     if polynomial::value(powers, length).abs() > noise_of(powers, size) || !size.is_finite() {
         return None;
     }
@@ -66,14 +71,14 @@ fn noise_of(powers: &[f64], size: f64) -> f64 {
 ///
 /// Rounding is relative to the largest terms, which are those at the far end: where the polynomial is much smaller at
 /// its beginning, that is searched by itself.
-fn inside(powers: &[f64], length: f64) -> Roots {
-    let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
+fn inside(powers: &[f64], length: f64, size: f64) -> Roots {
     let (first, near) = (powers[0].abs(), length * BEGINNING);
     if first == 0.0 || first > SMALL * size || near < f64::MIN_POSITIVE {
         return search(powers, length);
     }
-    let mut found = inside(powers, near);
-    found.extend(at_end(powers, near));
+    let size = size_of(powers, near);
+    let mut found = inside(powers, near, size);
+    found.extend(at_end(powers, near, size));
     let rest = search(&polynomial::shifted(powers, near), length - near);
     found.extend(rest.into_iter().map(|root| Root { at: near + root.at, ..root }));
     found
