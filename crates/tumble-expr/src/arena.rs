@@ -91,8 +91,11 @@ fn straight<S: Scalar>(x: &[S], y: &[S]) -> S {
             sums[i] = sums[i] + x[i] * y[i];
         }
     }
-    for ((sum, x), y) in sums.iter_mut().zip(x_left).zip(y_left) {
-        *sum = *sum + *x * *y;
+    // By their number, so that the sums need not be in memory.
+    for (i, sum) in sums.iter_mut().enumerate() {
+        if let (Some(x), Some(y)) = (x_left.get(i), y_left.get(i)) {
+            *sum = *sum + *x * *y;
+        }
     }
     (sums[0] + sums[2]) + (sums[1] + sums[3])
 }

@@ -3,50 +3,60 @@
 //! The polynomial lies between its least and largest coefficient, and has at most as many roots in (0, 1) as its
 //! coefficients have changes of sign, and as many but for an even number (Descartes' rule).
 
+use smallvec::SmallVec;
+
+/// Coefficients of one polynomial that is needed for a moment: up to this degree, which no step but an exact one exceeds, they
+/// stand on the stack.
+pub type Row = SmallVec<[f64; 40]>;
+
 /// Halvings until a polynomial is said to come to zero.
 const HALVINGS: u32 = 3;
 
 /// Coefficients b_0 .. b_n; b_0 and b_n are the values at 0 and 1.
 #[derive(Clone, Debug)]
-pub struct Bernstein(pub Vec<f64>);
+pub struct Bernstein(pub Row);
 
 impl Bernstein {
     /// From coefficients of powers, lowest first: `b_i = sum over k <= i of C(i,k) / C(n,k) a_k`.
-    pub fn new(powers: &[f64]) -> Self {
-        let n = powers.len() - 1;
+    pub fn new(powers: impl IntoIterator<Item = f64>) -> Self {
         // In place: repeated sums of a_k / C(n,k) are the binomial sums.
-        let mut b: Vec<f64> = powers.to_vec();
+        let mut coefficients: Row = powers.into_iter().collect();
+        let b = &mut coefficients[..];
+        let n = b.len() - 1;
         let mut choose = 1.0;
         for (k, a) in b.iter_mut().enumerate().skip(1) {
             choose *= (n + 1 - k) as f64 / k as f64;
             *a /= choose;
         }
         for level in 1..=n {
-            for i in (level..=n).rev() {
-                b[i] += b[i - 1];
+            let mut before = b[level - 1];
+            for sum in &mut b[level..] {
+                let own = *sum;
+                *sum += before;
+                before = own;
             }
         }
-        Self(b)
+        Self(coefficients)
     }
 
     /// Changes of sign among the coefficients that are larger than `noise`.
     pub fn sign_changes(&self, noise: f64) -> usize {
-        let signs: Vec<bool> = self.0.iter().filter(|b| b.abs() > noise).map(|b| *b > 0.0).collect();
-        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        let mut signs = self.0.iter().filter(|b| b.abs() > noise).map(|b| *b > 0.0);
+        let Some(mut before) = signs.next() else { return 0 };
+        signs.filter(|sign| std::mem::replace(&mut before, *sign) != *sign).count()
     }
 
     /// The halves on [0, 1/2] and [1/2, 1], each stretched to [0, 1], by de Casteljau's averages.
     pub fn halves(&self) -> (Self, Self) {
-        let mut right = self.0.clone();
-        let mut left = Vec::with_capacity(right.len());
-        let n = right.len();
-        for level in 0..n {
-            left.push(right[0]);
-            for i in 0..n - 1 - level {
-                right[i] = 0.5 * (right[i] + right[i + 1]);
+        let (mut left, mut right) = (self.clone(), self.clone());
+        let (low, high) = (&mut left.0[..], &mut right.0[..]);
+        for (level, low) in low.iter_mut().enumerate() {
+            *low = high[0];
+            for i in 0..high.len() - 1 - level {
+                high[i] = 0.5 * (high[i] + high[i + 1]);
             }
         }
-        (Self(left), Self(right))
+        (left, right)
     }
 
     /// A lower bound of the polynomial's size; 0 where it may have a zero.
@@ -85,7 +95,7 @@ mod tests {
     fn ends_are_values_and_halves_agree() {
         let value = |p: &[f64], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
         let p = [1.0, -3.0, 0.5, 2.0, -0.25];
-        let b = Bernstein::new(&p);
+        let b = Bernstein::new(p);
         assert_eq!(b.0[0], 1.0);
         assert!((b.0[4] - value(&p, 1.0)).abs() < 1e-15);
         let (left, right) = b.halves();
@@ -97,11 +107,11 @@ mod tests {
     #[test]
     fn the_least_size_is_a_lower_bound() {
         // (x - 1/2)^2 + 1/100, and the same with a zero.
-        let least = |rest: f64| Bernstein::new(&[0.25 + rest, -1.0, 1.0]).least();
+        let least = |rest: f64| Bernstein::new([0.25 + rest, -1.0, 1.0]).least();
         assert!((0.005..=0.01 + 1e-15).contains(&least(0.01)), "{}", least(0.01));
         assert_eq!((least(0.0), least(-0.01)), (0.0, 0.0));
-        assert_eq!(Bernstein::new(&[-1.0, 2.0]).least(), 0.0);
+        assert_eq!(Bernstein::new([-1.0, 2.0]).least(), 0.0);
         // (1 - x)(2 + x)
-        assert_eq!(Bernstein::new(&[2.0, -1.0, -1.0]).without_end().0, [2.0, 3.0]);
+        assert_eq!(Bernstein::new([2.0, -1.0, -1.0]).without_end().0[..], [2.0, 3.0]);
     }
 }

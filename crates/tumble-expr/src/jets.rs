@@ -138,6 +138,7 @@ impl<S: Kernels> Jets<S> {
         for index in 0..self.tape.resolved().kernels.len() {
             let (slot, kernel) = self.tape.resolved().kernels[index].clone();
             let value = match kernel {
+                Kernel::Abs { of, branch } => self.value(Op::Abs { of, branch }, free),
                 Kernel::Other(op) | Kernel::Along { op, .. } => self.value(op, free),
                 kernel => self.first(&kernel),
             };
@@ -169,6 +170,7 @@ impl<S: Kernels> Jets<S> {
                 Kernel::Product(a, b) => arena.product(*a, *b, k),
                 Kernel::Square(a) => arena.square(*a, k),
                 Kernel::Slope(a) => S::splat(k as f64) * arena.at(*a, k),
+                Kernel::Abs { of, branch } => signs[*branch as usize] * arena.at(*of, k),
                 Kernel::Wave { slope, cos, is_linear, .. } => {
                     let one_term = *is_linear && *time_is_parameter;
                     let [sin_k, cos_k] = arena.wave(*slope, (*slot, *cos), k, one_term);
@@ -224,6 +226,12 @@ impl<S: Kernels> Jets<S> {
         self.arena.row(slot)
     }
 
+    /// One coefficient in a slot.
+    #[inline]
+    pub fn coefficient(&self, slot: Slot, order: usize) -> S {
+        self.arena.at(slot, order)
+    }
+
     /// Coefficients of an output.
     pub fn output(&self, index: usize) -> &[S] {
         self.slot(self.tape.outputs()[index])
@@ -273,7 +281,7 @@ impl<S: Kernels> Jets<S> {
             // A row of slopes has no order 0.
             Kernel::Slope(_) => S::zero(),
             Kernel::Wave { of, cos, .. } => {
-                let (sin_of, cos_of) = (S::sin(at(of)), S::cos(at(of)));
+                let (sin_of, cos_of) = at(of).sine_and_cosine();
                 self.arena.put(cos, 0, cos_of);
                 sin_of
             }
@@ -285,7 +293,9 @@ impl<S: Kernels> Jets<S> {
                 self.arena.put(square, 0, of_square);
                 S::norm(&self.series(), parts)
             }
-            Kernel::Along { .. } | Kernel::Other(_) => unreachable!("these are found by their operation"),
+            Kernel::Along { .. } | Kernel::Abs { .. } | Kernel::Other(_) => {
+                unreachable!("these are found by their operation")
+            }
         }
     }
 

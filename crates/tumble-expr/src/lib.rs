@@ -39,7 +39,7 @@ mod unit;
 mod vector;
 
 pub use active::Active;
-pub use bernstein::Bernstein;
+pub use bernstein::{Bernstein, Row};
 pub use degree::Degree;
 pub use dimension::{Dimension, Exponent};
 pub use expr::{Binary, Expr, Node, Relation, Symbol, Unary};

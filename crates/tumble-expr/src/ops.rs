@@ -16,6 +16,8 @@ pub(crate) mod running;
 pub(crate) mod solve;
 pub(crate) mod square_over;
 
+use smallvec::{SmallVec, smallvec};
+
 use crate::Tape;
 use crate::arena::Arena;
 use crate::ops::kernels::Kernels;
@@ -23,6 +25,9 @@ use crate::table::Table;
 
 /// Where an operation's result stands: its index on the tape.
 pub type Slot = u32;
+
+/// What an operation is made of.
+pub(crate) type Parts = SmallVec<[Slot; 4]>;
 
 /// One operation of a tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -291,28 +296,28 @@ impl Op {
     }
 
     /// The slots this operation must come after.
-    pub(crate) fn parts(self, tape: &Tape) -> Vec<Slot> {
+    pub(crate) fn parts(self, tape: &Tape) -> Parts {
         match self {
-            Self::State(_) | Self::Time | Self::Input(_) | Self::Number(_) | Self::Pi => vec![],
-            Self::Neg(a) | Self::Square(a) | Self::Sqrt(a) | Self::Exp(a) | Self::Log(a) => vec![a],
+            Self::State(_) | Self::Time | Self::Input(_) | Self::Number(_) | Self::Pi => smallvec![],
+            Self::Neg(a) | Self::Square(a) | Self::Sqrt(a) | Self::Exp(a) | Self::Log(a) => smallvec![a],
             Self::Sin { of, .. } | Self::Cos { of, .. } | Self::Sinh { of, .. } | Self::Cosh { of, .. } => {
-                vec![of]
+                smallvec![of]
             }
-            Self::Tan { of, .. } | Self::Tanh { of, .. } => vec![of],
-            Self::Asin { of: a, root: b } | Self::Acos { of: a, root: b } => vec![a, b],
-            Self::Atan { of: a, square: b } | Self::Pow { of: a, exponent: b } => vec![a, b],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
-            Self::Scale { of: a, by: b } | Self::Shrink { of: a, by: b } => vec![a, b],
-            Self::SquareOver { of, by, .. } => vec![of, by],
-            Self::Atan2 { y, x, square } => vec![y, x, square],
-            Self::Abs { of, .. } | Self::Sign { of, .. } => vec![of],
-            Self::Knot { of, .. } | Self::Coefficient { of, .. } => vec![of],
-            Self::Step { branch } => vec![tape.guards[branch as usize]],
+            Self::Tan { of, .. } | Self::Tanh { of, .. } => smallvec![of],
+            Self::Asin { of: a, root: b } | Self::Acos { of: a, root: b } => smallvec![a, b],
+            Self::Atan { of: a, square: b } | Self::Pow { of: a, exponent: b } => smallvec![a, b],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => smallvec![a, b],
+            Self::Scale { of: a, by: b } | Self::Shrink { of: a, by: b } => smallvec![a, b],
+            Self::SquareOver { of, by, .. } => smallvec![of, by],
+            Self::Atan2 { y, x, square } => smallvec![y, x, square],
+            Self::Abs { of, .. } | Self::Sign { of, .. } => smallvec![of],
+            Self::Knot { of, .. } | Self::Coefficient { of, .. } => smallvec![of],
+            Self::Step { branch } => smallvec![tape.guards[branch as usize]],
             Self::Choose { branch, positive, negative } => {
-                vec![tape.guards[branch as usize], positive, negative]
+                smallvec![tape.guards[branch as usize], positive, negative]
             }
-            Self::Norm(parts) => tape.norms[parts as usize].clone(),
-            Self::Factor(matrix) => tape.matrices[matrix as usize].entries.clone(),
+            Self::Norm(parts) => Parts::from_slice(&tape.norms[parts as usize]),
+            Self::Factor(matrix) => Parts::from_slice(&tape.matrices[matrix as usize].entries),
             Self::Residual { system, row } => tape.systems[system as usize].residual_parts(row),
             Self::Forward { system, row } => tape.systems[system as usize].forward_parts(row),
             Self::Solution { system, row } => tape.systems[system as usize].solution_parts(row),

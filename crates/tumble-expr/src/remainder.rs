@@ -62,7 +62,7 @@ fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
     let first = all.next().unwrap_or(0.0);
     let side = if first < 0.0 { -1.0 } else { 1.0 };
     let least = all.fold(first.abs(), |least, term| least + (side * term).min(0.0));
-    if least > 0.0 { least } else { Bernstein::new(&terms.collect::<Vec<_>>()).least() }
+    if least > 0.0 { least } else { Bernstein::new(terms).least() }
 }
 
 impl Jets<f64> {
@@ -182,6 +182,7 @@ impl Along<'_> {
                 self.found.rests[square as usize] = squares;
                 self.root(squares, slot)
             }
+            Kernel::Abs { of, .. } => self.rest(of),
             Kernel::Other(op) => self.other(slot, op),
         };
         self.found.rests[slot as usize] = rest;
@@ -231,7 +232,6 @@ impl Along<'_> {
 
     fn other(&mut self, slot: Slot, op: Op) -> f64 {
         match op {
-            Op::Abs { of, .. } => self.rest(of),
             Op::Choose { branch, positive, negative } => {
                 let side = self.jets.signs()[branch as usize];
                 self.rest(if side >= 0.0 { positive } else { negative })

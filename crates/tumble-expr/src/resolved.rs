@@ -39,6 +39,11 @@ pub(crate) enum Kernel {
         parts: u32,
         square: Slot,
     },
+    /// What has the sign of a branch.
+    Abs {
+        of: Slot,
+        branch: u32,
+    },
     /// Any other operation.
     Other(Op),
 }
@@ -139,6 +144,7 @@ impl<'a> Resolving<'a> {
                 self.resolved.kernels.push((square, Kernel::Square(by)));
                 Kernel::Other(op)
             }
+            Op::Abs { of, branch } => Kernel::Abs { of, branch },
             op => Kernel::Other(op),
         }
     }

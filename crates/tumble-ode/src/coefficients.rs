@@ -19,16 +19,25 @@ impl Coefficients {
     /// If their lengths differ.
     pub fn of<'a>(rows: impl Iterator<Item = &'a [f64]>) -> Self {
         let mut all = Self::default();
+        all.refill(rows);
+        all
+    }
+
+    /// Takes copies of other rows instead of those that it has.
+    ///
+    /// # Panics
+    /// If their lengths differ.
+    pub(crate) fn refill<'a>(&mut self, rows: impl Iterator<Item = &'a [f64]>) {
+        self.data.clear();
         let (least, _) = rows.size_hint();
         for row in rows {
-            if all.data.is_empty() {
-                all.stride = row.len();
-                all.data.reserve_exact(row.len() * least.max(1));
+            if self.data.is_empty() {
+                self.stride = row.len();
+                self.data.reserve_exact(row.len() * least.max(1));
             }
-            assert_eq!(row.len(), all.stride, "rows of one length");
-            all.data.extend_from_slice(row);
+            assert_eq!(row.len(), self.stride, "rows of one length");
+            self.data.extend_from_slice(row);
         }
-        all
     }
 
     /// How many polynomials there are.

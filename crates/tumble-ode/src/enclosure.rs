@@ -13,7 +13,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Interval, Jets, Scalar, Slot, Tape};
+use tumble_expr::{Branches, Interval, Jets, Kernels, Row, Scalar, Slot, Tape};
 
 use crate::Coefficients;
 use crate::polynomial::{shifted, shifted_up_to};
@@ -21,6 +21,8 @@ use crate::polynomial::{shifted, shifted_up_to};
 /// Highest order of the intervals. A remainder shrinks with this power of the stretch; beyond five, intervals of products
 /// grow as fast as it shrinks.
 pub(crate) const ORDER: usize = 5;
+/// Orders that are kept of leaves: a defect is made of slopes.
+const ORDERS: usize = ORDER + 2;
 /// Rounding errors of coefficients at a point, in units of the last place of their sum.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -48,8 +50,12 @@ pub struct Vanishing<'a> {
 pub struct Enclosure {
     middle: Jets<f64>,
     boxes: Jets<Interval>,
-    /// Of every state, then of the time: coefficients about the middle, and over the stretch.
-    leaves: Vec<(Vec<f64>, Vec<Interval>)>,
+    /// By order, of every state and then of the time: coefficients about the middle, and over the stretch.
+    about: [Vec<f64>; ORDERS],
+    hulls: [Vec<Interval>; ORDERS],
+    signs: Vec<Interval>,
+    /// No norm vanishes.
+    nothing: Vec<bool>,
     reach: f64,
 }
 
@@ -58,9 +64,12 @@ impl Enclosure {
     pub fn new(tape: Arc<Tape>, inputs: &[f64]) -> Self {
         let boxes: Vec<Interval> = inputs.iter().map(|value| Interval::point(*value)).collect();
         Self {
+            nothing: vec![false; tape.norms()],
             middle: Jets::new(tape.clone(), ORDER, inputs),
             boxes: Jets::new(tape, ORDER, &boxes),
-            leaves: vec![],
+            about: Default::default(),
+            hulls: Default::default(),
+            signs: vec![],
             reach: 0.0,
         }
     }
@@ -76,9 +85,9 @@ impl Enclosure {
         self.reach = 0.5 * (high - low);
         self.place(path, 0.5 * (low + high));
         self.expand_middle(signs);
-        let boxed: Vec<Interval> = signs.iter().map(|sign| Interval::point(*sign)).collect();
-        let nothing = vec![false; self.boxes.tape().norms()];
-        self.boxes.set_vanishing(vanishing.map_or(&nothing, |vanishing| vanishing.norms));
+        self.signs.clear();
+        self.signs.extend(signs.iter().map(|sign| Interval::point(*sign)));
+        self.boxes.set_vanishing(vanishing.map_or(&self.nothing[..], |vanishing| vanishing.norms));
         if let Some(vanishing) = vanishing {
             let way = high - low;
             self.boxes.forget(Interval::ENTIRE);
@@ -87,19 +96,17 @@ impl Enclosure {
             } else {
                 Interval::new(0.0, way)
             });
-            self.expand_boxes(&boxed);
+            self.expand_boxes();
         }
-        self.expand_boxes(&boxed);
+        self.expand_boxes();
     }
 
     /// Looks at values only, between two values of the parameter, whatever signs branches take there.
     pub fn survey(&mut self, path: Path<'_>, [low, high]: [f64; 2]) {
         self.reach = 0.5 * (high - low);
         self.place(path, 0.5 * (low + high));
-        self.boxes.set_vanishing(&vec![false; self.boxes.tape().norms()]);
-        let (time, states) = self.leaves.split_last().expect("the time is a leaf");
-        let states: Vec<Interval> = states.iter().map(|(_, hull)| hull[0]).collect();
-        self.boxes.start(time.1[0], &states, Branches::Free);
+        self.boxes.set_vanishing(&self.nothing);
+        start(&mut self.boxes, &self.hulls, Branches::Free);
     }
 
     /// All values of an output, by intervals alone.
@@ -116,8 +123,7 @@ impl Enclosure {
     /// Branch signs that formulas take in the middle of a stretch, each by its value.
     pub fn signs(&mut self, path: Path<'_>, [low, high]: [f64; 2]) -> Vec<f64> {
         self.place(path, 0.5 * (low + high));
-        let (time, states) = self.values();
-        self.middle.start(time, &states, Branches::Free);
+        start(&mut self.middle, &self.about, Branches::Free);
         self.middle.signs().to_vec()
     }
 
@@ -148,16 +154,14 @@ impl Enclosure {
 
     /// Bound of `p'(s) - f(s)`, with p a leaf, by its index, and f an output that should be its slope.
     pub fn defect(&self, leaf: usize, output: usize) -> f64 {
-        let (polynomial, hull) = &self.leaves[leaf];
         let (f, box_of) = (self.middle.output(output), self.boxes.output(output));
         let rest = |k: usize| {
-            let slope =
-                Interval::splat((k + 1) as f64) * hull.get(k + 1).copied().unwrap_or_else(Interval::zero);
+            let slope = Interval::splat((k + 1) as f64) * self.hulls[k + 1][leaf];
             (slope - box_of[k]).magnitude()
         };
         let (mut sum, mut power, mut least) = (0.0, 1.0, rest(0));
         for (k, f) in f.iter().enumerate().take(ORDER) {
-            let slope = (k + 1) as f64 * polynomial.get(k + 1).copied().unwrap_or(0.0);
+            let slope = (k + 1) as f64 * self.about[k + 1][leaf];
             sum += ((slope - f).abs() + ROUNDING * slope.abs()) * power;
             power *= self.reach;
             least = smaller(least, sum + rest(k + 1) * power);
@@ -167,58 +171,63 @@ impl Enclosure {
 
     /// How fast a leaf changes at most, by its index.
     pub fn slope(&self, leaf: usize) -> f64 {
-        self.leaves[leaf].1.get(1).map_or(0.0, |slope| slope.magnitude())
+        self.hulls[1][leaf].magnitude()
     }
 
     fn place(&mut self, path: Path<'_>, middle: f64) {
         let plain = [path.start, 1.0];
         let time = path.time.unwrap_or(&plain);
-        let all = path.states.iter().chain([time]);
-        let reach = self.reach;
-        self.leaves = all.map(|series| leaf(series, middle, reach)).collect();
+        self.about.iter_mut().for_each(Vec::clear);
+        self.hulls.iter_mut().for_each(Vec::clear);
+        for series in path.states.iter().chain([time]) {
+            self.place_leaf(series, middle);
+        }
     }
 
-    fn values(&self) -> (f64, Vec<f64>) {
-        let (time, states) = self.leaves.split_last().expect("the time is a leaf");
-        (time.0[0], states.iter().map(|(about, _)| about[0]).collect())
+    /// A polynomial about a place, and intervals of its coefficients no farther than the reach from there.
+    fn place_leaf(&mut self, series: &[f64], place: f64) {
+        let about = shifted(series, place);
+        let sizes: Row = about.iter().map(|c| c.abs()).collect();
+        // Shifted by the reach, the sizes are the sums of all that a coefficient can change by, and it itself.
+        let most = shifted_up_to(&sizes, self.reach, sizes.len().min(ORDERS));
+        for (k, (all, hulls)) in self.about.iter_mut().zip(&mut self.hulls).enumerate() {
+            let (c, hull) = match most.get(k) {
+                None => (0.0, Interval::zero()),
+                Some(most) => {
+                    let change = (most - sizes[k]) + ROUNDING * most;
+                    (about[k], Interval::new(about[k] - change, about[k] + change))
+                }
+            };
+            all.push(c);
+            hulls.push(hull);
+        }
     }
 
     fn expand_middle(&mut self, signs: &[f64]) {
-        let (time, states) = self.values();
-        self.middle.start(time, &states, Branches::Frozen(signs));
-        for k in 1..=ORDER {
-            for (leaf, (about, _)) in self.leaves.iter().enumerate() {
-                self.middle.set(leaf, k, about.get(k).copied().unwrap_or(0.0));
-            }
-            self.middle.extend(k);
-        }
+        start(&mut self.middle, &self.about, Branches::Frozen(signs));
+        extend(&mut self.middle, &self.about);
     }
 
-    fn expand_boxes(&mut self, signs: &[Interval]) {
-        let (time, states) = self.leaves.split_last().expect("the time is a leaf");
-        let states: Vec<Interval> = states.iter().map(|(_, hull)| hull[0]).collect();
-        self.boxes.start(time.1[0], &states, Branches::Frozen(signs));
-        for k in 1..=ORDER {
-            for (leaf, (_, hull)) in self.leaves.iter().enumerate() {
-                self.boxes.set(leaf, k, hull.get(k).copied().unwrap_or_else(Interval::zero));
-            }
-            self.boxes.extend(k);
-        }
+    fn expand_boxes(&mut self) {
+        start(&mut self.boxes, &self.hulls, Branches::Frozen(&self.signs));
+        extend(&mut self.boxes, &self.hulls);
     }
 }
 
-/// A polynomial about a place, and intervals of its coefficients no farther than `reach` from there.
-fn leaf(series: &[f64], place: f64, reach: f64) -> (Vec<f64>, Vec<Interval>) {
-    let about = shifted(series, place);
-    let sizes: Vec<f64> = about.iter().map(|c| c.abs()).collect();
-    // Shifted by the reach, the sizes are the sums of all that a coefficient can change by, and it itself.
-    let most = shifted_up_to(&sizes, reach, sizes.len().min(ORDER + 2));
-    let hull = about.iter().zip(&most).zip(&sizes).map(|((c, most), size)| {
-        let change = (most - size) + ROUNDING * most;
-        Interval::new(c - change, c + change)
-    });
-    let hull = hull.collect();
-    (about, hull)
+/// Evaluates a tape at the coefficients of order 0 of all leaves.
+fn start<S: Kernels>(jets: &mut Jets<S>, leaves: &[Vec<S>; ORDERS], branches: Branches<'_, S>) {
+    let (time, states) = leaves[0].split_last().expect("the time is a leaf");
+    jets.start(*time, states, branches);
+}
+
+/// Its orders above.
+fn extend<S: Kernels>(jets: &mut Jets<S>, leaves: &[Vec<S>; ORDERS]) {
+    for (k, order) in leaves.iter().enumerate().take(ORDER + 1).skip(1) {
+        for (leaf, c) in order.iter().enumerate() {
+            jets.set(leaf, k, *c);
+        }
+        jets.extend(k);
+    }
 }
 
 /// What is known of one function along a stretch.

@@ -2,7 +2,8 @@
 
 mod hits;
 
-use tumble_expr::{Active, Branches, Jets, Remainders, Rounded, Turning};
+use smallvec::{SmallVec, smallvec};
+use tumble_expr::{Active, Branches, Jets, Remainders, Rounded, Row, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
@@ -18,7 +19,7 @@ use crate::scale::Scales;
 use crate::signs::{leading_sign, sign_after, sign_before};
 use crate::whole::{Demand, Halvings, Noise};
 use crate::work::Work;
-pub(crate) use hits::Hit;
+pub(crate) use hits::{Hit, Hits};
 
 /// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
 const VANISHING: f64 = 1024.0 * f64::EPSILON;
@@ -67,6 +68,8 @@ pub(crate) struct Engine {
     pub(crate) halvings: Halvings,
     /// Bounds of what series leave out.
     pub(crate) remainders: Remainders,
+    /// Room for what matters with other signs.
+    inactive: Active,
     /// Room for the check.
     places: Vec<[f64; 3]>,
     here: Vec<f64>,
@@ -102,6 +105,7 @@ impl Engine {
             enclosure: None,
             halvings: Halvings::default(),
             remainders: Remainders::default(),
+            inactive: Active::default(),
             places: vec![],
             here: vec![],
         }
@@ -115,6 +119,8 @@ impl Engine {
         self.values.start(time, states, Branches::Free);
         let is_zero = |slot: u32| self.values.slot(slot)[0] == 0.0;
         let names = &self.system.guard_names;
+        let mut active = std::mem::take(&mut self.branch_signs.active);
+        tape.find_active(self.values.signs(), &mut active);
         self.branch_signs = BranchSigns {
             signs: self.values.signs().to_vec(),
             zero_branches: tape.guards().iter().map(|slot| is_zero(*slot)).collect(),
@@ -128,7 +134,7 @@ impl Engine {
             sides_are_carried: false,
             vanishing: vec![false; tape.norms()],
             turning_scales: vec![0.0; self.turnings.len()],
-            active: tape.active(self.values.signs()),
+            active,
         };
     }
 
@@ -190,25 +196,20 @@ impl Engine {
         (time, states): (f64, &[f64]),
         off: &[f64],
         work: &mut Work,
-    ) -> Result<Expansion, Reason> {
-        let mut turned = vec![];
+        found: &mut Expansion,
+    ) -> Result<(), Reason> {
+        let mut turned: SmallVec<[usize; 8]> = smallvec![];
         loop {
             work.expansions += 1;
             self.refuse_segments(time, states)?;
             let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
-            let expansion = expand(
-                &self.system,
-                &mut self.jets,
-                self.order,
-                (frozen, &self.turnings),
-                (time, states, true),
-                off,
-            )?;
-            self.watch_scales(&expansion);
-            if self.enter_segments(&expansion) {
+            let along = (frozen, &self.turnings[..]);
+            expand(&self.system, &mut self.jets, self.order, along, (time, states, true), off, found)?;
+            self.watch_scales(found);
+            if self.enter_segments(found) {
                 continue;
             }
-            let Some(branch) = self.wrong_side(&expansion, time) else { return Ok(expansion) };
+            let Some(branch) = self.wrong_side(found, time) else { return Ok(()) };
             if turned.contains(&branch) {
                 let slot = self.system.tape.guards()[branch];
                 return Err(Reason::Sliding { guard: self.system.tape.describe(slot) });
@@ -219,23 +220,24 @@ impl Engine {
         }
     }
 
-    /// What is watched along a motion that stays where it is, if it may: all its rates are zero but for this part of their
+    /// Finds what is watched along a motion that stays where it is, if it may: all its rates are zero but for this part of their
     /// rounding errors; each rate is off by so much.
     pub(crate) fn rest(
         &mut self,
         (time, states): (f64, &[f64]),
         noise: &Noise,
         (part, off): (f64, &[f64]),
-    ) -> Option<Expansion> {
+        found: &mut Expansion,
+    ) -> bool {
         let is_still = noise.values.iter().zip(&noise.rates).all(|(rate, error)| rate.abs() <= part * error);
         if self.system.transformed || self.system.exact_degree.is_some() || !is_still {
-            return None;
+            return false;
         }
         let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
         let now = (time, states, false);
-        let found =
-            expand(&self.system, &mut self.jets, self.order, (frozen, &self.turnings), now, off).ok()?;
-        self.wrong_side(&found, time).is_none().then_some(found)
+        let along = (frozen, &self.turnings[..]);
+        expand(&self.system, &mut self.jets, self.order, along, now, off, found).is_ok()
+            && self.wrong_side(found, time).is_none()
     }
 
     /// How much later than `s` a guard is zero by its value, where its series misses that: the terms of a long step's series are
@@ -255,7 +257,7 @@ impl Engine {
 
     /// Value of a guard at the states that the series come to.
     fn guard_at(&mut self, guard: usize, expansion: &Expansion, s: f64) -> f64 {
-        let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
+        let states: Row = expansion.states.iter().map(|series| value(series, s)).collect();
         let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
         self.values.start(time, &states, Branches::Frozen(&self.branch_signs.signs));
         self.values.value_of(self.system.len() + usize::from(self.system.transformed) + guard)
@@ -323,7 +325,8 @@ impl Engine {
     /// Sees what matters after a branch has changed its sign; what did not matter before takes its sign by value.
     fn look_again(&mut self, time: f64, states: &[f64]) {
         let tape = self.system.tape.clone();
-        let active = tape.active(&self.branch_signs.signs);
+        let mut active = std::mem::take(&mut self.inactive);
+        tape.find_active(&self.branch_signs.signs, &mut active);
         self.values.start(time, states, Branches::Free);
         let here = self.values.signs();
         let (before, first_table) = (&self.branch_signs.active, tape.guards().len());
@@ -335,7 +338,7 @@ impl Engine {
                 self.branch_signs.signs[side] = here[side];
             }
         }
-        self.branch_signs.active = active;
+        self.inactive = std::mem::replace(&mut self.branch_signs.active, active);
     }
 
     /// How far the expansion reaches, guards included: infinite where nothing in the coefficients limits it.
@@ -380,7 +383,7 @@ impl Engine {
         if self.lazy_guards.is_empty() {
             return Ok(length);
         }
-        expansion.near = self.lazy_guards.near(expansion, length, compensation)?;
+        self.lazy_guards.approach(expansion, length, compensation)?;
         work.near += expansion.near.len() as u64;
         Ok(length.min(reach * lazy_guards::radius(expansion)))
     }
@@ -478,11 +481,12 @@ impl Engine {
         if self.system.guards == 0 {
             return Ok(lazy_guards);
         }
-        let ahead = match self.expand((time, states), &[], work) {
+        let mut ahead = Expansion::default();
+        match self.expand((time, states), &[], work, &mut ahead) {
             // There is no motion on either side of the branch: what crosses zero then can still end the flow.
             Err(Reason::Sliding { .. }) if !crossed.is_empty() => return Ok(crossed),
             other => other?,
-        };
+        }
         let crosses = |guard: &usize| {
             let after = sign_after(&ahead.guards[*guard]);
             let before = self.branch_signs.sides[*guard];

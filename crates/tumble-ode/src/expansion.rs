@@ -1,13 +1,13 @@
 //! The Taylor expansion of a solution at one instant, with all functions that are watched along it.
 
-use tumble_expr::{Branches, Jets, Slot, Turning};
+use tumble_expr::{Branches, Jets, Row, Slot, Turning};
 
 use crate::compiled::Compiled;
 use crate::polynomial::value;
 use crate::{Coefficients, Reason};
 
-/// Series at one instant, in the parameter that starts there.
-#[derive(Clone, Debug)]
+/// Series at one instant, in the parameter that starts there; kept to be used again for the next one.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Expansion {
     /// Time of the instant, s.
     pub(crate) start: f64,
@@ -24,11 +24,11 @@ pub(crate) struct Expansion {
     /// Guards of the model.
     pub(crate) guards: Coefficients,
     /// Lazily evaluated guards that may be reached, each by its index.
-    pub(crate) near: Vec<(usize, Vec<f64>)>,
+    pub(crate) near: Vec<(usize, Row)>,
 }
 
 /// A length, root or power along a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Turn {
     /// Series of the square of a length, or of the argument of a root or power: smooth where the function is not.
     pub(crate) square: Vec<f64>,
@@ -45,12 +45,46 @@ impl Turn {
         }
         self.components.iter().map(|component| value(component, s)).fold(0.0, libm::hypot)
     }
+
+    fn collect(&mut self, turning: &Turning, (jets, order): (&Jets<f64>, usize)) {
+        let row = |slot: Slot| &jets.slot(slot)[..=order];
+        let (square, parts) = match turning {
+            Turning::Power { of } => (row(*of), &[][..]),
+            Turning::Norm { parts, index } => (&jets.square_of_norm(*index)[..=order], &parts[..]),
+        };
+        self.square.clear();
+        self.square.extend_from_slice(square);
+        self.components.refill(parts.iter().map(|part| row(*part)));
+    }
 }
 
 impl Expansion {
     /// Highest order.
     pub(crate) fn order(&self) -> usize {
         self.states.get(0).or(self.time.as_deref()).map_or(1, |series| series.len() - 1)
+    }
+
+    /// Copies what was found, up to that order.
+    fn collect(&mut self, system: &Compiled, (jets, order): (&Jets<f64>, usize), turnings: &[Turning]) {
+        let tape = &system.tape;
+        let row = |slot: Slot| &jets.slot(slot)[..=order];
+        let first_guard = system.len() + usize::from(system.transformed);
+        let guards = &tape.outputs()[first_guard..][..system.guards];
+        self.states.refill((0..system.len()).map(|state| row(state as Slot)));
+        self.time = system.transformed.then(|| {
+            let mut series = self.time.take().unwrap_or_default();
+            series.clear();
+            series.extend_from_slice(row(tape.time_slot()));
+            series
+        });
+        self.branches.refill(tape.guards().iter().map(|slot| row(*slot)));
+        self.turnings.resize_with(turnings.len(), Turn::default);
+        for (turn, turning) in self.turnings.iter_mut().zip(turnings) {
+            turn.collect(turning, (jets, order));
+        }
+        self.arguments.refill(tape.tables().iter().map(|lookup| row(lookup.of)));
+        self.guards.refill(guards.iter().map(|slot| row(*slot)));
+        self.near.clear();
     }
 }
 
@@ -74,15 +108,17 @@ pub(crate) fn expand(
     (frozen, turnings): (Frozen<'_>, &[Turning]),
     (time, states, moves): (f64, &[f64], bool),
     off: &[f64],
-) -> Result<Expansion, Reason> {
-    let count = system.len();
+    found: &mut Expansion,
+) -> Result<(), Reason> {
+    let (count, outputs) = (system.len(), system.tape.outputs());
+    let rates = &outputs[..count];
     jets.set_vanishing(frozen.vanishing);
     jets.start(time, states, Branches::Frozen(frozen.signs));
     let mut known = order;
     'orders: for k in 0..order {
         let next = (k + 1) as f64;
-        for state in 0..count {
-            let rate = if moves { jets.output(state)[k] } else { 0.0 };
+        for (state, slot) in rates.iter().enumerate() {
+            let rate = if moves { jets.coefficient(*slot, k) } else { 0.0 };
             let off = off.get(state).filter(|_| k == 0).unwrap_or(&0.0);
             let coefficient = (rate + off) / next;
             if !coefficient.is_finite() && k > ENOUGH {
@@ -94,44 +130,14 @@ pub(crate) fn expand(
             }
             jets.set(state, k + 1, coefficient);
         }
-        let time_rate = if system.transformed { jets.output(count)[k] } else { f64::from(k == 0) };
+        let time_rate =
+            if system.transformed { jets.coefficient(outputs[count], k) } else { f64::from(k == 0) };
         jets.set(count, k + 1, time_rate / next);
         if k + 1 < order || system.is_watched {
             jets.extend(k + 1);
         }
     }
-    Ok(collect(system, (jets, known), turnings, time))
-}
-
-fn collect(
-    system: &Compiled,
-    (jets, order): (&Jets<f64>, usize),
-    turnings: &[Turning],
-    start: f64,
-) -> Expansion {
-    let tape = &system.tape;
-    let row = |slot: Slot| &jets.slot(slot)[..=order];
-    let slots = |slots: &[Slot]| Coefficients::of(slots.iter().map(|slot| row(*slot)));
-    let first_guard = system.len() + usize::from(system.transformed);
-    Expansion {
-        start,
-        states: Coefficients::of((0..system.len()).map(|state| row(state as Slot))),
-        time: system.transformed.then(|| row(tape.time_slot()).to_vec()),
-        branches: slots(tape.guards()),
-        turnings: turnings.iter().map(|turning| turn(turning, (jets, order))).collect(),
-        arguments: Coefficients::of(tape.tables().iter().map(|lookup| row(lookup.of))),
-        guards: slots(&tape.outputs()[first_guard..][..system.guards]),
-        near: vec![],
-    }
-}
-
-fn turn(turning: &Turning, (jets, order): (&Jets<f64>, usize)) -> Turn {
-    let row = |slot: Slot| &jets.slot(slot)[..=order];
-    match turning {
-        Turning::Power { of } => Turn { square: row(*of).to_vec(), components: Coefficients::default() },
-        Turning::Norm { parts, index } => {
-            let components = Coefficients::of(parts.iter().map(|part| row(*part)));
-            Turn { square: jets.square_of_norm(*index)[..=order].to_vec(), components }
-        }
-    }
+    found.start = time;
+    found.collect(system, (jets, known), turnings);
+    Ok(())
 }

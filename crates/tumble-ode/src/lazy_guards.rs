@@ -8,7 +8,7 @@ mod plan;
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Scalar};
+use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Row, Scalar};
 
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::Expansion;
@@ -80,19 +80,20 @@ impl LazyGuards {
                 watch.clearance = 0.0;
             }
         }
-        self.known_at = states.to_vec();
+        self.known_at.clear();
+        self.known_at.extend_from_slice(states);
     }
 
     /// Expands those that a step of this length might bring to zero; `compensation` is what the states' rounding left
     /// out.
-    pub(crate) fn near(
+    pub(crate) fn approach(
         &mut self,
-        expansion: &Expansion,
+        expansion: &mut Expansion,
         length: f64,
         compensation: &[f64],
-    ) -> Result<Vec<(usize, Vec<f64>)>, Reason> {
+    ) -> Result<(), Reason> {
         let travel = travel(expansion, length);
-        let mut near = vec![];
+        expansion.near.clear();
         for (index, watch) in self.all.iter_mut().enumerate() {
             let needed = watch.change(&travel);
             if watch.clearance > needed {
@@ -106,10 +107,11 @@ impl LazyGuards {
             watch.clearance = if is_beyond { 0.0 } else { here.abs() };
             // NaN counts as near: the expansion then says what is wrong.
             if watch.clearance <= needed || watch.clearance.is_nan() {
-                near.push((index, watch.expand(expansion, here, order)?));
+                let series = watch.expand(expansion, here, order)?;
+                expansion.near.push((index, series));
             }
         }
-        Ok(near)
+        Ok(())
     }
 
     /// A step of this length was taken, to these states.
@@ -208,7 +210,7 @@ pub(crate) fn radius(expansion: &Expansion) -> f64 {
 }
 
 /// By how much each state can change within a step.
-fn travel(expansion: &Expansion, length: f64) -> Vec<f64> {
+fn travel(expansion: &Expansion, length: f64) -> Row {
     expansion.states.iter().map(|series| polynomial::change(series, length)).collect()
 }
 
@@ -285,8 +287,8 @@ impl Watch {
 
     /// Value at the start of an expansion: at the rounded states, and what the compensations add to first order.
     fn start(&mut self, expansion: &Expansion, compensation: &[f64], order: usize) -> Result<f64, Reason> {
-        let compensations: Vec<f64> = self.states.iter().map(|state| compensation[*state]).collect();
-        let states: Vec<f64> = self.states.iter().map(|state| expansion.states[*state][0]).collect();
+        let compensations: Row = self.states.iter().map(|state| compensation[*state]).collect();
+        let states: Row = self.states.iter().map(|state| expansion.states[*state][0]).collect();
         let offset = self.offset.unwrap_or(0.0);
         let jets = self.jets(order)?;
         jets.start(expansion.start, &states, Branches::Free);
@@ -301,9 +303,9 @@ impl Watch {
     }
 
     /// Its series along an expansion whose start it was just evaluated at.
-    fn expand(&mut self, expansion: &Expansion, here: f64, order: usize) -> Result<Vec<f64>, Reason> {
-        let states = self.states.clone();
-        let jets = self.jets(order)?;
+    fn expand(&mut self, expansion: &Expansion, here: f64, order: usize) -> Result<Row, Reason> {
+        self.jets(order)?;
+        let Self { jets: Some(jets), states, .. } = self else { unreachable!("just built") };
         let coefficient = |series: &[f64], k: usize| series.get(k).copied().unwrap_or(0.0);
         for k in 1..=order {
             for (leaf, state) in states.iter().enumerate() {
@@ -314,13 +316,13 @@ impl Watch {
             jets.set(states.len(), k, time);
             jets.extend(k);
         }
-        let mut series = jets.output(0).to_vec();
+        let mut series = Row::from_slice(jets.output(0));
         series[0] = here;
         Ok(series)
     }
 
     fn value(&mut self, expansion: &Expansion, s: f64) -> f64 {
-        let states: Vec<f64> = self.states.iter().map(|state| value(&expansion.states[*state], s)).collect();
+        let states: Row = self.states.iter().map(|state| value(&expansion.states[*state], s)).collect();
         let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
         let jets = self.jets.as_mut().expect("a near lazy_guard was evaluated");
         jets.start(time, &states, Branches::Free);

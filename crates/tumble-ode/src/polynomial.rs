@@ -1,5 +1,8 @@
 //! Polynomials by their coefficients, lowest order first.
 
+use smallvec::smallvec;
+use tumble_expr::Row;
+
 /// Value at `s`, by Horner's rule.
 pub(crate) fn value(coefficients: &[f64], s: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c)
@@ -16,20 +19,26 @@ pub(crate) fn change(coefficients: &[f64], s: f64) -> f64 {
 }
 
 /// The polynomial from another point on.
-pub(crate) fn shifted(coefficients: &[f64], by: f64) -> Vec<f64> {
+pub(crate) fn shifted(coefficients: &[f64], by: f64) -> Row {
     shifted_up_to(coefficients, by, coefficients.len())
 }
 
 /// So many of its lowest coefficients: Horner's rule with `s + by`, in which no coefficient waits for another.
-pub(crate) fn shifted_up_to(coefficients: &[f64], by: f64, most: usize) -> Vec<f64> {
-    let mut p = vec![0.0; most];
+pub(crate) fn shifted_up_to(coefficients: &[f64], by: f64, most: usize) -> Row {
+    let mut shifted: Row = smallvec![0.0; most];
+    let p = &mut shifted[..];
     for (known, c) in coefficients.iter().rev().enumerate() {
         for k in (1..=known.min(most - 1)).rev() {
             p[k] = p[k - 1] + by * p[k];
         }
         p[0] = c + by * p[0];
     }
-    p
+    shifted
+}
+
+/// Coefficients of the derivative.
+pub(crate) fn derivative(coefficients: &[f64]) -> Row {
+    coefficients.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect()
 }
 
 /// Derivative at `s`.
@@ -72,7 +81,7 @@ mod tests {
         let p = [1.0, -2.0, 0.5, 3.0];
         assert_eq!(value(&p, 2.0), 23.0);
         assert_eq!(increment(&p, 2.0), 22.0);
-        assert_eq!(shifted(&p, 2.0), [23.0, 36.0, 18.5, 3.0]);
+        assert_eq!(shifted(&p, 2.0)[..], [23.0, 36.0, 18.5, 3.0]);
         assert_eq!(slope(&p, 2.0), -2.0 + 2.0 + 36.0);
         assert_eq!(look(&p, -2.0), [value(&p, -2.0), slope(&p, -2.0), 2.0 + 2.0 + 36.0]);
         assert_eq!(look(&p[..3], 2.0), [value(&p[..3], 2.0), 0.0, 4.0]);

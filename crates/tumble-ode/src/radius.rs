@@ -5,6 +5,8 @@
 //! fourth coefficient), so the smallest value over the upper half of the orders is taken. Coefficients that are zero
 //! say nothing.
 
+use tumble_expr::Row;
+
 /// Radius of one series of that scale, infinite where all the coefficients read are zero; a scale of zero stands for the
 /// series' own size.
 pub(crate) fn of_series(series: &[f64], scale: f64) -> f64 {
@@ -30,7 +32,8 @@ pub(crate) fn of_own_size(series: &[f64], most: f64) -> f64 {
     let Some(first) = series.iter().position(|c| *c != 0.0) else { return most };
     let middle = ((series.len() - 1) / 2).max(first);
     let lower = |k: usize| (first..=middle.min(k - 1)).filter(|j| series[*j] != 0.0);
-    let pair = |j: usize, k: usize| (logarithm(series[j]) - logarithm(series[k])) / (k - j) as f64;
+    let sizes: Row = series.iter().map(|c| logarithm(*c)).collect();
+    let pair = |j: usize, k: usize| (sizes[j] - sizes[k]) / (k - j) as f64;
     let limit = if most.is_finite() { logarithm(most) } else { f64::INFINITY };
     let least = upper(series, first).filter(|k| series[*k] != 0.0).fold(limit, |least, k| {
         // The first that gives no less than is known already is enough.

@@ -5,7 +5,8 @@
 //! Roots that stay together down to [`CLUSTER`] of the interval, or a dip to zero that is smaller than rounding, are
 //! one touch if the polynomial has one sign on both sides, and one crossing if it has two.
 
-use tumble_expr::Bernstein;
+use smallvec::{SmallVec, smallvec};
+use tumble_expr::{Bernstein, Row};
 
 use crate::polynomial;
 use crate::signs::leading;
@@ -28,22 +29,30 @@ pub(crate) struct Root {
     pub(crate) crosses_to: Option<f64>,
 }
 
+/// Roots of one polynomial: seldom are there more than some.
+pub(crate) type Roots = SmallVec<[Root; 4]>;
+
 /// Roots in (0, length], in order, of a polynomial by its coefficients of powers. One at 0 is not counted.
-pub(crate) fn roots(powers: &[f64], length: f64) -> Vec<Root> {
+pub(crate) fn roots(powers: &[f64], length: f64) -> Roots {
     // Over a long interval its high powers overflow, though their coefficients are zero.
     let degree = powers.iter().rposition(|c| *c != 0.0).unwrap_or(0);
     let powers = &powers[..powers.len().min(degree + 1)];
     if keeps_away(powers, length) {
-        return vec![];
+        return smallvec![];
     }
-    let mut found = inside(powers, length);
-    found.extend(at_end(powers, length));
+    let size = size_of(powers, length);
+    let mut found = inside(powers, length, size);
+    found.extend(at_end(powers, length, size));
     found
 }
 
+/// The sum of the sizes of all terms at the end of the interval.
+fn size_of(powers: &[f64], length: f64) -> f64 {
+    powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs())
+}
+
 /// A root at the end of the interval, but for rounding: signs within it do not tell of that one.
-fn at_end(powers: &[f64], length: f64) -> Option<Root> {
-    let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
+fn at_end(powers: &[f64], length: f64, size: f64) -> Option<Root> {
     if polynomial::value(powers, length).abs() > noise_of(powers, size) || !size.is_finite() {
         return None;
     }
@@ -62,14 +71,14 @@ fn noise_of(powers: &[f64], size: f64) -> f64 {
 ///
 /// Rounding is relative to the largest terms, which are those at the far end: where the polynomial is much smaller at
 /// its beginning, that is searched by itself.
-fn inside(powers: &[f64], length: f64) -> Vec<Root> {
-    let size = powers.iter().rev().fold(0.0, |sum, c| sum * length + c.abs());
+fn inside(powers: &[f64], length: f64, size: f64) -> Roots {
     let (first, near) = (powers[0].abs(), length * BEGINNING);
     if first == 0.0 || first > SMALL * size || near < f64::MIN_POSITIVE {
         return search(powers, length);
     }
-    let mut found = inside(powers, near);
-    found.extend(at_end(powers, near));
+    let size = size_of(powers, near);
+    let mut found = inside(powers, near, size);
+    found.extend(at_end(powers, near, size));
     let rest = search(&polynomial::shifted(powers, near), length - near);
     found.extend(rest.into_iter().map(|root| Root { at: near + root.at, ..root }));
     found
@@ -77,13 +86,12 @@ fn inside(powers: &[f64], length: f64) -> Vec<Root> {
 
 /// Where the slope of a polynomial, by its coefficients of powers, is zero in (0, length], in order.
 pub fn turns(coefficients: &[f64], length: f64) -> Vec<f64> {
-    let slopes: Vec<f64> = coefficients.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect();
-    roots(&slopes, length).into_iter().map(|root| root.at).collect()
+    roots(&polynomial::derivative(coefficients), length).into_iter().map(|root| root.at).collect()
 }
 
-fn search(powers: &[f64], length: f64) -> Vec<Root> {
+fn search(powers: &[f64], length: f64) -> Roots {
     let mut power = 1.0;
-    let scaled: Vec<f64> = powers
+    let scaled: Row = powers
         .iter()
         .map(|c| {
             let term = c * power;
@@ -93,11 +101,11 @@ fn search(powers: &[f64], length: f64) -> Vec<Root> {
         .collect();
     let size: f64 = scaled.iter().map(|c| c.abs()).sum();
     if !size.is_finite() || size == 0.0 {
-        return vec![];
+        return smallvec![];
     }
     let noise = noise_of(&scaled, size);
-    let mut search = Search { scaled: &scaled, noise, found: vec![] };
-    search.interval(&Bernstein::new(&scaled), 0.0, 1.0);
+    let mut search = Search { scaled: &scaled, noise, found: smallvec![] };
+    search.interval(&Bernstein::new(scaled.iter().copied()), 0.0, 1.0);
     search.found.iter().map(|root| Root { at: root.at * length, ..*root }).collect()
 }
 
@@ -111,7 +119,7 @@ fn keeps_away(powers: &[f64], length: f64) -> bool {
 struct Search<'a> {
     scaled: &'a [f64],
     noise: f64,
-    found: Vec<Root>,
+    found: Roots,
 }
 
 impl Search<'_> {
@@ -295,10 +303,10 @@ mod tests {
 
     #[test]
     fn nothing_to_find() {
-        assert_eq!(roots(&[0.0; 5], 1.0), []);
-        assert_eq!(roots(&[], 1.0), []);
-        assert_eq!(roots(&[1.0, f64::NAN], 1.0), []);
-        assert_eq!(roots(&[1.0, -0.5, 0.1], 1.0), []);
+        assert!(roots(&[0.0; 5], 1.0).is_empty());
+        assert!(roots(&[], 1.0).is_empty());
+        assert!(roots(&[1.0, f64::NAN], 1.0).is_empty());
+        assert!(roots(&[1.0, -0.5, 0.1], 1.0).is_empty());
     }
 
     proptest! {

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use step::{Step, shrink};
 use thiserror::Error;
-use tumble_expr::{Rounding, rounded_sum};
+use tumble_expr::{Rounding, Row, rounded_sum};
 
 use crate::check::Verdict;
 use crate::compiled::{Compiled, beside};
@@ -20,7 +20,7 @@ use crate::polynomial;
 use crate::program::Plan;
 use crate::scale::Scales;
 use crate::trajectory::{Event, Piece, Trajectory};
-use crate::whole::{Blur, Demand, Noise, Stretch, Unknown};
+use crate::whole::{Blur, Demand, Doubt, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
 use memory::Memory;
 
@@ -104,6 +104,10 @@ pub struct Solver<'a, H: Hybrid> {
     /// Rates at the start of the step, with their rounding errors.
     noise: Noise,
     rounding: Rounding,
+    /// What each rate is off by in the step, if any are.
+    off: Vec<f64>,
+    /// The expansion of the last step: room for the next one.
+    expansion: Expansion,
     /// What rounding may have made of the end of the last step.
     blur: Blur,
     /// Length of an ordinary step in units of the radius.
@@ -145,6 +149,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             accuracy: accuracy.value(),
             noise: Noise::default(),
             rounding: start.rounding,
+            off: vec![],
+            expansion: Expansion::default(),
             blur: Blur::default(),
             reach: start.stride * reach(tolerance, order(tolerance)),
             stride: start.stride,
@@ -205,24 +211,25 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
         self.watch_memory(mode)?;
         let end = self.next_stop(mode);
-        let (mut expansion, step) = match self.rest(mode, end)? {
-            Some(found) => found,
+        let mut expansion = std::mem::take(&mut self.expansion);
+        let step = match self.rest(mode, end, &mut expansion)? {
+            Some(step) => step,
             None => {
-                let mut expansion = self.expand(mode)?;
-                let step = self.accepted_step(mode, &mut expansion, end)?;
-                (expansion, step)
+                self.expand(mode, &mut expansion)?;
+                self.accepted_step(mode, &mut expansion, end)?
             }
         };
         self.pass(mode, &step, &expansion)?;
         // Only a hit asks for it.
-        let left_out = if step.hits.is_empty() { vec![] } else { self.compensation.clone() };
+        let left_out = if step.hits.is_empty() { Row::new() } else { Row::from_slice(&self.compensation) };
         let start_left_out = self.time_left_out;
         self.accept(mode, &mut expansion, &step)?;
         let now = (self.time, self.states.as_slice());
         self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now, &left_out)?;
         let work = &mut self.trajectory.work;
         let ends_flow = self.engines[mode].fired(&step.hits, now, work);
-        self.record(mode, (expansion, start_left_out), &step);
+        self.record(mode, (&expansion, start_left_out), &step);
+        self.expansion = expansion;
         let ends_flow = ends_flow?;
         self.jump_if_due(mode, ends_flow, step.end == end)
     }
@@ -304,30 +311,30 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(self.engines.len() - 1)
     }
 
-    fn expand(&mut self, mode: usize) -> Result<Expansion, Reason> {
-        let off = self.off();
-        self.engines[mode].expand((self.time, &self.states), &off, &mut self.trajectory.work)
+    fn expand(&mut self, mode: usize, found: &mut Expansion) -> Result<(), Reason> {
+        let now = (self.time, self.states.as_slice());
+        self.engines[mode].expand(now, &self.off, &mut self.trajectory.work, found)
     }
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
-    fn rest(&mut self, mode: usize, end: f64) -> Result<Option<(Expansion, Step)>, Reason> {
+    fn rest(&mut self, mode: usize, end: f64, expansion: &mut Expansion) -> Result<Option<Step>, Reason> {
         let now = (self.time, self.states.as_slice(), self.compensation.as_slice());
         self.engines[mode].watch_noise(&mut self.noise, now);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
         let part = if self.rounding.is_nearest() { 1.0 } else { STILL_PART };
-        let off = self.off();
+        self.watch_off();
         let now = (self.time, self.states.as_slice());
-        let Some(mut expansion) = self.engines[mode].rest(now, &self.noise, (part, &off)) else {
+        if !self.engines[mode].rest(now, &self.noise, (part, &self.off), expansion) {
             return Ok(None);
-        };
+        }
         let ahead = (self.reach, self.compensation.as_slice());
         let work = &mut self.trajectory.work;
-        let length = self.engines[mode].approach(&mut expansion, end - self.time, ahead, work)?;
-        let step = self.cut(mode, &expansion, length, end);
+        let length = self.engines[mode].approach(expansion, end - self.time, ahead, work)?;
+        let step = self.cut(mode, expansion, length, end);
         let holds = step.length > 0.0
-            && self.verdict(mode, &expansion, &step).excess <= 1.0
-            && self.unknown(mode, &expansion, &step)?.is_none();
-        Ok(holds.then_some((expansion, step)))
+            && self.verdict(mode, expansion, &step).excess <= 1.0
+            && self.unknown(mode, expansion, &step)?.is_none();
+        Ok(holds.then_some(step))
     }
 
     /// How far a step is known, if not to its end.
@@ -377,12 +384,12 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                     }
                 }
             } else {
-                let state = self.engines[mode].system.names[verdict.state].clone();
-                (step.length * shrink(verdict.excess, expansion.order()), state)
+                (step.length * shrink(verdict.excess, expansion.order()), Doubt::Leaf(verdict.state))
             };
             self.trajectory.work.rejected += 1;
             if self.is_stuck(expansion, length) {
-                return Err(Reason::Stalled { step: length, state: changes_too_fast });
+                let state = self.engines[mode].name_of_doubt(changes_too_fast);
+                return Err(Reason::Stalled { step: length, state });
             }
         }
     }
@@ -401,7 +408,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let watched = lazy_guards.excess(expansion, step.length, &self.scales, self.tolerance);
         let mut verdict = states.or(Verdict { excess: watched, state: 0 });
         if !invariants.is_empty() && step.end - self.time > self.span * SHORT_PART {
-            let end: Vec<f64> =
+            let end: Row =
                 expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
             let mut scales = self.scales.clone();
             scales.watch(system, &end);
@@ -463,7 +470,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         lazy_guards.moved(expansion, step.length, &self.states);
         self.scales.watch(system, &self.states);
         if !invariants.is_empty() {
-            let drifted = self.states.clone();
+            let drifted = Row::from_slice(&self.states);
             invariants.project(step.end, &mut self.states, system, &self.scales);
             // The piece is to end where the next one begins.
             for (state, series) in expansion.states.iter_mut().enumerate() {
@@ -477,7 +484,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// Keeps a step that was taken as a piece of the motion.
-    fn record(&mut self, mode: usize, (expansion, left_out): (Expansion, f64), step: &Step) {
+    fn record(&mut self, mode: usize, (expansion, left_out): (&Expansion, f64), step: &Step) {
         if step.length > 0.0 {
             let piece = Piece {
                 start: expansion.start,
@@ -485,8 +492,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 end: step.end,
                 mode,
                 length: step.length,
-                states: expansion.states,
-                time_series: expansion.time,
+                states: expansion.states.clone(),
+                time_series: expansion.time.clone(),
             };
             self.memory.hold_piece(&piece);
             self.trajectory.pieces.push(piece);

@@ -254,9 +254,9 @@ impl Piece {
 
     /// The states as series about a value of the piece's parameter, and the time as one.
     pub fn series_at(&self, s: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
-        let states = self.states.iter().map(|series| polynomial::shifted(series, s)).collect();
-        let mut time =
-            self.time_series.as_ref().map_or_else(|| vec![0.0, 1.0], |series| polynomial::shifted(series, s));
+        let states = self.states.iter().map(|series| polynomial::shifted(series, s).into_vec()).collect();
+        let series = self.time_series.as_deref().unwrap_or(&[0.0, 1.0]);
+        let mut time = polynomial::shifted(series, s).into_vec();
         time[0] = self.time_at(s);
         (states, time)
     }

@@ -13,7 +13,8 @@ mod defect;
 
 use std::cell::OnceCell;
 
-use tumble_expr::{Rounded, Scalar, Slot, Turning};
+use smallvec::{SmallVec, smallvec};
+use tumble_expr::{Rounded, Row, Scalar, Slot, Turning};
 
 use clear::Clear;
 
@@ -69,8 +70,19 @@ pub(crate) struct Stretch<'a> {
 pub(crate) struct Unknown {
     /// Up to there, in the parameter, it is.
     pub(crate) length: f64,
-    /// Name of what is not known beyond.
-    pub(crate) of: String,
+    /// What is not known beyond.
+    pub(crate) of: Doubt,
+}
+
+/// What a step may be shorter for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Doubt {
+    /// A state, or the time after them, that does not obey its equation.
+    Leaf(usize),
+    /// Something whose zeros are not known.
+    Zeros(What),
+    /// A lazily evaluated guard, counted after the others.
+    Near(usize),
 }
 
 /// What a watched function is.
@@ -92,7 +104,7 @@ struct Watched<'a> {
     sign: f64,
     /// Sum of the sizes of what it is made of, at the start of the step.
     size: f64,
-    found: OnceCell<Vec<f64>>,
+    found: OnceCell<SmallVec<[f64; 4]>>,
 }
 
 impl<'a> Watched<'a> {
@@ -104,7 +116,7 @@ impl<'a> Watched<'a> {
         length: f64,
     ) -> Self {
         let powers = std::iter::successors(Some(1.0), |power| Some(power * length));
-        let terms: Vec<f64> = series.iter().zip(powers).map(|(c, power)| c * power).collect();
+        let terms: Row = series.iter().zip(powers).map(|(c, power)| c * power).collect();
         let term = |k: usize| if k == 0 { series[0] - offset } else { terms[k] };
         let largest = (0..series.len()).map(|k| term(k).abs()).fold(offset.abs() * VANISHES, f64::max);
         let counts = |k: &usize| term(*k).abs() > VANISHES * largest;
@@ -129,7 +141,7 @@ impl<'a> Watched<'a> {
     fn is_settled(&self, bounds: Bounds<'_>, [low, high]: [f64; 2], length: f64) -> bool {
         let roots = || {
             let found = self.found.get_or_init(|| {
-                let mut series = self.series.to_vec();
+                let mut series = Row::from_slice(self.series);
                 series[0] -= self.offset;
                 let crossing = roots(ahead(&series, self.zeros), length).into_iter();
                 crossing.filter(|root| root.crosses_to.is_some()).map(|root| root.at).collect()
@@ -211,8 +223,7 @@ impl Engine {
     ) -> Result<Blur, Reason> {
         let guards =
             hits.iter().filter_map(|hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None });
-        let guards: Vec<usize> = guards.collect();
-        if guards.is_empty() {
+        if guards.clone().next().is_none() {
             return Ok(Blur::default());
         }
         let leaf = |((state, left_out), series): ((&f64, &f64), &[f64])| Rounded {
@@ -267,8 +278,8 @@ impl Engine {
 
     /// The same for what the tape of the flow computes.
     fn own_unknown(&mut self, step: Stretch<'_>, demand: &Demand<'_>, work: &mut Work) -> Option<Unknown> {
-        let (tape, inputs) = (self.system.tape.clone(), self.inputs.clone());
-        let mut enclosure = self.enclosure.take().unwrap_or_else(|| Enclosure::new(tape.clone(), &inputs));
+        let made = || Enclosure::new(self.system.tape.clone(), &self.inputs);
+        let mut enclosure = self.enclosure.take().unwrap_or_else(made);
         let path = step.path();
         self.weigh(step.expansion);
         let watched = self.watched(step);
@@ -288,7 +299,7 @@ impl Engine {
                 !watched.is_settled(enclosure.of(*slot), part, step.length)
             };
             match watched.iter().find(unsettled) {
-                Some((_, watched)) => Some(self.name_of(watched.what)),
+                Some((_, watched)) => Some(Doubt::Zeros(watched.what)),
                 None => self.disobeys(&enclosure, part, demand).or_else(|| match norms {
                     None if self.system.may_be_narrow => self.hides(&mut enclosure, path, part, demand, work),
                     _ => None,
@@ -317,6 +328,17 @@ impl Engine {
         value.error.max(value.value.abs())
     }
 
+    /// Name of what a step may be shorter for.
+    pub(crate) fn name_of_doubt(&self, doubt: Doubt) -> String {
+        match doubt {
+            Doubt::Leaf(leaf) => {
+                self.system.names.get(leaf).cloned().unwrap_or_else(|| "the time".to_owned())
+            }
+            Doubt::Zeros(what) => self.name_of(what),
+            Doubt::Near(guard) => self.system.guard_names[guard].clone(),
+        }
+    }
+
     /// Name of something that ends steps.
     pub(crate) fn name_of(&self, what: What) -> String {
         let tape = &self.system.tape;
@@ -328,7 +350,7 @@ impl Engine {
     }
 
     /// Functions of the tape whose zeros are watched, each with its slot.
-    fn watched<'a>(&self, step: Stretch<'a>) -> Vec<(Slot, Watched<'a>)> {
+    fn watched<'a>(&self, step: Stretch<'a>) -> SmallVec<[(Slot, Watched<'a>); 4]> {
         let Stretch { expansion, length, hits } = step;
         let tape = &self.system.tape;
         let active = self.active();
@@ -385,9 +407,9 @@ impl Engine {
     }
 
     /// Which norms of the tape are zero nowhere, at the start and at the end of a step.
-    fn vanishing(&self, step: Stretch<'_>) -> [Vec<bool>; 3] {
-        let norms = self.system.tape.norms();
-        let (mut at_start, mut at_end) = (vec![false; norms], vec![false; norms]);
+    fn vanishing(&self, step: Stretch<'_>) -> [SmallVec<[bool; 16]>; 3] {
+        let nothing = smallvec![false; self.system.tape.norms()];
+        let [mut at_start, mut at_end] = [(); 2].map(|()| SmallVec::clone(&nothing));
         for (turning, turn) in self.turnings().iter().zip(&step.expansion.turnings) {
             if let Turning::Norm { index, .. } = turning {
                 at_start[*index] =
@@ -401,7 +423,7 @@ impl Engine {
                 at_end[index] = self.vanishes_at(*turning, step.expansion, step.length);
             }
         }
-        [vec![false; norms], at_start, at_end]
+        [nothing, at_start, at_end]
     }
 
     /// The same for lazily evaluated guards that are near.
@@ -429,7 +451,7 @@ impl Engine {
                     let signs = enclosure.signs(path, part);
                     enclosure.look(path, part, &signs, None);
                     let settled = watched.is_settled(enclosure.output(0), part, length);
-                    (!settled).then(|| self.system.guard_names[guard].clone())
+                    (!settled).then_some(Doubt::Near(guard))
                 })
             })?;
             if let Some(found) = found {
@@ -472,15 +494,15 @@ fn halves([low, high]: [f64; 2]) -> [[f64; 2]; 2] {
     [[middle, high], [low, middle]]
 }
 
-/// The end of what is settled of a length, from its beginning on; `None` if all of it is. `unsettled` names what is not known of
+/// The end of what is settled of a length, from its beginning on; `None` if all of it is. `unsettled` says what is not known of
 /// a part.
 fn first_unsettled(
     length: f64,
     halvings: &mut Halvings,
-    mut unsettled: impl FnMut([f64; 2]) -> Option<String>,
+    mut unsettled: impl FnMut([f64; 2]) -> Option<Doubt>,
 ) -> Option<Unknown> {
     let begin = halvings.begin();
-    let mut pending = vec![([0.0, length], 0)];
+    let mut pending: SmallVec<[_; 16]> = smallvec![([0.0, length], 0)];
     let (mut looked, mut needed) = (0, u32::MAX);
     while let Some((part, depth)) = pending.pop() {
         if depth < begin {

@@ -8,7 +8,7 @@
 
 use super::arithmetic::convolution;
 use super::kernels::Kernels;
-use super::{Series, Slot};
+use super::{Parts, Series, Slot};
 use crate::Lanewise;
 
 /// A pivot of at most this many roundings (for each row) of what it was computed from is none: changing entries in their
@@ -57,18 +57,18 @@ pub(crate) struct Term {
 }
 
 impl System {
-    pub(crate) fn residual_parts(&self, row: u32) -> Vec<Slot> {
+    pub(crate) fn residual_parts(&self, row: u32) -> Parts {
         let terms = &self.terms[row as usize];
         terms.iter().map(|term| term.entry).chain([self.right[row as usize]]).collect()
     }
 
     /// Any row may be exchanged with any other.
-    pub(crate) fn forward_parts(&self, row: u32) -> Vec<Slot> {
+    pub(crate) fn forward_parts(&self, row: u32) -> Parts {
         let before = self.forward..self.forward + row;
         self.residuals.iter().copied().chain(before).chain([self.factor]).collect()
     }
 
-    pub(crate) fn solution_parts(&self, row: u32) -> Vec<Slot> {
+    pub(crate) fn solution_parts(&self, row: u32) -> Parts {
         let last = self.solution + 1 - self.n as Slot;
         (last..self.solution - row).chain([self.forward + row, self.factor]).collect()
     }

@@ -124,6 +124,9 @@ impl Scalar for f64 {
     fn choose(self, positive: Self, negative: Self) -> Self {
         if self >= 0.0 { positive } else { negative }
     }
+    fn sine_and_cosine(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
 }
 
 impl<const N: usize> Scalar for Lanes<N> {
@@ -153,5 +156,24 @@ impl<const N: usize> Lanewise for Lanes<N> {
     }
     fn from_lanes(f: impl FnMut(usize) -> f64) -> Self {
         Self(std::array::from_fn(f))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Around zero, where series are left out, at turns of the quadrant, and far away.
+    #[test]
+    fn sine_and_cosine_have_the_same_bits_together_and_alone() {
+        let near = (0..1100).map(|k| libm::ldexp(1.1, -k));
+        let far = (0..20_000).map(|k| 0.017 * f64::from(k)).chain((0..1000).map(|k| libm::ldexp(1.3, k)));
+        for x in near.chain(far).chain([0.0, f64::INFINITY, f64::NAN]).flat_map(|x| [x, -x]) {
+            let bits = |(sin, cos): (f64, f64)| [sin, cos].map(f64::to_bits);
+            assert!(
+                bits(x.sine_and_cosine()) == bits((libm::sin(x), libm::cos(x))) || !x.is_finite(),
+                "{x:e}"
+            );
+        }
     }
 }

@@ -68,6 +68,10 @@ pub trait Scalar:
     fn sin(self) -> Self;
     /// Cosine.
     fn cos(self) -> Self;
+    /// Both, with the same bits.
+    fn sine_and_cosine(self) -> (Self, Self) {
+        (Self::sin(self), Self::cos(self))
+    }
     /// Tangent.
     fn tan(self) -> Self;
     /// Inverse sine.

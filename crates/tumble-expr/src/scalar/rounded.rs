@@ -139,15 +139,15 @@ impl Scalar for Rounded {
         Self { value: root, error: brought + if is_exact { 0.0 } else { root } }
     }
     fn sin(self) -> Self {
-        self.of(libm::sin(self.value), libm::cos(self.value))
+        self.sine_and_cosine().0
     }
     fn cos(self) -> Self {
-        let value = libm::cos(self.value);
-        if self.value == 0.0 && self.error == 0.0 {
-            Self::one()
-        } else {
-            self.of(value, libm::sin(self.value))
-        }
+        self.sine_and_cosine().1
+    }
+    fn sine_and_cosine(self) -> (Self, Self) {
+        let (sin, cos) = libm::sincos(self.value);
+        let is_zero = self.value == 0.0 && self.error == 0.0;
+        (self.of(sin, cos), if is_zero { Self::one() } else { self.of(cos, sin) })
     }
     fn tan(self) -> Self {
         let value = libm::tan(self.value);

@@ -1,5 +1,8 @@
 //! What ends a step: the first zero of what is watched along it.
 
+use smallvec::{SmallVec, smallvec};
+use tumble_expr::Row;
+
 use super::{BranchSigns, Engine, SIMULTANEOUS_PART, ahead};
 use crate::compiled::Limit;
 use crate::expansion::{Expansion, Turn};
@@ -29,6 +32,9 @@ pub(crate) enum Hit {
     Guard(usize),
 }
 
+/// What ends a step at one instant.
+pub(crate) type Hits = SmallVec<[Hit; 2]>;
+
 /// Whether a guard is zero where a step begins, between the end of the last step and here.
 enum Passage {
     /// As far as is known it is not, or it was counted.
@@ -46,7 +52,7 @@ impl Engine {
         expansion: &Expansion,
         length: f64,
         scales: &Scales,
-    ) -> Option<(f64, Vec<Hit>)> {
+    ) -> Option<(f64, Hits)> {
         let mut hits = self.hits(expansion, length, scales);
         hits.sort_by(|a, b| a.0.total_cmp(&b.0));
         let first = hits.first()?.0;
@@ -55,13 +61,13 @@ impl Engine {
         Some((first, same.map(|(_, hit)| hit).collect()))
     }
 
-    fn hits(&self, expansion: &Expansion, length: f64, scales: &Scales) -> Vec<(f64, Hit)> {
+    fn hits(&self, expansion: &Expansion, length: f64, scales: &Scales) -> SmallVec<[(f64, Hit); 4]> {
         let crossings = |series: &[f64], zeros: usize| {
             roots(ahead(series, zeros), length)
                 .into_iter()
                 .filter_map(|root| Some((root.at, root.crosses_to?)))
         };
-        let mut hits = vec![];
+        let mut hits = smallvec![];
         let active = &self.branch_signs.active;
         for (branch, series) in
             expansion.branches.iter().enumerate().filter(|(branch, _)| active.branches[*branch])
@@ -72,7 +78,7 @@ impl Engine {
         for (turning, turn) in
             expansion.turnings.iter().enumerate().filter(|(turning, _)| active.turnings[*turning])
         {
-            let slope = derivative(&turn.square);
+            let slope = polynomial::derivative(&turn.square);
             let least = crossings(&slope, usize::from(self.branch_signs.zero_turnings[turning]))
                 .filter(|(_, to)| *to > 0.0);
             let close = least.filter(|(at, _)| is_close_turn(turn, &slope, *at, length)).take(1);
@@ -85,7 +91,7 @@ impl Engine {
             let segment = self.branch_signs.signs[branches + lookup] as usize;
             let ends = self.system.tape.tables()[lookup].table.0.ends(segment);
             for (knot, direction) in ends.into_iter().zip([-1.0, 1.0]).filter(|(knot, _)| knot.is_finite()) {
-                let mut distance = series.to_vec();
+                let mut distance = Row::from_slice(series);
                 distance[0] -= knot;
                 let beyond = if direction > 0.0 { segment + 1 } else { segment.saturating_sub(1) };
                 let outward =
@@ -189,10 +195,6 @@ impl Engine {
 fn is_overdue(series: &[f64], zeros: usize, direction: Direction) -> bool {
     let beyond = leading_sign(&series[1..]);
     zeros == 0 && direction != Direction::Both && direction.allows(beyond) && series[0] * beyond >= 0.0
-}
-
-fn derivative(series: &[f64]) -> Vec<f64> {
-    series.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect()
 }
 
 /// Whether a square turns so sharply at its least value that a step would not see it in its coefficients.

@@ -14,15 +14,19 @@ const ROOT_ROUNDING: f64 = 1.0;
 const LATE: u64 = u64::MAX;
 
 impl<H: Hybrid> Solver<'_, H> {
-    /// What each rate is off by in this step, rounded in another way: a force that is off by it acts on all that follows from it.
-    pub(super) fn off(&self) -> Vec<f64> {
-        if self.rounding.is_nearest() {
-            return vec![];
+    /// Finds what each rate is off by in this step, rounded in another way: a force that is off by it acts on all that follows from
+    /// it.
+    pub(super) fn watch_off(&mut self) {
+        let Self { rounding, states, noise, off, .. } = self;
+        off.clear();
+        if !rounding.is_nearest() {
+            let rates = states.iter().zip(&noise.rates).enumerate();
+            off.extend(
+                rates.map(|(state, (value, error))| {
+                    rounding.draw(*value, state as u64) * RATE_ROUNDING * error
+                }),
+            );
         }
-        let rates = self.states.iter().zip(&self.noise.rates).enumerate();
-        rates
-            .map(|(state, (value, error))| self.rounding.draw(*value, state as u64) * RATE_ROUNDING * error)
-            .collect()
     }
 
     /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.

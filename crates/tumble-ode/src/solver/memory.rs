@@ -137,9 +137,9 @@ impl<H: Hybrid> Solver<'_, H> {
         let because = match self.memory.most_common(steps) {
             Some((mode, ended)) => self.engines[mode].name_of(ended),
             None => {
-                let expansion =
-                    self.engines[mode].expand((self.time, &self.states), &[], &mut self.trajectory.work)?;
-                self.engines[mode].narrowest(&expansion, &self.scales)
+                let (now, work) = ((self.time, self.states.as_slice()), &mut self.trajectory.work);
+                self.engines[mode].expand(now, &[], work, &mut self.expansion)?;
+                self.engines[mode].narrowest(&self.expansion, &self.scales)
             }
         };
         Err(match demands.bytes >= demands.limit {

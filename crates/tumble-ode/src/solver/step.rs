@@ -3,7 +3,7 @@
 use tumble_expr::rounded_sum;
 
 use super::{SIMULTANEOUS_ULPS, Solver};
-use crate::engine::Hit;
+use crate::engine::{Hit, Hits};
 use crate::expansion::Expansion;
 use crate::hybrid::Hybrid;
 use crate::polynomial;
@@ -29,7 +29,7 @@ pub(super) struct Step {
     /// What rounding left out of that.
     pub(super) left_out: f64,
     /// What ends it, where it is not the check or the schedule.
-    pub(super) hits: Vec<Hit>,
+    pub(super) hits: Hits,
 }
 
 impl<H: Hybrid> Solver<'_, H> {
@@ -59,12 +59,12 @@ impl<H: Hybrid> Solver<'_, H> {
                 }
             }
         };
-        Step { length, end, left_out: left_out(end), hits: vec![] }
+        Step { length, end, left_out: left_out(end), hits: Hits::new() }
     }
 
     /// Ends a step where something happens: what its time loses by rounding is kept, since as many events as there are would lose
     /// it again and again, and always in the same direction where all is as it was before.
-    fn land(&self, expansion: &Expansion, length: f64, end: f64, hits: Vec<Hit>) -> Step {
+    fn land(&self, expansion: &Expansion, length: f64, end: f64, hits: Hits) -> Step {
         let fitted = self.fit(expansion, length, end);
         let (time, left_out) = rounded_sum(self.time, length + self.time_left_out);
         let is_exact = expansion.time.is_none() && fitted.end < end && time > self.time;

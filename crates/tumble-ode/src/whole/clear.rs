@@ -11,7 +11,7 @@
 
 use tumble_expr::{Bernstein, Slot};
 
-use super::{Demand, Stretch, Unknown, VANISHES};
+use super::{Demand, Doubt, Stretch, Unknown, VANISHES};
 use crate::engine::{Engine, Hit};
 use crate::expansion::Expansion;
 
@@ -49,9 +49,7 @@ impl Engine {
         }
         let obeys = |part: &f64| self.disobedient(expansion, part * length, demand).is_none();
         match PARTS.into_iter().find(obeys) {
-            Some(part) => {
-                Clear::Part(Unknown { length: part * length, of: self.system.names[state].clone() })
-            }
+            Some(part) => Clear::Part(Unknown { length: part * length, of: Doubt::Leaf(state) }),
             None => Clear::Not,
         }
     }
@@ -135,7 +133,7 @@ impl Engine {
         if !ends && terms.clone().fold(first.abs(), |least, term| least - term.abs()) > noise {
             return true;
         }
-        let whole = Bernstein::new(&std::iter::once(first).chain(terms).collect::<Vec<_>>());
+        let whole = Bernstein::new(std::iter::once(first).chain(terms));
         // Over the way from the end on, what it is there is its slope: the zero is known to this part of the step.
         if ends { whole.without_end().least() * END > noise } else { whole.least() > noise }
     }

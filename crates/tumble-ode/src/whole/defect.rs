@@ -4,7 +4,9 @@
 //! power where the part is halved. What is narrower than the part keeps its size in the half that it lies in. So what is too weak
 //! to be seen by its size is seen by how its bound shrinks.
 
-use super::{Demand, halves};
+use tumble_expr::Row;
+
+use super::{Demand, Doubt, halves};
 use crate::enclosure::{Enclosure, Path};
 use crate::engine::Engine;
 use crate::work::Work;
@@ -20,13 +22,13 @@ const SHRINKS: f64 = 8.0;
 const DEFECT_ROUNDING: f64 = 64.0;
 
 impl Engine {
-    /// The state whose polynomial does not obey the equations along a part, if there is one.
+    /// What does not obey the equations along a part by its polynomial, if there is such a state, or the time.
     pub(super) fn disobeys(
         &self,
         enclosure: &Enclosure,
         [low, high]: [f64; 2],
         demand: &Demand<'_>,
-    ) -> Option<String> {
+    ) -> Option<Doubt> {
         let visible = VISIBLE.max(demand.accuracy);
         let obeys = |state: &usize| {
             self.obeys(
@@ -42,8 +44,8 @@ impl Engine {
             enclosure.defect(time, time) <= visible * size
         };
         match (0..time).find(|state| !obeys(state)) {
-            Some(state) => Some(self.system.names[state].clone()),
-            None if self.system.transformed && !time_passes() => Some("the time".to_owned()),
+            Some(state) => Some(Doubt::Leaf(state)),
+            None if self.system.transformed && !time_passes() => Some(Doubt::Leaf(time)),
             None => None,
         }
     }
@@ -89,14 +91,14 @@ impl Engine {
         part: [f64; 2],
         demand: &Demand<'_>,
         work: &mut Work,
-    ) -> Option<String> {
+    ) -> Option<Doubt> {
         let harms = |state: usize, defect: f64| !self.is_harmless(state, defect, demand);
         // Rounding errors are as large in a half as in the whole.
         let of = |enclosure: &Enclosure, state: usize| {
             let size = demand.noise.rates[state] + f64::EPSILON * enclosure.slope(state);
             (enclosure.defect(state, state) - 2.0 * DEFECT_ROUNDING * size).max(0.0)
         };
-        let whole: Vec<f64> = (0..self.system.len()).map(|state| of(enclosure, state)).collect();
+        let whole: Row = (0..self.system.len()).map(|state| of(enclosure, state)).collect();
         if !whole.iter().enumerate().any(|(state, defect)| harms(state, *defect)) {
             return None;
         }
@@ -110,6 +112,6 @@ impl Engine {
             };
             found = found.or(whole.iter().enumerate().find(is_hidden).map(|(state, _)| state));
         }
-        found.map(|state| self.system.names[state].clone())
+        found.map(Doubt::Leaf)
     }
 }
