@@ -13,7 +13,8 @@ use crate::names::Names;
 use crate::places::Places;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Said, Stroboscope, Study, SweepAxis};
+use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Said, Stroboscope, Study};
+use crate::sweep::SweepAxis;
 
 /// A study that may still have holes.
 #[derive(Default)]

@@ -10,6 +10,7 @@ use tumble_ode::{Accuracy, Reason, Side};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::places::Places;
+use crate::sweep::SweepAxis;
 
 /// A model and what to do with it, as formulas of its parameters.
 #[derive(Clone, Debug)]
@@ -63,33 +64,6 @@ impl Said {
     fn one(&self, diagnostic: Diagnostic) -> Diagnostics {
         self.diagnostics(vec![diagnostic])
     }
-}
-
-/// Something that takes several values, one after the other.
-#[derive(Clone, Debug)]
-pub struct SweepAxis {
-    /// What it is.
-    pub of: Swept,
-    /// Its values, formulas of constants and of parameters that are not swept. Shared: every run has a study of its own.
-    pub values: Arc<[SweepValue]>,
-}
-
-/// What takes several values in a sweep.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Swept {
-    /// The parameter of that name.
-    Parameter(String),
-    /// What the motion is held to.
-    Accuracy,
-}
-
-/// One value of a sweep.
-#[derive(Clone, Debug)]
-pub struct SweepValue {
-    /// The value.
-    pub value: Expr,
-    /// How it is called in a legend: `T = 0.5 s`, or the user's own words.
-    pub label: String,
 }
 
 impl Study {
