@@ -30,6 +30,7 @@ pub(crate) fn check(draft: &mut Draft) {
     if draft.mistakes.is_empty() {
         check_sweep(draft, &equations);
     }
+    draft.equations = Some(equations);
 }
 
 /// The first value of each axis that is wrong, the other parameters being what they are.

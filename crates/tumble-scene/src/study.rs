@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use tumble_expr::{Dimension, Expr};
-use tumble_mech::{Extreme, Model, ModelErrors, Parameters};
+use tumble_mech::{Equations, Extreme, Model, ModelErrors, Parameters};
 use tumble_ode::{Accuracy, Reason, Side};
 
 use crate::code::Code;
@@ -45,6 +45,8 @@ pub struct Study {
     pub symbols: BTreeMap<String, String>,
     /// What takes several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
+    /// Of the model as it was read.
+    pub(crate) equations: Equations,
     pub(crate) said: Said,
 }
 
@@ -67,6 +69,11 @@ impl Said {
 }
 
 impl Study {
+    /// The equations of the model as it was read: with other parameters by [`Equations::with`], and no other change of it.
+    pub fn equations(&self) -> &Equations {
+        &self.equations
+    }
+
     /// The same study with these parameters.
     #[must_use]
     pub fn with(&self, parameters: &Parameters) -> Self {

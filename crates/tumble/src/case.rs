@@ -1,6 +1,6 @@
 //! The runs of a study: one, or one for every combination of what is swept.
 
-use tumble_mech::{Equations, Parameters, Run, RunError, Trust};
+use tumble_mech::{Parameters, Run, RunError, Trust};
 use tumble_ode::{Accuracy, Refusal};
 use tumble_scene::{Diagnostics, Study, SweepAxis, SweepValue, Swept};
 
@@ -142,11 +142,9 @@ pub(crate) fn all<T: Send>(
 ) -> Result<Vec<Missing>, PipelineError> {
     let all = Combinations::of(study)?;
     let progress = Progress::new(&study.title, all.count(), options);
-    // What the runs have in common is built once. Mistakes are told by the run that has them.
-    let equations = Equations::new(study.model.clone()).ok();
     let make = |index: usize| {
         let run = (index + 1, all.values(index)?);
-        let kept = done(Case::run(study, equations.as_ref(), run, &progress)?)?;
+        let kept = done(Case::run(study, run, &progress)?)?;
         progress.finish();
         Ok(kept)
     };
@@ -199,18 +197,16 @@ impl Case {
     /// A motion that is refused on the way is no error: what was found before stands.
     fn run(
         study: &Study,
-        equations: Option<&Equations>,
         (number, values): (usize, Values),
         progress: &Progress,
     ) -> Result<Self, PipelineError> {
         let label = values.label.clone();
-        let made = Self::made(study, equations, (number, values), progress);
+        let made = Self::made(study, (number, values), progress);
         made.map_err(|error| error.placed(study).in_run(&label))
     }
 
     fn made(
         study: &Study,
-        equations: Option<&Equations>,
         (number, values): (usize, Values),
         progress: &Progress,
     ) -> Result<Self, PipelineError> {
@@ -219,10 +215,7 @@ impl Case {
         let until = study.number(&study.until)?;
         let progress = progress.of_run(until);
         let reached = |time| progress.reached(time);
-        let equations = match equations {
-            Some(equations) => equations.with(&parameters)?,
-            None => Equations::new(study.model.clone())?,
-        };
+        let equations = study.equations().with(&parameters)?;
         let found = Run::trusted_of(&equations, &parameters, until, accuracy, reached);
         let (run, trust, refusal) = match found {
             Ok((run, trust)) => (run, Some(trust), None),

@@ -254,8 +254,8 @@ fn gallery(scenes: &Path, options: &Options) -> Ending {
 /// Says what a scene of a gallery came to.
 fn of_gallery(shown: &Shown, out: &Path) -> Ending {
     let mut told = Told::beside(out);
-    let cases = shown.result.iter().flat_map(|outcome| &outcome.cases);
-    match cases.map(|run| told.add(run)).collect() {
+    let mut cases = shown.result.iter().flat_map(|outcome| &outcome.cases);
+    match cases.try_for_each(|run| told.add(run)) {
         Ok(()) => report(shown, &mut told),
         Err(error) => unread(&error),
     }
