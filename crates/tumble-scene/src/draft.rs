@@ -5,7 +5,7 @@ use std::io;
 use std::sync::Arc;
 
 use tumble_expr::Expr;
-use tumble_mech::Model;
+use tumble_mech::{Equations, Model};
 use tumble_ode::Accuracy;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
@@ -13,7 +13,8 @@ use crate::names::Names;
 use crate::places::Places;
 use crate::quantities;
 use crate::settings::{Override, Setting};
-use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Said, Stroboscope, Study, SweepAxis};
+use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Said, Stroboscope, Study};
+use crate::sweep::SweepAxis;
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -41,6 +42,8 @@ pub(crate) struct Draft {
     pub(crate) checks: Vec<Check>,
     pub(crate) symbols: BTreeMap<String, String>,
     pub(crate) sweep: Vec<SweepAxis>,
+    /// Once it is known that the model has some.
+    pub(crate) equations: Option<Equations>,
     /// Parameters that are angles, or angles per time.
     pub(crate) angular: BTreeSet<String>,
     /// What the files of the scene's tables hold, by their names there.
@@ -70,8 +73,9 @@ impl Draft {
 
     /// The study, if nothing is wrong with it.
     pub(crate) fn finish(self) -> Result<Study, Diagnostics> {
-        match self.until {
-            Some(until) if self.mistakes.is_empty() => Ok(Study {
+        match (self.until, self.equations) {
+            (Some(until), Some(equations)) if self.mistakes.is_empty() => Ok(Study {
+                equations,
                 quantities: quantities::all(&self.names),
                 title: self.title,
                 model: self.model,

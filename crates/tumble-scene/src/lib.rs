@@ -38,6 +38,7 @@ mod sections;
 mod settings;
 mod study;
 mod suggest;
+mod sweep;
 mod toml_text;
 mod unit_text;
 mod values;
@@ -52,9 +53,9 @@ pub use moments::Count;
 pub use printable::{is_unseen, printable, printable_lines};
 pub use settings::Override;
 pub use study::{
-    BalancePlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope, Study,
-    SweepAxis, SweepValue, Swept, When,
+    BalancePlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope, Study, When,
 };
+pub use sweep::{SweepAxis, SweepValue, SweepValues, Swept};
 
 /// A scene may have this many bytes.
 pub const MAX_BYTES: usize = 16 << 20;

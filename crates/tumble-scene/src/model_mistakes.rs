@@ -3,7 +3,7 @@
 use tumble_mech::{Equations, ModelErrors};
 
 use crate::draft::Draft;
-use crate::study::Swept;
+use crate::sweep::Swept;
 
 /// So many values of a sweep are tried before the run.
 const TRIED: usize = 100;
@@ -30,6 +30,7 @@ pub(crate) fn check(draft: &mut Draft) {
     if draft.mistakes.is_empty() {
         check_sweep(draft, &equations);
     }
+    draft.equations = Some(equations);
 }
 
 /// The first value of each axis that is wrong, the other parameters being what they are.
@@ -40,7 +41,7 @@ fn check_sweep(draft: &mut Draft, equations: &Equations) {
         let Swept::Parameter(name) = &axis.of else { continue };
         for value in axis.values.iter().take(of_each) {
             let mut parameters = draft.model.parameters.clone();
-            let outcome = parameters.set(name, value.value.clone()).map_err(ModelErrors::from);
+            let outcome = parameters.set(name, value.value).map_err(ModelErrors::from);
             let outcome = outcome.and_then(|_| equations.check(&parameters).map(drop));
             if outcome.is_err() {
                 note_all(draft, outcome, Some(&value.label));

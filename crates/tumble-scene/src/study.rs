@@ -4,12 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use tumble_expr::{Dimension, Expr};
-use tumble_mech::{Extreme, Model, ModelErrors, Parameters};
+use tumble_mech::{Equations, Extreme, Model, ModelErrors, Parameters};
 use tumble_ode::{Accuracy, Reason, Side};
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::places::Places;
+use crate::sweep::SweepAxis;
 
 /// A model and what to do with it, as formulas of its parameters.
 #[derive(Clone, Debug)]
@@ -44,6 +45,8 @@ pub struct Study {
     pub symbols: BTreeMap<String, String>,
     /// What takes several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
+    /// Of the model as it was read.
+    pub(crate) equations: Equations,
     pub(crate) said: Said,
 }
 
@@ -65,34 +68,12 @@ impl Said {
     }
 }
 
-/// Something that takes several values, one after the other.
-#[derive(Clone, Debug)]
-pub struct SweepAxis {
-    /// What it is.
-    pub of: Swept,
-    /// Its values, formulas of constants and of parameters that are not swept. Shared: every run has a study of its own.
-    pub values: Arc<[SweepValue]>,
-}
-
-/// What takes several values in a sweep.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Swept {
-    /// The parameter of that name.
-    Parameter(String),
-    /// What the motion is held to.
-    Accuracy,
-}
-
-/// One value of a sweep.
-#[derive(Clone, Debug)]
-pub struct SweepValue {
-    /// The value.
-    pub value: Expr,
-    /// How it is called in a legend: `T = 0.5 s`, or the user's own words.
-    pub label: String,
-}
-
 impl Study {
+    /// The equations of the model as it was read: with other parameters by [`Equations::with`], and no other change of it.
+    pub fn equations(&self) -> &Equations {
+        &self.equations
+    }
+
     /// The same study with these parameters.
     #[must_use]
     pub fn with(&self, parameters: &Parameters) -> Self {

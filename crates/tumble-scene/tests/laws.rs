@@ -312,7 +312,7 @@ const SWEEPS: &[Row] = &[
 fn the_scene_without_mistakes() {
     let study = read_in("scene.toml", SCENE, &[], &Beside)
         .unwrap_or_else(|mistakes| panic!("{}", mistakes.render(false, 100)));
-    let labels: Vec<_> = study.sweep[1].values.iter().map(|value| value.label.as_str()).collect();
+    let labels: Vec<_> = study.sweep[1].values.iter().map(|value| value.label).collect();
     assert_eq!(labels, ["tilt = 0 deg", "tilt = 10 deg", "tilt = 20 deg", "tilt = 30 deg"]);
     assert_eq!((study.model.interactions.len(), study.model.events.len()), (7, 2));
 }

@@ -105,7 +105,7 @@ fn a_sweep_has_values_labels_and_units() {
     let speeds = labels(1);
     assert_eq!(speeds[1].0, "v = 100 km/h");
     assert!((speeds[1].1 - 100.0 / 3.6).abs() < 1e-12);
-    assert_eq!(study.sweep[0].values[0].value.dimension(), Ok(tumble_expr::Dimension::LENGTH));
+    assert_eq!(study.sweep[0].values.at(0).value.dimension(), Ok(tumble_expr::Dimension::LENGTH));
 }
 
 #[test]
@@ -125,7 +125,7 @@ fn the_accuracy_is_set_and_swept_like_a_parameter() {
     assert_eq!((&swept.sweep[0].of, swept.sweep.len()), (&Swept::Accuracy, 2));
     let values = swept.sweep[0].values.iter();
     let values: Vec<_> =
-        values.map(|value| (swept.number(&value.value).expect("a number"), value.label.as_str())).collect();
+        values.map(|value| (swept.number(&value.value).expect("a number"), value.label)).collect();
     let labels = ["accuracy = 1e-12", "accuracy = 1e-9", "accuracy = 1e-6"];
     for ((value, label), (expected, known)) in
         values.into_iter().zip([1e-12f64, 1e-9, 1e-6].into_iter().zip(labels))

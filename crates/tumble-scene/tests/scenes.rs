@@ -39,7 +39,7 @@ fn the_thrown_rod() {
     }
     assert_eq!(study.symbols["rod.angle"], "theta");
     assert_eq!(study.plots[0].y.len(), 2);
-    let labels: Vec<_> = study.sweep[0].values.iter().map(|value| value.label.as_str()).collect();
+    let labels: Vec<_> = study.sweep[0].values.iter().map(|value| value.label).collect();
     assert_eq!(labels, ["without air", "with air"]);
 }
 
@@ -91,7 +91,7 @@ fn choices(study: &Study) -> Vec<Study> {
             study
         };
         choices =
-            choices.iter().flat_map(|study| axis.values.iter().map(|value| with(study, value))).collect();
+            choices.iter().flat_map(|study| axis.values.iter().map(|value| with(study, &value))).collect();
     }
     choices
 }

@@ -1,6 +1,6 @@
 //! The runs of a study: one, or one for every combination of what is swept.
 
-use tumble_mech::{Equations, Parameters, Run, RunError, Trust};
+use tumble_mech::{Parameters, Run, RunError, Trust};
 use tumble_ode::{Accuracy, Refusal};
 use tumble_scene::{Diagnostics, Study, SweepAxis, SweepValue, Swept};
 
@@ -79,10 +79,10 @@ impl Values {
     }
 
     /// Puts in a value of a sweep.
-    fn set(&mut self, study: &Study, axis: &SweepAxis, value: &SweepValue) -> Result<(), PipelineError> {
+    fn set(&mut self, study: &Study, axis: &SweepAxis, value: SweepValue) -> Result<(), PipelineError> {
         match &axis.of {
             Swept::Parameter(name) => {
-                let set = self.parameters.set(name, value.value.clone());
+                let set = self.parameters.set(name, value.value);
                 set.map_err(tumble_mech::ModelErrors::from)?;
             }
             Swept::Accuracy => self.accuracy = Accuracy::new(study.number(&value.value)?)?,
@@ -105,61 +105,90 @@ impl<'a> Combinations<'a> {
     }
 
     fn count(&self) -> usize {
-        self.0.sweep.iter().map(|axis| axis.values.len()).product()
+        self.0.sweep.iter().map(|axis| axis.values.count()).product()
     }
 
-    /// A value of each axis.
-    fn choice(&self, index: usize) -> impl Iterator<Item = (&'a SweepAxis, &'a SweepValue)> {
+    /// A value of each axis, by its place there.
+    fn choice(&self, index: usize) -> impl Iterator<Item = (&'a SweepAxis, usize)> {
         let mut inner = self.count();
         self.0.sweep.iter().map(move |axis| {
             let outer = inner;
-            inner /= axis.values.len();
-            (axis, &axis.values[index % outer / inner])
+            inner /= axis.values.count();
+            (axis, index % outer / inner)
         })
     }
 
     fn label(&self, index: usize) -> String {
-        let labels: Vec<&str> = self.choice(index).map(|(_, value)| &*value.label).collect();
+        let labels: Vec<String> = self.choice(index).map(|(axis, place)| axis.values.label(place)).collect();
         labels.join(", ")
     }
 
     fn values(&self, index: usize) -> Result<Values, PipelineError> {
         let mut values = Values { label: self.label(index), ..Values::of(self.0) };
-        self.choice(index).try_for_each(|(axis, value)| values.set(self.0, axis, value))?;
+        self.choice(index).try_for_each(|(axis, place)| values.set(self.0, axis, axis.values.at(place)))?;
         Ok(values)
     }
 }
 
-/// Makes the runs of a study on so many cores as the options say: what `done` keeps of each that was made, and those that
-/// were not because no more were wanted. What comes out does not depend on the number of cores: of several runs that fail the
-/// first is told.
+/// Makes the runs of a study on so many cores as the options say, and has each that was made kept, in order: what `done` made of
+/// it. What comes out does not depend on the number of cores: of several runs that fail the first is told.
+///
+/// The runs that were not made, because no more were wanted.
 pub(crate) fn all<T: Send>(
     study: &Study,
     options: &Options,
     done: impl Fn(Case) -> Result<T, PipelineError> + Sync,
-) -> Result<(Vec<T>, Vec<Missing>), PipelineError> {
+    keep: impl FnMut(T) -> Result<(), PipelineError> + Send,
+) -> Result<Vec<Missing>, PipelineError> {
     let all = Combinations::of(study)?;
     let progress = Progress::new(&study.title, all.count(), options);
-    // What the runs have in common is built once. Mistakes are told by the run that has them.
-    let equations = Equations::new(study.model.clone()).ok();
     let make = |index: usize| {
         let run = (index + 1, all.values(index)?);
-        let kept = done(Case::run(study, equations.as_ref(), run, &progress)?)?;
+        let kept = done(Case::run(study, run, &progress)?)?;
         progress.finish();
         Ok(kept)
     };
-    let (mut kept, mut missing) = (vec![], vec![]);
-    for (index, made) in jobs::in_order(all.count(), options.jobs, make).into_iter().enumerate() {
-        let left_out = || Missing { number: index + 1, label: all.label(index) };
-        match made {
-            Some(Ok(made)) => kept.push(made),
-            None | Some(Err(PipelineError::Interrupted)) => missing.push(left_out()),
+    let mut made = Made { all: &all, keep, count: 0, missing: vec![], error: None };
+    jobs::in_order(all.count(), options.jobs, make, |index, run| made.take(index, run));
+    made.end()
+}
+
+/// What became of the runs so far.
+struct Made<'a, F> {
+    all: &'a Combinations<'a>,
+    keep: F,
+    /// How many were made.
+    count: usize,
+    missing: Vec<Missing>,
+    error: Option<PipelineError>,
+}
+
+impl<F> Made<'_, F> {
+    fn take<T>(&mut self, index: usize, run: Option<Result<T, PipelineError>>)
+    where
+        F: FnMut(T) -> Result<(), PipelineError>,
+    {
+        match run {
+            _ if self.error.is_some() => {}
+            Some(Ok(run)) => {
+                self.count += 1;
+                self.error = (self.keep)(run).err();
+            }
             // One after the other it would not have been begun.
-            Some(Err(error)) if missing.is_empty() => return Err(error),
-            Some(Err(_)) => missing.push(left_out()),
+            Some(Err(error)) if !error.is_interruption() && self.missing.is_empty() => {
+                self.error = Some(error)
+            }
+            _ => self.missing.push(Missing { number: index + 1, label: self.all.label(index) }),
         }
     }
-    if kept.is_empty() { Err(PipelineError::Interrupted) } else { Ok((kept, missing)) }
+
+    fn end(self) -> Result<Vec<Missing>, PipelineError> {
+        match self.error {
+            Some(error) => Err(error),
+            None if self.count == 0 => Err(PipelineError::Interrupted),
+            None => Ok(self.missing),
+        }
+    }
 }
 
 impl Case {
@@ -168,18 +197,16 @@ impl Case {
     /// A motion that is refused on the way is no error: what was found before stands.
     fn run(
         study: &Study,
-        equations: Option<&Equations>,
         (number, values): (usize, Values),
         progress: &Progress,
     ) -> Result<Self, PipelineError> {
         let label = values.label.clone();
-        let made = Self::made(study, equations, (number, values), progress);
+        let made = Self::made(study, (number, values), progress);
         made.map_err(|error| error.placed(study).in_run(&label))
     }
 
     fn made(
         study: &Study,
-        equations: Option<&Equations>,
         (number, values): (usize, Values),
         progress: &Progress,
     ) -> Result<Self, PipelineError> {
@@ -188,10 +215,7 @@ impl Case {
         let until = study.number(&study.until)?;
         let progress = progress.of_run(until);
         let reached = |time| progress.reached(time);
-        let equations = match equations {
-            Some(equations) => equations.with(&parameters)?,
-            None => Equations::new(study.model.clone())?,
-        };
+        let equations = study.equations().with(&parameters)?;
         let found = Run::trusted_of(&equations, &parameters, until, accuracy, reached);
         let (run, trust, refusal) = match found {
             Ok((run, trust)) => (run, Some(trust), None),

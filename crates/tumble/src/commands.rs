@@ -6,13 +6,14 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use tumble::ReportForm;
 use tumble::gallery::{self, GalleryError, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
-use tumble::{FindResult, Finished, ReportForm};
-use tumble_scene::{Diagnostics, printable};
+use tumble_scene::Diagnostics;
 
+use crate::told::{Told, count, shown};
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
 use crate::tools::stop::interruptible;
@@ -156,11 +157,6 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     }
 }
 
-/// Of a time that does not come.
-const NOT_REACHED: &str = "not reached: its event or its time does not come in this motion";
-/// Smaller numbers are written with a power of ten.
-const SMALL: f64 = 1e-5;
-
 /// How a command ended, worst last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Ending {
@@ -195,7 +191,9 @@ impl Task {
                 let form = if no_figures { ReportForm::None } else { form.into() };
                 let stop = interruptible();
                 let options = Options { set, out, no_figures, report: form, jobs, progress: true, stop };
-                report(&Shown { result: pipeline::run(&scene, &options), scene })
+                let mut told = Told::beside(&options.out);
+                let result = pipeline::run_telling(&scene, &options, |run| told.add(&run));
+                report(&Shown { result, scene }, &mut told)
             }
             Task::Check { scene, set } => {
                 let options = Options { set, ..Options::default() };
@@ -239,7 +237,7 @@ fn check(scene: &Path, options: &Options) -> Ending {
 
 fn gallery(scenes: &Path, options: &Options) -> Ending {
     let mut worst = Ending::Success;
-    match gallery::run(scenes, options, |shown| worst = worst.max(report(shown))) {
+    match gallery::run(scenes, options, |shown| worst = worst.max(of_gallery(shown, &options.out))) {
         Ok(page) => say!("\nthe gallery is {}", shown(&page)),
         Err(error @ GalleryError::Interrupted { .. }) => {
             tell!("{error}");
@@ -253,15 +251,27 @@ fn gallery(scenes: &Path, options: &Options) -> Ending {
     worst
 }
 
+/// Says what a scene of a gallery came to.
+fn of_gallery(shown: &Shown, out: &Path) -> Ending {
+    let mut told = Told::beside(out);
+    let mut cases = shown.result.iter().flat_map(|outcome| &outcome.cases);
+    match cases.try_for_each(|run| told.add(run)) {
+        Ok(()) => report(shown, &mut told),
+        Err(error) => unread(&error),
+    }
+}
+
 /// Says what a scene came to.
-fn report(shown: &Shown) -> Ending {
+fn report(shown: &Shown, told: &mut Told) -> Ending {
     match &shown.result {
         Ok(outcome) => {
-            describe(outcome);
+            if let Err(error) = describe(outcome, told) {
+                return unread(&error);
+            }
             draw(&outcome.said());
             if !outcome.missing.is_empty() {
                 Ending::Interrupted
-            } else if outcome.cases.iter().any(|case| case.refusal.is_some()) {
+            } else if outcome.tally.refused > 0 {
                 Ending::Refused
             } else if outcome.is_success() {
                 Ending::Success
@@ -273,14 +283,20 @@ fn report(shown: &Shown) -> Ending {
     }
 }
 
-fn describe(outcome: &Outcome) {
+/// What is to be said of the runs went to a disk and does not come back.
+fn unread(error: &std::io::Error) -> Ending {
+    tell!("error: cannot tell what the runs came to, which is in their results: {error}");
+    Ending::File
+}
+
+fn describe(outcome: &Outcome, told: &mut Told) -> std::io::Result<()> {
     say!("{}", outcome.study.title);
-    outcome.cases.iter().for_each(describe_case);
+    told.say()?;
     if !outcome.figures.is_empty() {
         say!("  figures: {}", outcome.figures.join(", "));
     }
     outcome.notes.iter().for_each(|note| say!("  note: {note}"));
-    let (made, missing) = (outcome.cases.len(), outcome.missing.len());
+    let (made, missing) = (outcome.tally.made, outcome.missing.len());
     if missing == 0 {
         say!("  results: {}", shown(&outcome.folder));
     } else {
@@ -289,78 +305,7 @@ fn describe(outcome: &Outcome) {
         let results = shown(&outcome.folder);
         say!("  interrupted: {made} of {all} runs finished; results: {results}; {missing} {were} not made");
     }
-}
-
-/// A path as a terminal may have it.
-fn shown(path: &Path) -> String {
-    printable(&path.to_string_lossy()).into_owned()
-}
-
-fn describe_case(case: &Finished) {
-    let Finished { end, work, .. } = case;
-    let label = if case.label.is_empty() { String::new() } else { format!("{}: ", case.label) };
-    let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
-    let (steps, events) = (count(work.steps, "step"), count(case.events.len() as u64, "event"));
-    let digits = case.held.as_ref().map_or_else(String::new, |held| format!(", {}", held.words()));
-    say!("  {label}{end} s in {steps}{exact}, {events}{digits}");
-    if let Some(found) = case.quadrature.filter(|found| !found.settled) {
-        say!("  the sum over {} nodes along a line is only good to {:.0e}", found.nodes, found.change);
-    }
-    case.finds.iter().for_each(describe_find);
-    for check in &case.checks {
-        if !check.is_reached() {
-            say!("  check {}: FAILS, {NOT_REACHED}", check.name);
-            continue;
-        }
-        let verdict = if check.holds { "holds" } else { "FAILS" };
-        let (that, at) = (&check.that, check.at);
-        let expected = match check.holds {
-            true => String::new(),
-            false => format!(
-                ", expected {} within {}",
-                with_unit(check.expected, &check.unit),
-                with_unit(check.within, &check.unit)
-            ),
-        };
-        let doubt = if check.holds { doubt(check) } else { String::new() };
-        let found = with_unit(check.found, &check.unit);
-        say!("  check {}: {that} = {found} at {at} s {verdict}{expected}{doubt}", check.name);
-    }
-    if let Some(refusal) = &case.refusal {
-        say!("  incomplete: {refusal}");
-    }
-}
-
-fn describe_find(find: &FindResult) {
-    let FindResult { name, that, unit, at, value, .. } = find;
-    if !find.is_reached() {
-        return say!("  find {name}: {NOT_REACHED}");
-    }
-    say!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty());
-}
-
-/// That a claim which holds might as well not.
-fn doubt(check: &tumble::CheckResult) -> String {
-    match check.error {
-        _ if check.is_sure() => String::new(),
-        Some(error) => format!(", though it is only known to {error:.0e}"),
-        None => ", though no digit of it is known".to_owned(),
-    }
-}
-
-/// A value of a check, `9.6 m`.
-fn with_unit(value: f64, unit: &str) -> String {
-    if unit.is_empty() { short(value) } else { format!("{} {unit}", short(value)) }
-}
-
-/// All digits, and no row of zeros.
-fn short(value: f64) -> String {
-    if value != 0.0 && value.abs() < SMALL { format!("{value:e}") } else { value.to_string() }
-}
-
-/// `1 step`, `2 steps`
-fn count(number: u64, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+    Ok(())
 }
 
 /// Shows mistakes or warnings with their places, if there are any.

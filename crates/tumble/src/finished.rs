@@ -103,6 +103,27 @@ impl Finished {
     }
 }
 
+/// How many runs ended how.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tally {
+    /// Runs that were made.
+    pub made: usize,
+    /// Those whose motion was refused on the way.
+    pub refused: usize,
+    /// Those that came to their end, and a claim does not hold.
+    pub refuted: usize,
+}
+
+impl Tally {
+    pub(crate) fn add(&mut self, run: &Finished) {
+        self.made += 1;
+        match run.refusal {
+            Some(_) => self.refused += 1,
+            None => self.refuted += usize::from(!run.is_success()),
+        }
+    }
+}
+
 fn last_states(run: &Run) -> Vec<(Symbol, f64)> {
     let last_mode = run.trajectory.events.last().map_or(0, |event| event.mode_after);
     let states = run.equations.states(&run.trajectory.modes[last_mode]);

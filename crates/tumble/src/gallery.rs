@@ -77,7 +77,7 @@ pub fn run(scenes: &Path, options: &Options, mut seen: impl FnMut(&Shown)) -> Re
 fn finished(shown: &[Shown]) -> usize {
     let is_cut_off = |shown: &&Shown| match &shown.result {
         Ok(outcome) => !outcome.missing.is_empty(),
-        Err(error) => matches!(error, PipelineError::Interrupted),
+        Err(error) => error.is_interruption(),
     };
     shown.iter().filter(|shown| !is_cut_off(shown)).count()
 }

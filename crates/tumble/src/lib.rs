@@ -56,7 +56,7 @@ pub use balance::CaseBalance;
 pub use case::{Case, Missing};
 pub use checks::CheckResult;
 pub use digits::Held;
-pub use finished::{Finished, Happened};
+pub use finished::{Finished, Happened, Tally};
 pub use pipeline::{Options, Outcome, PipelineError};
 pub use questions::FindResult;
 pub use report::Form as ReportForm;

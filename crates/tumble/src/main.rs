@@ -1,6 +1,7 @@
 //! The `tumble` command.
 
 mod commands;
+mod told;
 mod tools;
 
 use std::process::ExitCode;

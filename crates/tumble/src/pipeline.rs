@@ -15,7 +15,7 @@ use tumble_scene::{Diagnostics, Files, Override, Study};
 use crate::balance::CaseBalance;
 use crate::case::{self, Case, Missing};
 use crate::figures;
-use crate::finished::Finished;
+use crate::finished::{Finished, Tally};
 use crate::output::{Folder, OutputError, shown};
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
@@ -52,8 +52,12 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// Names of the figures, without ending.
     pub figures: Vec<String>,
-    /// The runs: one, or one for every combination of swept parameters.
+    /// The runs: one, or one for every combination of swept parameters. None where each was told of as it was made.
     pub cases: Vec<Finished>,
+    /// How many runs ended how.
+    pub tally: Tally,
+    /// What a user should know of the runs.
+    pub of_runs: Diagnostics,
     /// The runs that were not made, because no more were wanted.
     pub missing: Vec<Missing>,
     /// What is left over beside the results and was not removed, with the reason.
@@ -64,13 +68,13 @@ impl Outcome {
     /// What its user should know: warnings of the scene and of its runs, and why a run stopped early.
     pub fn said(&self) -> Diagnostics {
         let mut said = self.study.warnings();
-        self.cases.iter().for_each(|case| said.extend(case.said.clone()));
+        said.extend(self.of_runs.clone());
         said
     }
 
     /// Whether every run was made, every motion reached its end and every claim holds.
     pub fn is_success(&self) -> bool {
-        self.missing.is_empty() && self.cases.iter().all(Finished::is_success)
+        self.missing.is_empty() && self.tally.refused + self.tally.refuted == 0
     }
 }
 
@@ -124,32 +128,51 @@ pub enum PipelineError {
 /// A motion that is refused on the way is no error: what was found is written, marked incomplete, and the outcome says
 /// why. If no more runs are wanted, those that were finished are written, and the outcome has the others.
 pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
+    let mut cases = vec![];
+    let outcome = run_telling(path, options, |case| {
+        cases.push(case);
+        Ok(())
+    })?;
+    Ok(Outcome { cases, ..outcome })
+}
+
+/// The same for more runs than memory should hold: `tell` is given each, in order, once its tables are written.
+///
+/// What it came to may still be refused: only when this returns is anything in its place.
+pub fn run_telling(
+    path: &Path,
+    options: &Options,
+    tell: impl FnMut(Finished) -> io::Result<()> + Send,
+) -> Result<Outcome, PipelineError> {
     options.report.check()?;
     let source = Source::read(path)?;
     let (study, needed) = read(&source, options)?;
     let folder = Folder::begin(&options.out, &source.name, &needed)?;
-    let Written { figures, cases, missing } =
-        write(&source, &study, options, &folder).map_err(|error| error.placed(&study))?;
+    let Written { figures, tally, of_runs, missing } =
+        write(&source, &study, options, &folder, tell).map_err(|error| error.placed(&study))?;
     let placed = folder.finish()?;
-    Ok(Outcome { folder: placed.folder, notes: placed.notes, study, figures, cases, missing })
+    let (folder, notes, cases) = (placed.folder, placed.notes, vec![]);
+    Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing })
 }
 
-/// Names of figures, the runs that were made, and those that were not.
-pub(crate) struct Written {
-    pub(crate) figures: Vec<String>,
-    pub(crate) cases: Vec<Finished>,
-    pub(crate) missing: Vec<Missing>,
+/// Names of figures, what became of the runs that were made, and those that were not.
+struct Written {
+    figures: Vec<String>,
+    tally: Tally,
+    of_runs: Diagnostics,
+    missing: Vec<Missing>,
 }
 
 /// Makes the runs and all that is told of them.
 ///
-/// A motion is dropped as soon as its tables are written, unless something is still to be drawn or told of it: memory does
-/// not grow with the number of runs by more than what each came to.
+/// A motion is dropped as soon as its tables are written, unless something is still to be drawn or told of it, and what it
+/// came to as soon as that is told: memory does not grow with the number of runs.
 fn write(
     source: &Source,
     study: &Study,
     options: &Options,
     folder: &Folder,
+    mut tell: impl FnMut(Finished) -> io::Result<()> + Send,
 ) -> Result<Written, PipelineError> {
     let write = |mut case: Case| {
         tables::write(study, &case, folder)?;
@@ -157,21 +180,26 @@ fn write(
             case.balance = CaseBalance::of(&case)?;
             case.balance.iter().try_for_each(|balance| balance.write(&case, folder))?;
         }
-        // In boxes, for places are kept for all runs from the start on.
-        let finished = Box::new(Finished::of(&case));
-        Ok((finished, still_needed(study, options, case).map(Box::new)))
+        let finished = Finished::of(&case);
+        let page = folder.towards(summary::FILE, summary::page(study, &finished))?;
+        Ok((finished, page, still_needed(study, options, case)))
     };
-    let (made, missing) = case::all(study, options, write)?;
-    let (finished, cases): (Vec<_>, Vec<_>) = made.into_iter().unzip();
-    let cases: Vec<Case> = cases.into_iter().flatten().map(|case| *case).collect();
+    let (mut tally, mut of_runs, mut cases) = (Tally::default(), Diagnostics::default(), vec![]);
+    let mut pages = folder.spool();
+    let keep = |(finished, page, case): (Finished, String, Option<Case>)| {
+        tally.add(&finished);
+        of_runs.extend(finished.said.clone());
+        cases.extend(case);
+        Ok(folder.towards(summary::FILE, pages.add(&page).and_then(|()| tell(finished)))?)
+    };
+    let missing = case::all(study, options, write, keep)?;
     let figures = if options.no_figures { vec![] } else { figures::write(study, &cases, folder)? };
     let runs = Runs { cases: &cases, missing: &missing };
     report::write(source, study, runs, folder, options.report)?;
     drop(cases);
-    let finished = finished.into_iter().map(|finished: Box<Finished>| *finished).collect();
-    let written = Written { figures, cases: finished, missing };
-    summary::write(source, study, &written, folder)?;
-    Ok(written)
+    let all = summary::All { figures: &figures, tally, missing: &missing, pages: RefCell::new(pages) };
+    summary::write(source, study, &all, folder)?;
+    Ok(Written { figures, tally, of_runs, missing })
 }
 
 /// What figures and the report will read of a run, if anything.
@@ -203,7 +231,7 @@ pub fn motions(path: &Path, options: &Options) -> Result<(Study, Vec<Case>), Pip
 }
 
 fn all_motions(study: &Study, options: &Options) -> Result<Vec<Case>, PipelineError> {
-    let (cases, missing) = case::all(study, options, Ok).map_err(|error| error.placed(study))?;
+    let (cases, missing) = kept(study, options).map_err(|error| error.placed(study))?;
     if missing.is_empty() { Ok(cases) } else { Err(PipelineError::Interrupted) }
 }
 
@@ -232,7 +260,18 @@ fn all_motions(study: &Study, options: &Options) -> Result<Vec<Case>, PipelineEr
 /// ```
 pub fn run_text(name: &str, text: &str) -> Result<Vec<Case>, PipelineError> {
     let study = tumble_scene::read(name, text, &[]).map_err(mistaken)?;
-    Ok(case::all(&study, &Options::default(), Ok)?.0)
+    Ok(kept(&study, &Options::default())?.0)
+}
+
+/// The runs that were made, with their motions, and those that were not.
+fn kept(study: &Study, options: &Options) -> Result<(Vec<Case>, Vec<Missing>), PipelineError> {
+    let mut cases = vec![];
+    let keep = |case| {
+        cases.push(case);
+        Ok(())
+    };
+    let missing = case::all(study, options, Ok, keep)?;
+    Ok((cases, missing))
 }
 
 fn mistaken(diagnostics: Diagnostics) -> PipelineError {
@@ -301,6 +340,13 @@ fn read(source: &Source, options: &Options) -> Result<(Study, Vec<PathBuf>), Pip
         study.title = source.shown_name();
     }
     Ok((study, beside.read.into_inner()))
+}
+
+impl PipelineError {
+    /// Whether it is none of its own: no more was wanted.
+    pub(crate) fn is_interruption(&self) -> bool {
+        matches!(self, Self::Interrupted)
+    }
 }
 
 impl From<tumble_ode::Reason> for PipelineError {

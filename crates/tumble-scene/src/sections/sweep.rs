@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
-use tumble_expr::{Binary, Dimension, Expr, Substitution};
+use tumble_expr::{Dimension, Expr, Substitution};
 use tumble_mech::{Known, Parameters};
 
 use super::run::possible;
@@ -14,7 +14,7 @@ use crate::draft::Draft;
 use crate::formula::Want;
 use crate::names::ACCURACY;
 use crate::printable::one_line;
-use crate::study::{SweepAxis, SweepValue, Swept};
+use crate::sweep::{Range, SweepAxis, SweepValue, SweepValues, Swept, Written};
 use crate::unit_text::UnitText;
 
 /// More runs than this are a slip of a count.
@@ -42,9 +42,12 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
     }
     refuse_number(draft, section, &axes);
     let closing = Closing::of(&parameters, &axes.iter().map(|(field, _)| field.key).collect());
-    for (field, values) in &axes {
-        let closed: Vec<_> = values.iter().map(|value| closed(draft, field, &closing, value)).collect();
-        let Some(values) = closed.into_iter().collect::<Option<Vec<_>>>() else { continue };
+    for (field, written) in axes {
+        if follows_swept(draft, field, &closing, &written) {
+            continue;
+        }
+        let dimension = draft.model.parameters.symbol(field.key).map(|symbol| symbol.dimension);
+        let values = SweepValues { written, closing: closing.written.clone(), dimension };
         let of = match field.key {
             ACCURACY => Swept::Accuracy,
             parameter => Swept::Parameter(parameter.to_owned()),
@@ -57,8 +60,8 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 }
 
 /// The first value that is no accuracy.
-fn refuse_accuracies(draft: &mut Draft, field: &Field, values: &[SweepValue]) {
-    let formulas: Vec<Expr> = values.iter().map(|value| value.value.clone()).collect();
+fn refuse_accuracies(draft: &mut Draft, field: &Field, values: &SweepValues) {
+    let formulas: Vec<Expr> = values.iter().map(|value| value.value).collect();
     let Ok(numbers) = draft.model.parameters.evaluate(&formulas) else { return };
     let elements = field.elements();
     let span = |at: usize| elements.as_ref().map_or(field.span.clone(), |all| all[at].span.clone());
@@ -67,38 +70,45 @@ fn refuse_accuracies(draft: &mut Draft, field: &Field, values: &[SweepValue]) {
 }
 
 /// Two runs of one label are one run twice, or cannot be told apart in a legend.
-fn refuse_same(draft: &mut Draft, field: &Field, values: &[SweepValue]) {
-    let mut seen = BTreeMap::new();
+fn refuse_same(draft: &mut Draft, field: &Field, values: &Written) {
+    let Some([first, again]) = same(values) else { return };
+    let label = values.label(again);
     let elements = field.elements();
     let span = |at: usize| elements.as_ref().map_or(field.span.clone(), |all| all[at].span.clone());
-    for (at, value) in values.iter().enumerate() {
-        let Some(first) = seen.insert(value.label.as_str(), at) else { continue };
-        let message = format!("two runs of this sweep are called \"{}\"", value.label);
-        let mistake = Diagnostic::new(Code::NameTaken, span(at), message).label("again here");
-        let mistake = if span(first) == span(at) { mistake } else { mistake.also(span(first), "first here") };
-        draft.note(mistake.help("take each value once, and give each its own label"));
-        return;
+    let message = format!("two runs of this sweep are called \"{label}\"");
+    let mistake = Diagnostic::new(Code::NameTaken, span(again), message).label("again here");
+    let mistake = if span(first) == span(again) { mistake } else { mistake.also(span(first), "first here") };
+    draft.note(mistake.help("take each value once, and give each its own label"));
+}
+
+/// The first two values of one label.
+fn same(values: &Written) -> Option<[usize; 2]> {
+    match values {
+        Written::List(list) => {
+            let mut seen = BTreeMap::new();
+            let mut labels = list.iter().map(|value| value.label.as_str()).enumerate();
+            labels.find_map(|(at, label)| Some([seen.insert(label, at)?, at]))
+        }
+        // Those of one label stand beside each other.
+        Written::Range(range) => (1..range.count)
+            .map(|at| [at - 1, at])
+            .find(|[first, again]| range.label(*first) == range.label(*again)),
     }
 }
 
-fn refuse_number(draft: &mut Draft, section: &Field, axes: &[(&Field, Vec<SweepValue>)]) {
-    let runs = axes.iter().fold(1usize, |runs, (_, values)| runs.saturating_mul(values.len()));
+fn refuse_number(draft: &mut Draft, section: &Field, axes: &[(&Field, Written)]) {
+    let runs = axes.iter().fold(1usize, |runs, (_, values)| runs.saturating_mul(values.count()));
     if runs > MAX_RUNS {
-        let counts: Vec<_> = axes.iter().map(|(_, values)| values.len().to_string()).collect();
+        let counts: Vec<_> = axes.iter().map(|(_, values)| values.count().to_string()).collect();
         let message = format!("this sweep has {runs} runs, more than {MAX_RUNS}");
         let mistake = Diagnostic::new(Code::TooMany, section.key_span.clone(), message);
         draft.note(mistake.label(counts.join(" x ")).help("every combination is one run: take fewer values"));
     }
 }
 
-fn values(
-    draft: &mut Draft,
-    field: &Field,
-    want: Want,
-    known: Option<&Known<'_>>,
-) -> Option<Vec<SweepValue>> {
+fn values(draft: &mut Draft, field: &Field, want: Want, known: Option<&Known<'_>>) -> Option<Written> {
     if field.value.is_table() {
-        return range(draft, field, want, known?);
+        return range(draft, field, want, known?).map(Written::Range);
     }
     let Some(elements) = field.elements() else {
         draft.wrong_type(field, "a list of values, or { from = .., to = .., count = .. }");
@@ -114,7 +124,7 @@ fn values(
         return None;
     }
     let values: Vec<_> = elements.iter().map(|element| one(draft, element, want)).collect();
-    values.into_iter().collect()
+    values.into_iter().collect::<Option<_>>().map(Written::List)
 }
 
 /// `"0.5 s"` or `{ value = "0.5 s", label = "fast gusts" }`
@@ -134,7 +144,7 @@ fn one(draft: &mut Draft, field: &Field, want: Want) -> Option<SweepValue> {
 }
 
 /// `{ from = "0.5 s", to = "4 s", count = 8, spacing = "log" }`
-fn range(draft: &mut Draft, field: &Field, want: Want, known: &Known<'_>) -> Option<Vec<SweepValue>> {
+fn range(draft: &mut Draft, field: &Field, want: Want, known: &Known<'_>) -> Option<Range> {
     let mut inner = draft.table(field, field.key.to_owned())?;
     inner.span = field.span.clone();
     let ends = ["from", "to"].map(|key| {
@@ -146,28 +156,13 @@ fn range(draft: &mut Draft, field: &Field, want: Want, known: &Known<'_>) -> Opt
     let spacing = inner.take("spacing").map(|field| draft.choice(&field, &["linear", "log"]));
     draft.done(inner);
     let ([Some((from, unit)), Some((to, other))], Some(count)) = (ends, count) else { return None };
-    let log = match spacing {
+    let is_log = match spacing {
         None => false,
         Some(word) => word? == "log",
     };
     let unit = unit.or(other).unwrap_or_else(|| UnitText::si(want));
-    let numbers = numbers(draft, field, known, [&from, &to], log)?;
-    let last = Expr::from(count as i32 - 1);
-    let whole = if log { &to / &from } else { &to - &from };
-    let share = |step: usize| Expr::from(step as i32) / &last;
-    let value = |step: usize| match step {
-        0 => from.clone(),
-        _ if step == count - 1 => to.clone(),
-        _ if log => &from * Expr::binary(Binary::Pow, whole.clone(), share(step)),
-        _ => &from + &whole * share(step),
-    };
-    let number = |step: usize| {
-        let share = step as f64 / (count - 1) as f64;
-        let [from, to] = numbers;
-        if log { from * (to / from).powf(share) } else { from + (to - from) * share }
-    };
-    let label = |step| format!("{} = {}", field.key, unit.write(number(step)));
-    Some((0..count).map(|step| SweepValue { value: value(step), label: label(step) }).collect())
+    let numbers = numbers(draft, field, known, [&from, &to], is_log)?;
+    Some(Range { ends: [from, to], numbers, count, is_log, name: field.key.to_owned(), unit })
 }
 
 /// How many values a range has, both ends included.
@@ -238,22 +233,15 @@ impl Closing {
     }
 }
 
-/// A value without names: parameters that are not swept are written out.
-fn closed(draft: &mut Draft, field: &Field, closing: &Closing, value: &SweepValue) -> Option<SweepValue> {
-    if let Some(swept) = closing.follows(&value.value) {
-        let message = format!("a value of `{}` depends on `{swept}`, which is swept", field.key);
-        let mistake = Diagnostic::new(Code::SweepCycle, field.span.clone(), message);
-        let help = "the values of a sweep are numbers, or formulas of parameters that are not swept";
-        draft.note(mistake.help(help));
-        return None;
-    }
-    let written = closing.written.apply(&value.value);
-    Some(SweepValue { value: with_dimension(draft, field.key, written), label: value.label.clone() })
-}
-
-/// A bare zero takes the dimension of its parameter.
-fn with_dimension(draft: &Draft, parameter: &str, value: Expr) -> Expr {
-    let symbol = draft.model.parameters.symbol(parameter).filter(|_| value.is_zero());
-    let one = |dimension| 1 * tumble_expr::Unit(dimension);
-    symbol.map_or(value, |symbol| Expr::binary(Binary::Sub, one(symbol.dimension), one(symbol.dimension)))
+/// Refuses values that depend on what is swept; whether there is one.
+fn follows_swept(draft: &mut Draft, field: &Field, closing: &Closing, values: &Written) -> bool {
+    // In a range all but the first are formulas of both ends.
+    let different = if let Written::Range(_) = values { 2 } else { values.count() };
+    let follows = |index: usize| closing.follows(&values.at(index).value);
+    let Some(swept) = (0..different).find_map(follows) else { return false };
+    let message = format!("a value of `{}` depends on `{swept}`, which is swept", field.key);
+    let mistake = Diagnostic::new(Code::SweepCycle, field.span.clone(), message);
+    let help = "the values of a sweep are numbers, or formulas of parameters that are not swept";
+    draft.note(mistake.help(help));
+    true
 }

@@ -6,10 +6,8 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use tempfile::TempDir;
-use tumble_mech::Equations;
-
 use crate::measure::{Patience, in_turn, timed};
+use tempfile::TempDir;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/01-pendulum-in-the-wind/scene.toml");
 /// The sweep in that scene, which a larger one takes the place of.
@@ -35,12 +33,12 @@ pub(crate) fn tables(is_long: bool) {
     }
 }
 
-/// A scene's text to a study, and its model to equations.
+/// A scene's text to a study with its equations.
 fn to_equations(patience: Patience) {
     let text = fs::read_to_string(SCENE).expect("the scene");
     let work = || {
         let study = tumble_scene::read("scene", &text, &[]).expect("a scene without mistakes");
-        Equations::new(study.model).expect("sound")
+        study.equations().clone()
     };
     let [time] = in_turn(patience, [&mut || timed(work)]);
     let millis = time.as_secs_f64() * 1e3;

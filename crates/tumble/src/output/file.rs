@@ -5,10 +5,8 @@ use std::io::{ErrorKind, Read, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
-
+use super::hash::Hash;
 use super::lock::Lock;
-use super::manifest::hexadecimal;
 use super::{Foreign, OutputError, PARTIAL, attempt, beside, leftovers, make};
 
 /// Bytes within which a file of ours has its seal.
@@ -39,7 +37,7 @@ impl Kind {
     fn sealed(self, contents: &[u8]) -> Vec<u8> {
         let mut sealed = contents.to_vec();
         if let Some(place) = self.place(contents) {
-            let hash = hexadecimal(Sha256::new_with_prefix(contents));
+            let hash = Hash::of(contents).to_string();
             sealed[place].copy_from_slice(hash.as_bytes());
         }
         sealed
@@ -50,7 +48,7 @@ impl Kind {
         let Some(place) = self.place(&contents) else { return Some(Foreign::Unmarked) };
         let written = contents[place.clone()].to_vec();
         contents[place].fill(b'0');
-        let is_same = hexadecimal(Sha256::new_with_prefix(&contents)).as_bytes() == written;
+        let is_same = Hash::of(&contents).to_string().as_bytes() == written;
         (!is_same).then_some(Foreign::Edited)
     }
 }

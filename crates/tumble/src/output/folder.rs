@@ -8,7 +8,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use super::lock::Lock;
 use super::manifest::{HEAD, MARKER, Manifest};
 use super::table::Sink;
-use super::{Foreign, OutputError, PARTIAL, attempt, beside, leftovers, make, shown};
+use super::{Foreign, OutputError, PARTIAL, Spool, attempt, beside, leftovers, make, shown};
 
 /// What chooses another place for results.
 const OPTION: &str = "--out";
@@ -77,7 +77,7 @@ impl Folder {
 
     /// Notes a file that was written.
     pub(super) fn wrote(&self, file: &str, sink: Sink) {
-        held(&self.written).add(file.to_owned(), sink.hash());
+        held(&self.written).add(file, sink.hash());
     }
 
     /// Writes a file.
@@ -97,12 +97,23 @@ impl Folder {
         Ok(())
     }
 
+    /// The outcome of what is to come into a file, which the error names.
+    pub(crate) fn towards<T>(&self, file: &str, outcome: io::Result<T>) -> Result<T, OutputError> {
+        attempt(&self.aside.join(file), outcome)
+    }
+
+    /// Texts to come into files.
+    pub(crate) fn spool(&self) -> Spool {
+        Spool::beside(&self.aside)
+    }
+
     /// Puts the folder in its place.
     pub(crate) fn finish(mut self) -> Result<Placed, OutputError> {
         // Some systems do not move a folder of which a file is open.
         held(&self.marker).take();
-        let (marker, text) = (self.aside.join(MARKER), held(&self.written).text());
-        attempt(&marker, fs::write(&marker, text))?;
+        let written = std::mem::take(&mut *held(&self.written));
+        self.towards(MARKER, self.list(&written))?;
+        drop(written);
         match self.put() {
             Ok(note) => {
                 self.notes.extend(note);
@@ -113,6 +124,13 @@ impl Folder {
                 Err(OutputError::Kept { kept: self.aside.clone(), why: Box::new(why) })
             }
         }
+    }
+
+    /// Writes the list of what is in the folder.
+    fn list(&self, written: &Manifest) -> io::Result<()> {
+        let mut marker = BufWriter::new(File::create(self.aside.join(MARKER))?);
+        written.write(&mut marker)?;
+        marker.flush()
     }
 
     /// Moves the last results away, these in, and removes the last ones; a note if those cannot be removed.

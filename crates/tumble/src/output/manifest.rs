@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, FileType};
-use std::io::{self, Read};
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
-
 use super::Foreign;
+use super::hash::Hash;
 
 /// The file that says that a folder is ours to replace, and what is in it.
 pub(super) const MARKER: &str = ".tumble-output";
@@ -20,9 +20,10 @@ const GAP: &str = "  ";
 /// Files that systems put into folders that somebody looks at. They are nobody's work.
 const OF_SYSTEMS: &[&str] = &[".DS_Store", "Thumbs.db", "desktop.ini", ".directory"];
 
-/// Paths in a folder, with `/`, and the hash of what was written there; none where the writing was not finished.
+/// Paths in a folder, with `/`, and the hash of what was written there; none where the writing was not finished. A sweep has
+/// many thousands.
 #[derive(Debug, Default)]
-pub(super) struct Manifest(BTreeMap<String, String>);
+pub(super) struct Manifest(BTreeMap<Box<str>, Option<Hash>>);
 
 impl Manifest {
     /// The list in a folder; `None` where there is none of ours.
@@ -31,15 +32,25 @@ impl Manifest {
         if !fs::symlink_metadata(&marker).is_ok_and(|about| about.is_file()) {
             return None;
         }
-        let text = fs::read_to_string(marker).ok()?;
-        let lines = text.strip_prefix(HEAD)?.lines().filter_map(|line| line.split_once(GAP));
-        Some(Self(lines.map(|(hash, path)| (path.to_owned(), hash.to_owned())).collect()))
+        let mut text = BufReader::new(File::open(marker).ok()?);
+        let mut head = [0; HEAD.len()];
+        text.read_exact(&mut head).ok().filter(|()| head == *HEAD.as_bytes())?;
+        let mut listed = BTreeMap::new();
+        for line in text.lines() {
+            let line = line.ok()?;
+            let Some((hash, path)) = line.split_once(GAP) else { continue };
+            listed.insert(path.into(), Hash::read(hash));
+        }
+        Some(Self(listed))
     }
 
-    /// Its text.
-    pub(super) fn text(&self) -> String {
-        let lines = self.0.iter().map(|(path, hash)| format!("{hash}{GAP}{path}\n"));
-        HEAD.to_owned() + &lines.collect::<String>()
+    /// Writes it, but for files whose writing was not finished.
+    pub(super) fn write(&self, to: &mut dyn Write) -> io::Result<()> {
+        to.write_all(HEAD.as_bytes())?;
+        for (path, hash) in &self.0 {
+            hash.iter().try_for_each(|hash| writeln!(to, "{hash}{GAP}{path}"))?;
+        }
+        Ok(())
     }
 
     /// The line of a file that is about to be written.
@@ -48,13 +59,13 @@ impl Manifest {
     }
 
     /// Adds a file that was written.
-    pub(super) fn add(&mut self, path: String, hash: String) {
-        self.0.insert(path, hash);
+    pub(super) fn add(&mut self, path: &str, hash: Hash) {
+        self.0.insert(path.into(), Some(hash));
     }
 
     /// What is in a folder and is not on the list, or is not what was written.
     pub(super) fn foreign(&self, folder: &Path) -> io::Result<Option<Foreign>> {
-        let is_same = |path: &str| Ok(self.0.get(path) == Some(&hash_of(&folder.join(path))?));
+        let is_same = |path: &str| Ok(self.0.get(path) == Some(&Some(Hash::of_file(&folder.join(path))?)));
         self.unlike(folder, "", &is_same)
     }
 
@@ -73,7 +84,7 @@ impl Manifest {
             let found = match self.is_listed(&path, kind) {
                 false => Some(Foreign::Holds(PathBuf::from(&path))),
                 true if kind.is_dir() => self.unlike(folder, &path, is_same)?,
-                true if self.0.contains_key(&path) && !is_same(&path)? => {
+                true if self.0.contains_key(&*path) && !is_same(&path)? => {
                     Some(Foreign::Changed(PathBuf::from(&path)))
                 }
                 true => None,
@@ -87,10 +98,9 @@ impl Manifest {
 
     fn is_listed(&self, path: &str, kind: FileType) -> bool {
         if kind.is_dir() {
-            return self
-                .0
-                .keys()
-                .any(|file| file.strip_prefix(path).is_some_and(|rest| rest.starts_with('/')));
+            let within = format!("{path}/");
+            let next = self.0.range::<str, _>((Bound::Included(&*within), Bound::Unbounded)).next();
+            return next.is_some_and(|(file, _)| file.starts_with(&within));
         }
         let name = path.rsplit('/').next().unwrap_or(path);
         kind.is_file() && (path == MARKER || self.0.contains_key(path) || OF_SYSTEMS.contains(&name))
@@ -129,20 +139,4 @@ fn entries(folder: &Path, within: &str) -> io::Result<Vec<(String, FileType)>> {
     let mut found = fs::read_dir(folder.join(within))?.map(entry).collect::<io::Result<Vec<_>>>()?;
     found.sort_by(|a, b| a.0.cmp(&b.0));
     Ok(found)
-}
-
-fn hash_of(path: &Path) -> io::Result<String> {
-    let (mut file, mut hasher) = (File::open(path)?, Sha256::new());
-    let mut buffer = vec![0; 1 << 16];
-    loop {
-        match file.read(&mut buffer)? {
-            0 => return Ok(hexadecimal(hasher)),
-            read => hasher.update(&buffer[..read]),
-        }
-    }
-}
-
-/// The hash as it is written.
-pub(super) fn hexadecimal(hasher: Sha256) -> String {
-    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -6,8 +6,10 @@
 mod decimal;
 mod file;
 mod folder;
+mod hash;
 mod lock;
 mod manifest;
+mod spool;
 mod table;
 
 use std::fmt;
@@ -20,6 +22,8 @@ use tumble_scene::printable;
 
 pub(crate) use file::{Kind, Single};
 pub(crate) use folder::Folder;
+pub(crate) use hash::Hash;
+pub use spool::Spool;
 pub(crate) use table::Table;
 
 /// Why results cannot be written.

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use super::decimal::Decimal;
-use super::manifest::hexadecimal;
+use super::hash::Hash;
 use super::{Folder, OutputError, attempt};
 
 /// A file of a folder.
@@ -23,8 +23,8 @@ impl Sink {
     }
 
     /// The hash of what was written.
-    pub(super) fn hash(self) -> String {
-        hexadecimal(self.hasher)
+    pub(super) fn hash(self) -> Hash {
+        Hash::finish(self.hasher)
     }
 }
 

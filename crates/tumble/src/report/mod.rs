@@ -112,7 +112,7 @@ fn meta(source: &Source) -> Vec<(String, String)> {
     let program = format!("tumble {}", env!("CARGO_PKG_VERSION"));
     vec![
         ("Scene".to_owned(), source.shown_name()),
-        ("SHA-256 of the scene".to_owned(), crate::summary::hash(&source.bytes)),
+        ("SHA-256 of the scene".to_owned(), crate::output::Hash::of(&source.bytes).to_string()),
         ("Program".to_owned(), program),
     ]
 }
