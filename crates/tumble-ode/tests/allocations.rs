@@ -85,6 +85,7 @@ impl WindPendulum {
 
 impl Hybrid for WindPendulum {
     type Mode = ();
+    type Record = ();
 
     fn flow(&self, (): &()) -> Result<Flow, Reason> {
         unreachable!("it is compiled")
