@@ -12,6 +12,8 @@
 //! tanh a = c  (d * (1 - c^2) + A (c * c)) exp(A (1 + |c|)) + R_a
 //! ```
 //!
+//! Unknowns of linear systems have a bound of their own ([`system`]).
+//!
 //! The rest of a quotient or a root follows from what `c b - a` and `c^2 - a` leave over; that of sine and cosine, E, from
 //! `E' = a' J E + r` with J a rotation, which keeps lengths; those of exp and tanh from Gronwall's lemma. What has no rule has
 //! no bound. Rounding errors of the coefficients are in it, since exp and tanh make them grow: far from where a tanh is steep its
@@ -19,6 +21,8 @@
 //!
 //! Source: Moore, Interval Analysis, 1966, chapter 11; Makino and Berz, Taylor models, Int. J. Pure Appl. Math. 4 (2003).
 //! Checked by `tests/remainders.rs`: what is computed from polynomials and their series is within the bound.
+
+mod system;
 
 use crate::arena::Arena;
 use crate::ops::{Op, Slot};
@@ -235,6 +239,13 @@ impl Along<'_> {
             Op::Choose { branch, positive, negative } => {
                 let side = self.jets.signs()[branch as usize];
                 self.rest(if side >= 0.0 { positive } else { negative })
+            }
+            Op::Solution { system, row } => {
+                // All are found with the last one, which comes first.
+                if row + 1 == self.jets.tape().systems[system as usize].n as u32 {
+                    self.unknowns(system);
+                }
+                self.rest(slot)
             }
             Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => 0.0,
             Op::SquareOver { of, by, .. } => {

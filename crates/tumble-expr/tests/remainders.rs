@@ -34,8 +34,21 @@ fn cases() -> Vec<(&'static str, Expr)> {
         ("exp", unary(Unary::Exp, -x() * x())),
         ("tanh", unary(Unary::Tanh, x() * 2 - 1) * t()),
         ("abs", (x() - 3).abs() * t()),
+        ("first unknown of a system", solved()[0].clone()),
+        ("second unknown of a system", solved()[1].clone()),
+        ("third unknown of a system", solved()[2].clone()),
         ("quotient of a square", Expr::binary(Binary::SquareOver, x().sin(), x() + 2)),
     ]
+}
+
+/// Of a matrix that turns along the motion.
+fn solved() -> Vec<Expr> {
+    let matrix = vec![
+        vec![x().cos() + 3, x().sin(), Expr::zero()],
+        vec![-x().sin(), x().cos() + 2, t()],
+        vec![Expr::zero(), Expr::one(), Expr::from(4)],
+    ];
+    Expr::solve(matrix, vec![t() * t(), x() + 1, Expr::one()])
 }
 
 fn tape(formula: &Expr) -> Arc<Tape> {
