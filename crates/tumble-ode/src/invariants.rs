@@ -15,6 +15,8 @@ use crate::scale::Scales;
 
 /// A step may move an invariant by this part of its scale: a few ulps.
 const ALLOWED: f64 = 1e-14;
+/// A step whose own error may be this large may move an invariant by this part of it: it is projected out at its end.
+const OF_TOLERANCE: f64 = 0.1;
 /// Below this part of what is allowed, the function's own rounding would be projected into the states.
 const WORTH_IT: f64 = 0.1;
 /// Newton's method from one rounding error away: the second correction is already nothing.
@@ -34,6 +36,16 @@ pub(crate) struct Row {
     output: usize,
     /// The states that it depends on.
     states: Vec<usize>,
+}
+
+/// By what a step may be off anyway.
+pub(crate) struct Slack<'a> {
+    /// Error that it is allowed, in units of the scales.
+    pub(crate) tolerance: f64,
+    /// What each rate was put off by.
+    pub(crate) off: &'a [f64],
+    /// Its length.
+    pub(crate) length: f64,
 }
 
 impl Row {
@@ -64,11 +76,27 @@ impl Invariants {
     }
 
     /// How far the worst is from zero, in units of what is allowed.
-    pub(crate) fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
+    fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
+        self.excess_of_step(time, states, scales, &Slack { tolerance: 0.0, off: &[], length: 0.0 })
+    }
+
+    /// The same at the end of a step.
+    pub(crate) fn excess_of_step(
+        &mut self,
+        time: f64,
+        states: &[f64],
+        scales: &Scales,
+        slack: &Slack<'_>,
+    ) -> f64 {
         self.values.start(time, states, Branches::Free);
         let part = |row: &Row| {
             let scale = scales.of(row.group);
-            if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / (ALLOWED * scale) }
+            let off = row.states.iter().enumerate().map(|(index, state)| {
+                let off = slack.off.get(*state).copied().unwrap_or(0.0);
+                (self.values.value_of(row.output + 1 + index) * off).abs() * slack.length
+            });
+            let allowed = ALLOWED.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
+            if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
         };
         self.rows.iter().map(part).fold(0.0, f64::max)
     }

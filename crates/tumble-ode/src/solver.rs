@@ -15,6 +15,7 @@ use crate::compiled::{Compiled, beside};
 use crate::engine::Engine;
 use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
+use crate::invariants::Slack;
 use crate::order::{order, reach};
 use crate::polynomial;
 use crate::program::Plan;
@@ -412,7 +413,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
             let mut scales = self.scales.clone();
             scales.watch(system, &end);
-            let drift = invariants.excess(step.end, &end, &scales);
+            let slack = Slack { tolerance: self.tolerance, off: &self.off, length: step.length };
+            let drift = invariants.excess_of_step(step.end, &end, &scales, &slack);
             verdict = verdict.or(Verdict { excess: drift, state: 0 });
         }
         verdict
