@@ -38,6 +38,8 @@ pub struct Remainders {
     is_known: Vec<bool>,
     /// Powers of h.
     powers: Vec<f64>,
+    /// In how many parts of a step the matrix of a linear system was last seen to be regular.
+    parts: usize,
 }
 
 impl Remainders {

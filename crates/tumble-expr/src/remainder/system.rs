@@ -42,7 +42,8 @@ impl Along<'_> {
         let entries = &tape.matrices[system.matrix as usize].entries;
         let left = self.left_over(system, entries);
         let matrix = self.matrix(system.n, entries);
-        let bounds = matrix.bounds(&left);
+        // Steps that follow each other are much alike.
+        let bounds = matrix.bounds(&left, &mut self.found.parts);
         for row in 0..system.n {
             let bound = bounds.as_ref().map_or(f64::INFINITY, |bounds| bounds[row]);
             self.found.rests[system.solution as usize - row] = bound;
@@ -88,12 +89,13 @@ impl Along<'_> {
 }
 
 impl Matrix {
-    /// Bounds of the errors by what is left over of each row.
-    fn bounds(&self, left: &[f64]) -> Option<Vec<f64>> {
-        let mut parts = 1;
+    /// Bounds of the errors by what is left over of each row. `known` is in how many parts there was one before.
+    fn bounds(&self, left: &[f64], known: &mut usize) -> Option<Vec<f64>> {
+        let mut parts = (*known / 2).max(1);
         while parts <= MOST_PARTS {
             let all: Option<Vec<Vec<f64>>> = (0..parts).map(|part| self.within(left, part, parts)).collect();
             if let Some(all) = all {
+                *known = parts;
                 let worst = |i: usize| all.iter().map(|bounds| bounds[i]).fold(0.0, f64::max);
                 return Some((0..self.n).map(worst).collect());
             }
@@ -114,13 +116,22 @@ impl Matrix {
             return None;
         }
         let first: Vec<f64> = (0..n).map(|i| (0..n).map(|j| solver[i * n + j].abs() * left[j]).sum()).collect();
+        // Most entries are zero: bodies have few neighbours.
+        let column = |j: usize| {
+            let entry = |k: usize| {
+                let (index, a) = (k * n + j, middle[k * n + j]);
+                let off = self.slopes[index] * half + self.rests[index] + n as f64 * ROUNDING * a.abs();
+                (a != 0.0 || off != 0.0).then_some((k, a, off))
+            };
+            (0..n).filter_map(entry).collect::<Vec<_>>()
+        };
+        let columns: Vec<Vec<(usize, f64, f64)>> = (0..n).map(column).collect();
         let change = |i: usize, j: usize| {
             let mut sum = if i == j { -1.0 } else { 0.0 };
             let mut rest = ROUNDING;
-            for k in 0..n {
-                let (c, a) = (solver[i * n + k], middle[k * n + j]);
+            for (k, a, off) in &columns[j] {
+                let c = solver[i * n + k];
                 sum += c * a;
-                let off = self.slopes[k * n + j] * half + self.rests[k * n + j] + n as f64 * ROUNDING * a.abs();
                 rest += c.abs() * off;
             }
             sum.abs() + rest
