@@ -9,7 +9,9 @@ use nalgebra::{DMatrix, DVector};
 /// What is negative by less than this part of the numbers that it is made of is zero but for rounding.
 const ZERO: f64 = 1e-11;
 /// Contacts whose responses are dependent to this relative size of a pivot are not told apart.
-const DEPENDENT: f64 = 1e-9;
+pub(crate) const DEPENDENT: f64 = 1e-9;
+/// What closes slower than the fastest by less than this part closes as fast: which of two feet enters is not left to rounding.
+const AS_FAST: f64 = 1e-6;
 /// Rounds for each contact. Few contacts enter twice; more rounds than this are rounding that goes around in circles.
 const ROUNDS: usize = 10;
 
@@ -61,11 +63,12 @@ fn active_set(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>, DVector
     let (mut set, mut z) = (vec![], DVector::zeros(n));
     for _ in 0..=ROUNDS * n {
         let (w, zero) = (b + a * &z, rounding(a, b, &z));
-        let closing = (0..n).filter(|i| !set.contains(i) && w[*i] < -zero);
-        let Some(fastest) = closing.min_by(|i, j| w[*i].total_cmp(&w[*j])) else {
+        let closing: Vec<usize> = (0..n).filter(|i| !set.contains(i) && w[*i] < -zero).collect();
+        let fastest = closing.iter().fold(0.0, |fastest: f64, i| fastest.min(w[*i]));
+        let Some(first) = closing.into_iter().find(|i| w[*i] <= (1.0 - AS_FAST) * fastest) else {
             return w.iter().all(|w| w.is_finite()).then_some((set, z));
         };
-        (set, z) = entered(a, b, (set, z), fastest)?;
+        (set, z) = entered(a, b, (set, z), first)?;
     }
     None
 }
