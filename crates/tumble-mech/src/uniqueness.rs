@@ -70,6 +70,23 @@ impl Run {
         Ok(self.equations.spreads(mode, time, &place.states, &self.inputs, formulas)?)
     }
 
+    /// Whether a formula is open at any time between two, s.
+    pub fn is_open_within(&self, formula: &Expr, [from, to]: [f64; 2]) -> Result<bool, RunError> {
+        // Which rows are left out does not change within a mode.
+        let mut is_known = vec![false; self.trajectory.modes.len()];
+        for piece in self.trajectory.pieces.iter().filter(|piece| piece.end >= from && piece.start <= to) {
+            if std::mem::replace(&mut is_known[piece.mode], true) {
+                continue;
+            }
+            let time = from.max(piece.start);
+            let side = if time < piece.end { Side::After } else { Side::Before };
+            if self.spreads(std::slice::from_ref(formula), time, side)?[0].is_some() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
     /// Names of the contacts, joints and pivots of a body whose forces are open at a time.
     pub fn open_forces(&self, body: usize, time: f64, side: Side) -> Result<Vec<String>, RunError> {
         let named = self.equations.keeping(body);
@@ -186,7 +203,8 @@ impl Equations {
         let values = |formulas: &[Expr]| {
             self.values(formulas, spot.mode, spot.time, spot.states, spot.inputs).map(DVector::from_vec)
         };
-        let slopes = open.slopes(&values(&gradient)?);
+        let constant = values(&gradient)?;
+        let slopes = open.slopes(&constant);
         let is_constant = |slope: &Expr| {
             let mut used = open.symbols.iter().filter(|symbol| slope.symbols().contains(symbol));
             used.all(|symbol| is_identically_zero(&slope.derivative(symbol)))
@@ -204,7 +222,12 @@ impl Equations {
         let forces: Vec<Expr> = open.symbols.iter().cloned().map(Expr::from).collect();
         let (found, forces) = (values(std::slice::from_ref(formula))?[0], values(&forces)?);
         let [down, up] = [-&slopes, slopes].map(|slopes| open.farthest(&slopes, &forces));
-        Ok(Some(Spread { least: found - down, greatest: found + up }))
+        let blur = NOTHING * constant.amax() * forces.amax();
+        // Feet that nothing may load are redundant, and bear nothing all the same.
+        let is_open = down + up > blur;
+        let [least, greatest] =
+            [found - down, found + up].map(|end| if end.abs() > blur { end } else { 0.0 });
+        Ok(is_open.then_some(Spread { least, greatest }))
     }
 }
 

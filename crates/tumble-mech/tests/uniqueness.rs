@@ -64,6 +64,7 @@ fn a_bench_on_three_feet() {
     let sum = &feet[0] + &feet[1] + &feet[2];
     unique(&run, &(&sum * &sum));
     unique(&run, &run.equations.model().bodies[0].kinematics().position().x().clone());
+    assert!(run.is_open_within(&feet[0], [0.2, 0.3]).expect("a formula"));
     let open = run.open_forces(0, 0.5, Side::After).expect("forces");
     assert_eq!(open, ["floor.bench.part1.rim", "floor.bench.part2.rim", "floor.bench.part3.rim"]);
 }
@@ -91,6 +92,20 @@ fn a_bench_on_six_feet() {
         between(&run, foot, 0.0, 6.0 * G * 2.0 / (2.0 + f64::abs(place)));
     }
     unique(&run, &feet.iter().skip(1).fold(feet[0].clone(), |sum, foot| sum + foot));
+}
+
+/// All of it stands on the first foot: others could only pull.
+#[test]
+fn feet_that_nothing_may_load() {
+    let mut model = bench(&[-1.0, 0.0, 1.0]);
+    let place = tumble_mech::Place::Material(model.bodies[0].at(&Vector::planar(1 * M, 0 * M)));
+    // It takes the load off all but the left foot.
+    let force = Vector::planar(0 * N, 3.0 / 2.0 * G * N);
+    model.loads.push(tumble_mech::Load::force("pull", "bench", place, force));
+    let run = run(model, 1.0, 1e-12);
+    let feet = normals(&run);
+    assert_eq!(spreads(&run, &feet[..2]), [None, None]);
+    assert!(!run.is_open_within(&feet[2], [0.0, 1.0]).expect("a formula"));
 }
 
 #[test]
