@@ -11,6 +11,7 @@ use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
 use crate::mode::Mode;
 use crate::restrained::respond;
+use crate::row::Row;
 
 /// Places and rates that fit within so many times their rounding error fit.
 const FITS: f64 = 64.0;
@@ -88,14 +89,27 @@ impl Equations {
         states: &[f64],
         inputs: &[f64],
     ) -> Result<Rows, Reason> {
+        let rows: Vec<(usize, &Row)> = self.joint_rows(mode).collect();
+        self.numbers_of(mode, &rows, time, states, inputs)
+    }
+
+    /// Numbers of some rows, each with an index.
+    pub(crate) fn numbers_of(
+        &self,
+        mode: &Mode,
+        rows: &[(usize, &Row)],
+        time: f64,
+        states: &[f64],
+        inputs: &[f64],
+    ) -> Result<Rows, Reason> {
         let layout = self.layout(mode);
         let bodies = 0..self.model().bodies.len();
         let velocities: Vec<usize> = bodies.clone().flat_map(|body| self.velocity_states(body)).collect();
         let coordinates = bodies.clone().flat_map(|body| self.coordinate_states(body)).collect();
         let definitions = self.definitions_of(mode);
         let (mut outputs, mut indices, mut used) = (vec![], vec![], vec![]);
-        for (index, row) in self.joint_rows(mode) {
-            indices.push(index);
+        for (index, row) in rows {
+            indices.push(*index);
             let rate = definitions.apply(&row.rate);
             let symbols = rate.symbols();
             let own =

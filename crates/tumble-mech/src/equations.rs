@@ -414,7 +414,7 @@ impl BodyEquations {
     }
 
     /// What its pivot does to it under these terms, by its symbols, in accelerations.
-    fn reaction(&self, index: usize, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
+    pub(crate) fn reaction(&self, index: usize, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
         let term = self.coordinates.reaction(index, &self.kinematics, &self.mass, terms);
         let by_symbol = |term: Term| {
             let components = term.force.components().to_vec();

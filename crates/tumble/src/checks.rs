@@ -1,8 +1,10 @@
 //! The scene's claims, held against the motion.
 
+use tumble_mech::Spread;
 use tumble_scene::{Check, Question, Study};
 
 use crate::case::Case;
+use crate::open;
 use crate::pipeline::PipelineError;
 use crate::questions::{Answer, NOT_REACHED, answer};
 
@@ -25,6 +27,8 @@ pub struct CheckResult {
     pub within: f64,
     /// Error stated of what was found less what was claimed; `None` where nothing is known of it.
     pub error: Option<f64>,
+    /// Where what was found is not unique, what it may be: no claim holds then.
+    pub spread: Option<Spread>,
     /// Whether the claim holds.
     pub holds: bool,
 }
@@ -44,6 +48,11 @@ impl CheckResult {
         }
     }
 
+    /// What is said of what was found where it is not unique.
+    pub fn open(&self) -> Option<String> {
+        self.spread.map(|spread| open::words(&spread, &self.unit))
+    }
+
     /// Whether the motion is known well enough to say that the claim holds.
     pub fn is_sure(&self) -> bool {
         self.error.is_some_and(|error| error <= self.within)
@@ -61,7 +70,8 @@ pub(crate) fn evaluate(study: &Study, case: &Case) -> Result<Vec<CheckResult>, P
 fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, PipelineError> {
     let within = study.number(&check.within)?;
     let Question { name, that, .. } = &check.question;
-    let Answer { at, found, expected, error } = answer(study, case, &check.question, Some(&check.equals))?;
+    let Answer { at, found, expected, error, spread } =
+        answer(study, case, &check.question, Some(&check.equals))?;
     Ok(CheckResult {
         name: name.clone(),
         that: that.text.clone(),
@@ -71,6 +81,7 @@ fn one(study: &Study, case: &Case, check: &Check) -> Result<CheckResult, Pipelin
         expected,
         within,
         error,
-        holds: (found - expected).abs() <= within,
+        spread,
+        holds: spread.is_none() && (found - expected).abs() <= within,
     })
 }

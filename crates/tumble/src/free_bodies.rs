@@ -29,7 +29,10 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, 
     let mut missing = vec![];
     for (instant, label) in &asked.at {
         match moments.time(instant)? {
-            Some((time, _)) if (0.0..=end).contains(&time) => sheet.panels.push(drawing.panel(label, time)?),
+            Some((time, _)) if (0.0..=end).contains(&time) => {
+                sheet.panels.push(drawing.panel(label, time)?);
+                sheet.captions.extend(drawing.not_unique(time)?);
+            }
             _ => missing.push(instant.text.as_str()),
         }
     }
@@ -92,6 +95,14 @@ impl Drawing<'_> {
             panel = panel.angle(AngleMark { reference, ..AngleMark::horizontal(symbol, angle) });
         }
         Ok(panel)
+    }
+
+    /// Which forces of a diagram may be others.
+    fn not_unique(&self, time: f64) -> Result<Option<Label>, PipelineError> {
+        let names = self.run.open_forces(self.body, time, Side::After)?.join(", ");
+        let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
+        let text = format!("Not unique at {} s, more bear than are needed: {names}.", shown(time));
+        Ok(has_forces.then(|| Label::plain(&text)))
     }
 
     /// Where a body points at angle zero, rad: along a rod, else to the right; `None` for one whose turning is not seen.

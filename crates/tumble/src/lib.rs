@@ -44,6 +44,7 @@ mod finished;
 mod free_bodies;
 mod jobs;
 mod moments;
+mod open;
 mod placed;
 mod questions;
 mod report;

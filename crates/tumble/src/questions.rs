@@ -1,13 +1,14 @@
 //! Looking at a motion where a scene asks to: at an instant, at the end, or where something is greatest or least.
 
 use tumble_expr::{Dimension, Expr, Unit};
-use tumble_mech::{At, Run};
+use tumble_mech::{At, Run, Spread};
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, When};
 
 use crate::case::{Case, Solution};
 use crate::digits;
 use crate::moments::{Moments, Timed};
+use crate::open::{self, NOT_UNIQUE};
 use crate::pipeline::PipelineError;
 use crate::works::{Works, is_work};
 
@@ -26,6 +27,8 @@ pub struct FindResult {
     pub value: f64,
     /// Error stated of it; `None` where nothing is known of it.
     pub error: Option<f64>,
+    /// Where the value is not unique, what it may be; `value` is then one of many.
+    pub spread: Option<Spread>,
 }
 
 /// What becomes of a question whose time does not come in a motion, or whose event does not happen.
@@ -39,7 +42,16 @@ impl FindResult {
 
     /// What becomes of the question, in a word or two.
     pub fn status(&self) -> &'static str {
-        if self.is_reached() { "found" } else { NOT_REACHED }
+        match self.spread {
+            _ if !self.is_reached() => NOT_REACHED,
+            Some(_) => NOT_UNIQUE,
+            None => "found",
+        }
+    }
+
+    /// What is said of a value that is not unique.
+    pub fn open(&self) -> Option<String> {
+        self.spread.map(|spread| open::words(&spread, &self.unit))
     }
 }
 
@@ -52,10 +64,10 @@ pub(crate) fn finds(study: &Study, case: &Case) -> Result<Vec<FindResult>, Pipel
 }
 
 fn find(study: &Study, case: &Case, question: &Question) -> Result<FindResult, PipelineError> {
-    let Answer { at, found, error, .. } = answer(study, case, question, None)?;
+    let Answer { at, found, error, spread, .. } = answer(study, case, question, None)?;
     let Question { name, that, .. } = question;
     let unit = that.quantity.unit.clone();
-    Ok(FindResult { name: name.clone(), that: that.text.clone(), unit, at, value: found, error })
+    Ok(FindResult { name: name.clone(), that: that.text.clone(), unit, at, value: found, error, spread })
 }
 
 /// What a question comes to, in its unit.
@@ -68,11 +80,14 @@ pub(crate) struct Answer {
     pub(crate) expected: f64,
     /// Error stated of what was found less what was claimed; `None` where nothing is known of it.
     pub(crate) error: Option<f64>,
+    /// Where what was found less what was claimed is not unique, what may be found.
+    pub(crate) spread: Option<Spread>,
 }
 
 impl Answer {
     /// Of a time that does not come.
-    pub(crate) const NOTHING: Self = Self { at: f64::NAN, found: f64::NAN, expected: f64::NAN, error: None };
+    pub(crate) const NOTHING: Self =
+        Self { at: f64::NAN, found: f64::NAN, expected: f64::NAN, error: None, spread: None };
 }
 
 /// What a question comes to in a motion, beside a claim if there is one.
@@ -130,6 +145,8 @@ struct Asked<'a> {
     /// What its differences in the check runs are multiplied with; `None` where a time alone says what is asked for.
     margin: Option<f64>,
     has_works: bool,
+    /// Whether a greatest or least value was looked for where there is none.
+    is_open: bool,
 }
 
 impl<'a> Asked<'a> {
@@ -151,6 +168,7 @@ impl<'a> Asked<'a> {
             When::End => (names || solution.run.trajectory.last_event().is_some()).then_some(1.0),
             When::At(instant) => (names || Moments::names(&instant.time)).then_some(1.0),
         };
+        let mut is_open = false;
         let found = match &question.at {
             When::End => {
                 let end = solution.run.trajectory.end().filter(|_| is_whole);
@@ -160,6 +178,7 @@ impl<'a> Asked<'a> {
             When::Extreme { which, during } => match moments.window(during.as_ref())?.filter(|_| is_whole) {
                 // At an extreme the value does not change with the time.
                 Some(window) => {
+                    is_open = solution.run.is_open_within(&that.formula, window)?;
                     let peak = solution.run.extreme(&that.formula, *which, window)?;
                     peak.map(|peak| (peak.time, Some(0.0), peak.side))
                 }
@@ -177,6 +196,7 @@ impl<'a> Asked<'a> {
             side,
             margin,
             has_works,
+            is_open,
         }))
     }
 
@@ -211,8 +231,23 @@ impl<'a> Asked<'a> {
         let depends = self.off.is_some() || !tumble_mech::depends_on_motion(solution.run, &difference);
         let error = digits::error(solution, &difference, self.at())?.filter(|_| is_sure && depends);
         let error = error.map(|error| error + of_variants);
-        let answer = Answer { at: self.time, found: values[0] + 0.0, expected: values[1], error };
+        let (found, expected) = (values[0] + 0.0, values[1]);
+        let spread = self.spread(&difference, expected)?;
+        let answer =
+            Answer { at: self.time, found, expected, error: error.filter(|_| spread.is_none()), spread };
         Ok(Some(Seen { answer, difference, blur }))
+    }
+
+    /// What may be found where the difference to what is expected is not unique.
+    fn spread(&self, difference: &Expr, expected: f64) -> Result<Option<Spread>, PipelineError> {
+        if self.is_open {
+            return Ok(Some(Spread { least: f64::NEG_INFINITY, greatest: f64::INFINITY }));
+        }
+        let spread = self.solution.run.spreads(std::slice::from_ref(difference), self.time, self.side)?[0];
+        Ok(spread.map(|Spread { least, greatest }| Spread {
+            least: least + expected,
+            greatest: greatest + expected,
+        }))
     }
 
     fn at(&self) -> At {

@@ -60,6 +60,9 @@ fn of_find(find: &FindResult) -> String {
     if !find.is_reached() {
         return format!("  find {name}: {NOT_REACHED}");
     }
+    if let Some(open) = find.open() {
+        return format!("  find {name}: {that} {open}, at {at} s");
+    }
     format!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty())
 }
 
@@ -67,6 +70,9 @@ fn of_check(check: &CheckResult) -> String {
     let CheckResult { name, that, unit, at, .. } = check;
     if !check.is_reached() {
         return format!("  check {name}: FAILS, {NOT_REACHED}");
+    }
+    if let Some(open) = check.open() {
+        return format!("  check {name}: FAILS, {that} {open}, at {at} s");
     }
     let found = with_unit(check.found, unit);
     let ending = match check.holds {

@@ -23,7 +23,7 @@ pub(crate) const STANDS: f64 = 1e-12;
 /// A rebound this close to what the restitution asks for, in parts of the speeds that it is made of, is that.
 const REBOUNDS: f64 = 1e-12;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
-const BALANCED: f64 = 1e-10;
+pub(crate) const BALANCED: f64 = 1e-10;
 
 /// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
 const UNDISTURBED: f64 = 8.0;

@@ -10,6 +10,8 @@ use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Rounding, Tape};
 use tumble_ode::Reason;
 
 use crate::cache::Cache;
+use crate::contact::complementarity::DEPENDENT;
+use crate::contact::settle::BALANCED;
 use crate::coordinates::Measure;
 use crate::equations::{Definitions, Equations};
 use crate::mode::Mode;
@@ -93,6 +95,18 @@ impl Touch {
         }
     }
 
+    /// Takes rounding out of what joints keep where it is: no push moves it. `free` is the response without joints.
+    fn clear(&mut self, free: &DMatrix<f64>) {
+        for pair in 0..self.pairs.len() {
+            if self.response[(pair, pair)] <= DEPENDENT * free[(pair, pair)] {
+                self.response.fill_row(pair, 0.0);
+                self.response.fill_column(pair, 0.0);
+                let is_balanced = self.free[pair].abs() <= BALANCED * self.strength;
+                self.free[pair] = if is_balanced { 0.0 } else { self.free[pair] };
+            }
+        }
+    }
+
     /// Position of a pair among the island's own.
     pub(crate) fn position(&self, pair: usize) -> Option<usize> {
         self.pairs.iter().position(|known| *known == pair)
@@ -151,7 +165,7 @@ impl Equations {
             let surface = value(pair, 1) - (0..dofs).map(own).sum::<f64>();
             (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
         };
-        let touch = Touch {
+        let mut touch = Touch {
             size: jets.value_of(after_rows + 2 * dofs),
             gap: DVector::from_fn(n, |pair, _| {
                 let series = jets.output(pair * (BEFORE_ROW + dofs));
@@ -169,6 +183,7 @@ impl Equations {
             velocities,
             joints,
         };
+        touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
         match touch.rate.iter().chain(&touch.free).all(|value| value.is_finite()) {
             true => Ok(touch),
             false => Err(Reason::Model(format!(

@@ -133,9 +133,10 @@ fn shown(check: &CheckResult) -> Check {
     Check {
         what: what.and(at),
         expected: precise(check.expected, unit),
-        found: match check.is_reached() {
-            true => precise(check.found, unit).and(error(check)),
-            false => check.status().into(),
+        found: match check.open() {
+            _ if !check.is_reached() => check.status().into(),
+            Some(open) => open.into(),
+            None => precise(check.found, unit).and(error(check)),
         },
         within: precise(check.within, unit),
         passed: check.holds,

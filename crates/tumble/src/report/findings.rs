@@ -65,12 +65,11 @@ pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Vec<Text>, PipelineErr
 fn asked(case: &Case) -> Vec<Text> {
     let text = |find: &FindResult| {
         let words = Text::from(format!("{}: {}", find.name.replace(['-', '_'], " "), find.that));
-        let words = match find.is_reached() {
-            true => {
-                let value = with_digits(find.value, find.error, &find.unit);
-                words.and(" = ").and(value).and(", at ").and(quantity(find.at, "s")).and(".")
-            }
-            false => words.and(": not reached, its time does not come in this motion."),
+        let at = |words: Text| words.and(", at ").and(quantity(find.at, "s")).and(".");
+        let words = match find.open() {
+            _ if !find.is_reached() => words.and(": not reached, its time does not come in this motion."),
+            Some(open) => at(words.and(format!(" {open}"))),
+            None => at(words.and(" = ").and(with_digits(find.value, find.error, &find.unit))),
         };
         of_case(case, words)
     };

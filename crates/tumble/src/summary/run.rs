@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io;
 
 use serde::Serialize;
-use tumble_mech::MultipleImpacts;
+use tumble_mech::{MultipleImpacts, Spread};
 use tumble_scene::Study;
 
 use super::{Said, said};
@@ -117,6 +117,8 @@ struct Find<'a> {
     at: Option<f64>,
     value: Option<f64>,
     error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    between: Option<Between>,
     status: &'static str,
 }
 
@@ -131,9 +133,14 @@ struct Check<'a> {
     within: f64,
     /// Error stated of what was found.
     error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    between: Option<Between>,
     holds: bool,
     status: &'static str,
 }
+
+/// The least and greatest of what is not unique; `None` where nothing bounds it.
+type Between = [Option<f64>; 2];
 
 /// The text of a run, as it stands in the list of all.
 pub(crate) fn page(study: &Study, case: &Finished) -> io::Result<String> {
@@ -219,14 +226,19 @@ fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
+fn between(spread: Spread) -> Between {
+    [spread.least, spread.greatest].map(finite)
+}
+
 fn find(result: &FindResult) -> Find<'_> {
     Find {
         name: &result.name,
         that: &result.that,
         unit: &result.unit,
         at: finite(result.at),
-        value: finite(result.value),
+        value: finite(result.value).filter(|_| result.spread.is_none()),
         error: result.error.and_then(finite),
+        between: result.spread.map(between),
         status: result.status(),
     }
 }
@@ -237,10 +249,11 @@ fn check(result: &CheckResult) -> Check<'_> {
         that: &result.that,
         unit: &result.unit,
         at: finite(result.at),
-        found: finite(result.found),
+        found: finite(result.found).filter(|_| result.spread.is_none()),
         expected: finite(result.expected),
         within: result.within,
         error: result.error.and_then(finite),
+        between: result.spread.map(between),
         holds: result.holds,
         status: result.status(),
     }

@@ -8,6 +8,7 @@ mod forces;
 mod formulas;
 mod impacts;
 mod lines;
+mod open;
 mod refusals;
 mod rounding;
 mod signs;
