@@ -19,7 +19,9 @@ const FITS: f64 = 64.0;
 const CORRECTIONS: usize = 60;
 /// Gradients that are this small once those before are taken out of them, in parts of what they were, are sums of those: eight
 /// digits are more than starts are usually given with, and less than rounding leaves.
-pub(crate) const DEPENDENT: f64 = 1e-9;
+const DEPENDENT: f64 = 1e-9;
+/// Rows that are so near to being sums of others have brought a motion to an end that cannot go on.
+const NEARLY: f64 = 1e-3;
 
 /// All rows of joints at one instant.
 pub(crate) struct Rows {
@@ -152,7 +154,7 @@ impl Equations {
         };
         let mut mistakes = vec![];
         for (index, joint) in self.model().joints.iter().enumerate() {
-            if joint.assemble || !self.holds(mode, index) {
+            if !self.holds(mode, index) || self.is_assembled(mode, index) {
                 continue;
             }
             let name = || joint.name.clone();
@@ -163,6 +165,32 @@ impl Equations {
             }
         }
         mistakes
+    }
+
+    /// Whether a joint is to be closed by moving bodies: it, or one that the bodies are joined to others by.
+    fn is_assembled(&self, mode: &Mode, joint: usize) -> bool {
+        let Some(body) = self.joints()[joint].bodies.first() else { return false };
+        let island = self.island_of(mode, *body);
+        let mut all = self.model().joints.iter().zip(self.joints());
+        all.any(|(joint, known)| joint.assemble && known.bodies.iter().any(|body| island.contains(body)))
+    }
+
+    /// Names of the joints whose rows come to depend on each other near these states, redundant ones left out.
+    pub(crate) fn singular_joints(
+        &self,
+        mode: &Mode,
+        time: f64,
+        states: &[f64],
+        inputs: &[f64],
+    ) -> Vec<String> {
+        let Ok(rows) = self.rows_at(mode, time, states, inputs) else { return vec![] };
+        let dependent = rows.without(&mode.redundant).dependent(NEARLY);
+        let joints =
+            self.joints().iter().enumerate().flat_map(|(joint, known)| known.rows.iter().map(move |_| joint));
+        let joints: Vec<usize> = joints.collect();
+        let mut named: Vec<usize> = dependent.into_iter().map(|row| joints[row]).collect();
+        named.dedup();
+        named.into_iter().map(|joint| self.model().joints[joint].name.clone()).collect()
     }
 
     /// That joints leave a gap which nothing closes.
@@ -219,6 +247,11 @@ impl Rows {
 
     /// Rows that are sums of others, by index: of several that are, the later ones.
     pub(crate) fn redundant(&self) -> Vec<usize> {
+        self.dependent(DEPENDENT)
+    }
+
+    /// The same of rows that are so but for this part of them.
+    fn dependent(&self, part: f64) -> Vec<usize> {
         let mut kept: Vec<DVector<f64>> = vec![];
         let mut redundant = vec![];
         for (place, index) in self.indices.iter().enumerate() {
@@ -229,7 +262,7 @@ impl Rows {
                     rest.axpy(-other.dot(&rest), other, 1.0);
                 }
             }
-            match rest.norm() <= DEPENDENT * whole.norm() {
+            match rest.norm() <= part * whole.norm() {
                 true => redundant.push(*index),
                 false => kept.push(rest.normalize()),
             }

@@ -142,11 +142,35 @@ impl Run {
         }
         let trajectory = solver.finish();
         let run = Self::of(equations, trajectory, inputs);
-        let Some(refusal) = refusal else { return Ok(run) };
+        let Some(mut refusal) = refusal else { return Ok(run) };
+        if let Some(reason) = run.singular(&refusal) {
+            refusal.reason = reason;
+        }
         if run.trajectory.pieces.is_empty() {
             run.equations.refuse_loads(&first)?;
         }
         Err(RunError::Refused { refusal, partial: Box::new(run) })
+    }
+
+    /// That joints, and not a force, are why a motion was refused.
+    fn singular(&self, refusal: &Refusal) -> Option<Reason> {
+        if !matches!(
+            refusal.reason,
+            Reason::Stalled { .. } | Reason::NotFinite { .. } | Reason::WouldTakeTooMuchMemory { .. }
+        ) {
+            return None;
+        }
+        let mode = &self.trajectory.modes[self.trajectory.pieces.last()?.mode];
+        let states = self.trajectory.last_states()?;
+        let joints = self.equations.singular_joints(mode, refusal.time, &states, &self.inputs);
+        (!joints.is_empty()).then(|| {
+            let names: Vec<String> = joints.iter().map(|name| format!("`{name}`")).collect();
+            Reason::Model(format!(
+                "the bodies come to a singular configuration, in which {} can be kept in more than one way: where bars of a loop lie \
+                 in one line, they may go on either side",
+                names.join(", ")
+            ))
+        })
     }
 
     /// Integrates as [`Run::new`], with so many Gauss nodes along lines that more do not change the end.

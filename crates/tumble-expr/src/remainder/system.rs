@@ -115,7 +115,8 @@ impl Matrix {
         if solver.iter().any(|entry| !entry.is_finite()) {
             return None;
         }
-        let first: Vec<f64> = (0..n).map(|i| (0..n).map(|j| solver[i * n + j].abs() * left[j]).sum()).collect();
+        let first: Vec<f64> =
+            (0..n).map(|i| (0..n).map(|j| solver[i * n + j].abs() * left[j]).sum()).collect();
         // Most entries are zero: bodies have few neighbours.
         let column = |j: usize| {
             let entry = |k: usize| {
@@ -138,7 +139,8 @@ impl Matrix {
         };
         let changes: Vec<f64> = (0..n * n).map(|index| change(index / n, index % n)).collect();
         let again = |bounds: &[f64], i: usize| {
-            first[i] + changes[i * n..][..n].iter().zip(bounds).map(|(change, bound)| change * bound).sum::<f64>()
+            first[i]
+                + changes[i * n..][..n].iter().zip(bounds).map(|(change, bound)| change * bound).sum::<f64>()
         };
         let mut bounds = first.clone();
         for _ in 0..REPEATS {
