@@ -93,7 +93,7 @@ fn part_of_contact(names: &Names, text: &Text) -> Result<Text, Diagnostic> {
 }
 
 /// What touches, and which time it does, of `floor.rod.contact[2]`.
-fn contact_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, Count)> {
+pub(crate) fn contact_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, Count)> {
     let (pair, rest) = text.rsplit_once(".contact")?;
     let count = match rest {
         "" => Count::FIRST,

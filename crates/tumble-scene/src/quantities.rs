@@ -10,9 +10,11 @@ use tumble_mech::{Body, Gravity, Model, time};
 use crate::code::Code;
 use crate::curve::quantity;
 use crate::diagnostic::{Diagnostic, Span};
+use crate::moments;
 use crate::names::{Level, Names};
 use crate::study::Quantity;
 
+const MOMENTUM: Dimension = Dimension::new(1, 1, -1);
 /// How the name of a work ends.
 const WORK: &str = ".work";
 
@@ -97,13 +99,36 @@ pub(crate) fn define_works(names: &mut Names, model: &Model) {
     );
 }
 
-/// The works in a formula, by the names they have there: `floor.work`, J.
+/// What a formula names that only the run knows up to an instant, by the names there: works such as `floor.work`, J, impulses such as
+/// `floor.contact[1].impulse.x`, N s, and how often something has happened, `floor.contacts` or `apex.count`.
 pub(crate) fn works(names: &Names, formula: &Formula) -> Vec<(Arc<str>, Value)> {
-    let work = |name: &str| -> Option<(Arc<str>, Value)> {
-        let is_known = names.working.contains(name.strip_suffix(WORK)?);
-        is_known.then(|| (name.into(), Expr::symbol(name, Dimension::TORQUE).into()))
+    let of_run = |name: &str| -> Option<(Arc<str>, Value)> {
+        let is_work = name.strip_suffix(WORK).is_some_and(|load| names.working.contains(load));
+        let symbol = match is_work {
+            true => Expr::symbol(name, Dimension::TORQUE),
+            false => tally(names, name)?,
+        };
+        Some((name.into(), symbol.into()))
     };
-    formula.names().into_iter().filter_map(|name| work(name.name)).collect()
+    formula.names().into_iter().filter_map(|name| of_run(name.name)).collect()
+}
+
+/// The symbol of an impulse of a contact, or of a count. (Times of contacts are told from it by its name.)
+fn tally(names: &Names, name: &str) -> Option<Expr> {
+    if let Some((contact, part)) = name.split_once("].impulse") {
+        let (pair, count) = moments::contact_of(names, &name[..=contact.len()])?;
+        let axis = if part.is_empty() { ".size" } else { part };
+        let known = [".x", ".y", ".size"].contains(&axis);
+        return known.then(|| Expr::symbol(format!("{pair}.impulse[{count}]{axis}"), MOMENTUM));
+    }
+    let is_count = match name.rsplit_once('.')? {
+        (place, "contacts") => names.touching.contains(place),
+        (event, "count") => {
+            names.happenings.contains(event) || names.events.iter().any(|known| known == event)
+        }
+        _ => false,
+    };
+    is_count.then(|| Expr::symbol(name, Dimension::NONE))
 }
 
 /// What is wrong with the name of a work where works are not known.

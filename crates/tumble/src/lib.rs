@@ -51,6 +51,7 @@ mod report;
 mod summary;
 mod symbols;
 mod tables;
+mod tallies;
 mod works;
 
 pub use balance::CaseBalance;

@@ -1,12 +1,13 @@
-//! Works of loads up to an instant, by the names they have in checks: `floor.work`.
+//! What only the run knows up to an instant, by the names in finds and checks: works of loads, `floor.work`, and what [`tallies`] has.
 
-use tumble_expr::{Expr, Substitution, Symbol, units};
+use tumble_expr::{Expr, Substitution, Symbol, Unit};
 use tumble_mech::{At, Contribution, Kind, RunBalance, Trust};
 use tumble_ode::Side;
 
 use crate::balance::ABOUT;
 use crate::case::Solution;
 use crate::pipeline::PipelineError;
+use crate::tallies;
 
 /// How their names end.
 const WORK: &str = ".work";
@@ -31,6 +32,18 @@ impl Works {
         if symbols.is_empty() {
             return Ok(Some(Self { known: vec![] }));
         }
+        let (works, tallied): (Vec<Symbol>, Vec<Symbol>) =
+            symbols.into_iter().partition(|symbol| symbol.name.ends_with(WORK));
+        let tallies = tallied.into_iter().map(|symbol| {
+            let tally = tallies::found(solution.run, &symbol.name, at)?;
+            // What is compared with the check runs says how far it is known.
+            let error = solution.trust.map(|_| 0.0);
+            Some((symbol, Work { done: tally.value, error, blur: tally.blur }))
+        });
+        let Some(mut known) = tallies.collect::<Option<Vec<_>>>() else { return Ok(None) };
+        if works.is_empty() {
+            return Ok(Some(Self { known }));
+        }
         let mut balance = RunBalance::of(solution.run, ABOUT)?;
         let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
         let errors = match solution.trust {
@@ -53,7 +66,8 @@ impl Works {
             let (done, error) = (sum(&reading.work), errors.as_deref().map(sum));
             (symbol.clone(), Work { done, error, blur: moved + sum(&rounding) })
         };
-        Ok(Some(Self { known: symbols.into_iter().map(work).collect() }))
+        known.extend(works.into_iter().map(work));
+        Ok(Some(Self { known }))
     }
 
     /// Whether all errors are known.
@@ -86,7 +100,7 @@ impl Works {
     fn with(&self, formula: &Expr, off: impl Fn(usize) -> f64) -> Expr {
         let mut found = Substitution::default();
         for (index, (symbol, work)) in self.known.iter().enumerate() {
-            found.insert(symbol.clone(), Expr::from(work.done + off(index)) * units::J);
+            found.insert(symbol.clone(), Expr::from(work.done + off(index)) * Unit(symbol.dimension));
         }
         found.apply(formula)
     }
@@ -109,9 +123,9 @@ fn around(
     Ok([works(at.time, Side::Before)?, works(at.time - late, Side::After)?])
 }
 
-/// Whether a symbol is the work of a load.
+/// Whether a symbol is the work of a load, an impulse or a count.
 pub(crate) fn is_work(symbol: &Symbol) -> bool {
-    symbol.name.ends_with(WORK)
+    symbol.name.ends_with(WORK) || tallies::is_tally(&symbol.name)
 }
 
 /// Whether a contribution is what the force of a load, or a part of a load such as one contact of a surface, did to a body.

@@ -1,0 +1,71 @@
+//! What events have left up to an instant, by the names in finds and checks: impulses of contacts and how often something happened.
+
+use tumble_mech::{At, Impulse, Run, Source};
+use tumble_ode::{Event, Side};
+use tumble_scene::Count;
+
+/// A number that the run has come to.
+pub(crate) struct Tally {
+    pub(crate) value: f64,
+    /// What rounding does to it at least.
+    pub(crate) blur: f64,
+}
+
+/// Rounding errors of an impulse, which is found from a few products.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+const COUNT: &str = ".count";
+const CONTACTS: &str = ".contacts";
+const IMPULSE: &str = ".impulse[";
+
+/// Whether a name is one of these.
+pub(crate) fn is_tally(name: &str) -> bool {
+    name.ends_with(COUNT) || name.ends_with(CONTACTS) || name.contains(IMPULSE)
+}
+
+/// What a name stands for; `None` where it has not come to that.
+pub(crate) fn found(run: &Run, name: &str, at: At) -> Option<Tally> {
+    let has_come = |time: f64| time < at.time || (time == at.time && at.side == Side::After);
+    if let Some((place, rest)) = name.split_once(IMPULSE) {
+        let (count, axis) = rest.split_once("].")?;
+        return impulse(run, place, Count::read(count)?, axis);
+    }
+    let count = match name.strip_suffix(CONTACTS) {
+        Some(place) => {
+            let contacts = run.contacts();
+            let there =
+                contacts.iter().filter(|contact| is_of(&run.equations.pairs()[contact.pair].name, place));
+            there.filter(|contact| has_come(contact.start)).count()
+        }
+        None => {
+            let happening = run.equations.named(name.strip_suffix(COUNT)?)?;
+            let events = run.trajectory.events.iter().filter(|event| has_come(event.time));
+            events.filter(|event| event.record.happened.contains(&happening)).count()
+        }
+    };
+    Some(Tally { value: count as f64, blur: 0.0 })
+}
+
+/// The impulse of a contact on its body, N s; zero of one that begins without an impact.
+fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
+    let contacts = run.contacts();
+    let pairs = run.equations.pairs();
+    let there = contacts.iter().filter(|contact| is_of(&pairs[contact.pair].name, place));
+    let contact = count.of(there)?;
+    let at = |event: &&Event<tumble_mech::Record>| event.time == contact.start;
+    let impulses = run.trajectory.events.iter().filter(at).flat_map(|event| &event.record.impulses);
+    let own = impulses.filter(|impulse| impulse.source == Source::Pair(contact.pair));
+    let [x, y] = own.fold([0.0, 0.0], |[x, y], Impulse { impulse, .. }| [x + impulse[0], y + impulse[1]]);
+    let size = (x * x + y * y).sqrt();
+    let value = match axis {
+        "x" => x,
+        "y" => y,
+        _ => size,
+    };
+    Some(Tally { value, blur: ROUNDING * size })
+}
+
+/// Whether a pair is at a place such as `floor`, `floor.rod` or `floor.rod.tip`.
+fn is_of(pair: &str, place: &str) -> bool {
+    pair.strip_prefix(place).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
