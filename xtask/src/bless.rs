@@ -29,6 +29,12 @@ const FIGURES: &[(&str, &str)] = &[
     ("08-rigid-rod/bounces.svg", "rigid-rod.svg"),
     ("09-bouncing-ball/height.svg", "bouncing-ball.svg"),
     ("10-falling-rod/forces.svg", "falling-rod.svg"),
+    ("11-double-pendulum/path.svg", "double-pendulum.svg"),
+    ("12-bullet-in-a-rod/swing.svg", "bullet.svg"),
+    ("13-four-bar-linkage/linkage.svg", "four-bar-linkage.svg"),
+    ("14-sliding-ladder/fall.svg", "sliding-ladder.svg"),
+    ("15-falling-chain/fall.svg", "falling-chain.svg"),
+    ("16-bench-on-three-feet/bench.svg", "bench.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.

@@ -9,8 +9,10 @@ use crate::debian;
 use crate::workspace::{Workspace, copy, read};
 
 /// A script and the file its output is committed as.
-const REFERENCES: &[(&str, &str)] =
-    &[("references/elliptic.py", "crates/tumble/tests/reference/elliptic.json")];
+const REFERENCES: &[(&str, &str)] = &[
+    ("references/elliptic.py", "crates/tumble/tests/reference/elliptic.json"),
+    ("references/chains.py", "crates/tumble/tests/reference/chains.json"),
+];
 
 const REQUIREMENTS: &str = "references/requirements.txt";
 

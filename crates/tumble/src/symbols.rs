@@ -40,6 +40,12 @@ pub(crate) fn contact(study: &Study, pair: &str) -> String {
     }
 }
 
+/// A symbol with one more letter below it: `N_tip,y`, `W_y`.
+pub(crate) fn below(symbol: &str, letter: &str) -> String {
+    let separator = if symbol.contains('_') { ',' } else { '_' };
+    format!("{symbol}{separator}{letter}")
+}
+
 /// The last word of a name: `tip` of `floor.rod.tip`.
 pub(crate) fn last(name: &str) -> &str {
     name.rsplit('.').next().unwrap_or(name)

@@ -1,13 +1,13 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
-use tumble_expr::{Expr, Symbol, is_identically_zero};
+use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_math::{Left, Mark, Math as Formula, MathError, Notation, Shown};
-use tumble_mech::{ContactMode, Mode, Term};
-use tumble_report::report::{Block, Mode as ModeShown, Text};
+use tumble_mech::{Anchor, ContactMode, Joint, Mode, Pivot, Term, rotated};
+use tumble_report::report::{Block, Definition, Mode as ModeShown, Text};
 use tumble_scene::Study;
 
 use super::model::{MOST_OPERATIONS, distinct, laws_of, operations};
-use super::names::{Names, block};
+use super::names::{Names, block, math};
 use crate::case::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -46,8 +46,18 @@ pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
         true => format!("{} acts", window.load),
         false => format!("without {}", window.load),
     });
+    let joints = study
+        .model
+        .joints
+        .iter()
+        .enumerate()
+        .filter(|(_, joint)| joint.from.is_some() || joint.until.is_some());
+    let joined = joints.map(|(index, joint)| match equations.holds(mode, index) {
+        true => format!("{} holds", joint.name),
+        false => format!("without {}", joint.name),
+    });
     let changed = mode.changes.iter().map(|event| format!("after {}", study.model.events[*event].name));
-    let all: Vec<String> = touching.chain(acting).chain(changed).collect();
+    let all: Vec<String> = touching.chain(joined).chain(acting).chain(changed).collect();
     match (all.is_empty(), study.model.surfaces.is_empty()) {
         (false, _) => all.join(", "),
         (true, false) => "nothing touches".to_owned(),
@@ -63,7 +73,9 @@ fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: us
         let written = motion.shown();
         let signs = written.as_ref().map_or(usize::MAX, |shown| shown.text().chars().count());
         if signs <= MOST_SIGNS {
-            return block(title.into(), written);
+            let mut shown = block(title.into(), written);
+            shown.definitions.extend(seats(study, names, &motion));
+            return shown;
         }
     }
     let title =
@@ -72,10 +84,29 @@ fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: us
     laws_of(study, names, case, (body, &distinct(terms)), title.trim_start())
 }
 
+/// What the places in equations mean at which joints were made on the way.
+fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
+    let used = |symbol: &Symbol| motion.lines.iter().any(|(_, right)| right.symbols().contains(symbol));
+    let seated = study.model.joints.iter().filter(|joint| joint.is_seated);
+    let definition = |joint: &Joint| {
+        let Anchor::Material(point) = &joint.ends[1] else { return None };
+        let symbols = point.arm.components().iter().flat_map(Expr::symbols);
+        let mut own: Vec<Symbol> = symbols.filter(used).collect();
+        own.sort_by(|a, b| a.name.cmp(&b.name));
+        let parts = own.iter().map(|symbol| Formula::symbol(names.shown(&symbol.name)));
+        let parts: Vec<Vec<Formula>> = parts.map(|part| vec![part]).collect();
+        let body = &point.body.body;
+        let meaning = format!("where {} is on {body}, from its centre of mass, along its axes", joint.name);
+        (!parts.is_empty())
+            .then(|| Definition { symbol: math(&Formula::Matrix(parts)), meaning: meaning.into() })
+    };
+    seated.filter_map(definition).collect()
+}
+
 /// The equations of motion of one body in one mode, with the names they are shown by.
 ///
-/// Forces of several lasting contacts stand in them by name, and what determines them below: solved for, they would be a
-/// matrix's inverse.
+/// Forces of joints and of several lasting contacts stand in them by name, and what determines them below: solved for, they would
+/// be a matrix's inverse.
 struct Motion {
     notation: Notation,
     lines: Vec<(Left, Expr)>,
@@ -86,37 +117,37 @@ impl Motion {
         let equations = &case.run.equations;
         let model_body = &study.model.bodies[body];
         let kinematics = model_body.kinematics();
-        let mass = equations.mass_properties(body);
         let constraints = equations.shown_constraints(mode, body);
-        let is_solved = constraints.len() < 2;
+        let is_joined = study.model.joints.iter().enumerate().any(|(index, joint)| {
+            equations.holds(mode, index) && joint.bodies().any(|name| name == model_body.name)
+        });
+        let is_solved = constraints.len() < 2 && !is_joined;
+        let pivot = study.model.pivot_of(&model_body.name);
         let notation = names.of_body(body).notation().clone();
-        if study.model.pivot_of(&model_body.name).is_some() {
-            let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
-            let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
-            let alpha = equations.in_states(mode, &kinematics.alpha_symbol().into());
-            return Self { notation, lines: vec![(left, alpha)] };
-        }
-        let terms = if is_solved { vec![] } else { equations.shown_terms(mode) };
-        let times = |factor: &Expr, symbol: &Symbol, part: fn(&Term) -> Expr| {
-            let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
-            let own = terms.iter().filter(|term| term.body == body);
-            let right = match is_solved {
-                true => equations.in_states(mode, &symbol.clone().into()),
-                false => own.map(part).fold(Expr::zero(), |sum, part| sum + part) / factor,
-            };
-            (left, right)
+        let (notation, mut lines) = match (pivot, is_solved) {
+            (Some(_), true) => {
+                let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
+                let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
+                let alpha = equations.in_states(mode, &kinematics.alpha_symbol().into());
+                (notation, vec![(left, alpha)])
+            }
+            (Some(pivot), false) => {
+                let inertia = about_pivot(case, body, pivot);
+                let line = turned(names, case, mode, (body, pivot), &inertia);
+                let named = match inertia.symbols().is_empty() {
+                    true => notation,
+                    false => notation.define(inertia_name(study, &model_body.name), &inertia),
+                };
+                (named, vec![line])
+            }
+            (None, _) => (notation, free(names, case, mode, body, is_solved)),
         };
-        let [ax, ay] = kinematics.acceleration_symbols();
-        let mut lines = vec![
-            times(&mass.mass, &ax, |term| term.force.x().clone()),
-            times(&mass.mass, &ay, |term| term.force.y().clone()),
-        ];
-        if !is_identically_zero(&mass.inertia) {
-            lines.push(times(&mass.inertia, &kinematics.alpha_symbol(), Term::torque));
-        }
         if !is_solved {
-            let zero = || Left::symbol(Formula::Number("0".to_owned()));
-            lines.extend(constraints.into_iter().map(|constraint| (zero(), constraint)));
+            let of_pivots = of_pivots(study, case);
+            // What two bodies share stands with the later one.
+            let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
+            let conditions = own.map(|constraint| shortest(&notation, &of_pivots.apply(constraint)));
+            lines.extend(conditions.map(|condition| (nothing(), condition)));
         }
         Self { notation, lines }
     }
@@ -126,10 +157,129 @@ impl Motion {
     }
 }
 
+/// `M A = sum F` and `I alpha = sum tau`, solved for where nothing stands by its name.
+fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -> Vec<(Left, Expr)> {
+    let equations = &case.run.equations;
+    let kinematics = equations.model().bodies[body].kinematics();
+    let mass = equations.mass_properties(body);
+    let terms = if is_solved { vec![] } else { equations.shown_terms(mode) };
+    let times = |factor: &Expr, symbol: &Symbol, part: fn(&Term) -> Expr| {
+        let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+        let own = terms.iter().filter(|term| term.body == body);
+        let right = match is_solved {
+            true => equations.in_states(mode, &symbol.clone().into()),
+            false => own.map(part).fold(Expr::zero(), |sum, part| sum + part) / factor,
+        };
+        (left, right)
+    };
+    let [ax, ay] = kinematics.acceleration_symbols();
+    let mut lines = vec![
+        times(&mass.mass, &ax, |term| term.force.x().clone()),
+        times(&mass.mass, &ay, |term| term.force.y().clone()),
+    ];
+    let torque = own_torque(&terms, body);
+    if !is_identically_zero(&mass.inertia) {
+        lines.push(times(&mass.inertia, &kinematics.alpha_symbol(), Term::torque));
+    } else if !is_identically_zero(&torque) {
+        // A point mass on a massless rod.
+        lines.push((nothing(), torque));
+    }
+    lines
+}
+
+/// About its centre of mass.
+fn own_torque(terms: &[Term], body: usize) -> Expr {
+    let own = terms.iter().filter(|term| term.body == body);
+    own.map(Term::torque).fold(Expr::zero(), |sum, torque| sum + torque)
+}
+
+/// The left side of what is zero.
+fn nothing() -> Left {
+    Left::symbol(Formula::Number("0".to_owned()))
+}
+
+/// `I_P alpha = sum tau` of a body about its pivot, with the forces of joints by their names; where the pivot moves, less
+/// `M r x A_P`.
+fn turned(
+    names: &Names,
+    case: &Case,
+    mode: &Mode,
+    (body, pivot): (usize, &Pivot),
+    inertia: &Expr,
+) -> (Left, Expr) {
+    let equations = &case.run.equations;
+    let kinematics = equations.model().bodies[body].kinematics();
+    let mass = equations.mass_properties(body);
+    let arm = rotated(&(&mass.centre - &pivot.point), &kinematics.angle());
+    let terms = equations.shown_terms(mode);
+    let own = terms.iter().filter(|term| term.body == body && term.load != pivot.name);
+    let torque =
+        own.map(|term| term.torque_about(&(&arm + &term.arm))).fold(Expr::zero(), |sum, torque| sum + torque);
+    let carried = &mass.mass * arm.cross_planar(&acceleration(pivot));
+    let left = Left::times(inertia, Formula::symbol(names.shown(&kinematics.alpha_symbol().name)));
+    (left, (torque - carried) / inertia)
+}
+
+/// Of the point that a pivot holds.
+fn acceleration(pivot: &Pivot) -> Vector {
+    let rate = |path: Vector| Anchor::World(path).velocity();
+    rate(rate(pivot.world.clone()))
+}
+
+/// Accelerations of the centres of bodies on pivots, by how the bodies turn.
+fn of_pivots(study: &Study, case: &Case) -> Substitution {
+    let mut all = Substitution::default();
+    for (index, body) in study.model.bodies.iter().enumerate() {
+        let Some(pivot) = study.model.pivot_of(&body.name) else { continue };
+        let kinematics = body.kinematics();
+        let centre = &case.run.equations.mass_properties(index).centre;
+        let arm = rotated(&(centre - &pivot.point), &kinematics.angle());
+        let omega = kinematics.omega();
+        let turning = kinematics.alpha() * arm.perpendicular() - (&omega * &omega) * &arm;
+        let centre = acceleration(pivot) + turning;
+        for (symbol, component) in kinematics.acceleration_symbols().into_iter().zip(centre.components()) {
+            all.insert(symbol, component.clone());
+        }
+    }
+    all
+}
+
+/// The last body that a condition is about.
+fn last_of(study: &Study, condition: &Expr) -> Option<usize> {
+    let symbols = condition.symbols();
+    let is_of = |body: &str| {
+        symbols.iter().any(|symbol| symbol.name.split_once('.').is_some_and(|(stem, _)| stem == body))
+    };
+    study.model.bodies.iter().rposition(|body| is_of(&body.name))
+}
+
+/// Moment of inertia of a body about its pivot.
+fn about_pivot(case: &Case, body: usize, pivot: &Pivot) -> Expr {
+    let mass = case.run.equations.mass_properties(body);
+    let away = &mass.centre - &pivot.point;
+    &mass.inertia + &mass.mass * away.components().iter().fold(Expr::zero(), |sum, part| sum + part * part)
+}
+
+/// `I_P`, with the body's name where there are several.
+fn inertia_name(study: &Study, body: &str) -> String {
+    if study.model.bodies.len() > 1 { format!("I_P,{body}") } else { "I_P".to_owned() }
+}
+
+/// A multiple of what is zero that is written with the fewest signs: without halves of lengths.
+fn shortest(notation: &Notation, condition: &Expr) -> Expr {
+    let written = |formula: &Expr| {
+        let shown = notation.clone().without_automatic_names().formula(formula);
+        shown.map_or(usize::MAX, |shown| shown.text().chars().count())
+    };
+    let multiples = [1, 2, 3, 4, 6].map(|factor| factor * condition);
+    multiples.into_iter().min_by_key(written).unwrap_or_else(|| condition.clone())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::pipeline::{self, Options};
+    use tumble_expr::Dimension;
     use tumble_ode::Side;
 
     /// Rounding of formulas in another order of operations.
@@ -182,13 +332,15 @@ mod tests {
         let integrated = integrated(study, case, &trajectory.modes[mode], body);
         let shown = motion.shown().expect("it can be shown");
         let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
+        let seats = seats_of(case, mode, pieces.first().copied());
         let mut compared = 0;
         // What determines forces of contacts follows the accelerations.
         let integrated = integrated.into_iter().chain(std::iter::repeat(Expr::zero()));
         for (line, ((left, _), right)) in shown.lines.iter().zip(motion.lines.iter().zip(integrated)) {
             let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * &right);
-            let mut both =
-                case.run.observe(&[line.formula.clone(), integrated]).expect("formulas of the states");
+            // Places of joints are states of this mode alone.
+            let both = [&line.formula, &integrated].map(|formula| seats.apply(formula));
+            let mut both = case.run.observe(&both).expect("formulas of the states");
             for piece in &pieces {
                 let middle = 0.5 * (piece.start + piece.end);
                 let values = both.at(middle, Side::After).expect("within the run");
@@ -200,6 +352,19 @@ mod tests {
         compared
     }
 
+    /// The numbers that the places of joints are in a mode.
+    fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Substitution {
+        let symbols = case.run.equations.states(&case.run.trajectory.modes[mode]);
+        let values = piece.map(|piece| piece.states_at(piece.end)).unwrap_or_default();
+        let mut seats = Substitution::default();
+        let places = symbols
+            .into_iter()
+            .zip(values)
+            .filter(|(symbol, _)| symbol.dimension == Dimension::LENGTH && symbol.name.contains(".seat_"));
+        places.for_each(|(symbol, value)| seats.insert(symbol, value * tumble_expr::units::M));
+        seats
+    }
+
     /// The accelerations as the integrator has them.
     fn integrated(study: &Study, case: &Case, mode: &Mode, body: usize) -> Vec<Expr> {
         let of_model = &study.model.bodies[body];
@@ -207,6 +372,7 @@ mod tests {
         let [ax, ay] = motion.acceleration_symbols();
         let shown = match study.model.pivot_of(&of_model.name) {
             Some(_) => vec![motion.alpha_symbol()],
+            None if is_identically_zero(&case.run.equations.mass_properties(body).inertia) => vec![ax, ay],
             None => vec![ax, ay, motion.alpha_symbol()],
         };
         shown.into_iter().map(|symbol| case.run.equations.in_states(mode, &symbol.into())).collect()

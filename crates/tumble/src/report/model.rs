@@ -38,7 +38,12 @@ fn assumptions(study: &Study) -> Vec<Text> {
             matches!(model.gravity, tumble_mech::Gravity::Horizontal(_)),
             "The plane is horizontal: weight and support cancel out of it.",
         ),
-        (!model.pivots.is_empty(), "Pivots have no friction."),
+        (!model.pivots.is_empty() && model.joints.is_empty(), "Pivots have no friction."),
+        (!model.joints.is_empty(), "Pivots and joints have no friction, and do not give way."),
+        (
+            model.joints.iter().any(|joint| joint.from.is_some()),
+            "What joins bodies on the way does so in no time: an impact without rebound.",
+        ),
         (!model.surfaces.is_empty(), "Surfaces have no friction: they push along their normals only."),
         (
             model.surfaces.iter().any(|s| matches!(s.law, tumble_mech::ContactLaw::Rigid { .. })),
@@ -210,12 +215,6 @@ fn vector(names: &Names, components: &[Expr]) -> Math {
     math(&Formula::Matrix(components.iter().map(|component| vec![part(component)]).collect()))
 }
 
-/// A symbol with one more letter below it: `N_tip,y`, `W_y`.
-fn below(symbol: &str, letter: &str) -> String {
-    let separator = if symbol.contains('_') { ',' } else { '_' };
-    format!("{symbol}{separator}{letter}")
-}
-
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
 fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
     let modes = case.run.trajectory.modes.iter();
@@ -238,7 +237,7 @@ pub(super) fn laws_of(
         let letter = ["x", "y"][axis];
         let symbol = |term: &Term| -> Expr {
             Symbol::new(
-                below(&symbols::force(study, &term.load, term.law), letter),
+                symbols::below(&symbols::force(study, &term.load, term.law), letter),
                 tumble_expr::Dimension::FORCE,
             )
             .into()

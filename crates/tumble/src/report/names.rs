@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_math::{Left, Notation, Shown, latex, mathml, text, typst};
+use tumble_mech::Law;
 use tumble_report::report::{Block, Definition, Math, Text};
 use tumble_report::{Label, numeral};
 use tumble_scene::Study;
@@ -208,5 +209,25 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
         let touched = symbols::contact(study, &pair.name);
         symbols.insert(format!("{}.normal", pair.name), format!("N_{touched}"));
     }
+    for (joint, multipliers) in joints(study) {
+        let force = symbols::force(study, &joint, Law::Reaction);
+        let letters = multipliers.iter().zip(["x", "y"]);
+        for (symbol, letter) in letters {
+            symbols.insert(symbol.name.to_string(), symbols::below(&force, letter));
+        }
+        if let Some(couple) = multipliers.get(2) {
+            symbols.insert(couple.name.to_string(), format!("tau_{}", symbols::last(&joint)));
+        }
+        for (seat, letter) in [("seat_x", "x"), ("seat_y", "y")] {
+            symbols.insert(format!("{joint}.{seat}"), format!("{letter}_{}", symbols::last(&joint)));
+        }
+    }
     symbols
+}
+
+/// What keeps each pivot and joint, by its name: components of the force, and the couple of a weld.
+fn joints(study: &Study) -> Vec<(String, Vec<Symbol>)> {
+    let pivots = study.model.pivots.iter().map(|pivot| (pivot.name.clone(), pivot.force_symbols().into()));
+    let joints = study.model.joints.iter().map(|joint| (joint.name.clone(), joint.multipliers()));
+    pivots.chain(joints).collect()
 }
