@@ -220,7 +220,7 @@ fn cranks_beside_each_other() {
     assert_eq!(open, ["pin1", "pivot1"]);
 }
 
-/// Two-footed wagons pinned to each other: with each wagon after the first come two freedoms and two feet.
+/// Two-footed wagons pinned to each other: with each wagon after the first come one freedom and two feet.
 fn train(wagons: usize, height: f64, restitution: f64) -> Model {
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(G * M / (S * S));
@@ -249,18 +249,16 @@ fn train(wagons: usize, height: f64, restitution: f64) -> Model {
 /// Many contacts on one island: it bounces, comes to rest on all feet, and they carry its weight.
 #[test]
 fn a_train_falls_on_its_feet() {
-    for wagons in [2, 5, 8] {
-        for restitution in [0.0, 0.4] {
-            let run = run(train(wagons, 0.05, restitution), 2.0, 1e-10);
-            let mode = &run.trajectory.modes[run.trajectory.pieces.last().expect("a motion").mode];
-            assert_eq!(mode.contacts.len(), 2 * wagons);
-            // In the plane wagons in a line have a freedom more than twice their number, and it is along the floor.
-            let idle = mode.contacts.iter().filter(|(_, how)| *how == ContactMode::Idle).count();
-            assert_eq!(idle, wagons - 1);
-            let sum = normals(&run).iter().fold(0 * N, |sum, foot| sum + foot);
-            close(common::at(&run, 1.9, [sum.clone()])[0], 2.0 * wagons as f64 * G, 1e-10);
-            assert!(run.spreads(&[sum], 1.9, Side::After).expect("a formula")[0].is_none());
-        }
+    for (wagons, restitution) in [(2, 0.0), (2, 0.4), (3, 0.4), (8, 0.0)] {
+        let run = run(train(wagons, 0.05, restitution), 2.0, 1e-10);
+        let mode = &run.trajectory.modes[run.trajectory.pieces.last().expect("a motion").mode];
+        assert_eq!(mode.contacts.len(), 2 * wagons);
+        // A line of wagons can move in as many ways as it has wagons, and two more, of which one is along the floor.
+        let idle = mode.contacts.iter().filter(|(_, how)| *how == ContactMode::Idle).count();
+        assert_eq!(idle, wagons - 1);
+        let sum = normals(&run).iter().fold(0 * N, |sum, foot| sum + foot);
+        close(common::at(&run, 1.9, [sum.clone()])[0], 2.0 * wagons as f64 * G, 1e-10);
+        assert!(run.spreads(&[sum], 1.9, Side::After).expect("a formula")[0].is_none());
     }
 }
 
