@@ -219,3 +219,56 @@ fn cranks_beside_each_other() {
     let open = run.open_forces(1, 0.5, Side::After).expect("forces");
     assert_eq!(open, ["pin1", "pivot1"]);
 }
+
+/// Two-footed wagons pinned to each other: with each wagon after the first come one freedom and two feet.
+fn train(wagons: usize, height: f64, restitution: f64) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(G * M / (S * S));
+    model.surface(Surface::floor("floor", 0 * M, rigid(restitution)));
+    let mut last: Option<Body> = None;
+    for index in 0..wagons {
+        let foot = |x: f64| Part {
+            shape: Shape::Disk { centre: Vector::planar(x * M, 0 * M), radius: 0.1 * M },
+            mass: 1 * KG,
+        };
+        let wagon = Body::from_parts(format!("wagon{index}"), [-0.3, 0.3].map(foot).to_vec());
+        let wagon = wagon.with_point("front", [-0.5 * M, 0 * M]).with_point("back", [0.5 * M, 0 * M]);
+        let wagon = model.add(wagon);
+        if let Some(before) = &last {
+            let ends = [before.named_point("back"), wagon.named_point("front")];
+            let ends = ends.map(|end| Anchor::Material(end.expect("given")));
+            model.join(Joint::pin(format!("coupling{index}"), ends));
+        }
+        let start = Start::default().at([index as f64 * M, (0.1 + height) * M]);
+        model.starts.push((wagon.name.clone(), start));
+        last = Some(wagon);
+    }
+    model
+}
+
+/// Many contacts on one island: it bounces, comes to rest on all feet, and they carry its weight.
+#[test]
+fn a_train_falls_on_its_feet() {
+    for (wagons, restitution) in [(2, 0.0), (2, 0.4), (3, 0.4), (8, 0.0)] {
+        let run = run(train(wagons, 0.05, restitution), 2.0, 1e-10);
+        let mode = &run.trajectory.modes[run.trajectory.pieces.last().expect("a motion").mode];
+        assert_eq!(mode.contacts.len(), 2 * wagons);
+        // A line of wagons can move in as many ways as it has wagons, and two more, of which one is along the floor.
+        let idle = mode.contacts.iter().filter(|(_, how)| *how == ContactMode::Idle).count();
+        assert_eq!(idle, wagons - 1);
+        let sum = normals(&run).iter().fold(0 * N, |sum, foot| sum + foot);
+        close(common::at(&run, 1.9, [sum.clone()])[0], 2.0 * wagons as f64 * G, 1e-10);
+        assert!(run.spreads(&[sum], 1.9, Side::After).expect("a formula")[0].is_none());
+    }
+}
+
+/// The check runs, rounded in another way, let the same feet bear.
+#[test]
+fn which_feet_bear_is_not_left_to_rounding() {
+    let accuracy = tumble_ode::Accuracy::new(1e-10).expect("positive");
+    for model in [bench(&[-2.0, -1.0, -0.5, 0.5, 1.0, 2.0]), bench(&[-1.0, 0.0, 1.0]), train(5, 0.05, 0.0)] {
+        let progress = |_: f64| std::ops::ControlFlow::Continue(());
+        let (_, trust) = Run::trusted(&model, &model.parameters, 2.0, accuracy, progress).expect("a motion");
+        assert!(trust.horizon.is_none(), "{:?}", trust.horizon);
+    }
+}

@@ -19,7 +19,8 @@ const ENDED: f64 = 1e-12;
 /// Bounces in miniature before it is given up: with a restitution so close to one they are followed one by one a while
 /// longer.
 const MOST_BOUNCES: usize = 200_000;
-/// In miniature, what is slower than this part of the fastest after a hit stands: rounding of the hit.
+/// In miniature, what differs from rest or from its own rebound by less than this part of the fastest after a hit is that: rounding
+/// of the hit.
 const STANDS: f64 = 1e-12;
 /// Hits in miniature closer than this part of the flight are one.
 const SIMULTANEOUS: f64 = 1e-12;
@@ -110,9 +111,13 @@ impl ZenoSequence<'_> {
         let e = DVector::from_fn(touching.len(), |i, _| self.restitution[touching[i]]);
         let push = self.on(&touching, |a, v| impulses(self.rule, a, v, &e), rate)?;
         let fastest = rate.amax();
+        let before = rate.clone();
         *rate += self.response * push;
         for i in touching {
-            rate[i] = if rate[i].abs() <= STANDS * fastest { 0.0 } else { rate[i] };
+            // What is known but for rounding: that of many contacts would let them part.
+            let rebound = -self.restitution[i] * before[i];
+            let known = [0.0, rebound].into_iter().find(|known| (rate[i] - known).abs() <= STANDS * fastest);
+            rate[i] = known.unwrap_or(rate[i]);
         }
         Some(())
     }
