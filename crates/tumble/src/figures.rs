@@ -99,7 +99,7 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
         let known: Option<Vec<Expr>> =
             formulas.iter().map(|formula| Some(moments.known(formula)?.formula)).collect();
         let Some(known) = known else { continue };
-        let Some(rows) = rows(&of_case, case, plot, &known)? else { continue };
+        let Some(rows) = rows(&of_case, case, plot, &known)?.map(begun) else { continue };
         for (index, curve) in plot.y.iter().enumerate() {
             let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
             // One curve a run needs no name: the axis says what it is.
@@ -111,6 +111,14 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
         mark_events(&mut figure, case);
     }
     Ok(figure)
+}
+
+/// Without what was just before the first instant, which the figure does not show.
+fn begun(mut rows: Vec<Row>) -> Vec<Row> {
+    let first = rows.first().map_or(0.0, |row| row.time);
+    let before = rows.iter().take_while(|row| row.time == first).count();
+    rows.drain(..before.saturating_sub(1));
+    rows
 }
 
 /// The motion where the figure shows it; `None` if what it waits for does not happen in this run.

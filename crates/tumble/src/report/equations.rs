@@ -271,7 +271,7 @@ fn shortest(notation: &Notation, condition: &Expr) -> Expr {
         let shown = notation.clone().without_automatic_names().formula(formula);
         shown.map_or(usize::MAX, |shown| shown.text().chars().count())
     };
-    let multiples = [1, 2, 3, 4, 6].map(|factor| factor * condition);
+    let multiples = [1, -1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * condition);
     multiples.into_iter().min_by_key(written).unwrap_or_else(|| condition.clone())
 }
 
