@@ -37,6 +37,7 @@ mod mass;
 mod mode;
 mod model;
 mod observer;
+mod overlap;
 mod parameters;
 mod place;
 mod placement;

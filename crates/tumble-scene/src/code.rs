@@ -125,6 +125,8 @@ tumble_expr::codes! {
     ValueOfRun = "W0603";
     /// A span of time that turned out to end before it begins.
     WindowOfRun = "W0604";
+    /// Bodies that overlap at the start, where bodies do not meet each other.
+    Overlap = "W0605";
 }
 
 #[cfg(test)]

@@ -42,6 +42,7 @@ mod sweep;
 mod toml_text;
 mod unit_text;
 mod values;
+mod words;
 
 use draft::Draft;
 

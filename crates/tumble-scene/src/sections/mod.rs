@@ -133,10 +133,7 @@ fn refuse_unknown(draft: &mut Draft, top: &[Field]) {
             false => (Code::UnknownKey, "key"),
         };
         let message = format!("there is no {what} `{}`", field.key);
-        let help = match suggest::nearest(field.key, known.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("a scene is made of {}", suggest::list(known.iter().copied())),
-        };
+        let help = suggest::section(field.key, &known);
         let mistake = Diagnostic::new(code, field.key_span.clone(), message);
         draft.note(mistake.label(format!("unknown {what}")).help(help));
     }
