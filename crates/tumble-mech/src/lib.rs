@@ -43,6 +43,7 @@ mod place;
 mod placement;
 mod potential;
 mod record;
+mod rest;
 mod restrained;
 mod row;
 mod run;

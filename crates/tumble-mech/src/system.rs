@@ -79,6 +79,7 @@ impl Hybrid for Equations {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }
         jump.record.impulses = self.impulses(impulses, at, &jump)?;
+        self.rest(at, &mut jump)?;
         Ok(jump)
     }
 

@@ -127,6 +127,8 @@ tumble_expr::codes! {
     WindowOfRun = "W0604";
     /// Bodies that overlap at the start, where bodies do not meet each other.
     Overlap = "W0605";
+    /// A run that was to end at rest and has not come to it.
+    NoRest = "W0606";
 }
 
 #[cfg(test)]

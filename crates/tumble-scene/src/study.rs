@@ -117,6 +117,14 @@ impl Study {
         self.said.one(warning.help(help).warning())
     }
 
+    /// That the motion was to end at rest and did not come to it before the latest time, s.
+    pub fn no_rest(&self, latest: f64) -> Diagnostics {
+        let message = format!("the motion has not come to rest by {latest} s, and ends there");
+        let warning = self.said.places.about(Code::NoRest, "until", message).label("not at rest before");
+        let help = "what slides without friction, or is slowed down by dampers or the air, only comes ever nearer to rest";
+        self.said.one(warning.help(help).warning())
+    }
+
     /// That the time between two instants of the run turned out to be none; `of` is the question or figure it is of.
     pub fn empty_window(&self, of: &str, [from, to]: [f64; 2]) -> Diagnostics {
         let message = format!("{of} looks at the time from {from} s to {to} s, in which there is nothing");

@@ -143,10 +143,22 @@ fn sweep() -> Value {
 }
 
 fn duration() -> Value {
+    let at_rest = closed(
+        "end at rest",
+        &[
+            must(
+                "rest",
+                json!({ "const": true }),
+                "The run ends where all bodies have come to rest for good.",
+            ),
+            must("at_most", named("quantity"), "The latest end."),
+        ],
+    );
+    let until = json!({ "anyOf": [named("quantity"), at_rest] });
     closed(
         "[run]",
         &[
-            must("until", named("quantity"), "End of the run; it starts at 0."),
+            must("until", until, "End of the run; it starts at 0."),
             may(
                 "accuracy",
                 json!({ "type": "number", "minimum": 1e-14, "maximum": 1e-3 }),
