@@ -129,6 +129,8 @@ tumble_expr::codes! {
     Overlap = "W0605";
     /// A run that was to end at rest and has not come to it.
     NoRest = "W0606";
+    /// A pose of equilibrium that was asked for and not found.
+    NoEquilibrium = "W0607";
 }
 
 #[cfg(test)]

@@ -64,6 +64,7 @@ pub(crate) fn key(title: &str, word: &str, known: &[&str]) -> String {
     match nearest(word, known.iter().copied()) {
         Some(near) => format!("did you mean `{near}`?"),
         None if top => format!("`{word}` stands at the top level of the file, outside of any section"),
+        None if known.is_empty() => "the keys are none: the section says it all by itself".to_owned(),
         None => format!("the keys are {}", list(known.iter().copied())),
     }
 }

@@ -228,6 +228,20 @@ const SECTIONS: &[Row] = &[
         "what a body starts from stands with it: `start = { at = [..], velocity = [..] }` in `[body.NAME]`",
     ),
     (
+        &[
+            "static",
+            "statics",
+            "rest_pose",
+            "stability",
+            "eigenvalue",
+            "mode",
+            "frequencie",
+            "frequency",
+            "linearise",
+        ],
+        "`[equilibrium]` finds the pose near the start in which nothing accelerates, and whether it is stable",
+    ),
+    (
         &["scan", "study", "parameter_study", "batch", "case", "variation", "range"],
         "`[sweep]` gives parameters several values, one run each",
     ),

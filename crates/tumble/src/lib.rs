@@ -39,6 +39,7 @@ mod balance_figures;
 mod case;
 mod checks;
 mod digits;
+mod equilibrium;
 mod figures;
 mod finished;
 mod free_bodies;

@@ -74,7 +74,7 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
     Ok(said)
 }
 
-fn name_run(said: &mut Diagnostics, label: &str) {
+pub(crate) fn name_run(said: &mut Diagnostics, label: &str) {
     for diagnostic in said.list.iter_mut().filter(|_| !label.is_empty()) {
         diagnostic.message = format!("in the run `{label}`: {}", diagnostic.message);
     }

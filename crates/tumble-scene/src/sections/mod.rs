@@ -5,6 +5,7 @@ mod body;
 mod check;
 mod damper;
 mod drag;
+mod equilibrium;
 mod event;
 mod force;
 mod free_body;
@@ -78,6 +79,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("damper", damper::read),
     optional("torsion", torsion::read),
     needed("run", "[run]\nuntil = \"10 s\"", run::read),
+    optional("equilibrium", equilibrium::read),
     optional("output", output::read),
     optional("plot", plot::read),
     optional("stroboscope", stroboscope::read),

@@ -21,6 +21,7 @@ use crate::pipeline::{PipelineError, Runs};
 use crate::summary::Source;
 
 use names::Names;
+pub(crate) use names::quantity_to;
 
 /// How a report is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -49,6 +49,11 @@ fn sections() -> Vec<Key> {
         may("event", each(event()), "What happens each time a formula passes a value."),
         may("sweep", open(sweep()), "Parameters that take several values, one run each."),
         must("run", duration(), "How long, and how accurately."),
+        may(
+            "equilibrium",
+            closed("[equilibrium]", &[]),
+            "Asks for the pose near the start in which nothing accelerates.",
+        ),
         may("output", output(), "How dense the tables are."),
         may("plot", each(plot()), "Curves against the time or another quantity."),
         may("stroboscope", each(stroboscope()), "Bodies at equal steps of time in one picture."),
