@@ -180,7 +180,8 @@ fn overlap(one: &Outline, other: &Outline, touch: f64) -> bool {
             let apart = distance(*a, *b);
             let is_inside_of = |inner: f64, outer: f64| apart + inner < outer + touch;
             let is_apart = apart > r + s - touch;
-            !is_apart && !(*first && is_inside_of(*s, *r)) && !(*second && is_inside_of(*r, *s))
+            let has_room = *first && is_inside_of(*s, *r) || *second && is_inside_of(*r, *s);
+            !(is_apart || has_room)
         }
     }
 }

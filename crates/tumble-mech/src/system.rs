@@ -74,7 +74,8 @@ impl Hybrid for Equations {
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, at, &mut jump)?;
         }
-        impulses.add(self.couple(&jump.record.happened[known..].to_vec(), at, &mut jump)?);
+        let carried = jump.record.happened[known..].to_vec();
+        impulses.add(self.couple(&carried, at, &mut jump)?);
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }

@@ -26,6 +26,9 @@
 //! # }
 //! ```
 //!
+//! What a scene gives, tables, figures, verified digits and the report, a model made in Rust gets by a [`prelude::Plan`] and
+//! [`pipeline::run_study`].
+//!
 //! From a file, [`pipeline::run`] is the whole way: scene, study, equations, trajectory, tables and figures.
 
 pub mod gallery;

@@ -32,7 +32,7 @@ use crate::equations::Equations;
 use crate::error::ModelErrors;
 use crate::mode::Mode;
 use crate::parameters::Parameters;
-use statics::{At, Statics};
+use statics::{At, Contacts, Statics};
 
 /// Newton's method doubles its digits near the answer; far from it steps are cut.
 const MOST_STEPS: usize = 200;
@@ -119,8 +119,7 @@ impl Equations {
         for _ in 0..MOST_CHANGES {
             let mut statics = Statics::new(self, &mode, &states, &start.inputs)?;
             let found = statics.solve()?;
-            let (gaps, forces) = statics.contacts(&found)?;
-            match self.change(&mode, &gaps, &forces) {
+            match self.change(&mode, &statics.contacts(&found)?) {
                 None => return Ok(self.told(&mut statics, &found)?),
                 Some((pair, contact_mode)) => mode.set_contact_mode(pair, contact_mode),
             }
@@ -137,8 +136,7 @@ impl Equations {
     fn change(
         &self,
         mode: &Mode,
-        gaps: &[f64],
-        forces: &[(usize, f64)],
+        Contacts { gaps, forces }: &Contacts,
     ) -> Option<(usize, Option<ContactMode>)> {
         let strongest = forces.iter().map(|(_, force)| force.abs()).fold(0.0, f64::max);
         let pulls = forces.iter().filter(|(_, force)| *force < -BALANCED * strongest);

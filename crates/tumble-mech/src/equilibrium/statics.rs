@@ -31,6 +31,14 @@ pub(crate) struct At {
     multipliers: DVector<f64>,
 }
 
+/// How contacts are at a pose.
+pub(crate) struct Contacts {
+    /// Of all pairs, m.
+    pub(crate) gaps: Vec<f64>,
+    /// Of those that touch, by pair, N.
+    pub(crate) forces: Vec<(usize, f64)>,
+}
+
 /// The numbers of a pose.
 struct Numbers {
     /// Forces by coordinate, of loads and rows together.
@@ -232,14 +240,15 @@ impl<'a> Statics<'a> {
     }
 
     /// Gaps of all pairs, and the forces of those that touch, by pair.
-    pub(crate) fn contacts(&self, at: &At) -> Result<(Vec<f64>, Vec<(usize, f64)>), Reason> {
+    pub(crate) fn contacts(&self, at: &At) -> Result<Contacts, Reason> {
         let pairs = self.equations.pairs();
         let touching: Vec<usize> = self.mode.contacts.iter().map(|(pair, _)| *pair).collect();
         let gaps = pairs.iter().map(|pair| pair.gap());
         let forces = touching.iter().map(|pair| Expr::from(pairs[*pair].force_symbol()));
         let values = self.values(at, &gaps.chain(forces).collect::<Vec<_>>())?;
         let (gaps, forces) = values.split_at(pairs.len());
-        Ok((gaps.to_vec(), touching.into_iter().zip(forces.iter().copied()).collect()))
+        let forces = touching.into_iter().zip(forces.iter().copied()).collect();
+        Ok(Contacts { gaps: gaps.to_vec(), forces })
     }
 
     /// What joints, pivots and contacts do.
