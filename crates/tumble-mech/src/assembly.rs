@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_expr::{Branches, Expr, Jets, Rounded};
 use tumble_ode::Reason;
 
+use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
 use crate::mode::Mode;
@@ -22,6 +23,9 @@ const CORRECTIONS: usize = 60;
 const DEPENDENT: f64 = 1e-9;
 /// Rows that are so near to being sums of others have brought a motion to an end that cannot go on.
 const NEARLY: f64 = 1e-3;
+
+/// rad; a correction that turns a body farther leads to another branch of its angle, or nowhere.
+const MOST_TURN: f64 = 1.0;
 
 /// All rows of joints at one instant.
 pub(crate) struct Rows {
@@ -66,7 +70,8 @@ impl Equations {
             }
             let off = DVector::from_iterator(now.indices.len(), now.position.iter().map(|value| value.value));
             let step = now.correction(&off);
-            now.coordinates.iter().zip(&step).for_each(|(state, step)| states[*state] -= step);
+            let part = self.part_of(&step);
+            now.coordinates.iter().zip(&step).for_each(|(state, step)| states[*state] -= part * step);
             now = rows(states).map_err(|reason| unusable(&reason))?;
         }
         if let Some(mistake) = self.not_closed(mode, &now) {
@@ -81,6 +86,15 @@ impl Equations {
         moved.zip(compensation).filter(|(moved, _)| *moved).for_each(|(_, left)| *left = 0.0);
         mode.redundant = now.redundant();
         Ok(())
+    }
+
+    /// How much of a correction by coordinate is taken, so that no body turns far at once: near a pose that no correction leads away
+    /// from they grow beyond all bounds, and what has turned very far has no place left but for rounding.
+    pub(crate) fn part_of(&self, step: &DVector<f64>) -> f64 {
+        let bodies = (0..self.model().bodies.len()).flat_map(|body| self.coordinate_measures(body));
+        let turns = bodies.zip(step).filter(|(measure, _)| *measure == Measure::Angle);
+        let most = turns.map(|(_, step)| step.abs()).fold(0.0, f64::max);
+        if most > MOST_TURN { MOST_TURN / most } else { 1.0 }
     }
 
     /// The rows of all joints that hold in a mode, redundant ones included.

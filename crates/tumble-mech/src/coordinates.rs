@@ -171,6 +171,33 @@ impl Coordinates {
         }
     }
 
+    /// Forces of terms along each coordinate, N or N m.
+    pub(crate) fn forces(&self, body: &Kinematics, terms: &[&Term]) -> Vec<Expr> {
+        match self {
+            Self::Free => {
+                let force = total_force(terms);
+                vec![force.x().clone(), force.y().clone(), total(terms.iter().map(|term| term.torque()))]
+            }
+            Self::Pivoted { arm, .. } => {
+                let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+                vec![total(terms.iter().map(|term| term.torque_about(&(&from_pivot + &term.arm))))]
+            }
+        }
+    }
+
+    /// What a term could do along each coordinate if it acted the other way round, N or N m: its size, whatever its direction.
+    pub(crate) fn sizes(&self, body: &Kinematics, term: &Term) -> Vec<Expr> {
+        let force = term.force.norm();
+        let torque = |arm: &Vector| arm.norm() * &force + term.couple.abs();
+        match self {
+            Self::Free => vec![force.clone(), force.clone(), torque(&term.arm)],
+            Self::Pivoted { arm, .. } => {
+                let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+                vec![torque(&(from_pivot + &term.arm))]
+            }
+        }
+    }
+
     /// Moment of inertia about the axis that the body turns about, kg m^2.
     pub(crate) fn inertia(&self, mass: &MassProperties) -> Expr {
         match self {

@@ -184,6 +184,11 @@ impl Equations {
         self.terms_with(mode, |formula| self.shown(mode, formula))
     }
 
+    /// A formula of the bodies' motion with what is not a state in those that are; accelerations stay symbols.
+    pub(crate) fn in_coordinates(&self, formula: &Expr) -> Expr {
+        self.parts.definitions.apply(formula)
+    }
+
     pub(crate) fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
         self.changes(mode).apply(&self.parts.definitions.apply(formula))
     }
@@ -356,6 +361,13 @@ impl Equations {
     pub(crate) fn coordinate_states(&self, body: usize) -> Vec<usize> {
         let first = self.first_state(body);
         self.parts.bodies[body].coordinates.coordinate_states().iter().map(|state| first + state).collect()
+    }
+
+    /// What each of a body's coordinates measures.
+    pub(crate) fn coordinate_measures(&self, body: usize) -> Vec<Measure> {
+        let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[body];
+        let states = coordinates.states(kinematics);
+        coordinates.coordinate_states().iter().map(|state| states[*state].measure).collect()
     }
 
     /// What an impulse does to each of a body's velocities.

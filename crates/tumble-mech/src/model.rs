@@ -73,6 +73,8 @@ pub struct Model {
     pub nodes: usize,
     /// What is watched for.
     pub events: Vec<Event>,
+    /// Whether the motion ends where all bodies have come to rest for good.
+    pub stops_at_rest: bool,
     /// Initial values by body; a body without an entry starts at rest at angle zero, its drawing where it is drawn.
     pub starts: Vec<(String, Start)>,
 }
@@ -100,6 +102,7 @@ impl Model {
             wind: Wind::still(),
             nodes: DEFAULT_NODES,
             events: vec![],
+            stops_at_rest: false,
             starts: vec![],
         }
     }

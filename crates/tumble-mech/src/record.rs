@@ -41,6 +41,8 @@ pub enum Happening {
         /// How.
         change: Change,
     },
+    /// All bodies have come to rest for good.
+    Rest,
 }
 
 /// A jump that leaves a record.
@@ -83,6 +85,7 @@ impl Equations {
             Happening::Joint { joint, holds } => {
                 format!("{}.{}", self.model().joints[joint].name, if holds { "start" } else { "end" })
             }
+            Happening::Rest => "rest".to_owned(),
             Happening::Impulse(impulse) => self.model().impulses[impulse].name.clone(),
             Happening::Contact { pair, change } => format!("{}.{}", self.pairs()[pair].name, change.word()),
         }
@@ -93,7 +96,7 @@ impl Equations {
         record.happened.iter().map(|happening| self.name_of(happening)).collect()
     }
 
-    /// The event, the start or end of a load or a joint, or the impulse that people call so.
+    /// The event, the start or end of a load or a joint, the impulse or the rest that people call so.
     pub fn named(&self, name: &str) -> Option<Happening> {
         let events = (0..self.model().events.len()).map(Happening::Event);
         let ends = |window| [false, true].map(|ends| Happening::Window { window, ends });
@@ -101,7 +104,7 @@ impl Equations {
             .flat_map(|joint| [true, false].map(|holds| Happening::Joint { joint, holds }));
         let impulses = (0..self.model().impulses.len()).map(Happening::Impulse);
         let loads = (0..self.windows().len()).flat_map(ends);
-        let mut all = events.chain(loads).chain(joints).chain(impulses);
+        let mut all = events.chain(loads).chain(joints).chain(impulses).chain([Happening::Rest]);
         all.find(|happening| self.name_of(happening) == name)
     }
 }

@@ -74,12 +74,13 @@ impl Hybrid for Equations {
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, at, &mut jump)?;
         }
-        let happened = jump.record.happened[known..].to_vec();
-        impulses.add(self.couple(&happened, at, &mut jump)?);
+        let carried = jump.record.happened[known..].to_vec();
+        impulses.add(self.couple(&carried, at, &mut jump)?);
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }
         jump.record.impulses = self.impulses(impulses, at, &jump)?;
+        self.rest(at, &mut jump)?;
         Ok(jump)
     }
 

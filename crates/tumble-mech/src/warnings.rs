@@ -35,6 +35,24 @@ pub enum ModelWarning {
         /// Their ratio.
         ratio: f64,
     },
+    /// Two bodies that no joints connect and that share a piece of the plane.
+    #[error("`{first}` and `{second}` overlap at the start{}, and bodies do not meet each other yet: they pass through each other", more(*others))]
+    Overlap {
+        /// The first of them.
+        first: String,
+        /// The second.
+        second: String,
+        /// Pairs besides these, as far as they were counted.
+        others: usize,
+    },
+}
+
+fn more(others: usize) -> String {
+    match others {
+        0 => String::new(),
+        1 => ", and so does one more pair of bodies".to_owned(),
+        _ => format!(", and so do at least {others} more pairs of bodies"),
+    }
 }
 
 impl Equations {
@@ -52,7 +70,7 @@ impl Equations {
         let (speeds, masses) = values.split_at(bodies.len());
         let fast = bodies.iter().zip(speeds).filter(|(_, speed)| **speed > FAST);
         let fast = fast.map(|(body, speed)| ModelWarning::Speed { body: body.name.clone(), speed: *speed });
-        Ok(fast.chain(self.unlike(masses)).collect())
+        Ok(fast.chain(self.unlike(masses)).chain(self.overlap(start)?).collect())
     }
 
     /// The heaviest and the lightest body, where they are too far apart.

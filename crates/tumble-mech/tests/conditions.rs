@@ -241,6 +241,7 @@ fn what_is_possible_and_most_often_a_slip_is_a_warning() {
         model.add(Body::point("moon").mass(mass * KG));
         let start = Start::default().velocity([0 * M / S, speed * M / S]).omega(omega / S);
         model.starts.push((ball.name, start));
+        model.starts.push(("moon".into(), Start::default().at([9 * M, 0 * M])));
         let equations = Equations::new(model).expect("a model");
         let start = equations.check(&equations.model().parameters).expect("a start");
         let warnings = equations.warnings(&start).expect("values");

@@ -125,6 +125,12 @@ tumble_expr::codes! {
     ValueOfRun = "W0603";
     /// A span of time that turned out to end before it begins.
     WindowOfRun = "W0604";
+    /// Bodies that overlap at the start, where bodies do not meet each other.
+    Overlap = "W0605";
+    /// A run that was to end at rest and has not come to it.
+    NoRest = "W0606";
+    /// A pose of equilibrium that was asked for and not found.
+    NoEquilibrium = "W0607";
 }
 
 #[cfg(test)]

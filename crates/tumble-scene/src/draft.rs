@@ -40,6 +40,7 @@ pub(crate) struct Draft {
     pub(crate) free_bodies: Vec<FreeBody>,
     pub(crate) finds: Vec<Question>,
     pub(crate) checks: Vec<Check>,
+    pub(crate) equilibrium: bool,
     pub(crate) symbols: BTreeMap<String, String>,
     pub(crate) sweep: Vec<SweepAxis>,
     /// Once it is known that the model has some.
@@ -89,6 +90,7 @@ impl Draft {
                 free_bodies: self.free_bodies,
                 finds: self.finds,
                 checks: self.checks,
+                equilibrium: self.equilibrium,
                 symbols: self.symbols,
                 sweep: self.sweep,
                 said: Said {

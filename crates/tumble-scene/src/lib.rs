@@ -30,6 +30,7 @@ mod model_mistakes;
 mod moments;
 mod names;
 mod places;
+mod plan;
 mod printable;
 mod quantities;
 mod reader;
@@ -42,6 +43,7 @@ mod sweep;
 mod toml_text;
 mod unit_text;
 mod values;
+mod words;
 
 use draft::Draft;
 
@@ -50,6 +52,7 @@ pub use diagnostic::{Diagnostic, Diagnostics, Label, Severity, Source, Span};
 pub use file_names::file_name_fault;
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use moments::Count;
+pub use plan::Plan;
 pub use printable::{is_unseen, printable, printable_lines};
 pub use settings::Override;
 pub use study::{

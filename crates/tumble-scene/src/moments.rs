@@ -109,7 +109,13 @@ fn event_of<'n>(names: &Names, text: &'n str) -> Option<(&'n str, Count)> {
         None => (text, Count::FIRST),
     };
     let is_known = names.happenings.contains(name) || names.events.iter().any(|event| event == name);
-    is_known.then_some((name, count))
+    (is_known || is_rest(names, name) && count == Count::FIRST).then_some((name, count))
+}
+
+/// The instant at which a body has come to rest for good, `rod.rest`.
+fn is_rest(names: &Names, name: &str) -> bool {
+    let body = name.strip_suffix(".rest");
+    body.is_some_and(|body| names.bodies.iter().any(|known| known == body))
 }
 
 /// The symbols of all moments in a formula, by the names they have there.

@@ -145,6 +145,12 @@ impl Places {
                 "the lighter one",
                 "is a unit or an exponent wrong? What the lighter body does to the heavier is lost by rounding",
             ),
+            ModelWarning::Overlap { second, .. } => (
+                Code::Overlap,
+                format!("start of `{second}`"),
+                "starts in the other",
+                "start them apart, or join them if they are one; only surfaces are met",
+            ),
         };
         self.about(code, &what, warning.to_string()).label(label).help(help).warning()
     }

@@ -12,7 +12,7 @@ use crate::file_names::folded;
 use crate::formula::{self, Origin, Text, Want};
 use crate::names::fit_file;
 use crate::printable::is_unseen;
-use crate::suggest;
+use crate::{suggest, words};
 
 /// Reading of values. `None` means that a mistake has been noted.
 impl Draft {
@@ -123,7 +123,7 @@ impl Draft {
             }
             let message = format!("`{}` has no key `{}`", table.title, field.key);
             let mistake = Diagnostic::new(Code::UnknownKey, field.key_span.clone(), message);
-            self.note(mistake.label("unknown key").help(suggest::key(field.key, &table.asked)));
+            self.note(mistake.label("unknown key").help(suggest::key(&table.title, field.key, &table.asked)));
         }
     }
 
@@ -245,9 +245,9 @@ impl Draft {
         let pair = <[Field; 2]>::try_from(parts).ok();
         if pair.is_none() {
             let message = format!("`{}` is a list of two, {shape}, not of {count}", field.key);
-            self.note(
-                Diagnostic::new(Code::Length, field.span.clone(), message).label(format!("{count} here")),
-            );
+            let mistake =
+                Diagnostic::new(Code::Length, field.span.clone(), message).label(format!("{count} here"));
+            self.note(if count == 3 { mistake.help(words::IN_SPACE) } else { mistake });
         }
         pair
     }

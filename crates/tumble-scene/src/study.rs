@@ -41,6 +41,8 @@ pub struct Study {
     pub finds: Vec<Question>,
     /// What must hold.
     pub checks: Vec<Check>,
+    /// Whether the pose of equilibrium near the start is asked for.
+    pub equilibrium: bool,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
     pub symbols: BTreeMap<String, String>,
     /// What takes several values, one run each; with several axes, every combination.
@@ -114,6 +116,22 @@ impl Study {
         let what = format!("that of {}", question.title);
         let warning = self.said.places.about(Code::ValueOfRun, &what, message).label("not a finite number");
         let help = "look for a division by what has become zero, by an event or by the motion";
+        self.said.one(warning.help(help).warning())
+    }
+
+    /// That the motion was to end at rest and did not come to it before the latest time, s.
+    pub fn no_rest(&self, latest: f64) -> Diagnostics {
+        let message = format!("the motion has not come to rest by {latest} s, and ends there");
+        let warning = self.said.places.about(Code::NoRest, "until", message).label("not at rest before");
+        let help = "what slides without friction, or is slowed down by dampers or the air, only comes ever nearer to rest";
+        self.said.one(warning.help(help).warning())
+    }
+
+    /// Why there is no pose of equilibrium to tell of.
+    pub fn no_equilibrium(&self, reason: &str) -> Diagnostics {
+        let warning =
+            self.said.places.about(Code::NoEquilibrium, "equilibrium", reason).label("asked for here");
+        let help = "start nearer to the pose that is meant; what slides or falls has none";
         self.said.one(warning.help(help).warning())
     }
 

@@ -121,8 +121,25 @@ fn a_start_that_is_faster_than_mechanics_goes() {
 }
 
 #[test]
+fn bodies_that_overlap() {
+    let plate = |x: &str| {
+        format!(
+            "[body.plate]\ndisk = {{ radius = \"20 cm\" }}\nmass = \"1 kg\"\nstart = {{ at = [\"{x}\", \"-30 cm\"] }}\n\n[run]"
+        )
+    };
+    insta::assert_snapshot!(warned("[run]", &plate("0 m")));
+    assert_eq!(warned("[run]", &plate("3 m")), "");
+    let pin = "[pin.pair]\nbetween = [\"rod.cm\", \"plate.cm\"]\nassemble = true\n\n[run]";
+    assert_eq!(warned("[run]", &plate("0 m").replace("[run]", pin)), "");
+}
+
+#[test]
 fn masses_that_are_too_unlike() {
-    let moon = |mass: &str| format!("[body.moon]\nball = {{ radius = \"1 m\" }}\nmass = \"{mass}\"\n\n[run]");
+    let moon = |mass: &str| {
+        format!(
+            "[body.moon]\nball = {{ radius = \"1 m\" }}\nmass = \"{mass}\"\nstart = {{ at = [\"9 m\", 0] }}\n\n[run]"
+        )
+    };
     insta::assert_snapshot!(warned("[run]", &moon("2e15 kg")));
     assert_eq!(warned("[run]", &moon("1e15 kg")), "");
 }

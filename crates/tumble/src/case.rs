@@ -1,6 +1,6 @@
 //! The runs of a study: one, or one for every combination of what is swept.
 
-use tumble_mech::{Parameters, Run, RunError, Trust};
+use tumble_mech::{Equilibrium, Parameters, Run, RunError, Trust};
 use tumble_ode::{Accuracy, Refusal};
 use tumble_scene::{Diagnostics, Study, SweepAxis, SweepValue, Swept};
 
@@ -33,6 +33,8 @@ pub struct Case {
     pub finds: Vec<FindResult>,
     /// The scene's claims, each with what was found.
     pub checks: Vec<CheckResult>,
+    /// The pose of equilibrium near its start, where it is asked for and there is one.
+    pub equilibrium: Option<Equilibrium>,
     /// What a user should know of it.
     pub said: Diagnostics,
     /// Energy, momentum and what changed them; `None` where only numbers were asked for.
@@ -235,13 +237,28 @@ impl Case {
             refusal,
             finds: vec![],
             checks: vec![],
+            equilibrium: None,
             said: Diagnostics::default(),
             balance: None,
         };
         case.finds = questions::finds(study, &case)?;
         case.checks = checks::evaluate(study, &case)?;
         case.said = placed::said(study, &case)?;
+        if study.equilibrium {
+            case.find_equilibrium(study);
+        }
         Ok(case)
+    }
+
+    fn find_equilibrium(&mut self, study: &Study) {
+        match self.run.equations.equilibrium(&self.parameters) {
+            Ok(found) => self.equilibrium = Some(found),
+            Err(reason) => {
+                let mut said = study.no_equilibrium(&reason.to_string());
+                placed::name_run(&mut said, &self.label);
+                self.said.extend(said);
+            }
+        }
     }
 
     /// The folder of its tables.

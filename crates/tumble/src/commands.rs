@@ -327,7 +327,7 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             tell!("error: {}: {error}", shown(scene));
             Ending::File
         }
-        PipelineError::WithoutPdf => {
+        PipelineError::WithoutPdf | PipelineError::Name { .. } => {
             tell!("error: {error}");
             Ending::Mistake
         }

@@ -3,7 +3,7 @@
 //! A sweep may have thousands of runs, and a motion with its check runs is much larger than what is told of it.
 
 use tumble_expr::Symbol;
-use tumble_mech::{Quadrature, Record, Run};
+use tumble_mech::{Equilibrium, Quadrature, Record, Run};
 use tumble_ode::{Accuracy, Refusal, Work};
 use tumble_scene::Diagnostics;
 
@@ -11,6 +11,7 @@ use crate::balance;
 use crate::case::{Case, folder};
 use crate::checks::CheckResult;
 use crate::digits::Held;
+use crate::equilibrium;
 use crate::questions::FindResult;
 
 /// One run of a study, and what it came to.
@@ -40,6 +41,8 @@ pub struct Finished {
     pub finds: Vec<FindResult>,
     /// The scene's claims, each with what was found.
     pub checks: Vec<CheckResult>,
+    /// The pose of equilibrium near its start, where it is asked for and there is one.
+    pub equilibrium: Option<Equilibrium>,
     /// What a user should know of it.
     pub said: Diagnostics,
     /// Values of the parameters, in their order, SI units.
@@ -83,6 +86,7 @@ impl Finished {
             refusal: case.refusal.clone(),
             finds: case.finds.clone(),
             checks: case.checks.clone(),
+            equilibrium: case.equilibrium.clone(),
             said: case.said.clone(),
             inputs: run.inputs.clone(),
             states: last_states(run),
@@ -95,6 +99,11 @@ impl Finished {
     /// Whether the motion reached its end and every claim holds.
     pub fn is_success(&self) -> bool {
         self.refusal.is_none() && self.checks.iter().all(|check| check.holds)
+    }
+
+    /// Lines that tell of its equilibrium, where there is one.
+    pub fn equilibrium_lines(&self) -> Vec<String> {
+        self.equilibrium.as_ref().map(equilibrium::lines).unwrap_or_default()
     }
 
     /// The folder of its tables.

@@ -26,6 +26,9 @@
 //! # }
 //! ```
 //!
+//! What a scene gives, tables, figures, verified digits and the report, a model made in Rust gets by a [`prelude::Plan`] and
+//! [`pipeline::run_study`].
+//!
 //! From a file, [`pipeline::run`] is the whole way: scene, study, equations, trajectory, tables and figures.
 
 pub mod gallery;
@@ -39,6 +42,7 @@ mod balance_figures;
 mod case;
 mod checks;
 mod digits;
+mod equilibrium;
 mod figures;
 mod finished;
 mod free_bodies;

@@ -117,6 +117,9 @@ impl<'a> Moments<'a> {
             blur: tumble_mech::Trust::event_blur(run, time),
         };
         if let Some((event, count)) = counted(name) {
+            if let Some(body) = self.resting(event) {
+                return run.rest_of(body).ok().flatten().map(at);
+            }
             let happening = run.equations.named(event)?;
             let there =
                 run.trajectory.events.iter().filter(|event| event.record.happened.contains(&happening));
@@ -136,6 +139,11 @@ impl<'a> Moments<'a> {
                 blur: start.blur + end.blur,
             },
         })
+    }
+
+    /// The body whose rest is called so, `rod.rest`.
+    fn resting(&self, name: &str) -> Option<usize> {
+        self.solution.run.equations.model().body_index(name.strip_suffix(".rest")?)
     }
 
     /// The contact of that count of a surface, of a body with it, or of one point of the body.

@@ -89,6 +89,14 @@ pub enum PipelineError {
         /// Why.
         error: std::io::Error,
     },
+    /// A study whose results cannot have a folder of that name.
+    #[error("`{name}` cannot be the name of a folder: {fault}")]
+    Name {
+        /// The name.
+        name: String,
+        /// What is wrong with it.
+        fault: String,
+    },
     /// The scene has mistakes.
     #[error("the scene has mistakes")]
     Scene(Box<Diagnostics>),
@@ -147,9 +155,63 @@ pub fn run_telling(
     options.report.check()?;
     let source = Source::read(path)?;
     let (study, needed) = read(&source, options)?;
-    let folder = Folder::begin(&options.out, &source.name, &needed)?;
+    written(&source, study, &needed, options, tell)
+}
+
+/// Runs a study of a model that was made in Rust, and writes what a scene's run does, into a folder of that name.
+///
+/// `set` of the options has no part in it: the model has its parameters.
+///
+/// ```
+/// use tumble::prelude::*;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut model = Model::new();
+/// model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+/// let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(2 * KG));
+/// model.pivot(&rod, [0 * M, 0 * M]);
+/// model.starts.push(("rod".into(), Start::default().angle(0.3.into())));
+/// let angle = rod.kinematics().angle();
+/// let study = Plan::of("A pendulum", model, 4 * S)
+///     .plot("swing", [("angle", angle.clone())])
+///     .free_body("forces", &rod, [Instant::at(0.5)])
+///     .find("widest", angle, When::greatest())
+///     .study()
+///     .map_err(|mistakes| mistakes.to_string())?;
+/// # let out = std::env::temp_dir().join("tumble-doc-run-study");
+/// let options = Options { out, ..Options::default() };
+/// let outcome = tumble::pipeline::run_study(&study, "pendulum", &options)?;
+/// assert!(outcome.folder.join("report.html").is_file());
+/// assert!((outcome.cases[0].finds[0].value - 0.3).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+pub fn run_study(study: &Study, name: &str, options: &Options) -> Result<Outcome, PipelineError> {
+    options.report.check()?;
+    let source = Source::of_program(name)?;
+    let mut study = study.clone();
+    if study.title.is_empty() {
+        study.title = source.shown_name();
+    }
+    let mut cases = vec![];
+    let outcome = written(&source, study, &[], options, |case| {
+        cases.push(case);
+        Ok(())
+    })?;
+    Ok(Outcome { cases, ..outcome })
+}
+
+/// Makes the runs of a study and puts their results in place; no result takes the place of what was needed.
+fn written(
+    source: &Source,
+    study: Study,
+    needed: &[PathBuf],
+    options: &Options,
+    tell: impl FnMut(Finished) -> io::Result<()> + Send,
+) -> Result<Outcome, PipelineError> {
+    let folder = Folder::begin(&options.out, &source.name, needed)?;
     let Written { figures, tally, of_runs, missing } =
-        write(&source, &study, options, &folder, tell).map_err(|error| error.placed(&study))?;
+        write(source, &study, options, &folder, tell).map_err(|error| error.placed(&study))?;
     let placed = folder.finish()?;
     let (folder, notes, cases) = (placed.folder, placed.notes, vec![]);
     Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing })

@@ -56,6 +56,9 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
     if let Some(refusal) = &case.refusal {
         said.extend(study.refusal(&refusal.reason, &refusal.to_string()));
     }
+    if study.model.stops_at_rest && case.refusal.is_none() && case.run.rest().map_err(Box::new)?.is_none() {
+        said.extend(study.no_rest(case.run.trajectory.end().unwrap_or_default()));
+    }
     let finds =
         study.finds.iter().zip(&case.finds).map(|(question, find)| (question, find.at, [find.value; 2]));
     let checks = study.checks.iter().zip(&case.checks);
@@ -71,7 +74,7 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
     Ok(said)
 }
 
-fn name_run(said: &mut Diagnostics, label: &str) {
+pub(crate) fn name_run(said: &mut Diagnostics, label: &str) {
     for diagnostic in said.list.iter_mut().filter(|_| !label.is_empty()) {
         diagnostic.message = format!("in the run `{label}`: {}", diagnostic.message);
     }

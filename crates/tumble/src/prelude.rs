@@ -3,9 +3,15 @@
 pub use tumble_expr::units::{J, KG, M, N, RAD, S};
 pub use tumble_expr::{Expr, Relation, Vector};
 pub use tumble_mech::{
-    Body, Frame, Gravity, Instant, Load, Model, Part, Place, PointRef, Run, RunError, Shape, Start,
+    Action, Anchor, Application, AppliedImpulse, Body, Component, ContactLaw, Drag, DragPlace, Equations,
+    Event, Frame, Gravity, Joint, JointKind, Kinematics, Load, Magnus, MassProperties, Model, Moment,
+    MultipleImpacts, Parameters, Part, Pivot, Place, PointRef, Release, Run, RunError, Shape, Spring, Start,
+    Surface, Torsion, Wind,
 };
-pub use tumble_ode::Accuracy;
+pub use tumble_ode::{Accuracy, Direction};
+pub use tumble_scene::{Instant, Plan, Sheet, Study, When};
+
+pub use crate::pipeline::{Options, run_study};
 
 /// The time, s.
 pub fn t() -> Expr {

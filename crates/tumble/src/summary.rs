@@ -54,6 +54,19 @@ impl Source {
 }
 
 impl Source {
+    /// Of a study that a program made.
+    pub(crate) fn of_program(name: &str) -> Result<Self, PipelineError> {
+        match tumble_scene::file_name_fault(name) {
+            Some(fault) => Err(PipelineError::Name { name: name.to_owned(), fault }),
+            None => Ok(Self { path: PathBuf::new(), name: name.to_owned(), bytes: vec![] }),
+        }
+    }
+
+    /// The hash of the scene, where there is one.
+    pub(crate) fn hash(&self) -> Option<String> {
+        (!self.path.as_os_str().is_empty()).then(|| Hash::of(&self.bytes).to_string())
+    }
+
     /// The name as people see it.
     pub(crate) fn shown_name(&self) -> String {
         printable(&self.name).into_owned()
@@ -78,7 +91,8 @@ struct Summary<'a> {
     schema_version: u32,
     program: &'static str,
     program_version: &'static str,
-    scene_sha256: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scene_sha256: Option<String>,
     title: &'a str,
     complete: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -151,7 +165,7 @@ pub(crate) fn write(
         schema_version: SCHEMA_VERSION,
         program: "tumble",
         program_version: env!("CARGO_PKG_VERSION"),
-        scene_sha256: Hash::of(&source.bytes).to_string(),
+        scene_sha256: source.hash(),
         title: &study.title,
         complete: all.missing.is_empty() && all.tally.refused == 0,
         interrupted: interrupted(all),

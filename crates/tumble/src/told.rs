@@ -49,6 +49,7 @@ fn of_run(run: &Finished) -> String {
         let (nodes, change) = (found.nodes, found.change);
         lines.push(format!("  the sum over {nodes} nodes along a line is only good to {change:.0e}"));
     }
+    lines.extend(run.equilibrium_lines());
     lines.extend(run.finds.iter().map(of_find));
     lines.extend(run.checks.iter().map(of_check));
     lines.extend(run.refusal.as_ref().map(|refusal| format!("  incomplete: {refusal}")));

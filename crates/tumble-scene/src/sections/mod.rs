@@ -5,6 +5,7 @@ mod body;
 mod check;
 mod damper;
 mod drag;
+mod equilibrium;
 mod event;
 mod force;
 mod free_body;
@@ -78,6 +79,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("damper", damper::read),
     optional("torsion", torsion::read),
     needed("run", "[run]\nuntil = \"10 s\"", run::read),
+    optional("equilibrium", equilibrium::read),
     optional("output", output::read),
     optional("plot", plot::read),
     optional("stroboscope", stroboscope::read),
@@ -133,10 +135,7 @@ fn refuse_unknown(draft: &mut Draft, top: &[Field]) {
             false => (Code::UnknownKey, "key"),
         };
         let message = format!("there is no {what} `{}`", field.key);
-        let help = match suggest::nearest(field.key, known.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("a scene is made of {}", suggest::list(known.iter().copied())),
-        };
+        let help = suggest::section(field.key, &known);
         let mistake = Diagnostic::new(code, field.key_span.clone(), message);
         draft.note(mistake.label(format!("unknown {what}")).help(help));
     }

@@ -1,6 +1,6 @@
 //! `[run]`: how long and how accurately.
 
-use tumble_expr::Dimension;
+use tumble_expr::{Dimension, Expr};
 use tumble_ode::Accuracy;
 
 use super::only;
@@ -21,12 +21,38 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn run(draft: &mut Draft, table: &mut Table) {
     if let Some(field) = draft.required(table, "until", "\"10 s\"") {
         draft.remember("until", &field.span);
-        draft.until = draft.number(&field, Want::constant(Dimension::TIME));
+        draft.until = match field.value.is_table() {
+            true => at_rest(draft, &field),
+            false => draft.number(&field, Want::constant(Dimension::TIME)),
+        };
     }
     if let Some(field) = table.take(ACCURACY) {
         accuracy(draft, &field);
     }
     set_accuracy(draft);
+}
+
+/// `until = { rest = true, at_most = "60 s" }`: the latest end. That nothing moves may never come about.
+fn at_rest(draft: &mut Draft, field: &Field) -> Option<Expr> {
+    let mut table = draft.table(field, "until".to_owned())?;
+    let rest = draft.required(&mut table, "rest", "true");
+    let is_true = rest.as_ref().and_then(|rest| draft.flag(rest));
+    let latest = draft.required(&mut table, "at_most", "\"60 s\"");
+    let latest = latest.and_then(|field| {
+        draft.remember("until", &field.span);
+        draft.number(&field, Want::constant(Dimension::TIME))
+    });
+    draft.done(table);
+    if let (Some(rest), Some(false)) = (rest, is_true) {
+        let message = "a run that does not end at rest ends at a time";
+        let mistake = Diagnostic::new(Code::Exclusive, rest.span, message).label("says nothing");
+        draft.note(mistake.help("write `until = \"60 s\"`, or `rest = true`"));
+    }
+    draft.model.stops_at_rest = is_true == Some(true);
+    if draft.model.stops_at_rest {
+        draft.names.happenings.insert("rest".to_owned());
+    }
+    latest
 }
 
 /// A plain number, relative to the size of the motion.

@@ -192,7 +192,12 @@ pub(crate) const FIGURES: &[Row] = &[
         "E0519 side",
         "leave `side` out",
     ),
-    ("[symbols]", "[find.a]\nequals = \"1 m\"\nthat = \"rod.x\"\n[symbols]", "E0511 equals", "the keys are"),
+    (
+        "[symbols]",
+        "[find.a]\nequals = \"1 m\"\nthat = \"rod.x\"\n[symbols]",
+        "E0511 equals",
+        "a claim, `[check.NAME]`",
+    ),
     ("[symbols]", "[find.a]\n[symbols]", "E0513 a", "add `that"),
     (
         "y = \"rod.angle\"",

@@ -12,6 +12,7 @@ use super::{animation, balance, findings};
 use crate::balance_figures;
 use crate::case::Case;
 use crate::checks::CheckResult;
+use crate::equilibrium;
 use crate::figures;
 use crate::moments::Moments;
 use crate::pipeline::PipelineError;
@@ -120,6 +121,7 @@ fn one(case: &Case) -> Result<CaseShown, PipelineError> {
         name: figures::case_label(case),
         intro: stopped.into_iter().collect(),
         balance: balance::of(case),
+        tables: case.equilibrium.as_ref().map(equilibrium::tables).unwrap_or_default(),
         checks: case.checks.iter().map(shown).collect(),
         ..CaseShown::default()
     })

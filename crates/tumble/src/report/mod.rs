@@ -21,6 +21,7 @@ use crate::pipeline::{PipelineError, Runs};
 use crate::summary::Source;
 
 use names::Names;
+pub(crate) use names::quantity_to;
 
 /// How a report is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -110,9 +111,8 @@ pub(crate) fn animation(
 
 fn meta(source: &Source) -> Vec<(String, String)> {
     let program = format!("tumble {}", env!("CARGO_PKG_VERSION"));
-    vec![
-        ("Scene".to_owned(), source.shown_name()),
-        ("SHA-256 of the scene".to_owned(), crate::output::Hash::of(&source.bytes).to_string()),
-        ("Program".to_owned(), program),
-    ]
+    let hash = source.hash().map(|hash| ("SHA-256 of the scene".to_owned(), hash));
+    let kind = if hash.is_some() { "Scene" } else { "Study" };
+    let name = (kind.to_owned(), source.shown_name());
+    [name].into_iter().chain(hash).chain([("Program".to_owned(), program)]).collect()
 }

@@ -9,6 +9,7 @@ use tumble_scene::Study;
 
 use super::{Said, said};
 use crate::checks::CheckResult;
+use crate::equilibrium;
 use crate::finished::{Finished, Happened};
 use crate::questions::FindResult;
 use crate::tables::{is_angle, unit};
@@ -29,6 +30,8 @@ struct RunSummary<'a> {
     events: Vec<Event<'a>>,
     finds: Vec<Find<'a>>,
     checks: Vec<Check<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equilibrium: Option<equilibrium::Summary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<Said>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -164,6 +167,7 @@ fn summary<'a>(study: &Study, case: &'a Finished) -> RunSummary<'a> {
         events: case.events.iter().map(|Happened { time, what }| Event { time: *time, what }).collect(),
         finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
+        equilibrium: case.equilibrium.as_ref().map(equilibrium::Summary::of),
         warnings: said(&case.said),
         balance: case.balance.as_ref(),
     }

@@ -49,6 +49,11 @@ fn sections() -> Vec<Key> {
         may("event", each(event()), "What happens each time a formula passes a value."),
         may("sweep", open(sweep()), "Parameters that take several values, one run each."),
         must("run", duration(), "How long, and how accurately."),
+        may(
+            "equilibrium",
+            closed("[equilibrium]", &[]),
+            "Asks for the pose near the start in which nothing accelerates.",
+        ),
         may("output", output(), "How dense the tables are."),
         may("plot", each(plot()), "Curves against the time or another quantity."),
         may("stroboscope", each(stroboscope()), "Bodies at equal steps of time in one picture."),
@@ -143,10 +148,22 @@ fn sweep() -> Value {
 }
 
 fn duration() -> Value {
+    let at_rest = closed(
+        "end at rest",
+        &[
+            must(
+                "rest",
+                json!({ "const": true }),
+                "The run ends where all bodies have come to rest for good.",
+            ),
+            must("at_most", named("quantity"), "The latest end."),
+        ],
+    );
+    let until = json!({ "anyOf": [named("quantity"), at_rest] });
     closed(
         "[run]",
         &[
-            must("until", named("quantity"), "End of the run; it starts at 0."),
+            must("until", until, "End of the run; it starts at 0."),
             may(
                 "accuracy",
                 json!({ "type": "number", "minimum": 1e-14, "maximum": 1e-3 }),

@@ -1,0 +1,60 @@
+//! Runs that end at rest, and the instant at which a body comes to it.
+
+use tumble::pipeline::run_text;
+
+const BALLS: &str = r#"
+    version = 1
+    world.gravity = "9.8 m/s^2"
+    run.until = { rest = true, at_most = "MOST" }
+
+    [body.dull]
+    ball = { radius = "10 cm" }
+    mass = "1 kg"
+    restitution = 0
+    start = { at = [0, "1.1 m"] }
+
+    [body.lively]
+    ball = { radius = "10 cm" }
+    mass = "1 kg"
+    start = { at = ["1 m", "1.1 m"] }
+
+    [surface.floor]
+    through = [0, 0]
+    rigid = { restitution = 0.5 }
+
+    [check.first]
+    that = "lively.y"
+    at = "dull.rest"
+    equals = "10 cm"
+    within = "1e-12 m"
+
+    [check.last]
+    that = "t"
+    at = "rest"
+    equals = "3*sqrt(2*(1 m)/(9.8 m/s^2))"
+    within = "1e-12 s"
+
+    [check.lively]
+    that = "t"
+    at = "lively.rest"
+    equals = "3*sqrt(2*(1 m)/(9.8 m/s^2))"
+    within = "1e-12 s"
+"#;
+
+#[test]
+fn a_run_ends_where_all_rests() {
+    let cases = run_text("balls", &BALLS.replace("MOST", "60 s")).expect("a scene without mistakes");
+    for check in &cases[0].checks {
+        assert!(check.holds && check.is_sure(), "{check:?}");
+    }
+    assert!(cases[0].said.list.is_empty());
+}
+
+#[test]
+fn what_does_not_rest_in_time_is_told() {
+    let cases = run_text("balls", &BALLS.replace("MOST", "1 s")).expect("a scene without mistakes");
+    let [dull, last, lively] = &cases[0].checks[..] else { panic!("three checks") };
+    assert!(dull.holds && !last.is_reached() && !lively.is_reached());
+    let said: Vec<&str> = cases[0].said.list.iter().map(|said| said.code.as_str()).collect();
+    assert_eq!(said, ["W0606"]);
+}
