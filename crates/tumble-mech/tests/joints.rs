@@ -184,7 +184,7 @@ fn an_impulse_of_an_event_pushes_and_turns() {
     let at = tumble_mech::Place::Material(rod.named_point("tip").expect("given"));
     let impulse = tumble_expr::Vector::planar(3 * (KG * M / S), 0 * (KG * M / S));
     model.impulses.push(tumble_mech::AppliedImpulse {
-        name: "blow".into(),
+        name: "kick".into(),
         body: "rod".into(),
         when: "strike".into(),
         application: tumble_mech::Application::Force { at, force: impulse, frame: tumble_mech::Frame::World },
