@@ -93,9 +93,16 @@ pub(crate) fn define_works(names: &mut Names, model: &Model) {
     let interactions = model.interactions.iter().map(|interaction| interaction.name().to_owned());
     let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
     let joints = model.joints.iter().map(|joint| joint.name.clone());
+    let impulses = model.impulses.iter().map(|impulse| impulse.name.clone());
     let weight = ["gravity".to_owned()];
     names.working.extend(
-        loads.chain(interactions).chain(pivots).chain(joints).chain(weight).chain(names.touching.clone()),
+        loads
+            .chain(interactions)
+            .chain(pivots)
+            .chain(joints)
+            .chain(impulses)
+            .chain(weight)
+            .chain(names.touching.clone()),
     );
 }
 

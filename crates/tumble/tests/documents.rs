@@ -209,6 +209,11 @@ fn update(document: &Path, found: &str, shown: &Block) {
         true => shown.text.lines().filter_map(nearest).collect(),
         false => found.iter().map(|&line| line.to_owned()).collect(),
     };
+    assert!(
+        !shown.text.is_empty(),
+        "{}: write a word into the empty block, so that its place is known",
+        document.display()
+    );
     write(document, &read(document).replacen(&shown.text, &(lines.join("\n") + "\n"), 1));
 }
 

@@ -128,6 +128,7 @@ pub fn depends_on_motion(run: &Run, formula: &Expr) -> bool {
 /// A formula at a place of the motion.
 struct Quantity<'a> {
     run: &'a Run,
+    formula: &'a Expr,
     place: &'a Place<'a>,
     jets: Jets<f64>,
     value: f64,
@@ -137,7 +138,7 @@ impl<'a> Quantity<'a> {
     fn new(run: &'a Run, formula: &'a Expr, place: &'a Place<'a>) -> Result<Self, RunError> {
         let mode = &run.trajectory.modes[place.mode];
         let jets = run.equations.evaluator(mode, std::slice::from_ref(formula), &run.inputs)?;
-        let mut quantity = Self { run, place, jets, value: 0.0 };
+        let mut quantity = Self { run, formula, place, jets, value: 0.0 };
         quantity.value = quantity.at(place);
         Ok(quantity)
     }
@@ -185,6 +186,14 @@ impl<'a> Quantity<'a> {
     /// How fast the value changes, per s, on the way there: what an event comes to depends on what was before it.
     fn rate(&mut self) -> f64 {
         let Some(piece) = self.run.trajectory.piece_at(self.place.time, Side::Before) else { return 0.0 };
+        // A joint that begins to hold brings states of its own.
+        let mode = &self.run.trajectory.modes[piece.mode];
+        if piece.states.len() != self.jets.tape().states() {
+            match self.run.equations.evaluator(mode, std::slice::from_ref(self.formula), &self.run.inputs) {
+                Ok(jets) => self.jets = jets,
+                Err(_) => return 0.0,
+            }
+        }
         let length = piece.end - piece.start;
         let step = (RATE_PART * length).max(RATE_ULPS * f64::EPSILON * self.place.time).min(length);
         let mut rate = 0.0_f64;

@@ -39,6 +39,11 @@ fn joint(draft: &mut Draft, field: &Field, table: &mut Table, kind: JointKind) {
         (Some(None), _) | (_, Some(None)) => return,
         (from, until) => (from.flatten(), until.flatten()),
     };
+    // Its force is that on a body: of a body and a place, the body comes first.
+    let (first, second) = match (first, second) {
+        (Anchor::World(place), Second::Anchor(body)) => (body, Second::Anchor(Anchor::World(place))),
+        ends => ends,
+    };
     let joint = |ends| {
         let joint = if kind == JointKind::Pin { Joint::pin(&name, ends) } else { Joint::weld(&name, ends) };
         Joint { assemble, from: from.clone(), until: until.clone(), ..joint }
@@ -65,12 +70,7 @@ fn joint(draft: &mut Draft, field: &Field, table: &mut Table, kind: JointKind) {
 /// A pin of a body and a place that always holds is a pivot, whose body is known by its angle alone; a body has one at most.
 fn pivot(draft: &Draft, joint: &Joint) -> Option<Pivot> {
     let is_lasting = joint.from.is_none() && joint.until.is_none() && joint.kind == JointKind::Pin;
-    let (Anchor::Material(point), Anchor::World(world)) = (&joint.ends[0], &joint.ends[1]) else {
-        let [first, second] = &joint.ends;
-        let is_turned = matches!((first, second), (Anchor::World(_), Anchor::Material(_)));
-        let turned = Joint { ends: [second.clone(), first.clone()], ..joint.clone() };
-        return if is_turned { pivot(draft, &turned) } else { None };
-    };
+    let [Anchor::Material(point), Anchor::World(world)] = &joint.ends else { return None };
     let body = draft.model.bodies.iter().find(|body| body.name == point.body.body)?;
     let is_free = draft.model.pivot_of(&body.name).is_none();
     let start = draft.model.start_of(&body.name);
