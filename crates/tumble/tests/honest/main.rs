@@ -7,6 +7,7 @@ mod events;
 mod forces;
 mod formulas;
 mod impacts;
+mod joints;
 mod lines;
 mod open;
 mod refusals;
