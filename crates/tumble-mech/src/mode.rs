@@ -14,7 +14,7 @@ pub struct Mode {
     pub contacts: Vec<(usize, ContactMode)>,
     /// Joints that hold though they did not at the start, or the other way round, in order; see [`crate::Equations::holds`].
     pub switched: Vec<usize>,
-    /// Rows of joints that follow from others and are left out, in order; see [`crate::Equations::joint_rows`].
+    /// Rows of joints that follow from others and are left out, in order: all rows of all joints are counted.
     pub redundant: Vec<usize>,
 }
 
