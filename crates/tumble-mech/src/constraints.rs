@@ -112,17 +112,20 @@ impl Equations {
         found
     }
 
-    /// Indices of the rows of an island's joints in a mode, without what is redundant.
-    pub(crate) fn independent_rows_of(&self, mode: &Mode, island: &[usize]) -> Vec<usize> {
+    /// The same without what is redundant.
+    fn independent_rows(&self, mode: &Mode) -> impl Iterator<Item = (usize, &Row)> {
+        self.joint_rows(mode).filter(|(index, _)| !mode.redundant.contains(index))
+    }
+
+    /// Those of an island's joints.
+    pub(crate) fn independent_rows_of(&self, mode: &Mode, island: &[usize]) -> Vec<(usize, &Row)> {
         let is_own = |row: &Row| row.wrenches.iter().all(|wrench| island.contains(&wrench.body));
-        let own = self.joint_rows(mode).filter(|(index, row)| !mode.redundant.contains(index) && is_own(row));
-        own.map(|(index, _)| index).collect()
+        self.independent_rows(mode).filter(|(_, row)| is_own(row)).collect()
     }
 
     /// The rows that hold an island in a mode: of its joints, without what is redundant, then of its lasting contacts.
     pub(crate) fn rows_on(&self, mode: &Mode, island: &[usize]) -> Vec<Row> {
-        let own = self.independent_rows_of(mode, island);
-        let joints = self.joint_rows(mode).filter(|(index, _)| own.contains(index));
+        let joints = self.independent_rows_of(mode, island).into_iter();
         let held = mode.held().map(|pair| &self.pairs()[pair]).filter(|pair| island.contains(&pair.body));
         joints.map(|(_, row)| row.clone()).chain(held.map(Pair::row)).collect()
     }
@@ -219,9 +222,8 @@ impl Equations {
             formula: definitions.apply(formula),
             group: measure as usize,
         };
-        let joints = self.joint_rows(mode).filter(|(index, _)| !mode.redundant.contains(index));
         let held = mode.held().map(|pair| self.pairs()[pair].row());
-        let rows = joints.map(|(_, row)| row.clone()).chain(held);
+        let rows = self.independent_rows(mode).map(|(_, row)| row.clone()).chain(held);
         let rows = rows.flat_map(|row| {
             [invariant(&row.position, row.measure), invariant(&row.rate, row.measure.rate())]
         });

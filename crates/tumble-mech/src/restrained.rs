@@ -64,14 +64,19 @@ fn solved(matrix: DMatrix<f64>, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let pivots = factors.u();
     let largest = pivots[(0, 0)].abs();
     let is_regular = (0..pivots.nrows()).all(|i| pivots[(i, i)].abs() > SINGULAR * largest);
-    match is_regular {
-        true => factors.solve(right),
-        false => {
-            let parts = matrix.svd(true, true);
-            let least = SINGULAR * parts.singular_values.max();
-            parts.solve(right, least).ok()
-        }
-    }
+    if is_regular { factors.solve(right) } else { least_solution(matrix, right, SINGULAR) }
+}
+
+/// The least solution of equations that may depend on each other, or contradict each other a little; singular values below that part
+/// of the largest are zero.
+pub(crate) fn least_solution(
+    matrix: DMatrix<f64>,
+    right: &DMatrix<f64>,
+    singular: f64,
+) -> Option<DMatrix<f64>> {
+    let parts = matrix.svd(true, true);
+    let least = singular * parts.singular_values.max();
+    parts.solve(right, least).ok()
 }
 
 #[cfg(test)]

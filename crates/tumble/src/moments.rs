@@ -149,16 +149,18 @@ impl<'a> Moments<'a> {
     /// The contact of that count of a surface, of a body with it, or of one point of the body.
     fn contact(&self, place: &str, count: Count) -> Option<&Contact> {
         let pairs = self.solution.run.equations.pairs();
-        let is_there = |contact: &&Contact| {
-            let rest = pairs[contact.pair].name.strip_prefix(place);
-            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-        };
+        let is_there = |contact: &&Contact| is_part(&pairs[contact.pair].name, place);
         count.of(self.contacts.iter().filter(is_there))
     }
 }
 
 fn is_moment(symbol: &Symbol) -> bool {
     symbol.name.ends_with(']') || symbol.name.contains(".contact[")
+}
+
+/// Whether a name such as `floor.rod.tip` is that of a part of a whole such as `floor.rod`, or of all of it.
+pub(crate) fn is_part(name: &str, whole: &str) -> bool {
+    name.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 /// `apex[2]` in its two parts.

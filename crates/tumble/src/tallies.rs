@@ -4,6 +4,8 @@ use tumble_mech::{At, Impulse, Run, Source};
 use tumble_ode::{Event, Side};
 use tumble_scene::Count;
 
+use crate::moments::is_part;
+
 /// A number that the run has come to.
 pub(crate) struct Tally {
     pub(crate) value: f64,
@@ -34,7 +36,7 @@ pub(crate) fn found(run: &Run, name: &str, at: At) -> Option<Tally> {
         Some(place) => {
             let contacts = run.contacts();
             let there =
-                contacts.iter().filter(|contact| is_of(&run.equations.pairs()[contact.pair].name, place));
+                contacts.iter().filter(|contact| is_part(&run.equations.pairs()[contact.pair].name, place));
             there.filter(|contact| has_come(contact.start)).count()
         }
         None => {
@@ -50,7 +52,7 @@ pub(crate) fn found(run: &Run, name: &str, at: At) -> Option<Tally> {
 fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let contacts = run.contacts();
     let pairs = run.equations.pairs();
-    let there = contacts.iter().filter(|contact| is_of(&pairs[contact.pair].name, place));
+    let there = contacts.iter().filter(|contact| is_part(&pairs[contact.pair].name, place));
     let contact = count.of(there)?;
     let at = |event: &&Event<tumble_mech::Record>| event.time == contact.start;
     let impulses = run.trajectory.events.iter().filter(at).flat_map(|event| &event.record.impulses);
@@ -63,9 +65,4 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
         _ => size,
     };
     Some(Tally { value, blur: ROUNDING * size })
-}
-
-/// Whether a pair is at a place such as `floor`, `floor.rod` or `floor.rod.tip`.
-fn is_of(pair: &str, place: &str) -> bool {
-    pair.strip_prefix(place).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

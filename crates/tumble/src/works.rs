@@ -6,6 +6,7 @@ use tumble_ode::Side;
 
 use crate::balance::ABOUT;
 use crate::case::Solution;
+use crate::moments::is_part;
 use crate::pipeline::PipelineError;
 use crate::tallies;
 
@@ -130,7 +131,6 @@ pub(crate) fn is_work(symbol: &Symbol) -> bool {
 
 /// Whether a contribution is what the force of a load, or a part of a load such as one contact of a surface, did to a body.
 fn is_work_of(contribution: &Contribution, load: &str) -> bool {
-    let rest = contribution.load.strip_prefix(load);
-    let is_part = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    is_part && matches!(contribution.kind, Kind::Conservative | Kind::Work | Kind::Impact)
+    is_part(&contribution.load, load)
+        && matches!(contribution.kind, Kind::Conservative | Kind::Work | Kind::Impact)
 }

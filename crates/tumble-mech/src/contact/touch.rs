@@ -134,7 +134,8 @@ impl Equations {
         jets.set(states.len(), 1, 0.0);
         jets.extend(1);
         let (n, dofs) = (pairs.len(), velocities.len());
-        let joint_rows = self.independent_rows_of(mode, &island);
+        let joint_rows = self.independent_rows_of(mode, &island).into_iter().map(|(index, _)| index);
+        let joint_rows: Vec<usize> = joint_rows.collect();
         let first_joint = n * (BEFORE_ROW + dofs);
         let after_rows = first_joint + joint_rows.len() * dofs;
         let value = |pair: usize, which: usize| jets.value_of(pair * (BEFORE_ROW + dofs) + which);
@@ -235,7 +236,7 @@ impl Equations {
             outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
         }
         let joints = self.independent_rows_of(mode, island);
-        for (_, row) in self.joint_rows(mode).filter(|(index, _)| joints.contains(index)) {
+        for (_, row) in &joints {
             let rate = definitions.apply(&row.rate);
             outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
         }

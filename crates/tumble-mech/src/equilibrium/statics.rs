@@ -12,6 +12,7 @@ use crate::equations::{Equations, on_body};
 use crate::laws;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
+use crate::restrained::least_solution;
 use crate::row::Row;
 use crate::term::Term;
 
@@ -400,7 +401,7 @@ fn least(matrix: DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
     if columns == 0 || matrix.nrows() == 0 || !is_finite {
         return DVector::zeros(columns);
     }
-    let parts = matrix.svd(true, true);
-    let smallest = SINGULAR * parts.singular_values.max();
-    parts.solve(right, smallest).unwrap_or_else(|_| DVector::zeros(columns))
+    let right = DMatrix::from_column_slice(right.len(), 1, right.as_slice());
+    let found = least_solution(matrix, &right, SINGULAR);
+    found.map_or_else(|| DVector::zeros(columns), |found| found.column(0).into_owned())
 }

@@ -37,6 +37,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table, fields};
 use crate::draft::Draft;
+use crate::names::Names;
 use crate::suggest;
 
 /// A section, or a key at the top of the file.
@@ -188,28 +189,29 @@ fn only(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &mut Table)) {
 
 /// The name of a body, which must exist.
 fn body(draft: &mut Draft, field: &Field) -> Option<String> {
-    let name = draft.words(field)?;
-    if draft.names.bodies.contains(&name) {
-        return Some(name);
-    }
-    let help = suggest::name(&name, "bodies", draft.names.bodies.iter().map(String::as_str));
-    let message = format!("there is no body \"{name}\"");
-    draft.note(
-        Diagnostic::new(Code::UnknownBody, field.span.clone(), message).label("unknown body").help(help),
-    );
-    None
+    known(draft, field, Code::UnknownBody, ["body", "bodies"], |names| &names.bodies)
 }
 
 /// The name of an event, which must exist.
 fn event_named(draft: &mut Draft, field: &Field) -> Option<String> {
+    known(draft, field, Code::UnknownEvent, ["event", "events"], |names| &names.events)
+}
+
+/// A name that one of a kind must have; the kind as messages call one and several.
+fn known(
+    draft: &mut Draft,
+    field: &Field,
+    code: Code,
+    [one, several]: [&str; 2],
+    of: impl Fn(&Names) -> &Vec<String>,
+) -> Option<String> {
     let name = draft.words(field)?;
-    if draft.names.events.contains(&name) {
+    if of(&draft.names).contains(&name) {
         return Some(name);
     }
-    let help = suggest::name(&name, "events", draft.names.events.iter().map(String::as_str));
-    let message = format!("there is no event \"{name}\"");
-    draft.note(
-        Diagnostic::new(Code::UnknownEvent, field.span.clone(), message).label("unknown event").help(help),
-    );
+    let help = suggest::name(&name, several, of(&draft.names).iter().map(String::as_str));
+    let message = format!("there is no {one} \"{name}\"");
+    let mistake = Diagnostic::new(code, field.span.clone(), message);
+    draft.note(mistake.label(format!("unknown {one}")).help(help));
     None
 }
