@@ -229,3 +229,60 @@ fn a_parallelogram_of_two_loops_swings() {
     assert!((energy(angles[0], omega) - energy(0.3, 3.0)).abs() < 1e-11);
     assert!(angles.iter().all(|angle| (angle - angles[0]).abs() < 1e-10));
 }
+
+/// Two rods at a right angle, welded, and one body of the same two parts bounce off a floor alike: impulses of contacts act through the
+/// weld.
+#[test]
+fn welded_rods_bounce_as_one_body() {
+    let floor = || {
+        let law = tumble_mech::ContactLaw::Rigid { restitution: Expr::from(0.7) };
+        tumble_mech::Surface::floor("floor", 0 * M, law)
+    };
+    let (across, up) = ([[0 * M, 0 * M], [1.2 * M, 0 * M]], [[1.2 * M, 0 * M], [1.2 * M, 0.8 * M]]);
+    let rod = |[from, to]: [[Expr; 2]; 2], mass: f64| {
+        let [from, to] = [from, to].map(|[x, y]| tumble_expr::Vector::planar(x, y));
+        tumble_mech::Part { shape: tumble_mech::Shape::Rod { from, to, end_radius: 0 * M }, mass: mass * KG }
+    };
+    let mut one = Model::new();
+    one.gravity = g();
+    let whole = Body::from_parts("whole", vec![rod(across.clone(), 1.5), rod(up.clone(), 0.7)]);
+    let whole = one.add(whole.with_point("corner", [1.2 * M, 0 * M]));
+    one.surface(floor());
+    let start = Start::default().at([0 * M, 2 * M]).angle(Expr::from(0.4)).omega(-1.3 / S);
+    let first = motion(one.simulate(&[(&whole, start)], 2 * S));
+
+    let mut two = Model::new();
+    two.gravity = g();
+    let part = |name: &str, ends, mass| {
+        Body::from_parts(name, vec![rod(ends, mass)]).with_point("corner", [1.2 * M, 0 * M])
+    };
+    let flat = two.add(part("flat", across, 1.5));
+    let upright = two.add(part("upright", up, 0.7));
+    two.join(Joint::weld("corner", [named(&flat, "corner"), named(&upright, "corner")]));
+    two.surface(floor());
+    // Where the first of the two parts is, and how fast, when the whole starts so.
+    let arm = [0.6 - (1.5 * 0.6 + 0.7 * 1.2) / 2.2, -0.7 * 0.4 / 2.2];
+    let (sin, cos) = 0.4_f64.sin_cos();
+    let turned = [cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]];
+    let start = Start::default()
+        .at([turned[0] * M, (2.0 + turned[1]) * M])
+        .velocity([1.3 * turned[1] * M / S, -1.3 * turned[0] * M / S])
+        .angle(Expr::from(0.4))
+        .omega(-1.3 / S);
+    let second = motion(two.simulate(&[(&flat, start)], 2 * S));
+
+    let impacts = first.contacts().len();
+    assert!(impacts > 3 && second.contacts().len() == impacts, "{impacts}");
+    let (a, b) = (first.at(2.0).expect("within"), second.at(2.0).expect("within"));
+    let corners = [
+        a.position(&whole.named_point("corner").expect("given")),
+        b.position(&flat.named_point("corner").expect("given")),
+    ];
+    let [there, here] = corners.map(|place| place.expect("finite"));
+    let angles = [a.angle(&whole), b.angle(&upright)].map(|angle| angle.expect("finite"));
+    println!("{there:?} {here:?} {angles:?} {impacts}");
+    assert!((there[0] - here[0]).abs() < 1e-9 && (there[1] - here[1]).abs() < 1e-9, "{there:?} {here:?}");
+    assert!((angles[0] - angles[1]).abs() < 1e-9, "{angles:?}");
+    let balance = tumble_mech::RunBalance::of(&second, [0.0, 0.0]).expect("a balance");
+    assert!(balance.relative() < 1e-10, "{}", balance.relative());
+}
