@@ -56,7 +56,9 @@ pub(super) fn block(block: &Block) -> String {
 
 fn definition(definition: &Definition) -> String {
     let (symbol, meaning) = (math(&definition.symbol), text(&definition.meaning));
-    format!("<div><dt>{symbol}</dt><dd>{meaning}</dd></div>\n")
+    // An equation that says it all may be as long as any: it scrolls where it is wider than the page.
+    let class = if meaning.is_empty() { " class=\"line\"" } else { "" };
+    format!("<div><dt{class}>{symbol}</dt><dd>{meaning}</dd></div>\n")
 }
 
 /// Content in an element of a class; nothing for no content.
