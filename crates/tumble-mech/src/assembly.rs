@@ -119,9 +119,9 @@ impl Equations {
         inputs: &[f64],
     ) -> Result<Rows, Reason> {
         let layout = self.layout(mode);
-        let bodies = 0..self.model().bodies.len();
-        let velocities: Vec<usize> = bodies.clone().flat_map(|body| self.velocity_states(body)).collect();
-        let coordinates = bodies.clone().flat_map(|body| self.coordinate_states(body)).collect();
+        let bodies = || mode.bodies.iter().copied();
+        let velocities: Vec<usize> = bodies().flat_map(|body| self.velocity_states(mode, body)).collect();
+        let coordinates = bodies().flat_map(|body| self.coordinate_states(mode, body)).collect();
         let definitions = self.definitions_of(mode);
         let (mut outputs, mut indices, mut used) = (vec![], vec![], vec![]);
         for (index, row) in rows {
@@ -137,7 +137,7 @@ impl Equations {
         }
         let masses = outputs.len();
         outputs.extend(
-            bodies.flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)),
+            bodies().flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)),
         );
         let numbers =
             |values: &[f64]| values.iter().map(|value| Rounded::computed(*value)).collect::<Vec<_>>();

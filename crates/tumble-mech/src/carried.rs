@@ -20,29 +20,19 @@ impl Equations {
         at: &Crossing<'_, Mode>,
         jump: &Jump<Mode>,
     ) -> Result<Vec<usize>, Reason> {
-        let events = &self.model().events;
+        let (events, all) = (self.events(at.mode), &self.model().events);
         if events.is_empty() || (jump.mode == *at.mode && jump.states == at.states) {
             return Ok(vec![]);
         }
-        let before = self.event_values(at.mode, at.time, at.states, at.inputs)?;
-        let after = self.event_values(&jump.mode, at.time, &jump.states, at.inputs)?;
-        let crosses = |event: &usize| {
-            let (from, to) = (before[*event], after[*event]);
+        let formulas: Vec<Expr> = events.iter().map(|event| all[*event].when.clone()).collect();
+        let before = self.values(&formulas, at.mode, at.time, at.states, at.inputs)?;
+        let after = self.values(&formulas, &jump.mode, at.time, &jump.states, at.inputs)?;
+        let crosses = |(guard, event): &(usize, usize)| {
+            let (from, to) = (before[*guard], after[*guard]);
             let is_told = from.abs() > VANISHED * to.abs() && to.abs() > VANISHED * from.abs();
-            let is_cause = at.causes.contains(&Cause::Guard(*event));
-            from.signum() != to.signum() && is_told && !is_cause && events[*event].direction.allows(to)
+            let is_cause = at.causes.contains(&Cause::Guard(*guard));
+            from.signum() != to.signum() && is_told && !is_cause && all[*event].direction.allows(to)
         };
-        Ok((0..events.len()).filter(crosses).collect())
-    }
-
-    fn event_values(
-        &self,
-        mode: &Mode,
-        time: f64,
-        states: &[f64],
-        inputs: &[f64],
-    ) -> Result<Vec<f64>, Reason> {
-        let formulas: Vec<Expr> = self.model().events.iter().map(|event| event.when.clone()).collect();
-        self.values(&formulas, mode, time, states, inputs)
+        Ok(events.into_iter().enumerate().filter(crosses).map(|(_, event)| event).collect())
     }
 }

@@ -52,10 +52,19 @@ impl JointEquations {
     }
 }
 
+impl JointEquations {
+    /// Symbols that it brings.
+    pub(crate) fn symbols(&self) -> Vec<Symbol> {
+        let seat = self.seat.iter().map(|(symbol, _)| symbol);
+        self.multipliers.iter().chain(seat).cloned().collect()
+    }
+}
+
 impl Equations {
-    /// Whether a joint, by its index, holds in a mode.
+    /// Whether a joint, by its index, holds in a mode: one of other bodies does not.
     pub fn holds(&self, mode: &Mode, joint: usize) -> bool {
-        self.model().joints[joint].from.is_none() != mode.switched.contains(&joint)
+        let holds = self.model().joints[joint].from.is_none() != mode.switched.contains(&joint);
+        holds && self.joints()[joint].bodies.iter().all(|body| mode.has(*body))
     }
 
     /// Rows of the joints that hold in a mode, all that are counted by [`Mode::redundant`] included: index and row.

@@ -126,6 +126,14 @@ impl Coordinates {
         }
     }
 
+    /// How many states there are.
+    pub(crate) fn count(&self) -> usize {
+        match self {
+            Self::Free => 6,
+            Self::Pivoted { .. } => 2,
+        }
+    }
+
     /// What the kinematic symbols that are not states are, in those that are.
     pub(crate) fn define(&self, body: &Kinematics, definitions: &mut Substitution) {
         let Self::Pivoted { arm, world, .. } = self else { return };

@@ -112,7 +112,8 @@ impl Equations {
         let rows = self.rows_at(&jump.mode, at.time, &jump.states, at.inputs)?.without(&jump.mode.redundant);
         let mut pushes = DVector::zeros(rows.mass.len());
         for impulse in applied {
-            let first: usize = (0..impulse.body).map(|body| self.velocity_states(body).len()).sum();
+            let first = self.velocity_states(&jump.mode, impulse.body)[0];
+            let first = rows.velocities.partition_point(|velocity| *velocity < first);
             let ([rx, ry], [jx, jy]) = (impulse.arm, impulse.impulse);
             match self.pivot_arm(impulse.body) {
                 None => {
@@ -138,7 +139,7 @@ impl Equations {
 
     /// Where the states of a joint's seat are.
     fn seat_states(&self, mode: &Mode, joint: usize) -> std::ops::Range<usize> {
-        let bodies = self.first_state(self.model().bodies.len());
+        let bodies = self.first_state(mode, self.model().bodies.len());
         let before = (0..joint).filter(|other| self.holds(mode, *other));
         let first = bodies + before.map(|other| self.joints()[other].seat.len()).sum::<usize>();
         first..first + self.joints()[joint].seat.len()

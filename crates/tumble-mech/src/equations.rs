@@ -7,6 +7,7 @@ use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_z
 use tumble_ode::{Program, ScaleGroup};
 
 use crate::cache::Cache;
+use crate::components::{Components, Couplings};
 use crate::conditions::Sound;
 use crate::constraints::JointEquations;
 use crate::contact::{Pairs, TouchTapes};
@@ -43,6 +44,7 @@ struct Parts {
     windows: Vec<Window>,
     pairs: Pairs,
     joints: Vec<JointEquations>,
+    components: Components,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
     built: Built,
@@ -80,6 +82,8 @@ impl Definitions {
 pub struct Window {
     /// Name of the load.
     pub load: String,
+    /// Index of the body it acts on.
+    pub body: usize,
     /// Start and end.
     pub during: [Moment; 2],
 }
@@ -114,7 +118,14 @@ impl Equations {
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
         let joints = JointEquations::all(&model);
-        let parts = Parts { bodies, terms, windows, pairs, joints, definitions, built: Built::default() };
+        let components = Components::of(&Couplings {
+            model: &model,
+            terms: &terms,
+            pairs: &pairs.all,
+            joints: joints.iter().map(|joint| (&joint.bodies[..], joint.symbols())).collect(),
+        });
+        let built = Built::default();
+        let parts = Parts { bodies, terms, windows, pairs, joints, components, definitions, built };
         let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
@@ -152,9 +163,26 @@ impl Equations {
         &self.model
     }
 
-    /// Formulas of the scheduled times, in the order in which causes count them.
-    pub fn scheduled_times(&self) -> Vec<Expr> {
-        self.parts.windows.iter().flat_map(|window| window.times().map(|(_, time)| time.clone())).collect()
+    /// Formulas of the scheduled times of a mode, in the order in which causes count them.
+    pub fn scheduled_times(&self, mode: &Mode) -> Vec<Expr> {
+        self.schedule(mode).map(|(_, _, time)| time.clone()).collect()
+    }
+
+    /// The same, each with its window and whether it is the end.
+    pub(crate) fn schedule(&self, mode: &Mode) -> impl Iterator<Item = (usize, bool, &Expr)> {
+        let windows = self.parts.windows.iter().enumerate().filter(|(_, window)| mode.has(window.body));
+        windows.flat_map(|(index, window)| window.times().map(move |(ends, time)| (index, ends, time)))
+    }
+
+    /// Events that are watched for in a mode, by index.
+    pub(crate) fn events(&self, mode: &Mode) -> Vec<usize> {
+        let is_watched = |event: &usize| mode.has(self.parts.components.body_of_event(*event));
+        (0..self.model.events.len()).filter(is_watched).collect()
+    }
+
+    /// What belongs together of the bodies.
+    pub(crate) fn components(&self) -> &Components {
+        &self.parts.components
     }
 
     /// When loads act that do not always.
@@ -195,7 +223,8 @@ impl Equations {
 
     fn terms_with(&self, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {
         let acting = self.acting(mode);
-        let reactions = self.parts.bodies.iter().enumerate().filter_map(|(index, body)| {
+        let reactions = mode.bodies.iter().filter_map(|&index| {
+            let body = &self.parts.bodies[index];
             let terms = on_body(&acting, index);
             body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
         });
@@ -223,8 +252,7 @@ impl Equations {
     /// What every kinematic symbol stands for in a mode.
     pub(crate) fn definitions_of(&self, mode: &Mode) -> Arc<Definitions> {
         let found = self.parts.built.definitions.get(mode, || {
-            let all: Vec<usize> = (0..self.parts.bodies.len()).collect();
-            let kinematic = self.definitions_in(mode, &all);
+            let kinematic = self.definitions_in(mode, &mode.bodies);
             Ok::<_, Infallible>(Definitions { kinematic, changes: self.changes(mode) })
         });
         found.unwrap_or_else(|never| match never {})
@@ -240,7 +268,10 @@ impl Equations {
     /// Positions and velocities are found first: an acceleration's formula holds them.
     fn definitions_in(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
         let acting = self.acting(mode);
-        let mut all = self.parts.definitions.clone();
+        let mut all = Substitution::default();
+        for body in mode.bodies.iter().map(|body| &self.parts.bodies[*body]) {
+            body.coordinates.define(&body.kinematics, &mut all);
+        }
         let (symbols, forces) = self.constraint_forces(mode, bodies);
         for &index in bodies {
             let accelerations = self.parts.bodies[index].accelerations(&on_body(&acting, index));
@@ -288,8 +319,11 @@ impl Equations {
     }
 
     pub(crate) fn acting(&self, mode: &Mode) -> Vec<&Term> {
-        let loads =
-            self.parts.terms.iter().filter(|term| term.window.is_none_or(|window| mode.windows[window]));
+        let loads = self
+            .parts
+            .terms
+            .iter()
+            .filter(|term| mode.has(term.body) && term.window.is_none_or(|window| mode.windows[window]));
         let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
         let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         loads.chain(touching).chain(joints.flat_map(|(_, joint)| &joint.terms)).collect()
@@ -298,7 +332,8 @@ impl Equations {
     /// The states of a mode: those of the bodies, then where events have made joints, then the roots of the depths of Hertzian
     /// contacts.
     pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
-        let bodies = self.parts.bodies.iter().flat_map(|body| body.coordinates.states(&body.kinematics));
+        let bodies = mode.bodies.iter().map(|body| &self.parts.bodies[*body]);
+        let bodies = bodies.flat_map(|body| body.coordinates.states(&body.kinematics));
         let roots = self.roots(mode);
         let root = |index: &usize| {
             let pair = &self.parts.pairs.all[*index];
@@ -345,21 +380,21 @@ impl Equations {
         &self.parts.built
     }
 
-    /// Index of a body's first state.
-    pub(crate) fn first_state(&self, body: usize) -> usize {
-        let before = self.parts.bodies[..body].iter();
-        before.map(|body| body.coordinates.states(&body.kinematics).len()).sum()
+    /// Index of a body's first state in a mode; of a body after all others, where the states of bodies end.
+    pub(crate) fn first_state(&self, mode: &Mode, body: usize) -> usize {
+        let before = mode.bodies.iter().take_while(|before| **before < body);
+        before.map(|before| self.parts.bodies[*before].coordinates.count()).sum()
     }
 
-    /// Indices of a body's velocities among the states.
-    pub(crate) fn velocity_states(&self, body: usize) -> Vec<usize> {
-        let first = self.first_state(body);
+    /// Indices of a body's velocities among the states of a mode.
+    pub(crate) fn velocity_states(&self, mode: &Mode, body: usize) -> Vec<usize> {
+        let first = self.first_state(mode, body);
         self.parts.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
     }
 
-    /// Indices of the states that a body's velocities are the rates of.
-    pub(crate) fn coordinate_states(&self, body: usize) -> Vec<usize> {
-        let first = self.first_state(body);
+    /// Indices of the states of a mode that a body's velocities are the rates of.
+    pub(crate) fn coordinate_states(&self, mode: &Mode, body: usize) -> Vec<usize> {
+        let first = self.first_state(mode, body);
         self.parts.bodies[body].coordinates.coordinate_states().iter().map(|state| first + state).collect()
     }
 
@@ -383,9 +418,9 @@ impl Equations {
         Some((index, body.at(&self.model.pivots[index].point).world_arm()))
     }
 
-    /// What each kind of state is measured against; the order is [`Measure`]'s.
-    pub(crate) fn groups(&self) -> Vec<ScaleGroup> {
-        let reaches = self.model.bodies.iter().map(|body| body.reach() * 2);
+    /// What each kind of state of a mode is measured against; the order is [`Measure`]'s.
+    pub(crate) fn groups(&self, mode: &Mode) -> Vec<ScaleGroup> {
+        let reaches = mode.bodies.iter().map(|body| self.model.bodies[*body].reach() * 2);
         let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
         let size = size.unwrap_or_else(Expr::zero);
         let group = |name: &str, floor: &Expr, per_run| ScaleGroup {
@@ -460,16 +495,16 @@ fn terms(model: &Model, bodies: &[BodyEquations]) -> (Vec<Window>, Vec<Term>) {
     }
     for load in &model.loads {
         let body = model.body_index(&load.body).expect("the model was checked");
-        let window = window(load, &mut windows);
+        let window = window(load, body, &mut windows);
         terms.push(laws::applied::term(load, body, &bodies[body].kinematics, window));
     }
     terms.extend(model.interactions.iter().flat_map(|interaction| interaction.terms(&Bodies::of(model))));
     (windows, terms)
 }
 
-fn window(load: &Load, windows: &mut Vec<Window>) -> Option<usize> {
+fn window(load: &Load, body: usize, windows: &mut Vec<Window>) -> Option<usize> {
     let during = load.during.clone()?;
-    windows.push(Window { load: load.name.clone(), during });
+    windows.push(Window { load: load.name.clone(), body, during });
     Some(windows.len() - 1)
 }
 

@@ -77,6 +77,11 @@ impl Equations {
         Ok((states, compensation))
     }
 
+    /// The mode of all bodies in which nothing touches and no load acts that does not always.
+    pub fn idle_mode(&self) -> Mode {
+        Mode { bodies: (0..self.model().bodies.len()).collect(), ..Mode::default() }
+    }
+
     fn initial_mode(&self, known: &Known<'_>, mistakes: &mut Vec<ModelError>) -> Result<Mode, ModelError> {
         let mut windows = vec![];
         for window in self.windows() {
@@ -97,7 +102,7 @@ impl Equations {
             }
             windows.push(from <= 0.0 && 0.0 < to);
         }
-        Ok(Mode { windows, ..Mode::default() })
+        Ok(Mode { windows, ..self.idle_mode() })
     }
 }
 

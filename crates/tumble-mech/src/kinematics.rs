@@ -74,6 +74,16 @@ impl Kinematics {
         self.symbol("alpha", Dimension::ANGULAR_ACCELERATION)
     }
 
+    /// All of them: of places, the angle, and their rates.
+    pub(crate) fn symbols(&self) -> Vec<Symbol> {
+        let places = [self.position_symbols(), self.velocity_symbols(), self.acceleration_symbols()];
+        places
+            .concat()
+            .into_iter()
+            .chain([self.angle_symbol(), self.omega_symbol(), self.alpha_symbol()])
+            .collect()
+    }
+
     /// Position of the centre of mass, m.
     pub fn position(&self) -> Vector {
         vector(self.position_symbols())

@@ -48,6 +48,22 @@ pub enum Application {
     Torque(Expr),
 }
 
+impl Application {
+    /// What it is stated by.
+    pub(crate) fn formulas(&self) -> Vec<&Expr> {
+        match self {
+            Self::Torque(couple) => vec![couple],
+            Self::Force { at, force, .. } => {
+                let place = match at {
+                    Place::Material(_) => [].as_slice(),
+                    Place::World(place) | Place::FromCentre(place) => place.components(),
+                };
+                force.components().iter().chain(place).collect()
+            }
+        }
+    }
+}
+
 /// Axes that components refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {

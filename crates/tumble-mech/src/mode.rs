@@ -5,6 +5,8 @@ use crate::contact::{ContactMode, Pair};
 /// What is switched on at an instant.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Mode {
+    /// Bodies whose motion it is, by index, in order.
+    pub bodies: Vec<usize>,
     /// Whether each load that has a window acts, in the model's order.
     pub windows: Vec<bool>,
     /// Which events have changed parameters, in the order in which they first did; of two that change the same
@@ -32,6 +34,11 @@ impl Mode {
             None => self.switched.push(joint),
         }
         self.switched.sort_unstable();
+    }
+
+    /// Whether it is the motion of a body.
+    pub(crate) fn has(&self, body: usize) -> bool {
+        self.bodies.binary_search(&body).is_ok()
     }
 
     /// Contact mode of a pair; `None` if it is open.

@@ -12,6 +12,7 @@ use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::joint::Joint;
 use crate::mode::Mode;
+use crate::sets::Sets;
 use crate::shape::Shape;
 use crate::warnings::ModelWarning;
 
@@ -113,17 +114,16 @@ fn drawn(shape: &Shape) -> (Vec<tumble_expr::Vector>, Option<(tumble_expr::Expr,
 
 /// For each body a number that it shares with those it is joined to.
 fn assemblies(bodies: &[Body], joints: &[Joint]) -> Vec<usize> {
-    let mut of: Vec<usize> = (0..bodies.len()).collect();
+    let mut sets = Sets::new(bodies.len());
     let index: HashMap<&str, usize> =
         bodies.iter().enumerate().map(|(index, body)| (body.name.as_str(), index)).collect();
     for joint in joints {
         let mut ends = joint.bodies().filter_map(|name| index.get(name).copied());
         if let (Some(a), Some(b)) = (ends.next(), ends.next()) {
-            let (kept, gone) = (of[a].min(of[b]), of[a].max(of[b]));
-            of.iter_mut().filter(|number| **number == gone).for_each(|number| *number = kept);
+            sets.join(a, b);
         }
     }
-    of
+    (0..bodies.len()).map(|body| sets.least(body)).collect()
 }
 
 impl Placed {

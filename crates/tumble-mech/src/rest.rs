@@ -33,7 +33,7 @@ impl Equations {
         if self.is_settling(mode, None) {
             return Ok(false);
         }
-        let bodies = 0..self.model().bodies.len();
+        let bodies = || mode.bodies.iter().copied();
         let is_small = |rates: &[f64], span: f64| {
             let measures = [Measure::Speed, Measure::Speed, Measure::AngularRate].into_iter().cycle();
             rates
@@ -42,11 +42,11 @@ impl Equations {
                 .all(|(rate, measure)| rate.abs() * span <= STILL * at.scales[measure as usize])
         };
         let values = |formulas: Vec<Expr>| self.values(&formulas, mode, at.time, &jump.states, at.inputs);
-        let velocities = values(bodies.clone().flat_map(|body| self.velocity_formulas(body)).collect())?;
+        let velocities = values(bodies().flat_map(|body| self.velocity_formulas(body)).collect())?;
         if !is_small(&velocities, 1.0) {
             return Ok(false);
         }
-        let accelerations = bodies.flat_map(|body| {
+        let accelerations = bodies().flat_map(|body| {
             let motion = self.model().bodies[body].kinematics();
             motion.acceleration().components().iter().cloned().chain([motion.alpha()]).collect::<Vec<_>>()
         });
@@ -69,7 +69,7 @@ impl Equations {
 
     /// Whether nothing that depends on the time can end the rest.
     fn stays(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> Result<bool, Reason> {
-        let times = self.scheduled_times();
+        let times = self.scheduled_times(&jump.mode);
         let times = self.values(&times, &jump.mode, at.time, &jump.states, at.inputs)?;
         if times.iter().any(|time| *time > at.time) {
             return Ok(false);

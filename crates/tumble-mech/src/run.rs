@@ -218,8 +218,11 @@ impl Run {
         else {
             return f64::INFINITY;
         };
-        let scales =
-            other.equations.state_rates(&Mode::default()).into_iter().map(|state| state.measure as usize);
+        let scales = other
+            .equations
+            .state_rates(&other.equations.idle_mode())
+            .into_iter()
+            .map(|state| state.measure as usize);
         let scales = scales.map(|group| other.trajectory.scales[group].max(f64::MIN_POSITIVE));
         let relative = here.iter().zip(&there).zip(scales).map(|((a, b), scale)| (a - b).abs() / scale);
         relative.fold(0.0, f64::max)

@@ -24,7 +24,8 @@ impl Hybrid for Equations {
             group: state.measure as usize,
             per_parameter: state.per_parameter,
         });
-        let events = self.model().events.iter().map(|event| Guard {
+        let events = self.events(mode).into_iter().map(|event| &self.model().events[event]);
+        let events = events.map(|event| Guard {
             name: event.name.clone(),
             formula: event.when.clone(),
             direction: event.direction,
@@ -41,8 +42,8 @@ impl Hybrid for Equations {
             time: time_symbol(),
             inputs: self.model().parameters.symbols(),
             rounding: self.rounding(),
-            groups: self.groups(),
-            schedule: self.scheduled_times(),
+            groups: self.groups(mode),
+            schedule: self.scheduled_times(mode),
             guards: guards.collect(),
             lazy_guards: lazy_guards.collect(),
             invariants: self.invariants(mode),
@@ -59,11 +60,12 @@ impl Hybrid for Equations {
     /// which see all forces that act from now on, and last the events that all this has made happen.
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
+        let events = self.events(at.mode);
         for cause in at.causes {
             match cause {
                 Cause::Scheduled(index) => self.pass_time(*index, &mut jump),
-                Cause::Guard(guard) if *guard < self.model().events.len() => {
-                    self.pass_event(*guard, at, &mut jump)?;
+                Cause::Guard(guard) if *guard < events.len() => {
+                    self.pass_event(events[*guard], at, &mut jump)?;
                 }
                 Cause::Guard(_) | Cause::LazyGuard(_) | Cause::Wake => {}
             }
@@ -91,9 +93,8 @@ impl Hybrid for Equations {
 
 impl Equations {
     fn pass_time(&self, index: usize, jump: &mut Jump<Mode>) {
-        let windows = self.windows().iter().enumerate();
-        let mut times = windows.flat_map(|(window, of)| of.times().map(move |(ends, _)| (window, ends)));
-        if let Some((window, ends)) = times.nth(index) {
+        let due = self.schedule(&jump.mode).nth(index).map(|(window, ends, _)| (window, ends));
+        if let Some((window, ends)) = due {
             switch(window, ends, jump);
         }
     }

@@ -1,7 +1,7 @@
 //! The motion as tables: `trajectory.csv` and `events.csv`.
 
 use tumble_expr::{Dimension, Expr, Symbol};
-use tumble_mech::{Mode, Run};
+use tumble_mech::Run;
 use tumble_ode::Side;
 use tumble_scene::Study;
 
@@ -116,7 +116,7 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     let run = &case.run;
     let mut table = Table::begin(folder, &format!("{}/events.csv", case.folder()))?;
     // What some modes have beyond the states of the bodies is the integrator's own.
-    let states = run.equations.states(&Mode::default());
+    let states = run.equations.states(&run.equations.idle_mode());
     let columns = ["before", "after"].into_iter().flat_map(|side| {
         states
             .iter()

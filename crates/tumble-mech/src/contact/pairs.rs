@@ -20,6 +20,7 @@ use crate::term::Term;
 pub(crate) struct Pairs {
     pub(crate) all: Vec<Pair>,
     pub(crate) terms: Vec<Term>,
+    of_bodies: Vec<Vec<usize>>,
 }
 
 impl Pairs {
@@ -36,12 +37,14 @@ impl Pairs {
             }
         }
         let terms = all.iter().map(Pair::term).collect();
-        Self { all, terms }
+        let mut of_bodies = vec![vec![]; model.bodies.len()];
+        all.iter().enumerate().for_each(|(index, pair): (usize, &Pair)| of_bodies[pair.body].push(index));
+        Self { all, terms, of_bodies }
     }
 
     /// Indices of a body's pairs.
     pub(crate) fn of_body(&self, body: usize) -> impl Iterator<Item = usize> {
-        (0..self.all.len()).filter(move |pair| self.all[*pair].body == body)
+        self.of_bodies.get(body).into_iter().flatten().copied()
     }
 }
 
@@ -60,7 +63,10 @@ impl Equations {
 
     /// Pairs that are apart in a mode.
     pub(crate) fn apart(&self, mode: &Mode) -> Vec<usize> {
-        (0..self.pairs().len()).filter(|pair| mode.contact_mode(*pair).is_none()).collect()
+        let own = mode.bodies.iter().flat_map(|body| self.pair_list().of_body(*body));
+        let mut apart: Vec<usize> = own.filter(|pair| mode.contact_mode(*pair).is_none()).collect();
+        apart.sort_unstable();
+        apart
     }
 
     /// What is watched of the pairs that touch: its guards come after those of the events.
@@ -112,7 +118,7 @@ impl Equations {
             let pair = &self.pairs()[index];
             let body = &self.model().bodies[pair.body];
             let slopes = pair.slopes(self.model().pivot_of(&body.name), body);
-            let first = self.first_state(pair.body);
+            let first = self.first_state(mode, pair.body);
             let coordinates =
                 if slopes.as_ref().is_some_and(|s| s.len() == 1) { [0, 0, 0] } else { [0, 1, 4] };
             let by_state = |slopes: Vec<Expr>| {

@@ -24,7 +24,7 @@ pub(crate) struct Causes {
 impl Causes {
     /// Those of a crossing; indices of guards count the events first.
     pub(crate) fn of(equations: &Equations, at: &Crossing<'_, Mode>) -> Self {
-        let events = equations.model().events.len();
+        let events = equations.events(at.mode).len();
         let mut causes = Self::default();
         let (mut touching, mut apart) = (None, None);
         for cause in at.causes {

@@ -124,7 +124,8 @@ impl Equations {
     ) -> Result<Touch, Reason> {
         let island = self.island_of(mode, body);
         let pairs: Vec<usize> = island.iter().flat_map(|body| self.pair_list().of_body(*body)).collect();
-        let velocities: Vec<usize> = island.iter().flat_map(|body| self.velocity_states(*body)).collect();
+        let velocities: Vec<usize> =
+            island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let mut jets = Jets::new(self.touch_tape(&island, mode, &pairs)?, 1, now.inputs);
         jets.start(now.time, states, Branches::Free);
         // Gaps are differences of much larger numbers: what the carries add to them is found to first order.
@@ -219,7 +220,7 @@ impl Equations {
 
     fn build_touch_tape(&self, island: &[usize], mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
         let layout = Layout { rounding: Rounding::NEAREST, ..self.layout(mode) };
-        let velocities: Vec<_> = island.iter().flat_map(|body| self.velocity_states(*body)).collect();
+        let velocities: Vec<_> = island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let velocities: Vec<_> = velocities.into_iter().map(|state| layout.states[state].clone()).collect();
         let definitions = self.definitions_about(mode, island);
         let mut outputs: Vec<Expr> = vec![];

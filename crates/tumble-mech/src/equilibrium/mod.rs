@@ -114,7 +114,7 @@ impl Equations {
         }
         let mut states = start.states.clone();
         for body in 0..self.model().bodies.len() {
-            self.velocity_states(body).into_iter().for_each(|state| states[state] = 0.0);
+            self.velocity_states(&mode, body).into_iter().for_each(|state| states[state] = 0.0);
         }
         for _ in 0..MOST_CHANGES {
             let mut statics = Statics::new(self, &mode, &states, &start.inputs)?;

@@ -76,7 +76,7 @@ impl<'a> Statics<'a> {
         states: &[f64],
         inputs: &'a [f64],
     ) -> Result<Self, Reason> {
-        let all: Vec<usize> = (0..equations.model().bodies.len()).collect();
+        let all = mode.bodies.clone();
         let rows: Vec<Row> =
             equations.islands(mode, &all).iter().flat_map(|island| equations.rows_on(mode, island)).collect();
         let known = equations.layout(&Mode { contacts: vec![], ..mode.clone() });
@@ -313,14 +313,14 @@ impl Equations {
         let is_point = !self.is_pivoted(body)
             && tumble_expr::is_identically_zero(&known.mass.inertia)
             && !self.is_turned_by_joints(mode, body);
-        let coordinates = self.coordinate_states(body).into_iter().zip(self.coordinate_measures(body));
+        let coordinates = self.coordinate_states(mode, body).into_iter().zip(self.coordinate_measures(body));
         coordinates.filter(|(_, measure)| !(is_point && *measure == Measure::Angle)).collect()
     }
 
     /// Kinematic symbols and forces of contacts in the states, all velocities zero; rows that are left out push nothing.
     fn still(&self, mode: &Mode, rows: &[Row]) -> Substitution {
         let mut halted = Substitution::default();
-        for body in 0..self.model().bodies.len() {
+        for &body in &mode.bodies {
             let motion = &self.body_equations(body).kinematics;
             let velocities = motion.velocity_symbols().into_iter().chain([motion.omega_symbol()]);
             velocities.for_each(|velocity| halted.insert(velocity, Expr::zero()));
@@ -358,7 +358,7 @@ fn outputs(
 ) -> Vec<Expr> {
     let acting = equations.acting(mode);
     let (mut forces, mut strengths, mut masses) = (vec![], vec![], vec![]);
-    for body in 0..equations.model().bodies.len() {
+    for &body in &mode.bodies {
         let known = equations.body_equations(body);
         let own = on_body(&acting, body);
         let whole = known.coordinates.forces(&known.kinematics, &own);
@@ -366,7 +366,7 @@ fn outputs(
             own.iter().map(|term| known.coordinates.sizes(&known.kinematics, term)).collect();
         let moved: Vec<usize> =
             equations.moved_coordinates(mode, body).iter().map(|(state, _)| *state).collect();
-        let states = equations.coordinate_states(body);
+        let states = equations.coordinate_states(mode, body);
         for (place, ((force, mass), state)) in
             whole.into_iter().zip(equations.masses(mode, body)).zip(states).enumerate()
         {

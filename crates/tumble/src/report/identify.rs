@@ -96,7 +96,7 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
 /// The states just before anything happens.
 fn initial(names: &Names, case: &Case) -> Vec<Quantity> {
     let run = &case.run;
-    let states = run.equations.states(&tumble_mech::Mode::default());
+    let states = run.equations.states(&run.equations.idle_mode());
     let first = run.trajectory.events.first().filter(|event| event.time == 0.0);
     let values = match first {
         Some(event) => event.before.clone(),

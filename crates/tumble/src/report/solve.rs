@@ -150,9 +150,11 @@ fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, Pipel
 /// The modes one after the other, each with the formula of the time at which it ends, where there is one.
 fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
     let trajectory = &run.trajectory;
-    let schedule: Vec<Expr> = run.equations.scheduled_times();
     let end = |event: &Event<Record>| match &event.causes[..] {
-        [Cause::Scheduled(index), ..] => schedule.get(*index).cloned(),
+        [Cause::Scheduled(index), ..] => {
+            let times = run.equations.scheduled_times(&trajectory.modes[event.mode_before]);
+            times.get(*index).cloned()
+        }
         _ => None,
     };
     let Some(first) = trajectory.pieces.first() else { return vec![] };
