@@ -5,7 +5,7 @@ use tumble_ode::Invariant;
 
 use crate::contact::Pair;
 use crate::coordinates::{Coordinates, Measure, StateRate};
-use crate::equations::{Equations, on_body};
+use crate::equations::{Equations, Window, on_body};
 use crate::joint::{Joint, Side};
 use crate::laws;
 use crate::mode::Mode;
@@ -65,6 +65,54 @@ impl Equations {
     pub fn holds(&self, mode: &Mode, joint: usize) -> bool {
         let holds = self.model().joints[joint].from.is_none() != mode.switched.contains(&joint);
         holds && self.joints()[joint].bodies.iter().all(|body| mode.has(*body))
+    }
+
+    /// The same mode as far as it is that of some bodies, which no joint holds to others.
+    pub(crate) fn restricted(&self, mode: &Mode, bodies: &[usize]) -> Mode {
+        let has = |body: usize| bodies.binary_search(&body).is_ok();
+        let own = |joint: usize| self.joints()[joint].bodies.iter().all(|body| has(*body));
+        let rows: Vec<usize> = self
+            .joints()
+            .iter()
+            .enumerate()
+            .flat_map(|(joint, known)| known.rows.iter().map(move |_| joint))
+            .collect();
+        Mode {
+            bodies: bodies.to_vec(),
+            windows: mode.windows.clone(),
+            changes: mode.changes.clone(),
+            contacts: mode
+                .contacts
+                .iter()
+                .filter(|(pair, _)| has(self.pairs()[*pair].body))
+                .copied()
+                .collect(),
+            switched: mode.switched.iter().filter(|joint| own(**joint)).copied().collect(),
+            redundant: mode.redundant.iter().filter(|row| own(rows[**row])).copied().collect(),
+        }
+    }
+
+    /// Modes of different bodies as one.
+    pub(crate) fn as_one(&self, modes: &[&Mode]) -> Mode {
+        let all = |of: fn(&Mode) -> &Vec<usize>| {
+            let mut all: Vec<usize> = modes.iter().flat_map(|mode| of(mode)).copied().collect();
+            all.sort_unstable();
+            all
+        };
+        let acts = |(index, window): (usize, &Window)| {
+            let own = modes.iter().find(|mode| mode.has(window.body)).or(modes.first());
+            own.is_some_and(|mode| mode.windows[index])
+        };
+        let mut contacts: Vec<_> = modes.iter().flat_map(|mode| &mode.contacts).copied().collect();
+        contacts.sort_unstable();
+        Mode {
+            bodies: all(|mode| &mode.bodies),
+            windows: self.windows().iter().enumerate().map(acts).collect(),
+            changes: modes.iter().flat_map(|mode| &mode.changes).copied().collect(),
+            contacts,
+            switched: all(|mode| &mode.switched),
+            redundant: all(|mode| &mode.redundant),
+        }
     }
 
     /// Rows of the joints that hold in a mode, all that are counted by [`Mode::redundant`] included: index and row.

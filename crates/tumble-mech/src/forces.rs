@@ -1,6 +1,7 @@
 //! The forces of a run at any time: the terms that were integrated, as numbers.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use tumble_expr::{Expr, Jets};
 use tumble_ode::{Reason, Side};
@@ -34,50 +35,51 @@ impl Force {
 }
 
 /// Evaluates all forces at any time of a run.
-pub struct Forces<'a> {
-    run: &'a Run,
-    /// By mode of the trajectory, built when first needed.
-    known: HashMap<usize, (Vec<Term>, Jets<f64>)>,
+pub struct Forces {
+    /// The motions of bodies that nothing couples, with the forces by mode, built when first needed.
+    parts: Vec<(Run, HashMap<usize, Compiled>)>,
 }
+
+/// The terms of a mode, with what evaluates them.
+type Compiled = (Vec<Term>, Jets<f64>);
 
 /// Outputs a term: arm, force, couple.
 const OUTPUTS: usize = 5;
 
-impl<'a> Forces<'a> {
+impl Forces {
     /// The forces of a run.
-    pub fn of(run: &'a Run) -> Self {
-        Self { run, known: HashMap::new() }
+    pub fn of(run: &Run) -> Self {
+        Self { parts: run.parts().into_iter().map(|part| (part, HashMap::new())).collect() }
     }
 
     /// Every force that acts at a time, reactions and contacts included; at an event, on that side of it. Nothing outside
     /// the motion.
     pub fn at(&mut self, time: f64, side: Side) -> Result<Vec<Force>, Reason> {
-        let Some(place) = self.run.trajectory.place_at(time, side) else { return Ok(vec![]) };
-        let (terms, jets) = self.in_mode(place.mode)?;
-        evaluate(jets, &place);
-        let value = |term: usize, which: usize| jets.value_of(term * OUTPUTS + which);
-        let force = |(index, term): (usize, &Term)| Force {
-            load: term.load.clone(),
-            law: term.law,
-            body: term.body,
-            arm: [value(index, 0), value(index, 1)],
-            force: [value(index, 2), value(index, 3)],
-            couple: value(index, 4),
-        };
-        Ok(terms.iter().enumerate().map(force).collect())
-    }
-
-    fn in_mode(&mut self, mode: usize) -> Result<&mut (Vec<Term>, Jets<f64>), Reason> {
-        use std::collections::hash_map::Entry;
-        match self.known.entry(mode) {
-            Entry::Occupied(known) => Ok(known.into_mut()),
-            Entry::Vacant(place) => Ok(place.insert(compiled(self.run, mode)?)),
+        let mut all = vec![];
+        for (run, known) in &mut self.parts {
+            let motion = run.motion();
+            let Some(place) = motion.place_at(time, side) else { return Ok(vec![]) };
+            let (terms, jets) = match known.entry(place.mode) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(empty) => empty.insert(compiled(run, place.mode)?),
+            };
+            evaluate(jets, &place);
+            let value = |term: usize, which: usize| jets.value_of(term * OUTPUTS + which);
+            all.extend(terms.iter().enumerate().map(|(index, term)| Force {
+                load: term.load.clone(),
+                law: term.law,
+                body: term.body,
+                arm: [value(index, 0), value(index, 1)],
+                force: [value(index, 2), value(index, 3)],
+                couple: value(index, 4),
+            }));
         }
+        Ok(all)
     }
 }
 
-fn compiled(run: &Run, mode: usize) -> Result<(Vec<Term>, Jets<f64>), Reason> {
-    let (equations, mode) = (&run.equations, &run.trajectory.modes[mode]);
+fn compiled(run: &Run, mode: usize) -> Result<Compiled, Reason> {
+    let (equations, mode) = (&run.equations, &run.trajectory().modes[mode]);
     let terms = equations.terms(mode);
     let outputs: Vec<Expr> = terms
         .iter()

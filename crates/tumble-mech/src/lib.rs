@@ -58,6 +58,7 @@ mod structure;
 mod surface;
 mod system;
 mod term;
+mod tracks;
 mod trust;
 mod uniqueness;
 mod warnings;

@@ -1,37 +1,48 @@
-//! Quantities along a trajectory: any formula of the bodies' motion, accelerations included.
+//! Quantities along a motion: any formula of the bodies' motion, accelerations included.
+
+use std::sync::Arc;
 
 use tumble_expr::{Expr, Jets};
 use tumble_ode::{Cursor, Motion, Piece, Place, Reason, Side};
 
 use crate::equations::Equations;
 use crate::evaluator::{evaluate, evaluate_in};
+use crate::run::Run;
+use crate::tracks::Tracks;
 
-/// Evaluates formulas at any time of one trajectory.
-pub struct Observer<'a> {
-    trajectory: &'a Motion<Equations>,
-    /// By mode of the trajectory.
-    tapes: Vec<Jets<f64>>,
-    cursor: Cursor,
-    states: Vec<f64>,
-    /// The time and the piece that the tape of its mode was evaluated at last.
-    last: Option<(f64, &'a Piece)>,
+/// Evaluates formulas at any time of one run, each along the motion that it reads.
+pub struct Observer {
+    parts: Vec<Part>,
+    formulas: usize,
+    tracks: Tracks,
+    /// Events of the run, once one is asked for.
+    events: Option<Vec<(usize, usize)>>,
+    /// Values of one part.
+    values: Vec<f64>,
 }
 
-impl<'a> Observer<'a> {
-    /// Prepares `formulas` for every mode of the trajectory; `inputs` are the values it was found with.
-    pub fn new(
-        equations: &Equations,
-        trajectory: &'a Motion<Equations>,
-        inputs: &[f64],
-        formulas: &[Expr],
-    ) -> Result<Self, Reason> {
-        let modes = trajectory.modes.iter();
-        let tapes =
-            modes.map(|mode| equations.evaluator(mode, formulas, inputs)).collect::<Result<_, _>>()?;
-        Ok(Self { trajectory, tapes, cursor: Cursor::default(), states: vec![], last: None })
+/// The formulas that read one motion.
+struct Part {
+    along: Along,
+    /// Indices of the formulas.
+    places: Vec<usize>,
+    components: Vec<usize>,
+}
+
+impl Observer {
+    pub(crate) fn new(run: &Run, formulas: &[Expr]) -> Result<Self, Reason> {
+        let part = |(components, places): (Vec<usize>, Vec<usize>)| {
+            let own: Vec<Expr> = places.iter().map(|index| formulas[*index].clone()).collect();
+            let motion = run.part(&components).motion();
+            let along = Along::new(&run.equations, motion, &run.inputs, &own)?;
+            Ok(Part { along, places, components })
+        };
+        let parts = run.grouped(formulas).into_iter().map(part).collect::<Result<_, Reason>>()?;
+        let tracks = run.all_tracks().clone();
+        Ok(Self { parts, formulas: formulas.len(), tracks, events: None, values: vec![] })
     }
 
-    /// Values of the formulas at `time`, in their order; `None` outside the trajectory.
+    /// Values of the formulas at `time`, in their order; `None` outside the motion.
     pub fn at(&mut self, time: f64, side: Side) -> Option<Vec<f64>> {
         let mut values = vec![];
         self.at_into(time, side, &mut values).then_some(values)
@@ -40,13 +51,81 @@ impl<'a> Observer<'a> {
     /// The same put into `values`; whether there are any. Many times are best asked for in order.
     pub fn at_into(&mut self, time: f64, side: Side, values: &mut Vec<f64>) -> bool {
         values.clear();
-        let Some(spot) = self.trajectory.spot_at(time, side, &mut self.cursor) else { return false };
+        if let [only] = &mut self.parts[..] {
+            return only.along.at_into(time, side, values);
+        }
+        values.resize(self.formulas, f64::NAN);
+        for part in &mut self.parts {
+            if !part.along.at_into(time, side, &mut self.values) {
+                values.clear();
+                return false;
+            }
+            part.places.iter().zip(&self.values).for_each(|(place, value)| values[*place] = *value);
+        }
+        true
+    }
+
+    /// Values of the formulas just before and just after an event, by its index among those of the run.
+    pub fn at_event(&mut self, index: usize) -> Option<[Vec<f64>; 2]> {
+        let Self { parts, formulas, tracks, events, .. } = self;
+        let events = events.get_or_insert_with(|| tracks.events());
+        let (of, _) = *events.get(index)?;
+        let time = tracks.event(events[index]).time;
+        let mut found = [vec![f64::NAN; *formulas], vec![f64::NAN; *formulas]];
+        for part in parts {
+            // Of a run that is one motion its events are all.
+            let is_of = |of: usize| tracks.each().len() == 1 || part.components.contains(&of);
+            let values = match is_of(of) {
+                true => {
+                    let before = events[..index].iter().filter(|(of, _)| is_of(*of)).count();
+                    part.along.at_event(before)?
+                }
+                false => [part.along.at(time, Side::Before)?, part.along.at(time, Side::After)?],
+            };
+            for (all, own) in found.iter_mut().zip(values) {
+                part.places.iter().zip(own).for_each(|(place, value)| all[*place] = value);
+            }
+        }
+        Some(found)
+    }
+}
+
+/// Evaluates formulas along one motion.
+struct Along {
+    motion: Arc<Motion<Equations>>,
+    /// By mode of the motion.
+    tapes: Vec<Jets<f64>>,
+    cursor: Cursor,
+    states: Vec<f64>,
+    /// The time and the place of the piece that the tape of its mode was evaluated at last.
+    last: Option<(f64, usize)>,
+}
+
+impl Along {
+    fn new(
+        equations: &Equations,
+        motion: Arc<Motion<Equations>>,
+        inputs: &[f64],
+        formulas: &[Expr],
+    ) -> Result<Self, Reason> {
+        let modes = motion.modes.iter();
+        let tapes =
+            modes.map(|mode| equations.evaluator(mode, formulas, inputs)).collect::<Result<_, _>>()?;
+        Ok(Self { motion, tapes, cursor: Cursor::default(), states: vec![], last: None })
+    }
+
+    fn at(&mut self, time: f64, side: Side) -> Option<Vec<f64>> {
+        let mut values = vec![];
+        self.at_into(time, side, &mut values).then_some(values)
+    }
+
+    fn at_into(&mut self, time: f64, side: Side, values: &mut Vec<f64>) -> bool {
+        values.clear();
+        let Some(spot) = self.motion.spot_at(time, side, &mut self.cursor) else { return false };
         let tape = &mut self.tapes[spot.mode];
         // Within a piece both sides of an instant are one.
-        let here = spot.piece().map(|piece| (time, piece));
-        let is_known = matches!((here, self.last), (Some((time, here)), Some((known, last)))
-            if time == known && std::ptr::eq(here, last));
-        if !is_known {
+        let here = spot.piece().map(|piece| (time, address(piece)));
+        if here.is_none() || here != self.last {
             self.states.clear();
             spot.states_into(time, &mut self.states);
             evaluate_in(tape, spot.piece(), time, &self.states);
@@ -56,9 +135,10 @@ impl<'a> Observer<'a> {
         true
     }
 
-    /// Values of the formulas just before and just after an event, by its index.
-    pub fn at_event(&mut self, index: usize) -> Option<[Vec<f64>; 2]> {
-        let events = &self.trajectory.events;
+    /// Values just before and just after an event, by its index among those of the motion.
+    fn at_event(&mut self, index: usize) -> Option<[Vec<f64>; 2]> {
+        let motion = Arc::clone(&self.motion);
+        let events = &motion.events;
         let event = events.get(index)?;
         let others = [index.checked_sub(1).and_then(|before| events.get(before)), events.get(index + 1)];
         let [before, after] =
@@ -70,7 +150,7 @@ impl<'a> Observer<'a> {
                     // Between two events of one instant there is no piece.
                     piece: match others[side as usize] {
                         Some(other) if other.time == event.time => None,
-                        _ => self.trajectory.place_at(event.time, side).and_then(|place| place.piece),
+                        _ => motion.place_at(event.time, side).and_then(|place| place.piece),
                     },
                 });
         Some([self.values(&before), self.values(&after)])
@@ -82,4 +162,9 @@ impl<'a> Observer<'a> {
         evaluate(tape, place);
         (0..tape.tape().outputs().len()).map(|index| tape.value_of(index)).collect()
     }
+}
+
+/// By which a piece of one motion is known.
+fn address(piece: &Piece) -> usize {
+    std::ptr::from_ref(piece).addr()
 }

@@ -18,12 +18,16 @@ use crate::run::{Run, RunError};
 const STILL: f64 = 1e-12;
 
 impl Equations {
-    /// Ends the motion at an instant that leaves all bodies at rest for good, if the model says so.
+    /// Tells of an instant that leaves the bodies at rest for good, if the model says so; ends the motion where they are all.
     pub(crate) fn rest(&self, at: &Crossing<'_, Mode>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        if !self.model().stops_at_rest || jump.wake.is_some() || !self.is_at_rest(at, jump)? {
+            return Ok(());
+        }
+        let is_whole = jump.mode.bodies.len() == self.model().bodies.len();
         // What is at rest from the start has no motion to be ended.
-        if self.model().stops_at_rest && at.time > 0.0 && jump.wake.is_none() && self.is_at_rest(at, jump)? {
+        if at.time > 0.0 || !is_whole {
             jump.record.happened.push(Happening::Rest);
-            jump.stop = true;
+            jump.stop = is_whole;
         }
         Ok(())
     }
@@ -87,9 +91,11 @@ impl Run {
     /// When a body has come to rest, s: the first instant from which on it holds still, as far as the motion goes. `None` where it
     /// moves to the end, or only comes ever nearer to rest.
     pub fn rest_of(&self, body: usize) -> Result<Option<f64>, RunError> {
-        let trajectory = &self.trajectory;
         let ends_at_rest =
-            trajectory.events.last().is_some_and(|event| event.record.happened.contains(&Happening::Rest));
+            self.events().next_back().is_some_and(|event| event.record.happened.contains(&Happening::Rest));
+        let component = self.equations.components().of_body(body);
+        let part = self.part(&[component]);
+        let trajectory = part.trajectory();
         let mut observer = self.observe(&self.equations.velocity_formulas(body))?;
         let scales = [Measure::Speed, Measure::Speed, Measure::AngularRate];
         let scales = scales.map(|measure| trajectory.scales[measure as usize]);

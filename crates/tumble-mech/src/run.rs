@@ -1,10 +1,12 @@
 //! A motion that was found, with the equations and values it was found from.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use thiserror::Error;
 use tumble_expr::{Expr, Vector};
-use tumble_ode::{Accuracy, Motion, Reason, Refusal, Side, Solver};
+use tumble_ode::{Accuracy, Event, Motion, Reason, Refusal, Side, Work};
 
 use crate::body::Body;
 use crate::equations::Equations;
@@ -14,7 +16,9 @@ use crate::mode::Mode;
 use crate::model::Model;
 use crate::observer::Observer;
 use crate::parameters::Parameters;
+use crate::record::Record;
 use crate::start::Start;
+use crate::tracks::Tracks;
 
 /// More Gauss nodes along one line than this are not tried.
 const MOST_NODES: usize = 128;
@@ -24,8 +28,7 @@ const MOST_NODES: usize = 128;
 pub struct Run {
     /// The equations of motion.
     pub equations: Equations,
-    /// The motion.
-    pub trajectory: Motion<Equations>,
+    tracks: Tracks,
     /// Values of the parameters, in the equations' order.
     pub inputs: Vec<f64>,
     /// Sums that stand for integrals along lines, where there are any that were refined.
@@ -120,7 +123,109 @@ impl Run {
 
     /// A motion that was found elsewhere, with the equations and the values of the parameters that it was found from.
     pub fn of(equations: Equations, trajectory: Motion<Equations>, inputs: Vec<f64>) -> Self {
-        Self { equations, trajectory, inputs, quadrature: None, coarser: None }
+        let components = (0..equations.components().all().len()).collect();
+        let tracks = Tracks::one(components, Arc::new(trajectory));
+        Self { equations, tracks, inputs, quadrature: None, coarser: None }
+    }
+
+    /// The motion of all bodies as one. Where nothing couples them this is made of their motions when it is first asked for, and
+    /// larger than they are: [`Run::events`], [`Run::end`] and [`Run::observe`] do without it.
+    pub fn trajectory(&self) -> &Motion<Equations> {
+        self.tracks.whole(&self.equations)
+    }
+
+    /// The same, to be kept.
+    pub(crate) fn motion(&self) -> Arc<Motion<Equations>> {
+        Arc::clone(self.tracks.whole(&self.equations))
+    }
+
+    /// The motions of bodies that nothing couples, each by itself.
+    pub fn tracks(&self) -> impl ExactSizeIterator<Item = &Motion<Equations>> {
+        self.tracks.each().iter().map(Arc::as_ref)
+    }
+
+    /// Each of them as a run of its own.
+    pub(crate) fn parts(&self) -> Vec<Self> {
+        match self.tracks.each() {
+            [_] => vec![self.clone()],
+            _ => self.tracks.components.chunks(1).map(|components| self.part(components)).collect(),
+        }
+    }
+
+    /// The run of some components only, as one motion.
+    pub(crate) fn part(&self, components: &[usize]) -> Self {
+        Self {
+            equations: self.equations.clone(),
+            tracks: self.tracks.of(components, &self.equations),
+            inputs: self.inputs.clone(),
+            quadrature: self.quadrature,
+            coarser: self.coarser.as_ref().map(|coarser| Box::new(coarser.part(components))),
+        }
+    }
+
+    /// The components whose motion formulas read; all, where they are one motion.
+    pub(crate) fn read_by(&self, formulas: &[Expr]) -> Vec<usize> {
+        match self.tracks.each() {
+            [_] => self.tracks.components.clone(),
+            _ => self.equations.components().read_by(formulas),
+        }
+    }
+
+    /// The run as far as formulas read it.
+    pub(crate) fn along(&self, formulas: &[Expr]) -> Self {
+        self.part(&self.read_by(formulas))
+    }
+
+    /// The components that formulas read, with the indices of those that read the same.
+    pub(crate) fn grouped(&self, formulas: &[Expr]) -> Vec<(Vec<usize>, Vec<usize>)> {
+        let mut groups: BTreeMap<Vec<usize>, Vec<usize>> = BTreeMap::new();
+        for index in 0..formulas.len() {
+            groups.entry(self.read_by(&formulas[index..=index])).or_default().push(index);
+        }
+        groups.into_iter().collect()
+    }
+
+    /// Bodies whose motion it is, in order.
+    pub(crate) fn bodies(&self) -> Vec<usize> {
+        let all = self.equations.components().all();
+        let mut bodies: Vec<usize> =
+            self.tracks.components.iter().flat_map(|component| &all[*component]).copied().collect();
+        bodies.sort_unstable();
+        bodies
+    }
+
+    pub(crate) fn all_tracks(&self) -> &Tracks {
+        &self.tracks
+    }
+
+    /// All that happens, in order of time. The modes and states of an event are those of the motion that it belongs to.
+    pub fn events(&self) -> impl DoubleEndedIterator<Item = &Event<Record>> + Clone {
+        self.tracks.events().into_iter().map(|event| self.tracks.event(event))
+    }
+
+    /// Time of the start, s; `None` if nothing was integrated and nothing happened.
+    pub fn start(&self) -> Option<f64> {
+        self.tracks().next()?.start()
+    }
+
+    /// Time up to which the motion is known, s; `None` if nothing was integrated and nothing happened.
+    pub fn end(&self) -> Option<f64> {
+        self.tracks().map(|track| track.end()).reduce(|a, b| Some(a?.min(b?)))?
+    }
+
+    /// Whether nothing was integrated.
+    pub fn is_empty(&self) -> bool {
+        self.tracks().any(|track| track.pieces.is_empty())
+    }
+
+    /// What it cost.
+    pub fn work(&self) -> Work {
+        self.tracks().map(|track| track.work).sum()
+    }
+
+    /// Order of the Taylor steps.
+    pub fn order(&self) -> usize {
+        self.tracks().map(|track| track.order).max().unwrap_or_default()
     }
 
     pub(crate) fn from_start(
@@ -130,38 +235,29 @@ impl Run {
         accuracy: Accuracy,
         mut progress: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
-        let (inputs, first) = (start.inputs.clone(), start.clone());
-        let mut solver = Solver::new(&equations, start, until, accuracy);
-        let mut refusal = None;
-        while refusal.is_none() && !solver.is_done() {
-            refusal = solver.advance().err();
-            let time = solver.time();
-            if progress(time).is_break() && !solver.is_done() {
-                refusal.get_or_insert(Refusal { time, reason: Reason::Interrupted });
-            }
-        }
-        let trajectory = solver.finish();
-        let run = Self::of(equations, trajectory, inputs);
-        let Some(mut refusal) = refusal else { return Ok(run) };
-        if let Some(reason) = run.singular(&refusal) {
+        let (tracks, refused) = equations.follow(&start, until, accuracy, &mut progress);
+        let inputs = start.inputs.clone();
+        let run = Self { equations, tracks, inputs, quadrature: None, coarser: None };
+        let Some((of, mut refusal)) = refused else { return Ok(run) };
+        if let Some(reason) = run.singular(&run.tracks.each()[of], &refusal) {
             refusal.reason = reason;
         }
-        if run.trajectory.pieces.is_empty() {
-            run.equations.refuse_loads(&first)?;
+        if run.is_empty() {
+            run.equations.refuse_loads(&start)?;
         }
         Err(RunError::Refused { refusal, partial: Box::new(run) })
     }
 
     /// That joints, and not a force, are why a motion was refused.
-    fn singular(&self, refusal: &Refusal) -> Option<Reason> {
+    fn singular(&self, motion: &Motion<Equations>, refusal: &Refusal) -> Option<Reason> {
         if !matches!(
             refusal.reason,
             Reason::Stalled { .. } | Reason::NotFinite { .. } | Reason::WouldTakeTooMuchMemory { .. }
         ) {
             return None;
         }
-        let mode = &self.trajectory.modes[self.trajectory.pieces.last()?.mode];
-        let states = self.trajectory.last_states()?;
+        let mode = &motion.modes[motion.pieces.last()?.mode];
+        let states = motion.last_states()?;
         let joints = self.equations.singular_joints(mode, refusal.time, &states, &self.inputs);
         (!joints.is_empty()).then(|| {
             let names: Vec<String> = joints.iter().map(|name| format!("`{name}`")).collect();
@@ -214,30 +310,29 @@ impl Run {
 
     /// Largest difference of the states at the end, in units of their scales.
     fn change_to(&self, other: &Self) -> f64 {
-        let (Some(here), Some(there)) = (self.trajectory.last_states(), other.trajectory.last_states())
-        else {
-            return f64::INFINITY;
-        };
-        let scales = other
-            .equations
-            .state_rates(&other.equations.idle_mode())
-            .into_iter()
-            .map(|state| state.measure as usize);
-        let scales = scales.map(|group| other.trajectory.scales[group].max(f64::MIN_POSITIVE));
-        let relative = here.iter().zip(&there).zip(scales).map(|((a, b), scale)| (a - b).abs() / scale);
-        relative.fold(0.0, f64::max)
+        let changes = self.tracks().zip(other.tracks()).map(|(here, there)| {
+            let (Some(last), Some(other_last)) = (here.last_states(), there.last_states()) else {
+                return f64::INFINITY;
+            };
+            let idle = there.modes.first().map(|mode| Mode { contacts: vec![], ..mode.clone() });
+            let states = idle.map(|mode| other.equations.state_rates(&mode)).unwrap_or_default();
+            let scales = states.iter().map(|state| there.scales[state.measure as usize]);
+            let relative = last.iter().zip(&other_last).zip(scales);
+            relative.map(|((a, b), scale)| (a - b).abs() / scale.max(f64::MIN_POSITIVE)).fold(0.0, f64::max)
+        });
+        changes.fold(0.0, f64::max)
     }
 
     /// Prepares formulas of the motion, accelerations included, to be evaluated at any time.
-    pub fn observe(&self, formulas: &[Expr]) -> Result<Observer<'_>, RunError> {
-        Ok(Observer::new(&self.equations, &self.trajectory, &self.inputs, formulas)?)
+    pub fn observe(&self, formulas: &[Expr]) -> Result<Observer, RunError> {
+        Ok(Observer::new(self, formulas)?)
     }
 
     /// The motion at one time, s; at an event, just after it.
     pub fn at(&self, time: f64) -> Result<Instant<'_>, RunError> {
-        match self.trajectory.piece_at(time, Side::After) {
-            Some(_) => Ok(Instant { run: self, time }),
-            None => Err(RunError::Outside { time, end: self.trajectory.end().unwrap_or(0.0) }),
+        match self.tracks().all(|track| track.piece_at(time, Side::After).is_some()) {
+            true => Ok(Instant { run: self, time }),
+            false => Err(RunError::Outside { time, end: self.end().unwrap_or(0.0) }),
         }
     }
 }

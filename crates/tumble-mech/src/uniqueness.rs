@@ -65,22 +65,31 @@ struct Spot<'a> {
 impl Run {
     /// What is open of some formulas of the motion at a time: `None` of what is unique, and outside the motion.
     pub fn spreads(&self, formulas: &[Expr], time: f64, side: Side) -> Result<Vec<Option<Spread>>, RunError> {
-        let Some(place) = self.trajectory.place_at(time, side) else { return Ok(vec![None; formulas.len()]) };
-        let mode = &self.trajectory.modes[place.mode];
-        Ok(self.equations.spreads(mode, time, &place.states, &self.inputs, formulas)?)
+        let mut found = vec![None; formulas.len()];
+        for (components, places) in self.grouped(formulas) {
+            let motion = self.part(&components).motion();
+            let Some(place) = motion.place_at(time, side) else { continue };
+            let own: Vec<Expr> = places.iter().map(|index| formulas[*index].clone()).collect();
+            let mode = &motion.modes[place.mode];
+            let spreads = self.equations.spreads(mode, time, &place.states, &self.inputs, &own)?;
+            places.into_iter().zip(spreads).for_each(|(index, spread)| found[index] = spread);
+        }
+        Ok(found)
     }
 
     /// Whether a formula is open at any time between two, s.
     pub fn is_open_within(&self, formula: &Expr, [from, to]: [f64; 2]) -> Result<bool, RunError> {
+        let part = self.along(std::slice::from_ref(formula));
+        let motion = part.trajectory();
         // Which rows are left out does not change within a mode.
-        let mut is_known = vec![false; self.trajectory.modes.len()];
-        for piece in self.trajectory.pieces.iter().filter(|piece| piece.end >= from && piece.start <= to) {
+        let mut is_known = vec![false; motion.modes.len()];
+        for piece in motion.pieces.iter().filter(|piece| piece.end >= from && piece.start <= to) {
             if std::mem::replace(&mut is_known[piece.mode], true) {
                 continue;
             }
             let time = from.max(piece.start);
             let side = if time < piece.end { Side::After } else { Side::Before };
-            if self.spreads(std::slice::from_ref(formula), time, side)?[0].is_some() {
+            if part.spreads(std::slice::from_ref(formula), time, side)?[0].is_some() {
                 return Ok(true);
             }
         }
@@ -135,7 +144,7 @@ impl Equations {
         let mut terms = self.acting(mode);
         terms.extend(idle(mode).map(|pair| &self.pair_list().terms[pair]));
         let mut reactions = Substitution::default();
-        for body in 0..self.model().bodies.len() {
+        for &body in &mode.bodies {
             let found = self.body_equations(body).reaction(body, &on_body(&terms, body));
             found.into_iter().for_each(|(symbol, force)| reactions.insert(symbol, force));
         }

@@ -121,7 +121,7 @@ fn what_has_stopped_turning_is_not_followed_in_small_steps() {
     });
     model.starts.push(("box".into(), Start::default().at([0 * M, 0 * M]).omega(-0.002576 * RAD / S)));
     let run = run(model, 1.96e4, 4.6e-5);
-    assert!(run.trajectory.work.steps < 1000, "{:?}", run.trajectory.work);
+    assert!(run.trajectory().work.steps < 1000, "{:?}", run.trajectory().work);
 }
 
 /// The closed form along the rod against many Gauss nodes, with the change of sign anywhere on it or beyond.
@@ -170,7 +170,7 @@ fn a_torsion_pendulum_in_air_passes_its_turning_points() {
         });
         model.starts.push(("rod".into(), Start::default().angle(2 * RAD)));
         let run = run(model, 20.0, 1e-11);
-        (at(&run, 20.0, [rod.kinematics().angle(), rod.kinematics().omega()]), run.trajectory.work)
+        (at(&run, 20.0, [rod.kinematics().angle(), rod.kinematics().omega()]), run.trajectory().work)
     };
     let ([angle, omega], work) = swing(Component::Normal);
     // The same law as one torque: I omega' = -4 theta - c L^4 |omega| omega / 32 with I = 1.

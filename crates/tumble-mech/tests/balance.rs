@@ -84,7 +84,7 @@ fn the_air_s_work_on_a_pendulum_is_what_its_energy_gains() {
     let u = wind * motion.angle().cos() - 1 * M * motion.omega();
     model.torque("air", &rod, 1 * M * (0.03 * KG / M * u.abs() * u));
     let run = run(model, 20.0, 1e-12);
-    assert!(run.trajectory.work.flips > 5);
+    assert!(run.trajectory().work.flips > 5);
     let balance = balanced(&run, 1e-12);
     let energy = rod.kinetic_energy() + rod.potential_energy(&run.equations.model().gravity);
     let [before, after] = [0.0, 20.0].map(|t| at(&run, t, [energy.clone()])[0]);
@@ -279,7 +279,8 @@ fn a_rod_loses_energy_by_impacts() {
     assert!(hits.len() > 10);
     for hit in &hits[..4] {
         let pair = &run.equations.pairs()[hit.pair];
-        let event = run.trajectory.events.iter().position(|event| event.time == hit.start).expect("an event");
+        let event =
+            run.trajectory().events.iter().position(|event| event.time == hit.start).expect("an event");
         let [before, _] = run
             .observe(&[pair.gap_rate(), pair.arm().x().clone()])
             .expect("formulas")
@@ -399,7 +400,8 @@ fn hertz_s_floor() {
     for damping in [0.0, 0.1] {
         let run = run(falling(hertz(damping), G), 5.0, 1e-12);
         assert!(
-            run.contacts().len() > 5 && run.trajectory.pieces.iter().any(|piece| piece.time_series.is_some())
+            run.contacts().len() > 5
+                && run.trajectory().pieces.iter().any(|piece| piece.time_series.is_some())
         );
         let balance = balanced(&run, 1e-12);
         let name = run.equations.pairs()[0].name.clone();

@@ -39,7 +39,7 @@ fn same_hits(run: &Run, expected: &serde_json::Value, tolerance: impl Fn(usize) 
 fn on_a_spring() {
     let expected = &reference("bouncing_rod")["spring_1e4_lossless"];
     let run = run(bouncing_rod(spring()), 5.0, 1e-13);
-    println!("{:?}", run.trajectory.work);
+    println!("{:?}", run.trajectory().work);
     same_hits(&run, &expected["touchdowns"], |_| 1e-10);
     assert_eq!(run.contacts().len(), 8);
     for (contact, end) in run.contacts().iter().zip(expected["liftoffs"].as_array().expect("ends")) {
@@ -54,7 +54,7 @@ fn on_a_spring() {
 fn elastic() {
     let expected = &reference("bouncing_rod")["rigid_e1"];
     let run = run(bouncing_rod(rigid(1.0)), 5.0, 1e-13);
-    println!("{:?}", run.trajectory.work);
+    println!("{:?}", run.trajectory().work);
     // Perturbations grow to 1e9 times themselves within the run.
     same_hits(&run, &expected["hits"], |hit| 1e-14 * 10_f64.powi(hit as i32));
     assert_eq!(run.contacts().len(), 9);
@@ -67,7 +67,7 @@ fn elastic() {
 fn with_losses_until_it_lies_flat() {
     let expected = &reference("bouncing_rod")["rigid_e0.7"];
     let run = run(bouncing_rod(rigid(0.7)), 5.0, 1e-13);
-    println!("{:?}", run.trajectory.work);
+    println!("{:?}", run.trajectory().work);
     same_hits(&run, &expected["hits"], |_| 1e-12);
     same_state(&run, 1.0, &expected["state_t1"], 1e-13);
     same_state(&run, 2.5, &expected["state_t2.5"], 1e-12);

@@ -63,7 +63,7 @@ fn a_damped_spring_lets_go_at_the_surface_or_at_zero_force() {
     close(speed, -d_rate(time), 1e-12);
     // Let go inside, it leaves with that speed and is seen no more.
     assert_eq!(run.contacts().len(), 1);
-    assert!(run.trajectory.modes.len() == 3, "{:?}", run.trajectory.modes);
+    assert!(run.trajectory().modes.len() == 3, "{:?}", run.trajectory().modes);
 }
 
 fn hertz(stiffness: f64, damping: f64) -> ContactLaw {
@@ -80,7 +80,7 @@ fn hertz_s_contact_time() {
         let expected = 2.943_275_184_324_704_7 * depth / SPEED;
         assert!((time / expected - 1.0).abs() < 1e-12, "{time} is not {expected}");
         close(speed, SPEED, 1e-13);
-        println!("{:?}", run.trajectory.work);
+        println!("{:?}", run.trajectory().work);
     }
 }
 

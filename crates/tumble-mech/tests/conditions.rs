@@ -103,7 +103,7 @@ fn events_that_break_a_condition_together_stop_the_motion() {
     assert_eq!(refusal.time, 2.0);
     let expected = "after `less a`, `less b`: stiffness of `cord` is -1 N/m: it must not be negative";
     assert_eq!(refusal.reason.to_string(), expected);
-    assert_eq!(partial.trajectory.end(), Some(2.0));
+    assert_eq!(partial.trajectory().end(), Some(2.0));
 }
 
 #[test]

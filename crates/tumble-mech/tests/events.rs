@@ -64,7 +64,7 @@ proptest! {
             let dense: Vec<usize> =
                 (0..DENSE).filter(|i| values[*i][index] * values[i + 1][index] < 0.0).collect();
             let name = format!("e{index}");
-            let named = run.trajectory.events.iter().filter(|event| event.record.happened.contains(&Happening::Event(index)));
+            let named = run.trajectory().events.iter().filter(|event| event.record.happened.contains(&Happening::Event(index)));
             let found: Vec<f64> = named.map(|event| event.time).collect();
             // Two zeros within a cell of the grid are the located ones' to find, not the grid's.
             let cell = |t: f64| (t / until * DENSE as f64) as usize;
@@ -100,7 +100,7 @@ fn thrown(action: Action) -> (Model, Body) {
 fn an_event_is_recorded_and_changes_nothing() {
     let (model, ball) = thrown(Action::Record);
     let run = run(model, 3.0, 1e-9);
-    let event = &run.trajectory.events[0];
+    let event = &run.trajectory().events[0];
     assert_eq!((event.time, &event.record.happened[..]), (1.0, &[Happening::Event(0)][..]));
     assert_eq!(event.before, event.after);
     close(at(&run, 3.0, [ball.kinematics().position()[1].clone()])[0], -15.0, 1e-15);
@@ -124,7 +124,7 @@ fn what_happens_at_the_end_of_a_step_is_an_event() {
             model.events.push(Event { name: place.to_string(), when, direction: Direction::Rising, action });
         }
         let run = run(model, 1.0, accuracy);
-        let times: Vec<f64> = run.trajectory.events.iter().map(|event| event.time).collect();
+        let times: Vec<f64> = run.trajectory().events.iter().map(|event| event.time).collect();
         assert_eq!(times, [0.125, 0.25, 0.3, 0.375, 0.5, 1.0], "{accuracy}");
     }
 }
@@ -141,7 +141,7 @@ fn what_leaves_a_value_has_not_passed_it() {
         let when = ball.kinematics().velocity()[0].clone();
         let (direction, action) = (Direction::Both, Action::Record);
         model.events.push(Event { name: "moves".into(), when, direction, action });
-        assert!(run(model, 1.0, 1e-9).trajectory.events.is_empty(), "{push}");
+        assert!(run(model, 1.0, 1e-9).trajectory().events.is_empty(), "{push}");
     }
 }
 
@@ -153,7 +153,7 @@ fn a_jump_is_an_event_and_a_touch_is_none() {
         let when = when(ball.kinematics().velocity()[1].clone());
         model.events = vec![Event { name: "e".into(), when, direction, action: Action::Record }];
         let run = run(model, 3.0, 1e-9);
-        run.trajectory.events.iter().map(|event| event.time).collect::<Vec<f64>>()
+        run.trajectory().events.iter().map(|event| event.time).collect::<Vec<f64>>()
     };
     assert_eq!(fires(|v| v.sign(), Direction::Falling), [1.0]);
     assert_eq!(fires(|v| v.sign(), Direction::Rising), [] as [f64; 0]);
@@ -177,8 +177,11 @@ fn a_jump_of_the_motion_is_an_event() {
         model.loads.push(gust.during(Moment::Time(0.5 * S), Moment::Time(0.6 * S)));
         model.events = vec![Event { name: "e".into(), when: when(&ball), direction, action: Action::Record }];
         let run = run(model, 3.5, 1e-9);
-        let own =
-            run.trajectory.events.iter().filter(|event| event.record.happened.contains(&Happening::Event(0)));
+        let own = run
+            .trajectory()
+            .events
+            .iter()
+            .filter(|event| event.record.happened.contains(&Happening::Event(0)));
         own.map(|event| (event.time * 1e6).round() / 1e6).collect::<Vec<f64>>()
     };
     let vy = |ball: &Body| ball.kinematics().velocity().y().clone();
@@ -216,8 +219,8 @@ fn a_singular_event_is_refused() {
 fn an_event_stops_the_motion() {
     let (model, _) = thrown(Action::Stop);
     let run = run(model, 3.0, 1e-9);
-    assert_eq!(run.trajectory.end(), Some(1.0));
-    assert_eq!(run.trajectory.events.len(), 1);
+    assert_eq!(run.trajectory().end(), Some(1.0));
+    assert_eq!(run.trajectory().events.len(), 1);
 }
 
 #[test]
@@ -231,7 +234,7 @@ fn an_event_changes_a_parameter() {
     // Up 5 m in 1 s, then down 2 m/s^2 for 2 s.
     close(y, 5.0 - 4.0, 1e-15);
     close(vy, -4.0, 1e-15);
-    assert_eq!(run.trajectory.work.exact_steps, 2);
+    assert_eq!(run.trajectory().work.exact_steps, 2);
 }
 
 #[test]
@@ -243,7 +246,7 @@ fn a_window_opens_and_closes_at_events() {
     let push = Load::force("push", "ball", Place::Material(ball.cm()), Vector::planar(Expr::zero(), 10 * N));
     model.loads.push(push.during(Moment::Event("apex".into()), Moment::Event("far".into())));
     let run = run(model, 3.0, 1e-9);
-    let events = run.trajectory.events.iter();
+    let events = run.trajectory().events.iter();
     let names: Vec<String> = events.flat_map(|event| run.equations.names_of(&event.record)).collect();
     assert_eq!(names, ["apex", "push.start", "far", "push.end"]);
     // Weightless from 1 s to 2 s, at the height of 5 m.

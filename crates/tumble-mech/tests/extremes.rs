@@ -162,7 +162,7 @@ fn the_end_is_after_what_happens_there() {
     model.events.push(Event { name: "up".into(), when, direction: Direction::Rising, action });
     let run = run(model, 1.0, 1e-12);
     let contact = run.contacts()[0].clone();
-    assert_eq!(run.trajectory.end(), Some(contact.start));
+    assert_eq!(run.trajectory().end(), Some(contact.start));
     let rate = run.equations.pairs()[contact.pair].gap_rate();
     let mut observer = run.observe(&[rate]).expect("a formula of the motion");
     let mut at = |side| observer.at(contact.start, side).expect("within the motion")[0];

@@ -32,7 +32,7 @@ fn a_thrown_rod_is_exact_in_one_step() {
     for (found, expected) in found.into_iter().zip([9.6, 1.1368, 8.0, -5.772, 7.7, 6.0]) {
         close(found, expected, 1e-15);
     }
-    assert_eq!((run.trajectory.work.steps, run.trajectory.work.exact_steps), (1, 1));
+    assert_eq!((run.trajectory().work.steps, run.trajectory().work.exact_steps), (1, 1));
 }
 
 /// An end of the rod goes round the centre: its distance to it stays, and its acceleration is centripetal plus gravity.

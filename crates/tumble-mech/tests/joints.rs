@@ -160,7 +160,7 @@ fn a_released_body_flies_on() {
     let place = Anchor::World(tumble_expr::Vector::planar(0 * M, 1 * M));
     model.join(Joint::pin("string", [named(&ball, "top"), place]).until("lowest"));
     let run = motion(model.simulate(&[(&ball, Start::default().angle(quarter_turn()))], 1 * S));
-    let event = &run.trajectory.events[0];
+    let event = &run.trajectory().events[0];
     let end = run.at(1.0).expect("within");
     let velocity = end.velocity(&ball.cm()).expect("finite");
     let fastest = (2.0 * 9.81f64).sqrt();

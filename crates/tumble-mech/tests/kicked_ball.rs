@@ -43,8 +43,8 @@ fn a_fixed_offset_gives_the_formulas() {
     close(x, 4.627906976744186, 1e-15);
     close(theta, -28.685373822794553, 1e-15);
     close(x, force * dt * dt / (2.0 * mass) + v * (1.0 - dt), 1e-15);
-    assert_eq!((run.trajectory.work.steps, run.trajectory.work.exact_steps), (2, 2));
-    assert_eq!(run.equations.names_of(&run.trajectory.events[0].record), ["kick.end"]);
+    assert_eq!((run.trajectory().work.steps, run.trajectory().work.exact_steps), (2, 2));
+    assert_eq!(run.equations.names_of(&run.trajectory().events[0].record), ["kick.end"]);
 }
 
 #[test]

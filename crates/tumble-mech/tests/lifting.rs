@@ -71,7 +71,7 @@ fn both_sides_of_a_jump_are_told() {
     close(at(0.0, Side::After), 2.5, 1e-14);
     let least = run.extreme(&push, Extreme::Least, [0.0, 1.0]).ok().flatten().expect("a value");
     close(least.value, 0.0, 1e-14);
-    let event = run.trajectory.events.len() - 1;
+    let event = run.trajectory().events.len() - 1;
     let sides = observer.at_event(event).expect("an event");
     close(sides[0][0], 2.5, 1e-14);
     close(sides[1][0], 0.0, 1e-14);
@@ -111,7 +111,7 @@ fn a_motion_may_stop_where_it_starts() {
     let (direction, action) = (Direction::Rising, Action::Stop);
     model.events.push(Event { name: "up".into(), when: when.clone(), direction, action });
     let run = run(model, 1.0, 1e-9);
-    assert_eq!((run.trajectory.end(), run.trajectory.pieces.len()), (Some(0.0), 0));
+    assert_eq!((run.trajectory().end(), run.trajectory().pieces.len()), (Some(0.0), 0));
     let mut observer = run.observe(&[when]).expect("a formula");
     assert_eq!(observer.at(0.0, Side::Before), Some(vec![-2.0]));
     assert_eq!(observer.at(0.0, Side::After), Some(vec![1.0]));

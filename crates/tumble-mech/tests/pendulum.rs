@@ -57,7 +57,7 @@ fn a_thousand_periods_drift_no_more_than_rounding() {
     let samples: Vec<[f64; 3]> = samples(0).into_iter().filter(|[t, ..]| *t > 1900.0).collect();
     assert!(samples.len() >= 2, "the reference holds a thousand periods");
     let run = run(pendulum(Expr::pi() / 2), 1940.0, 1e-13);
-    let steps = run.trajectory.work.steps as f64;
+    let steps = run.trajectory().work.steps as f64;
     let growth = steps.powf(1.5) * f64::EPSILON;
     let rod = run.equations.model().bodies[0].kinematics();
     for [t, theta, omega] in samples {
@@ -84,7 +84,7 @@ fn a_thousand_periods_drift_no_more_than_rounding() {
 fn the_reaction_closes_both_laws() {
     let run = run(pendulum(2 * RAD), 3.0, 1e-12);
     let rod = run.equations.model().bodies[0].kinematics();
-    let mode = run.trajectory.modes[0].clone();
+    let mode = run.trajectory().modes[0].clone();
     let terms = run.equations.terms(&mode);
     assert!(terms.iter().any(|term| term.law == Law::Reaction && term.load == "hinge"));
     let sum = |part: &dyn Fn(&tumble_mech::Term) -> Expr| {

@@ -31,7 +31,7 @@ fn falling(model: &mut Model, name: &str, x: f64, along: f64) {
 }
 
 fn ends_at_rest(run: &Run) -> bool {
-    run.trajectory.events.last().is_some_and(|event| event.record.happened.contains(&Happening::Rest))
+    run.trajectory().events.last().is_some_and(|event| event.record.happened.contains(&Happening::Rest))
 }
 
 #[test]
@@ -41,11 +41,11 @@ fn bounces_end_where_their_sum_does() {
     model.surface(floor(0.5));
     let run = run(model, 60.0, 1e-12);
     assert!(ends_at_rest(&run));
-    close(run.trajectory.end().expect("a motion"), 3.0 * FALL, 1e-14);
-    assert_eq!(run.rest_of(0).expect("a value"), run.trajectory.end());
+    close(run.trajectory().end().expect("a motion"), 3.0 * FALL, 1e-14);
+    assert_eq!(run.rest_of(0).expect("a value"), run.trajectory().end());
     assert_eq!(
         run.equations
-            .names_of(&run.trajectory.events.last().expect("an end").record)
+            .names_of(&run.trajectory().events.last().expect("an end").record)
             .last()
             .map(String::as_str),
         Some("rest")
@@ -71,7 +71,7 @@ fn what_slides_goes_on() {
     falling(&mut model, "ball", 0.0, 1e-3);
     model.surface(floor(0.0));
     let run = run(model, 5.0, 1e-12);
-    assert_eq!((run.trajectory.end(), run.rest().expect("a value")), (Some(5.0), None));
+    assert_eq!((run.trajectory().end(), run.rest().expect("a value")), (Some(5.0), None));
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn a_rod_that_falls_flat_comes_to_rest() {
     model.starts.push((rod.name, Start { angle: Some(0.3.into()), ..Start::default().at([0 * M, 2 * M]) }));
     model.surface(floor(0.2));
     let run = run(model, 60.0, 1e-10);
-    assert!(ends_at_rest(&run), "{:?}", run.trajectory.end());
+    assert!(ends_at_rest(&run), "{:?}", run.trajectory().end());
 }
 
 /// Forty time constants: what is left is less than rounding, and no instant has taken it.
@@ -99,7 +99,7 @@ fn what_is_damped_never_rests() {
         damping: 2 * KG / S,
     });
     let run = run(model, 40.0, 1e-9);
-    assert_eq!((run.trajectory.end(), run.rest().expect("a value")), (Some(40.0), None));
+    assert_eq!((run.trajectory().end(), run.rest().expect("a value")), (Some(40.0), None));
 }
 
 #[test]
@@ -130,6 +130,6 @@ fn a_joint_can_bring_to_rest() {
     let ends = [Anchor::Material(rod.cm()), Anchor::World(Vector::planar(0 * M, 0 * M))];
     model.join(Joint::weld("catch", ends).from("quarter"));
     let run = run(model, 60.0, 1e-12);
-    close(run.trajectory.end().expect("a motion"), std::f64::consts::FRAC_PI_4, 1e-14);
+    close(run.trajectory().end().expect("a motion"), std::f64::consts::FRAC_PI_4, 1e-14);
     assert!(ends_at_rest(&run));
 }

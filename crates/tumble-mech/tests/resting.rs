@@ -174,7 +174,7 @@ fn a_box_slides_down_a_slope() {
         }
     }
     assert_eq!(lasting(&run).len(), 2);
-    println!("{:?}", run.trajectory.work);
+    println!("{:?}", run.trajectory().work);
 }
 
 #[test]
@@ -187,7 +187,7 @@ fn a_box_at_rest_stays() {
         assert!([x, vx, vy, angle, omega].iter().all(|v| *v == 0.0), "{:?}", state(&run, 1000.0));
         close(y, height + 0.1, 2e-16);
         assert_eq!(lasting(&run).len(), 2);
-        assert!(run.trajectory.events.len() <= 2, "{:?}", run.trajectory.events);
+        assert!(run.trajectory().events.len() <= 2, "{:?}", run.trajectory().events);
     }
 }
 
@@ -238,7 +238,7 @@ fn three_feet_in_a_line() {
     model.starts[0].1 = model.starts[0].1.clone().velocity([1 * M / S, 0 * M / S]);
     model.surface(floor(0.0, 0.0));
     let run = run(model, 100.0, 1e-12);
-    let mode = &run.trajectory.modes[run.trajectory.pieces[0].mode];
+    let mode = &run.trajectory().modes[run.trajectory().pieces[0].mode];
     let idle: Vec<_> = mode
         .contacts
         .iter()
@@ -306,12 +306,12 @@ fn a_hinged_rod_falls_on_the_floor() {
         let hit = run.contacts()[0].start;
         // (I/2) w^2 = m g (L/4), I = m L^2 / 3
         let before = -(1.5 * G).sqrt();
-        let event = run.trajectory.events.iter().position(|event| event.time == hit).expect("an event");
-        let [angle, omega] = run.trajectory.events[event].before[..] else { panic!("two states") };
+        let event = run.trajectory().events.iter().position(|event| event.time == hit).expect("an event");
+        let [angle, omega] = run.trajectory().events[event].before[..] else { panic!("two states") };
         close(angle, -PI / 6.0, 1e-14);
         close(omega, before, 1e-13);
-        close(run.trajectory.events[event].after[1], -e * before, 1e-13);
-        let impulses = &run.trajectory.events[event].record.impulses;
+        close(run.trajectory().events[event].after[1], -e * before, 1e-13);
+        let impulses = &run.trajectory().events[event].record.impulses;
         let expected = (1.0 + e) * (2.0 / 3.0) * -before / angle.cos();
         let [floor, hinge] = &impulses[..] else { panic!("{impulses:?}") };
         let names = [floor, hinge].map(|impulse| run.equations.source_name(impulse.source));
@@ -402,7 +402,7 @@ fn a_resting_rod_is_hit_at_its_other_end() {
         let mut model = world(rod(1.0), [0.0, 0.5 * start.sin()], start);
         model.surface(floor(0.0, e));
         let run = run(model, 10.0, 1e-12);
-        let times: Vec<f64> = run.trajectory.events.iter().map(|event| event.time).collect();
+        let times: Vec<f64> = run.trajectory().events.iter().map(|event| event.time).collect();
         let energies: Vec<f64> = times.windows(2).map(|t| energy(&run, 0.5 * (t[0] + t[1]))).collect();
         assert!(energies.windows(2).all(|e| e[1] <= e[0] + 1e-13), "{energies:?}");
         let [x, y, vx, vy, angle, omega] = state(&run, 10.0);

@@ -23,7 +23,7 @@ fn impacts_a_rounding_error_apart_are_counted_as_they_were() {
     model.surface(Surface::floor("floor", 0 * M, rigid(0.5)));
     for accuracy in [1e-6, 1e-9, 1e-12] {
         let run = run(model.clone(), 2.0, accuracy);
-        assert!(run.trajectory.events.len() > 20);
+        assert!(run.trajectory().events.len() > 20);
         let balance = RunBalance::of(&run, [0.0; 2]).expect("finite");
         assert!(balance.relative() < f64::max(1e-10, accuracy), "{accuracy}: {:e}", balance.relative());
     }

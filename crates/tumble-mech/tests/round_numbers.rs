@@ -70,7 +70,7 @@ fn motion(
 /// How often an event happens.
 fn count(run: &Run, name: &str) -> usize {
     let happening = run.equations.named(name).expect("an event");
-    run.trajectory.events.iter().filter(|event| event.record.happened.contains(&happening)).count()
+    run.trajectory().events.iter().filter(|event| event.record.happened.contains(&happening)).count()
 }
 
 /// A step that ends as a velocity touches a level leaves it there by rounding alone.
@@ -80,7 +80,7 @@ fn a_touch_where_a_step_ends_is_not_refused() {
     let found = run(model, 2.0, 1e-9);
     for index in 0..3 {
         let count = |way: &str| count(&found, &format!("{way}{index}"));
-        assert!(index != 1 || count("up") == count("down"), "{:?}", found.trajectory.events);
+        assert!(index != 1 || count("up") == count("down"), "{:?}", found.trajectory().events);
     }
 }
 
@@ -91,7 +91,7 @@ fn a_crossing_where_a_step_ends_is_counted_once() {
     {
         let (model, _) = motion((1, 2, 5), switches, start, &[-1.0, -1.0, level]);
         let run = run(model, 2.0, 1e-9);
-        let near = run.trajectory.events.iter().filter(|event| (event.time - 1.0).abs() < 1e-9);
+        let near = run.trajectory().events.iter().filter(|event| (event.time - 1.0).abs() < 1e-9);
         let names = near.flat_map(|event| run.equations.names_of(&event.record));
         assert_eq!(names.filter(|name| name.contains('2')).collect::<Vec<_>>(), ["up2"], "{start:?}");
     }

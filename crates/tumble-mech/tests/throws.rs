@@ -192,7 +192,7 @@ fn throws(count: u32, seed: u64) {
 fn compare_hits(kind: &Thrown, run: &Run, start: &[f64; 7], most: usize) -> usize {
     let mut compared = 0;
     let mut from = (0.0, six(&start[..6]));
-    for event in run.trajectory.events.iter().take(most) {
+    for event in run.trajectory().events.iter().take(most) {
         if event.time - from.0 < SHORT_ARC {
             return compared;
         }
@@ -209,14 +209,14 @@ fn compare_hits(kind: &Thrown, run: &Run, start: &[f64; 7], most: usize) -> usiz
         let error = (from.0 + after - event.time).abs();
         assert!(error < blur, "{start:?}: hit at {} s and not at {}", event.time, from.0 + after);
         compared += 1;
-        let touches = run.trajectory.modes[event.mode_after].contacts.is_empty();
+        let touches = run.trajectory().modes[event.mode_after].contacts.is_empty();
         if !touches {
             return compared;
         }
         from = (event.time, six(&event.after));
     }
     // What the search finds before the first event would be a hit that was missed.
-    if let Some(event) = run.trajectory.events.first()
+    if let Some(event) = run.trajectory().events.first()
         && let Some((after, _)) = kind.first_hit(six(&start[..6]), event.time - 1e-7)
     {
         panic!("{start:?}: the run misses a hit at {after} s");
@@ -226,7 +226,7 @@ fn compare_hits(kind: &Thrown, run: &Run, start: &[f64; 7], most: usize) -> usiz
 
 /// No point is ever inside a surface.
 fn never_inside(kind: &Thrown, run: &Run, start: &[f64; 7]) {
-    for piece in &run.trajectory.pieces {
+    for piece in &run.trajectory().pieces {
         for part in 0..=32 {
             let time = piece.start + (piece.end - piece.start) * f64::from(part) / 32.0;
             let gaps = kind.gaps(six(&piece.states_at(time)));
@@ -238,14 +238,15 @@ fn never_inside(kind: &Thrown, run: &Run, start: &[f64; 7]) {
 
 /// The energy never grows; elastic impacts keep it. A floor does not push along itself.
 fn losses(run: &Run, inertia: f64, e: f64) {
-    for event in &run.trajectory.events {
+    for event in &run.trajectory().events {
         let [before, after] = [&event.before, &event.after].map(|states| energy(six(states), inertia));
         assert!(after <= before + 1e-14 * before.abs(), "energy grows from {before} to {after}");
         if e == 1.0 {
             assert!((after - before).abs() < 1e-13 * before, "{before} {after}");
         }
         let is_wall = |name: &str| name.starts_with("left") || name.starts_with("right");
-        let lasting = [event.mode_before, event.mode_after].map(|mode| &run.trajectory.modes[mode].contacts);
+        let lasting =
+            [event.mode_before, event.mode_after].map(|mode| &run.trajectory().modes[mode].contacts);
         let mut lasting = lasting.into_iter().flatten().map(|(pair, _)| &run.equations.pairs()[*pair]);
         if !run.equations.names_of(&event.record).iter().any(|name| is_wall(name))
             && !lasting.any(|pair| is_wall(&pair.name))
@@ -312,7 +313,7 @@ fn impulses_are_complementary() {
             (start[4], start[5]) = (0.0, 0.0);
         }
         let run = kind.throw(&start, 1.0, 1e-12);
-        for event in run.trajectory.events.iter().take(4) {
+        for event in run.trajectory().events.iter().take(4) {
             for impulse in &event.record.impulses {
                 let outward = match run.equations.source_name(impulse.source) {
                     load if load.starts_with("floor") => impulse.impulse[1],
@@ -339,7 +340,7 @@ fn an_elastic_rod_keeps_its_energy() {
     let start = [4.0, 2.0, 0.0, 0.0, 0.6, 2.0, 1.0];
     let run = rod.throw(&start, 1000.0, 1e-12);
     let before = energy(six(&start[..6]), 1.0 / 12.0);
-    let after = energy(six(&run.trajectory.last_states().expect("ran")), 1.0 / 12.0);
+    let after = energy(six(&run.trajectory().last_states().expect("ran")), 1.0 / 12.0);
     println!("{} hits, drift {:e}", run.contacts().len(), after / before - 1.0);
     assert!((after / before - 1.0).abs() < 1e-13, "{after} is not {before}");
     assert!(run.contacts().len() > 1000);
@@ -347,5 +348,5 @@ fn an_elastic_rod_keeps_its_energy() {
     let body = run.equations.model().bodies[0].kinematics();
     let [x, vx] = at(&run, 1000.0, [body.position().x().clone(), body.velocity().x().clone()]);
     assert_eq!((x, vx), (4.0, 0.0));
-    assert!(run.trajectory.states_at(1000.0, Side::Before).is_some());
+    assert!(run.trajectory().states_at(1000.0, Side::Before).is_some());
 }

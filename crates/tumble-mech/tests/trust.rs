@@ -37,12 +37,12 @@ fn wanted_for(steps: usize) -> Result<(Run, Trust), RunError> {
 #[test]
 fn of_a_motion_that_is_wanted_no_more() {
     let (whole, trust) = wanted_for(usize::MAX).expect("a motion");
-    let steps = whole.trajectory.pieces.len();
+    let steps = whole.trajectory().pieces.len();
     assert!(trust.is_reached());
     for steps in [1, 2, steps - 1, steps + 1, steps + 2] {
         let Err(RunError::Refused { refusal, partial }) = wanted_for(steps) else { panic!("went on") };
         assert_eq!(refusal.reason, Reason::Interrupted);
-        assert_eq!(partial.trajectory.end(), Some(refusal.time));
+        assert_eq!(partial.trajectory().end(), Some(refusal.time));
         assert!(refusal.time < 20.0);
     }
 }
@@ -117,7 +117,7 @@ fn of_a_rod_on_a_rigid_floor() {
 fn ends_where_the_digits_do() {
     let (run, trust) = trusted(&bouncing_rod(rigid(1.0)), 60.0, 1e-9);
     let horizon = trust.horizon.clone().expect("chaos");
-    println!("{horizon:?} of {} impacts", run.trajectory.events.len());
+    println!("{horizon:?} of {} impacts", run.trajectory().events.len());
     assert!((5.0..40.0).contains(&horizon.time), "{} s", horizon.time);
     let errors = trust.errors(&run, &rod_angle(&run)).expect("formulas of the motion");
     assert!(errors.at(0.5 * horizon.time).is_some());

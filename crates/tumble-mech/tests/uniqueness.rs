@@ -173,7 +173,7 @@ fn a_foot_that_a_weld_keeps() {
     let ends = [Anchor::Material(model.bodies[0].cm()), Anchor::World(Vector::planar(-1 * M, 0.1 * M))];
     model.join(Joint::weld("weld", ends));
     let run = run(model, 1.0, 1e-12);
-    let mode = &run.trajectory.modes[run.trajectory.pieces[0].mode];
+    let mode = &run.trajectory().modes[run.trajectory().pieces[0].mode];
     assert_eq!(mode.contact_mode(0), Some(ContactMode::Idle));
     let foot = &normals(&run)[0];
     let [x, y, torque] = run.equations.model().joints[0].multipliers().try_into().expect("three");
@@ -251,7 +251,7 @@ fn train(wagons: usize, height: f64, restitution: f64) -> Model {
 fn a_train_falls_on_its_feet() {
     for (wagons, restitution) in [(2, 0.0), (2, 0.4), (3, 0.4), (8, 0.0)] {
         let run = run(train(wagons, 0.05, restitution), 2.0, 1e-10);
-        let mode = &run.trajectory.modes[run.trajectory.pieces.last().expect("a motion").mode];
+        let mode = &run.trajectory().modes[run.trajectory().pieces.last().expect("a motion").mode];
         assert_eq!(mode.contacts.len(), 2 * wagons);
         // A line of wagons can move in as many ways as it has wagons, and two more, of which one is along the floor.
         let idle = mode.contacts.iter().filter(|(_, how)| *how == ContactMode::Idle).count();

@@ -19,13 +19,13 @@ fn the_pendulum_in_the_wind() {
             "T = {period}: {:e} {:e}, {:?}",
             theta - number(&expected["theta"]),
             omega - number(&expected["omega"]),
-            run.trajectory.work
+            run.trajectory().work
         );
         // A perturbation of the start grows by `conditioning`; 1e-12 is asked for beyond that.
         let tolerance = 1e-12 + 1e-15 * number(&expected["conditioning"]);
         close(theta, number(&expected["theta"]), tolerance);
         close(omega, number(&expected["omega"]), tolerance);
-        assert_eq!(run.trajectory.work.flips, number(&expected["sign_changes_of_u"]) as u64);
+        assert_eq!(run.trajectory().work.flips, number(&expected["sign_changes_of_u"]) as u64);
     }
 }
 
@@ -88,7 +88,7 @@ fn past_a_sharp_apex() {
         let sideways = Start::default().at([0 * M, 0 * M]).velocity([vx * M / S, 10 * M / S]);
         let run = run(falling(sideways), 3.0, 1e-13);
         let [v, y, vy] = at(&run, 3.0, quantities());
-        println!("vx = {vx:e}: {:e} {:e} {:e} {:?}", v / vx, y - y0, vy - vy0, run.trajectory.work);
+        println!("vx = {vx:e}: {:e} {:e} {:e} {:?}", v / vx, y - y0, vy - vy0, run.trajectory().work);
         // Sideways motion changes the vertical one by its square; horizontally it decays as any small disturbance does.
         close(y, y0, 1e-13 + vx * vx * 10.0);
         close(vy, vy0, 1e-13 + vx * vx * 10.0);

@@ -12,6 +12,7 @@ mod engine;
 mod expansion;
 mod hybrid;
 mod invariants;
+mod joined;
 mod lazy_guards;
 mod order;
 mod polynomial;
@@ -34,6 +35,7 @@ pub use hybrid::{
     AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
     StateVariable,
 };
+pub use joined::{AsOne, Of};
 pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;

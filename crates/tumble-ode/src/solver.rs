@@ -183,6 +183,21 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         }
     }
 
+    /// Counts the memory that another motion takes as its own: both go on beside each other.
+    pub fn share_memory(&mut self, other: &Self) {
+        self.memory.share(&other.memory);
+    }
+
+    /// Whether an event has ended the motion.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped
+    }
+
+    /// What the last event was, as data, if it happened just now.
+    pub fn last_record(&self) -> Option<&H::Record> {
+        self.trajectory.events.last().filter(|event| event.time == self.time).map(|event| &event.record)
+    }
+
     /// Whether the end is reached.
     pub fn is_done(&self) -> bool {
         self.stopped || (self.mode.is_some() && self.time >= self.until)

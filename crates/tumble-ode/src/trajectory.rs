@@ -205,6 +205,22 @@ impl<Mode, Record> Trajectory<Mode, Record> {
         (piece.start <= time && time <= piece.end).then_some(piece)
     }
 
+    /// The mode that it starts in.
+    pub(crate) fn first_mode(&self) -> Option<usize> {
+        let piece = || self.pieces.first().map(|piece| piece.mode);
+        self.first_event().map(|event| event.mode_before).or_else(piece)
+    }
+
+    /// Leaves out all that comes after a time; the piece that it lies in ends there.
+    pub fn cut(&mut self, time: f64) {
+        self.events.retain(|event| event.time <= time);
+        self.pieces.retain(|piece| piece.start < time);
+        if let Some(last) = self.pieces.last_mut().filter(|last| last.end > time) {
+            last.length = last.parameter_at(time);
+            last.end = time;
+        }
+    }
+
     fn first_event(&self) -> Option<&Event<Record>> {
         let start = self.start()?;
         self.events.first().filter(|event| event.time == start)

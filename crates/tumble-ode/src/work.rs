@@ -1,5 +1,7 @@
 //! What a run cost, in counts that do not depend on the machine.
 
+use std::iter::Sum;
+
 /// Counts of work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
@@ -28,4 +30,23 @@ pub struct Work {
     pub cuts: u64,
     /// Tapes built, one a mode.
     pub modes: u64,
+}
+
+impl Sum for Work {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        all.fold(Self::default(), |a, b| Self {
+            steps: a.steps + b.steps,
+            rejected: a.rejected + b.rejected,
+            expansions: a.expansions + b.expansions,
+            checks: a.checks + b.checks,
+            exact_steps: a.exact_steps + b.exact_steps,
+            flips: a.flips + b.flips,
+            knots: a.knots + b.knots,
+            turns: a.turns + b.turns,
+            near: a.near + b.near,
+            enclosures: a.enclosures + b.enclosures,
+            cuts: a.cuts + b.cuts,
+            modes: a.modes + b.modes,
+        })
+    }
 }

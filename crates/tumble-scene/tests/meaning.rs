@@ -66,7 +66,7 @@ fn events_are_found_and_change_parameters() {
     let run = run(&study);
     let time = |name: &str| {
         let happening = run.equations.named(name).expect(name);
-        let mut events = run.trajectory.events.iter();
+        let mut events = run.trajectory().events.iter();
         let event = events.find(|event| event.record.happened.contains(&happening));
         event.expect(name).time
     };

@@ -37,7 +37,7 @@ impl CaseBalance {
     /// The balance of a run; `None` where nothing moved.
     pub(crate) fn of(case: &Case) -> Result<Option<Self>, PipelineError> {
         let run = &case.run;
-        if run.trajectory.pieces.is_empty() {
+        if run.trajectory().pieces.is_empty() {
             return Ok(None);
         }
         let mut balance = RunBalance::of(run, ABOUT)?;
@@ -45,7 +45,7 @@ impl CaseBalance {
         for (time, side) in times(run) {
             rows.extend(balance.row(time, side)?);
         }
-        let work_errors = match (&case.trust, run.trajectory.end()) {
+        let work_errors = match (&case.trust, run.end()) {
             (Some(trust), Some(end)) => trust.work_errors(&mut balance, end, Side::After)?,
             _ => None,
         };
@@ -79,7 +79,7 @@ impl CaseBalance {
 /// Equal steps, and both sides of each event.
 fn times(run: &tumble_mech::Run) -> Vec<(f64, Side)> {
     let steps = equal_times(run, ROWS).map(|time| (time, Side::After));
-    let events = run.trajectory.events.iter();
+    let events = run.events();
     let sides = events.flat_map(|event| [(event.time, Side::Before), (event.time, Side::After)]);
     let mut times: Vec<(f64, Side)> = steps.chain(sides).collect();
     let order = |side: Side| u8::from(side == Side::After);

@@ -130,7 +130,7 @@ fn rows(
 ) -> Result<Option<Vec<Row>>, PipelineError> {
     let Some(during) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
     let window = Moments::of(study, case.solution()).window(Some(during))?;
-    let end = case.run.trajectory.end().unwrap_or(0.0);
+    let end = case.run.end().unwrap_or(0.0);
     window
         .filter(|[from, _]| *from < end)
         .map(|window| sample_between(&case.run, formulas, window))
@@ -141,7 +141,7 @@ fn rows(
 fn mark_events(figure: &mut CurveFigure, case: &Case) {
     let shown = figure.series.iter().flat_map(|series| &series.points).map(|[time, _]| *time);
     let (from, to) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)));
-    let events = case.run.trajectory.events.iter();
+    let events = case.run.events();
     let events: Vec<_> = events.filter(|event| from <= event.time && event.time <= to).collect();
     if events.len() > MOST_MARKS {
         return;
@@ -247,7 +247,7 @@ pub(crate) fn picture(
 }
 
 fn track(study: &Study, run: &Run, stroboscope: &Stroboscope, body: &Body) -> Result<Track, PipelineError> {
-    let end = run.trajectory.end().unwrap_or(0.0);
+    let end = run.end().unwrap_or(0.0);
     let every = study.number(&stroboscope.every)?;
     let count = ((end / every * (1.0 + 1e-12)).floor() as usize).min(MOST_INSTANTS);
     let poses = poses(run, body, (0..=count).map(|index| (index as f64 * every).min(end)))?;

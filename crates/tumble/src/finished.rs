@@ -68,7 +68,7 @@ pub struct Happened {
 
 impl Finished {
     pub(crate) fn of(case: &Case) -> Self {
-        let (run, trajectory) = (&case.run, &case.run.trajectory);
+        let (run, trajectory) = (&case.run, &case.run.trajectory());
         let happened = |event: &tumble_ode::Event<Record>| Happened {
             time: event.time,
             what: run.equations.names_of(&event.record),
@@ -134,7 +134,7 @@ impl Tally {
 }
 
 fn last_states(run: &Run) -> Vec<(Symbol, f64)> {
-    let last_mode = run.trajectory.events.last().map_or(0, |event| event.mode_after);
-    let states = run.equations.states(&run.trajectory.modes[last_mode]);
-    states.into_iter().zip(run.trajectory.last_states().unwrap_or_default()).collect()
+    let last_mode = run.trajectory().events.last().map_or(0, |event| event.mode_after);
+    let states = run.equations.states(&run.trajectory().modes[last_mode]);
+    states.into_iter().zip(run.trajectory().last_states().unwrap_or_default()).collect()
 }

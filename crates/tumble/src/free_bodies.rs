@@ -25,7 +25,7 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, 
     let moments = Moments::of(study, case.solution());
     let drawing = Drawing { study, run: &case.run, body: asked.body };
     let mut sheet = Sheet { title: heading(study, asked.title.as_deref(), &asked.name), ..Sheet::default() };
-    let end = case.run.trajectory.end().unwrap_or(0.0);
+    let end = case.run.end().unwrap_or(0.0);
     let mut missing = vec![];
     for (instant, label) in &asked.at {
         match moments.time(instant)? {
@@ -148,7 +148,7 @@ impl Drawing<'_> {
 
     /// Impulses on the body of a rigid impact at just this time.
     fn impulses(&self, time: f64) -> impl Iterator<Item = &Impulse> {
-        let events = self.run.trajectory.events.iter().filter(move |event| event.time == time);
+        let events = self.run.events().filter(move |event| event.time == time);
         let impulses = events.flat_map(|event| &event.record.impulses);
         impulses.filter(|impulse| impulse.body == self.body)
     }

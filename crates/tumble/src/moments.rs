@@ -67,7 +67,7 @@ impl<'a> Moments<'a> {
 
     /// Error of the time of an event, s: of the time at which an event has ended the run, too.
     pub(crate) fn event_error(&self, time: f64) -> Option<f64> {
-        let is_event = self.solution.run.trajectory.events.iter().any(|event| event.time == time);
+        let is_event = self.solution.run.events().any(|event| event.time == time);
         let trust = self.solution.trust?;
         if is_event { trust.event_error(self.solution.run, time) } else { Some(f64::EPSILON * time) }
     }
@@ -121,8 +121,7 @@ impl<'a> Moments<'a> {
                 return run.rest_of(body).ok().flatten().map(at);
             }
             let happening = run.equations.named(event)?;
-            let there =
-                run.trajectory.events.iter().filter(|event| event.record.happened.contains(&happening));
+            let there = run.events().filter(|event| event.record.happened.contains(&happening));
             return count.of(there).map(|event| at(event.time));
         }
         let (contact, part) = name.rsplit_once('.')?;

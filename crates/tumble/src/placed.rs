@@ -57,7 +57,7 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
         said.extend(study.refusal(&refusal.reason, &refusal.to_string()));
     }
     if study.model.stops_at_rest && case.refusal.is_none() && case.run.rest().map_err(Box::new)?.is_none() {
-        said.extend(study.no_rest(case.run.trajectory.end().unwrap_or_default()));
+        said.extend(study.no_rest(case.run.end().unwrap_or_default()));
     }
     let finds =
         study.finds.iter().zip(&case.finds).map(|(question, find)| (question, find.at, [find.value; 2]));

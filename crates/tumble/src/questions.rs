@@ -165,13 +165,13 @@ impl<'a> Asked<'a> {
         let margin = match &question.at {
             When::Extreme { .. } => Some(ONE_INSTANT),
             _ if has_works => Some(ONE_INSTANT),
-            When::End => (names || solution.run.trajectory.last_event().is_some()).then_some(1.0),
+            When::End => (names || solution.run.trajectory().last_event().is_some()).then_some(1.0),
             When::At(instant) => (names || Moments::names(&instant.time)).then_some(1.0),
         };
         let mut is_open = false;
         let found = match &question.at {
             When::End => {
-                let end = solution.run.trajectory.end().filter(|_| is_whole);
+                let end = solution.run.end().filter(|_| is_whole);
                 end.map(|end| (end, moments.event_error(end), question.side))
             }
             When::At(instant) => moments.time(instant)?.map(|(time, off)| (time, off, question.side)),

@@ -33,7 +33,7 @@ pub(crate) fn sample_between(
     formulas: &[Expr],
     [from, to]: [f64; 2],
 ) -> Result<Vec<Row>, PipelineError> {
-    let end = run.trajectory.end().unwrap_or(0.0);
+    let end = run.end().unwrap_or(0.0);
     let (from, to) = (from.clamp(0.0, end), to.clamp(0.0, end));
     let step = (to - from) / DEFAULT_SAMPLES as f64;
     let inner = (0..DEFAULT_SAMPLES).map(|index| from + index as f64 * step);
@@ -44,7 +44,7 @@ pub(crate) fn sample_between(
 /// Values at these times, in order, and on both sides of each event up to the last of them.
 fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, PipelineError> {
     let mut observer = run.observe(formulas)?;
-    let events = &run.trajectory.events;
+    let events = &run.trajectory().events;
     let mut rows = vec![];
     let mut next_event = 0;
     for &time in times {
@@ -66,13 +66,13 @@ fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, Pipelin
 
 /// The ends of equal parts of a run, from its start on, s.
 pub(crate) fn equal_times(run: &Run, parts: usize) -> impl Iterator<Item = f64> {
-    let end = run.trajectory.end().unwrap_or(0.0);
+    let end = run.end().unwrap_or(0.0);
     (0..=parts).map(move |index| (end * index as f64 / parts as f64).min(end))
 }
 
 /// Equal steps from the start, and the end.
 fn times(study: &Study, run: &Run) -> Result<Vec<f64>, PipelineError> {
-    let end = run.trajectory.end().unwrap_or(0.0);
+    let end = run.end().unwrap_or(0.0);
     let every = match &study.output_every {
         Some(every) => study.number(every)?,
         None => study.number(&study.until)? / DEFAULT_SAMPLES as f64,
@@ -124,7 +124,7 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     });
     let first = ["t [s]".to_owned(), "what".to_owned()];
     table.row(first.into_iter().chain(columns))?;
-    for event in &run.trajectory.events {
+    for event in &run.trajectory().events {
         table.numbers(&[event.time]);
         table.text(&run.equations.names_of(&event.record).join(", "));
         table.numbers(&event.before[..states.len()]);

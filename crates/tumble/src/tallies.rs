@@ -41,7 +41,7 @@ pub(crate) fn found(run: &Run, name: &str, at: At) -> Option<Tally> {
         }
         None => {
             let happening = run.equations.named(name.strip_suffix(COUNT)?)?;
-            let events = run.trajectory.events.iter().filter(|event| has_come(event.time));
+            let events = run.events().filter(|event| has_come(event.time));
             events.filter(|event| event.record.happened.contains(&happening)).count()
         }
     };
@@ -55,7 +55,7 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let there = contacts.iter().filter(|contact| is_part(&pairs[contact.pair].name, place));
     let contact = count.of(there)?;
     let at = |event: &&Event<tumble_mech::Record>| event.time == contact.start;
-    let impulses = run.trajectory.events.iter().filter(at).flat_map(|event| &event.record.impulses);
+    let impulses = run.events().filter(at).flat_map(|event| &event.record.impulses);
     let own = impulses.filter(|impulse| impulse.source == Source::Pair(contact.pair));
     let [x, y] = own.fold([0.0, 0.0], |[x, y], Impulse { impulse, .. }| [x + impulse[0], y + impulse[1]]);
     let size = (x * x + y * y).sqrt();

@@ -39,7 +39,7 @@ fn closes(scene: &str, run: &Run, body: usize) {
     let formulas = [&mass.mass * a.x(), &mass.mass * a.y(), &mass.inertia * kinematics.alpha()];
     let mut needed = run.observe(&formulas).expect("formulas of the motion");
     let mut forces = Forces::of(run);
-    let end = run.trajectory.end().expect("a motion");
+    let end = run.trajectory().end().expect("a motion");
     for index in 0..=INSTANTS {
         let time = (end * index as f64 / INSTANTS as f64).min(end);
         let needed = needed.at(time, Side::After).expect("within the run");

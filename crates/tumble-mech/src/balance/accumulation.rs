@@ -66,14 +66,14 @@ impl<'a> Accumulation<'a> {
     /// Adds everything from the start of the run to its end.
     pub(super) fn run_through(&mut self) -> Result<(), Reason> {
         let run = self.run;
-        let mut events = run.trajectory.events.iter().peekable();
-        for piece in &run.trajectory.pieces {
+        let mut events = run.trajectory().events.iter().peekable();
+        for piece in &run.trajectory().pieces {
             while let Some(event) = events.next_if(|event| event.time <= piece.start) {
                 self.add_event(event)?;
             }
             self.marks.push(self.totals());
             let states = piece.states_at_parameter(0.0);
-            let stored = self.stored(&run.trajectory.modes[piece.mode], piece.start, &states)?;
+            let stored = self.stored(&run.trajectory().modes[piece.mode], piece.start, &states)?;
             self.watch(&stored);
             self.add_piece(piece)?;
         }
@@ -93,7 +93,7 @@ impl<'a> Accumulation<'a> {
 
     /// What contributions have summed up to at a time within a piece, by the piece's index.
     pub(super) fn totals_at(&mut self, index: usize, time: f64) -> Result<Vec<Amounts>, Reason> {
-        let piece = &self.run.trajectory.pieces[index];
+        let piece = &self.run.trajectory().pieces[index];
         self.prepare(piece.mode)?;
         let mut totals = self.marks[index].clone();
         totals.resize(self.keys.len(), [0.0; 4]);
@@ -172,8 +172,9 @@ impl<'a> Accumulation<'a> {
         if self.lines.contains_key(&mode) {
             return Ok(());
         }
-        let Run { equations, trajectory, inputs, .. } = self.run;
-        let lines = Lines::new(equations, &self.potentials, &trajectory.modes[mode], inputs, &self.about)?;
+        let Run { equations, inputs, .. } = self.run;
+        let mode_of = &self.run.trajectory().modes[mode];
+        let lines = Lines::new(equations, &self.potentials, mode_of, inputs, &self.about)?;
         let contributions = lines.keys.iter().map(|key| self.contribution(key.clone())).collect();
         self.lines.insert(mode, (lines, contributions));
         Ok(())

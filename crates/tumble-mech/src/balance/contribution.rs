@@ -48,6 +48,11 @@ pub struct Contribution {
 }
 
 impl Contribution {
+    /// What tells it from all others of a balance.
+    pub(crate) fn key(&self) -> (String, Option<usize>, Kind) {
+        (self.load.clone(), self.body, self.kind)
+    }
+
     /// What rounding may have made of its work, J, where that is `work`.
     pub fn rounding(&self, work: f64) -> f64 {
         (ROUNDING * work.abs()).max(ROUNDING_OF_IMPACTS * self.operands)

@@ -28,7 +28,7 @@ impl Accumulation<'_> {
     /// Adds an event of the run.
     pub(super) fn add_event(&mut self, event: &Event<Record>) -> Result<(), Reason> {
         let run = self.run;
-        let [before, after] = [event.mode_before, event.mode_after].map(|mode| &run.trajectory.modes[mode]);
+        let [before, after] = [event.mode_before, event.mode_after].map(|mode| &run.trajectory().modes[mode]);
         let mut stored = self.stored(before, event.time, &event.before)?;
         self.watch(&stored);
         if before.changes != after.changes {
@@ -125,7 +125,7 @@ impl Accumulation<'_> {
 
     /// Impulses by which contacts that last, and the pivot, stop what is left of a body's motion towards them.
     fn settled(&self, event: &Event<Record>, body: usize, left: Change) -> Result<Vec<Impulse>, Reason> {
-        let mode = &self.run.trajectory.modes[event.mode_after];
+        let mode = &self.run.trajectory().modes[event.mode_after];
         let (equations, inputs) = (&self.run.equations, &self.run.inputs);
         let lasting = mode.contacts.iter().filter(|(_, contact_mode)| ContactMode::is_lasting(*contact_mode));
         let lasting = lasting.map(|(pair, _)| (*pair, &equations.pairs()[*pair]));

@@ -79,7 +79,7 @@ impl<'a> RunBalance<'a> {
 
     /// The balance at a time, s; at an event, on that side of it. `None` outside the motion.
     pub fn at(&mut self, time: f64, side: Side) -> Result<Option<Reading>, Reason> {
-        let trajectory = &self.accumulation.run.trajectory;
+        let trajectory = &self.accumulation.run.trajectory();
         let (start, end) = (trajectory.start(), trajectory.end());
         if start == Some(time) && side == Side::Before {
             let stored = self.accumulation.first()?;
@@ -162,7 +162,7 @@ impl<'a> RunBalance<'a> {
 impl Accumulation<'_> {
     /// What there is before anything happens.
     fn first(&mut self) -> Result<Stored, Reason> {
-        let trajectory = &self.run.trajectory;
+        let trajectory = &self.run.trajectory();
         let (event, piece) = (trajectory.events.first(), trajectory.pieces.first());
         let event = event.filter(|event| piece.is_none_or(|piece| event.time <= piece.start));
         let (mode, time, states) = match (event, piece) {
@@ -175,7 +175,7 @@ impl Accumulation<'_> {
 
     /// What there is after all that has happened.
     fn last(&mut self) -> Result<Stored, Reason> {
-        let trajectory = &self.run.trajectory;
+        let trajectory = &self.run.trajectory();
         let (event, piece) = (trajectory.events.last(), trajectory.pieces.last());
         let event = event.filter(|event| piece.is_none_or(|piece| event.time >= piece.end));
         let (mode, time, states) = match (event, piece) {

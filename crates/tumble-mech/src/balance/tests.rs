@@ -66,8 +66,8 @@ fn sums_of_rounding_errors_are_not_refined() {
     model.force("spring", &ball.cm(), Vector::planar(pull, 0 * N));
     model.starts.push((ball.name, Start::default().at([rest - 1e-6 * M, 0 * M])));
     let run = run(model, 1.0, 1e-9);
-    let piece = &run.trajectory.pieces[0];
-    let mode = &run.trajectory.modes[piece.mode];
+    let piece = &run.trajectory().pieces[0];
+    let mode = &run.trajectory().modes[piece.mode];
     let lines = Lines::new(&run.equations, &[], mode, &run.inputs, &here(0.0, 0.0));
     let mut lines = lines.expect("lines that compile");
     let mut samples = 0;
@@ -215,7 +215,7 @@ fn a_long_exact_step_is_resolved() {
     model.pivot_at("axle", &rod, [0 * M, 0 * M], [0 * M, 0 * M]);
     model.torque("motor", &rod, 2 * N * M);
     let run = run(model, 10.0, 1e-12);
-    assert_eq!(run.trajectory.pieces.len(), 1);
+    assert_eq!(run.trajectory().pieces.len(), 1);
     balanced(&run, 1e-13);
 }
 
@@ -256,7 +256,7 @@ fn the_course_in_time() {
 #[test]
 fn the_motion_does_not_know_of_its_balance() {
     let bits = |run: &Run| -> Vec<u64> {
-        let pieces = run.trajectory.pieces.iter();
+        let pieces = run.trajectory().pieces.iter();
         pieces.flat_map(|piece| piece.states.all().to_vec()).map(f64::to_bits).collect()
     };
     let with = run(bouncing_rod(hertz(0.05)), 3.0, 1e-12);
@@ -278,6 +278,6 @@ fn a_run_that_stops() {
         action: Action::Stop,
     });
     let run = run(model, 3.0, 1e-12);
-    assert!(run.trajectory.end() < Some(1.0));
+    assert!(run.trajectory().end() < Some(1.0));
     balanced(&run, 1e-13);
 }

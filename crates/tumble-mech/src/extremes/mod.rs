@@ -81,11 +81,16 @@ impl Run {
         which: Extreme,
         [from, to]: [f64; 2],
     ) -> Result<Option<Peak>, RunError> {
+        self.along(std::slice::from_ref(formula)).peak(formula, which, [from, to])
+    }
+
+    /// The same along one motion.
+    fn peak(&self, formula: &Expr, which: Extreme, [from, to]: [f64; 2]) -> Result<Option<Peak>, RunError> {
         let mut evaluators: Vec<Option<Evaluator>> = vec![];
-        evaluators.resize_with(self.trajectory.modes.len(), || None);
+        evaluators.resize_with(self.trajectory().modes.len(), || None);
         let mut best = Best { sign: which.sign(), found: None };
         let mut order = vec![];
-        for (index, piece) in self.trajectory.pieces.iter().enumerate() {
+        for (index, piece) in self.trajectory().pieces.iter().enumerate() {
             if piece.end < from || piece.start > to {
                 continue;
             }
@@ -102,13 +107,13 @@ impl Run {
         let larger = |begun: &Begun| begun.gains[0].max(begun.gains[1]);
         order.sort_by(|a, b| larger(b).total_cmp(&larger(a)));
         for begun in order {
-            let piece = &self.trajectory.pieces[begun.index];
+            let piece = &self.trajectory().pieces[begun.index];
             let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
             let mut search = Search::new(piece, begun.index, evaluator, &mut best);
             search.whole(&begun).map_err(|at| cornered(piece, at))?;
         }
         let Some(found) = best.found else { return Ok(None) };
-        let piece = &self.trajectory.pieces[found.piece];
+        let piece = &self.trajectory().pieces[found.piece];
         let evaluator = self.evaluator_in(&mut evaluators, piece.mode, formula)?;
         let ends = [from, to].map(|time| self.within(time));
         let kind = kind_of(&found, Search::new(piece, found.piece, evaluator, &mut best), ends);
@@ -125,7 +130,8 @@ impl Run {
             Some(found) => Ok(found),
             empty => {
                 let of = std::slice::from_ref(formula);
-                let jets = self.equations.expander(&self.trajectory.modes[mode], of, &self.inputs, ORDER)?;
+                let jets =
+                    self.equations.expander(&self.trajectory().modes[mode], of, &self.inputs, ORDER)?;
                 let enclosure = Enclosure::new(jets.tape().clone(), &self.inputs);
                 let inputs: Vec<Interval> = self.inputs.iter().map(|value| Interval::point(*value)).collect();
                 let ranges = Jets::new(jets.tape().clone(), 0, &inputs);
@@ -136,7 +142,7 @@ impl Run {
 
     /// A time, or the end of the motion that is nearest.
     fn within(&self, time: f64) -> f64 {
-        let (start, end) = (self.trajectory.start(), self.trajectory.end());
+        let (start, end) = (self.trajectory().start(), self.trajectory().end());
         time.clamp(start.unwrap_or(time), end.unwrap_or(time))
     }
 }

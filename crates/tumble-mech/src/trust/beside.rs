@@ -55,7 +55,7 @@ pub(super) struct Beside<'a> {
     near: [usize; 2],
     phases: std::iter::Peekable<std::slice::Iter<'a, [Stretch; 2]>>,
     safety: f64,
-    compared: Compared<'a>,
+    compared: Compared,
     /// Differences that stay, by formula.
     differences: Recent,
     /// Of its stretches so far, s.
@@ -65,7 +65,7 @@ pub(super) struct Beside<'a> {
 impl<'a> Beside<'a> {
     pub(super) fn new(check: &'a CheckRun, formulas: &[Expr]) -> Result<Self, RunError> {
         Ok(Self {
-            pieces: &check.run.trajectory.pieces,
+            pieces: &check.run.trajectory().pieces,
             near: [0; 2],
             phases: check.phases.all.iter().peekable(),
             safety: check.safety,
@@ -122,8 +122,8 @@ impl<'a> Beside<'a> {
 }
 
 /// Values of a check run that belong to one time of the motion.
-pub(super) struct Compared<'a> {
-    observer: Observer<'a>,
+pub(super) struct Compared {
+    observer: Observer,
     /// At the same time since the phase began.
     since: Vec<f64>,
     /// At the same time.
@@ -142,8 +142,8 @@ enum Same {
     AtOnce,
 }
 
-impl<'a> Compared<'a> {
-    pub(super) fn new(check: &'a CheckRun, formulas: &[Expr]) -> Result<Self, RunError> {
+impl Compared {
+    pub(super) fn new(check: &CheckRun, formulas: &[Expr]) -> Result<Self, RunError> {
         let observer = check.run.observe(formulas)?;
         Ok(Self { observer, since: vec![], at_once: vec![], same: Same::Outside })
     }

@@ -29,32 +29,31 @@ pub(super) struct CheckRun {
     pub(super) safety: f64,
 }
 
-impl CheckRun {
-    /// All that a motion is checked by.
-    pub(super) fn all(
-        run: &Run,
-        parameters: &Parameters,
-        until: f64,
-        used: Accuracy,
-        progress: &impl Fn(f64) -> ControlFlow<()>,
-    ) -> Result<Vec<Self>, RunError> {
-        let mut all = vec![];
-        for ((seed, stride), accuracy) in SEEDS.into_iter().zip(STRIDES).zip([used.independent(), used, used])
-        {
-            let other = Other { accuracy, stride, rounding: Rounding::perturbed(seed) };
-            let check = perturbed(run, parameters, until, other, progress);
-            let check = match check {
-                Err(error) if error.is_interrupted() => return Err(error),
-                Err(RunError::Refused { partial, .. }) => *partial,
-                other => other?,
-            };
-            all.push(Self::new(run, check, SAFETY));
-        }
-        all.extend(run.coarser.as_ref().map(|coarser| Self::new(run, (**coarser).clone(), HALF_AS_MANY)));
-        Ok(all)
+/// All that a motion is checked by, each with what its differences are multiplied with.
+pub(super) fn all(
+    run: &Run,
+    parameters: &Parameters,
+    until: f64,
+    used: Accuracy,
+    progress: &impl Fn(f64) -> ControlFlow<()>,
+) -> Result<Vec<(Run, f64)>, RunError> {
+    let mut all = vec![];
+    for ((seed, stride), accuracy) in SEEDS.into_iter().zip(STRIDES).zip([used.independent(), used, used]) {
+        let other = Other { accuracy, stride, rounding: Rounding::perturbed(seed) };
+        let check = perturbed(run, parameters, until, other, progress);
+        let check = match check {
+            Err(error) if error.is_interrupted() => return Err(error),
+            Err(RunError::Refused { partial, .. }) => *partial,
+            other => other?,
+        };
+        all.push((check, SAFETY));
     }
+    all.extend(run.coarser.as_ref().map(|coarser| ((**coarser).clone(), HALF_AS_MANY)));
+    Ok(all)
+}
 
-    fn new(run: &Run, check: Run, safety: f64) -> Self {
+impl CheckRun {
+    pub(super) fn new(run: &Run, check: Run, safety: f64) -> Self {
         Self { phases: phases(run, &check), run: check, safety }
     }
 
@@ -68,11 +67,9 @@ impl CheckRun {
         let Some(since) = self.phases.counterpart(time, side) else { return Ok(None) };
         let mut check = RunBalance::of(&self.run, balance.about)?;
         let Some(there) = check.at(since, side)? else { return Ok(None) };
-        let key =
-            |contribution: &Contribution| (contribution.load.clone(), contribution.body, contribution.kind);
         let difference = |(contribution, work): (&Contribution, &f64)| {
             let mut others = check.contributions.iter().zip(&there.work);
-            let other = others.find(|(other, _)| key(other) == key(contribution));
+            let other = others.find(|(other, _)| other.key() == contribution.key());
             other.map_or(f64::INFINITY, |(_, other)| (work - other).abs())
         };
         Ok(Some(balance.contributions.iter().zip(works).map(difference).collect()))
@@ -100,12 +97,12 @@ fn perturbed(
     start.stride = stride;
     // Where no step of the motion had to be cut nothing in it is narrow. A check run that passes over something all the same
     // differs from it, and the error stated says so.
-    start.is_proved = run.trajectory.work.cuts > 0;
+    start.is_proved = run.work().cuts > 0;
     let found = Run::from_start(equations.clone(), start, until, accuracy, progress);
     match found {
         Err(error) if error.is_interrupted() => Err(error),
         // At the edge of what can begin, a few ulps decide: then it begins as the motion does.
-        Err(RunError::Refused { partial, .. }) if partial.trajectory.pieces.is_empty() => {
+        Err(RunError::Refused { partial, .. }) if partial.is_empty() => {
             let parameters = parameters.rounded(Rounding::NEAREST);
             Run::new(equations.rounded(Rounding::NEAREST), &parameters, until, accuracy, progress)
         }

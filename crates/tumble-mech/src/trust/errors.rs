@@ -85,7 +85,7 @@ impl Errors {
         formulas: &[Expr],
         time: f64,
     ) -> Result<Self, RunError> {
-        let (pieces, count) = (&run.trajectory.pieces, pieces_until(run, until));
+        let (pieces, count) = (&run.trajectory().pieces, pieces_until(run, until));
         let here = pieces[..count].partition_point(|piece| piece.end < time);
         let mut reach = 1;
         loop {
@@ -136,13 +136,13 @@ impl Errors {
 
 /// How many pieces begin before a time, s.
 fn pieces_until(run: &Run, until: f64) -> usize {
-    run.trajectory.pieces.iter().take_while(|piece| piece.start < until).count()
+    run.trajectory().pieces.iter().take_while(|piece| piece.start < until).count()
 }
 
 /// The motion and its check runs, compared piece by piece.
 struct Walk<'a> {
     run: &'a Run,
-    observer: Observer<'a>,
+    observer: Observer,
     beside: Vec<Beside<'a>>,
     sizes: Recent,
     largest: Vec<f64>,
@@ -172,7 +172,7 @@ impl<'a> Walk<'a> {
     /// Makes the rows of these pieces. Of those before them only the last ones count.
     fn along(&mut self, wanted: Range<usize>) {
         let run = self.run;
-        for (index, piece) in run.trajectory.pieces[..wanted.end].iter().enumerate() {
+        for (index, piece) in run.trajectory().pieces[..wanted.end].iter().enumerate() {
             let phases: Option<Vec<[Stretch; 2]>> =
                 self.beside.iter_mut().map(|check| check.phase(piece)).collect();
             let Some(phases) = phases else { break };
@@ -185,7 +185,7 @@ impl<'a> Walk<'a> {
     fn step(&mut self, piece: &Piece, phases: &[[Stretch; 2]], is_wanted: bool) {
         self.sizes.advance();
         let steps = self.beside.iter_mut().map(|check| check.advance(piece)).max();
-        let is_pressed = self.run.trajectory.modes[piece.mode].pressed().next().is_some();
+        let is_pressed = self.run.trajectory().modes[piece.mode].pressed().next().is_some();
         let stays = |check: &Beside<'_>, [here, _]: &[Stretch; 2]| {
             let is_impact = is_pressed && here.end - here.start < BRIEF * check.longest;
             !is_impact && !here.ends_zeno_sequence

@@ -6,9 +6,10 @@ use tumble_ode::{Place, Side};
 use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
 use crate::run::{Run, RunError};
+use crate::trust::ULPS;
 use crate::trust::check_run::CheckRun;
 use crate::trust::errors::{self, Errors, larger};
-use crate::trust::{MEASURES, Trust, ULPS, kinematics};
+use crate::trust::part::{MEASURES, Part, event_blur, instant_blur, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
 const RATE_PART: f64 = 1e-6;
@@ -30,29 +31,31 @@ pub struct At {
     pub off: f64,
 }
 
-impl Trust {
-    /// Error stated of a formula of the motion at an instant; `None` where nothing can be said of it.
-    pub fn error_at(&self, run: &Run, formula: &Expr, at: At) -> Result<Option<f64>, RunError> {
-        let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
+impl Part {
+    /// See [`super::Trust::error_at`].
+    pub(super) fn error_at(&self, formula: &Expr, at: At) -> Result<Option<f64>, RunError> {
+        let (run, motion) = (&self.run, self.run.motion());
+        let Some(place) = motion.place_at(at.time, at.side) else { return Ok(None) };
         let mut quantity = Quantity::new(run, formula, &place)?;
         let noise = NOISE * quantity.noise()?;
         if !depends_on_motion(run, formula) {
             return Ok(Some(noise));
         }
-        let Some(states) = self.states.at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
+        let Some(states) = self.states_at(at.time).filter(|_| at.time <= self.end()) else { return Ok(None) };
         let carried = quantity.carried(&states);
-        let near = Errors::near(run, &self.checks, self.end(), std::slice::from_ref(formula), at.time)?;
-        let direct = near.at(at.time).map(|errors| errors[0]);
-        let along = match direct {
-            Some(direct) if direct.is_finite() && direct <= carried => direct,
-            _ => carried,
-        };
-        // Between the places where the runs were compared they may be farther apart.
-        let motion = larger(along, self.difference(formula, (quantity.value, at))?);
+        let (mut along, is_compared) = (carried, at.time <= self.compared_end());
+        if is_compared {
+            let of = std::slice::from_ref(formula);
+            let near = Errors::near(run, &self.checks, self.compared_end(), of, at.time)?;
+            let direct = near.at(at.time).map(|errors| errors[0]);
+            along = direct.filter(|direct| direct.is_finite() && *direct <= carried).unwrap_or(carried);
+            // Between the places where the runs were compared they may be farther apart.
+            along = larger(along, self.difference(formula, (quantity.value, at))?);
+        }
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
-        let moved = quantity.rate() * at.off.max(rounded) + self.jumps(run, formula, at)?;
+        let moved = quantity.rate() * at.off.max(rounded) + self.jumps(formula, at)?;
         let drift = if quantity.is_held() { quantity.carried(&drift(run)) } else { 0.0 };
-        Ok(Some(motion + noise + moved + drift))
+        Ok(Some(along + noise + moved + drift))
     }
 
     /// The largest difference of a formula to the check runs at one instant, with their safety; zero where they do not come to it.
@@ -66,39 +69,34 @@ impl Trust {
         Ok(worst)
     }
 
-    /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own, and
-    /// from what rounding does to the instant; `None` where one of them does not come to it.
-    pub fn compared(
-        &self,
-        run: &Run,
-        formula: &Expr,
-        at: At,
-        of_check: impl Fn(&Run) -> Option<f64>,
-    ) -> Result<Option<f64>, RunError> {
-        let Some(place) = run.trajectory.place_at(at.time, at.side) else { return Ok(None) };
-        let mut quantity = Quantity::new(run, formula, &place)?;
-        let off = |check: &CheckRun| Some(check.safety * (of_check(&check.run)? - quantity.value).abs());
-        let offs: Option<Vec<f64>> = self.checks.iter().map(off).collect();
-        let Some(offs) = offs.filter(|_| at.time <= self.end()) else { return Ok(None) };
+    /// See [`super::Trust::compared`]; `found` is what it comes to in each check run.
+    pub(super) fn compared(&self, formula: &Expr, at: At, found: &[f64]) -> Result<Option<f64>, RunError> {
+        let motion = self.run.motion();
+        let Some(place) = motion.place_at(at.time, at.side).filter(|_| at.time <= self.end()) else {
+            return Ok(None);
+        };
+        let mut quantity = Quantity::new(&self.run, formula, &place)?;
+        let off = |(check, found): (&CheckRun, &f64)| check.safety * (found - quantity.value).abs();
+        let off = self.checks.iter().zip(found).map(off).fold(0.0, larger);
         let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
-        let blur = if at.off > 0.0 { quantity.rate() * Self::instant_blur(run, at.time) } else { 0.0 };
-        let jumps = self.jumps(run, formula, at)?;
-        Ok(Some(offs.into_iter().fold(0.0, larger) + rounding + blur + jumps))
+        let blur = if at.off > 0.0 { quantity.rate() * instant_blur(&motion, at.time) } else { 0.0 };
+        Ok(Some(off + rounding + blur + self.jumps(formula, at)?))
     }
 
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant
     /// is asked for on one side, but for the end of a Zeno sequence, which leaves out the bounces that were to come.
-    fn jumps(&self, run: &Run, formula: &Expr, at: At) -> Result<f64, RunError> {
-        let events = &run.trajectory.events;
+    fn jumps(&self, formula: &Expr, at: At) -> Result<f64, RunError> {
+        let motion = self.run.motion();
+        let events = &motion.events;
         let next = events.partition_point(|event| event.time < at.time);
         let near = next.saturating_sub(NEIGHBOURS)..(next + NEIGHBOURS).min(events.len());
         let mut sum = 0.0;
         for index in near {
             let time = events[index].time;
-            let error = self.event_error(run, time).unwrap_or(0.0);
+            let error = self.event_error(time).unwrap_or(0.0) + event_blur(&motion, time);
             let is_asked_for = time == at.time && !events[index].record.ends_zeno_sequence();
             if !is_asked_for && (time - at.time).abs() <= error.max(at.off) {
-                let sides = run.observe(std::slice::from_ref(formula))?.at_event(index);
+                let sides = self.run.observe(std::slice::from_ref(formula))?.at_event(index);
                 sum += sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());
             }
         }
@@ -109,14 +107,14 @@ impl Trust {
 /// What rounding of the forces that hold a body may have moved it by within the run, by [`kinematics`]: all runs round alike what
 /// does not move.
 fn drift(run: &Run) -> Vec<f64> {
-    let of = |measure: Measure| run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
-    let span = run.trajectory.end().unwrap_or(0.0);
+    let of = |measure: Measure| run.trajectory().rounding.get(measure as usize).copied().unwrap_or(0.0);
+    let span = run.trajectory().end().unwrap_or(0.0);
     let one = MEASURES.map(|measure| match measure {
         Measure::Length => of(measure) + span * of(Measure::Speed),
         Measure::Angle => of(measure) + span * of(Measure::AngularRate),
         _ => of(measure),
     });
-    one.repeat(run.equations.model().bodies.len())
+    one.repeat(run.bodies().len())
 }
 
 /// Whether a formula holds anything of the motion, and not parameters alone.
@@ -136,7 +134,7 @@ struct Quantity<'a> {
 
 impl<'a> Quantity<'a> {
     fn new(run: &'a Run, formula: &'a Expr, place: &'a Place<'a>) -> Result<Self, RunError> {
-        let mode = &run.trajectory.modes[place.mode];
+        let mode = &run.trajectory().modes[place.mode];
         let jets = run.equations.evaluator(mode, std::slice::from_ref(formula), &run.inputs)?;
         let mut quantity = Self { run, formula, place, jets, value: 0.0 };
         quantity.value = quantity.at(place);
@@ -161,7 +159,7 @@ impl<'a> Quantity<'a> {
 
     /// What errors of the states, by [`kinematics`], do to the value, each by itself.
     fn carried(&mut self, errors: &[f64]) -> f64 {
-        let symbols = self.run.equations.states(&self.run.trajectory.modes[self.place.mode]);
+        let symbols = self.run.equations.states(&self.run.trajectory().modes[self.place.mode]);
         let known = kinematics(self.run);
         let mut sum = 0.0;
         for (state, symbol) in symbols.into_iter().enumerate() {
@@ -180,14 +178,14 @@ impl<'a> Quantity<'a> {
 
     /// Whether a body lies on a rigid surface there.
     fn is_held(&self) -> bool {
-        self.run.trajectory.modes[self.place.mode].held().next().is_some()
+        self.run.trajectory().modes[self.place.mode].held().next().is_some()
     }
 
     /// How fast the value changes, per s, on the way there: what an event comes to depends on what was before it.
     fn rate(&mut self) -> f64 {
-        let Some(piece) = self.run.trajectory.piece_at(self.place.time, Side::Before) else { return 0.0 };
+        let Some(piece) = self.run.trajectory().piece_at(self.place.time, Side::Before) else { return 0.0 };
         // A joint that begins to hold brings states of its own.
-        let mode = &self.run.trajectory.modes[piece.mode];
+        let mode = &self.run.trajectory().modes[piece.mode];
         if piece.states.len() != self.jets.tape().states() {
             match self.run.equations.evaluator(mode, std::slice::from_ref(self.formula), &self.run.inputs) {
                 Ok(jets) => self.jets = jets,

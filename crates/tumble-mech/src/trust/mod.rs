@@ -45,42 +45,44 @@ mod beside;
 mod check_run;
 mod errors;
 mod instant;
+mod part;
 mod phases;
 
+use std::collections::HashMap;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use tumble_expr::Expr;
-use tumble_ode::{Accuracy, Cause, Event, Side};
+use tumble_ode::{Accuracy, Side};
 
 use crate::balance::{Contribution, RunBalance};
-use crate::coordinates::Measure;
+use crate::cache::Cache;
 use crate::equations::Equations;
 use crate::model::Model;
 use crate::parameters::Parameters;
-use crate::record::Record;
 use crate::run::{Run, RunError};
-use check_run::CheckRun;
 pub use errors::Errors;
-use errors::Row;
 pub use instant::{At, depends_on_motion};
+use part::Part;
 
 /// The difference of two runs may be small by accident at one time and for one quantity; calibrated by the tests.
 const SAFETY: f64 = 2.2;
 /// Rounding errors, in ulps, that any value has by being computed from states.
 const ULPS: f64 = 4.0;
-/// An error of this part of the scale leaves not one digit.
-const LOST: f64 = 0.1;
 /// A motion that does not come up to the accuracy asked for is found again at most so many times, ever tighter.
 const MOST_REPEATS: usize = 2;
 /// Repeating helps only where it makes the error this much smaller: else it is rounding that is in the way.
 const GAIN: f64 = 0.5;
 
-/// What a check run says of a motion.
+/// What check runs say of a motion.
 #[derive(Clone, Debug)]
 pub struct Trust {
-    checks: Vec<CheckRun>,
-    /// Errors of places, angles and their rates, six a body.
-    states: Errors,
+    /// The check runs, each with what its differences are multiplied with.
+    checks: Vec<(Run, f64)>,
+    /// By component.
+    parts: Vec<Arc<Part>>,
+    /// Of several components.
+    joined: Cache<Vec<usize>, Part>,
     /// Accuracy that was asked for.
     pub asked: f64,
     /// Accuracy that steps were held to in the end: finer than what was asked for, where that was not enough.
@@ -88,7 +90,7 @@ pub struct Trust {
     /// Largest error of a position, an angle or a rate, in units of its scale, up to the end or the horizon; within impacts, where
     /// what is off passes with them, it may be larger.
     pub reached: f64,
-    /// Where the digits end, if they do before the motion does.
+    /// Where the first digits end, if any do before the motion does: those of bodies that nothing couples to them go on.
     pub horizon: Option<Horizon>,
 }
 
@@ -182,37 +184,31 @@ impl Trust {
         (asked, used): (Accuracy, Accuracy),
         progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
-        let checks = CheckRun::all(run, parameters, until, used, &progress)?;
-        let horizons = checks.iter().filter_map(|check| check.phases.divergence.clone());
-        let horizon = horizons.min_by(|a, b| a.time.total_cmp(&b.time));
-        let end = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
-        let states = Errors::of(run, &checks, end, &kinematics(run))?;
-        let (asked, used) = (asked.value(), used.value());
-        let mut trust = Self { horizon, checks, states, asked, used, reached: 0.0 };
-        trust.measure(run);
-        Ok(trust)
+        let checks = check_run::all(run, parameters, until, used, &progress)?;
+        let parts = run.parts().into_iter().map(|part| Part::of(part, &checks).map(Arc::new));
+        let parts = parts.collect::<Result<Vec<_>, RunError>>()?;
+        let horizons = parts.iter().filter_map(|part| part.horizon.clone());
+        Ok(Self {
+            horizon: horizons.min_by(|a, b| a.time.total_cmp(&b.time)),
+            reached: parts.iter().map(|part| part.reached).fold(0.0, f64::max),
+            checks,
+            parts,
+            joined: Cache::default(),
+            asked: asked.value(),
+            used: used.value(),
+        })
     }
 
-    /// Finds how large the errors of the states become, and when they are lost. What rounding errors of the rates may have
-    /// done is no motion, and its digits are not counted; nor are those of impacts, which pass with them.
-    fn measure(&mut self, run: &Run) {
-        let scales = scales(run, &self.states);
-        let rounding = MEASURES.map(|measure| {
-            let floor = run.trajectory.rounding.get(measure as usize).copied().unwrap_or(0.0);
-            SAFETY * ULPS * floor
-        });
-        for Row { time, errors, .. } in self.states.rows().filter(|row| !row.passes) {
-            // What is no number counts.
-            let is_motion =
-                |index: usize, error: f64| error.is_nan() || error > rounding[index % MEASURES.len()];
-            let counted = errors.iter().enumerate().filter(|(index, error)| is_motion(*index, **error));
-            let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
-            let worst = relative.fold(0.0, errors::larger);
-            if worst.is_nan() || worst >= LOST {
-                self.horizon = Some(Horizon { time, reason: Divergence::Grown });
-                break;
+    /// What is known of the motion that formulas read.
+    fn along(&self, run: &Run, formulas: &[Expr]) -> Result<Arc<Part>, RunError> {
+        let components = run.read_by(formulas);
+        match (&self.parts[..], &components[..]) {
+            ([only], _) => Ok(Arc::clone(only)),
+            (parts, [one]) => Ok(Arc::clone(&parts[*one])),
+            (parts, several) => {
+                let some: Vec<&Part> = several.iter().map(|component| &*parts[*component]).collect();
+                self.joined.get(&components, || Part::joined(run.part(several), &self.checks, &some))
             }
-            self.reached = self.reached.max(worst);
         }
     }
 
@@ -223,37 +219,53 @@ impl Trust {
 
     /// Errors of formulas of the motion along it; `run` is the motion that this is about.
     pub fn errors(&self, run: &Run, formulas: &[Expr]) -> Result<Errors, RunError> {
-        Errors::of(run, &self.checks, self.end(), formulas)
+        self.along(run, formulas)?.errors(formulas)
+    }
+
+    /// Error stated of a formula of the motion at an instant; `None` where nothing can be said of it.
+    pub fn error_at(&self, run: &Run, formula: &Expr, at: At) -> Result<Option<f64>, RunError> {
+        self.along(run, std::slice::from_ref(formula))?.error_at(formula, at)
+    }
+
+    /// Error stated of a formula at an instant that events or extremes say, from what it comes to in each check run at its own, and
+    /// from what rounding does to the instant; `None` where one of them does not come to it.
+    pub fn compared(
+        &self,
+        run: &Run,
+        formula: &Expr,
+        at: At,
+        of_check: impl Fn(&Run) -> Option<f64>,
+    ) -> Result<Option<f64>, RunError> {
+        let found: Option<Vec<f64>> = self.checks.iter().map(|(check, _)| of_check(check)).collect();
+        let Some(found) = found else { return Ok(None) };
+        self.along(run, std::slice::from_ref(formula))?.compared(formula, at, &found)
     }
 
     /// Error of the time of an event of the motion, s; `None` where nothing can be said of it.
     ///
     /// What the check runs are off by, and what rounding of the function that was crossed may have done.
     pub fn event_error(&self, run: &Run, time: f64) -> Option<f64> {
-        let mut off = self.checks.iter().map(|check| Some(check.safety * check.phases.off(time)?));
-        let off = off.try_fold(0.0, |worst: f64, off: Option<f64>| Some(worst.max(off?)))?;
-        (time <= self.end()).then_some(off + Self::event_blur(run, time))
+        let own: Vec<&Arc<Part>> = self.parts.iter().filter(|part| part.has_event(time)).collect();
+        let errors = match own.is_empty() {
+            true => self.parts.iter().filter_map(|part| part.event_error(time)).reduce(f64::max),
+            false => {
+                own.into_iter().try_fold(0.0, |worst: f64, part| Some(worst.max(part.event_error(time)?)))
+            }
+        };
+        Some(errors? + Self::event_blur(run, time))
     }
 
     /// What rounding of the function that was crossed, and of the time itself, may have done to the time of an event, s.
     pub fn event_blur(run: &Run, time: f64) -> f64 {
-        let blurs = events_at(run, time).map(|event| event.blur);
-        blurs.fold(ULPS * f64::EPSILON * time, f64::max)
+        run.tracks().map(|track| part::event_blur(track, time)).fold(0.0, f64::max)
     }
 
     /// What rounding may have moved the instant of an event by that its quantities are of, s: of one that is located not what its
     /// time has lost, which the step that ends there has in its length.
     pub fn instant_blur(run: &Run, time: f64) -> f64 {
-        let is_located = |cause: &Cause| matches!(cause, Cause::Guard(_) | Cause::LazyGuard(_));
-        let mut here = events_at(run, time).peekable();
-        let is_found = here.peek().is_some() && here.all(|event| event.causes.iter().all(is_located));
-        match run.trajectory.piece_at(time, Side::Before) {
-            Some(piece) if is_found && piece.end == time && piece.time_series.is_none() => {
-                let blurs = events_at(run, time).map(|event| event.blur);
-                blurs.fold(ULPS * f64::EPSILON * piece.length, f64::max)
-            }
-            _ => Self::event_blur(run, time),
-        }
+        let own = run.tracks().filter(|track| part::events_at(track, time).next().is_some());
+        let blur = own.map(|track| part::instant_blur(track, time)).reduce(f64::max);
+        blur.unwrap_or_else(|| Self::event_blur(run, time))
     }
 
     /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
@@ -263,65 +275,36 @@ impl Trust {
         time: f64,
         side: Side,
     ) -> Result<Option<Vec<f64>>, RunError> {
-        let Some(here) = balance.at(time, side)?.filter(|_| time <= self.end()) else { return Ok(None) };
-        let rounding = |(work, whole): (&f64, &Contribution)| whole.rounding(*work);
-        let rounding: Vec<f64> = here.work.iter().zip(&balance.contributions).map(rounding).collect();
-        let mut errors = rounding.clone();
-        for check in &self.checks {
-            let Some(differences) = check.work_differences(balance, &here.work, (time, side))? else {
-                return Ok(None);
+        let Some(here) = balance.at(time, side)? else { return Ok(None) };
+        let known = balance.contributions.iter().zip(&here.work);
+        let mut errors: Vec<f64> = known.map(|(whole, work)| whole.rounding(*work)).collect();
+        for part in &self.parts {
+            let found = match self.parts.len() {
+                1 => part.work_differences(balance, &here.work, (time, side))?,
+                _ => {
+                    let mut own = RunBalance::of(&part.run, balance.about)?;
+                    let Some(here) = own.at(time, side)? else { return Ok(None) };
+                    let found = part.work_differences(&own, &here.work, (time, side))?;
+                    found.map(|found| placed(balance, &own, &found))
+                }
             };
-            for (index, difference) in differences.into_iter().enumerate() {
-                errors[index] = errors::larger(errors[index], check.safety * difference + rounding[index]);
-            }
+            let Some(differences) = found else { return Ok(None) };
+            errors.iter_mut().zip(differences).for_each(|(error, difference)| *error += difference);
         }
         Ok(Some(errors))
     }
 
     fn is_better(&self, other: &Self) -> bool {
-        let [here, there] = [self, other].map(Self::end);
+        let [here, there] =
+            [self, other].map(|trust| trust.horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time));
         here > there || (here == there && self.reached < GAIN * other.reached)
     }
-
-    /// Time up to which something can be said, s; infinite where that is the whole motion.
-    fn end(&self) -> f64 {
-        self.horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time)
-    }
 }
 
-/// The events of one time.
-fn events_at(run: &Run, time: f64) -> impl Iterator<Item = &Event<Record>> {
-    let events = &run.trajectory.events;
-    let first = events.partition_point(|event| event.time < time);
-    events[first..].iter().take_while(move |event| event.time == time)
-}
-
-/// What [`kinematics`] are measured in.
-const MEASURES: [Measure; 6] =
-    [Measure::Length, Measure::Length, Measure::Angle, Measure::Speed, Measure::Speed, Measure::AngularRate];
-
-/// What their errors are relative to: the scales of the states, and at least the largest value of their kind.
-fn scales(run: &Run, errors: &Errors) -> [f64; MEASURES.len()] {
-    MEASURES.map(|measure| {
-        let values = errors.largest().iter().enumerate();
-        let same = values.filter(|(index, _)| MEASURES[index % MEASURES.len()] == measure);
-        same.map(|(_, value)| *value).fold(run.trajectory.scales[measure as usize], f64::max)
-    })
-}
-
-/// Place, angle and their rates of every body, six each.
-fn kinematics(run: &Run) -> Vec<Expr> {
-    let of = |body: &crate::Body| {
-        let kinematics = body.kinematics();
-        let (at, velocity) = (kinematics.position(), kinematics.velocity());
-        [
-            at.x().clone(),
-            at.y().clone(),
-            kinematics.angle(),
-            velocity.x().clone(),
-            velocity.y().clone(),
-            kinematics.omega(),
-        ]
-    };
-    run.equations.model().bodies.iter().flat_map(of).collect()
+/// Values of the contributions of a part's balance by those of the whole; zero of all others.
+fn placed(whole: &RunBalance<'_>, part: &RunBalance<'_>, values: &[f64]) -> Vec<f64> {
+    let known = part.contributions.iter().map(Contribution::key).zip(values);
+    let known: HashMap<_, _> = known.collect();
+    let value = |contribution: &Contribution| known.get(&contribution.key()).map_or(0.0, |value| **value);
+    whole.contributions.iter().map(value).collect()
 }

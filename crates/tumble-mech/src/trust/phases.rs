@@ -41,7 +41,7 @@ pub(super) struct Stretch {
 /// nothing of the motion.
 pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     let runs = [first, second];
-    let ends = runs.map(|run| run.trajectory.end().unwrap_or(0.0));
+    let ends = runs.map(|run| run.trajectory().end().unwrap_or(0.0));
     let mut found = Phases { recorded: recorded(runs), ..Phases::default() };
     let changing = runs.map(changing);
     let (mut from, mut at) = ([0.0; 2], [0; 2]);
@@ -68,7 +68,7 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     found.push(from, ends, false);
     // One of them stopped early, without an event.
     let last = ends[0].min(ends[1]);
-    if ends[1] < ends[0] && first.trajectory.last_event().is_none() {
+    if ends[1] < ends[0] && first.trajectory().last_event().is_none() {
         found.divergence = Some(Horizon { time: last, reason: Divergence::Refused });
     }
     found
@@ -122,26 +122,26 @@ impl Phases {
 
 /// Events that change the motion or end it.
 fn changing(run: &Run) -> Vec<&Event> {
-    let end = run.trajectory.end();
+    let end = run.trajectory().end();
     let changes = |event: &&Event| {
         event.mode_before != event.mode_after || event.before != event.after || end == Some(event.time)
     };
-    run.trajectory.events.iter().filter(changes).collect()
+    run.trajectory().events.iter().filter(changes).collect()
 }
 
 /// Times of the other events that both runs have: the first of a kind in both, the second, and so on.
 fn recorded([first, second]: [&Run; 2]) -> Vec<[f64; 2]> {
     let mut later: HashMap<&[Happening], VecDeque<f64>> = HashMap::new();
-    for event in &second.trajectory.events {
+    for event in &second.trajectory().events {
         later.entry(&event.record.happened).or_default().push_back(event.time);
     }
     let pair = |event: &Event| Some([event.time, later.get_mut(&event.record.happened[..])?.pop_front()?]);
-    first.trajectory.events.iter().filter_map(pair).collect()
+    first.trajectory().events.iter().filter_map(pair).collect()
 }
 
 /// Whether the same things happen, between the same modes.
 fn is_same(runs: [&Run; 2], [a, b]: [&Event; 2]) -> bool {
-    let mode = |run: usize, index: usize| &runs[run].trajectory.modes[index];
+    let mode = |run: usize, index: usize| &runs[run].trajectory().modes[index];
     a.record.happened == b.record.happened
         && mode(0, a.mode_before) == mode(1, b.mode_before)
         && mode(0, a.mode_after) == mode(1, b.mode_after)
@@ -192,21 +192,22 @@ mod tests {
     fn runs_diverge_by_what_changes_them_only() {
         let first = run();
         let bounces = changing(&first).len();
-        assert!(bounces > 1 && bounces < first.trajectory.events.len());
+        assert!(bounces > 1 && bounces < first.trajectory().events.len());
 
-        let mut other = first.clone();
-        let last_top =
-            other.trajectory.events.iter().rposition(|event| event.record.happened == [Happening::Event(0)]);
-        other.trajectory.events.remove(last_top.expect("there are tops"));
+        let without = |left_out: &dyn Fn(&Event) -> bool| {
+            let mut motion = first.trajectory().clone();
+            let last = motion.events.iter().rposition(left_out).expect("there are such events");
+            motion.events.remove(last);
+            Run::of(first.equations.clone(), motion, first.inputs.clone())
+        };
+        let other = without(&|event| event.record.happened == [Happening::Event(0)]);
         let found = phases(&first, &other);
         assert!(found.divergence.is_none());
         assert_eq!(found.all.len(), bounces + 1);
         // The time of the last one is known in one run only.
-        assert_eq!(found.recorded.len(), first.trajectory.events.len() - 1);
+        assert_eq!(found.recorded.len(), first.trajectory().events.len() - 1);
 
-        let mut other = first.clone();
-        let last_bounce = other.trajectory.events.iter().rposition(|event| event.before != event.after);
-        other.trajectory.events.remove(last_bounce.expect("there are bounces"));
+        let other = without(&|event| event.before != event.after);
         assert!(phases(&first, &other).divergence.is_some());
     }
 }

@@ -1,6 +1,8 @@
 //! How much memory the pieces and events of a run may hold, and which runs are refused before they do.
 
+use std::cell::Cell;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use super::Solver;
 use crate::engine::Hit;
@@ -26,7 +28,8 @@ const SLOWING: f64 = 1.5;
 #[derive(Debug)]
 pub(super) struct Memory {
     limit: u64,
-    held: u64,
+    /// By all motions that share it.
+    held: Rc<Cell<u64>>,
     /// Memory at which the next estimate is due.
     next_look: f64,
     marks: Vec<Mark>,
@@ -51,17 +54,26 @@ impl Default for Memory {
 impl Memory {
     pub(super) fn of(limit: u64) -> Self {
         let next_look = FIRST_LOOK * limit as f64;
-        Self { limit, held: 0, next_look, marks: vec![], ended_by: HashMap::new() }
+        Self { limit, held: Rc::default(), next_look, marks: vec![], ended_by: HashMap::new() }
     }
 
     pub(super) fn hold_piece(&mut self, piece: &Piece) {
         let series = [piece.states.all()].into_iter().chain(piece.time_series.as_deref());
-        self.held += (size_of::<Piece>() + series.map(size_of_series).sum::<usize>()) as u64;
+        self.hold(size_of::<Piece>() + series.map(size_of_series).sum::<usize>());
     }
 
     pub(super) fn hold_event<Record>(&mut self, event: &Event<Record>, held_by_record: usize) {
         let numbers = size_of_series(&event.before) + size_of_series(&event.after);
-        self.held += (size_of::<Event<Record>>() + numbers + held_by_record) as u64;
+        self.hold(size_of::<Event<Record>>() + numbers + held_by_record);
+    }
+
+    fn hold(&mut self, bytes: usize) {
+        self.held.set(self.held.get() + bytes as u64);
+    }
+
+    /// Counts what another holds too, from the start on.
+    pub(super) fn share(&mut self, other: &Self) {
+        self.held = Rc::clone(&other.held);
     }
 
     pub(super) fn count(&mut self, mode: usize, hits: &[Hit]) {
@@ -72,11 +84,12 @@ impl Memory {
 
     /// What a run to `until` would take, if that is too much, from where it has come to.
     fn excess(&mut self, time: f64, steps: u64, until: f64) -> Option<Demands> {
-        let now = Mark { bytes: self.held, time, steps };
-        if self.held as f64 >= MARKS[self.marks.len()] * self.next_look {
+        let bytes = self.held.get();
+        let now = Mark { bytes, time, steps };
+        if bytes as f64 >= MARKS[self.marks.len()] * self.next_look {
             self.marks.push(now);
         }
-        let is_full = self.held >= self.limit;
+        let is_full = bytes >= self.limit;
         if !is_full && self.marks.len() < MARKS.len() {
             return None;
         }

@@ -275,5 +275,5 @@ fn on_springs(y: &[f64; 6]) -> [f64; 6] {
 fn finest(model: &Model) -> Vec<f64> {
     let accuracy = Accuracy::new(1e-14).expect("allowed");
     let run = model.simulate_to(&[], 3 * S, accuracy).expect("smooth");
-    run.trajectory.last_states().expect("ran")
+    run.trajectory().last_states().expect("ran")
 }

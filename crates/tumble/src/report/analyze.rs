@@ -83,8 +83,10 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
     let mut table = Table::new("The runs side by side", columns);
     for case in cases {
         let study = study.with(&case.parameters);
-        let mut cells =
-            vec![Text::from(figures::case_label(case)), case.run.trajectory.events.len().to_string().into()];
+        let mut cells = vec![
+            Text::from(figures::case_label(case)),
+            case.run.trajectory().events.len().to_string().into(),
+        ];
         for (curve, during) in &curves {
             let values = least_greatest_last(&study, case, &curve.quantity.formula, *during)?;
             cells.extend(values.map(|value| quantity(value, "")));
@@ -103,7 +105,7 @@ fn least_greatest_last(
 ) -> Result<[f64; 3], PipelineError> {
     let (run, moments) = (&case.run, Moments::of(study, case.solution()));
     let (Some(formula), Some(window), Some(end)) =
-        (moments.known(formula).map(|timed| timed.formula), moments.window(during)?, run.trajectory.end())
+        (moments.known(formula).map(|timed| timed.formula), moments.window(during)?, run.end())
     else {
         return Ok([f64::NAN; 3]);
     };

@@ -99,7 +99,7 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, PipelineError> {
 }
 
 fn marks(run: &Run) -> Vec<Mark> {
-    let events = &run.trajectory.events;
+    let events = &run.trajectory().events;
     if events.len() > MOST_MARKS {
         return vec![];
     }

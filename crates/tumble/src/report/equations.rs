@@ -17,7 +17,7 @@ const MOST_MODES: usize = 6;
 
 /// The equations of motion in each mode that the motion went through.
 pub(super) fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
-    let modes = &case.run.trajectory.modes;
+    let modes = &case.run.trajectory().modes;
     let shown = modes.iter().take(MOST_MODES).map(|mode| ModeShown {
         name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
         holds: Text::default(),
@@ -317,7 +317,7 @@ mod tests {
             let case = &cases[0];
             let study = study.with(&case.parameters);
             let names = Names::of(&study).expect("names");
-            for mode in 0..case.run.trajectory.modes.len().min(MOST_MODES) {
+            for mode in 0..case.run.trajectory().modes.len().min(MOST_MODES) {
                 for body in 0..study.model.bodies.len() {
                     compared += compare(&study, &names, case, mode, body);
                 }
@@ -327,7 +327,7 @@ mod tests {
     }
 
     fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
-        let trajectory = &case.run.trajectory;
+        let trajectory = &case.run.trajectory();
         let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
         let integrated = integrated(study, case, &trajectory.modes[mode], body);
         let shown = motion.shown().expect("it can be shown");
@@ -354,7 +354,7 @@ mod tests {
 
     /// The numbers that the places of joints are in a mode.
     fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Substitution {
-        let symbols = case.run.equations.states(&case.run.trajectory.modes[mode]);
+        let symbols = case.run.equations.states(&case.run.trajectory().modes[mode]);
         let values = piece.map(|piece| piece.states_at(piece.end)).unwrap_or_default();
         let mut seats = Substitution::default();
         let places = symbols

@@ -109,7 +109,7 @@ impl Seen<'_> {
     }
 
     fn end(&self) -> f64 {
-        self.run.trajectory.end().unwrap_or(0.0)
+        self.run.end().unwrap_or(0.0)
     }
 
     fn values(&self, formula: &Expr) -> Result<Vec<(f64, f64)>, PipelineError> {
@@ -143,8 +143,8 @@ impl Seen<'_> {
     }
 
     /// Events at which a quantity is not continuous.
-    fn jumps(&self, observer: &mut Observer<'_>) -> Vec<f64> {
-        let events = self.run.trajectory.events.iter().enumerate();
+    fn jumps(&self, observer: &mut Observer) -> Vec<f64> {
+        let events = self.run.events().enumerate();
         let jumps = events.filter(|(index, _)| observer.at_event(*index).is_some_and(|[a, b]| a != b));
         jumps.map(|(_, event)| event.time).collect()
     }
@@ -268,7 +268,7 @@ impl Seen<'_> {
             // What is at rest in the last instant only turns round there.
             Some(last) if last + 2 < values.len() && most > 0.0 => {
                 let (before, after) = (values[last].0, values[last + 1].0);
-                let events = self.run.trajectory.events.iter().map(|event| event.time);
+                let events = self.run.events().map(|event| event.time);
                 // What comes to rest by itself does so between two samples.
                 let (time, error) = match events.rev().find(|time| (before..=after).contains(time)) {
                     Some(time) => (

@@ -97,10 +97,10 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
 fn initial(names: &Names, case: &Case) -> Vec<Quantity> {
     let run = &case.run;
     let states = run.equations.states(&run.equations.idle_mode());
-    let first = run.trajectory.events.first().filter(|event| event.time == 0.0);
+    let first = run.trajectory().events.first().filter(|event| event.time == 0.0);
     let values = match first {
         Some(event) => event.before.clone(),
-        None => run.trajectory.states_at(0.0, Side::After).unwrap_or_default(),
+        None => run.trajectory().states_at(0.0, Side::After).unwrap_or_default(),
     };
     let row = |(symbol, value): (Symbol, f64)| Quantity {
         name: symbol.name.to_string().into(),

@@ -22,7 +22,7 @@ const DIGITS: usize = 6;
 
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, PipelineError> {
     let phases = phases(study, names, &cases[0])?;
-    let intro = match (phases.is_empty(), &cases[0].run.trajectory.work) {
+    let intro = match (phases.is_empty(), &cases[0].run.work()) {
         (false, work) if work.exact_steps == work.steps => {
             "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form."
         }
@@ -42,11 +42,11 @@ fn method(cases: &[Case]) -> Vec<(Text, Text)> {
         let values: Vec<(&str, String)> = cases.iter().map(|case| (&*case.label, value(case))).collect();
         (Text::from(name), Text::from(by_run(&values)))
     };
-    let work = |case: &Case| case.run.trajectory.work;
+    let work = |case: &Case| case.run.work();
     let mut rows = vec![
         row("Method", &|_| "Taylor series, each step checked against the equations".to_owned()),
         row("Accuracy asked", &|case| format!("{:e}", case.accuracy.value())),
-        row("Order of the series", &|case| case.run.trajectory.order.to_string()),
+        row("Order of the series", &|case| case.run.order().to_string()),
         row("Steps", &|case| work(case).steps.to_string()),
         row("of them exact, the motion being a polynomial", &|case| work(case).exact_steps.to_string()),
         row("Steps shortened and repeated", &|case| work(case).rejected.to_string()),
@@ -106,7 +106,7 @@ fn events(case: &Case) -> Table {
         vec![quantity(event.time, ""), names.join(", ").into()]
     };
     let mut table = Table::new(caption, columns);
-    table.rows = case.run.trajectory.events.iter().map(row).collect();
+    table.rows = case.run.events().map(row).collect();
     if table.rows.is_empty() {
         table.notes.push("Nothing happens on the way.".into());
     }
@@ -149,7 +149,7 @@ fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, Pipel
 
 /// The modes one after the other, each with the formula of the time at which it ends, where there is one.
 fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
-    let trajectory = &run.trajectory;
+    let trajectory = &run.trajectory();
     let end = |event: &Event<Record>| match &event.causes[..] {
         [Cause::Scheduled(index), ..] => {
             let times = run.equations.scheduled_times(&trajectory.modes[event.mode_before]);

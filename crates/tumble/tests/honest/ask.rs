@@ -112,7 +112,7 @@ impl Scene {
         };
         let found = Run::trusted(&study.model, &study.model.parameters, until, study.accuracy, progress);
         let (run, _) = found.map_err(|error| error.to_string()).expect("a motion");
-        Steps { motion: run.trajectory.pieces.len(), all: taken.get() }
+        Steps { motion: run.trajectory().pieces.len(), all: taken.get() }
     }
 }
 

@@ -44,7 +44,7 @@ fn bumps_are_passed_up_and_down() {
         let scene = flight(&event(&format!("{bump} passes through 0.5"), "record"));
         let found = scene.ask(["there[1]", "there[2]", "there[2] - there[1]"]);
         are(&found, [PLACE - half, PLACE + half, 2.0 * half], 1e-12);
-        assert_eq!(scene.run(&[]).run.trajectory.events.len(), 2);
+        assert_eq!(scene.run(&[]).run.trajectory().events.len(), 2);
     }
 }
 

@@ -27,7 +27,7 @@ fn what_falls_flat_stays_level() {
                 let scene = scene(&dropped(shape, height, restitution)).heavy().until("4 s");
                 let case = scene.run(&["floor.contact[1].start"]);
                 let states =
-                    case.run.trajectory.events.iter().flat_map(|event| [&event.before, &event.after]);
+                    case.run.trajectory().events.iter().flat_map(|event| [&event.before, &event.after]);
                 // x, y, vx, vy, angle and omega.
                 let turned = states.filter(|states| states[4] != 0.0 || states[5] != 0.0).count();
                 assert_eq!(turned, 0, "{shape} from {height} m, {restitution}");

@@ -28,6 +28,6 @@ fn a_brake_is_released() {
     for (force, a) in BRAKES {
         let scene = braked(force, "falls", "{ set = { F = \"0 N\" } }");
         are(&scene.ask(["halt", "p.x", "p.vx"]), [1.0 / a, 0.5 / a, 0.0], 1e-12);
-        assert_eq!(scene.run(&[]).run.trajectory.events.len(), 1);
+        assert_eq!(scene.run(&[]).run.trajectory().events.len(), 1);
     }
 }

@@ -1,0 +1,265 @@
+//! The motions of a model's components, each found by itself, and of several of them as one where a quantity reads several.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+use std::sync::{Arc, OnceLock};
+
+use tumble_ode::{Accuracy, Cause, Event, Of, Reason, Refusal, Solver, Start};
+
+use crate::cache::Cache;
+use crate::equations::Equations;
+use crate::mode::Mode;
+use crate::record::{Happening, Record};
+
+type Motion = tumble_ode::Motion<Equations>;
+
+/// Motions that go on beside each other, from one start to one end.
+#[derive(Clone, Debug)]
+pub(crate) struct Tracks {
+    /// Which components they are of: one each, or all those of the only one.
+    pub(crate) components: Vec<usize>,
+    each: Vec<Arc<Motion>>,
+    /// All as one.
+    whole: Arc<OnceLock<Arc<Motion>>>,
+    joined: Cache<Vec<usize>, Motion>,
+}
+
+impl Tracks {
+    /// The only motion, of all these components.
+    pub(crate) fn one(components: Vec<usize>, motion: Arc<Motion>) -> Self {
+        Self { components, each: vec![motion], whole: Arc::default(), joined: Cache::default() }
+    }
+
+    fn several(each: Vec<Motion>) -> Self {
+        Self {
+            components: (0..each.len()).collect(),
+            each: each.into_iter().map(Arc::new).collect(),
+            whole: Arc::default(),
+            joined: Cache::default(),
+        }
+    }
+
+    /// The motions, each by itself.
+    pub(crate) fn each(&self) -> &[Arc<Motion>] {
+        &self.each
+    }
+
+    /// All as one.
+    pub(crate) fn whole(&self, equations: &Equations) -> &Arc<Motion> {
+        match &self.each[..] {
+            [one] => one,
+            all => self.whole.get_or_init(|| {
+                let all: Vec<&Motion> = all.iter().map(Arc::as_ref).collect();
+                Arc::new(joined(equations, &all))
+            }),
+        }
+    }
+
+    /// Those of some components; all, where they are one motion already.
+    pub(crate) fn of(&self, components: &[usize], equations: &Equations) -> Self {
+        if self.each.len() == 1 || components.len() == self.each.len() {
+            return Self::one(self.components.clone(), Arc::clone(self.whole(equations)));
+        }
+        if let [one] = components {
+            return Self::one(components.to_vec(), Arc::clone(&self.each[*one]));
+        }
+        let join = || {
+            let some: Vec<&Motion> = components.iter().map(|index| &*self.each[*index]).collect();
+            Ok::<_, Infallible>(joined(equations, &some))
+        };
+        let motion = self.joined.get(&components.to_vec(), join).unwrap_or_else(|never| match never {});
+        Self::one(components.to_vec(), motion)
+    }
+
+    /// Where each event is, in order of time: the motion and its index there.
+    pub(crate) fn events(&self) -> Vec<(usize, usize)> {
+        let each = self.each.iter().enumerate();
+        let mut all: Vec<(usize, usize)> =
+            each.flat_map(|(of, motion)| (0..motion.events.len()).map(move |index| (of, index))).collect();
+        all.sort_by(|a, b| self.event(*a).time.total_cmp(&self.event(*b).time));
+        all
+    }
+
+    /// An event by where it is.
+    pub(crate) fn event(&self, (of, index): (usize, usize)) -> &Event<Record> {
+        &self.each[of].events[index]
+    }
+}
+
+/// Motions of several components as one.
+fn joined(equations: &Equations, parts: &[&Motion]) -> Motion {
+    let as_one = |modes: &[&Mode]| {
+        let mode = equations.as_one(modes);
+        let names: Vec<_> = modes.iter().map(|mode| equations.states(mode)).collect();
+        let place = |symbol: &tumble_expr::Symbol| -> Of {
+            let mut found = names
+                .iter()
+                .enumerate()
+                .filter_map(|(part, own)| Some([part, own.iter().position(|known| known == symbol)?]));
+            found.next().expect("a state of all is that of one")
+        };
+        let layout = equations.states(&mode).iter().map(place).collect();
+        (mode, layout)
+    };
+    Motion::joined(parts, &as_one)
+}
+
+impl Equations {
+    /// The motions from a start, with why they could not all go on to the end, and which of them; `progress` is told the time that
+    /// all have come to.
+    pub(crate) fn follow(
+        &self,
+        start: &Start<Mode>,
+        until: f64,
+        accuracy: Accuracy,
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> (Tracks, Option<(usize, Refusal)>) {
+        let components = self.components().all();
+        let solver = |bodies: &Vec<usize>| Solver::new(self, self.start_of(start, bodies), until, accuracy);
+        let mut race = Race::new(components.iter().map(solver).collect());
+        let refused = race.run(self, progress);
+        let tracks = race.finish();
+        match components {
+            [_] => {
+                (Tracks::one(vec![0], Arc::new(tracks.into_iter().next().expect("one component"))), refused)
+            }
+            _ => (Tracks::several(tracks), refused),
+        }
+    }
+
+    /// The start of some bodies alone.
+    fn start_of(&self, start: &Start<Mode>, bodies: &[usize]) -> Start<Mode> {
+        let mode = self.restricted(&start.mode, bodies);
+        let all = self.states(&start.mode);
+        let place = |symbol| all.iter().position(|known| *known == symbol).expect("one of all");
+        let places: Vec<usize> = self.states(&mode).into_iter().map(place).collect();
+        let some = |of: &[f64]| places.iter().map(|place| of[*place]).collect();
+        let apart = (self.apart(&start.mode), self.apart(&mode));
+        let causes = start.causes.iter().filter_map(|cause| match cause {
+            Cause::LazyGuard(index) => apart.1.binary_search(&apart.0[*index]).ok().map(Cause::LazyGuard),
+            other => Some(*other),
+        });
+        let mut causes: Vec<Cause> = causes.collect();
+        // What lies still from the start on is to be told of too.
+        if self.model().stops_at_rest && causes.is_empty() {
+            causes.push(Cause::Wake);
+        }
+        Start {
+            states: some(&start.states),
+            compensation: some(&start.compensation),
+            causes,
+            inputs: start.inputs.clone(),
+            mode,
+            ..*start
+        }
+    }
+}
+
+/// Motions beside each other: the one that is furthest behind goes on next, so that none is far beyond where all end.
+struct Race<'a> {
+    solvers: Vec<Solver<'a, Equations>>,
+    /// Of those that have come to rest for good, when.
+    rest: Vec<Option<f64>>,
+    /// When all end, if not where they were to.
+    end: Option<f64>,
+}
+
+impl<'a> Race<'a> {
+    fn new(mut solvers: Vec<Solver<'a, Equations>>) -> Self {
+        if let Some((first, others)) = solvers.split_first_mut() {
+            others.iter_mut().for_each(|other| other.share_memory(first));
+        }
+        Self { rest: vec![None; solvers.len()], solvers, end: None }
+    }
+
+    fn run(
+        &mut self,
+        equations: &Equations,
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Option<(usize, Refusal)> {
+        let mut behind: BinaryHeap<Reverse<(Time, usize)>> =
+            (0..self.solvers.len()).map(|index| Reverse((Time(self.solvers[index].time()), index))).collect();
+        while let Some(Reverse((Time(time), index))) = behind.pop() {
+            if self.end.is_some_and(|end| time >= end) {
+                break;
+            }
+            let solver = &mut self.solvers[index];
+            if let Err(refusal) = solver.advance() {
+                self.end = Some(refusal.time);
+                return Some((index, refusal));
+            }
+            let (time, is_done) = (solver.time(), solver.is_done());
+            if solver.is_stopped() {
+                self.end = Some(self.end.map_or(time, |end| end.min(time)));
+            } else if equations.model().stops_at_rest {
+                self.watch_rest(index, time);
+            }
+            if !is_done {
+                behind.push(Reverse((Time(time), index)));
+            }
+            let reached = behind.peek().map_or(time, |Reverse((Time(time), _))| *time);
+            if progress(reached).is_break() && !(is_done && behind.is_empty()) {
+                self.end = Some(reached);
+                return Some((index, Refusal { time: reached, reason: Reason::Interrupted }));
+            }
+        }
+        None
+    }
+
+    /// Ends the motions where the last of them comes to rest.
+    fn watch_rest(&mut self, index: usize, time: f64) {
+        let is_rest = |record: &Record| record.happened.contains(&Happening::Rest);
+        if self.solvers[index].last_record().is_some_and(is_rest) {
+            self.rest[index] = Some(time);
+            let last = self.rest.iter().try_fold(0.0, |last: f64, rest| Some(last.max((*rest)?)));
+            // What is at rest from the start has no motion to be ended.
+            self.end = self.end.or(last.filter(|last| *last > 0.0));
+        }
+    }
+
+    fn finish(self) -> Vec<Motion> {
+        let Self { solvers, rest, end } = self;
+        let last = end.and_then(|end| rest.iter().position(|rest| *rest == Some(end)));
+        let mut found: Vec<Motion> = solvers.into_iter().map(Solver::finish).collect();
+        for (index, motion) in found.iter_mut().enumerate() {
+            if let Some(end) = end {
+                motion.cut(end);
+            }
+            // All have come to rest when the last of them has.
+            if rest[index].is_some() && last != Some(index) {
+                forget_rest(motion);
+            }
+        }
+        found
+    }
+}
+
+/// Takes out that these bodies have come to rest, and the events that were nothing else.
+fn forget_rest(motion: &mut Motion) {
+    motion.events.retain_mut(|event| {
+        let was_something = !event.record.happened.is_empty();
+        event.record.happened.retain(|happening| *happening != Happening::Rest);
+        let is_something = !event.record.happened.is_empty() || event.before != event.after;
+        is_something || (was_something && event.mode_before != event.mode_after)
+    });
+}
+
+/// A time that is compared as a number.
+#[derive(Clone, Copy, PartialEq)]
+struct Time(f64);
+
+impl Eq for Time {}
+
+impl PartialOrd for Time {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Time {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
