@@ -1,11 +1,12 @@
 //! The motions of a model's components, each found by itself, and of several of them as one where a quantity reads several.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashMap};
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
+use tumble_expr::Symbol;
 use tumble_ode::{Accuracy, Cause, Event, Of, Reason, Refusal, Solver, Start};
 
 use crate::cache::Cache;
@@ -93,7 +94,7 @@ fn joined(equations: &Equations, parts: &[&Motion]) -> Motion {
     let as_one = |modes: &[&Mode]| {
         let mode = equations.as_one(modes);
         let names: Vec<_> = modes.iter().map(|mode| equations.states(mode)).collect();
-        let place = |symbol: &tumble_expr::Symbol| -> Of {
+        let place = |symbol: &Symbol| -> Of {
             let mut found = names
                 .iter()
                 .enumerate()
@@ -117,42 +118,59 @@ impl Equations {
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> (Tracks, Option<(usize, Refusal)>) {
         let components = self.components().all();
-        let solver = |bodies: &Vec<usize>| Solver::new(self, self.start_of(start, bodies), until, accuracy);
+        let starts = Starts::of(self, start);
+        let solver = |bodies: &Vec<usize>| Solver::new(self, starts.of_some(bodies), until, accuracy);
         let mut race = Race::new(components.iter().map(solver).collect());
         let refused = race.run(self, progress);
         let tracks = race.finish();
         match components {
-            [_] => {
-                (Tracks::one(vec![0], Arc::new(tracks.into_iter().next().expect("one component"))), refused)
-            }
+            [_] => (Tracks::one(vec![0], Arc::new(tracks.into_iter().next().expect("one component"))), refused),
             _ => (Tracks::several(tracks), refused),
         }
     }
+}
+
+/// A start of all bodies, to be taken apart.
+struct Starts<'a> {
+    equations: &'a Equations,
+    whole: &'a Start<Mode>,
+    /// Where each state is.
+    places: HashMap<Symbol, usize>,
+    apart: Vec<usize>,
+}
+
+impl<'a> Starts<'a> {
+    fn of(equations: &'a Equations, whole: &'a Start<Mode>) -> Self {
+        let places = equations.states(&whole.mode).into_iter().enumerate();
+        let places = places.map(|(place, symbol)| (symbol, place)).collect();
+        Self { equations, whole, places, apart: equations.apart(&whole.mode) }
+    }
 
     /// The start of some bodies alone.
-    fn start_of(&self, start: &Start<Mode>, bodies: &[usize]) -> Start<Mode> {
-        let mode = self.restricted(&start.mode, bodies);
-        let all = self.states(&start.mode);
-        let place = |symbol| all.iter().position(|known| *known == symbol).expect("one of all");
-        let places: Vec<usize> = self.states(&mode).into_iter().map(place).collect();
+    fn of_some(&self, bodies: &[usize]) -> Start<Mode> {
+        let Self { equations, whole, .. } = self;
+        let mode = equations.restricted(&whole.mode, bodies);
+        let places: Vec<usize> = equations.states(&mode).iter().map(|symbol| self.places[symbol]).collect();
         let some = |of: &[f64]| places.iter().map(|place| of[*place]).collect();
-        let apart = (self.apart(&start.mode), self.apart(&mode));
-        let causes = start.causes.iter().filter_map(|cause| match cause {
-            Cause::LazyGuard(index) => apart.1.binary_search(&apart.0[*index]).ok().map(Cause::LazyGuard),
+        let apart = equations.apart(&mode);
+        let causes = whole.causes.iter().filter_map(|cause| match cause {
+            Cause::LazyGuard(index) => {
+                apart.binary_search(&self.apart[*index]).ok().map(Cause::LazyGuard)
+            }
             other => Some(*other),
         });
         let mut causes: Vec<Cause> = causes.collect();
         // What lies still from the start on is to be told of too.
-        if self.model().stops_at_rest && causes.is_empty() {
+        if equations.model().stops_at_rest && causes.is_empty() {
             causes.push(Cause::Wake);
         }
         Start {
-            states: some(&start.states),
-            compensation: some(&start.compensation),
+            states: some(&whole.states),
+            compensation: some(&whole.compensation),
             causes,
-            inputs: start.inputs.clone(),
+            inputs: whole.inputs.clone(),
             mode,
-            ..*start
+            ..**whole
         }
     }
 }
