@@ -9,16 +9,22 @@ const DEEPEST: usize = 6;
 impl Tape {
     /// The formula in a slot, in the names of the layout; long formulas are cut with `...`.
     pub fn describe(&self, slot: Slot) -> String {
-        self.text(slot, DEEPEST)
+        self.describe_with(slot, &[])
     }
 
-    fn text(&self, slot: Slot, depth: usize) -> String {
+    /// The same with these names of the states, where there are any.
+    pub fn describe_with(&self, slot: Slot, states: &[String]) -> String {
+        self.text(slot, DEEPEST, states)
+    }
+
+    fn text(&self, slot: Slot, depth: usize, states: &[String]) -> String {
         if depth == 0 {
             return "...".to_owned();
         }
-        let of = |slot: Slot| self.text(slot, depth - 1);
-        let call = |name: &str, slot: Slot| format!("{name}({})", self.text(slot, depth - 1));
+        let of = |slot: Slot| self.text(slot, depth - 1, states);
+        let call = |name: &str, slot: Slot| format!("{name}({})", self.text(slot, depth - 1, states));
         match self.ops[slot as usize] {
+            Op::State(state) if (state as usize) < states.len() => states[state as usize].clone(),
             Op::State(_) | Op::Time | Op::Input(_) => self.names[slot as usize].clone(),
             Op::Number(index) => self.numbers[index as usize].value.to_string(),
             Op::Pi => "pi".to_owned(),

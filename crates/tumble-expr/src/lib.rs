@@ -49,7 +49,7 @@ pub use ops::kernels::Kernels;
 pub use ops::{Op, Series, Slot};
 pub use remainder::Remainders;
 pub use rounding::{LEFT_OUT, Rounding, rounded_sum};
-pub use same::Formulas;
+pub use same::{Formulas, is_renamed};
 pub use scalar::{Interval, Lanes, Lanewise, Rounded, Scalar, is_short, nearest};
 pub use substitute::Substitution;
 pub use table::{Interpolation, Outside, Table, TableError, TableRef};

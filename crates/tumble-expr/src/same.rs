@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use num_rational::BigRational;
 
-use crate::expr::{Expr, Inner, Node};
+use crate::expr::{Expr, Inner, Node, Symbol};
 use crate::hashing::Mixer;
 
 /// Some formulas in order, to look up what was built of them.
@@ -57,6 +57,26 @@ impl PartialEq for Formulas {
 }
 
 impl Eq for Formulas {}
+
+/// Whether formulas are written alike where one symbol stands for another, by `stands_for`: shared parts are compared once.
+pub fn is_renamed(these: &[Expr], those: &[Expr], stands_for: impl Fn(&Symbol, &Symbol) -> bool) -> bool {
+    let mut seen: HashSet<[*const Inner; 2], BuildHasherDefault<Mixer>> = HashSet::default();
+    let mut pending: Vec<(&Expr, &Expr)> = these.iter().zip(those).collect();
+    while let Some((a, b)) = pending.pop() {
+        let is_same = match (a.node(), b.node()) {
+            (Node::Symbol(a), Node::Symbol(b)) => stands_for(a, b),
+            _ => is_alike(a, b),
+        };
+        let (of_a, of_b) = (a.children(), b.children());
+        if !is_same || of_a.len() != of_b.len() {
+            return false;
+        }
+        if !of_a.is_empty() && seen.insert([a, b].map(|formula| Arc::as_ptr(&formula.0))) {
+            pending.extend(of_a.into_iter().zip(of_b));
+        }
+    }
+    these.len() == those.len()
+}
 
 /// Whether two nodes are the same but for their parts, of which they have as many.
 fn is_alike(a: &Expr, b: &Expr) -> bool {

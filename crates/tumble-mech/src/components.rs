@@ -80,6 +80,11 @@ impl Components {
         if found.is_empty() { vec![0] } else { found }
     }
 
+    /// Whether a component watches for events.
+    pub(crate) fn has_events(&self, component: usize) -> bool {
+        self.of_event.contains(&component)
+    }
+
     /// The component of a body.
     pub(crate) fn of_body(&self, body: usize) -> usize {
         self.of_body[body]

@@ -1,12 +1,13 @@
 //! From a model to equations of motion: a hybrid system whose terms are known by law, body and point.
 
 use std::convert::Infallible;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_ode::{Program, ScaleGroup};
 
 use crate::cache::Cache;
+use crate::classes::Classes;
 use crate::components::{Components, Couplings};
 use crate::conditions::Sound;
 use crate::constraints::JointEquations;
@@ -60,6 +61,7 @@ pub(crate) struct Built {
     /// Events that have set parameters, with the values before them, that leave every value possible.
     pub(crate) sound_changes: Cache<(Vec<usize>, Vec<u64>), ()>,
     pub(crate) sound: Cache<(), Sound>,
+    pub(crate) classes: OnceLock<Classes>,
     /// The equations with other numbers of nodes along lines.
     pub(crate) by_nodes: Cache<usize, Equations>,
 }
@@ -362,6 +364,11 @@ impl Equations {
             self.roots(mode).into_iter().map(|pair| Expr::from(self.parts.pairs.all[pair].root_symbol()));
         // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
         roots.reduce(|product, root| product * root)
+    }
+
+    /// The terms on a body that are not of contacts or joints.
+    pub(crate) fn terms_of(&self, body: usize) -> impl Iterator<Item = &Term> {
+        self.parts.terms.iter().filter(move |term| term.body == body)
     }
 
     pub(crate) fn joints(&self) -> &[JointEquations] {

@@ -105,6 +105,10 @@ impl Equations {
     }
 
     fn tape(&self, mode: &Mode, formulas: &[Expr], symbols: Symbols) -> Result<Arc<Tape>, Reason> {
+        if let Some(twin) = self.twin(mode) {
+            let formulas: Vec<Expr> = formulas.iter().map(|formula| twin.renamed(formula)).collect();
+            return self.tape(&twin.mode(mode), &formulas, symbols);
+        }
         let key = TapeKey { mode: mode.clone(), formulas: Formulas::new(formulas), symbols };
         self.built().tapes.get_rounded(key, self.rounding(), |key| self.compile(key), Tape::rounded)
     }

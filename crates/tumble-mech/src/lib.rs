@@ -11,6 +11,7 @@ mod balance;
 mod body;
 mod cache;
 mod carried;
+mod classes;
 mod components;
 mod conditions;
 mod constraints;

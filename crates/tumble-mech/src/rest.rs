@@ -20,16 +20,18 @@ const STILL: f64 = 1e-12;
 impl Equations {
     /// Tells of an instant that leaves the bodies at rest for good, if the model says so; ends the motion where they are all.
     pub(crate) fn rest(&self, at: &Crossing<'_, Mode>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        if !self.model().stops_at_rest || jump.wake.is_some() || !self.is_at_rest(at, jump)? {
-            return Ok(());
-        }
-        let is_whole = jump.mode.bodies.len() == self.model().bodies.len();
         // What is at rest from the start has no motion to be ended.
-        if at.time > 0.0 || !is_whole {
+        if self.model().stops_at_rest && at.time > 0.0 && jump.wake.is_none() && self.is_at_rest(at, jump)? {
             jump.record.happened.push(Happening::Rest);
-            jump.stop = is_whole;
+            jump.stop = jump.mode.bodies.len() == self.model().bodies.len();
         }
         Ok(())
+    }
+
+    /// Whether the bodies of a motion are at rest for good at the instant that it has come to.
+    pub(crate) fn are_at_rest(&self, at: &Crossing<'_, Mode>) -> bool {
+        let jump = Jump::to(at.mode.clone(), at.states.to_vec());
+        self.is_at_rest(at, &jump).unwrap_or(false)
     }
 
     fn is_at_rest(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> Result<bool, Reason> {
@@ -93,8 +95,7 @@ impl Run {
     pub fn rest_of(&self, body: usize) -> Result<Option<f64>, RunError> {
         let ends_at_rest =
             self.events().next_back().is_some_and(|event| event.record.happened.contains(&Happening::Rest));
-        let component = self.equations.components().of_body(body);
-        let part = self.part(&[component]);
+        let part = self.of_body(body);
         let trajectory = part.trajectory();
         let mut observer = self.observe(&self.equations.velocity_formulas(body))?;
         let scales = [Measure::Speed, Measure::Speed, Measure::AngularRate];

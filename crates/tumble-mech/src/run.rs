@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use thiserror::Error;
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Expr, Symbol, Vector};
 use tumble_ode::{Accuracy, Event, Motion, Reason, Refusal, Side, Work};
 
 use crate::body::Body;
@@ -163,6 +163,12 @@ impl Run {
         }
     }
 
+    /// The run of a body, and of those that anything couples to it, as one motion.
+    #[must_use]
+    pub fn of_body(&self, body: usize) -> Self {
+        self.part(&[self.equations.components().of_body(body)])
+    }
+
     /// The components whose motion formulas read; all, where they are one motion.
     pub(crate) fn read_by(&self, formulas: &[Expr]) -> Vec<usize> {
         match self.tracks.each() {
@@ -211,6 +217,23 @@ impl Run {
     /// Time up to which the motion is known, s; `None` if nothing was integrated and nothing happened.
     pub fn end(&self) -> Option<f64> {
         self.tracks().map(|track| track.end()).reduce(|a, b| Some(a?.min(b?)))?
+    }
+
+    /// Whether something happens at its end.
+    pub fn ends_at_event(&self) -> bool {
+        self.tracks().any(|track| track.last_event().is_some())
+    }
+
+    /// The states at its end, by the modes that the bodies are in then.
+    pub fn last_states(&self) -> Vec<(Symbol, f64)> {
+        let of = |track: &Motion<Equations>| {
+            let place = track.end().and_then(|end| track.place_at(end, Side::After));
+            place.map(|place| {
+                let symbols = self.equations.states(&track.modes[place.mode]);
+                symbols.into_iter().zip(place.states).collect::<Vec<_>>()
+            })
+        };
+        self.tracks().filter_map(of).flatten().collect()
     }
 
     /// Whether nothing was integrated.

@@ -52,6 +52,10 @@ impl Hybrid for Equations {
     }
 
     fn program(&self, mode: &Mode) -> Result<Arc<Program>, Reason> {
+        if let Some(twin) = self.twin(mode) {
+            let names = self.states(mode).into_iter().map(|state| state.name.to_string()).collect();
+            return Ok(Arc::new(self.program(&twin.mode(mode))?.renamed(names, self.guard_names(mode))));
+        }
         let compile = |mode: &Mode| Program::new(&Flow { rounding: Rounding::NEAREST, ..self.flow(mode)? });
         self.built().programs.get_rounded(mode.clone(), self.rounding(), compile, Program::rounded)
     }

@@ -124,7 +124,9 @@ impl Equations {
         let refused = race.run(self, progress);
         let tracks = race.finish();
         match components {
-            [_] => (Tracks::one(vec![0], Arc::new(tracks.into_iter().next().expect("one component"))), refused),
+            [_] => {
+                (Tracks::one(vec![0], Arc::new(tracks.into_iter().next().expect("one component"))), refused)
+            }
             _ => (Tracks::several(tracks), refused),
         }
     }
@@ -154,20 +156,13 @@ impl<'a> Starts<'a> {
         let some = |of: &[f64]| places.iter().map(|place| of[*place]).collect();
         let apart = equations.apart(&mode);
         let causes = whole.causes.iter().filter_map(|cause| match cause {
-            Cause::LazyGuard(index) => {
-                apart.binary_search(&self.apart[*index]).ok().map(Cause::LazyGuard)
-            }
+            Cause::LazyGuard(index) => apart.binary_search(&self.apart[*index]).ok().map(Cause::LazyGuard),
             other => Some(*other),
         });
-        let mut causes: Vec<Cause> = causes.collect();
-        // What lies still from the start on is to be told of too.
-        if equations.model().stops_at_rest && causes.is_empty() {
-            causes.push(Cause::Wake);
-        }
         Start {
             states: some(&whole.states),
             compensation: some(&whole.compensation),
-            causes,
+            causes: causes.collect(),
             inputs: whole.inputs.clone(),
             mode,
             ..**whole
@@ -180,6 +175,8 @@ struct Race<'a> {
     solvers: Vec<Solver<'a, Equations>>,
     /// Of those that have come to rest for good, when.
     rest: Vec<Option<f64>>,
+    /// The first that may not be at rest.
+    witness: usize,
     /// When all end, if not where they were to.
     end: Option<f64>,
 }
@@ -189,7 +186,7 @@ impl<'a> Race<'a> {
         if let Some((first, others)) = solvers.split_first_mut() {
             others.iter_mut().for_each(|other| other.share_memory(first));
         }
-        Self { rest: vec![None; solvers.len()], solvers, end: None }
+        Self { rest: vec![None; solvers.len()], solvers, witness: 0, end: None }
     }
 
     fn run(
@@ -212,7 +209,7 @@ impl<'a> Race<'a> {
             if solver.is_stopped() {
                 self.end = Some(self.end.map_or(time, |end| end.min(time)));
             } else if equations.model().stops_at_rest {
-                self.watch_rest(index, time);
+                self.watch_rest(equations, index, time);
             }
             if !is_done {
                 behind.push(Reverse((Time(time), index)));
@@ -227,18 +224,26 @@ impl<'a> Race<'a> {
     }
 
     /// Ends the motions where the last of them comes to rest.
-    fn watch_rest(&mut self, index: usize, time: f64) {
+    fn watch_rest(&mut self, equations: &Equations, index: usize, time: f64) {
         let is_rest = |record: &Record| record.happened.contains(&Happening::Rest);
-        if self.solvers[index].last_record().is_some_and(is_rest) {
-            self.rest[index] = Some(time);
-            let last = self.rest.iter().try_fold(0.0, |last: f64, rest| Some(last.max((*rest)?)));
-            // What is at rest from the start has no motion to be ended.
-            self.end = self.end.or(last.filter(|last| *last > 0.0));
+        if !self.solvers[index].last_record().is_some_and(is_rest) {
+            return;
         }
+        self.rest[index] = Some(time);
+        // All before this one are known to be at rest.
+        while let Some(rest) = self.rest.get_mut(self.witness) {
+            let lies_still = || equations.are_at_rest(&self.solvers[self.witness].now()?).then_some(0.0);
+            *rest = rest.or_else(lies_still);
+            if rest.is_none() {
+                return;
+            }
+            self.witness += 1;
+        }
+        self.end = Some(self.rest.iter().flatten().copied().fold(0.0, f64::max));
     }
 
     fn finish(self) -> Vec<Motion> {
-        let Self { solvers, rest, end } = self;
+        let Self { solvers, rest, end, .. } = self;
         let last = end.and_then(|end| rest.iter().position(|rest| *rest == Some(end)));
         let mut found: Vec<Motion> = solvers.into_iter().map(Solver::finish).collect();
         for (index, motion) in found.iter_mut().enumerate() {

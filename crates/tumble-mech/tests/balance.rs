@@ -16,7 +16,7 @@ const G: f64 = 9.81;
 
 /// The balance about a point that nothing is at, every part of which must close.
 #[track_caller]
-fn balanced(run: &Run, tolerance: f64) -> RunBalance<'_> {
+fn balanced(run: &Run, tolerance: f64) -> RunBalance {
     let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
     println!("{:#?}", balance.contributions);
     println!("energy {:?} {:e}", balance.energy, balance.energy.relative());
@@ -29,7 +29,7 @@ fn balanced(run: &Run, tolerance: f64) -> RunBalance<'_> {
 }
 
 #[track_caller]
-fn contribution(balance: &RunBalance<'_>, load: &str, kind: Kind) -> Contribution {
+fn contribution(balance: &RunBalance, load: &str, kind: Kind) -> Contribution {
     let mut known = balance.contributions.iter().filter(|part| part.load == load && part.kind == kind);
     known
         .next()
@@ -37,7 +37,7 @@ fn contribution(balance: &RunBalance<'_>, load: &str, kind: Kind) -> Contributio
         .clone()
 }
 
-fn has(balance: &RunBalance<'_>, load: &str, kind: Kind) -> bool {
+fn has(balance: &RunBalance, load: &str, kind: Kind) -> bool {
     balance.contributions.iter().any(|part| part.load == load && part.kind == kind)
 }
 
@@ -432,7 +432,7 @@ fn on_a_moving_floor() {
     model.surface(Surface::floor("floor", path(), rigid(0.3)));
     let rigidly = run(model.clone(), 10.0, 1e-12);
     let balance = balanced(&rigidly, 1e-12);
-    let work = |balance: &RunBalance<'_>| {
+    let work = |balance: &RunBalance| {
         let counted = balance.contributions.iter().filter(|part| part.counts());
         counted.map(|part| part.work).sum::<f64>()
     };

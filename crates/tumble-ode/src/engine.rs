@@ -212,7 +212,9 @@ impl Engine {
             let Some(branch) = self.wrong_side(found, time) else { return Ok(()) };
             if turned.contains(&branch) {
                 let slot = self.system.tape.guards()[branch];
-                return Err(Reason::Sliding { guard: self.system.tape.describe(slot) });
+                return Err(Reason::Sliding {
+                    guard: self.system.tape.describe_with(slot, &self.system.names),
+                });
             }
             turned.push(branch);
             self.branch_signs.signs[branch] = -self.branch_signs.signs[branch];
@@ -362,8 +364,8 @@ impl Engine {
             (of_series(series, scales.of(self.system.group(state))), names[state].clone())
         });
         let branches = expansion.branches.iter().zip(tape.guards());
-        let branches =
-            branches.map(|(series, slot)| (of_own_size(series, f64::INFINITY), tape.describe(*slot)));
+        let branches = branches
+            .map(|(series, slot)| (of_own_size(series, f64::INFINITY), tape.describe_with(*slot, names)));
         let guards = expansion.guards.iter().zip(guard_names);
         let guards =
             guards.map(|(series, name)| (of_own_size(series, f64::INFINITY), format!("event {name}")));

@@ -101,6 +101,24 @@ impl Program {
         Ok(if flow.rounding.is_nearest() { nearest } else { nearest.rounded(flow.rounding) })
     }
 
+    /// The same for states and guards of other names: what differs by names alone is compiled once.
+    #[must_use]
+    pub fn renamed(&self, names: Vec<String>, guard_names: Vec<String>) -> Self {
+        let Plan { groups, per_run, schedule, guard_directions, at_zero, invariants, .. } = &*self.plan;
+        let plan = Plan {
+            names,
+            guard_names,
+            groups: groups.clone(),
+            per_run: per_run.clone(),
+            schedule: Arc::clone(schedule),
+            guard_directions: guard_directions.clone(),
+            at_zero: at_zero.clone(),
+            invariants: Arc::clone(invariants),
+            ..*self.plan
+        };
+        Self { plan: Arc::new(plan), ..self.clone() }
+    }
+
     /// The same with numbers rounded in another way.
     #[must_use]
     pub fn rounded(&self, rounding: Rounding) -> Self {

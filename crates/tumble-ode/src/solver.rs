@@ -188,6 +188,19 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.memory.share(&other.memory);
     }
 
+    /// The instant that it has come to; `None` before the first step.
+    pub fn now(&self) -> Option<Crossing<'_, H::Mode>> {
+        Some(Crossing {
+            time: self.time,
+            mode: &self.trajectory.modes[self.mode?],
+            states: &self.states,
+            compensation: &self.compensation,
+            inputs: &self.inputs,
+            causes: &[],
+            scales: self.scales.all(),
+        })
+    }
+
     /// Whether an event has ended the motion.
     pub fn is_stopped(&self) -> bool {
         self.stopped

@@ -343,7 +343,7 @@ impl Engine {
     pub(crate) fn name_of(&self, what: What) -> String {
         let tape = &self.system.tape;
         match what {
-            What::Branch(branch) => tape.describe(tape.guards()[branch]),
+            What::Branch(branch) => tape.describe_with(tape.guards()[branch], &self.system.names),
             What::Guard(guard) => format!("event {}", self.system.guard_names[guard]),
             What::Table(table) => tape.tables()[table].table.0.name.clone(),
         }

@@ -37,7 +37,7 @@ impl CaseBalance {
     /// The balance of a run; `None` where nothing moved.
     pub(crate) fn of(case: &Case) -> Result<Option<Self>, PipelineError> {
         let run = &case.run;
-        if run.trajectory().pieces.is_empty() {
+        if run.is_empty() {
             return Ok(None);
         }
         let mut balance = RunBalance::of(run, ABOUT)?;

@@ -222,7 +222,7 @@ impl Case {
         let (run, trust, refusal) = match found {
             Ok((run, trust)) => (run, Some(trust), None),
             Err(error) if error.is_interrupted() => return Err(PipelineError::Interrupted),
-            Err(RunError::Refused { refusal, partial }) if !partial.trajectory().pieces.is_empty() => {
+            Err(RunError::Refused { refusal, partial }) if !partial.is_empty() => {
                 (*partial, None, Some(refusal))
             }
             Err(error) => return Err(error.into()),

@@ -3,7 +3,7 @@
 //! A sweep may have thousands of runs, and a motion with its check runs is much larger than what is told of it.
 
 use tumble_expr::Symbol;
-use tumble_mech::{Equilibrium, Quadrature, Record, Run};
+use tumble_mech::{Equilibrium, Quadrature, Record};
 use tumble_ode::{Accuracy, Refusal, Work};
 use tumble_scene::Diagnostics;
 
@@ -68,7 +68,7 @@ pub struct Happened {
 
 impl Finished {
     pub(crate) fn of(case: &Case) -> Self {
-        let (run, trajectory) = (&case.run, &case.run.trajectory());
+        let run = &case.run;
         let happened = |event: &tumble_ode::Event<Record>| Happened {
             time: event.time,
             what: run.equations.names_of(&event.record),
@@ -77,10 +77,10 @@ impl Finished {
             number: case.number,
             label: case.label.clone(),
             accuracy: case.accuracy,
-            end: trajectory.end().unwrap_or(0.0),
-            order: trajectory.order,
-            work: trajectory.work,
-            events: trajectory.events.iter().map(happened).collect(),
+            end: run.end().unwrap_or(0.0),
+            order: run.order(),
+            work: run.work(),
+            events: run.events().map(happened).collect(),
             quadrature: run.quadrature,
             held: case.trust.as_ref().map(Held::of),
             refusal: case.refusal.clone(),
@@ -89,7 +89,7 @@ impl Finished {
             equilibrium: case.equilibrium.clone(),
             said: case.said.clone(),
             inputs: run.inputs.clone(),
-            states: last_states(run),
+            states: run.last_states(),
             contacts: run.contacts().len(),
             zeno_sequences: run.zeno_sequences(),
             balance: case.balance.as_ref().map(balance::Summary::of),
@@ -131,10 +131,4 @@ impl Tally {
             None => self.refuted += usize::from(!run.is_success()),
         }
     }
-}
-
-fn last_states(run: &Run) -> Vec<(Symbol, f64)> {
-    let last_mode = run.trajectory().events.last().map_or(0, |event| event.mode_after);
-    let states = run.equations.states(&run.trajectory().modes[last_mode]);
-    states.into_iter().zip(run.trajectory().last_states().unwrap_or_default()).collect()
 }

@@ -165,7 +165,7 @@ impl<'a> Asked<'a> {
         let margin = match &question.at {
             When::Extreme { .. } => Some(ONE_INSTANT),
             _ if has_works => Some(ONE_INSTANT),
-            When::End => (names || solution.run.trajectory().last_event().is_some()).then_some(1.0),
+            When::End => (names || solution.run.ends_at_event()).then_some(1.0),
             When::At(instant) => (names || Moments::names(&instant.time)).then_some(1.0),
         };
         let mut is_open = false;

@@ -6,7 +6,7 @@ use tumble_ode::Side;
 use tumble_scene::Study;
 
 use crate::case::Case;
-use crate::output::{Folder, OutputError, Table};
+use crate::output::{Folder, Table};
 use crate::pipeline::PipelineError;
 
 /// Samples of a run whose scene does not say how many.
@@ -44,19 +44,19 @@ pub(crate) fn sample_between(
 /// Values at these times, in order, and on both sides of each event up to the last of them.
 fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, PipelineError> {
     let mut observer = run.observe(formulas)?;
-    let events = &run.trajectory().events;
+    let events: Vec<f64> = run.events().map(|event| event.time).collect();
     let mut rows = vec![];
     let mut next_event = 0;
     for &time in times {
-        while events.get(next_event).is_some_and(|event| event.time <= time) {
+        while events.get(next_event).is_some_and(|event| *event <= time) {
             if let Some([before, after]) = observer.at_event(next_event) {
-                let time = events[next_event].time;
+                let time = events[next_event];
                 rows.push(Row { time, phase: next_event, values: before });
                 rows.push(Row { time, phase: next_event + 1, values: after });
             }
             next_event += 1;
         }
-        let is_event = next_event > 0 && events[next_event - 1].time == time;
+        let is_event = next_event > 0 && events[next_event - 1] == time;
         if let Some(values) = observer.at(time, Side::After).filter(|_| !is_event) {
             rows.push(Row { time, phase: next_event, values });
         }
@@ -91,7 +91,7 @@ fn times(study: &Study, run: &Run) -> Result<Vec<f64>, PipelineError> {
 /// Writes the tables of one run.
 pub(crate) fn write(study: &Study, case: &Case, folder: &Folder) -> Result<(), PipelineError> {
     trajectory(&study.with(&case.parameters), case, folder)?;
-    Ok(events(case, folder)?)
+    events(case, folder)
 }
 
 fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), PipelineError> {
@@ -112,7 +112,7 @@ fn trajectory(study: &Study, case: &Case, folder: &Folder) -> Result<(), Pipelin
 }
 
 /// A row an event: what happened, and every state just before and just after.
-fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
+fn events(case: &Case, folder: &Folder) -> Result<(), PipelineError> {
     let run = &case.run;
     let mut table = Table::begin(folder, &format!("{}/events.csv", case.folder()))?;
     // What some modes have beyond the states of the bodies is the integrator's own.
@@ -124,14 +124,17 @@ fn events(case: &Case, folder: &Folder) -> Result<(), OutputError> {
     });
     let first = ["t [s]".to_owned(), "what".to_owned()];
     table.row(first.into_iter().chain(columns))?;
-    for event in &run.trajectory().events {
+    let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
+    let mut observer = run.observe(&formulas)?;
+    for (index, event) in run.events().enumerate() {
         table.numbers(&[event.time]);
         table.text(&run.equations.names_of(&event.record).join(", "));
-        table.numbers(&event.before[..states.len()]);
-        table.numbers(&event.after[..states.len()]);
+        for values in observer.at_event(index).into_iter().flatten() {
+            table.numbers(&values);
+        }
         table.end_row()?;
     }
-    table.finish()
+    Ok(table.finish()?)
 }
 
 /// The header of a column; a pure number is in units of 1.

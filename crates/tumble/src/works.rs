@@ -108,11 +108,7 @@ impl Works {
 }
 
 /// The works at an event and a little before it: as far as rounding may have moved its time.
-fn around(
-    solution: Solution<'_>,
-    balance: &mut RunBalance<'_>,
-    at: At,
-) -> Result<[Vec<f64>; 2], PipelineError> {
+fn around(solution: Solution<'_>, balance: &mut RunBalance, at: At) -> Result<[Vec<f64>; 2], PipelineError> {
     let late = if at.off > 0.0 { Trust::instant_blur(solution.run, at.time) } else { 0.0 };
     if late == 0.0 {
         return Ok([vec![], vec![]]);

@@ -18,7 +18,7 @@ use crate::run::Run;
 pub(super) struct Largest {
     /// J
     pub(super) energy: f64,
-    /// By body, J.
+    /// By body of the run, J.
     pub(super) kinetic: Vec<f64>,
     /// By body, N s.
     pub(super) momentum: Vec<f64>,
@@ -27,8 +27,10 @@ pub(super) struct Largest {
 }
 
 /// The contributions of one run while they are added up, and what evaluates them.
-pub(super) struct Accumulation<'a> {
-    pub(super) run: &'a Run,
+pub(super) struct Accumulation {
+    pub(super) run: Run,
+    /// Indices of its bodies, in order.
+    pub(super) bodies: Vec<usize>,
     pub(super) potentials: Vec<Potential>,
     pub(super) largest: Largest,
     about: Vector,
@@ -45,11 +47,13 @@ pub(super) struct Accumulation<'a> {
     marks: Vec<Vec<Amounts>>,
 }
 
-impl<'a> Accumulation<'a> {
-    pub(super) fn new(run: &'a Run, [x, y]: [f64; 2]) -> Self {
+impl Accumulation {
+    /// Of a run that is one motion, and the potentials of its bodies.
+    pub(super) fn new(run: Run, potentials: Vec<Potential>, [x, y]: [f64; 2]) -> Self {
         Self {
+            bodies: run.bodies(),
             run,
-            potentials: run.equations.potentials(),
+            potentials,
             largest: Largest::default(),
             about: Vector::planar(Expr::from(x) * units::M, Expr::from(y) * units::M),
             quadrature: Quadrature::new(),
@@ -65,15 +69,15 @@ impl<'a> Accumulation<'a> {
 
     /// Adds everything from the start of the run to its end.
     pub(super) fn run_through(&mut self) -> Result<(), Reason> {
-        let run = self.run;
-        let mut events = run.trajectory().events.iter().peekable();
-        for piece in &run.trajectory().pieces {
+        let motion = self.run.motion();
+        let mut events = motion.events.iter().peekable();
+        for piece in &motion.pieces {
             while let Some(event) = events.next_if(|event| event.time <= piece.start) {
                 self.add_event(event)?;
             }
             self.marks.push(self.totals());
             let states = piece.states_at_parameter(0.0);
-            let stored = self.stored(&run.trajectory().modes[piece.mode], piece.start, &states)?;
+            let stored = self.stored(&motion.modes[piece.mode], piece.start, &states)?;
             self.watch(&stored);
             self.add_piece(piece)?;
         }
@@ -93,7 +97,8 @@ impl<'a> Accumulation<'a> {
 
     /// What contributions have summed up to at a time within a piece, by the piece's index.
     pub(super) fn totals_at(&mut self, index: usize, time: f64) -> Result<Vec<Amounts>, Reason> {
-        let piece = &self.run.trajectory().pieces[index];
+        let motion = self.run.motion();
+        let piece = &motion.pieces[index];
         self.prepare(piece.mode)?;
         let mut totals = self.marks[index].clone();
         totals.resize(self.keys.len(), [0.0; 4]);
@@ -115,7 +120,7 @@ impl<'a> Accumulation<'a> {
     /// Energies and momenta in a mode.
     pub(super) fn stored(&mut self, mode: &Mode, time: f64, states: &[f64]) -> Result<Stored, Reason> {
         if !self.stored_evaluators.contains_key(mode) {
-            let Run { equations, inputs, .. } = self.run;
+            let Run { equations, inputs, .. } = &self.run;
             let evaluator = StoredEvaluator::new(equations, &self.potentials, mode, inputs, &self.about)?;
             self.stored_evaluators.insert(mode.clone(), evaluator);
         }
@@ -136,6 +141,11 @@ impl<'a> Accumulation<'a> {
         let contribution = self.contribution(key.clone());
         self.sizes[contribution] += size;
         self.add(key, amounts);
+    }
+
+    /// Where a body is among those of the run.
+    pub(super) fn place(&self, body: usize) -> usize {
+        self.bodies.partition_point(|known| *known < body)
     }
 
     /// Raises the largest sizes.
@@ -172,7 +182,7 @@ impl<'a> Accumulation<'a> {
         if self.lines.contains_key(&mode) {
             return Ok(());
         }
-        let Run { equations, inputs, .. } = self.run;
+        let Run { equations, inputs, .. } = &self.run;
         let mode_of = &self.run.trajectory().modes[mode];
         let lines = Lines::new(equations, &self.potentials, mode_of, inputs, &self.about)?;
         let contributions = lines.keys.iter().map(|key| self.contribution(key.clone())).collect();

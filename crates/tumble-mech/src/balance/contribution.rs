@@ -100,6 +100,15 @@ impl Balance {
         Self { start, end, change, residual, scale }
     }
 
+    /// Of all of several together; the scale is the largest of theirs.
+    pub(super) fn sum(all: impl Iterator<Item = Self>) -> Self {
+        let add = |sum: Self, next: Self| {
+            let ends = [sum.start + next.start, sum.end + next.end];
+            Self::new(ends, sum.change + next.change, sum.scale.max(next.scale))
+        };
+        all.reduce(add).unwrap_or_default()
+    }
+
     /// Size of the residual in units of the scale; zero where there is no residual.
     pub fn relative(&self) -> f64 {
         if self.residual == 0.0 { 0.0 } else { self.residual.abs() / self.scale }

@@ -24,11 +24,11 @@ const ALIKE: f64 = 1e-12;
 /// Momentum along x and y, and angular momentum about the centre of mass.
 type Change = [f64; 3];
 
-impl Accumulation<'_> {
+impl Accumulation {
     /// Adds an event of the run.
     pub(super) fn add_event(&mut self, event: &Event<Record>) -> Result<(), Reason> {
-        let run = self.run;
-        let [before, after] = [event.mode_before, event.mode_after].map(|mode| &run.trajectory().modes[mode]);
+        let motion = self.run.motion();
+        let [before, after] = [event.mode_before, event.mode_after].map(|mode| &motion.modes[mode]);
         let mut stored = self.stored(before, event.time, &event.before)?;
         self.watch(&stored);
         if before.changes != after.changes {
@@ -46,7 +46,8 @@ impl Accumulation<'_> {
 
     /// What new values of parameters do to energies and momenta.
     fn add_parameters(&mut self, record: &Record, before: &Stored, after: &Stored) {
-        let events = &self.run.equations.model().events;
+        let equations = self.run.equations.clone();
+        let events = &equations.model().events;
         let setting = |happening: &Happening| match happening {
             Happening::Event(event) => {
                 Some(&events[*event]).filter(|event| matches!(event.action, Action::Set(_)))
@@ -55,7 +56,8 @@ impl Accumulation<'_> {
         };
         let names = record.happened.iter().filter_map(setting).map(|event| event.name.as_str());
         let name = names.collect::<Vec<_>>().join(", ");
-        for (body, (old, new)) in before.bodies.iter().zip(&after.bodies).enumerate() {
+        for (body, (old, new)) in self.bodies.clone().into_iter().zip(before.bodies.iter().zip(&after.bodies))
+        {
             let change = |axis: usize| new.momentum[axis] - old.momentum[axis];
             let change = [new.kinetic - old.kinetic, change(0), change(1), new.angular - old.angular];
             if change != [0.0; 4] {
@@ -87,9 +89,9 @@ impl Accumulation<'_> {
         }
         for impulse in &event.record.impulses {
             let taken = self.add_impulse(impulse, before, after);
-            subtract(&mut left[impulse.body], taken);
+            subtract(&mut left[self.place(impulse.body)], taken);
         }
-        for (body, left) in left.into_iter().enumerate() {
+        for (body, left) in self.bodies.clone().into_iter().zip(left) {
             for impulse in self.settled(event, body, left)? {
                 self.add_impulse(&impulse, before, after);
             }
@@ -100,7 +102,8 @@ impl Accumulation<'_> {
     /// Adds an impulse J with the work `J . (v_before + v_after) / 2`; what it does to the body's momenta.
     fn add_impulse(&mut self, impulse: &Impulse, before: &Stored, after: &Stored) -> Change {
         let ([rx, ry], [jx, jy]) = (impulse.arm, impulse.impulse);
-        let [old, new] = [before, after].map(|stored| &stored.bodies[impulse.body]);
+        let place = self.place(impulse.body);
+        let [old, new] = [before, after].map(|stored| &stored.bodies[place]);
         let omega = 0.5 * (old.omega + new.omega);
         let mean = |axis: usize| 0.5 * (old.velocity[axis] + new.velocity[axis]);
         let (vx, vy) = (mean(0) - omega * ry, mean(1) + omega * rx);
@@ -145,7 +148,7 @@ impl Accumulation<'_> {
         }
         let values = equations.values(&formulas.concat(), mode, event.time, &event.after, inputs)?;
         let impulses = solved(&sources, values.as_slice(), body, left);
-        let largest = SETTLED * self.largest.momentum[body];
+        let largest = SETTLED * self.largest.momentum[self.place(body)];
         let is_small = |impulse: &Impulse| libm::hypot(impulse.impulse[0], impulse.impulse[1]) <= largest;
         Ok(if impulses.iter().all(is_small) { impulses } else { vec![] })
     }

@@ -21,6 +21,7 @@ mod accumulation;
 mod contribution;
 mod instants;
 mod lines;
+mod part;
 mod quadrature;
 mod stored;
 #[cfg(test)]
@@ -30,45 +31,51 @@ pub use contribution::{Balance, BodyBalance, Contribution, Kind, Reading, Store}
 
 use tumble_ode::{Reason, Side};
 
-use crate::balance::accumulation::Accumulation;
+use crate::balance::part::{Part, of_all};
 use crate::balance::quadrature::Amounts;
 use crate::balance::stored::Stored;
 use crate::potential::Potential;
 use crate::run::Run;
 
 /// The energy and momentum balance of a run.
-pub struct RunBalance<'a> {
+pub struct RunBalance {
     /// The point that angular momentum is about, m.
     pub about: [f64; 2],
-    /// What every load has done, in the order in which they first did.
+    /// What every load has done, in the order in which they first did; bodies that nothing couples one after the other.
     pub contributions: Vec<Contribution>,
     /// Potential energies.
     pub stores: Vec<Store>,
     /// Kinetic and potential energy of all bodies, J.
     pub energy: Balance,
-    /// Momentum, N s, and angular momentum, N m s, of each body.
+    /// Momentum, N s, and angular momentum, N m s, of each body of the run.
     pub bodies: Vec<BodyBalance>,
     /// Momentum and angular momentum of all bodies together.
     pub total: BodyBalance,
-    accumulation: Accumulation<'a>,
+    parts: Vec<Part>,
 }
 
-impl<'a> RunBalance<'a> {
+impl RunBalance {
     /// The balance of a run, angular momentum about a point of the world, m.
     ///
     /// Refused where nothing was integrated, or where a load's power is not a finite number.
-    pub fn of(run: &'a Run, about: [f64; 2]) -> Result<Self, Reason> {
-        let mut accumulation = Accumulation::new(run, about);
-        accumulation.run_through()?;
-        let ends = [accumulation.first()?, accumulation.last()?];
-        let contributions = accumulation.contributions();
-        let stores = stores(&accumulation, &ends);
-        let energy = energy(&accumulation, &contributions, &ends);
-        let bodies: Vec<BodyBalance> = (0..ends[0].bodies.len())
-            .map(|body| of_body(&accumulation, &contributions, &ends, body))
-            .collect();
-        let total = of_all(&contributions, &ends, &bodies);
-        Ok(Self { about, contributions, stores, energy, bodies, total, accumulation })
+    pub fn of(run: &Run, about: [f64; 2]) -> Result<Self, Reason> {
+        let parts = run.parts().into_iter().zip(potentials(run));
+        let parts = parts.map(|(run, potentials)| Part::of(run, potentials, about));
+        let parts = parts.collect::<Result<Vec<_>, Reason>>()?;
+        let contributions: Vec<Contribution> =
+            parts.iter().flat_map(|part| part.contributions.clone()).collect();
+        let mut bodies: Vec<(usize, BodyBalance)> = parts.iter().flat_map(Part::bodies).collect();
+        bodies.sort_by_key(|(body, _)| *body);
+        let bodies: Vec<BodyBalance> = bodies.into_iter().map(|(_, balance)| balance).collect();
+        Ok(Self {
+            about,
+            stores: parts.iter().flat_map(Part::stores).collect(),
+            energy: Balance::sum(parts.iter().map(Part::energy)),
+            total: of_all(&contributions, &parts, &bodies),
+            bodies,
+            contributions,
+            parts,
+        })
     }
 
     /// The largest of all relative residuals.
@@ -79,26 +86,14 @@ impl<'a> RunBalance<'a> {
 
     /// The balance at a time, s; at an event, on that side of it. `None` outside the motion.
     pub fn at(&mut self, time: f64, side: Side) -> Result<Option<Reading>, Reason> {
-        let trajectory = &self.accumulation.run.trajectory();
-        let (start, end) = (trajectory.start(), trajectory.end());
-        if start == Some(time) && side == Side::Before {
-            let stored = self.accumulation.first()?;
-            return Ok(Some(self.reading(time, &stored, &vec![[0.0; 4]; self.contributions.len()])));
+        let mut all = Held::default();
+        let mut totals = vec![];
+        for part in &mut self.parts {
+            let Some((held, own)) = part.at(time, side)? else { return Ok(None) };
+            all.add(&held);
+            totals.extend(own);
         }
-        if end == Some(time) && side == Side::After {
-            let (stored, totals) = (self.accumulation.last()?, self.accumulation.totals());
-            return Ok(Some(self.reading(time, &stored, &totals)));
-        }
-        let pieces = &trajectory.pieces;
-        let index = match side {
-            Side::After => pieces.partition_point(|piece| piece.end <= time),
-            Side::Before => pieces.partition_point(|piece| piece.end < time),
-        };
-        let Some(piece) = pieces.get(index).filter(|piece| piece.start <= time) else { return Ok(None) };
-        let mode = &trajectory.modes[piece.mode];
-        let stored = self.accumulation.stored(mode, time, &piece.states_at(time))?;
-        let totals = self.accumulation.totals_at(index, time)?;
-        Ok(Some(self.reading(time, &stored, &totals)))
+        Ok(Some(self.reading(time, &all, &totals)))
     }
 
     /// Names of what [`RunBalance::row`] gives: time (s), kinetic, potential and total energy, work by contribution,
@@ -122,7 +117,7 @@ impl<'a> RunBalance<'a> {
     /// Name of a contribution that no other has: its load, its body and what it stands for.
     pub fn name_of(&self, contribution: usize) -> String {
         let Contribution { load, body, kind, .. } = &self.contributions[contribution];
-        let model = self.accumulation.run.equations.model();
+        let model = self.parts[0].accumulation.run.equations.model();
         let on = body.map_or_else(String::new, |body| format!(" on {}", model.bodies[body].name));
         let kind = match kind {
             Kind::Work => "",
@@ -135,13 +130,11 @@ impl<'a> RunBalance<'a> {
         format!("{load}{on}{kind}")
     }
 
-    fn reading(&self, time: f64, stored: &Stored, totals: &[Amounts]) -> Reading {
-        let (kinetic, potential) = (stored.kinetic(), stored.potential());
+    fn reading(&self, time: f64, held: &Held, totals: &[Amounts]) -> Reading {
+        let Held { kinetic, potential, momentum, angular: angular_momentum } = *held;
         let counted = self.contributions.iter().zip(totals).filter(|(contribution, _)| contribution.counts());
         let work: f64 = counted.map(|(_, amounts)| amounts[0]).sum();
         let sum = |which: usize| totals.iter().map(|amounts| amounts[which]).sum::<f64>();
-        let momentum = [0, 1].map(|axis| stored.momentum(axis));
-        let angular_momentum = stored.angular();
         let BodyBalance { momentum: start, angular_momentum: angular_start } = &self.total;
         Reading {
             time,
@@ -159,90 +152,52 @@ impl<'a> RunBalance<'a> {
     }
 }
 
-impl Accumulation<'_> {
-    /// What there is before anything happens.
-    fn first(&mut self) -> Result<Stored, Reason> {
-        let trajectory = &self.run.trajectory();
-        let (event, piece) = (trajectory.events.first(), trajectory.pieces.first());
-        let event = event.filter(|event| piece.is_none_or(|piece| event.time <= piece.start));
-        let (mode, time, states) = match (event, piece) {
-            (Some(event), _) => (event.mode_before, event.time, event.before.clone()),
-            (None, Some(piece)) => (piece.mode, piece.start, piece.states_at_parameter(0.0)),
-            (None, None) => return Err(Reason::Model("nothing was integrated".into())),
-        };
-        self.stored(&trajectory.modes[mode], time, &states)
+/// What the bodies have at one instant.
+#[derive(Clone, Copy, Debug, Default)]
+struct Held {
+    /// J
+    kinetic: f64,
+    /// J
+    potential: f64,
+    /// N s
+    momentum: [f64; 2],
+    /// N m s
+    angular: f64,
+}
+
+impl Held {
+    fn of(stored: &Stored) -> Self {
+        Self {
+            kinetic: stored.kinetic(),
+            potential: stored.potential(),
+            momentum: [stored.momentum(0), stored.momentum(1)],
+            angular: stored.angular(),
+        }
     }
 
-    /// What there is after all that has happened.
-    fn last(&mut self) -> Result<Stored, Reason> {
-        let trajectory = &self.run.trajectory();
-        let (event, piece) = (trajectory.events.last(), trajectory.pieces.last());
-        let event = event.filter(|event| piece.is_none_or(|piece| event.time >= piece.end));
-        let (mode, time, states) = match (event, piece) {
-            (Some(event), _) => (event.mode_after, event.time, event.after.clone()),
-            (None, Some(piece)) => (piece.mode, piece.end, piece.states_at_parameter(piece.length)),
-            (None, None) => return Err(Reason::Model("nothing was integrated".into())),
-        };
-        self.stored(&trajectory.modes[mode], time, &states)
+    fn add(&mut self, other: &Self) {
+        self.kinetic += other.kinetic;
+        self.potential += other.potential;
+        self.momentum = [0, 1].map(|axis| self.momentum[axis] + other.momentum[axis]);
+        self.angular += other.angular;
     }
 }
 
-fn stores(accumulation: &Accumulation<'_>, [first, last]: &[Stored; 2]) -> Vec<Store> {
-    let ends = first.potentials.iter().zip(&last.potentials);
-    let store = |(potential, (start, end)): (&Potential, (&f64, &f64))| Store {
-        load: potential.load.clone(),
-        law: potential.law,
-        body: potential.body,
-        start: *start,
-        end: *end,
-    };
-    accumulation.potentials.iter().zip(ends).map(store).collect()
-}
-
-fn energy(
-    accumulation: &Accumulation<'_>,
-    contributions: &[Contribution],
-    [first, last]: &[Stored; 2],
-) -> Balance {
-    let ends = [first, last].map(|stored| stored.kinetic() + stored.potential());
-    let change = contributions.iter().filter(|part| part.counts()).map(|part| part.work).sum();
-    let scale = contributions.iter().map(|part| part.work.abs()).fold(accumulation.largest.energy, f64::max);
-    Balance::new(ends, change, scale)
-}
-
-fn of_body(
-    accumulation: &Accumulation<'_>,
-    contributions: &[Contribution],
-    [first, last]: &[Stored; 2],
-    body: usize,
-) -> BodyBalance {
-    let own = || contributions.iter().filter(|part| part.body == Some(body));
-    let largest = &accumulation.largest;
-    let sizes = own().map(|contribution| libm::hypot(contribution.impulse[0], contribution.impulse[1]));
-    let scale = sizes.fold(largest.momentum[body], f64::max);
-    let along = |axis: usize| {
-        let ends = [first, last].map(|stored| stored.bodies[body].momentum[axis]);
-        Balance::new(ends, own().map(|part| part.impulse[axis]).sum(), scale)
-    };
-    let ends = [first, last].map(|stored| stored.bodies[body].angular);
-    let scale = own().map(|part| part.angular_impulse.abs()).fold(largest.angular[body], f64::max);
-    let angular_momentum = Balance::new(ends, own().map(|part| part.angular_impulse).sum(), scale);
-    BodyBalance { momentum: [along(0), along(1)], angular_momentum }
-}
-
-fn of_all(
-    contributions: &[Contribution],
-    [first, last]: &[Stored; 2],
-    bodies: &[BodyBalance],
-) -> BodyBalance {
-    let scale = |of: fn(&BodyBalance) -> f64| bodies.iter().map(of).fold(0.0, f64::max);
-    let along = |axis: usize| {
-        let ends = [first, last].map(|stored| stored.momentum(axis));
-        let change = contributions.iter().map(|part| part.impulse[axis]).sum();
-        Balance::new(ends, change, scale(|body| body.momentum[0].scale))
-    };
-    let ends = [first, last].map(Stored::angular);
-    let change = contributions.iter().map(|part| part.angular_impulse).sum();
-    let scale = scale(|body| body.angular_momentum.scale);
-    BodyBalance { momentum: [along(0), along(1)], angular_momentum: Balance::new(ends, change, scale) }
+/// The potentials of a run, by the motions that it is made of.
+fn potentials(run: &Run) -> Vec<Vec<Potential>> {
+    let all = run.equations.potentials();
+    let components = &run.all_tracks().components;
+    if run.tracks().len() == 1 {
+        let own = |potential: &Potential| {
+            let read = run.equations.components().read_by([&potential.energy]);
+            read.iter().any(|component| components.contains(component))
+        };
+        return vec![all.into_iter().filter(own).collect()];
+    }
+    let mut found = vec![vec![]; components.len()];
+    for potential in all {
+        let component = run.equations.components().read_by([&potential.energy])[0];
+        found[component].push(potential);
+    }
+    found
 }

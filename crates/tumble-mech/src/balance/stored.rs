@@ -29,6 +29,7 @@ pub(super) struct Motion {
 /// All bodies and all potential energies, J, at one instant.
 #[derive(Clone, Debug)]
 pub(super) struct Stored {
+    /// In the order of the run's bodies.
     pub(super) bodies: Vec<Motion>,
     pub(super) potentials: Vec<f64>,
 }
@@ -74,8 +75,9 @@ impl StoredEvaluator {
         about: &Vector,
     ) -> Result<Self, Reason> {
         let mut outputs: Vec<Expr> = vec![];
-        for (index, body) in equations.model().bodies.iter().enumerate() {
-            let (motion, mass) = (body.kinematics(), equations.mass_properties(index));
+        for &index in &mode.bodies {
+            let motion = equations.model().bodies[index].kinematics();
+            let mass = equations.mass_properties(index);
             outputs.extend_from_slice(motion.velocity().components());
             outputs.push(motion.omega());
             outputs.extend_from_slice((motion.position() - about).components());
@@ -83,7 +85,7 @@ impl StoredEvaluator {
         }
         let energy = |known: &Potential| if known.is_in(mode) { known.energy.clone() } else { Expr::zero() };
         outputs.extend(potentials.iter().map(energy));
-        let bodies = equations.model().bodies.len();
+        let bodies = mode.bodies.len();
         Ok(Self { jets: equations.evaluator(mode, &outputs, inputs)?, bodies })
     }
 

@@ -25,7 +25,7 @@ fn close(found: f64, expected: f64, tolerance: f64) {
 
 /// The balance about a point that nothing is at, every part of which must close.
 #[track_caller]
-fn balanced(run: &Run, tolerance: f64) -> RunBalance<'_> {
+fn balanced(run: &Run, tolerance: f64) -> RunBalance {
     let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
     assert!(balance.energy.relative() < tolerance, "{:e}", balance.energy.relative());
     assert!(balance.relative() < tolerance, "{:e}", balance.relative());
@@ -33,7 +33,7 @@ fn balanced(run: &Run, tolerance: f64) -> RunBalance<'_> {
 }
 
 #[track_caller]
-fn contribution(balance: &RunBalance<'_>, load: &str, kind: Kind) -> Contribution {
+fn contribution(balance: &RunBalance, load: &str, kind: Kind) -> Contribution {
     let mut known = balance.contributions.iter().filter(|part| part.load == load && part.kind == kind);
     known
         .next()
@@ -41,7 +41,7 @@ fn contribution(balance: &RunBalance<'_>, load: &str, kind: Kind) -> Contributio
         .clone()
 }
 
-fn has(balance: &RunBalance<'_>, load: &str, kind: Kind) -> bool {
+fn has(balance: &RunBalance, load: &str, kind: Kind) -> bool {
     balance.contributions.iter().any(|part| part.load == load && part.kind == kind)
 }
 

@@ -23,9 +23,9 @@ pub struct Contact {
 impl crate::Run {
     /// Every contact of the motion, in the order in which they begin.
     pub fn contacts(&self) -> Vec<Contact> {
-        let end = self.trajectory().end().unwrap_or(0.0);
+        let end = self.end().unwrap_or(0.0);
         let mut found: Vec<Contact> = vec![];
-        for Event { time, record, .. } in &self.trajectory().events {
+        for Event { time, record, .. } in self.events() {
             for happening in &record.happened {
                 let Happening::Contact { pair, change } = *happening else { continue };
                 let contact =
@@ -48,6 +48,6 @@ impl crate::Run {
 
     /// How many times impacts that followed each other ever faster have ended in contact.
     pub fn zeno_sequences(&self) -> usize {
-        self.trajectory().events.iter().filter(|event| event.record.ends_zeno_sequence()).count()
+        self.events().filter(|event| event.record.ends_zeno_sequence()).count()
     }
 }

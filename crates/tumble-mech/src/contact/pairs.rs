@@ -88,6 +88,13 @@ impl Equations {
         mode.contacts.iter().flat_map(watched).collect()
     }
 
+    /// Names of the guards of all pairs, in the order in which they are watched.
+    pub(crate) fn guard_names(&self, mode: &Mode) -> Vec<String> {
+        let touching = self.touching(mode).into_iter().map(|(pair, watched, _)| (pair, watched));
+        let apart = self.apart(mode).into_iter().map(|pair| (pair, Watched::Gap));
+        touching.chain(apart).map(|(pair, watched)| self.pairs()[pair].guard_name(watched)).collect()
+    }
+
     /// Guards of the pairs that touch.
     pub(crate) fn touching_guards(&self, mode: &Mode) -> Vec<Guard> {
         let guard = |(pair, watched, direction)| {

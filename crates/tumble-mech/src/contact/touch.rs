@@ -213,6 +213,10 @@ impl Equations {
     }
 
     fn touch_tape(&self, island: &[usize], mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
+        if let Some(twin) = self.twin(mode).filter(|twin| twin.bodies().len() == island.len()) {
+            let pairs: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
+            return self.touch_tape(twin.bodies(), &twin.mode(mode), &pairs);
+        }
         let key = (island[0], mode.without_support(self.pairs(), island));
         let build = |(_, mode): &(usize, Mode)| self.build_touch_tape(island, mode, pairs);
         self.built().touch_tapes.get_rounded(key, self.rounding(), build, Tape::rounded)

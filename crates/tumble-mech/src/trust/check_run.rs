@@ -60,7 +60,7 @@ impl CheckRun {
     /// By how much the works of a balance's contributions are off; `None` where nothing can be said of them.
     pub(super) fn work_differences(
         &self,
-        balance: &RunBalance<'_>,
+        balance: &RunBalance,
         works: &[f64],
         (time, side): (f64, Side),
     ) -> Result<Option<Vec<f64>>, RunError> {

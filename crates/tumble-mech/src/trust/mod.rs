@@ -271,7 +271,7 @@ impl Trust {
     /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
     pub fn work_errors(
         &self,
-        balance: &mut RunBalance<'_>,
+        balance: &mut RunBalance,
         time: f64,
         side: Side,
     ) -> Result<Option<Vec<f64>>, RunError> {
@@ -302,7 +302,7 @@ impl Trust {
 }
 
 /// Values of the contributions of a part's balance by those of the whole; zero of all others.
-fn placed(whole: &RunBalance<'_>, part: &RunBalance<'_>, values: &[f64]) -> Vec<f64> {
+fn placed(whole: &RunBalance, part: &RunBalance, values: &[f64]) -> Vec<f64> {
     let known = part.contributions.iter().map(Contribution::key).zip(values);
     let known: HashMap<_, _> = known.collect();
     let value = |contribution: &Contribution| known.get(&contribution.key()).map_or(0.0, |value| **value);

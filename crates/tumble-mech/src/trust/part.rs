@@ -135,7 +135,7 @@ impl Part {
     /// nothing can be said of them.
     pub(super) fn work_differences(
         &self,
-        balance: &RunBalance<'_>,
+        balance: &RunBalance,
         works: &[f64],
         at: (f64, Side),
     ) -> Result<Option<Vec<f64>>, RunError> {

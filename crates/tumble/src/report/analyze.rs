@@ -83,10 +83,8 @@ fn comparison(study: &Study, names: &Names, cases: &[Case]) -> Result<Option<Tab
     let mut table = Table::new("The runs side by side", columns);
     for case in cases {
         let study = study.with(&case.parameters);
-        let mut cells = vec![
-            Text::from(figures::case_label(case)),
-            case.run.trajectory().events.len().to_string().into(),
-        ];
+        let mut cells =
+            vec![Text::from(figures::case_label(case)), case.run.events().count().to_string().into()];
         for (curve, during) in &curves {
             let values = least_greatest_last(&study, case, &curve.quantity.formula, *during)?;
             cells.extend(values.map(|value| quantity(value, "")));

@@ -99,7 +99,7 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, PipelineError> {
 }
 
 fn marks(run: &Run) -> Vec<Mark> {
-    let events = &run.trajectory().events;
+    let events: Vec<_> = run.events().collect();
     if events.len() > MOST_MARKS {
         return vec![];
     }

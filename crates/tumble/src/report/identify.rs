@@ -97,11 +97,9 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
 fn initial(names: &Names, case: &Case) -> Vec<Quantity> {
     let run = &case.run;
     let states = run.equations.states(&run.equations.idle_mode());
-    let first = run.trajectory().events.first().filter(|event| event.time == 0.0);
-    let values = match first {
-        Some(event) => event.before.clone(),
-        None => run.trajectory().states_at(0.0, Side::After).unwrap_or_default(),
-    };
+    let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
+    let values = run.observe(&formulas).ok().and_then(|mut observer| observer.at(0.0, Side::Before));
+    let values = values.unwrap_or_default();
     let row = |(symbol, value): (Symbol, f64)| Quantity {
         name: symbol.name.to_string().into(),
         symbol: names.label(&symbol.name).into(),

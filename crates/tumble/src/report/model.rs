@@ -83,7 +83,8 @@ fn diagrams(study: &Study, case: &Case, body: usize) -> Result<Vec<Picture>, Pip
 
 /// The middle of the first step on which most loads act on a body, s: worth a diagram where the study asks for none.
 fn busiest(case: &Case, body: usize) -> f64 {
-    let trajectory = &case.run.trajectory();
+    let run = case.run.of_body(body);
+    let trajectory = run.trajectory();
     let loads = |mode: &Mode| {
         let terms = case.run.equations.shown_terms(mode);
         loads_of(&terms, body).len()
@@ -99,7 +100,7 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
     let equations = &case.run.equations;
     let mut seen: Vec<String> = vec![];
     let mut rows = vec![];
-    for mode in &case.run.trajectory().modes {
+    for mode in &case.run.of_body(body).trajectory().modes {
         let terms = equations.shown_terms(mode);
         for load in loads_of(&terms, body) {
             if !seen.contains(&load) {
@@ -217,7 +218,8 @@ fn vector(names: &Names, components: &[Expr]) -> Math {
 
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
 fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
-    let modes = case.run.trajectory().modes.iter();
+    let run = case.run.of_body(body);
+    let modes = run.trajectory().modes.iter();
     let terms = modes.flat_map(|mode| case.run.equations.shown_terms(mode));
     let terms = distinct(terms.filter(|term| term.body == body).collect());
     laws_of(study, names, case, (body, &terms), "Newton's laws")

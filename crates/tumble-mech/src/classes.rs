@@ -1,0 +1,167 @@
+//! Components that differ by names alone: what is compiled of one serves all of its class.
+
+use std::collections::HashMap;
+
+use tumble_expr::{Expr, Substitution, Symbol, is_renamed};
+
+use crate::equations::Equations;
+use crate::kinematics::Kinematics;
+use crate::mode::Mode;
+use crate::surface::ContactLaw;
+
+/// By component, the first that it is like.
+#[derive(Debug, Default)]
+pub(crate) struct Classes(Vec<Option<Twin>>);
+
+/// What a component is called in the first of its class.
+#[derive(Debug)]
+pub(crate) struct Twin {
+    /// Bodies of the first, in order.
+    bodies: Vec<usize>,
+    /// Pairs of this one with those of the first.
+    pairs: HashMap<usize, usize>,
+    names: Substitution,
+}
+
+/// What is compared of components.
+struct Signature {
+    /// Counts, kinds and indices.
+    shape: Vec<usize>,
+    formulas: Vec<Expr>,
+    /// Symbols of the motion in order.
+    symbols: Vec<Symbol>,
+    pairs: Vec<usize>,
+}
+
+impl Twin {
+    /// A formula in the names of the first.
+    pub(crate) fn renamed(&self, formula: &Expr) -> Expr {
+        self.names.apply(formula)
+    }
+
+    /// The mode of the first that a mode is like.
+    pub(crate) fn mode(&self, mode: &Mode) -> Mode {
+        let mut contacts: Vec<_> =
+            mode.contacts.iter().map(|(pair, contact_mode)| (self.pairs[pair], *contact_mode)).collect();
+        contacts.sort_unstable();
+        Mode { bodies: self.bodies.clone(), contacts, ..mode.clone() }
+    }
+
+    /// Bodies of the first.
+    pub(crate) fn bodies(&self) -> &[usize] {
+        &self.bodies
+    }
+
+    /// A pair of the first.
+    pub(crate) fn pair(&self, pair: usize) -> usize {
+        self.pairs[&pair]
+    }
+}
+
+impl Classes {
+    pub(crate) fn of(equations: &Equations) -> Self {
+        let components = equations.components().all();
+        let mut firsts: HashMap<Vec<usize>, Vec<(usize, Signature)>> = HashMap::new();
+        let mut found = vec![];
+        for (component, bodies) in components.iter().enumerate() {
+            let twin = Signature::of(equations, component).and_then(|own| {
+                let known = firsts.entry(own.shape.clone()).or_default();
+                let twin = known.iter().find_map(|(first, signature)| {
+                    own.as_renamed(signature).map(|names| Twin {
+                        bodies: components[*first].clone(),
+                        pairs: own.pairs.iter().copied().zip(signature.pairs.iter().copied()).collect(),
+                        names,
+                    })
+                });
+                if twin.is_none() {
+                    known.push((component, own));
+                }
+                twin
+            });
+            debug_assert!(twin.as_ref().is_none_or(|twin| twin.bodies.len() == bodies.len()));
+            found.push(twin);
+        }
+        Self(found)
+    }
+}
+
+impl Signature {
+    /// `None` where a component has what is counted among all: joints, events, loads that do not always act.
+    fn of(equations: &Equations, component: usize) -> Option<Self> {
+        let components = equations.components();
+        let bodies = &components.all()[component];
+        let has = |body: &usize| bodies.binary_search(body).is_ok();
+        let is_counted = equations.joints().iter().any(|joint| joint.bodies.iter().any(has))
+            || equations.windows().iter().any(|window| has(&window.body))
+            || components.has_events(component);
+        if is_counted {
+            return None;
+        }
+        let mut found = Self { shape: vec![bodies.len()], formulas: vec![], symbols: vec![], pairs: vec![] };
+        for (place, &body) in bodies.iter().enumerate() {
+            found.add_body(equations, body, place);
+        }
+        Some(found)
+    }
+
+    fn add_body(&mut self, equations: &Equations, body: usize, place: usize) {
+        let (known, model) = (equations.body_equations(body), equations.model());
+        self.symbols.extend(Kinematics::symbols(&known.kinematics));
+        self.formulas.extend([
+            known.mass.mass.clone(),
+            known.mass.inertia.clone(),
+            model.bodies[body].reach(),
+        ]);
+        self.formulas.extend(known.mass.centre.components().iter().cloned());
+        self.shape.push(known.coordinates.count());
+        if let Some(pivot) = model.pivot_of(&model.bodies[body].name) {
+            self.symbols.extend(pivot.force_symbols());
+            self.formulas.extend([pivot.point.components(), pivot.world.components()].concat());
+        }
+        for term in equations.terms_of(body) {
+            self.shape.extend([place, term.law as usize]);
+            self.formulas.extend([term.arm.components(), term.force.components()].concat());
+            self.formulas.push(term.couple.clone());
+        }
+        for index in equations.pair_list().of_body(body) {
+            let pair = &equations.pairs()[index];
+            self.pairs.push(index);
+            self.shape.extend([place, pair.surface]);
+            self.symbols.extend([pair.force_symbol(), pair.root_symbol()]);
+            self.formulas.extend([pair.gap(), pair.radius.clone()]);
+            self.formulas.extend(pair.centre.arm.components().iter().cloned());
+            // What is not the surface's own is the body's.
+            if let ContactLaw::Rigid { restitution } = &pair.law {
+                self.formulas.push(restitution.clone());
+            }
+        }
+        self.shape.extend([self.formulas.len(), self.symbols.len()]);
+    }
+
+    /// What symbols are called in another component, if it differs by that alone.
+    fn as_renamed(&self, other: &Self) -> Option<Substitution> {
+        let names: HashMap<&Symbol, &Symbol> = self.symbols.iter().zip(&other.symbols).collect();
+        let stands_for = |own: &Symbol, its: &Symbol| match names.get(own) {
+            Some(name) => *name == its,
+            None => own == its,
+        };
+        if self.shape != other.shape || !is_renamed(&self.formulas, &other.formulas, stands_for) {
+            return None;
+        }
+        let mut renaming = Substitution::default();
+        names.into_iter().for_each(|(own, its)| renaming.insert(own.clone(), its.clone().into()));
+        Some(renaming)
+    }
+}
+
+impl Equations {
+    /// The first of its class that the component of a mode is like; `None` where it is that itself.
+    pub(crate) fn twin(&self, mode: &Mode) -> Option<&Twin> {
+        let component = self.components().of_body(*mode.bodies.first()?);
+        if self.components().all().len() < 2 || self.components().all()[component] != mode.bodies {
+            return None;
+        }
+        let classes = self.built().classes.get_or_init(|| Classes::of(self));
+        classes.0[component].as_ref()
+    }
+}
