@@ -22,6 +22,8 @@ pub(crate) struct Tracks {
     /// Which components they are of: one each, or all those of the only one.
     pub(crate) components: Vec<usize>,
     each: Vec<Arc<Motion>>,
+    /// Whether an event of one of them has ended all.
+    pub(crate) is_stopped: bool,
     /// All as one.
     whole: Arc<OnceLock<Arc<Motion>>>,
     joined: Cache<Vec<usize>, Motion>,
@@ -30,13 +32,20 @@ pub(crate) struct Tracks {
 impl Tracks {
     /// The only motion, of all these components.
     pub(crate) fn one(components: Vec<usize>, motion: Arc<Motion>) -> Self {
-        Self { components, each: vec![motion], whole: Arc::default(), joined: Cache::default() }
+        Self {
+            components,
+            each: vec![motion],
+            is_stopped: false,
+            whole: Arc::default(),
+            joined: Cache::default(),
+        }
     }
 
-    fn several(each: Vec<Motion>) -> Self {
+    fn several(each: Vec<Motion>, is_stopped: bool) -> Self {
         Self {
             components: (0..each.len()).collect(),
             each: each.into_iter().map(Arc::new).collect(),
+            is_stopped,
             whole: Arc::default(),
             joined: Cache::default(),
         }
@@ -60,18 +69,22 @@ impl Tracks {
 
     /// Those of some components; all, where they are one motion already.
     pub(crate) fn of(&self, components: &[usize], equations: &Equations) -> Self {
-        if self.each.len() == 1 || components.len() == self.each.len() {
-            return Self::one(self.components.clone(), Arc::clone(self.whole(equations)));
+        if self.each.len() == 1 {
+            return self.clone();
         }
-        if let [one] = components {
-            return Self::one(components.to_vec(), Arc::clone(&self.each[*one]));
+        let one = |motion| Self { is_stopped: self.is_stopped, ..Self::one(components.to_vec(), motion) };
+        if components.len() == self.each.len() {
+            return one(Arc::clone(self.whole(equations)));
+        }
+        if let [component] = components {
+            return one(Arc::clone(&self.each[*component]));
         }
         let join = || {
             let some: Vec<&Motion> = components.iter().map(|index| &*self.each[*index]).collect();
             Ok::<_, Infallible>(joined(equations, &some))
         };
         let motion = self.joined.get(&components.to_vec(), join).unwrap_or_else(|never| match never {});
-        Self::one(components.to_vec(), motion)
+        one(motion)
     }
 
     /// Where each event is, in order of time: the motion and its index there.
@@ -122,12 +135,13 @@ impl Equations {
         let solver = |bodies: &Vec<usize>| Solver::new(self, starts.of_some(bodies), until, accuracy);
         let mut race = Race::new(components.iter().map(solver).collect());
         let refused = race.run(self, progress);
+        let is_stopped = race.end.is_some() && refused.is_none();
         let tracks = race.finish();
         match components {
             [_] => {
                 (Tracks::one(vec![0], Arc::new(tracks.into_iter().next().expect("one component"))), refused)
             }
-            _ => (Tracks::several(tracks), refused),
+            _ => (Tracks::several(tracks, is_stopped), refused),
         }
     }
 }

@@ -68,7 +68,8 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     found.push(from, ends, false);
     // One of them stopped early, without an event.
     let last = ends[0].min(ends[1]);
-    if ends[1] < ends[0] && first.trajectory().last_event().is_none() {
+    let is_stopped = first.all_tracks().is_stopped || first.trajectory().last_event().is_some();
+    if ends[1] < ends[0] && !is_stopped {
         found.divergence = Some(Horizon { time: last, reason: Divergence::Refused });
     }
     found
