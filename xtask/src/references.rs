@@ -11,6 +11,7 @@ use crate::workspace::{Workspace, copy, read};
 /// A script and the file its output is committed as.
 const REFERENCES: &[(&str, &str)] = &[
     ("references/elliptic.py", "crates/tumble/tests/reference/elliptic.json"),
+    ("references/elastic.py", "crates/tumble/tests/reference/elastic.json"),
     ("references/chains.py", "crates/tumble/tests/reference/chains.json"),
 ];
 

@@ -2,10 +2,13 @@
 
 mod common;
 
+use std::ops::ControlFlow;
+
 use common::{at, close, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Anchor, Body, Gravity, Model, Spring, Start, Torsion, time};
+use tumble_mech::{Anchor, At, Body, Gravity, Model, Run, Spring, Start, Torsion, time};
+use tumble_ode::{Accuracy, Side};
 
 fn here(x: f64, y: f64) -> Vector {
     Vector::planar(x * M, y * M)
@@ -189,4 +192,38 @@ fn springs_must_have_their_dimensions() {
     model.interact(bad);
     let errors = tumble_mech::Equations::new(model).expect_err("a damping");
     assert!(errors.to_string().contains("stiffness of `spring`: expected a stiffness"), "{errors}");
+}
+
+/// A mass that swings on a spring, against an independent integration, `references/elastic.py`: what is stated of its errors covers
+/// them, from one digit asked for to all.
+#[test]
+fn an_elastic_pendulum() {
+    let json: serde_json::Value =
+        serde_json::from_str(include_str!("../../tumble/tests/reference/elastic.json")).expect("valid JSON");
+    let number = |value: &serde_json::Value| value.as_str().and_then(|text| text.parse::<f64>().ok());
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    let bob = model.add(Body::point("bob").mass(1 * KG));
+    let ends = [Anchor::World(here(0.0, 0.0)), Anchor::Material(bob.cm())];
+    model.interact(spring(ends, 40.0, 1.0, 0.0));
+    model.starts.push(("bob".into(), Start::default().at([1 * M, 0.2 * M])));
+    let motion = bob.kinematics();
+    let formulas = [motion.position().components(), motion.velocity().components()].concat();
+    for accuracy in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let accuracy = Accuracy::new(accuracy).expect("an accuracy");
+        let go = |_| ControlFlow::Continue(());
+        let (run, trust) =
+            Run::trusted(&model, &model.parameters, 10.0, accuracy, go).expect("a motion");
+        for sample in json["samples"].as_array().expect("a list") {
+            let time = number(&sample["t"]).expect("a time");
+            let found = run.observe(&formulas).expect("formulas").at(time, Side::Before).expect("within");
+            for ((formula, name), found) in formulas.iter().zip(["x", "y", "vx", "vy"]).zip(found) {
+                let known = number(&sample[name]).expect("a number");
+                let at = At { time, side: Side::Before, off: 0.0 };
+                let stated = trust.error_at(&run, formula, at).expect("a formula").expect("known");
+                assert!((found - known).abs() <= stated, "{name} at {time} s: {found}, {known}, {stated}");
+                assert!(stated <= 10.0 * accuracy.value(), "{name} at {time} s is known to {stated}");
+            }
+        }
+    }
 }
