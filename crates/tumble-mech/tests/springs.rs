@@ -212,8 +212,7 @@ fn an_elastic_pendulum() {
     for accuracy in [1e-3, 1e-6, 1e-9, 1e-12] {
         let accuracy = Accuracy::new(accuracy).expect("an accuracy");
         let go = |_| ControlFlow::Continue(());
-        let (run, trust) =
-            Run::trusted(&model, &model.parameters, 10.0, accuracy, go).expect("a motion");
+        let (run, trust) = Run::trusted(&model, &model.parameters, 10.0, accuracy, go).expect("a motion");
         for sample in json["samples"].as_array().expect("a list") {
             let time = number(&sample["t"]).expect("a time");
             let found = run.observe(&formulas).expect("formulas").at(time, Side::Before).expect("within");
