@@ -14,6 +14,9 @@ use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::record::{Happening, Record};
 
+/// One motion at a time goes on by this part of the run: what it uses is at hand, and little is done in vain where another ends all.
+const LEAD: f64 = 1.0 / 16.0;
+
 type Motion = tumble_ode::Motion<Equations>;
 
 /// Motions that go on beside each other, from one start to one end.
@@ -133,7 +136,7 @@ impl Equations {
         let components = self.components().all();
         let starts = Starts::of(self, start);
         let solver = |bodies: &Vec<usize>| Solver::new(self, starts.of_some(bodies), until, accuracy);
-        let mut race = Race::new(components.iter().map(solver).collect());
+        let mut race = Race::new(components.iter().map(solver).collect(), until - start.time);
         let refused = race.run(self, progress);
         let is_stopped = race.end.is_some() && refused.is_none();
         let tracks = race.finish();
@@ -184,7 +187,8 @@ impl<'a> Starts<'a> {
     }
 }
 
-/// Motions beside each other: the one that is furthest behind goes on next, so that none is far beyond where all end.
+/// Motions beside each other: the one that is furthest behind goes on next, so that none is far beyond where all end; what is
+/// beyond is cut off.
 struct Race<'a> {
     solvers: Vec<Solver<'a, Equations>>,
     /// Of those that have come to rest for good, when.
@@ -193,16 +197,28 @@ struct Race<'a> {
     witness: usize,
     /// When all end, if not where they were to.
     end: Option<f64>,
+    /// Why that is, where it is no event, and which of them is at fault.
+    refused: Option<(usize, Refusal)>,
+    /// By how much one may lead all others, s.
+    lead: f64,
 }
 
 impl<'a> Race<'a> {
-    fn new(mut solvers: Vec<Solver<'a, Equations>>) -> Self {
+    fn new(mut solvers: Vec<Solver<'a, Equations>>, span: f64) -> Self {
         if let Some((first, others)) = solvers.split_first_mut() {
             others.iter_mut().for_each(|other| other.share_memory(first));
         }
-        Self { rest: vec![None; solvers.len()], solvers, witness: 0, end: None }
+        Self {
+            rest: vec![None; solvers.len()],
+            solvers,
+            witness: 0,
+            end: None,
+            refused: None,
+            lead: span * LEAD,
+        }
     }
 
+    /// Goes on until all have ended; why that is too early, if it is, and which of them is at fault.
     fn run(
         &mut self,
         equations: &Equations,
@@ -214,27 +230,54 @@ impl<'a> Race<'a> {
             if self.end.is_some_and(|end| time >= end) {
                 break;
             }
-            let solver = &mut self.solvers[index];
-            if let Err(refusal) = solver.advance() {
-                self.end = Some(refusal.time);
-                return Some((index, refusal));
+            let next = behind.peek().map_or(f64::INFINITY, |Reverse((Time(time), _))| *time);
+            if self.lead(index, next, equations, progress).is_break() {
+                let time = next.min(self.solvers[index].time());
+                self.end = Some(time);
+                return Some((index, Refusal { time, reason: Reason::Interrupted }));
             }
-            let (time, is_done) = (solver.time(), solver.is_done());
-            if solver.is_stopped() {
-                self.end = Some(self.end.map_or(time, |end| end.min(time)));
-            } else if equations.model().stops_at_rest {
-                self.watch_rest(equations, index, time);
-            }
-            if !is_done {
-                behind.push(Reverse((Time(time), index)));
-            }
-            let reached = behind.peek().map_or(time, |Reverse((Time(time), _))| *time);
-            if progress(reached).is_break() && !(is_done && behind.is_empty()) {
-                self.end = Some(reached);
-                return Some((index, Refusal { time: reached, reason: Reason::Interrupted }));
+            let solver = &self.solvers[index];
+            let is_refused = self.refused.as_ref().is_some_and(|(refused, _)| *refused == index);
+            if !solver.is_done() && !is_refused {
+                behind.push(Reverse((Time(solver.time()), index)));
             }
         }
-        None
+        self.refused.take()
+    }
+
+    /// Lets one that is furthest behind go on until it leads by some time; `next` is that of the one after it. Whether it was
+    /// interrupted.
+    fn lead(
+        &mut self,
+        index: usize,
+        next: f64,
+        equations: &Equations,
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        loop {
+            let solver = &mut self.solvers[index];
+            if let Err(refusal) = solver.advance() {
+                if self.end.is_none_or(|end| refusal.time < end) {
+                    self.end = Some(refusal.time);
+                    self.refused = Some((index, refusal));
+                }
+                return ControlFlow::Continue(());
+            }
+            let (time, is_done) = (solver.time(), solver.is_done());
+            if solver.is_stopped() && self.end.is_none_or(|end| time < end) {
+                self.end = Some(time);
+                self.refused = None;
+            } else if equations.model().stops_at_rest && !solver.is_stopped() {
+                self.watch_rest(equations, index, time);
+            }
+            let is_last = is_done && next.is_infinite();
+            if progress(time.min(next)).is_break() && !is_last {
+                return ControlFlow::Break(());
+            }
+            if is_done || time > next + self.lead || self.end.is_some_and(|end| time >= end) {
+                return ControlFlow::Continue(());
+            }
+        }
     }
 
     /// Ends the motions where the last of them comes to rest.
