@@ -70,7 +70,7 @@ impl Substitution {
             Node::Select(a, b, c) => Expr::select(a, b, c),
             Node::Norm(parts) => Expr::norm(parts),
             Node::Table(table, a) => Expr::table(&table.0, a),
-            Node::System(parts) => Expr::system(parts),
+            Node::System(shape, parts) => Expr::system(&shape, parts),
             Node::Unknown(system, row) => Expr::unknown(system, row),
             Node::Number(_) | Node::Pi | Node::Symbol(_) => formula.clone(),
         }
