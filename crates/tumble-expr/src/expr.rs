@@ -292,8 +292,13 @@ impl Expr {
 
     /// The symbols in it, each once.
     pub fn symbols(&self) -> HashSet<Symbol> {
+        Self::symbols_of(std::slice::from_ref(self))
+    }
+
+    /// The symbols in any of some formulas; what these share is looked through once.
+    pub fn symbols_of(formulas: &[Self]) -> HashSet<Symbol> {
         let (mut seen, mut found) = (HashSet::new(), HashSet::new());
-        let mut pending = vec![self];
+        let mut pending: Vec<&Self> = formulas.iter().collect();
         while let Some(next) = pending.pop() {
             if let Node::Symbol(symbol) = next.node() {
                 found.insert(symbol.clone());

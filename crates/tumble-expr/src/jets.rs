@@ -161,7 +161,8 @@ impl<S: Kernels> Jets<S> {
 
     /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
     pub fn extend(&mut self, k: usize) {
-        let Self { tape, arena, multipliers, signs, vanishing, factors, bench, elapsed, time_is_parameter } = self;
+        let Self { tape, arena, multipliers, signs, vanishing, factors, bench, elapsed, time_is_parameter } =
+            self;
         let Resolved { kernels, terms, .. } = tape.resolved();
         for (slot, kernel) in kernels {
             let value = match kernel {

@@ -100,12 +100,7 @@ impl<'a> System<'a> {
     }
 
     /// Solves equations with one entry, and sets unknowns aside that one equation has alone; returns the latter.
-    fn peel(
-        &mut self,
-        graph: &mut Graph,
-        rows: &mut Places,
-        columns: &mut Places,
-    ) -> Vec<(usize, usize)> {
+    fn peel(&mut self, graph: &mut Graph, rows: &mut Places, columns: &mut Places) -> Vec<(usize, usize)> {
         let mut later = vec![];
         let (mut lone_rows, mut lone_columns) = (rows.clone(), columns.clone());
         loop {

@@ -62,11 +62,7 @@ impl Amplifier<'_> {
     }
 
     /// Some d with `|A^-1| (first + change(d)) <= d`, entry by entry, of a matrix whose errors change what the rows give by `change`.
-    pub(crate) fn enclosed(
-        &self,
-        first: &[f64],
-        change: impl Fn(&[f64]) -> Vec<f64>,
-    ) -> Option<Vec<f64>> {
+    pub(crate) fn enclosed(&self, first: &[f64], change: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<f64>> {
         let own = self.most(first);
         let again = |bounds: &[f64]| -> Vec<f64> {
             own.iter().zip(self.most(&change(bounds))).map(|(own, more)| own + more).collect()

@@ -29,18 +29,25 @@ pub(crate) struct Workspace {
 }
 
 impl Plan {
-    /// The factors of a matrix of these entries.
-    pub(crate) fn factor(&self, entry: impl Fn(usize) -> f64, space: &mut Workspace, factors: &mut [f64]) {
+    /// The factors of a matrix of these entries; how large the smallest pivot is beside what it was computed from, 0 where one is lost.
+    pub(crate) fn factor(
+        &self,
+        entry: impl Fn(usize) -> f64,
+        space: &mut Workspace,
+        factors: &mut [f64],
+    ) -> f64 {
+        let mut least = if self.is_singular { 0.0 } else { 1.0_f64 };
         space.waiting.resize(self.waiting, [0.0; 2]);
         space.scales.resize(self.n, 0.0);
         for step in &self.steps {
             step.assemble(&entry, space);
             let pivot = step.pivot(space);
             step.exchange(pivot, space);
-            step.refuse_lost(self.n as f64 * LOST, space);
+            least = least.min(step.keep(self.n as f64 * LOST, space));
             step.eliminate(space, &mut factors[step.factors..]);
             factors[step.factors] = pivot as f64;
         }
+        least
     }
 
     /// The solution of right sides by row, which are used up, in `x` by column.
@@ -101,13 +108,16 @@ impl Step {
         }
     }
 
-    fn refuse_lost(&self, lost: f64, space: &mut Workspace) {
+    /// How large the pivot is beside what it was computed from. One that is lost becomes no number.
+    fn keep(&self, lost: f64, space: &mut Workspace) -> f64 {
         let [pivot, size] = &mut space.front[0];
         // Infinite and undefined pivots fail the comparison too.
-        let kept = pivot.abs() > lost * *size;
-        if !kept {
+        let is_kept = pivot.abs() > lost * *size;
+        let part = if is_kept { pivot.abs() / *size } else { 0.0 };
+        if !is_kept {
             *pivot = f64::NAN;
         }
+        part
     }
 
     fn eliminate(&self, space: &mut Workspace, factors: &mut [f64]) {
@@ -130,15 +140,17 @@ impl Step {
     fn forward<S: Lanewise>(&self, factors: &[S], right: &mut [S]) {
         let chosen = factors[0];
         let first = right[self.places[0] as usize];
-        let pivot =
-            S::from_lanes(|lane| right[self.places[chosen.lane(lane) as usize] as usize].lane(lane));
+        let pivot = S::from_lanes(|lane| right[self.places[chosen.lane(lane) as usize] as usize].lane(lane));
         let others = self.places.iter().enumerate().skip(1).zip(&factors[1 + self.width()..]);
         for ((line, place), factor) in others {
             let place = *place as usize;
             let is_exchanged = |lane: usize| chosen.lane(lane) as usize == line;
-            let own = S::from_lanes(|lane| {
-                if is_exchanged(lane) { first.lane(lane) } else { right[place].lane(lane) }
-            });
+            let own =
+                S::from_lanes(
+                    |lane| {
+                        if is_exchanged(lane) { first.lane(lane) } else { right[place].lane(lane) }
+                    },
+                );
             right[place] = own - *factor * pivot;
         }
         right[self.places[0] as usize] = pivot;

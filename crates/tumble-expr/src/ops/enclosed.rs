@@ -110,7 +110,8 @@ impl Kernels for Interval {
         };
         if let Some(bounds) = inverse.enclosed(&left, change) {
             let found = middle.iter().zip(bounds);
-            let found = found.map(|(middle, bound)| Self::point(*middle) + Self::around_zero(bound.next_up()));
+            let found =
+                found.map(|(middle, bound)| Self::point(*middle) + Self::around_zero(bound.next_up()));
             x.iter_mut().zip(found).for_each(|(x, found)| *x = found);
         }
     }
