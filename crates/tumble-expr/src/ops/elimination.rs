@@ -165,3 +165,6 @@ impl Step {
         x[self.column] = rest / factors[1];
     }
 }
+
+#[cfg(test)]
+mod tests;

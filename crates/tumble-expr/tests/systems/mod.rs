@@ -26,6 +26,7 @@ pub(crate) fn cases() -> Vec<Case> {
         case("one of six unknowns", solve(dense(6)).remove(4), 0.5),
         case("zeros on the diagonal", sum(solve(exchanged())), 0.2),
         case("exchange in some lanes", sum(solve(balanced())), 0.5),
+        case("chain", sum(Expr::solve(chain(9), vec![t().sin(); 9])), 0.3),
         case("indefinite", sum(solve(kkt)), 0.3),
         case("matrix of parameters", sum(solve(fixed)), 1.0),
         case("triangular", sum(solve(vec![vec![Expr::zero(), t() + 2], vec![t().exp(), p()]])), 0.5),
@@ -42,6 +43,17 @@ fn dense(n: i32) -> Vec<Vec<Expr>> {
     let entry = |i: i32, j: i32| (t() * (0.2 + 0.1 * f64::from(i)) + 2 * i - 3 * j).sin();
     let diagonal = |i: i32, j: i32| if i == j { entry(i, j) + 6 + t() } else { entry(i, j) };
     (0..n).map(|i| (0..n).map(|j| diagonal(i, j)).collect()).collect()
+}
+
+/// Entries beside the diagonal only, of which each couples two neighbours; the diagonal of every third is zero.
+fn chain(n: i32) -> Vec<Vec<Expr>> {
+    let entry = |i: i32, j: i32| match (i - j).abs() {
+        0 if i % 3 == 1 => Expr::zero(),
+        0 => t() + i + 2,
+        1 => (t() + i.min(j)).cos() + 2,
+        _ => Expr::zero(),
+    };
+    (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 
 /// A zero, and what is zero at the point of expansion, where pivots are looked for.
@@ -85,7 +97,8 @@ fn determinant(rows: &[Vec<Complex64>]) -> Complex64 {
         rest.iter().map(keep).collect()
     };
     let sign = |column: usize| if column.is_multiple_of(2) { 1.0 } else { -1.0 };
-    first.iter().enumerate().map(|(column, entry)| sign(column) * entry * determinant(&without(column))).sum()
+    let entries = first.iter().enumerate().filter(|(_, entry)| entry.norm_sqr() > 0.0);
+    entries.map(|(column, entry)| sign(column) * entry * determinant(&without(column))).sum()
 }
 
 /// Rows that differ by a millionth cost six digits and no more.
