@@ -121,9 +121,9 @@ fn a_pivot_of_one_lane_is_no_other_s() {
         (0..plan.room).map(|index| Lanes([alone[0].1[index], alone[1].1[index]])).collect();
     let mut x = [Lanes([0.0; 2]); 2];
     plan.substitute(&factors, &mut [Lanes([1.0, 1.0]), Lanes([2.0, 2.0])], &mut x);
-    for lane in 0..2 {
+    for (lane, (_, factors, _)) in alone.iter().enumerate() {
         let mut single = [0.0; 2];
-        plan.substitute(&alone[lane].1, &mut [1.0, 2.0], &mut single);
+        plan.substitute(factors, &mut [1.0, 2.0], &mut single);
         assert_eq!([x[0].0[lane], x[1].0[lane]], single);
     }
 }
