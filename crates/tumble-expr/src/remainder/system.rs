@@ -24,6 +24,20 @@ const MOST_PARTS: usize = 16;
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 const BETWEEN: f64 = 2.0;
 
+/// What the unknowns leave over, by row.
+struct Left {
+    /// Beyond the order.
+    orders: Vec<f64>,
+    /// By rounding, which knows nothing of other rows.
+    rounding: Vec<f64>,
+}
+
+impl Left {
+    fn len(&self) -> usize {
+        self.orders.len()
+    }
+}
+
 /// The matrix of a system along a step.
 struct Along<'a> {
     matrix: &'a Matrix,
@@ -50,22 +64,24 @@ impl super::Along<'_> {
     }
 
     /// What the unknowns leave over of each row.
-    fn left_over(&mut self, system: &System, matrix: &Matrix) -> Vec<f64> {
+    fn left_over(&mut self, system: &System, matrix: &Matrix) -> Left {
         let row = |row: usize| {
             let right = system.right[row];
-            let mut left = self.rest(right) + ROUNDING * self.size(right);
+            let (mut left, mut rounding) = (self.rest(right), ROUNDING * self.size(right));
             for (entry, column) in matrix.shape.entries_of(row) {
                 let entry = matrix.entries[entry];
                 let (size, unknown) = (self.size(entry), system.unknowns + column as Slot);
                 let most = self.size(unknown);
-                left += (self.rest(entry) + ROUNDING * size) * most;
+                left += self.rest(entry) * most;
+                rounding += ROUNDING * size * most;
                 if self.jets.tape().stage(entry) == Stage::Varying {
                     left += self.left_out(entry, unknown);
                 }
             }
-            left + f64::MIN_POSITIVE
+            (left + f64::MIN_POSITIVE, rounding)
         };
-        (0..matrix.shape.size()).map(row).collect()
+        let (orders, rounding) = (0..matrix.shape.size()).map(row).unzip();
+        Left { orders, rounding }
     }
 
     fn matrix<'a>(&self, matrix: &'a Matrix) -> Along<'a> {
@@ -87,7 +103,7 @@ impl super::Along<'_> {
 
 impl Along<'_> {
     /// Bounds of the errors by what is left over of each row. `known` is in how many parts there was one before.
-    fn bounds(&self, left: &[f64], known: &mut usize) -> Option<Vec<f64>> {
+    fn bounds(&self, left: &Left, known: &mut usize) -> Option<Vec<f64>> {
         let worst = |all: &[Vec<f64>]| -> Vec<f64> {
             (0..left.len()).map(|i| all.iter().map(|bounds| bounds[i]).fold(0.0, f64::max)).collect()
         };
@@ -108,13 +124,15 @@ impl Along<'_> {
     }
 
     /// Those at one place.
-    fn at(&self, left: &[f64], place: f64) -> Option<Vec<f64>> {
+    fn at(&self, left: &Left, place: f64) -> Option<Vec<f64>> {
         let (_, factors) = self.factored(place)?;
-        Some(Amplifier { plan: &self.matrix.plan, factors: &factors }.most(left))
+        let inverse = Amplifier { plan: &self.matrix.plan, factors: &factors };
+        let both = inverse.most(&left.orders).into_iter().zip(inverse.likely(&left.rounding));
+        Some(both.map(|(orders, rounding)| orders + rounding).collect())
     }
 
     /// Those within one of so many equal parts.
-    fn within(&self, left: &[f64], part: usize, parts: usize) -> Option<Vec<f64>> {
+    fn within(&self, left: &Left, part: usize, parts: usize) -> Option<Vec<f64>> {
         let half = 0.5 / parts as f64;
         let (middle, factors) = self.factored((2 * part + 1) as f64 * half)?;
         let Matrix { shape, plan, .. } = self.matrix;
@@ -124,7 +142,8 @@ impl Along<'_> {
             let row = |row: usize| shape.entries_of(row).map(|(of, column)| off(of) * bounds[column]).sum();
             (0..bounds.len()).map(row).collect()
         };
-        Amplifier { plan, factors: &factors }.enclosed(left, change)
+        let both: Vec<f64> = left.orders.iter().zip(&left.rounding).map(|(own, more)| own + more).collect();
+        Amplifier { plan, factors: &factors }.enclosed(&both, change)
     }
 
     /// The matrix at a place, and its factors; `None` where it is singular.
