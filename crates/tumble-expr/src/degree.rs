@@ -51,7 +51,7 @@ impl Tape {
             Op::Mul(a, b) => of(a)?.checked_add(of(b)?),
             Op::Square(a) => of(a)?.checked_mul(2),
             // Sums with factors that keep their value, if the matrix does: else its factors have no degree.
-            Op::Residual { .. } | Op::Forward { .. } | Op::Solution { .. } => {
+            Op::System(_) | Op::Unknown { .. } => {
                 op.parts(self).into_iter().try_fold(0, |highest, part| Some(of(part)?.max(highest)))
             }
             Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => Some(0),

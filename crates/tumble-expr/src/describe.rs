@@ -59,11 +59,12 @@ impl Tape {
                 self.tables[lookup as usize].table.0.name.clone()
             }
             Op::Factor(matrix) => self.matrix_text(matrix, of),
-            Op::Residual { system, row } | Op::Forward { system, row } | Op::Solution { system, row } => {
+            Op::System(system) => {
                 let system = &self.systems[system as usize];
                 let right: Vec<String> = system.right.iter().map(|part| of(*part)).collect();
-                format!("solve({}, [{}])[{row}]", self.matrix_text(system.matrix, of), right.join(", "))
+                format!("solve({}, [{}])", self.matrix_text(system.matrix, of), right.join(", "))
             }
+            Op::Unknown { system, row } => format!("{}[{row}]", self.text(system, depth, states)),
             Op::Norm(parts) => {
                 let parts: Vec<String> = self.norms[parts as usize].iter().map(|part| of(*part)).collect();
                 format!("norm([{}])", parts.join(", "))
@@ -73,9 +74,13 @@ impl Tape {
 
     fn matrix_text(&self, matrix: u32, of: impl Fn(Slot) -> String) -> String {
         let matrix = &self.matrices[matrix as usize];
-        let row = |row: &[Slot]| row.iter().map(|part| of(*part)).collect::<Vec<_>>().join(", ");
-        let rows: Vec<String> =
-            matrix.entries.chunks(matrix.n).map(|entries| format!("[{}]", row(entries))).collect();
+        let shape = &matrix.shape;
+        let row = |row: usize| {
+            let mut texts = vec!["0".to_owned(); shape.size()];
+            shape.entries_of(row).for_each(|(entry, column)| texts[column] = of(matrix.entries[entry]));
+            format!("[{}]", texts.join(", "))
+        };
+        let rows: Vec<String> = (0..shape.size()).map(row).collect();
         format!("[{}]", rows.join(", "))
     }
 }

@@ -51,7 +51,7 @@ fn slope(formula: &Expr, symbol: &Symbol, of: impl Fn(&Expr) -> Expr) -> Expr {
             Ok(slope) => Expr::table(&Arc::new(slope), a.clone()) * of(a),
             Err(error) => Expr::mistaken(error),
         },
-        Node::System(_) => formula.system_slope(of),
+        Node::System(shape, parts) => formula.system_slope(shape, parts, of),
         Node::Unknown(system, row) => Expr::unknown(of(system), *row),
     }
 }

@@ -22,7 +22,7 @@ fn take_children(inner: &mut Inner, pending: &mut Vec<Expr>) {
         Node::Unary(_, a) | Node::Table(_, a) | Node::Unknown(a, _) => pending.push(a),
         Node::Binary(_, a, b) | Node::Compare(_, a, b) => pending.extend([a, b]),
         Node::Select(a, b, c) => pending.extend([a, b, c]),
-        Node::Norm(parts) | Node::System(parts) => pending.extend(parts),
+        Node::Norm(parts) | Node::System(_, parts) => pending.extend(parts),
     }
 }
 

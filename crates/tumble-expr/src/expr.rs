@@ -9,6 +9,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use crate::same;
+use crate::shape::Shape;
 use crate::table::{Table, TableRef};
 use crate::traces::Traces;
 use crate::typing::{self, Kind, TypeError};
@@ -106,9 +107,9 @@ pub enum Node<Part = Expr> {
     Norm(Vec<Part>),
     /// A measured function.
     Table(TableRef, Part),
-    /// A linear system: the n x n entries of its matrix, row by row, then its n right sides. Its kind is
+    /// A linear system: the entries of its matrix that are not bare zeros, row by row, then its right sides. Its kind is
     /// [`Kind::System`].
-    System(Vec<Part>),
+    System(Arc<Shape>, Vec<Part>),
     /// An unknown of a linear system, by its index.
     Unknown(Part, u32),
 }
@@ -121,7 +122,7 @@ impl<Part> Node<Part> {
             Self::Unary(_, a) => vec![a],
             Self::Binary(_, a, b) | Self::Compare(_, a, b) => vec![a, b],
             Self::Select(a, b, c) => vec![a, b, c],
-            Self::Norm(parts) | Self::System(parts) => parts.iter().collect(),
+            Self::Norm(parts) | Self::System(_, parts) => parts.iter().collect(),
             Self::Table(_, a) | Self::Unknown(a, _) => vec![a],
         }
     }
@@ -133,7 +134,7 @@ impl<Part> Node<Part> {
             Self::Unary(_, a) | Self::Table(_, a) | Self::Unknown(a, _) => f(a),
             Self::Binary(_, a, b) | Self::Compare(_, a, b) => [a, b].into_iter().for_each(f),
             Self::Select(a, b, c) => [a, b, c].into_iter().for_each(f),
-            Self::Norm(parts) | Self::System(parts) => parts.iter().for_each(&mut f),
+            Self::Norm(parts) | Self::System(_, parts) => parts.iter().for_each(&mut f),
         }
     }
 
@@ -149,7 +150,7 @@ impl<Part> Node<Part> {
             Self::Select(a, b, c) => Node::Select(f(a), f(b), f(c)),
             Self::Norm(parts) => Node::Norm(parts.iter().map(f).collect()),
             Self::Table(table, a) => Node::Table(table.clone(), f(a)),
-            Self::System(parts) => Node::System(parts.iter().map(f).collect()),
+            Self::System(shape, parts) => Node::System(Arc::clone(shape), parts.iter().map(f).collect()),
             Self::Unknown(system, row) => Node::Unknown(f(system), *row),
         }
     }
@@ -291,8 +292,13 @@ impl Expr {
 
     /// The symbols in it, each once.
     pub fn symbols(&self) -> HashSet<Symbol> {
+        Self::symbols_of(std::slice::from_ref(self))
+    }
+
+    /// The symbols in any of some formulas; what these share is looked through once.
+    pub fn symbols_of(formulas: &[Self]) -> HashSet<Symbol> {
         let (mut seen, mut found) = (HashSet::new(), HashSet::new());
-        let mut pending = vec![self];
+        let mut pending: Vec<&Self> = formulas.iter().collect();
         while let Some(next) = pending.pop() {
             if let Node::Symbol(symbol) = next.node() {
                 found.insert(symbol.clone());

@@ -7,6 +7,7 @@ use num_traits::Zero;
 
 use crate::expr::{Expr, Inner, Node};
 use crate::hashing::FastMap;
+use crate::peel;
 use crate::simplify;
 
 /// A node of a [`Graph`]. Parts always have smaller indices than the node made of them.
@@ -31,6 +32,8 @@ pub struct Graph {
     leaves: HashMap<Node<NodeId>, NodeId>,
     /// All others, which are indices.
     known: FastMap<Node<NodeId>, NodeId>,
+    /// By linear system, simpler nodes for its unknowns.
+    peeled: FastMap<NodeId, Arc<[Option<NodeId>]>>,
 }
 
 impl Graph {
@@ -72,6 +75,17 @@ impl Graph {
             simplify::Simplified::Known(id) => id,
             simplify::Simplified::Node(node) => self.intern(node),
         }
+    }
+
+    /// A simpler node for an unknown of a linear system, if there is one.
+    pub(crate) fn peeled(&mut self, system: NodeId, row: u32) -> Option<NodeId> {
+        if let Some(known) = self.peeled.get(&system) {
+            return known[row as usize];
+        }
+        let Node::System(shape, parts) = self.node(system).clone() else { return None };
+        let found: Arc<[Option<NodeId>]> = peel::unknowns(self, &shape, &parts).into();
+        self.peeled.insert(system, Arc::clone(&found));
+        found[row as usize]
     }
 
     fn intern(&mut self, node: Node<NodeId>) -> NodeId {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::arena::Arena;
 use crate::ops::kernels::Kernels;
-use crate::ops::solve::Matrix;
+use crate::ops::solve::Bench;
 use crate::ops::{Op, Series, Slot};
 use crate::resolved::{Kernel, Resolved};
 use crate::{Lookup, Rounded, Stage, Tape};
@@ -34,6 +34,7 @@ pub struct Jets<S> {
     vanishing: Vec<bool>,
     /// Factors of the matrices of linear systems.
     factors: Vec<S>,
+    bench: Bench<S>,
     /// Of an interval of places, how far they are from where what vanishes is zero.
     elapsed: S,
     time_is_parameter: bool,
@@ -79,7 +80,7 @@ impl<S: Kernels> Jets<S> {
         let arena = Arena::new(tape.resolved().rows, order);
         let signs = vec![S::one(); tape.sides()];
         let vanishing = vec![false; tape.norms.len()];
-        let factors = vec![S::zero(); tape.matrices.iter().map(Matrix::room).sum()];
+        let factors = vec![S::zero(); tape.matrices.iter().map(|matrix| matrix.plan.room).sum()];
         let elapsed = S::zero();
         let mut jets = Self {
             tape,
@@ -88,6 +89,7 @@ impl<S: Kernels> Jets<S> {
             signs,
             vanishing,
             factors,
+            bench: Bench::default(),
             elapsed,
             time_is_parameter: false,
         };
@@ -159,7 +161,8 @@ impl<S: Kernels> Jets<S> {
 
     /// Finds every coefficient of order `k >= 1` from the leaves' and from all lower orders.
     pub fn extend(&mut self, k: usize) {
-        let Self { tape, arena, multipliers, signs, vanishing, factors, elapsed, time_is_parameter } = self;
+        let Self { tape, arena, multipliers, signs, vanishing, factors, bench, elapsed, time_is_parameter } =
+            self;
         let Resolved { kernels, terms, .. } = tape.resolved();
         for (slot, kernel) in kernels {
             let value = match kernel {
@@ -185,6 +188,13 @@ impl<S: Kernels> Jets<S> {
                     arena.put(*square, k, of_square);
                     let series = Series { arena, signs, tape, factors, vanishing, elapsed: *elapsed };
                     S::norm_coefficient(&series, *parts, (*slot, of_square), k)
+                }
+                Kernel::System(system) => {
+                    let series = Series { arena, signs, tape, factors, vanishing, elapsed: *elapsed };
+                    series.solve(*system, k, bench);
+                    let unknowns = tape.systems[*system as usize].unknowns;
+                    (unknowns..).zip(&bench.x).for_each(|(slot, x)| arena.put(slot, k, *x));
+                    S::zero()
                 }
                 Kernel::Other(op) => {
                     let series = Series { arena, signs, tape, factors, vanishing, elapsed: *elapsed };
@@ -293,6 +303,10 @@ impl<S: Kernels> Jets<S> {
                 self.arena.put(square, 0, of_square);
                 S::norm(&self.series(), parts)
             }
+            Kernel::System(system) => {
+                self.solve(system);
+                S::zero()
+            }
             Kernel::Along { .. } | Kernel::Abs { .. } | Kernel::Other(_) => {
                 unreachable!("these are found by their operation")
             }
@@ -310,8 +324,10 @@ impl<S: Kernels> Jets<S> {
             let side = self.tape.guards().len() + lookup as usize;
             self.signs[side] = segment;
         }
-        if let Op::Factor(matrix) = op {
-            self.factor(matrix);
+        match op {
+            Op::Factor(matrix) => self.factor(matrix),
+            Op::System(system) => self.solve(system),
+            _ => {}
         }
         match op {
             // A free sign has three values; a frozen one is its side.
@@ -321,9 +337,20 @@ impl<S: Kernels> Jets<S> {
     }
 
     fn factor(&mut self, matrix: u32) {
-        let factors = S::factors(&self.series(), matrix);
-        let offset = self.tape.matrices[matrix as usize].offset;
-        self.factors[offset..][..factors.len()].copy_from_slice(&factors);
+        let (mut factors, mut bench) = (std::mem::take(&mut self.factors), std::mem::take(&mut self.bench));
+        let matrix = &self.tape.matrices[matrix as usize];
+        let own = &mut factors[matrix.offset..][..matrix.plan.room];
+        S::factor(&self.series(), matrix, &mut bench, own);
+        (self.factors, self.bench) = (factors, bench);
+    }
+
+    /// Finds the unknowns of a system at order 0.
+    fn solve(&mut self, system: u32) {
+        let mut bench = std::mem::take(&mut self.bench);
+        self.series().solve(system, 0, &mut bench);
+        let unknowns = self.tape.systems[system as usize].unknowns;
+        (unknowns..).zip(&bench.x).for_each(|(slot, x)| self.arena.put(slot, 0, *x));
+        self.bench = bench;
     }
 
     fn series(&self) -> Series<'_, S> {

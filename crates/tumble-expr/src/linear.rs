@@ -1,7 +1,10 @@
 //! Linear systems in formulas: what they are made of, their dimensions, their derivatives.
 
+use std::sync::Arc;
+
 use crate::Dimension;
 use crate::expr::{Expr, Node};
+use crate::shape::Shape;
 use crate::typing::{Kind, TypeError};
 
 impl Expr {
@@ -16,48 +19,60 @@ impl Expr {
         if matrix.len() != n || matrix.iter().any(|row| row.len() != n) {
             return vec![Self::mistaken(not_square(&matrix, n)); n.max(matrix.len())];
         }
-        if n == 1 {
-            return matrix.into_iter().flatten().zip(rhs).map(|(a, b)| b / a).collect();
+        let entries = |row: Vec<Self>| row.into_iter().enumerate().collect();
+        Self::solve_rows(matrix.into_iter().map(entries).collect(), rhs)
+    }
+
+    /// The same of a matrix with few entries: those of each row, by increasing columns. All others are zero.
+    ///
+    /// # Panics
+    /// If there are not as many rows as right sides.
+    pub fn solve_rows(rows: Vec<Vec<(usize, Self)>>, rhs: Vec<Self>) -> Vec<Self> {
+        assert_eq!(rows.len(), rhs.len(), "one right side a row");
+        let is_entry = |(_, entry): &(usize, Self)| !entry.is_zero();
+        let rows: Vec<Vec<(usize, Self)>> =
+            rows.into_iter().map(|row| row.into_iter().filter(is_entry).collect()).collect();
+        if let ([row], [right]) = (&rows[..], &rhs[..]) {
+            return vec![right / row.first().map_or_else(Self::zero, |(_, entry)| entry.clone())];
         }
-        let system = Self::system(matrix.into_iter().flatten().chain(rhs).collect());
-        (0..n).map(|row| Self::unknown(system.clone(), row as u32)).collect()
+        let columns = |row: &Vec<(usize, Self)>| row.iter().map(|(column, _)| *column as u32).collect();
+        let shape = Shape::new(rows.iter().map(columns));
+        let n = rhs.len() as u32;
+        let entries = rows.into_iter().flatten().map(|(_, entry)| entry);
+        let system = Self::system(&shape, entries.chain(rhs).collect());
+        (0..n).map(|row| Self::unknown(system.clone(), row)).collect()
     }
 
     /// A linear system from its entries, row by row, and its right sides.
-    pub(crate) fn system(parts: Vec<Self>) -> Self {
-        let kind = unknowns(&parts).map(|_| Kind::System);
-        Self::checked(Node::System(parts), kind)
+    pub(crate) fn system(shape: &Shape, parts: Vec<Self>) -> Self {
+        let kinds = unknowns(shape, &parts);
+        let kind = kinds.as_ref().map(|_| Kind::System).map_err(Clone::clone);
+        let shape = shape.with(kinds.unwrap_or_else(|_| shape.kinds().to_vec()));
+        Self::checked(Node::System(Arc::new(shape), parts), kind)
     }
 
     /// One unknown of a linear system.
     pub(crate) fn unknown(system: Self, row: u32) -> Self {
-        let kind = system.kind().and_then(|_| Ok(unknowns(&system.parts())?[row as usize]));
+        let of = |system: &Self| match system.node() {
+            Node::System(shape, _) => shape.kinds()[row as usize],
+            _ => Kind::Zero,
+        };
+        let kind = system.kind().map(|_| of(&system));
         Self::checked(Node::Unknown(system, row), kind)
     }
 
     /// The system of the unknowns' derivatives: from `A x = b` follows `A x' = b' - A' x`.
-    pub(crate) fn system_slope(&self, of: impl Fn(&Self) -> Self) -> Self {
-        let parts = self.parts();
-        let n = size(parts.len());
-        let (matrix, right) = parts.split_at(n * n);
-        let x: Vec<Self> = (0..n).map(|row| Self::unknown(self.clone(), row as u32)).collect();
+    pub(crate) fn system_slope(&self, shape: &Shape, parts: &[Self], of: impl Fn(&Self) -> Self) -> Self {
+        let (matrix, right) = parts.split_at(shape.entries());
         let slope = |row: usize| {
-            let changes = matrix[row * n..][..n].iter().map(&of).zip(&x);
+            let changes = shape.entries_of(row).map(|(entry, column)| (of(&matrix[entry]), column as u32));
             let taken = changes.filter(|(change, _)| !change.is_zero());
-            taken.fold(of(&right[row]), |rest, (change, x)| rest - change * x)
+            let less = |rest, (change, column)| rest - change * Self::unknown(self.clone(), column);
+            taken.fold(of(&right[row]), less)
         };
-        let right: Vec<Self> = (0..n).map(slope).collect();
-        Self::system(matrix.iter().cloned().chain(right).collect())
+        let right = (0..shape.size()).map(slope);
+        Self::system(shape, matrix.iter().cloned().chain(right).collect())
     }
-
-    fn parts(&self) -> Vec<Self> {
-        self.children().into_iter().cloned().collect()
-    }
-}
-
-/// How many unknowns a system of so many parts has: n for n^2 + n.
-pub(crate) fn size(parts: usize) -> usize {
-    parts.isqrt()
 }
 
 fn not_square(matrix: &[Vec<Expr>], equations: usize) -> TypeError {
@@ -66,16 +81,17 @@ fn not_square(matrix: &[Vec<Expr>], equations: usize) -> TypeError {
 }
 
 /// Kinds of a system's unknowns.
-fn unknowns(parts: &[Expr]) -> Result<Vec<Kind>, TypeError> {
+fn unknowns(shape: &Shape, parts: &[Expr]) -> Result<Vec<Kind>, TypeError> {
     let dimensions = parts.iter().map(dimension).collect::<Result<Vec<_>, _>>()?;
-    let n = size(parts.len());
-    let (matrix, right) = dimensions.split_at(n * n);
-    let mut found = Found { matrix, rows: right.to_vec(), columns: vec![None; n] };
+    let (matrix, right) = dimensions.split_at(shape.entries());
+    let mut found = Found { shape, matrix, rows: right.to_vec(), columns: vec![None; shape.size()] };
     found.spread()?;
     let columns = found.columns.clone();
     // What no right side reaches is zero, but its entries must fit each other all the same.
-    while let Some(row) = found.rows.iter().position(Option::is_none) {
-        found.rows[row] = Some(Dimension::NONE);
+    let mut first = 0;
+    while let Some(row) = found.rows[first..].iter().position(Option::is_none) {
+        first += row;
+        found.rows[first] = Some(Dimension::NONE);
         found.spread()?;
     }
     Ok(columns.into_iter().map(|column| column.map_or(Kind::Zero, Kind::Quantity)).collect())
@@ -90,6 +106,7 @@ fn dimension(part: &Expr) -> Result<Option<Dimension>, TypeError> {
 
 /// Dimensions of right sides and unknowns, as far as they are known.
 struct Found<'a> {
+    shape: &'a Shape,
     matrix: &'a [Option<Dimension>],
     rows: Vec<Option<Dimension>>,
     columns: Vec<Option<Dimension>>,
@@ -98,12 +115,13 @@ struct Found<'a> {
 impl Found<'_> {
     /// Follows the entries from what is known until nothing is added.
     fn spread(&mut self) -> Result<(), TypeError> {
-        let n = self.rows.len();
         loop {
             let mut news = false;
-            for (index, entry) in self.matrix.iter().enumerate() {
-                if let Some(entry) = entry {
-                    news |= self.entry(index / n, index % n, *entry)?;
+            for row in 0..self.rows.len() {
+                for (entry, column) in self.shape.entries_of(row) {
+                    if let Some(entry) = self.matrix[entry] {
+                        news |= self.entry(row, column, entry)?;
+                    }
                 }
             }
             if !news {
@@ -137,7 +155,6 @@ impl Found<'_> {
 mod tests {
     use super::*;
     use crate::{Branches, Graph, Jets, Layout, Stage, Substitution, Symbol, Tape};
-    use std::sync::Arc;
 
     fn quantity(name: &str, dimension: Dimension) -> Expr {
         Expr::symbol(name, dimension)
@@ -217,10 +234,10 @@ mod tests {
         let fixed = Expr::solve(matrix(), vec![p.sin(), Expr::one()]);
         let tape = Tape::compile(&layout(), &fixed).expect("typed");
         assert_eq!(tape.varying().count(), 0);
-        // Of a right side that changes, the matrix stays factored: two eliminations and two unknowns remain.
+        // Of a right side that changes, the matrix stays factored: the system and its two unknowns remain.
         let moving = Expr::solve(matrix(), vec![t, Expr::one()]);
         let tape = Tape::compile(&layout(), &moving).expect("typed");
-        assert_eq!(tape.varying().count(), 4);
+        assert_eq!(tape.varying().count(), 3);
         let factors = tape.prologue().filter(|(_, op)| matches!(op, crate::Op::Factor(_))).count();
         assert_eq!(factors, 1);
         assert_eq!(tape.stage(tape.outputs()[0]), Stage::Varying);
@@ -236,7 +253,7 @@ mod tests {
         let tape = Tape::compile(&layout(), &outputs).expect("typed");
         let count = |is: fn(&crate::Op) -> bool| tape.ops().iter().filter(|op| is(op)).count();
         assert_eq!(count(|op| matches!(op, crate::Op::Factor(_))), 1);
-        assert_eq!(count(|op| matches!(op, crate::Op::Solution { .. })), 4);
+        assert_eq!(count(|op| matches!(op, crate::Op::Unknown { .. })), 4);
     }
 
     #[test]

@@ -100,7 +100,7 @@ impl Lowering {
             Node::Select(condition, a, b) => self.select(graph, *condition, at(condition), at(a), at(b)),
             Node::Norm(parts) => self.norm(parts.iter().map(at).collect()),
             Node::Table(table, a) => self.table(table, at(a)),
-            Node::System(parts) => self.system(&parts.iter().map(at).collect::<Vec<_>>()),
+            Node::System(shape, parts) => self.system(shape, &parts.iter().map(at).collect::<Vec<_>>()),
             Node::Unknown(system, row) => self.unknown(at(system), *row),
         })
     }

@@ -4,8 +4,10 @@
 //! file with its recurrences: the coefficient of order `k >= 1` from all lower ones of the result and those up to `k` of
 //! its parts. In every sum the terms of lowest order of the result come first and order 0 is split off.
 
+pub(crate) mod amplified;
 pub(crate) mod arithmetic;
 pub(crate) mod branch;
+pub(crate) mod elimination;
 pub(crate) mod enclosed;
 pub(crate) mod integral;
 pub(crate) mod kernels;
@@ -21,6 +23,7 @@ use smallvec::{SmallVec, smallvec};
 use crate::Tape;
 use crate::arena::Arena;
 use crate::ops::kernels::Kernels;
+use crate::ops::solve::{Matrix, System};
 use crate::table::Table;
 
 /// Where an operation's result stands: its index on the tape.
@@ -149,19 +152,11 @@ pub enum Op {
     },
     /// The triangular factors of a matrix, by its index on the tape. They stand in a list of the evaluator's.
     Factor(u32),
-    /// A right side of a linear system less what the change of its matrix takes from it.
-    Residual {
-        system: u32,
-        row: u32,
-    },
-    /// A right side of a linear system after elimination.
-    Forward {
-        system: u32,
-        row: u32,
-    },
+    /// A linear system, by its index on the tape. Its unknowns, which follow it, are found together.
+    System(u32),
     /// An unknown of a linear system.
-    Solution {
-        system: u32,
+    Unknown {
+        system: Slot,
         row: u32,
     },
 }
@@ -226,10 +221,9 @@ impl<'a, S: Kernels> Series<'a, S> {
             }
             Op::Norm(parts) => S::norm(self, parts),
             Op::SquareOver { of, by, vanishing } => S::square_over(self, (of, by, vanishing)),
-            Op::Factor(_) => S::zero(),
-            Op::Residual { system, row } => solve::right_side(self, system, row),
-            Op::Forward { system, row } => S::forward(self, system, row, 0),
-            Op::Solution { system, row } => S::solution(self, system, row, 0),
+            Op::Factor(_) | Op::System(_) => S::zero(),
+            // It was put there with the others of its system.
+            Op::Unknown { system, row } => at(system + 1 + row),
         }
     }
 
@@ -253,12 +247,18 @@ impl<'a, S: Kernels> Series<'a, S> {
             Op::SquareOver { of, by, vanishing } => {
                 S::square_over_coefficient(self, (of, by, vanishing), c, k)
             }
-            Op::Residual { system, row } => solve::residual(self, system, row, k),
-            Op::Forward { system, row } => S::forward(self, system, row, k),
-            Op::Solution { system, row } => S::solution(self, system, row, k),
             // Constant along a step, or found by a kernel.
             _ => S::zero(),
         }
+    }
+
+    pub(crate) fn matrix(&self, system: &System) -> &'a Matrix {
+        &self.tape.matrices[system.matrix as usize]
+    }
+
+    pub(crate) fn factors_of(&self, system: &System) -> &'a [S] {
+        let matrix = self.matrix(system);
+        &self.factors[matrix.offset..][..matrix.plan.room]
     }
 
     fn sign(&self, branch: u32) -> S {
@@ -318,9 +318,8 @@ impl Op {
             }
             Self::Norm(parts) => Parts::from_slice(&tape.norms[parts as usize]),
             Self::Factor(matrix) => Parts::from_slice(&tape.matrices[matrix as usize].entries),
-            Self::Residual { system, row } => tape.systems[system as usize].residual_parts(row),
-            Self::Forward { system, row } => tape.systems[system as usize].forward_parts(row),
-            Self::Solution { system, row } => tape.systems[system as usize].solution_parts(row),
+            Self::System(system) => tape.systems[system as usize].parts(),
+            Self::Unknown { system, .. } => smallvec![system],
         }
     }
 }

@@ -189,6 +189,10 @@ impl Along<'_> {
                 self.root(squares, slot)
             }
             Kernel::Abs { of, .. } => self.rest(of),
+            Kernel::System(system) => {
+                self.unknowns(system);
+                0.0
+            }
             Kernel::Other(op) => self.other(slot, op),
         };
         self.found.rests[slot as usize] = rest;
@@ -241,13 +245,6 @@ impl Along<'_> {
             Op::Choose { branch, positive, negative } => {
                 let side = self.jets.signs()[branch as usize];
                 self.rest(if side >= 0.0 { positive } else { negative })
-            }
-            Op::Solution { system, row } => {
-                // All are found with the last one, which comes first.
-                if row + 1 == self.jets.tape().systems[system as usize].n as u32 {
-                    self.unknowns(system);
-                }
-                self.rest(slot)
             }
             Op::Sign { .. } | Op::Step { .. } | Op::Knot { .. } | Op::Coefficient { .. } => 0.0,
             Op::SquareOver { of, by, .. } => {

@@ -6,6 +6,7 @@
 
 use std::ops::Range;
 
+use crate::ops::solve::System;
 use crate::ops::{Op, Slot};
 use crate::{Stage, Tape};
 
@@ -44,6 +45,8 @@ pub(crate) enum Kernel {
         of: Slot,
         branch: u32,
     },
+    /// A linear system, by its index on the tape: all its unknowns.
+    System(u32),
     /// Any other operation.
     Other(Op),
 }
@@ -145,6 +148,11 @@ impl<'a> Resolving<'a> {
                 Kernel::Other(op)
             }
             Op::Abs { of, branch } => Kernel::Abs { of, branch },
+            Op::System(system) => {
+                let System { unknowns, right, .. } = &self.tape.systems[system as usize];
+                self.is_done[*unknowns as usize..][..right.len()].fill(true);
+                Kernel::System(system)
+            }
             op => Kernel::Other(op),
         }
     }

@@ -112,7 +112,7 @@ fn hash_node<Part, H: Hasher>(node: &Node<Part>, state: &mut H, hash_part: impl 
         Node::Compare(relation, ..) => relation.hash(state),
         Node::Table(table, _) => table.hash(state),
         Node::Unknown(_, row) => row.hash(state),
-        Node::Pi | Node::Select(..) | Node::Norm(_) | Node::System(_) => {}
+        Node::Pi | Node::Select(..) | Node::Norm(_) | Node::System(..) => {}
     }
     node.each_part(|part| hash_part(part, state));
 }

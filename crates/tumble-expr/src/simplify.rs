@@ -8,7 +8,6 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::expr::{Binary, Node, Relation, Unary};
 use crate::graph::{Graph, NodeId};
-use crate::peel;
 
 /// Bits beyond which exact numbers are no longer folded: powers of powers would outgrow memory.
 const LARGEST_EXACT_BITS: u64 = 2048;
@@ -25,7 +24,7 @@ pub(crate) fn simplify(graph: &mut Graph, node: Node<NodeId>) -> Simplified {
         Node::Binary(op, a, b) => binary(graph, *op, *a, *b),
         Node::Select(condition, a, b) => select(graph, *condition, *a, *b),
         Node::Norm(parts) => norm(graph, parts),
-        Node::Unknown(system, row) => peel::unknown(graph, *system, *row).map(Known),
+        Node::Unknown(system, row) => graph.peeled(*system, *row).map(Known),
         _ => None,
     };
     simpler.unwrap_or(Simplified::Node(node))

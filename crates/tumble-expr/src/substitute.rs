@@ -22,6 +22,21 @@ impl Substitution {
         self.formulas.insert(symbol, formula);
     }
 
+    /// Puts in all that another does.
+    pub fn extend(&mut self, other: Self) {
+        self.traces = self.traces | other.traces;
+        self.formulas.extend(other.formulas);
+    }
+
+    /// The same with other formulas put into those that it has.
+    #[must_use]
+    pub fn then(&self, other: &Self) -> Self {
+        let (symbols, formulas): (Vec<_>, Vec<_>) =
+            self.formulas.iter().map(|(symbol, formula)| (symbol.clone(), formula.clone())).unzip();
+        let formulas = symbols.into_iter().zip(other.apply_all(&formulas)).collect();
+        Self { formulas, traces: self.traces }
+    }
+
     /// The formula for a symbol, if there is one.
     pub fn get(&self, symbol: &Symbol) -> Option<&Expr> {
         self.formulas.get(symbol)
@@ -32,10 +47,20 @@ impl Substitution {
     /// Shared parts stay shared, parts that hold none of the symbols are not looked at, and the depth of a formula is not
     /// bounded by the stack.
     pub fn apply(&self, formula: &Expr) -> Expr {
+        self.replaced(formula, &mut FastMap::default())
+    }
+
+    /// The same of many formulas: what they share is looked through once, and stays shared.
+    pub fn apply_all(&self, formulas: &[Expr]) -> Vec<Expr> {
+        let mut done = FastMap::default();
+        formulas.iter().map(|formula| self.replaced(formula, &mut done)).collect()
+    }
+
+    /// `done` are parts that have been replaced before, of formulas that are still there.
+    fn replaced(&self, formula: &Expr, done: &mut FastMap<*const Inner, Expr>) -> Expr {
         if !formula.0.traces.meet(self.traces) {
             return formula.clone();
         }
-        let mut done: FastMap<*const Inner, Expr> = FastMap::default();
         let mut pending = vec![formula.clone()];
         while let Some(next) = pending.last().cloned() {
             let missing =
@@ -70,7 +95,7 @@ impl Substitution {
             Node::Select(a, b, c) => Expr::select(a, b, c),
             Node::Norm(parts) => Expr::norm(parts),
             Node::Table(table, a) => Expr::table(&table.0, a),
-            Node::System(parts) => Expr::system(parts),
+            Node::System(shape, parts) => Expr::system(&shape, parts),
             Node::Unknown(system, row) => Expr::unknown(system, row),
             Node::Number(_) | Node::Pi | Node::Symbol(_) => formula.clone(),
         }

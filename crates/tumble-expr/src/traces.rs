@@ -21,7 +21,7 @@ impl Traces {
             Node::Unary(_, a) | Node::Table(_, a) | Node::Unknown(a, _) => of(a),
             Node::Binary(_, a, b) | Node::Compare(_, a, b) => of(a) | of(b),
             Node::Select(a, b, c) => of(a) | of(b) | of(c),
-            Node::Norm(parts) | Node::System(parts) => all(parts),
+            Node::Norm(parts) | Node::System(_, parts) => all(parts),
         }
     }
 

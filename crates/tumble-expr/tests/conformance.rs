@@ -190,10 +190,10 @@ fn complex(formula: &Expr, z: Complex64, at: f64) -> Complex64 {
             // The line that `measured` was read off.
             2.0 * value(formula.children()[0]) - 1.0
         }
-        Node::System(_) => unreachable!("systems are read by their unknowns"),
+        Node::System(..) => unreachable!("systems are read by their unknowns"),
         Node::Unknown(system, row) => {
-            let parts: Vec<Complex64> = system.children().into_iter().map(value).collect();
-            systems::cramer(&parts, *row as usize)
+            let Node::System(shape, parts) = system.node() else { unreachable!("unknowns are of systems") };
+            systems::cramer(shape, &parts.iter().map(value).collect::<Vec<_>>(), *row as usize)
         }
         Node::Norm(parts) => parts.iter().map(|part| value(part).powi(2)).sum::<Complex64>().sqrt(),
     }

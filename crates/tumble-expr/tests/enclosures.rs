@@ -21,6 +21,16 @@ fn cases() -> Vec<(&'static str, Expr, f64, f64)> {
         let matrix = vec![vec![t().cos() + 3, t()], vec![t() * 0.5, t().exp() + 1]];
         Expr::solve(matrix, vec![t().sin(), Expr::from(1) + t()])
     };
+    // Of so many unknowns that no inverse is found.
+    let large = || {
+        let entry = |i: i32, j: i32| match (i - j).abs() {
+            0 => t().cos() + 4,
+            1 => (t() + i.min(j)).sin(),
+            _ => Expr::zero(),
+        };
+        let matrix = (0..20).map(|i| (0..20).map(|j| entry(i, j)).collect()).collect();
+        Expr::solve(matrix, (0..20).map(|i| t() * i + 1).collect())
+    };
     vec![
         ("sum", t().sin() + t().exp() * t() - 0.3, 0.7, 1.0),
         ("quotient", t().sin() / (t() + 2), 0.7, 0.5),
@@ -41,6 +51,7 @@ fn cases() -> Vec<(&'static str, Expr, f64, f64)> {
         ("norm", Expr::norm(vec![t().sin(), t().cos() * 2, t()]), 0.7, 0.5),
         ("square over", Expr::binary(Binary::SquareOver, t().sin(), t() + 2), 0.7, 0.5),
         ("unknowns", solved().remove(0) + solved().remove(1), 0.2, 0.2),
+        ("unknowns of a large system", large().remove(0) + large().remove(11), 0.2, 0.05),
     ]
 }
 

@@ -37,6 +37,7 @@ fn cases() -> Vec<(&'static str, Expr)> {
         ("first unknown of a system", solved()[0].clone()),
         ("second unknown of a system", solved()[1].clone()),
         ("third unknown of a system", solved()[2].clone()),
+        ("unknown of a large system", chain()[7].clone()),
         ("quotient of a square", Expr::binary(Binary::SquareOver, x().sin(), x() + 2)),
     ]
 }
@@ -49,6 +50,17 @@ fn solved() -> Vec<Expr> {
         vec![Expr::zero(), Expr::one(), Expr::from(4)],
     ];
     Expr::solve(matrix, vec![t() * t(), x() + 1, Expr::one()])
+}
+
+/// Of so many unknowns that no inverse is found.
+fn chain() -> Vec<Expr> {
+    let entry = |i: i32, j: i32| match (i - j).abs() {
+        0 => x().cos() + 3 + t() * (f64::from(i) / 20.0),
+        1 => (x() + i.min(j)).sin(),
+        _ => Expr::zero(),
+    };
+    let matrix = (0..20).map(|i| (0..20).map(|j| entry(i, j)).collect()).collect();
+    Expr::solve(matrix, (0..20).map(|i| t() * i + 1).collect())
 }
 
 fn tape(formula: &Expr) -> Arc<Tape> {

@@ -3,15 +3,17 @@
 //! The correction of a gap g is what an impulse at the joints would do to rates that are to change by `-g` (Newton's method): as little
 //! mass as possible is moved.
 
+use std::collections::HashMap;
+
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Rounded};
+use tumble_expr::{Branches, Expr, Jets, Rounded, Symbol};
 use tumble_ode::Reason;
 
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
 use crate::mode::Mode;
-use crate::restrained::respond;
+use crate::restrained::{Gradients, respond};
 use crate::row::Row;
 
 /// Places and rates that fit within so many times their rounding error fit.
@@ -23,6 +25,9 @@ const CORRECTIONS: usize = 60;
 const DEPENDENT: f64 = 1e-9;
 /// Rows that are so near to being sums of others have brought a motion to an end that cannot go on.
 const NEARLY: f64 = 1e-3;
+
+/// Rows that are so many times farther from depending on each other than is asked are not looked at one by one.
+const CLEARLY: f64 = 1e3;
 
 /// rad; a correction that turns a body farther leads to another branch of its angle, or nowhere.
 const MOST_TURN: f64 = 1.0;
@@ -36,7 +41,7 @@ pub(crate) struct Rows {
     /// m/s or rad/s
     rate: Vec<Rounded>,
     /// By row and velocity.
-    pub(crate) gradient: DMatrix<f64>,
+    pub(crate) gradient: Gradients,
     /// By velocity, kg or kg m^2.
     pub(crate) mass: DVector<f64>,
     /// States that the velocities are, and the coordinates that they are rates of.
@@ -122,15 +127,17 @@ impl Equations {
         let bodies = || mode.bodies.iter().copied();
         let velocities: Vec<usize> = bodies().flat_map(|body| self.velocity_states(mode, body)).collect();
         let coordinates = bodies().flat_map(|body| self.coordinate_states(mode, body)).collect();
+        let places: HashMap<&Symbol, usize> =
+            velocities.iter().enumerate().map(|(place, state)| (&layout.states[*state], place)).collect();
         let definitions = self.definitions_of(mode);
         let (mut outputs, mut indices, mut used) = (vec![], vec![], vec![]);
         for (index, row) in rows {
             indices.push(*index);
             let rate = definitions.apply(&row.rate);
             let symbols = rate.symbols();
-            let own =
-                velocities.iter().enumerate().filter(|(_, state)| symbols.contains(&layout.states[**state]));
-            let own: Vec<usize> = own.map(|(place, _)| place).collect();
+            let mut own: Vec<usize> =
+                symbols.iter().filter_map(|symbol| places.get(symbol).copied()).collect();
+            own.sort_unstable();
             outputs.extend([definitions.apply(&row.position), rate.clone()]);
             outputs.extend(own.iter().map(|place| rate.derivative(&layout.states[velocities[*place]])));
             used.push(own);
@@ -144,17 +151,16 @@ impl Equations {
         let tape = self.compiled(mode, &outputs, inputs)?.tape().clone();
         let mut jets = Jets::new(tape, 0, &numbers(inputs));
         jets.start(Rounded::leaf(time), &numbers(states), Branches::Free);
-        let mut gradient = DMatrix::zeros(indices.len(), velocities.len());
-        let (mut position, mut rate, mut output) = (vec![], vec![], 0);
-        for (row, own) in used.iter().enumerate() {
+        let (mut position, mut rate, mut gradient, mut output) = (vec![], vec![], vec![], 0);
+        for own in &used {
             position.push(jets.value_of(output));
             rate.push(jets.value_of(output + 1));
-            own.iter().enumerate().for_each(|(slope, place)| {
-                gradient[(row, *place)] = jets.value_of(output + 2 + slope).value;
-            });
+            let slopes = own.iter().zip(output + 2..);
+            gradient.push(slopes.map(|(place, slope)| (*place, jets.value_of(slope).value)).collect());
             output += 2 + own.len();
         }
         let mass = DVector::from_fn(velocities.len(), |place, _| jets.value_of(masses + place).value);
+        let gradient = Gradients { rows: gradient, columns: velocities.len() };
         Ok(Rows { indices, position, rate, gradient, mass, velocities, coordinates })
     }
 
@@ -167,8 +173,10 @@ impl Equations {
             wrong.then_some(size)
         };
         let mut mistakes = vec![];
+        let is_assembled = self.assembled(mode);
         for (index, joint) in self.model().joints.iter().enumerate() {
-            if !self.holds(mode, index) || self.is_assembled(mode, index) {
+            let bodies = &self.joints()[index].bodies;
+            if !self.holds(mode, index) || bodies.iter().any(|body| is_assembled[*body]) {
                 continue;
             }
             let name = || joint.name.clone();
@@ -181,12 +189,13 @@ impl Equations {
         mistakes
     }
 
-    /// Whether a joint is to be closed by moving bodies: it, or one that the bodies are joined to others by.
-    fn is_assembled(&self, mode: &Mode, joint: usize) -> bool {
-        let Some(body) = self.joints()[joint].bodies.first() else { return false };
-        let island = self.island_of(mode, *body);
-        let mut all = self.model().joints.iter().zip(self.joints());
-        all.any(|(joint, known)| joint.assemble && known.bodies.iter().any(|body| island.contains(body)))
+    /// By body, whether joints that hold it are to be closed by moving bodies: one of its own, or one that it is joined to by others.
+    fn assembled(&self, mode: &Mode) -> Vec<bool> {
+        let joints = self.model().joints.iter().zip(self.joints()).filter(|(joint, _)| joint.assemble);
+        let bodies: Vec<usize> = joints.flat_map(|(_, known)| known.bodies.iter().copied()).collect();
+        let mut is_assembled = vec![false; self.model().bodies.len()];
+        self.islands(mode, &bodies).into_iter().flatten().for_each(|body| is_assembled[body] = true);
+        is_assembled
     }
 
     /// Names of the joints whose rows come to depend on each other near these states, redundant ones left out.
@@ -252,7 +261,8 @@ impl Rows {
     pub(crate) fn without(mut self, left_out: &[usize]) -> Self {
         let places = (0..self.indices.len()).filter(|place| !left_out.contains(&self.indices[*place]));
         let places: Vec<usize> = places.collect();
-        self.gradient = self.gradient.select_rows(&places);
+        self.gradient.rows =
+            places.iter().map(|place| std::mem::take(&mut self.gradient.rows[*place])).collect();
         self.indices = places.iter().map(|place| self.indices[*place]).collect();
         self.position = places.iter().map(|place| self.position[*place]).collect();
         self.rate = places.iter().map(|place| self.rate[*place]).collect();
@@ -266,10 +276,14 @@ impl Rows {
 
     /// The same of rows that are so but for this part of them.
     fn dependent(&self, part: f64) -> Vec<usize> {
+        if self.gradient.independence() > CLEARLY * part {
+            return vec![];
+        }
+        let gradient = self.gradient.dense();
         let mut kept: Vec<DVector<f64>> = vec![];
         let mut redundant = vec![];
         for (place, index) in self.indices.iter().enumerate() {
-            let whole = self.gradient.row(place).transpose();
+            let whole = gradient.row(place).transpose();
             let mut rest = whole.clone();
             for _ in 0..2 {
                 for other in &kept {

@@ -1,11 +1,13 @@
 //! What holds bodies in a mode: the rows of joints and of lasting contacts, by island, and the forces that keep them.
 
+use std::collections::HashMap;
+
 use tumble_expr::{Expr, Substitution, Symbol, is_identically_zero};
 use tumble_ode::Invariant;
 
 use crate::contact::Pair;
 use crate::coordinates::{Coordinates, Measure, StateRate};
-use crate::equations::{Equations, Window, on_body};
+use crate::equations::{Equations, Window};
 use crate::joint::{Joint, Side};
 use crate::laws;
 use crate::mode::Mode;
@@ -34,11 +36,14 @@ impl JointEquations {
             return vec![];
         }
         let placements = model.placements();
-        model.joints.iter().map(|joint| Self::of(model, joint, &placements)).collect()
+        let bodies: HashMap<&str, usize> =
+            model.bodies.iter().enumerate().map(|(index, body)| (body.name.as_str(), index)).collect();
+        // The model was checked: it has them all.
+        let index = |name: &str| bodies[name];
+        model.joints.iter().map(|joint| Self::of(joint, index, &placements)).collect()
     }
 
-    fn of(model: &Model, joint: &Joint, placements: &[Placement]) -> Self {
-        let index = |name: &str| model.body_index(name).expect("the model was checked");
+    fn of(joint: &Joint, index: impl Fn(&str) -> usize + Copy, placements: &[Placement]) -> Self {
         let angle = |side: Side<'_>| side.sign * &placements[index(&side.point.body.body)].angle;
         let angle = joint.sides().map(angle).fold(Expr::zero(), |sum, angle| sum + angle);
         Self {
@@ -135,36 +140,38 @@ impl Equations {
         joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
     }
 
+    /// By body, those that joints keep it together with in a mode.
+    fn neighbours(&self, mode: &Mode) -> Vec<Vec<usize>> {
+        let mut neighbours = vec![vec![]; self.model().bodies.len()];
+        for (index, joint) in self.joints().iter().enumerate() {
+            if let ([a, b], true) = (&joint.bodies[..], self.holds(mode, index)) {
+                neighbours[*a].push(*b);
+                neighbours[*b].push(*a);
+            }
+        }
+        neighbours
+    }
+
     /// Bodies that joints keep together with a body in a mode, itself included, in order.
     pub(crate) fn island_of(&self, mode: &Mode, body: usize) -> Vec<usize> {
-        let mut island = vec![body];
-        let mut next = 0;
-        while next < island.len() {
-            let here = island[next];
-            let joints = self.joints().iter().enumerate();
-            let own =
-                joints.filter(|(index, joint)| self.holds(mode, *index) && joint.bodies.contains(&here));
-            for other in own.flat_map(|(_, joint)| &joint.bodies) {
-                if !island.contains(other) {
-                    island.push(*other);
-                }
-            }
-            next += 1;
-        }
-        island.sort_unstable();
-        island
+        self.islands(mode, &[body]).concat()
     }
 
     /// All islands of some bodies, each once.
     pub(crate) fn islands(&self, mode: &Mode, bodies: &[usize]) -> Vec<Vec<usize>> {
-        let mut found: Vec<Vec<usize>> = vec![];
-        let mut is_placed = vec![false; self.model().bodies.len()];
+        let neighbours = self.neighbours(mode);
+        let mut is_placed = vec![false; neighbours.len()];
+        let mut found = vec![];
         for &body in bodies {
-            if !is_placed[body] {
-                let island = self.island_of(mode, body);
-                island.iter().for_each(|member| is_placed[*member] = true);
-                found.push(island);
+            let (mut island, mut pending) = (vec![], vec![body]);
+            while let Some(next) = pending.pop() {
+                if !std::mem::replace(&mut is_placed[next], true) {
+                    island.push(next);
+                    pending.extend(&neighbours[next]);
+                }
             }
+            island.sort_unstable();
+            found.extend((!island.is_empty()).then_some(island));
         }
         found
     }
@@ -176,14 +183,17 @@ impl Equations {
 
     /// Those of an island's joints.
     pub(crate) fn independent_rows_of(&self, mode: &Mode, island: &[usize]) -> Vec<(usize, &Row)> {
-        let is_own = |row: &Row| row.wrenches.iter().all(|wrench| island.contains(&wrench.body));
+        let is_own = |row: &Row| row.wrenches.iter().all(|wrench| island.binary_search(&wrench.body).is_ok());
         self.independent_rows(mode).filter(|(_, row)| is_own(row)).collect()
     }
 
     /// The rows that hold an island in a mode: of its joints, without what is redundant, then of its lasting contacts.
     pub(crate) fn rows_on(&self, mode: &Mode, island: &[usize]) -> Vec<Row> {
         let joints = self.independent_rows_of(mode, island).into_iter();
-        let held = mode.held().map(|pair| &self.pairs()[pair]).filter(|pair| island.contains(&pair.body));
+        let held = mode
+            .held()
+            .map(|pair| &self.pairs()[pair])
+            .filter(|pair| island.binary_search(&pair.body).is_ok());
         joints.map(|(_, row)| row.clone()).chain(held.map(Pair::row)).collect()
     }
 
@@ -194,34 +204,30 @@ impl Equations {
         own.map(|row| self.shown(mode, &row.acceleration)).collect()
     }
 
-    /// Forces of contacts and joints in a mode, in kinematic symbols without accelerations, with the symbols of all: zero
-    /// where nothing is kept.
-    pub(crate) fn constraint_forces(&self, mode: &Mode, bodies: &[usize]) -> (Vec<Symbol>, Substitution) {
-        let pairs = self.pairs().iter().filter(|pair| bodies.contains(&pair.body));
-        let joints =
-            self.joints().iter().filter(|joint| joint.bodies.iter().any(|body| bodies.contains(body)));
+    /// Forces of contacts and joints in a mode, by their symbols, in kinematic symbols without accelerations: zero where nothing is
+    /// kept.
+    pub(crate) fn constraint_forces(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
+        let mut is_own = vec![false; self.model().bodies.len()];
+        bodies.iter().for_each(|body| is_own[*body] = true);
+        let pairs = self.pairs().iter().filter(|pair| is_own[pair.body]);
+        let joints = self.joints().iter().filter(|joint| joint.bodies.iter().any(|body| is_own[*body]));
         let joints = joints.flat_map(|joint| joint.multipliers.iter().cloned());
-        let mut symbols: Vec<Symbol> = pairs.map(Pair::force_symbol).chain(joints).collect();
         let mut forces = Substitution::default();
-        symbols.iter().for_each(|symbol| forces.insert(symbol.clone(), Expr::zero()));
+        pairs.map(Pair::force_symbol).chain(joints).for_each(|symbol| forces.insert(symbol, Expr::zero()));
         for pair in mode.pressed().map(|pair| &self.pairs()[pair]) {
             let force = laws::compliant::normal_force(pair).unwrap_or_else(Expr::zero);
             forces.insert(pair.force_symbol(), force);
         }
+        let acting = self.acting_by_body(mode);
         let mut kept = vec![];
         for island in self.islands(mode, bodies) {
             let rows = self.rows_on(mode, &island);
             if !rows.is_empty() {
-                kept.extend(self.kept(mode, &island, rows, &forces));
+                kept.extend(self.kept(mode, &island, rows, (&acting, &forces)));
             }
         }
-        for (symbol, force) in kept {
-            if !symbols.contains(&symbol) {
-                symbols.push(symbol.clone());
-            }
-            forces.insert(symbol, force);
-        }
-        (symbols, forces)
+        kept.into_iter().for_each(|(symbol, force)| forces.insert(symbol, force));
+        forces
     }
 
     /// What keeps the rows of an island, given the forces of all else, and how bodies without moment of inertia turn.
@@ -230,17 +236,16 @@ impl Equations {
         mode: &Mode,
         island: &[usize],
         rows: Vec<Row>,
-        forces: &Substitution,
+        (acting, forces): (&[Vec<&Term>], &Substitution),
     ) -> Vec<(Symbol, Expr)> {
-        let acting = self.acting(mode);
         let mut free = Substitution::default();
         for &body in island {
-            for (symbol, formula) in self.body_equations(body).accelerations(&on_body(&acting, body)) {
+            for (symbol, formula) in self.body_equations(body).accelerations(&acting[body]) {
                 free.insert(symbol, forces.apply(&formula));
             }
         }
         let light = island.iter().filter(|body| self.is_turned_by_joints(mode, **body)).map(|body| {
-            let torques = on_body(&acting, *body).into_iter().map(Term::torque);
+            let torques = acting[*body].iter().map(|term| term.torque());
             let torque = torques.fold(Expr::zero(), |sum, torque| sum + torque);
             let alpha = self.body_equations(*body).kinematics.alpha_symbol();
             Light { body: *body, alpha, torque: forces.apply(&torque) }

@@ -46,6 +46,8 @@ struct Parts {
     pairs: Pairs,
     joints: Vec<JointEquations>,
     components: Components,
+    /// By body, then how many states all have.
+    first_states: Vec<usize>,
     /// Kinematic symbols that are not states, in those that are.
     definitions: Substitution,
     built: Built,
@@ -66,16 +68,21 @@ pub(crate) struct Built {
     pub(crate) by_nodes: Cache<usize, Equations>,
 }
 
-/// What symbols stand for in a mode: first the kinematic ones that are not states, then parameters that were changed.
+/// What symbols stand for in a mode: parameters that were changed, and kinematic ones that are not states, in parameters as they
+/// are then.
 pub(crate) struct Definitions {
     kinematic: Substitution,
     changes: Substitution,
 }
 
 impl Definitions {
+    fn new(kinematic: &Substitution, changes: Substitution) -> Self {
+        Self { kinematic: kinematic.then(&changes), changes }
+    }
+
     /// A formula of any kinematic symbols, in the states of the mode.
     pub(crate) fn apply(&self, formula: &Expr) -> Expr {
-        self.changes.apply(&self.kinematic.apply(formula))
+        self.kinematic.apply(&self.changes.apply(formula))
     }
 }
 
@@ -126,8 +133,15 @@ impl Equations {
             pairs: &pairs.all,
             joints: joints.iter().map(|joint| (&joint.bodies[..], joint.symbols())).collect(),
         });
+        let states = bodies.iter().map(|body| body.coordinates.count());
+        let first_states = std::iter::once(0).chain(states.scan(0, |before, states| {
+            *before += states;
+            Some(*before)
+        }));
+        let first_states = first_states.collect();
         let built = Built::default();
-        let parts = Parts { bodies, terms, windows, pairs, joints, components, definitions, built };
+        let parts =
+            Parts { bodies, terms, windows, pairs, joints, components, first_states, definitions, built };
         let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
@@ -224,11 +238,10 @@ impl Equations {
     }
 
     fn terms_with(&self, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {
-        let acting = self.acting(mode);
+        let (acting, by_body) = (self.acting(mode), self.acting_by_body(mode));
         let reactions = mode.bodies.iter().filter_map(|&index| {
             let body = &self.parts.bodies[index];
-            let terms = on_body(&acting, index);
-            body.coordinates.reaction(index, &body.kinematics, &body.mass, &terms)
+            body.coordinates.reaction(index, &body.kinematics, &body.mass, &by_body[index])
         });
         let terms = acting.iter().map(|term| (*term).clone()).chain(reactions);
         let vector = |v: &Vector| v.map(&shown);
@@ -253,40 +266,38 @@ impl Equations {
 
     /// What every kinematic symbol stands for in a mode.
     pub(crate) fn definitions_of(&self, mode: &Mode) -> Arc<Definitions> {
-        let found = self.parts.built.definitions.get(mode, || {
-            let kinematic = self.definitions_in(mode, &mode.bodies);
-            Ok::<_, Infallible>(Definitions { kinematic, changes: self.changes(mode) })
-        });
+        let found = self
+            .parts
+            .built
+            .definitions
+            .get(mode, || Ok::<_, Infallible>(self.definitions_about(mode, &mode.bodies)));
         found.unwrap_or_else(|never| match never {})
     }
 
     /// The same, accelerations and constraint forces of one island only: what its own contacts need.
     pub(crate) fn definitions_about(&self, mode: &Mode, island: &[usize]) -> Definitions {
-        Definitions { kinematic: self.definitions_in(mode, island), changes: self.changes(mode) }
+        Definitions::new(&self.definitions_in(mode, island), self.changes(mode))
     }
 
     /// Formulas for all kinematic symbols that are not states.
     ///
     /// Positions and velocities are found first: an acceleration's formula holds them.
     fn definitions_in(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
-        let acting = self.acting(mode);
+        let acting = self.acting_by_body(mode);
         let mut all = Substitution::default();
         for body in mode.bodies.iter().map(|body| &self.parts.bodies[*body]) {
             body.coordinates.define(&body.kinematics, &mut all);
         }
-        let (symbols, forces) = self.constraint_forces(mode, bodies);
+        // All at once: forces of one island are made of the same formulas.
+        let forces = self.constraint_forces(mode, bodies).then(&self.parts.definitions);
         for &index in bodies {
-            let accelerations = self.parts.bodies[index].accelerations(&on_body(&acting, index));
-            for (symbol, formula) in accelerations {
-                all.insert(symbol, self.parts.definitions.apply(&forces.apply(&formula)));
+            for (symbol, formula) in self.parts.bodies[index].accelerations(&acting[index]) {
+                all.insert(symbol, forces.apply(&self.parts.definitions.apply(&formula)));
             }
         }
-        for symbol in symbols {
-            let force: Expr = symbol.clone().into();
-            all.insert(symbol, self.parts.definitions.apply(&forces.apply(&force)));
-        }
+        all.extend(forces);
         for &index in bodies {
-            for (symbol, force) in self.parts.bodies[index].reaction(index, &on_body(&acting, index)) {
+            for (symbol, force) in self.parts.bodies[index].reaction(index, &acting[index]) {
                 let force = all.apply(&force);
                 all.insert(symbol, force);
             }
@@ -329,6 +340,13 @@ impl Equations {
         let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
         let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         loads.chain(touching).chain(joints.flat_map(|(_, joint)| &joint.terms)).collect()
+    }
+
+    /// The same by body.
+    pub(crate) fn acting_by_body(&self, mode: &Mode) -> Vec<Vec<&Term>> {
+        let mut by_body = vec![vec![]; self.parts.bodies.len()];
+        self.acting(mode).into_iter().for_each(|term| by_body[term.body].push(term));
+        by_body
     }
 
     /// The states of a mode: those of the bodies, then where events have made joints, then the roots of the depths of Hertzian
@@ -389,6 +407,9 @@ impl Equations {
 
     /// Index of a body's first state in a mode; of a body after all others, where the states of bodies end.
     pub(crate) fn first_state(&self, mode: &Mode, body: usize) -> usize {
+        if mode.bodies.len() == self.parts.bodies.len() {
+            return self.parts.first_states[body];
+        }
         let before = mode.bodies.iter().take_while(|before| **before < body);
         before.map(|before| self.parts.bodies[*before].coordinates.count()).sum()
     }

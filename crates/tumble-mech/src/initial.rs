@@ -1,6 +1,5 @@
 //! Values to start a run from: checked numbers for the parameters, the states and the mode.
 
-use tumble_expr::Expr;
 use tumble_ode::Start as NumericStart;
 
 use crate::equations::Equations;
@@ -51,30 +50,26 @@ impl Equations {
         known: &Known<'_>,
         mistakes: &mut Vec<ModelError>,
     ) -> Result<(Vec<f64>, Vec<f64>), ModelError> {
-        let model = self.model();
-        let placements = model.placements();
-        let (mut states, mut compensation) = (vec![], vec![]);
-        for (index, body) in model.bodies.iter().enumerate() {
-            let Placement { position, velocity, angle, omega } = &placements[index];
-            let turning = [angle.clone(), omega.clone()];
-            let formulas = match self.is_pivoted(index) {
-                true => turning.to_vec(),
-                false => [position.components(), velocity.components(), &turning].concat(),
-            };
-            let values = known.evaluate(&formulas)?;
-            if let Some(value) = values.iter().copied().find(|value| !value.is_finite()) {
-                note(mistakes, ModelError::NotFinite { what: format!("start of `{}`", body.name), value });
+        let placements = self.model().placements();
+        let (mut formulas, mut first) = (vec![], vec![]);
+        for (index, Placement { position, velocity, angle, omega }) in placements.into_iter().enumerate() {
+            first.push(formulas.len());
+            if !self.is_pivoted(index) {
+                formulas.extend_from_slice(position.components());
+                formulas.extend_from_slice(velocity.components());
             }
-            let first = index * values.len();
-            let rounded = |(place, (formula, value)): (usize, (&Expr, &f64))| {
-                known.rounded(*value, formula, first + place)
-            };
-            for (state, left_out) in formulas.iter().zip(&values).enumerate().map(rounded) {
-                states.push(state);
-                compensation.push(left_out);
-            }
+            formulas.extend([angle, omega]);
         }
-        Ok((states, compensation))
+        // All at once: where a body starts may follow from where others do.
+        let values = known.evaluate(&formulas)?;
+        for (index, value) in values.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
+            let body = &self.model().bodies[first.partition_point(|first| *first <= index) - 1];
+            note(
+                mistakes,
+                ModelError::NotFinite { what: format!("start of `{}`", body.name), value: *value },
+            );
+        }
+        Ok(known.rounded(&values, &formulas, 0).into_iter().unzip())
     }
 
     /// The mode of all bodies in which nothing touches and no load acts that does not always.

@@ -1,6 +1,6 @@
 //! Parameters: named quantities that may depend on each other, and their values in one run.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap};
 use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
@@ -130,7 +130,7 @@ impl Parameters {
         let mut mistakes = vec![];
         for (index, (symbol, formula)) in self.list.iter().enumerate() {
             let value = known.next(symbol, formula);
-            let moved = |value: f64| known.rounded(value, formula, index).0;
+            let moved = |value: f64| known.rounded(&[value], std::slice::from_ref(formula), index)[0].0;
             let rounded = value.as_ref().ok().copied().flatten().map_or(f64::NAN, moved);
             known.values.push(rounded);
             mistakes.extend(value.err());
@@ -230,26 +230,32 @@ impl Known<'_> {
         (is_same && place < self.values.len()).then_some(place)
     }
 
-    /// A value with the rounding error that computing it from numbers and parameters makes, and what rounding leaves out of that.
+    /// Values with the rounding errors that computing them from numbers and parameters makes, and what rounding leaves out of these; the
+    /// first has that index.
     ///
     /// Beside those that numbers and parameters have: a lone number has one already, and the two might take each other away.
-    pub(crate) fn rounded(&self, value: f64, formula: &Expr, index: usize) -> (f64, f64) {
+    pub(crate) fn rounded(&self, values: &[f64], formulas: &[Expr], first: usize) -> Vec<(f64, f64)> {
         let rounding = self.parameters.rounding;
-        let formulas = std::slice::from_ref(formula);
-        if rounding.is_nearest() || matches!(formula.node(), Node::Symbol(_) | Node::Pi) {
-            return (value, 0.0);
+        if rounding.is_nearest() {
+            return values.iter().map(|value| (*value, 0.0)).collect();
         }
-        if is_arithmetic(formula, DEEPEST) {
-            // Moved on the tape already; what that left out is found from the number itself.
-            let nearest = self.tape(formulas, Rounding::NEAREST);
-            let number = nearest.map_or(value, |tape| self.numbers(&tape, &HashMap::new())[0]);
-            return if number == value { (value, 0.0) } else { rounding.moved(number) };
-        }
-        // A formula that has a value compiles.
-        let found = self.tape(formulas, rounding);
-        let error = found.map_or(0.0, |tape| self.run::<Rounded>(&tape, &HashMap::new())[0].noise());
-        let error = if error.is_finite() { LEFT_OUT * error } else { 0.0 };
-        moved_visibly(value, rounding.computed(value, error, index as u64))
+        // Formulas that have values compile.
+        let nearest = self.tape(formulas, Rounding::NEAREST).map(|tape| self.numbers(&tape, &HashMap::new()));
+        let found = self.tape(formulas, rounding).map(|tape| self.run::<Rounded>(&tape, &HashMap::new()));
+        let moved = |(index, (value, formula)): (usize, (&f64, &Expr))| {
+            if matches!(formula.node(), Node::Symbol(_) | Node::Pi) {
+                return (*value, 0.0);
+            }
+            if is_arithmetic(formula, DEEPEST) {
+                // Moved on the tape already; what that left out is found from the number itself.
+                let number = nearest.as_ref().map_or(*value, |nearest| nearest[index]);
+                return if number == *value { (*value, 0.0) } else { rounding.moved(number) };
+            }
+            let error = found.as_ref().map_or(0.0, |found| found[index].noise());
+            let error = if error.is_finite() { LEFT_OUT * error } else { 0.0 };
+            moved_visibly(*value, rounding.computed(*value, error, (first + index) as u64))
+        };
+        values.iter().zip(formulas).enumerate().map(moved).collect()
     }
 
     /// Values of the formulas of a tape.
@@ -284,7 +290,7 @@ impl Known<'_> {
     /// formulas need, and the same ones in every run.
     fn compile(&self, formulas: &[Expr]) -> Result<FixedTape, CompileError> {
         let list = &self.parameters.list;
-        let used: HashSet<Symbol> = formulas.iter().flat_map(Expr::symbols).collect();
+        let used = Expr::symbols_of(formulas);
         let places: BTreeSet<usize> = used.iter().filter_map(|symbol| self.place_of(symbol)).collect();
         let inputs = places.iter().map(|place| list[*place].0.clone()).collect();
         let tape = Tape::compile(&Layout::new(vec![], time_symbol(), inputs), formulas)?;

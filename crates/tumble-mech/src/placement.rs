@@ -3,7 +3,7 @@
 //! A body without a place of its own that is joined to one that has a place starts where the joint holds it; so does its
 //! velocity. A weld gives the angle too.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use tumble_expr::{Expr, Substitution, Vector};
 
@@ -31,41 +31,49 @@ struct Placing<'m> {
     placements: Vec<Placement>,
     /// Of each body: place, velocity, angle and rate.
     known: Vec<[bool; 4]>,
+    /// Indices of bodies by their names.
+    bodies: HashMap<&'m str, usize>,
+    /// By body, the joints that hold it from the start.
+    joints_of: Vec<Vec<usize>>,
+    /// Bodies before this have all.
+    settled: usize,
 }
 
 impl Model {
     /// What every body starts from.
     pub(crate) fn placements(&self) -> Vec<Placement> {
         let mut placing = Placing::new(self);
-        let joints: Vec<&Joint> = self.joints.iter().filter(|joint| joint.from.is_none()).collect();
+        // Joints that may say something new: the first that does is followed.
+        let mut next: BTreeSet<usize> = placing.joints_at_start().collect();
         loop {
-            let followed = joints.iter().any(|joint| placing.follow(joint));
-            // Of bodies that are joined to each other only, the first is where it is drawn.
-            if !followed && !placing.settle_first() {
-                return placing.placements;
+            while let Some(joint) = next.pop_first() {
+                if let Some(body) = placing.follow(&self.joints[joint]) {
+                    next.extend(&placing.joints_of[body]);
+                }
             }
+            // Of bodies that are joined to each other only, the first is where it is drawn.
+            let Some(body) = placing.settle_first() else { return placing.placements };
+            next.extend(&placing.joints_of[body]);
         }
     }
 }
 
 impl<'m> Placing<'m> {
     fn new(model: &'m Model) -> Self {
-        let joined = |name: &str| {
-            let mut own = model.joints.iter().filter(|joint| joint.from.is_none());
-            own.any(|joint| joint.bodies().any(|body| body == name))
-        };
+        let bodies: HashMap<&str, usize> =
+            model.bodies.iter().enumerate().map(|(index, body)| (body.name.as_str(), index)).collect();
+        let mut joints_of = vec![vec![]; bodies.len()];
+        for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.from.is_none()) {
+            joint.bodies().filter_map(|name| bodies.get(name)).for_each(|body| joints_of[*body].push(index));
+        }
         let starts: HashMap<&str, &Start> =
             model.starts.iter().rev().map(|(body, start)| (body.as_str(), start)).collect();
         let (mut placements, mut known) = (vec![], vec![]);
-        for body in &model.bodies {
+        for (body, joints) in model.bodies.iter().zip(&joints_of) {
             let start = starts.get(body.name.as_str()).map(|start| (*start).clone()).unwrap_or_default();
-            let welded = model.joints.iter().any(|joint| {
-                joint.kind == JointKind::Weld
-                    && joint.from.is_none()
-                    && joint.bodies().any(|name| name == body.name)
-            });
+            let welded = joints.iter().any(|joint| model.joints[*joint].kind == JointKind::Weld);
             let (angle, omega) = (start.angle.clone(), start.omega.clone());
-            let is_free = !joined(&body.name);
+            let is_free = joints.is_empty();
             known.push([
                 is_free || start.at.is_some(),
                 is_free || start.velocity.is_some(),
@@ -80,9 +88,9 @@ impl<'m> Placing<'m> {
                 omega: omega.unwrap_or_else(Expr::zero),
             });
         }
-        let mut placing = Self { model, placements, known };
+        let mut placing = Self { model, placements, known, bodies, joints_of, settled: 0 };
         for pivot in &model.pivots {
-            if let Some(index) = model.body_index(&pivot.body) {
+            if let Some(&index) = placing.bodies.get(pivot.body.as_str()) {
                 let arm = &model.bodies[index].mass_properties().centre - &pivot.point;
                 placing.place(index, &-&arm, [at_start(&pivot.world), at_start(&rate(&pivot.world))]);
                 placing.known[index] = [true; 4];
@@ -105,16 +113,25 @@ impl<'m> Placing<'m> {
         self.known[body][1] = true;
     }
 
-    /// Whether a joint said something new of one of its bodies.
-    fn follow(&mut self, joint: &Joint) -> bool {
-        let [a, b] = &joint.ends;
-        self.follow_from(joint, a, b) || self.follow_from(joint, b, a)
+    /// All that hold bodies from the start.
+    fn joints_at_start(&self) -> impl Iterator<Item = usize> + 'm {
+        let joints = self.model.joints.iter().enumerate();
+        joints.filter(|(_, joint)| joint.from.is_none()).map(|(index, _)| index)
     }
 
-    fn follow_from(&mut self, joint: &Joint, known: &Anchor, other: &Anchor) -> bool {
-        let Anchor::Material(point) = other else { return false };
-        let Some(body) = self.model.body_index(&point.body.body) else { return false };
-        let Some((at, moving, turned)) = self.motion_of(known) else { return false };
+    /// The body of which a joint said something new.
+    fn follow(&mut self, joint: &Joint) -> Option<usize> {
+        let [a, b] = &joint.ends;
+        self.follow_from(joint, a, b).or_else(|| self.follow_from(joint, b, a))
+    }
+
+    fn follow_from(&mut self, joint: &Joint, known: &Anchor, other: &Anchor) -> Option<usize> {
+        let Anchor::Material(point) = other else { return None };
+        let &body = self.bodies.get(&*point.body.body)?;
+        if self.known[body] == [true; 4] {
+            return None;
+        }
+        let (at, moving, turned) = self.motion_of(known)?;
         let before = self.known[body];
         if joint.kind == JointKind::Weld {
             let placement = &mut self.placements[body];
@@ -129,12 +146,12 @@ impl<'m> Placing<'m> {
             self.known[body][3] = true;
         }
         if !(self.known[body][2] && self.known[body][3]) {
-            return false;
+            return (self.known[body] != before).then_some(body);
         }
         if !(before[0] && before[1]) {
             self.place(body, &point.arm, [at, moving]);
         }
-        self.known[body] != before
+        (self.known[body] != before).then_some(body)
     }
 
     /// Place, velocity, angle and angular rate of an end whose body is placed.
@@ -144,7 +161,7 @@ impl<'m> Placing<'m> {
                 Some((at_start(place), at_start(&rate(place)), [Expr::zero(), Expr::zero()]))
             }
             Anchor::Material(point) => {
-                let body = self.model.body_index(&point.body.body)?;
+                let body = *self.bodies.get(&*point.body.body)?;
                 let Placement { position, velocity, angle, omega } = &self.placements[body];
                 let arm = rotated(&point.arm, angle);
                 let moving = velocity + omega * arm.perpendicular();
@@ -154,10 +171,13 @@ impl<'m> Placing<'m> {
         }
     }
 
-    /// Takes the first body that is not known yet as it is drawn; whether there is one.
-    fn settle_first(&mut self) -> bool {
-        let first = self.known.iter_mut().find(|known| known.contains(&false));
-        first.map(|known| *known = [true; 4]).is_some()
+    /// Takes the first body that is not known yet as it is drawn, if there is one.
+    fn settle_first(&mut self) -> Option<usize> {
+        let first = self.known[self.settled..].iter().position(|known| known.contains(&false));
+        self.settled = first.map_or(self.known.len(), |first| self.settled + first);
+        let body = first.map(|_| self.settled)?;
+        self.known[body] = [true; 4];
+        Some(body)
     }
 }
 

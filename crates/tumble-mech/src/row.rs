@@ -14,6 +14,8 @@
 //! # Checked by
 //! `tests/resting.rs`: a rod that slides down a wall, a box on a slope, lift-off; `tests/joints.rs`.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use tumble_expr::{Expr, Substitution, Symbol, Vector};
 
 use crate::coordinates::Measure;
@@ -77,15 +79,26 @@ pub(crate) fn solved(
         let own = row.wrenches.iter().filter(|wrench| wrench.body == light.body);
         own.fold(Expr::zero(), |sum, wrench| sum + wrench.torque_about(&centre))
     };
-    let of_row = |i: &Row| -> Vec<Expr> {
-        let turned = light.iter().map(|light| torque(i, light));
-        rows.iter().map(|j| entry(i, j)).chain(turned).collect()
+    // Bodies have few neighbours: all other entries are zero.
+    let mut on_body: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+    for (index, row) in rows.iter().enumerate() {
+        row.wrenches.iter().for_each(|wrench| _ = on_body.entry(wrench.body).or_default().insert(index));
+    }
+    let mut lights: BTreeMap<usize, usize> = BTreeMap::new();
+    light.iter().enumerate().for_each(|(index, light)| _ = lights.insert(light.body, index));
+    let of_row = |i: &Row| -> Vec<(usize, Expr)> {
+        let others: BTreeSet<usize> =
+            i.wrenches.iter().flat_map(|wrench| &on_body[&wrench.body]).copied().collect();
+        let turned: BTreeSet<usize> =
+            i.wrenches.iter().filter_map(|wrench| lights.get(&wrench.body)).copied().collect();
+        let turned = turned.into_iter().map(|index| (rows.len() + index, torque(i, &light[index])));
+        others.into_iter().map(|j| (j, entry(i, &rows[j]))).chain(turned).collect()
     };
-    let of_light = |light_one: &Light| -> Vec<Expr> {
-        let turned = light.iter().map(|_| Expr::zero());
-        rows.iter().map(|row| torque(row, light_one)).chain(turned).collect()
+    let of_light = |light: &Light| -> Vec<(usize, Expr)> {
+        let own = on_body.get(&light.body).into_iter().flatten();
+        own.map(|index| (*index, torque(&rows[*index], light))).collect()
     };
     let matrix = rows.iter().map(of_row).chain(light.iter().map(of_light)).collect();
     let needed = rows.iter().map(|row| -free.apply(&row.acceleration));
-    Expr::solve(matrix, needed.chain(light.iter().map(|light| -&light.torque)).collect())
+    Expr::solve_rows(matrix, needed.chain(light.iter().map(|light| -&light.torque)).collect())
 }

@@ -185,7 +185,7 @@ impl Equations {
         let numbers = self.numbers_of(spot.mode, &rows, spot.time, spot.states, spot.inputs)?;
         // In these units a unit of each is as much kinetic energy.
         let unit = numbers.mass.map(|mass| if mass > 0.0 { 1.0 / libm::sqrt(mass) } else { 1.0 });
-        let mut forces = DMatrix::from_diagonal(&unit) * numbers.gradient.transpose();
+        let mut forces = DMatrix::from_diagonal(&unit) * numbers.gradient.dense().transpose();
         if forces.iter().any(|value| !value.is_finite()) {
             return Err(Reason::Model("what keeps bodies here is not known by finite numbers".into()));
         }

@@ -3,10 +3,10 @@
 //! With W the squares of the states' scales and J the gradients of the functions g, the smallest correction in units of
 //! the scales is `-W J^T (J W J^T)^-1 g` (Newton's method, least norm).
 
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Layout};
+use tumble_expr::{Branches, Expr, Jets, Layout, SparseSystem, Symbol};
 
 use crate::compiled::Compiled;
 use crate::hybrid::Invariant;
@@ -25,7 +25,29 @@ const CORRECTIONS: usize = 2;
 pub(crate) struct Invariants {
     /// Outputs: each function, then its slopes.
     values: Jets<f64>,
-    rows: Arc<[Row]>,
+    rows: Arc<Rows>,
+    /// `J W J^T`, and what a correction is found in.
+    normal: SparseSystem,
+    entries: Vec<f64>,
+    off: Vec<f64>,
+    shares: Vec<f64>,
+    step: Vec<f64>,
+}
+
+/// All functions, and which have states in common: each with few others.
+#[derive(Debug)]
+pub(crate) struct Rows {
+    list: Vec<Row>,
+    /// By entry of `J W J^T` in its rows' order, the terms of its sum.
+    entries: Vec<Vec<Product>>,
+    normal: SparseSystem,
+}
+
+/// Slopes of two functions by one state, as outputs.
+#[derive(Clone, Copy, Debug)]
+struct Product {
+    slopes: [usize; 2],
+    state: usize,
 }
 
 /// One function.
@@ -48,31 +70,62 @@ pub(crate) struct Slack<'a> {
     pub(crate) length: f64,
 }
 
-impl Row {
-    /// The rows of some functions, and the formulas that they are evaluated by.
-    pub(crate) fn of_all(invariants: &[Invariant], layout: &Layout) -> (Vec<Expr>, Vec<Self>) {
-        let (mut outputs, mut rows) = (vec![], vec![]);
+impl Rows {
+    /// Those of some functions, and the formulas that they are evaluated by.
+    pub(crate) fn of_all(invariants: &[Invariant], layout: &Layout) -> (Vec<Expr>, Self) {
+        let (mut outputs, mut list) = (vec![], vec![]);
+        let places: HashMap<&Symbol, usize> =
+            layout.states.iter().enumerate().map(|(index, state)| (state, index)).collect();
         for Invariant { formula, group } in invariants {
             let used = formula.symbols();
-            let states = layout.states.iter().enumerate().filter(|(_, state)| used.contains(*state));
-            let states: Vec<usize> = states.map(|(index, _)| index).collect();
+            let mut states: Vec<usize> = used.iter().filter_map(|used| places.get(used).copied()).collect();
+            states.sort_unstable();
             let output = outputs.len();
             outputs.push(formula.clone());
             outputs.extend(states.iter().map(|state| formula.derivative(&layout.states[*state])));
-            rows.push(Self { group: *group, output, states });
+            list.push(Row { group: *group, output, states });
         }
-        (outputs, rows)
+        (outputs, Self::new(list, layout.states.len()))
+    }
+
+    fn new(list: Vec<Row>, states: usize) -> Self {
+        // By state, the slopes by it, each with its row.
+        let mut by_state = vec![vec![]; states];
+        for (index, row) in list.iter().enumerate() {
+            row.slopes().for_each(|(state, slope)| by_state[state].push((index, slope)));
+        }
+        let (mut pattern, mut entries) = (vec![], vec![]);
+        for row in &list {
+            let mut own: BTreeMap<usize, Vec<Product>> = BTreeMap::new();
+            for (state, slope) in row.slopes() {
+                for &(other, other_slope) in &by_state[state] {
+                    own.entry(other).or_default().push(Product { slopes: [slope, other_slope], state });
+                }
+            }
+            pattern.push(own.keys().map(|other| *other as u32).collect());
+            entries.extend(own.into_values());
+        }
+        Self { list, entries, normal: SparseSystem::new(&pattern) }
+    }
+}
+
+impl Row {
+    /// The states that it depends on, each with the output of its slope.
+    fn slopes(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.states.iter().copied().zip(self.output + 1..)
     }
 }
 
 impl Invariants {
     pub(crate) fn new(program: &Program, inputs: &[f64]) -> Self {
         let values = Jets::new(Arc::clone(&program.invariants), 0, inputs);
-        Self { values, rows: Arc::clone(&program.plan.invariants) }
+        let rows = Arc::clone(&program.plan.invariants);
+        let (normal, shares) = (rows.normal.clone(), vec![0.0; rows.list.len()]);
+        Self { values, rows, normal, entries: vec![], off: vec![], shares, step: vec![] }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.rows.is_empty()
+        self.rows.list.is_empty()
     }
 
     /// How far the worst is from zero, in units of what is allowed.
@@ -98,7 +151,7 @@ impl Invariants {
             let allowed = ALLOWED.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
             if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
         };
-        self.rows.iter().map(part).fold(0.0, f64::max)
+        self.rows.list.iter().map(part).fold(0.0, f64::max)
     }
 
     /// Moves the states to where all of them are zero, unless they are as good as there.
@@ -110,27 +163,32 @@ impl Invariants {
             let scale = scales.of(system.group(state));
             if scale == 0.0 { 1.0 } else { scale }
         };
-        // The states that any of them depends on, in order, are the columns.
-        let mut columns: Vec<usize> = self.rows.iter().flat_map(|row| row.states.iter().copied()).collect();
-        columns.sort_unstable();
-        columns.dedup();
         for _ in 0..CORRECTIONS {
             self.values.start(time, states, Branches::Free);
-            let jacobian = DMatrix::from_fn(self.rows.len(), columns.len(), |row, column| {
-                self.slope(row, columns[column]) * weight(columns[column])
-            });
-            let off = DVector::from_fn(self.rows.len(), |row, _| self.values.value_of(self.rows[row].output));
+            let of = |output: usize| self.values.value_of(output);
+            let product = |Product { slopes: [a, b], state }: &Product| {
+                of(*a) * of(*b) * (weight(*state) * weight(*state))
+            };
+            self.entries.clear();
+            self.entries.extend(self.rows.entries.iter().map(|entry| entry.iter().map(product).sum::<f64>()));
+            self.off.clear();
+            self.off.extend(self.rows.list.iter().map(|row| of(row.output)));
             // Functions that depend on each other have no one answer: the drift, a few ulps, then stays.
-            let Some(factors) = (&jacobian * jacobian.transpose()).cholesky() else { return };
-            let step = jacobian.transpose() * factors.solve(&off);
-            for (column, change) in step.iter().enumerate().filter(|(_, change)| change.is_finite()) {
-                states[columns[column]] -= weight(columns[column]) * change;
+            if self.normal.factor(&self.entries) == 0.0 {
+                return;
+            }
+            self.normal.solve(&self.off, &mut self.shares);
+            self.step.clear();
+            self.step.resize(states.len(), 0.0);
+            for (row, share) in self.rows.list.iter().zip(&self.shares) {
+                row.slopes().for_each(|(state, slope)| self.step[state] += of(slope) * share);
+            }
+            for (state, step) in self.step.iter().enumerate() {
+                let change = weight(state) * weight(state) * step;
+                if change.is_finite() {
+                    states[state] -= change;
+                }
             }
         }
-    }
-
-    fn slope(&self, row: usize, state: usize) -> f64 {
-        let Row { output, states, .. } = &self.rows[row];
-        states.binary_search(&state).map_or(0.0, |index| self.values.value_of(output + 1 + index))
     }
 }

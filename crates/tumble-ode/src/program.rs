@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tumble_expr::{Branches, CompileError, Degree, Expr, Jets, Layout, Rounding, Tape};
 
 use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
-use crate::invariants::Row;
+use crate::invariants::Rows;
 use crate::lazy_guards::{WatchPlan, WatchTape};
 use crate::{Flow, Reason};
 
@@ -52,7 +52,7 @@ pub(crate) struct Plan {
     pub(crate) is_watched: bool,
     /// Whether rates may change within a stretch that their coefficients do not show.
     pub(crate) may_be_narrow: bool,
-    pub(crate) invariants: Arc<[Row]>,
+    pub(crate) invariants: Arc<Rows>,
 }
 
 impl Program {
@@ -70,7 +70,7 @@ impl Program {
         };
         let slopes = flow.lazy_guards.iter().flat_map(|lazy_guard| lazy_guard.slopes.iter().flatten());
         let slopes: Vec<Expr> = slopes.map(|(_, slope)| slope.clone()).collect();
-        let (invariants, rows) = Row::of_all(&flow.invariants, &layout);
+        let (invariants, rows) = Rows::of_all(&flow.invariants, &layout);
         let transformed = flow.time_transformation.is_some();
         let plan = Plan {
             names: layout.states.iter().map(|state| state.name.to_string()).collect(),
@@ -85,7 +85,7 @@ impl Program {
             at_zero: watched(flow).map(|guard| guard.at_zero.clone()).collect(),
             is_watched: !flow.guards.is_empty() || tape.sides() > 0 || !tape.turnings().is_empty(),
             may_be_narrow: tape.may_be_narrow(),
-            invariants: rows.into(),
+            invariants: Arc::new(rows),
         };
         let watches = WatchPlan::of_all(&flow.lazy_guards, &layout).into_iter();
         let nearest = Self {

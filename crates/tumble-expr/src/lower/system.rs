@@ -1,80 +1,59 @@
-//! Linear systems on the tape: the factors of the matrix, then residuals, eliminations and unknowns.
+//! Linear systems on the tape: the factors of the matrix, then the system, then its unknowns.
 
 use super::Lowering;
 use crate::Stage;
-use crate::linear;
+use crate::ops::elimination::Plan;
 use crate::ops::solve::{Matrix, System, Term};
 use crate::ops::{Op, Slot};
+use crate::shape::Shape;
 
 impl Lowering {
-    /// Places a system; the slot is that of its first unknown, and the others stand before it, the last one first.
-    pub(super) fn system(&mut self, parts: &[Slot]) -> Slot {
-        let n = linear::size(parts.len());
-        let (entries, right) = parts.split_at(n * n);
-        let (matrix, factor) = self.factor(n, entries);
-        let changing: Vec<Vec<usize>> = entries.chunks(n).map(|row| self.changing(row)).collect();
-        let residuals = self.residuals(&changing, right);
-        let forward = self.next() + changing.iter().filter(|columns| !columns.is_empty()).count() as Slot;
-        let solution = forward + 2 * n as Slot - 1;
-        let term = |row: usize, column: usize| Term {
-            entry: entries[row * n + column],
-            unknown: solution - column as Slot,
+    /// Places a system; its unknowns follow it.
+    pub(super) fn system(&mut self, shape: &Shape, parts: &[Slot]) -> Slot {
+        let (entries, right) = parts.split_at(shape.entries());
+        let (matrix, factor) = self.factor(shape, entries);
+        let unknowns = self.next() + 1;
+        let Matrix { shape, entries, .. } = &self.tape.matrices[matrix as usize];
+        let term = |(entry, column): (usize, usize)| Term {
+            entry: entries[entry],
+            unknown: unknowns + column as Slot,
         };
-        let terms =
-            changing.iter().enumerate().map(|(row, columns)| columns.iter().map(|c| term(row, *c)).collect());
-        let terms: Vec<Vec<Term>> = terms.collect();
-        let right = right.to_vec();
-        self.tape.systems.push(System { n, matrix, factor, terms, right, residuals, forward, solution });
-        self.place(n, &changing);
-        solution
+        let varies = |term: &Term| self.tape.stage(term.entry) == Stage::Varying;
+        let terms = |row: usize| shape.entries_of(row).map(term).filter(varies).collect();
+        let terms = (0..shape.size()).map(terms).collect();
+        self.tape.systems.push(System { matrix, factor, terms, right: right.to_vec(), unknowns });
+        let system = self.push(Op::System(self.tape.systems.len() as u32 - 1));
+        for row in 0..right.len() as u32 {
+            self.push(Op::Unknown { system, row });
+        }
+        system
     }
 
     pub(super) fn unknown(&self, system: Slot, row: u32) -> Slot {
-        system - row
+        system + 1 + row
     }
 
     /// A matrix and the slot of its factors, which all systems with that matrix share.
-    fn factor(&mut self, n: usize, entries: &[Slot]) -> (u32, Slot) {
-        let matrices = &mut self.tape.matrices;
-        let index = matrices.iter().position(|known| known.entries == entries).unwrap_or_else(|| {
-            let offset = matrices.last().map_or(0, |last| last.offset + last.room());
-            matrices.push(Matrix { n, entries: entries.to_vec(), offset });
-            matrices.len() - 1
+    fn factor(&mut self, shape: &Shape, entries: &[Slot]) -> (u32, Slot) {
+        let (shape, entries) = self.without_zeros(shape, entries);
+        let is_this = |known: &Matrix| known.entries == entries && known.shape == shape;
+        let index = self.tape.matrices.iter().position(is_this).unwrap_or_else(|| {
+            let offset = self.tape.matrices.last().map_or(0, |last| last.offset + last.plan.room);
+            let rows =
+                (0..shape.size()).map(|row| (shape.row(row), shape.columns()[shape.row(row)].to_vec()));
+            let plan = Plan::new(&rows.collect::<Vec<_>>());
+            self.tape.matrices.push(Matrix { shape, entries, plan, offset });
+            self.tape.matrices.len() - 1
         }) as u32;
         (index, self.emit(Op::Factor(index)))
     }
 
-    /// Columns whose entries in a row change with time.
-    fn changing(&self, row: &[Slot]) -> Vec<usize> {
-        let varies = |column: &usize| self.tape.stage(row[*column]) == Stage::Varying;
-        (0..row.len()).filter(varies).collect()
-    }
-
-    /// Where the residuals will stand: that of a row which does not change is its right side.
-    fn residuals(&self, changing: &[Vec<usize>], right: &[Slot]) -> Vec<Slot> {
-        let mut next = self.next();
-        let mut place = |columns: &Vec<usize>, right: Slot| {
-            if columns.is_empty() {
-                return right;
-            }
-            next += 1;
-            next - 1
-        };
-        changing.iter().zip(right).map(|(columns, right)| place(columns, *right)).collect()
-    }
-
-    fn place(&mut self, n: usize, changing: &[Vec<usize>]) {
-        let system = self.tape.systems.len() as u32 - 1;
-        for (row, columns) in changing.iter().enumerate() {
-            if !columns.is_empty() {
-                self.push(Op::Residual { system, row: row as u32 });
-            }
-        }
-        for row in 0..n as u32 {
-            self.push(Op::Forward { system, row });
-        }
-        for row in (0..n as u32).rev() {
-            self.push(Op::Solution { system, row });
-        }
+    /// The entries that are no zeros whatever the leaves are.
+    fn without_zeros(&self, shape: &Shape, entries: &[Slot]) -> (Shape, Vec<Slot>) {
+        let is_entry = |(entry, _): &(usize, usize)| !self.tape.is_zero(entries[*entry]);
+        let row = |row: usize| shape.entries_of(row).filter(is_entry);
+        let columns = |own: usize| row(own).map(|(_, column)| column as u32).collect();
+        let kept = Shape::new((0..shape.size()).map(columns));
+        (kept, (0..shape.size()).flat_map(row).map(|(entry, _)| entries[entry]).collect())
     }
 }

@@ -5,14 +5,15 @@
 //! `b^(k)/k!` lies in the hull of `a^(k+1)/(k+1)!` over the way. So `|a| = s |b|`, and its derivative is `b . a' / |b|`, which
 //! holds no zero; `a^2/b = s p^2/q` with p and q such series. Orders not known yet are those of the evaluation before.
 //!
-//! **Linear systems.** With C the inverse of the matrix in the middle, `x = C r + (I - C A) x`: all x of a matrix A with a
-//! right side r lie in `C r` widened by `m/(1-m)` of its largest, where m < 1 bounds the rows of `I - C A`; put into the right
-//! side once more, each unknown has its own width. Source: Neumaier, Interval Methods for Systems of Equations, 4.1.
+//! **Linear systems.** With C the inverse of A_m, the matrix in the middle, and x_m some numbers, `x - x_m = C (r - A x_m) - C (A - A_m)
+//! (x - x_m)` for all x of a matrix A with a right side r: any d with `|C| (|r - A x_m| + |A - A_m| d) <= d` bounds `|x - x_m|`, each
+//! unknown by its own. Source: Neumaier, Interval Methods for Systems of Equations, 4.1.
 
 use std::ops::Add;
 
+use super::amplified::Amplifier;
 use super::kernels::Kernels;
-use super::solve::{factors_of, inverse};
+use super::solve::{Bench, Matrix, System};
 use super::{Series, Slot};
 use crate::{Interval, Scalar};
 
@@ -78,43 +79,41 @@ impl Kernels for Interval {
         series.elapsed * ratio[k] + ratio[k - 1]
     }
 
-    /// The inverse of the middle, the entries of `I - C A`, and the bound of its rows.
-    fn factors(series: &Boxes<'_>, matrix: u32) -> Vec<Self> {
-        let matrix = &series.tape.matrices[matrix as usize];
-        let n = matrix.n;
-        let entries: Vec<Self> = matrix.entries.iter().map(|entry| series.first(*entry)).collect();
-        let middle = inverse(n, entries.iter().map(|entry| 0.5 * (entry.low + entry.high)).collect());
-        let middle: Vec<Self> = middle.into_iter().map(Self::point).collect();
-        let residual = |index: usize| {
-            let (row, column) = (index / n, index % n);
-            let terms = (0..n).map(|j| middle[row * n + j] * entries[j * n + column]);
-            Self::splat(f64::from(u8::from(row == column))) - terms.fold(Self::zero(), |sum, term| sum + term)
-        };
-        let residuals: Vec<Self> = (0..n * n).map(residual).collect();
-        let rows = residuals.chunks(n).map(|row| row.iter().map(|entry| entry.magnitude()).sum::<f64>());
-        let bound = rows.fold(0.0, f64::max);
-        middle.into_iter().chain(residuals).chain([Self::point(bound)]).collect()
+    /// Those of the matrix in the middle.
+    fn factor(series: &Boxes<'_>, matrix: &Matrix, bench: &mut Bench<Self>, factors: &mut [Self]) {
+        let Bench { numbers, lanes, .. } = bench;
+        lanes.resize(factors.len(), 0.0);
+        matrix.plan.factor(|entry| series.first(matrix.entries[entry]).middle(), numbers, lanes);
+        factors.iter_mut().zip(lanes).for_each(|(factor, value)| *factor = Self::point(*value));
     }
 
-    fn forward(series: &Boxes<'_>, system: u32, row: u32, k: usize) -> Self {
-        series.of(series.tape.systems[system as usize].residuals[row as usize])[k]
-    }
-
-    fn solution(series: &Boxes<'_>, system: u32, row: u32, k: usize) -> Self {
-        let system = &series.tape.systems[system as usize];
-        let (n, factors) = (system.n, factors_of(series, system));
-        let bound = factors[2 * n * n].high;
-        if bound.is_nan() || bound >= 1.0 {
-            return Self::ENTIRE;
+    fn solve(series: &Boxes<'_>, system: &System, Bench { right, x, .. }: &mut Bench<Self>) {
+        let Matrix { shape, entries, plan, .. } = series.matrix(system);
+        let factors: Vec<f64> = series.factors_of(system).iter().map(|factor| factor.low).collect();
+        let inverse = Amplifier { plan, factors: &factors };
+        let middle = inverse.solve(right.iter().map(|right| right.middle()).collect());
+        x.fill(Self::ENTIRE);
+        if !middle.iter().all(|x| x.is_finite()) {
+            return;
         }
-        let sum = |terms: &mut dyn Iterator<Item = Self>| terms.fold(Self::zero(), |sum, term| sum + term);
-        let right = |j: usize| series.of(system.forward + j as Slot)[k];
-        let near = |i: usize| sum(&mut (0..n).map(|j| factors[i * n + j] * right(j)));
-        let near: Vec<Self> = (0..n).map(near).collect();
-        let most = near.iter().map(|x| x.magnitude()).fold(0.0, f64::max);
-        let wide = Self::around_zero((most / (1.0 - bound)).next_up());
-        let row = row as usize;
-        near[row] + sum(&mut (0..n).map(|j| factors[n * n + row * n + j] * wide))
+        let entry = |entry: usize| series.first(entries[entry]);
+        let left = |row: usize| {
+            let terms = shape.entries_of(row).map(|(of, column)| entry(of) * Self::point(middle[column]));
+            terms.fold(right[row], |rest, term| rest - term).magnitude()
+        };
+        let left: Vec<f64> = (0..right.len()).map(left).collect();
+        let rounding = left.len() as f64 * f64::EPSILON;
+        let off = |of: usize| entry(of).reach() + rounding * entry(of).magnitude();
+        let change = |bounds: &[f64]| -> Vec<f64> {
+            let row = |row: usize| shape.entries_of(row).map(|(of, column)| off(of) * bounds[column]).sum();
+            (0..bounds.len()).map(row).collect()
+        };
+        if let Some(bounds) = inverse.enclosed(&left, change) {
+            let found = middle.iter().zip(bounds);
+            let found =
+                found.map(|(middle, bound)| Self::point(*middle) + Self::around_zero(bound.next_up()));
+            x.iter_mut().zip(found).for_each(|(x, found)| *x = found);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! What lengths, quotients that vanish and linear systems are for each kind of scalar.
 
+use super::solve::{Bench, Matrix, System};
 use super::{Series, Slot, norm, solve, square_over};
 use crate::{Lanewise, Scalar};
 
@@ -18,12 +19,10 @@ pub trait Kernels: Scalar {
         c: &[Self],
         k: usize,
     ) -> Self;
-    /// What of a matrix is kept for solving, its own way for each scalar.
-    fn factors(series: &Series<'_, Self>, matrix: u32) -> Vec<Self>;
-    /// A right side on its way to the unknowns.
-    fn forward(series: &Series<'_, Self>, system: u32, row: u32, k: usize) -> Self;
-    /// An unknown.
-    fn solution(series: &Series<'_, Self>, system: u32, row: u32, k: usize) -> Self;
+    /// Factors of a matrix, its own way for each scalar.
+    fn factor(series: &Series<'_, Self>, matrix: &Matrix, bench: &mut Bench<Self>, factors: &mut [Self]);
+    /// The unknowns of a system, `x`, by its right sides of an order.
+    fn solve(series: &Series<'_, Self>, system: &System, bench: &mut Bench<Self>);
 }
 
 impl<S: Lanewise> Kernels for S {
@@ -39,13 +38,10 @@ impl<S: Lanewise> Kernels for S {
     fn square_over_coefficient(series: &Series<'_, S>, which: (Slot, Slot, u32), c: &[S], k: usize) -> S {
         square_over::coefficient(series, which, c, k)
     }
-    fn factors(series: &Series<'_, S>, matrix: u32) -> Vec<S> {
-        solve::factors(series, matrix)
+    fn factor(series: &Series<'_, S>, matrix: &Matrix, bench: &mut Bench<S>, factors: &mut [S]) {
+        solve::factor(series, matrix, bench, factors);
     }
-    fn forward(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
-        solve::forward(series, system, row, k)
-    }
-    fn solution(series: &Series<'_, S>, system: u32, row: u32, k: usize) -> S {
-        solve::solution(series, system, row, k)
+    fn solve(series: &Series<'_, S>, system: &System, Bench { right, x, .. }: &mut Bench<S>) {
+        series.matrix(system).plan.substitute(series.factors_of(system), right, x);
     }
 }

@@ -1,7 +1,8 @@
 //! Lengths, quotients that vanish and linear systems with their rounding errors; of order 0 only.
 
+use super::amplified::Amplifier;
 use super::kernels::Kernels;
-use super::solve::{factors_of, inverse};
+use super::solve::{Bench, Matrix, System};
 use super::{Series, Slot};
 use crate::{Rounded, Scalar};
 
@@ -29,34 +30,28 @@ impl Kernels for Rounded {
         Self::zero()
     }
 
-    /// The inverse, then the entries of the matrix.
-    fn factors(series: &Errors<'_>, matrix: u32) -> Vec<Self> {
-        let matrix = &series.tape.matrices[matrix as usize];
-        let entries: Vec<Self> = matrix.entries.iter().map(|entry| series.first(*entry)).collect();
-        let inverse = inverse(matrix.n, entries.iter().map(|entry| entry.value).collect());
-        let mut all: Vec<Self> = inverse.into_iter().map(Self::splat).chain(entries).collect();
-        all.resize(matrix.room(), Self::zero());
-        all
+    fn factor(series: &Errors<'_>, matrix: &Matrix, bench: &mut Bench<Self>, factors: &mut [Self]) {
+        let Bench { numbers, lanes, .. } = bench;
+        lanes.resize(factors.len(), 0.0);
+        matrix.plan.factor(|entry| series.first(matrix.entries[entry]).value, numbers, lanes);
+        factors.iter_mut().zip(lanes).for_each(|(factor, value)| *factor = Self::splat(*value));
     }
 
-    fn forward(series: &Errors<'_>, system: u32, row: u32, k: usize) -> Self {
-        series.of(series.tape.systems[system as usize].residuals[row as usize])[k]
-    }
-
-    /// `x = C r`, off by `|C|` times what r and the matrix are off by.
-    fn solution(series: &Errors<'_>, system: u32, row: u32, k: usize) -> Self {
-        let system = &series.tape.systems[system as usize];
-        let (n, factors) = (system.n, factors_of(series, system));
-        let right = |j: usize| series.of(system.forward + j as Slot)[k];
-        let unknown = |i: usize| (0..n).map(|j| factors[i * n + j].value * right(j).value).sum::<f64>();
-        let x: Vec<f64> = (0..n).map(unknown).collect();
-        let off = |j: usize| {
-            let row = factors[n * n + j * n..][..n].iter().zip(&x);
-            let by_matrix: f64 = row.map(|(entry, x)| (entry.error + entry.value.abs()) * x.abs()).sum();
-            right(j).error + by_matrix
+    /// Off by `|A^-1|` times what the right sides and the matrix are off by.
+    fn solve(series: &Errors<'_>, system: &System, Bench { right, x, .. }: &mut Bench<Self>) {
+        let Matrix { shape, entries, plan, .. } = series.matrix(system);
+        let factors: Vec<f64> = series.factors_of(system).iter().map(|factor| factor.value).collect();
+        let inverse = Amplifier { plan, factors: &factors };
+        let found = inverse.solve(right.iter().map(|right| right.value).collect());
+        let off = |row: usize| {
+            let by_matrix = shape.entries_of(row).map(|(entry, column)| {
+                let entry = series.first(entries[entry]);
+                (entry.error + entry.value.abs()) * found[column].abs()
+            });
+            right[row].error + by_matrix.sum::<f64>()
         };
-        let row = row as usize;
-        let error = (0..n).map(|j| factors[row * n + j].value.abs() * off(j)).sum();
-        Self { value: x[row], error }
+        let errors = inverse.likely(&(0..right.len()).map(off).collect::<Vec<_>>());
+        let both = found.iter().zip(errors).map(|(value, error)| Self { value: *value, error });
+        x.iter_mut().zip(both).for_each(|(x, found)| *x = found);
     }
 }

@@ -53,6 +53,17 @@ impl Interval {
         self.low.abs().max(self.high.abs())
     }
 
+    /// A number in it, about its middle.
+    pub(crate) fn middle(self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+
+    /// How far it reaches from there, at most.
+    pub(crate) fn reach(self) -> f64 {
+        let middle = self.middle();
+        (self.high - middle).max(middle - self.low).next_up()
+    }
+
     /// Whether all numbers in it have that sign, +1 or -1: the sign, or 0 where zero is among them.
     pub fn definite_sign(self) -> f64 {
         if self.low > 0.0 {

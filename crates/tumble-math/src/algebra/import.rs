@@ -81,9 +81,16 @@ impl Algebra {
                 self.norm(&parts)
             }
             Node::Table(table, a) => self.table(table, id(a)),
-            Node::System(parts) => {
-                let parts = parts.iter().map(id).collect();
-                self.intern(Form::Call(Function::System, parts))
+            Node::System(shape, parts) => {
+                let parts: Vec<Id> = parts.iter().map(id).collect();
+                let (entries, right) = parts.split_at(shape.entries());
+                let mut all = vec![self.zero(); shape.size() * shape.size()];
+                for row in 0..shape.size() {
+                    let own = shape.entries_of(row);
+                    own.for_each(|(entry, column)| all[row * shape.size() + column] = entries[entry]);
+                }
+                all.extend_from_slice(right);
+                self.intern(Form::Call(Function::System, all))
             }
             Node::Unknown(system, row) => {
                 let parts = self.parts(id(system));

@@ -15,7 +15,7 @@ use crate::contact::settle::BALANCED;
 use crate::coordinates::Measure;
 use crate::equations::{Definitions, Equations};
 use crate::mode::Mode;
-use crate::restrained::respond;
+use crate::restrained::{Gradients, respond};
 use crate::surface::ContactLaw;
 use crate::term::Term;
 
@@ -153,7 +153,7 @@ impl Equations {
             false => {
                 let mass = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + 2 * dofs + 1 + dof));
                 let none = DMatrix::zeros(joint_rows.len(), n);
-                let (kicks, share) = respond(&mass, &slopes, &rows.transpose(), &none)
+                let (kicks, share) = respond(&mass, &Gradients::of(&slopes), &rows.transpose(), &none)
                     .ok_or_else(|| self.not_independent(&island))?;
                 (kicks, Joined { rows: joint_rows, share })
             }

@@ -58,7 +58,7 @@ fn evaluate(expr: &Expr) -> f64 {
         Node::Compare(Relation::Less, a, b) => f64::from(evaluate(a) < evaluate(b)),
         Node::Compare(Relation::LessEqual, a, b) => f64::from(evaluate(a) <= evaluate(b)),
         Node::Select(condition, a, b) => evaluate(if evaluate(condition) > 0.0 { a } else { b }),
-        Node::Table(..) | Node::System(_) | Node::Unknown(..) => unreachable!("none is read from text here"),
+        Node::Table(..) | Node::System(..) | Node::Unknown(..) => unreachable!("none is read from text here"),
         Node::Norm(parts) => parts.iter().map(|part| evaluate(part).powi(2)).sum::<f64>().sqrt(),
     }
 }
