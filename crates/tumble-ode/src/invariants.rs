@@ -1,7 +1,11 @@
 //! Functions that are zero along a flow: how far rounding has moved them, and the states moved back.
 //!
-//! With W the squares of the states' scales and J the gradients of the functions g, the smallest correction in units of
-//! the scales is `-W J^T (J W J^T)^-1 g` (Newton's method, least norm).
+//! With W the squares of the states' units and J the gradients of the functions g, the smallest correction in these
+//! units is `-W J^T (J W J^T)^-1 g` (Newton's method, least norm). The unit of a state is its scale, or what moves one of
+//! the functions by the scale of that, if it is less: an angle that has turned many times round has a large scale, and a
+//! function of it is not moved more by a radian for that. A state whose spacing of doubles moves a function by more than is
+//! allowed is not corrected: it could not take a correction up. What rounding of the states does to a function is no
+//! fault of a step, which would not do less if it were shorter.
 
 use std::sync::Arc;
 
@@ -19,6 +23,8 @@ const ALLOWED: f64 = 1e-14;
 const OF_TOLERANCE: f64 = 0.1;
 /// Below this part of what is allowed, the function's own rounding would be projected into the states.
 const WORTH_IT: f64 = 0.1;
+/// A state is held where its spacing moves a function by this part of its scale: ten of them are what is allowed.
+const TOO_COARSE: f64 = 0.1 * ALLOWED;
 /// Newton's method from one rounding error away: the second correction is already nothing.
 const CORRECTIONS: usize = 2;
 
@@ -46,6 +52,8 @@ pub(crate) struct Slack<'a> {
     pub(crate) off: &'a [f64],
     /// Its length.
     pub(crate) length: f64,
+    /// Part of each state that rounding may have put it off by.
+    pub(crate) rounding: f64,
 }
 
 impl Row {
@@ -75,9 +83,14 @@ impl Invariants {
         self.rows.is_empty()
     }
 
-    /// How far the worst is from zero, in units of what is allowed.
+    /// How far the worst is from zero, in units of what is allowed and what rounding of the states makes of it.
     fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
-        self.excess_of_step(time, states, scales, &Slack { tolerance: 0.0, off: &[], length: 0.0 })
+        self.excess_of_step(
+            time,
+            states,
+            scales,
+            &Slack { tolerance: 0.0, off: &[], length: 0.0, rounding: 0.0 },
+        )
     }
 
     /// The same at the end of a step.
@@ -92,8 +105,9 @@ impl Invariants {
         let part = |row: &Row| {
             let scale = scales.of(row.group);
             let off = row.states.iter().enumerate().map(|(index, state)| {
-                let off = slack.off.get(*state).copied().unwrap_or(0.0);
-                (self.values.value_of(row.output + 1 + index) * off).abs() * slack.length
+                let off = slack.off.get(*state).copied().unwrap_or(0.0).abs() * slack.length;
+                self.values.value_of(row.output + 1 + index).abs()
+                    * (off + slack.rounding * states[*state].abs())
             });
             let allowed = ALLOWED.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
             if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
@@ -106,27 +120,41 @@ impl Invariants {
         if self.excess(time, states, scales) <= WORTH_IT {
             return;
         }
-        let weight = |state: usize| {
-            let scale = scales.of(system.group(state));
-            if scale == 0.0 { 1.0 } else { scale }
-        };
         // The states that any of them depends on, in order, are the columns.
         let mut columns: Vec<usize> = self.rows.iter().flat_map(|row| row.states.iter().copied()).collect();
         columns.sort_unstable();
         columns.dedup();
+        let units: Vec<f64> =
+            columns.iter().map(|state| self.unit(*state, states[*state], system, scales)).collect();
         for _ in 0..CORRECTIONS {
             self.values.start(time, states, Branches::Free);
             let jacobian = DMatrix::from_fn(self.rows.len(), columns.len(), |row, column| {
-                self.slope(row, columns[column]) * weight(columns[column])
+                self.slope(row, columns[column]) * units[column]
             });
             let off = DVector::from_fn(self.rows.len(), |row, _| self.values.value_of(self.rows[row].output));
             // Functions that depend on each other have no one answer: the drift, a few ulps, then stays.
             let Some(factors) = (&jacobian * jacobian.transpose()).cholesky() else { return };
             let step = jacobian.transpose() * factors.solve(&off);
             for (column, change) in step.iter().enumerate().filter(|(_, change)| change.is_finite()) {
-                states[columns[column]] -= weight(columns[column]) * change;
+                states[columns[column]] -= units[column] * change;
             }
         }
+    }
+
+    /// In what a correction of a state of that value is measured; zero where it takes none.
+    fn unit(&self, state: usize, value: f64, system: &Compiled, scales: &Scales) -> f64 {
+        let scale = scales.of(system.group(state));
+        let mut unit = if scale == 0.0 { 1.0 } else { scale };
+        for (place, row) in self.rows.iter().enumerate() {
+            let (slope, size) = (self.slope(place, state).abs(), scales.of(row.group));
+            if size > 0.0 && slope * f64::EPSILON * value.abs() > TOO_COARSE * size {
+                return 0.0;
+            }
+            if size > 0.0 && slope * unit > size {
+                unit = size / slope;
+            }
+        }
+        unit
     }
 
     fn slope(&self, row: usize, state: usize) -> f64 {
