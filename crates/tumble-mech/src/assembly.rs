@@ -4,12 +4,13 @@
 //! mass as possible is moved.
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Rounded};
+use tumble_expr::Rounded;
 use tumble_ode::Reason;
 
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
+use crate::gauge::Gauge;
 use crate::mode::Mode;
 use crate::restrained::respond;
 use crate::row::Row;
@@ -32,16 +33,16 @@ pub(crate) struct Rows {
     /// Index of each.
     pub(crate) indices: Vec<usize>,
     /// m or rad; and what it is but for rounding.
-    position: Vec<Rounded>,
+    pub(crate) position: Vec<Rounded>,
     /// m/s or rad/s
-    rate: Vec<Rounded>,
+    pub(crate) rate: Vec<Rounded>,
     /// By row and velocity.
     pub(crate) gradient: DMatrix<f64>,
     /// By velocity, kg or kg m^2.
     pub(crate) mass: DVector<f64>,
     /// States that the velocities are, and the coordinates that they are rates of.
     pub(crate) velocities: Vec<usize>,
-    coordinates: Vec<usize>,
+    pub(crate) coordinates: Vec<usize>,
 }
 
 impl Equations {
@@ -118,44 +119,7 @@ impl Equations {
         states: &[f64],
         inputs: &[f64],
     ) -> Result<Rows, Reason> {
-        let layout = self.layout(mode);
-        let bodies = 0..self.model().bodies.len();
-        let velocities: Vec<usize> = bodies.clone().flat_map(|body| self.velocity_states(body)).collect();
-        let coordinates = bodies.clone().flat_map(|body| self.coordinate_states(body)).collect();
-        let definitions = self.definitions_of(mode);
-        let (mut outputs, mut indices, mut used) = (vec![], vec![], vec![]);
-        for (index, row) in rows {
-            indices.push(*index);
-            let rate = definitions.apply(&row.rate);
-            let symbols = rate.symbols();
-            let own =
-                velocities.iter().enumerate().filter(|(_, state)| symbols.contains(&layout.states[**state]));
-            let own: Vec<usize> = own.map(|(place, _)| place).collect();
-            outputs.extend([definitions.apply(&row.position), rate.clone()]);
-            outputs.extend(own.iter().map(|place| rate.derivative(&layout.states[velocities[*place]])));
-            used.push(own);
-        }
-        let masses = outputs.len();
-        outputs.extend(
-            bodies.flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)),
-        );
-        let numbers =
-            |values: &[f64]| values.iter().map(|value| Rounded::computed(*value)).collect::<Vec<_>>();
-        let tape = self.compiled(mode, &outputs, inputs)?.tape().clone();
-        let mut jets = Jets::new(tape, 0, &numbers(inputs));
-        jets.start(Rounded::leaf(time), &numbers(states), Branches::Free);
-        let mut gradient = DMatrix::zeros(indices.len(), velocities.len());
-        let (mut position, mut rate, mut output) = (vec![], vec![], 0);
-        for (row, own) in used.iter().enumerate() {
-            position.push(jets.value_of(output));
-            rate.push(jets.value_of(output + 1));
-            own.iter().enumerate().for_each(|(slope, place)| {
-                gradient[(row, *place)] = jets.value_of(output + 2 + slope).value;
-            });
-            output += 2 + own.len();
-        }
-        let mass = DVector::from_fn(velocities.len(), |place, _| jets.value_of(masses + place).value);
-        Ok(Rows { indices, position, rate, gradient, mass, velocities, coordinates })
+        Ok(Gauge::of(self, mode, rows, inputs)?.at(time, states))
     }
 
     /// Joints that are not to be assembled and do not fit.

@@ -26,6 +26,7 @@ mod extremes;
 mod first_forces;
 mod fixed;
 mod forces;
+mod gauge;
 mod gauss;
 mod impulse;
 mod initial;

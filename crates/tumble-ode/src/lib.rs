@@ -37,6 +37,6 @@ pub use hybrid::{
 pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
-pub use solver::{Motion, Solver, Start, Stopped, solve};
+pub use solver::{Motion, Over, Solver, Start, Stopped, solve};
 pub use trajectory::{Cursor, Event, Piece, Place, Side, Spot, Trajectory};
 pub use work::Work;
