@@ -85,6 +85,9 @@ impl Equations {
         }
         let moved = states.iter().zip(&before).map(|(now, before)| now != before);
         moved.zip(compensation).filter(|(moved, _)| *moved).for_each(|(_, left)| *left = 0.0);
+        if let Some(joints) = self.only_here(mode, 0.0, states, inputs) {
+            return Err(ModelError::StartsSingular { joints }.into());
+        }
         mode.redundant = now.redundant();
         Ok(())
     }

@@ -51,6 +51,7 @@ mod restrained;
 mod row;
 mod run;
 mod shape;
+mod singular;
 mod start;
 mod stated;
 mod structure;

@@ -14,6 +14,7 @@ use crate::mode::Mode;
 use crate::model::Model;
 use crate::observer::Observer;
 use crate::parameters::Parameters;
+use crate::singular::Passages;
 use crate::start::Start;
 
 /// More Gauss nodes along one line than this are not tried.
@@ -132,9 +133,10 @@ impl Run {
     ) -> Result<Self, RunError> {
         let (inputs, first) = (start.inputs.clone(), start.clone());
         let mut solver = Solver::new(&equations, start, until, accuracy);
-        let mut refusal = None;
+        let (mut refusal, mut passages) = (None, Passages::default());
         while refusal.is_none() && !solver.is_done() {
             refusal = solver.advance().err();
+            refusal = passages.watch(&equations, &mut solver, &inputs, refusal);
             let time = solver.time();
             if progress(time).is_break() && !solver.is_done() {
                 refusal.get_or_insert(Refusal { time, reason: Reason::Interrupted });

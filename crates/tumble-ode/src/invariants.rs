@@ -3,8 +3,8 @@
 //! With W the squares of the states' units and J the gradients of the functions g, the smallest correction in these
 //! units is `-W J^T (J W J^T)^-1 g` (Newton's method, least norm). The unit of a state is its scale, or what moves one of
 //! the functions by the scale of that, if it is less: an angle that has turned many times round has a large scale, and a
-//! function of it is not moved more by a radian for that. A state whose spacing of doubles moves a function by more than is
-//! allowed is not corrected: it could not take a correction up. What rounding of the states does to a function is no
+//! function of it is not moved more by a radian for that. A state whose spacing of doubles moves a function by about what is
+//! allowed is corrected only where no other can be, so its unit is a small part of that: it could hardly take a correction up. What rounding of the states does to a function is no
 //! fault of a step, which would not do less if it were shorter.
 
 use std::sync::Arc;
@@ -23,8 +23,10 @@ const ALLOWED: f64 = 1e-14;
 const OF_TOLERANCE: f64 = 0.1;
 /// Below this part of what is allowed, the function's own rounding would be projected into the states.
 const WORTH_IT: f64 = 0.1;
-/// A state is held where its spacing moves a function by this part of its scale: ten of them are what is allowed.
+/// A state is too coarse if its spacing moves a function by this part of its scale: ten of them are what is allowed.
 const TOO_COARSE: f64 = 0.1 * ALLOWED;
+/// It is then moved less than others by the square of this.
+const HELD: f64 = 1e-3;
 /// Newton's method from one rounding error away: the second correction is already nothing.
 const CORRECTIONS: usize = 2;
 
@@ -141,20 +143,18 @@ impl Invariants {
         }
     }
 
-    /// In what a correction of a state of that value is measured; zero where it takes none.
+    /// In what a correction of a state of that value is measured.
     fn unit(&self, state: usize, value: f64, system: &Compiled, scales: &Scales) -> f64 {
         let scale = scales.of(system.group(state));
-        let mut unit = if scale == 0.0 { 1.0 } else { scale };
+        let (mut unit, mut is_coarse) = (if scale == 0.0 { 1.0 } else { scale }, false);
         for (place, row) in self.rows.iter().enumerate() {
             let (slope, size) = (self.slope(place, state).abs(), scales.of(row.group));
-            if size > 0.0 && slope * f64::EPSILON * value.abs() > TOO_COARSE * size {
-                return 0.0;
-            }
+            is_coarse |= size > 0.0 && slope * f64::EPSILON * value.abs() > TOO_COARSE * size;
             if size > 0.0 && slope * unit > size {
                 unit = size / slope;
             }
         }
-        unit
+        if is_coarse { HELD * unit } else { unit }
     }
 
     fn slope(&self, row: usize, state: usize) -> f64 {

@@ -16,8 +16,9 @@ use crate::hybrid::Hybrid;
 use crate::polynomial::{shifted, value};
 use crate::trajectory::{Event, Piece};
 
-/// A last term of this part of the scale of its state is none: what a series leaves out is less.
-const LAST_TERM: f64 = 1e-12;
+/// A last term of this part of the scale of its state is small: what a series leaves out is less, and most of the term is what has grown
+/// of rounding errors. How much it is, check runs tell, which step over the instant from elsewhere.
+const LAST_TERM: f64 = 1e-10;
 
 /// An instant that a step goes over.
 #[derive(Clone, Debug)]
@@ -26,8 +27,8 @@ pub struct Over<Record> {
     pub instant: f64,
     /// By how much rounding may have moved it, s.
     pub blur: f64,
-    /// What happens then, in the model's terms.
-    pub record: Record,
+    /// What happens then, in the model's terms; nothing that is told of, where there is none.
+    pub record: Option<Record>,
     /// End of the step, s.
     pub end: f64,
 }
@@ -36,6 +37,11 @@ impl<H: Hybrid> Solver<'_, H> {
     /// The motion so far.
     pub fn trajectory(&self) -> &Motion<H> {
         &self.trajectory
+    }
+
+    /// Scales that errors are relative to, one a group of states.
+    pub fn scales(&self) -> &[f64] {
+        self.scales.all()
     }
 
     /// Goes back to an earlier time, s. What was found after it is found again, events that only record included; `false` where
@@ -168,10 +174,11 @@ impl<H: Hybrid> Solver<'_, H> {
 
     /// Keeps the instant that was gone over as an event that changes nothing.
     fn tell(&mut self, mode: usize, over: &Over<H::Record>) {
+        let Some(record) = over.record.clone() else { return };
         let event = Event {
             time: self.time,
             causes: vec![],
-            record: over.record.clone(),
+            record,
             before: self.states.clone(),
             after: self.states.clone(),
             blur: over.blur,
