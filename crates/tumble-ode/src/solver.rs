@@ -137,6 +137,8 @@ pub struct Solver<'a, H: Hybrid> {
     /// Whether an event has ended the motion.
     stopped: bool,
     is_proved: bool,
+    /// Enclosures tell nothing of steps that begin before this time, s.
+    not_enclosed: f64,
     trajectory: Motion<H>,
 }
 
@@ -173,6 +175,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             memory: Memory::default(),
             stopped: false,
             is_proved: start.is_proved,
+            not_enclosed: f64::NEG_INFINITY,
             trajectory: Trajectory {
                 modes: vec![],
                 pieces: vec![],
@@ -352,6 +355,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         expansion: &Expansion,
         step: &Step,
     ) -> Result<Option<Unknown>, Reason> {
+        if self.time < self.not_enclosed {
+            return Ok(None);
+        }
         let stretch = Stretch { expansion, length: step.length, hits: &step.hits };
         let demand = Demand {
             scales: &self.scales,

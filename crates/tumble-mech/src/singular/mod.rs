@@ -122,54 +122,54 @@ impl Passages {
         inputs: &[f64],
     ) -> Result<bool, Refusal> {
         let Some(piece) = solver.trajectory().pieces.last() else { return Ok(false) };
-        let (mode, from) = (&solver.trajectory().modes[piece.mode], last_change(solver));
-        let longest = self.longest;
+        let (mode, now) = (&solver.trajectory().modes[piece.mode], piece.end);
+        let earliest = last_change(solver).max(self.not_before);
+        let (longest, tried) = (self.longest, self.tried);
         let Some(rank) = self.rank(equations, mode, inputs) else { return Ok(false) };
         let Some(ahead) = rank.ahead(piece, longest) else { return Ok(false) };
-        let Some(wanted) = BEFORE.get(self.tried) else { return Ok(false) };
-        let from = (ahead - wanted * longest).max(from).max(self.not_before);
+        let Some(way) = BEFORE.get(tried).map(|wanted| wanted * longest) else { return Ok(false) };
+        let from = (ahead - way).min(now).max(earliest);
         if ahead - from < NEAREST * longest || !solver.go_back(from) {
             return Ok(false);
         }
-        self.over(equations, solver, [from, ahead])
+        let refused = |reason: Reason| Refusal { time: from, reason };
+        let Some(mut seen) = See::from(rank, solver, ahead).map_err(refused)? else { return Ok(false) };
+        // From far away it was not known where to start.
+        let from = (seen.at() - way).max(earliest);
+        if from < seen.series.start && solver.go_back(from) {
+            let ahead = seen.at();
+            let Some(nearer) = See::from(rank, solver, ahead).map_err(refused)? else { return Ok(false) };
+            seen = nearer;
+        }
+        self.over(equations, solver, &seen).map_err(refused)
     }
 
-    /// Goes over an instant that is about `ahead`, from `from` on.
+    /// Goes over the instant that is seen.
     fn over(
         &mut self,
         equations: &Equations,
         solver: &mut Solver<'_, Equations>,
-        [from, ahead]: [f64; 2],
-    ) -> Result<bool, Refusal> {
-        let refused = |reason: Reason| Refusal { time: from, reason };
-        let way = ahead - from;
-        let series = solver.ahead(ahead + 1.5 * BEHIND * way).map_err(refused)?;
-        let (Some(series), Some((_, Some(rank)))) = (series, &mut self.known) else {
-            return Ok(self.try_elsewhere());
-        };
-        let zero = rank.zero(&series, ahead);
-        let end = match zero {
+        See { series, ahead, zero }: &See,
+    ) -> Result<bool, Reason> {
+        let (at, blur, is_singular) = match zero {
             Zero::None => {
-                self.not_before = ahead + way;
+                self.not_before = *ahead;
                 return Ok(true);
             }
-            Zero::Touched { at, rows } => return Err(refused(equations.not_unique(at, &rows))),
-            Zero::Crossed { at, .. } => at + BEHIND * (at - from),
+            Zero::Touched { at, rows } => return Err(equations.not_unique(*at, rows)),
+            Zero::Crossed { at, blur, is_singular } => (*at, *blur, *is_singular),
         };
-        if !rank.holds(&series, end, solver.scales(), HOLDS) {
-            return Ok(self.try_elsewhere());
+        let way = at - series.start;
+        let end = at + BEHIND * way;
+        let Some((_, Some(rank))) = &mut self.known else { return Ok(false) };
+        if !solver.reaches(end) || !rank.holds(series, end, solver.scales(), HOLDS) {
+            self.tried += 1;
+            return Ok(true);
         }
-        let Zero::Crossed { at, blur, is_singular } = zero else { return Ok(true) };
         let record = is_singular.then(|| Record { happened: vec![Happening::Singular], ..Record::default() });
-        solver.step_over(Over { instant: at, blur, record, end }).map_err(refused)?;
+        solver.step_over(Over { instant: at, blur, record, end, near: at + way })?;
         (self.not_before, self.tried) = (end, 0);
         Ok(true)
-    }
-
-    /// The next step over the instant starts elsewhere.
-    fn try_elsewhere(&mut self) -> bool {
-        self.tried += 1;
-        true
     }
 
     fn rank(&mut self, equations: &Equations, mode: &Mode, inputs: &[f64]) -> Option<&mut Rank> {
@@ -178,6 +178,30 @@ impl Passages {
             self.known = Some((mode.clone(), rank));
         }
         self.known.as_mut().and_then(|(_, rank)| rank.as_mut())
+    }
+}
+
+/// What series at an instant show of the rows ahead.
+struct See {
+    series: Piece,
+    /// Where the singular instant was looked for, s.
+    ahead: f64,
+    zero: Zero,
+}
+
+impl See {
+    fn from(rank: &mut Rank, solver: &mut Solver<'_, Equations>, ahead: f64) -> Result<Option<Self>, Reason> {
+        let Some(series) = solver.ahead()? else { return Ok(None) };
+        let zero = rank.zero(&series, ahead);
+        Ok(Some(Self { series, ahead, zero }))
+    }
+
+    /// The instant, as far as it is known, s.
+    fn at(&self) -> f64 {
+        match self.zero {
+            Zero::Crossed { at, .. } | Zero::Touched { at, .. } => at,
+            Zero::None => self.series.start,
+        }
     }
 }
 

@@ -17,6 +17,12 @@ const NEARER: f64 = 1.0 / 8.0;
 const PROPORTIONAL: f64 = 0.35;
 /// Corrections of the instant, each with a base that is a sixteenth of the one before, or four corrections.
 const CORRECTIONS: usize = 12;
+/// The narrowest base: there rounding errors of the values are still small parts of them.
+const NARROWEST: f64 = 1e-5;
+/// Parts of the way to a guess of the instant in which the least value is looked for.
+const PARTS: usize = 16;
+/// A guess that is so many long steps ahead is too far.
+const FAR: f64 = 2.0;
 /// Parts of the largest entry of a vector that others must have to be told.
 const TOLD: f64 = 0.3;
 
@@ -56,17 +62,21 @@ impl Rank {
         let [before, after] = [piece.start, piece.end].map(|time| self.kept(piece, time));
         let rate = (before - after) / (piece.end - piece.start);
         let ahead = piece.end + after / rate;
-        (rate > 0.0 && ahead - piece.end < longest).then_some(ahead)
+        (rate > 0.0 && ahead - piece.end < FAR * longest).then_some(ahead)
     }
 
-    /// What becomes of them about `ahead` along a piece.
+    /// What becomes of them up to about `ahead` along a piece, and as far again.
     pub(super) fn zero(&mut self, piece: &Piece, ahead: f64) -> Zero {
-        let way = ahead - piece.start;
-        let (at, blur) = self.least(piece, ahead, way);
-        if !(at > piece.start && at < piece.start + 1.5 * way) {
+        let part = (ahead - piece.start) / PARTS as f64;
+        let values: Vec<f64> =
+            (0..=2 * PARTS).map(|at| self.kept(piece, piece.start + at as f64 * part)).collect();
+        let valley = (1..2 * PARTS).find(|at| values[*at] <= values[at - 1] && values[*at] <= values[at + 1]);
+        let Some(valley) = valley else { return Zero::None };
+        let (at, blur) = self.least(piece, piece.start + valley as f64 * part, part);
+        if !(at > piece.start && at.is_finite()) {
             return Zero::None;
         }
-        let least = self.kept(piece, at);
+        let (way, least) = (at - piece.start, self.kept(piece, at));
         if least > ZERO * self.kept(piece, piece.start) {
             return Zero::None;
         }
@@ -85,14 +95,14 @@ impl Rank {
 
     /// Where the smallest singular value of the rows that are kept is least: it falls to zero and rises again in straight lines but for
     /// their bend, and where these meet is found from ever nearer.
-    fn least(&mut self, piece: &Piece, ahead: f64, way: f64) -> (f64, f64) {
-        let (mut at, mut base, mut slope) = (ahead, 0.1 * way, 0.0);
+    fn least(&mut self, piece: &Piece, ahead: f64, part: f64) -> (f64, f64) {
+        let (mut at, mut base, mut slope) = (ahead, part, 0.0);
         for _ in 0..CORRECTIONS {
             let [before, after] = [-base, base].map(|away| self.kept(piece, at + away));
             slope = (before + after) / (2.0 * base);
             let step = base * (before - after) / (before + after);
             at += step;
-            base = (base / 16.0).max(4.0 * step.abs()).max(1e-6 * way).min(base);
+            base = (base / 16.0).max(4.0 * step.abs()).max(NARROWEST * part).min(base);
         }
         (at, f64::EPSILON * (self.largest(piece, at) / slope).abs() + 4.0 * f64::EPSILON * at.abs())
     }

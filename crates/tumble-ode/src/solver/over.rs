@@ -31,6 +31,9 @@ pub struct Over<Record> {
     pub record: Option<Record>,
     /// End of the step, s.
     pub end: f64,
+    /// Up to this time steps are held to their defect and to what they must keep alone, s: enclosures of what is solved for are wider
+    /// than the numbers themselves near the instant, and would cut them without end.
+    pub near: f64,
 }
 
 impl<H: Hybrid> Solver<'_, H> {
@@ -47,6 +50,9 @@ impl<H: Hybrid> Solver<'_, H> {
     /// Goes back to an earlier time, s. What was found after it is found again, events that only record included; `false` where
     /// others have happened since, and where the motion has another parameter than the time.
     pub fn go_back(&mut self, time: f64) -> bool {
+        if time == self.time {
+            return true;
+        }
         let pieces = &self.trajectory.pieces;
         let first = pieces.partition_point(|piece| piece.end <= time);
         let Some(mode) = self.mode.filter(|_| !self.stopped) else { return false };
@@ -80,40 +86,42 @@ impl<H: Hybrid> Solver<'_, H> {
         true
     }
 
-    /// The motion from now on, as far as its series at this instant tells; `None` where they end before `until`, s.
-    pub fn ahead(&mut self, until: f64) -> Result<Option<Piece>, Reason> {
+    /// The motion from now on, by its series at this instant; `None` where they have another parameter than the time.
+    pub fn ahead(&mut self) -> Result<Option<Piece>, Reason> {
         let Some(mode) = self.mode else { return Ok(None) };
         let mut expansion = std::mem::take(&mut self.expansion);
         self.watch_rates(mode);
         let found = self.expand(mode, &mut expansion);
-        let length = until - self.time;
-        let reaches = found.is_ok() && self.reaches(mode, &expansion, length);
-        let near = (self.reach, self.compensation.as_slice());
-        let work = &mut self.trajectory.work;
-        let seen = self.engines[mode].approach(&mut expansion, length, near, work)?;
         let piece = Piece {
             start: self.time,
             left_out: 0.0,
-            end: until,
+            end: self.time,
             mode,
-            length,
+            length: 0.0,
             states: expansion.states.clone(),
             time_series: None,
         };
+        let is_in_time = expansion.time.is_none();
         self.expansion = expansion;
         found?;
-        Ok((reaches && seen >= length).then_some(piece))
+        Ok(is_in_time.then_some(piece))
     }
 
-    /// Whether the last terms of the series are nothing there.
-    fn reaches(&self, mode: usize, expansion: &Expansion, length: f64) -> bool {
-        let is_nothing = |(state, series): (usize, &[f64])| {
+    /// Whether the last terms of these series are small at a time, s, and what may happen up to then is seen.
+    pub fn reaches(&mut self, time: f64) -> bool {
+        let Some(mode) = self.mode else { return false };
+        let length = time - self.time;
+        let is_small = |(state, series): (usize, &[f64])| {
             let scale = self.scales.of(self.engines[mode].system.group(state));
             let last = series.iter().enumerate().skip(series.len().saturating_sub(2));
             let mut terms = last.map(|(k, c)| c.abs() * libm::pow(length, k as f64));
             terms.all(|term| term <= LAST_TERM * scale)
         };
-        expansion.time.is_none() && expansion.states.iter().enumerate().all(is_nothing)
+        let is_known = self.expansion.states.iter().enumerate().all(is_small);
+        let near = (self.reach, self.compensation.as_slice());
+        let work = &mut self.trajectory.work;
+        let seen = self.engines[mode].approach(&mut self.expansion, length, near, work);
+        is_known && seen.is_ok_and(|seen| seen >= length)
     }
 
     /// Takes the step that [`Solver::ahead`] has found, without the checks that an ordinary step has to pass. It ends early at what
@@ -121,6 +129,7 @@ impl<H: Hybrid> Solver<'_, H> {
     pub fn step_over(&mut self, over: Over<H::Record>) -> Result<(), Reason> {
         let Some(mode) = self.mode else { return Ok(()) };
         let mut expansion = std::mem::take(&mut self.expansion);
+        self.not_enclosed = over.near;
         let changes = |events: &[Event<H::Record>]| {
             events
                 .last()
