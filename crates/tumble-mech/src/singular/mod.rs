@@ -74,8 +74,11 @@ pub(crate) struct Passages {
     longest: f64,
     /// Before this time nothing more is looked for, s.
     not_before: f64,
-    /// How many of [`BEFORE`] were too far or too near.
+    /// The last instant that was gone over, s.
+    last: Option<f64>,
+    /// How many of [`BEFORE`] were too far or too near for an instant about this time, s.
     tried: usize,
+    tried_for: f64,
 }
 
 impl Passages {
@@ -103,6 +106,9 @@ impl Passages {
         if piece.end < self.not_before {
             return false;
         }
+        if piece.end > self.tried_for {
+            self.tried = 0;
+        }
         let is_stuck = refusal.is_some_and(|refusal| {
             matches!(
                 refusal.reason,
@@ -123,19 +129,26 @@ impl Passages {
     ) -> Result<bool, Refusal> {
         let Some(piece) = solver.trajectory().pieces.last() else { return Ok(false) };
         let (mode, now) = (&solver.trajectory().modes[piece.mode], piece.end);
+        let (longest, tried, last) = (self.longest, self.tried, self.last);
         let earliest = last_change(solver).max(self.not_before);
-        let (longest, tried) = (self.longest, self.tried);
+        // Rounding errors grow with the distance to an instant behind as well.
+        let between = |ahead: f64| last.map_or(earliest, |last| earliest.max(0.5 * (last + ahead)));
         let Some(rank) = self.rank(equations, mode, inputs) else { return Ok(false) };
         let Some(ahead) = rank.ahead(piece, longest) else { return Ok(false) };
-        let Some(way) = BEFORE.get(tried).map(|wanted| wanted * longest) else { return Ok(false) };
-        let from = (ahead - way).min(now).max(earliest);
+        let Some(way) = BEFORE.get(tried).map(|wanted| wanted * longest) else {
+            return match rank.is_lost(solver.trajectory().pieces.last()) {
+                Some(rows) => Err(Refusal { time: now, reason: equations.not_passed(now, &rows) }),
+                None => Ok(false),
+            };
+        };
+        let from = (ahead - way).min(now).max(between(ahead)).min(now);
         if ahead - from < NEAREST * longest || !solver.go_back(from) {
             return Ok(false);
         }
         let refused = |reason: Reason| Refusal { time: from, reason };
         let Some(mut seen) = See::from(rank, solver, ahead).map_err(refused)? else { return Ok(false) };
         // From far away it was not known where to start.
-        let from = (seen.at() - way).max(earliest);
+        let from = (seen.at() - way).max(between(seen.at()));
         if from < seen.series.start && solver.go_back(from) {
             let ahead = seen.at();
             let Some(nearer) = See::from(rank, solver, ahead).map_err(refused)? else { return Ok(false) };
@@ -152,10 +165,7 @@ impl Passages {
         See { series, ahead, zero }: &See,
     ) -> Result<bool, Reason> {
         let (at, blur, is_singular) = match zero {
-            Zero::None => {
-                self.not_before = *ahead;
-                return Ok(true);
-            }
+            Zero::None => return Ok(self.try_elsewhere(*ahead)),
             Zero::Touched { at, rows } => return Err(equations.not_unique(*at, rows)),
             Zero::Crossed { at, blur, is_singular } => (*at, *blur, *is_singular),
         };
@@ -163,13 +173,18 @@ impl Passages {
         let end = at + BEHIND * way;
         let Some((_, Some(rank))) = &mut self.known else { return Ok(false) };
         if !solver.reaches(end) || !rank.holds(series, end, solver.scales(), HOLDS) {
-            self.tried += 1;
-            return Ok(true);
+            return Ok(self.try_elsewhere(at));
         }
         let record = is_singular.then(|| Record { happened: vec![Happening::Singular], ..Record::default() });
         solver.step_over(Over { instant: at, blur, record, end, near: at + way })?;
-        (self.not_before, self.tried) = (end, 0);
+        (self.not_before, self.last, self.tried) = (end, Some(at), 0);
         Ok(true)
+    }
+
+    /// The next step over an instant about that time starts elsewhere.
+    fn try_elsewhere(&mut self, at: f64) -> bool {
+        (self.tried, self.tried_for) = (self.tried + 1, at);
+        true
     }
 
     fn rank(&mut self, equations: &Equations, mode: &Mode, inputs: &[f64]) -> Option<&mut Rank> {
@@ -245,6 +260,16 @@ impl Equations {
             "at t = {at} s the bodies come to a singular configuration, in which {} can be kept in more than one way, and the \
              velocities do not tell which: the branches of the motion touch there, or the bodies stop. Start with other \
              velocities, or change a length a little",
+            self.named_joints(rows)
+        ))
+    }
+
+    /// That the series of the motion do not lead over a singular configuration.
+    fn not_passed(&self, at: f64, rows: &[usize]) -> Reason {
+        Reason::Model(format!(
+            "at t = {at} s the bodies are next to a singular configuration, in which {} can be kept in more than one way, and no step was \
+             found that leads over it with digits left: an event or a start too short before it leaves no room for one, and bars that \
+             are equal but for their last digits pass beside it",
             self.named_joints(rows)
         ))
     }

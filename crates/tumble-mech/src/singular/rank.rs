@@ -11,6 +11,8 @@ use crate::mode::Mode;
 
 /// A singular value is zero at its least if it is this part of what it is elsewhere on the way.
 pub(super) const ZERO: f64 = 1e-7;
+/// Nearer to zero than this part of the largest of them, half of the digits of what keeps the rows are gone.
+const LOST: f64 = 1e-6;
 /// What grows in proportion is, an eighth as far away, an eighth; what grows with the square a sixty-fourth.
 const NEARER: f64 = 1.0 / 8.0;
 /// Between both.
@@ -63,6 +65,13 @@ impl Rank {
         let rate = (before - after) / (piece.end - piece.start);
         let ahead = piece.end + after / rate;
         (rate > 0.0 && ahead - piece.end < FAR * longest).then_some(ahead)
+    }
+
+    /// Rows, by index, that are singular but for rounding at the end of a piece: from there no step tells where it leads.
+    pub(super) fn is_lost(&mut self, piece: Option<&Piece>) -> Option<Vec<usize>> {
+        let piece = piece?;
+        let is_lost = self.kept(piece, piece.end) < LOST * self.largest(piece, piece.end);
+        is_lost.then(|| self.weak(piece, piece.end))
     }
 
     /// What becomes of them up to about `ahead` along a piece, and as far again.
