@@ -12,6 +12,7 @@ use crate::workspace::{Workspace, copy, read};
 const REFERENCES: &[(&str, &str)] = &[
     ("references/elliptic.py", "crates/tumble/tests/reference/elliptic.json"),
     ("references/chains.py", "crates/tumble/tests/reference/chains.json"),
+    ("references/linkages.py", "crates/tumble/tests/reference/linkages.json"),
 ];
 
 const REQUIREMENTS: &str = "references/requirements.txt";

@@ -29,7 +29,7 @@ fn parallelogram(masses: &[f64], angle: f64, omega: f64) -> (Model, Vec<Body>) {
     let reach = APART * (masses.len() - 1) as f64;
     let mut coupler = Body::rod("coupler", [0 * M, 0 * M], [reach * M, 0 * M]).mass(1 * KG);
     for index in 0..masses.len() {
-        coupler = coupler.with_point(&format!("p{index}"), [APART * index as f64 * M, 0 * M]);
+        coupler = coupler.with_point(format!("p{index}"), [APART * index as f64 * M, 0 * M]);
     }
     let (x, y) = (LENGTH * angle.cos(), LENGTH * angle.sin());
     let start = Start::default().at([(x + reach / 2.0) * M, y * M]).angle(Expr::from(0.0));

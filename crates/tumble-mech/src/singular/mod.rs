@@ -38,8 +38,7 @@
 //! Gosselin, Constraint singularities as C-space singularities (Advances in Robot Kinematics, 2002).
 //!
 //! # Checked by
-//! `tests/singular.rs`: parallelograms of one and two loops against the pendulum that they are, a kite, a slider-crank that stops at its
-//! dead point, starts that are singular.
+//! `tests/singular.rs`: parallelograms of one and two loops against the pendulum that they are, a kite, starts that are singular.
 
 mod rank;
 mod start;
