@@ -13,6 +13,7 @@ const REFERENCES: &[(&str, &str)] = &[
     ("references/elliptic.py", "crates/tumble/tests/reference/elliptic.json"),
     ("references/elastic.py", "crates/tumble/tests/reference/elastic.json"),
     ("references/chains.py", "crates/tumble/tests/reference/chains.json"),
+    ("references/linkages.py", "crates/tumble/tests/reference/linkages.json"),
 ];
 
 const REQUIREMENTS: &str = "references/requirements.txt";

@@ -3,15 +3,14 @@
 //! The correction of a gap g is what an impulse at the joints would do to rates that are to change by `-g` (Newton's method): as little
 //! mass as possible is moved.
 
-use std::collections::HashMap;
-
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Rounded, Symbol};
+use tumble_expr::Rounded;
 use tumble_ode::Reason;
 
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
+use crate::gauge::Gauge;
 use crate::mode::Mode;
 use crate::restrained::{Gradients, respond};
 use crate::row::Row;
@@ -37,16 +36,16 @@ pub(crate) struct Rows {
     /// Index of each.
     pub(crate) indices: Vec<usize>,
     /// m or rad; and what it is but for rounding.
-    position: Vec<Rounded>,
+    pub(crate) position: Vec<Rounded>,
     /// m/s or rad/s
-    rate: Vec<Rounded>,
+    pub(crate) rate: Vec<Rounded>,
     /// By row and velocity.
     pub(crate) gradient: Gradients,
     /// By velocity, kg or kg m^2.
     pub(crate) mass: DVector<f64>,
     /// States that the velocities are, and the coordinates that they are rates of.
     pub(crate) velocities: Vec<usize>,
-    coordinates: Vec<usize>,
+    pub(crate) coordinates: Vec<usize>,
 }
 
 impl Equations {
@@ -89,6 +88,9 @@ impl Equations {
         }
         let moved = states.iter().zip(&before).map(|(now, before)| now != before);
         moved.zip(compensation).filter(|(moved, _)| *moved).for_each(|(_, left)| *left = 0.0);
+        if let Some(joints) = self.only_here(mode, 0.0, states, inputs) {
+            return Err(ModelError::StartsSingular { joints }.into());
+        }
         mode.redundant = now.redundant();
         Ok(())
     }
@@ -123,45 +125,7 @@ impl Equations {
         states: &[f64],
         inputs: &[f64],
     ) -> Result<Rows, Reason> {
-        let layout = self.layout(mode);
-        let bodies = || mode.bodies.iter().copied();
-        let velocities: Vec<usize> = bodies().flat_map(|body| self.velocity_states(mode, body)).collect();
-        let coordinates = bodies().flat_map(|body| self.coordinate_states(mode, body)).collect();
-        let places: HashMap<&Symbol, usize> =
-            velocities.iter().enumerate().map(|(place, state)| (&layout.states[*state], place)).collect();
-        let definitions = self.definitions_of(mode);
-        let (mut outputs, mut indices, mut used) = (vec![], vec![], vec![]);
-        for (index, row) in rows {
-            indices.push(*index);
-            let rate = definitions.apply(&row.rate);
-            let symbols = rate.symbols();
-            let mut own: Vec<usize> =
-                symbols.iter().filter_map(|symbol| places.get(symbol).copied()).collect();
-            own.sort_unstable();
-            outputs.extend([definitions.apply(&row.position), rate.clone()]);
-            outputs.extend(own.iter().map(|place| rate.derivative(&layout.states[velocities[*place]])));
-            used.push(own);
-        }
-        let masses = outputs.len();
-        outputs.extend(
-            bodies().flat_map(|body| self.masses(mode, body)).map(|mass: Expr| definitions.apply(&mass)),
-        );
-        let numbers =
-            |values: &[f64]| values.iter().map(|value| Rounded::computed(*value)).collect::<Vec<_>>();
-        let tape = self.compiled(mode, &outputs, inputs)?.tape().clone();
-        let mut jets = Jets::new(tape, 0, &numbers(inputs));
-        jets.start(Rounded::leaf(time), &numbers(states), Branches::Free);
-        let (mut position, mut rate, mut gradient, mut output) = (vec![], vec![], vec![], 0);
-        for own in &used {
-            position.push(jets.value_of(output));
-            rate.push(jets.value_of(output + 1));
-            let slopes = own.iter().zip(output + 2..);
-            gradient.push(slopes.map(|(place, slope)| (*place, jets.value_of(slope).value)).collect());
-            output += 2 + own.len();
-        }
-        let mass = DVector::from_fn(velocities.len(), |place, _| jets.value_of(masses + place).value);
-        let gradient = Gradients { rows: gradient, columns: velocities.len() };
-        Ok(Rows { indices, position, rate, gradient, mass, velocities, coordinates })
+        Ok(Gauge::of(self, mode, rows, inputs)?.at(time, states))
     }
 
     /// Joints that are not to be assembled and do not fit.

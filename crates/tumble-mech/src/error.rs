@@ -185,6 +185,15 @@ pub enum ModelError {
         /// What is left, m.
         gap: f64,
     },
+    /// A start in which joints can be kept in more than one way.
+    #[error(
+        "the bodies start in a singular configuration, in which {joints} can be kept in more than one way: where bars of a loop lie in \
+         one line, they may go on either side. Turn one of them a little, so that the start says which"
+    )]
+    StartsSingular {
+        /// Their names, quoted.
+        joints: String,
+    },
     /// A path that a pivot is moved on with a corner or a jump.
     #[error(
         "the path of {what} has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \

@@ -43,6 +43,8 @@ pub enum Happening {
     },
     /// All bodies have come to rest for good.
     Rest,
+    /// The joints pass a singular configuration: for this instant they could be kept in more than one way.
+    Singular,
 }
 
 /// A jump that leaves a record.
@@ -86,6 +88,7 @@ impl Equations {
                 format!("{}.{}", self.model().joints[joint].name, if holds { "start" } else { "end" })
             }
             Happening::Rest => "rest".to_owned(),
+            Happening::Singular => "singular configuration".to_owned(),
             Happening::Impulse(impulse) => self.model().impulses[impulse].name.clone(),
             Happening::Contact { pair, change } => format!("{}.{}", self.pairs()[pair].name, change.word()),
         }

@@ -13,6 +13,7 @@ use crate::cache::Cache;
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::record::{Happening, Record};
+use crate::singular::Passages;
 
 /// One motion at a time goes on by this part of the run: what it uses is at hand, and little is done in vain where another ends all.
 const LEAD: f64 = 1.0 / 16.0;
@@ -136,7 +137,7 @@ impl Equations {
         let components = self.components().all();
         let starts = Starts::of(self, start);
         let solver = |bodies: &Vec<usize>| Solver::new(self, starts.of_some(bodies), until, accuracy);
-        let mut race = Race::new(components.iter().map(solver).collect(), until - start.time);
+        let mut race = Race::new(components.iter().map(solver).collect(), &start.inputs, until - start.time);
         let refused = race.run(self, progress);
         let is_stopped = race.end.is_some() && refused.is_none();
         let tracks = race.finish();
@@ -191,6 +192,9 @@ impl<'a> Starts<'a> {
 /// beyond is cut off.
 struct Race<'a> {
     solvers: Vec<Solver<'a, Equations>>,
+    inputs: &'a [f64],
+    /// What each has seen of singular configurations on its way.
+    passages: Vec<Passages>,
     /// Of those that have come to rest for good, when.
     rest: Vec<Option<f64>>,
     /// The first that may not be at rest.
@@ -204,11 +208,13 @@ struct Race<'a> {
 }
 
 impl<'a> Race<'a> {
-    fn new(mut solvers: Vec<Solver<'a, Equations>>, span: f64) -> Self {
+    fn new(mut solvers: Vec<Solver<'a, Equations>>, inputs: &'a [f64], span: f64) -> Self {
         if let Some((first, others)) = solvers.split_first_mut() {
             others.iter_mut().for_each(|other| other.share_memory(first));
         }
         Self {
+            inputs,
+            passages: solvers.iter().map(|_| Passages::default()).collect(),
             rest: vec![None; solvers.len()],
             solvers,
             witness: 0,
@@ -256,7 +262,8 @@ impl<'a> Race<'a> {
     ) -> ControlFlow<()> {
         loop {
             let solver = &mut self.solvers[index];
-            if let Err(refusal) = solver.advance() {
+            let refusal = solver.advance().err();
+            if let Some(refusal) = self.passages[index].watch(equations, solver, self.inputs, refusal) {
                 if self.end.is_none_or(|end| refusal.time < end) {
                     self.end = Some(refusal.time);
                     self.refused = Some((index, refusal));

@@ -1,7 +1,11 @@
 //! Functions that are zero along a flow: how far rounding has moved them, and the states moved back.
 //!
-//! With W the squares of the states' scales and J the gradients of the functions g, the smallest correction in units of
-//! the scales is `-W J^T (J W J^T)^-1 g` (Newton's method, least norm).
+//! With W the squares of the states' units and J the gradients of the functions g, the smallest correction in these
+//! units is `-W J^T (J W J^T)^-1 g` (Newton's method, least norm). The unit of a state is its scale, or what moves one of
+//! the functions by the scale of that, if it is less: an angle that has turned many times round has a large scale, and a
+//! function of it is not moved more by a radian for that. A state whose spacing of doubles moves a function by about what is
+//! allowed is corrected only where no other can be, so its unit is a small part of that: it could hardly take a correction up. What rounding of the states does to a function is no
+//! fault of a step, which would not do less if it were shorter.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -19,6 +23,10 @@ const ALLOWED: f64 = 1e-14;
 const OF_TOLERANCE: f64 = 0.1;
 /// Below this part of what is allowed, the function's own rounding would be projected into the states.
 const WORTH_IT: f64 = 0.1;
+/// A state is too coarse if its spacing moves a function by this part of its scale: ten of them are what is allowed.
+const TOO_COARSE: f64 = 0.1 * ALLOWED;
+/// It is then moved less than others by the square of this.
+const HELD: f64 = 1e-3;
 /// Newton's method from one rounding error away: the second correction is already nothing.
 const CORRECTIONS: usize = 2;
 
@@ -32,6 +40,9 @@ pub(crate) struct Invariants {
     off: Vec<f64>,
     shares: Vec<f64>,
     step: Vec<f64>,
+    /// In what corrections of the states are measured, and which of them can hardly take one up.
+    units: Vec<f64>,
+    is_coarse: Vec<bool>,
 }
 
 /// All functions, and which have states in common: each with few others.
@@ -68,6 +79,8 @@ pub(crate) struct Slack<'a> {
     pub(crate) off: &'a [f64],
     /// Its length.
     pub(crate) length: f64,
+    /// Part of each state that rounding may have put it off by.
+    pub(crate) rounding: f64,
 }
 
 impl Rows {
@@ -121,16 +134,31 @@ impl Invariants {
         let values = Jets::new(Arc::clone(&program.invariants), 0, inputs);
         let rows = Arc::clone(&program.plan.invariants);
         let (normal, shares) = (rows.normal.clone(), vec![0.0; rows.list.len()]);
-        Self { values, rows, normal, entries: vec![], off: vec![], shares, step: vec![] }
+        Self {
+            values,
+            rows,
+            normal,
+            entries: vec![],
+            off: vec![],
+            shares,
+            step: vec![],
+            units: vec![],
+            is_coarse: vec![],
+        }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
         self.rows.list.is_empty()
     }
 
-    /// How far the worst is from zero, in units of what is allowed.
+    /// How far the worst is from zero, in units of what is allowed and what rounding of the states makes of it.
     fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
-        self.excess_of_step(time, states, scales, &Slack { tolerance: 0.0, off: &[], length: 0.0 })
+        self.excess_of_step(
+            time,
+            states,
+            scales,
+            &Slack { tolerance: 0.0, off: &[], length: 0.0, rounding: 0.0 },
+        )
     }
 
     /// The same at the end of a step.
@@ -145,8 +173,9 @@ impl Invariants {
         let part = |row: &Row| {
             let scale = scales.of(row.group);
             let off = row.states.iter().enumerate().map(|(index, state)| {
-                let off = slack.off.get(*state).copied().unwrap_or(0.0);
-                (self.values.value_of(row.output + 1 + index) * off).abs() * slack.length
+                let off = slack.off.get(*state).copied().unwrap_or(0.0).abs() * slack.length;
+                self.values.value_of(row.output + 1 + index).abs()
+                    * (off + slack.rounding * states[*state].abs())
             });
             let allowed = ALLOWED.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
             if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
@@ -159,15 +188,12 @@ impl Invariants {
         if self.excess(time, states, scales) <= WORTH_IT {
             return;
         }
-        let weight = |state: usize| {
-            let scale = scales.of(system.group(state));
-            if scale == 0.0 { 1.0 } else { scale }
-        };
+        self.set_units(states, system, scales);
         for _ in 0..CORRECTIONS {
             self.values.start(time, states, Branches::Free);
-            let of = |output: usize| self.values.value_of(output);
+            let (of, units) = (|output: usize| self.values.value_of(output), &self.units);
             let product = |Product { slopes: [a, b], state }: &Product| {
-                of(*a) * of(*b) * (weight(*state) * weight(*state))
+                of(*a) * of(*b) * (units[*state] * units[*state])
             };
             self.entries.clear();
             self.entries.extend(self.rows.entries.iter().map(|entry| entry.iter().map(product).sum::<f64>()));
@@ -183,12 +209,35 @@ impl Invariants {
             for (row, share) in self.rows.list.iter().zip(&self.shares) {
                 row.slopes().for_each(|(state, slope)| self.step[state] += of(slope) * share);
             }
-            for (state, step) in self.step.iter().enumerate() {
-                let change = weight(state) * weight(state) * step;
+            for (state, (step, unit)) in self.step.iter().zip(units).enumerate() {
+                let change = unit * unit * step;
                 if change.is_finite() {
                     states[state] -= change;
                 }
             }
         }
+    }
+
+    /// Finds in what corrections of the states are measured, where the functions have been evaluated.
+    fn set_units(&mut self, states: &[f64], system: &Compiled, scales: &Scales) {
+        self.units.clear();
+        self.units.extend((0..states.len()).map(|state| {
+            let scale = scales.of(system.group(state));
+            if scale == 0.0 { 1.0 } else { scale }
+        }));
+        self.is_coarse.clear();
+        self.is_coarse.resize(states.len(), false);
+        for row in &self.rows.list {
+            let size = scales.of(row.group);
+            for (state, output) in row.slopes().filter(|_| size > 0.0) {
+                let slope = self.values.value_of(output).abs();
+                self.is_coarse[state] |= slope * f64::EPSILON * states[state].abs() > TOO_COARSE * size;
+                if slope * self.units[state] > size {
+                    self.units[state] = size / slope;
+                }
+            }
+        }
+        let coarse = self.units.iter_mut().zip(&self.is_coarse).filter(|(_, is_coarse)| **is_coarse);
+        coarse.for_each(|(unit, _)| *unit *= HELD);
     }
 }

@@ -39,6 +39,6 @@ pub use joined::{AsOne, Of};
 pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
-pub use solver::{Motion, Solver, Start, Stopped, solve};
+pub use solver::{Motion, Over, Solver, Start, Stopped, solve};
 pub use trajectory::{Cursor, Event, Piece, Place, Side, Spot, Trajectory};
 pub use work::Work;

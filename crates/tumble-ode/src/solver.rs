@@ -2,6 +2,7 @@
 
 pub(crate) mod late;
 mod memory;
+mod over;
 mod step;
 
 use std::collections::HashMap;
@@ -24,6 +25,7 @@ use crate::trajectory::{Event, Piece, Trajectory};
 use crate::whole::{Blur, Demand, Doubt, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
 use memory::Memory;
+pub use over::Over;
 
 /// Where no coefficient limits a step, it is at most this part of the run.
 const BLIND_PART: f64 = 1.0 / 8.0;
@@ -135,6 +137,8 @@ pub struct Solver<'a, H: Hybrid> {
     /// Whether an event has ended the motion.
     stopped: bool,
     is_proved: bool,
+    /// Enclosures tell nothing of steps that begin before this time, s.
+    not_enclosed: f64,
     trajectory: Motion<H>,
 }
 
@@ -171,6 +175,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             memory: Memory::default(),
             stopped: false,
             is_proved: start.is_proved,
+            not_enclosed: f64::NEG_INFINITY,
             trajectory: Trajectory {
                 modes: vec![],
                 pieces: vec![],
@@ -347,11 +352,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     /// A step to `end`, or to where something happens, in which nothing moves but by rounding, if that is so.
     fn rest(&mut self, mode: usize, end: f64, expansion: &mut Expansion) -> Result<Option<Step>, Reason> {
-        let now = (self.time, self.states.as_slice(), self.compensation.as_slice());
-        self.engines[mode].watch_noise(&mut self.noise, now);
-        self.scales.watch_rates(&self.engines[mode].system, &self.noise);
+        self.watch_rates(mode);
         let part = if self.rounding.is_nearest() { 1.0 } else { STILL_PART };
-        self.watch_off();
         let now = (self.time, self.states.as_slice());
         if !self.engines[mode].rest(now, &self.noise, (part, &self.off), expansion) {
             return Ok(None);
@@ -366,6 +368,14 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(holds.then_some(step))
     }
 
+    /// Finds the rates at the start of a step, with their rounding errors.
+    fn watch_rates(&mut self, mode: usize) {
+        let now = (self.time, self.states.as_slice(), self.compensation.as_slice());
+        self.engines[mode].watch_noise(&mut self.noise, now);
+        self.scales.watch_rates(&self.engines[mode].system, &self.noise);
+        self.watch_off();
+    }
+
     /// How far a step is known, if not to its end.
     fn unknown(
         &mut self,
@@ -373,6 +383,9 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         expansion: &Expansion,
         step: &Step,
     ) -> Result<Option<Unknown>, Reason> {
+        if self.time < self.not_enclosed {
+            return Ok(None);
+        }
         let stretch = Stretch { expansion, length: step.length, hits: &step.hits };
         let demand = Demand {
             scales: &self.scales,
@@ -441,7 +454,12 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
             let mut scales = self.scales.clone();
             scales.watch(system, &end);
-            let slack = Slack { tolerance: self.tolerance, off: &self.off, length: step.length };
+            let slack = Slack {
+                tolerance: self.tolerance,
+                off: &self.off,
+                length: step.length,
+                rounding: f64::EPSILON,
+            };
             let drift = invariants.excess_of_step(step.end, &end, &scales, &slack);
             verdict = verdict.or(Verdict { excess: drift, state: 0 });
         }
@@ -480,11 +498,18 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         Ok(())
     }
 
-    /// Moves the time and the states to the end of a step.
+    /// Moves the time and the states to the end of a step, and rounding out of what is to stay zero.
     fn accept(&mut self, mode: usize, expansion: &mut Expansion, step: &Step) -> Result<(), Reason> {
         if step.length == 0.0 {
             return Ok(());
         }
+        self.move_along(mode, expansion, step)?;
+        self.project(mode, expansion, step);
+        Ok(())
+    }
+
+    /// Moves the time and the states to the end of a step.
+    fn move_along(&mut self, mode: usize, expansion: &mut Expansion, step: &Step) -> Result<(), Reason> {
         for (state, series) in expansion.states.iter_mut().enumerate() {
             let (before, exact) = (self.states[state], polynomial::increment(series, step.length));
             let error = CHANGE_ROUNDING * f64::EPSILON * exact.abs();
@@ -496,21 +521,27 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             }
             (self.states[state], self.compensation[state]) = (after, left_out);
         }
-        let Engine { system, lazy_guards, invariants, .. } = &mut self.engines[mode];
+        let Engine { system, lazy_guards, .. } = &mut self.engines[mode];
         lazy_guards.moved(expansion, step.length, &self.states);
         self.scales.watch(system, &self.states);
-        if !invariants.is_empty() {
-            let drifted = Row::from_slice(&self.states);
-            invariants.project(step.end, &mut self.states, system, &self.scales);
-            // The piece is to end where the next one begins.
-            for (state, series) in expansion.states.iter_mut().enumerate() {
-                series[1] += (self.states[state] - drifted[state]) / step.length;
-            }
-        }
         self.trajectory.work.steps += 1;
         self.time_left_out = step.left_out;
         self.time = step.end;
         Ok(())
+    }
+
+    /// Takes rounding out of what is to stay zero at the end of a step.
+    fn project(&mut self, mode: usize, expansion: &mut Expansion, step: &Step) {
+        let Engine { system, invariants, .. } = &mut self.engines[mode];
+        if invariants.is_empty() {
+            return;
+        }
+        let drifted = Row::from_slice(&self.states);
+        invariants.project(step.end, &mut self.states, system, &self.scales);
+        // The piece is to end where the next one begins.
+        for (state, series) in expansion.states.iter_mut().enumerate() {
+            series[1] += (self.states[state] - drifted[state]) / step.length;
+        }
     }
 
     /// Keeps a step that was taken as a piece of the motion.
