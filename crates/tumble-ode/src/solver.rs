@@ -1,5 +1,6 @@
 //! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
 
+mod jump;
 pub(crate) mod late;
 mod memory;
 mod over;
@@ -19,9 +20,8 @@ use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::invariants::Slack;
 use crate::order::{order, reach};
 use crate::polynomial;
-use crate::program::Plan;
 use crate::scale::Scales;
-use crate::trajectory::{Event, Piece, Trajectory};
+use crate::trajectory::{Piece, Trajectory};
 use crate::whole::{Blur, Demand, Doubt, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
 use memory::Memory;
@@ -560,63 +560,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             self.trajectory.pieces.push(piece);
         }
         self.memory.count(mode, &step.hits);
-    }
-
-    fn jump_if_due(&mut self, mode: usize, guards: Vec<usize>, at_end: bool) -> Result<(), Reason> {
-        let latest = self.just_after();
-        let schedule = self.engines[mode].system.schedule.iter().enumerate();
-        let due = schedule.filter(|(_, time)| at_end && self.time <= **time && **time <= latest);
-        let scheduled = due.map(|(index, _)| Cause::Scheduled(index));
-        let waking = self.wakes.iter().any(|wake| *wake <= self.time).then_some(Cause::Wake);
-        let tape_guards = self.engines[mode].system.guards;
-        let crossed = guards.into_iter().map(|guard| match guard.checked_sub(tape_guards) {
-            None => Cause::Guard(guard),
-            Some(lazy_guard) => Cause::LazyGuard(lazy_guard),
-        });
-        let causes: Vec<Cause> = scheduled.chain(waking).chain(crossed).collect();
-        self.wakes.retain(|wake| *wake > self.time);
-        if causes.is_empty() { Ok(()) } else { self.jump(mode, causes) }
-    }
-
-    fn jump(&mut self, mode: usize, causes: Vec<Cause>) -> Result<(), Reason> {
-        let jump = self.system.jump(&Crossing {
-            time: self.time,
-            mode: &self.trajectory.modes[mode],
-            states: &self.states,
-            compensation: &self.compensation,
-            inputs: &self.inputs,
-            causes: &causes,
-            scales: self.scales.all(),
-        })?;
-        let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
-        let crossed = |cause: &Cause| match cause {
-            Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
-            Cause::LazyGuard(lazy_guard) => Some((guard_names[guards + lazy_guard].clone(), 1)),
-            Cause::Scheduled(_) | Cause::Wake => None,
-        };
-        let zeros: Vec<(String, usize)> = causes.iter().filter_map(crossed).chain(jump.zeros).collect();
-        self.wakes.extend(jump.wake);
-        let before = self.states.clone();
-        // An event that changes nothing does not disturb the branch signs of the motion.
-        self.stopped = jump.stop;
-        let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
-        let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
-        if !unchanged && !self.rounding.is_nearest() {
-            self.round_anew((mode, mode_after), &before, &causes);
-        }
-        let event = Event {
-            time: self.time,
-            causes,
-            record: jump.record,
-            before,
-            after: self.states.clone(),
-            blur: self.blur.time,
-            mode_before: mode,
-            mode_after,
-        };
-        self.memory.hold_event(&event, H::held_by(&event.record));
-        self.trajectory.events.push(event);
-        Ok(())
     }
 
     /// The latest time that is the same instant as now.

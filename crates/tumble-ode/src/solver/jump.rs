@@ -1,0 +1,71 @@
+//! Where a flow ends: what the system makes of it, and how the motion goes on.
+
+use super::Solver;
+use crate::Reason;
+use crate::hybrid::{Cause, Crossing, Hybrid};
+use crate::program::Plan;
+use crate::trajectory::Event;
+
+impl<H: Hybrid> Solver<'_, H> {
+    pub(super) fn jump_if_due(
+        &mut self,
+        mode: usize,
+        guards: Vec<usize>,
+        at_end: bool,
+    ) -> Result<(), Reason> {
+        let latest = self.just_after();
+        let schedule = self.engines[mode].system.schedule.iter().enumerate();
+        let due = schedule.filter(|(_, time)| at_end && self.time <= **time && **time <= latest);
+        let scheduled = due.map(|(index, _)| Cause::Scheduled(index));
+        let waking = self.wakes.iter().any(|wake| *wake <= self.time).then_some(Cause::Wake);
+        let tape_guards = self.engines[mode].system.guards;
+        let crossed = guards.into_iter().map(|guard| match guard.checked_sub(tape_guards) {
+            None => Cause::Guard(guard),
+            Some(lazy_guard) => Cause::LazyGuard(lazy_guard),
+        });
+        let causes: Vec<Cause> = scheduled.chain(waking).chain(crossed).collect();
+        self.wakes.retain(|wake| *wake > self.time);
+        if causes.is_empty() { Ok(()) } else { self.jump(mode, causes) }
+    }
+
+    pub(super) fn jump(&mut self, mode: usize, causes: Vec<Cause>) -> Result<(), Reason> {
+        let jump = self.system.jump(&Crossing {
+            time: self.time,
+            mode: &self.trajectory.modes[mode],
+            states: &self.states,
+            compensation: &self.compensation,
+            inputs: &self.inputs,
+            causes: &causes,
+            scales: self.scales.all(),
+        })?;
+        let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
+        let crossed = |cause: &Cause| match cause {
+            Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
+            Cause::LazyGuard(lazy_guard) => Some((guard_names[guards + lazy_guard].clone(), 1)),
+            Cause::Scheduled(_) | Cause::Wake => None,
+        };
+        let zeros: Vec<(String, usize)> = causes.iter().filter_map(crossed).chain(jump.zeros).collect();
+        self.wakes.extend(jump.wake);
+        let before = self.states.clone();
+        // An event that changes nothing does not disturb the branch signs of the motion.
+        self.stopped = jump.stop;
+        let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
+        let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
+        if !unchanged && !self.rounding.is_nearest() {
+            self.round_anew((mode, mode_after), &before, &causes);
+        }
+        let event = Event {
+            time: self.time,
+            causes,
+            record: jump.record,
+            before,
+            after: self.states.clone(),
+            blur: self.blur.time,
+            mode_before: mode,
+            mode_after,
+        };
+        self.memory.hold_event(&event, H::held_by(&event.record));
+        self.trajectory.events.push(event);
+        Ok(())
+    }
+}
