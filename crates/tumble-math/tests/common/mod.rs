@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Dimension, Expr, Jets, Layout, Symbol, Tape};
+use tumble_expr::{Branches, Dimension, Expr, Jets, Layout, Rounded, Symbol, Tape};
 
 pub mod reader;
 
@@ -84,6 +84,16 @@ impl Evaluator {
         self.jets.start(0.0, values, Branches::Free);
         let outputs = self.jets.tape().outputs().to_vec();
         outputs.into_iter().map(|slot| self.jets.slot(slot)[0]).collect()
+    }
+}
+
+impl Evaluator {
+    /// What rounding may have made of each value.
+    pub fn noise(&self, values: &[f64]) -> Vec<f64> {
+        let mut rounded: Jets<Rounded> = Jets::new(Arc::clone(self.jets.tape()), 0, &[]);
+        let values: Vec<Rounded> = values.iter().map(|value| Rounded::leaf(*value)).collect();
+        rounded.start(Rounded::leaf(0.0), &values, Branches::Free);
+        (0..rounded.tape().outputs().len()).map(|index| rounded.value_of(index).noise()).collect()
     }
 }
 

@@ -183,9 +183,11 @@ mod tests {
         (&rows * rows.transpose(), b)
     }
 
-    /// Every set of those that solve the problem, the largest.
-    fn by_enumeration(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(usize, DVector<f64>)> {
+    /// Of every set of at most `rank` contacts, more than which depend on each other whatever rounding makes of it, those that solve
+    /// the problem: the largest.
+    fn by_enumeration(a: &DMatrix<f64>, b: &DVector<f64>, rank: usize) -> Option<(usize, DVector<f64>)> {
         let sets = (0..1_usize << b.len()).map(|bits| (0..b.len()).filter(|i| bits >> i & 1 == 1).collect());
+        let sets = sets.filter(|set: &Vec<usize>| set.len() <= rank);
         let solutions = sets.filter_map(|set: Vec<usize>| Some((set.len(), by_set(a, b, &set)?)));
         solutions.max_by_key(|(size, _)| *size)
     }
@@ -242,7 +244,7 @@ mod tests {
             let asked = DVector::from_row_slice(&asked[..rows.len()]);
             for b in [b, asked] {
                 let found = pushing(&a, &b);
-                let Some((size, z)) = by_enumeration(&a, &b) else { continue };
+                let Some((size, z)) = by_enumeration(&a, &b, 3) else { continue };
                 let (set, found) = found.expect("there is one");
                 prop_assert_eq!(set.len(), size);
                 prop_assert!((&a * (&z - found)).amax() < 1e-8 * (1.0 + (a.abs() * z).amax()));
