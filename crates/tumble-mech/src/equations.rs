@@ -389,6 +389,20 @@ impl Equations {
         self.parts.terms.iter().filter(move |term| term.body == body)
     }
 
+    /// Whether a formula reads a force of a contact, a pivot or a joint, or an acceleration.
+    pub(crate) fn reads_forces(&self, formula: &Expr) -> bool {
+        let of_body = |body: &BodyEquations| {
+            let motion = &body.kinematics;
+            motion.acceleration_symbols().into_iter().chain([motion.alpha_symbol()])
+        };
+        let bodies = self.parts.bodies.iter().flat_map(of_body);
+        let pivots = self.model.pivots.iter().flat_map(|pivot| pivot.force_symbols());
+        let joints = self.parts.joints.iter().flat_map(JointEquations::symbols);
+        let pairs = self.parts.pairs.all.iter().map(|pair| pair.force_symbol());
+        let read = formula.symbols();
+        bodies.chain(pivots).chain(joints).chain(pairs).any(|symbol| read.contains(&symbol))
+    }
+
     pub(crate) fn joints(&self) -> &[JointEquations] {
         &self.parts.joints
     }

@@ -7,6 +7,7 @@ use tumble_ode::{Cursor, Motion, Piece, Place, Reason, Side};
 
 use crate::equations::Equations;
 use crate::evaluator::{evaluate, evaluate_in};
+use crate::record::Happening;
 use crate::run::Run;
 use crate::tracks::Tracks;
 
@@ -97,6 +98,9 @@ struct Along {
     tapes: Vec<Jets<f64>>,
     cursor: Cursor,
     states: Vec<f64>,
+    /// Instants at which forces and accelerations have no value, and which formulas read such.
+    singular: Vec<f64>,
+    is_forced: Vec<bool>,
     /// The time and the place of the piece that the tape of its mode was evaluated at last.
     last: Option<(f64, usize)>,
 }
@@ -111,7 +115,14 @@ impl Along {
         let modes = motion.modes.iter();
         let tapes =
             modes.map(|mode| equations.evaluator(mode, formulas, inputs)).collect::<Result<_, _>>()?;
-        Ok(Self { motion, tapes, cursor: Cursor::default(), states: vec![], last: None })
+        let singular =
+            motion.events.iter().filter(|event| event.record.happened.contains(&Happening::Singular));
+        let singular: Vec<f64> = singular.map(|event| event.time).collect();
+        let is_forced =
+            formulas.iter().map(|formula| !singular.is_empty() && equations.reads_forces(formula));
+        let is_forced = is_forced.collect();
+        let (cursor, states) = (Cursor::default(), vec![]);
+        Ok(Self { motion, tapes, cursor, states, singular, is_forced, last: None })
     }
 
     fn at(&mut self, time: f64, side: Side) -> Option<Vec<f64>> {
@@ -132,6 +143,7 @@ impl Along {
             self.last = here;
         }
         values.extend((0..tape.tape().outputs().len()).map(|index| tape.value_of(index)));
+        self.leave_out(time, values);
         true
     }
 
@@ -153,7 +165,17 @@ impl Along {
                         _ => motion.place_at(event.time, side).and_then(|place| place.piece),
                     },
                 });
-        Some([self.values(&before), self.values(&after)])
+        let mut sides = [self.values(&before), self.values(&after)];
+        sides.iter_mut().for_each(|values| self.leave_out(event.time, values));
+        Some(sides)
+    }
+
+    /// Takes out what has no value at a singular instant: rows that say nothing there are divided by next to nothing.
+    fn leave_out(&self, time: f64, values: &mut [f64]) {
+        if self.singular.contains(&time) {
+            let forced = values.iter_mut().zip(&self.is_forced).filter(|(_, is_forced)| **is_forced);
+            forced.for_each(|(value, _)| *value = f64::NAN);
+        }
     }
 
     fn values(&mut self, place: &Place<'_>) -> Vec<f64> {

@@ -88,7 +88,7 @@ impl Equations {
                 format!("{}.{}", self.model().joints[joint].name, if holds { "start" } else { "end" })
             }
             Happening::Rest => "rest".to_owned(),
-            Happening::Singular => "singular configuration".to_owned(),
+            Happening::Singular => "singular".to_owned(),
             Happening::Impulse(impulse) => self.model().impulses[impulse].name.clone(),
             Happening::Contact { pair, change } => format!("{}.{}", self.pairs()[pair].name, change.word()),
         }
@@ -107,7 +107,8 @@ impl Equations {
             .flat_map(|joint| [true, false].map(|holds| Happening::Joint { joint, holds }));
         let impulses = (0..self.model().impulses.len()).map(Happening::Impulse);
         let loads = (0..self.windows().len()).flat_map(ends);
-        let mut all = events.chain(loads).chain(joints).chain(impulses).chain([Happening::Rest]);
+        let whole = [Happening::Rest, Happening::Singular];
+        let mut all = events.chain(loads).chain(joints).chain(impulses).chain(whole);
         all.find(|happening| self.name_of(happening) == name)
     }
 }

@@ -145,3 +145,20 @@ fn a_flat_start_is_refused() {
         );
     }
 }
+
+/// Where rows say nothing forces have no value; places and rates do, and so do forces a moment before and after.
+#[test]
+fn forces_have_no_value_at_the_instant() {
+    let (model, cranks) = parallelogram(&[1.0, 1.0], -1.0, 9.0);
+    let run = run(&model, 0.5).expect("a motion");
+    let force: Expr = model.joints[0].multipliers()[0].clone().into();
+    let motion = cranks[0].kinematics();
+    let mut observer = run.observe(&[force, motion.alpha(), motion.omega()]).expect("formulas");
+    let time = passed(&run)[0];
+    let mut at = |time: f64| observer.at(time, tumble_ode::Side::Before).expect("within");
+    let here = at(time);
+    assert!(here[0].is_nan() && here[1].is_nan() && here[2].is_finite(), "{here:?}");
+    for away in [-1e-3, 1e-3] {
+        assert!(at(time + away).iter().all(|value| value.abs() < 1e4), "{:?}", at(time + away));
+    }
+}

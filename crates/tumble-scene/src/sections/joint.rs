@@ -62,6 +62,7 @@ fn joint(draft: &mut Draft, field: &Field, table: &mut Table, kind: JointKind) {
             quantities::define_joint(&mut draft.names, &joint.name, joint.multipliers());
             let ends = [joint.from.is_some().then_some("start"), joint.until.is_some().then_some("end")];
             draft.names.happenings.extend(ends.iter().flatten().map(|end| format!("{}.{end}", joint.name)));
+            draft.names.happenings.insert("singular".to_owned());
             draft.model.join(joint);
         }
     }
