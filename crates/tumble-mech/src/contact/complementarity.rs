@@ -10,6 +10,8 @@ use nalgebra::{DMatrix, DVector};
 const ZERO: f64 = 1e-11;
 /// Contacts whose responses are dependent to this relative size of a pivot are not told apart.
 pub(crate) const DEPENDENT: f64 = 1e-9;
+/// Rounding leaves this much of a pivot that is zero, relative to its size before, times the inverse of the least pivot before it.
+const PIVOT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// What closes slower than the fastest by less than this part closes as fast: which of two feet enters is not left to rounding.
 const AS_FAST: f64 = 1e-6;
 /// Rounds for each contact. Few contacts enter twice; more rounds than this are rounding that goes around in circles.
@@ -124,12 +126,15 @@ pub(crate) fn standing(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Opt
     let part = DMatrix::from_fn(set.len(), set.len(), |i, j| a[(set[i], set[j])]);
     let right = DVector::from_fn(set.len(), |i, _| -b[set[i]]);
     let factors = part.clone().cholesky()?;
-    let is_independent = |i: usize| {
+    // What rounding leaves of a pivot that is none grows as those before it are smaller.
+    let mut least = 1.0_f64;
+    for i in 0..set.len() {
         let pivot = factors.l_dirty()[(i, i)];
-        pivot * pivot > DEPENDENT * part[(i, i)]
-    };
-    if !(0..set.len()).all(is_independent) {
-        return None;
+        let share = pivot * pivot / part[(i, i)];
+        if share.is_nan() || share <= DEPENDENT.max(PIVOT_ROUNDING / least) {
+            return None;
+        }
+        least = least.min(share);
     }
     let pushes = factors.solve(&right);
     let mut all = DVector::zeros(b.len());
