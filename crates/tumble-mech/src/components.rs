@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Expr, Symbol};
+use tumble_expr::{Expr, Symbol, Vector};
 
 use crate::contact::Pair;
 use crate::coordinates::force_symbols;
@@ -161,7 +161,14 @@ impl Couplings<'_> {
             read(bodies + index, vec![&watched.when], sets);
         }
         for pair in self.pairs {
-            read(pair.body, vec![&pair.gap()], sets);
+            let law = pair.law.dimensions().into_iter().map(|(_, formula, _)| formula);
+            read(pair.body, law.chain([&pair.gap()]).collect(), sets);
+        }
+        for pivot in &model.pivots {
+            read(body(&pivot.body), pivot.world.components().iter().collect(), sets);
+        }
+        for (joint, (of, _)) in model.joints.iter().zip(&self.joints) {
+            read(of[0], joint.world().into_iter().flat_map(Vector::components).collect(), sets);
         }
     }
 }

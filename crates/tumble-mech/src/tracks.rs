@@ -242,6 +242,7 @@ impl<'a> Race<'a> {
                 self.end = Some(time);
                 return Some((index, Refusal { time, reason: Reason::Interrupted }));
             }
+            self.end_at_rest(equations);
             let solver = &self.solvers[index];
             let is_refused = self.refused.as_ref().is_some_and(|(refused, _)| *refused == index);
             if !solver.is_done() && !is_refused {
@@ -274,8 +275,10 @@ impl<'a> Race<'a> {
             if solver.is_stopped() && self.end.is_none_or(|end| time < end) {
                 self.end = Some(time);
                 self.refused = None;
-            } else if equations.model().stops_at_rest && !solver.is_stopped() {
-                self.watch_rest(equations, index, time);
+            }
+            let is_rest = |record: &Record| record.happened.contains(&Happening::Rest);
+            if self.solvers[index].last_record().is_some_and(is_rest) {
+                self.rest[index] = Some(time);
             }
             let is_last = is_done && next.is_infinite();
             if progress(time.min(next)).is_break() && !is_last {
@@ -287,13 +290,11 @@ impl<'a> Race<'a> {
         }
     }
 
-    /// Ends the motions where the last of them comes to rest.
-    fn watch_rest(&mut self, equations: &Equations, index: usize, time: f64) {
-        let is_rest = |record: &Record| record.happened.contains(&Happening::Rest);
-        if !self.solvers[index].last_record().is_some_and(is_rest) {
+    /// Ends the motions where the last of them has come to rest, once one has: the others may lie still from the start.
+    fn end_at_rest(&mut self, equations: &Equations) {
+        if !equations.model().stops_at_rest || self.rest.iter().all(Option::is_none) {
             return;
         }
-        self.rest[index] = Some(time);
         // All before this one are known to be at rest.
         while let Some(rest) = self.rest.get_mut(self.witness) {
             let lies_still = || equations.are_at_rest(&self.solvers[self.witness].now()?).then_some(0.0);
@@ -303,7 +304,11 @@ impl<'a> Race<'a> {
             }
             self.witness += 1;
         }
-        self.end = Some(self.rest.iter().flatten().copied().fold(0.0, f64::max));
+        let last = self.rest.iter().flatten().copied().fold(0.0, f64::max);
+        if self.end.is_none_or(|end| last < end) {
+            self.end = Some(last);
+            self.refused = None;
+        }
     }
 
     fn finish(self) -> Vec<Motion> {

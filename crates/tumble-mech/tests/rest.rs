@@ -133,3 +133,39 @@ fn a_joint_can_bring_to_rest() {
     close(run.trajectory().end().expect("a motion"), std::f64::consts::FRAC_PI_4, 1e-14);
     assert!(ends_at_rest(&run));
 }
+
+/// One that lies on the floor from the start, or hangs where nothing pulls, does not put the end off, whichever is named first; and
+/// what stops the run before counts.
+#[test]
+fn what_lies_still_from_the_start_does_not_put_the_end_off() {
+    for first in [true, false] {
+        let mut model = world();
+        let lie = |model: &mut Model| {
+            let ball = model.add(Body::ball("lying", 0.1 * M).mass(2 * KG));
+            model.starts.push((ball.name, Start::default().at([5 * M, 0.1 * M])));
+        };
+        if first {
+            lie(&mut model);
+        }
+        falling(&mut model, "ball", 0.0, 0.0);
+        if !first {
+            lie(&mut model);
+        }
+        model.surface(floor(0.5));
+        let run = run(model, 60.0, 1e-12);
+        assert!(run.tracks().len() == 2 && ends_at_rest(&run), "{first}: {:?}", run.end());
+        close(run.end().expect("a motion"), 3.0 * FALL, 1e-14);
+    }
+    let mut model = world();
+    falling(&mut model, "ball", 0.0, 0.0);
+    falling(&mut model, "other", 3.0, 0.0);
+    model.surface(floor(0.5));
+    let when = Expr::from(time()) - 1 * S;
+    model.events.push(Event {
+        name: "over".into(),
+        when,
+        direction: Direction::Rising,
+        action: Action::Stop,
+    });
+    assert_eq!(run(model, 60.0, 1e-12).end(), Some(1.0));
+}
