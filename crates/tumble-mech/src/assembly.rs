@@ -162,22 +162,18 @@ impl Equations {
         is_assembled
     }
 
-    /// Names of the joints whose rows come to depend on each other near these states, redundant ones left out.
+    /// Names of the joints whose rows come to depend on each other near these states, redundant ones left out; none where there are
+    /// none.
     pub(crate) fn singular_joints(
         &self,
         mode: &Mode,
         time: f64,
         states: &[f64],
         inputs: &[f64],
-    ) -> Vec<String> {
-        let Ok(rows) = self.rows_at(mode, time, states, inputs) else { return vec![] };
+    ) -> Option<String> {
+        let rows = self.rows_at(mode, time, states, inputs).ok()?;
         let dependent = rows.without(&mode.redundant).dependent(NEARLY);
-        let joints =
-            self.joints().iter().enumerate().flat_map(|(joint, known)| known.rows.iter().map(move |_| joint));
-        let joints: Vec<usize> = joints.collect();
-        let mut named: Vec<usize> = dependent.into_iter().map(|row| joints[row]).collect();
-        named.dedup();
-        named.into_iter().map(|joint| self.model().joints[joint].name.clone()).collect()
+        (!dependent.is_empty()).then(|| self.named_joints(&dependent))
     }
 
     /// That joints leave a gap which nothing closes.

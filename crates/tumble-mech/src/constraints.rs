@@ -76,12 +76,7 @@ impl Equations {
     pub(crate) fn restricted(&self, mode: &Mode, bodies: &[usize]) -> Mode {
         let has = |body: usize| bodies.binary_search(&body).is_ok();
         let own = |joint: usize| self.joints()[joint].bodies.iter().all(|body| has(*body));
-        let rows: Vec<usize> = self
-            .joints()
-            .iter()
-            .enumerate()
-            .flat_map(|(joint, known)| known.rows.iter().map(move |_| joint))
-            .collect();
+        let rows = self.joints_of_rows();
         Mode {
             bodies: bodies.to_vec(),
             windows: mode.windows.clone(),
@@ -95,6 +90,12 @@ impl Equations {
             switched: mode.switched.iter().filter(|joint| own(**joint)).copied().collect(),
             redundant: mode.redundant.iter().filter(|row| own(rows[**row])).copied().collect(),
         }
+    }
+
+    /// By row, the joint that it belongs to.
+    pub(crate) fn joints_of_rows(&self) -> Vec<usize> {
+        let joints = self.joints().iter().enumerate();
+        joints.flat_map(|(joint, known)| known.rows.iter().map(move |_| joint)).collect()
     }
 
     /// Modes of different bodies as one.

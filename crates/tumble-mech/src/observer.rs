@@ -16,8 +16,6 @@ pub struct Observer {
     parts: Vec<Part>,
     formulas: usize,
     tracks: Tracks,
-    /// Events of the run, once one is asked for.
-    events: Option<Vec<(usize, usize)>>,
     /// Values of one part.
     values: Vec<f64>,
 }
@@ -40,7 +38,7 @@ impl Observer {
         };
         let parts = run.grouped(formulas).into_iter().map(part).collect::<Result<_, Reason>>()?;
         let tracks = run.all_tracks().clone();
-        Ok(Self { parts, formulas: formulas.len(), tracks, events: None, values: vec![] })
+        Ok(Self { parts, formulas: formulas.len(), tracks, values: vec![] })
     }
 
     /// Values of the formulas at `time`, in their order; `None` outside the motion.
@@ -68,8 +66,8 @@ impl Observer {
 
     /// Values of the formulas just before and just after an event, by its index among those of the run.
     pub fn at_event(&mut self, index: usize) -> Option<[Vec<f64>; 2]> {
-        let Self { parts, formulas, tracks, events, .. } = self;
-        let events = events.get_or_insert_with(|| tracks.events());
+        let Self { parts, formulas, tracks, .. } = self;
+        let events = tracks.events();
         let (of, _) = *events.get(index)?;
         let time = tracks.event(events[index]).time;
         let mut found = [vec![f64::NAN; *formulas], vec![f64::NAN; *formulas]];

@@ -206,7 +206,7 @@ impl Run {
 
     /// All that happens, in order of time. The modes and states of an event are those of the motion that it belongs to.
     pub fn events(&self) -> impl DoubleEndedIterator<Item = &Event<Record>> + Clone {
-        self.tracks.events().into_iter().map(|event| self.tracks.event(event))
+        self.tracks.events().iter().map(|event| self.tracks.event(*event))
     }
 
     /// Time of the start, s; `None` if nothing was integrated and nothing happened.
@@ -281,15 +281,11 @@ impl Run {
         }
         let mode = &motion.modes[motion.pieces.last()?.mode];
         let states = motion.last_states()?;
-        let joints = self.equations.singular_joints(mode, refusal.time, &states, &self.inputs);
-        (!joints.is_empty()).then(|| {
-            let names: Vec<String> = joints.iter().map(|name| format!("`{name}`")).collect();
-            Reason::Model(format!(
-                "the bodies come to a singular configuration, in which {} can be kept in more than one way: where bars of a loop lie \
-                 in one line, they may go on either side",
-                names.join(", ")
-            ))
-        })
+        let joints = self.equations.singular_joints(mode, refusal.time, &states, &self.inputs)?;
+        Some(Reason::Model(format!(
+            "the bodies come to a singular configuration, in which {joints} can be kept in more than one way: where bars of a loop lie \
+             in one line, they may go on either side"
+        )))
     }
 
     /// Integrates as [`Run::new`], with so many Gauss nodes along lines that more do not change the end.

@@ -28,6 +28,8 @@ pub(crate) struct Tracks {
     each: Vec<Arc<Motion>>,
     /// Whether an event of one of them has ended all.
     pub(crate) is_stopped: bool,
+    /// Where each event is, in order of time: the motion and its index there.
+    order: Arc<OnceLock<Vec<(usize, usize)>>>,
     /// All as one.
     whole: Arc<OnceLock<Arc<Motion>>>,
     joined: Cache<Vec<usize>, Motion>,
@@ -40,6 +42,7 @@ impl Tracks {
             components,
             each: vec![motion],
             is_stopped: false,
+            order: Arc::default(),
             whole: Arc::default(),
             joined: Cache::default(),
         }
@@ -50,6 +53,7 @@ impl Tracks {
             components: (0..each.len()).collect(),
             each: each.into_iter().map(Arc::new).collect(),
             is_stopped,
+            order: Arc::default(),
             whole: Arc::default(),
             joined: Cache::default(),
         }
@@ -92,12 +96,14 @@ impl Tracks {
     }
 
     /// Where each event is, in order of time: the motion and its index there.
-    pub(crate) fn events(&self) -> Vec<(usize, usize)> {
-        let each = self.each.iter().enumerate();
-        let mut all: Vec<(usize, usize)> =
-            each.flat_map(|(of, motion)| (0..motion.events.len()).map(move |index| (of, index))).collect();
-        all.sort_by(|a, b| self.event(*a).time.total_cmp(&self.event(*b).time));
-        all
+    pub(crate) fn events(&self) -> &[(usize, usize)] {
+        self.order.get_or_init(|| {
+            let each = self.each.iter().enumerate();
+            let places = each.flat_map(|(of, motion)| (0..motion.events.len()).map(move |index| (of, index)));
+            let mut all: Vec<(usize, usize)> = places.collect();
+            all.sort_by(|a, b| self.event(*a).time.total_cmp(&self.event(*b).time));
+            all
+        })
     }
 
     /// An event by where it is.

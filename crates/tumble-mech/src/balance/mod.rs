@@ -29,6 +29,8 @@ mod tests;
 
 pub use contribution::{Balance, BodyBalance, Contribution, Kind, Reading, Store};
 
+use std::collections::HashMap;
+
 use tumble_ode::{Reason, Side};
 
 use crate::balance::part::{Part, of_all};
@@ -59,8 +61,10 @@ impl RunBalance {
     ///
     /// Refused where nothing was integrated, or where a load's power is not a finite number.
     pub fn of(run: &Run, about: [f64; 2]) -> Result<Self, Reason> {
-        let parts = run.parts().into_iter().zip(potentials(run));
-        let parts = parts.map(|(run, potentials)| Part::of(run, potentials, about));
+        let parts = run.parts();
+        let potentials = potentials(run, &parts);
+        let parts =
+            parts.into_iter().zip(potentials).map(|(run, potentials)| Part::of(run, potentials, about));
         let parts = parts.collect::<Result<Vec<_>, Reason>>()?;
         let contributions: Vec<Contribution> =
             parts.iter().flat_map(|part| part.contributions.clone()).collect();
@@ -184,20 +188,16 @@ impl Held {
 }
 
 /// The potentials of a run, by the motions that it is made of.
-fn potentials(run: &Run) -> Vec<Vec<Potential>> {
-    let all = run.equations.potentials();
-    let components = &run.all_tracks().components;
-    if run.tracks().len() == 1 {
-        let own = |potential: &Potential| {
-            let read = run.equations.components().read_by([&potential.energy]);
-            read.iter().any(|component| components.contains(component))
-        };
-        return vec![all.into_iter().filter(own).collect()];
-    }
-    let mut found = vec![vec![]; components.len()];
-    for potential in all {
-        let component = run.equations.components().read_by([&potential.energy])[0];
-        found[component].push(potential);
+fn potentials(run: &Run, parts: &[Run]) -> Vec<Vec<Potential>> {
+    let of =
+        |part: usize| parts[part].all_tracks().components.iter().map(move |component| (*component, part));
+    let part_of: HashMap<usize, usize> = (0..parts.len()).flat_map(of).collect();
+    let mut found = vec![vec![]; parts.len()];
+    for potential in run.equations.potentials() {
+        let read = run.equations.components().read_by([&potential.energy]);
+        if let Some(part) = read.iter().find_map(|component| part_of.get(component)) {
+            found[*part].push(potential);
+        }
     }
     found
 }

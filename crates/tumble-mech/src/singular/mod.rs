@@ -48,6 +48,7 @@ use tumble_ode::{Over, Piece, Reason, Refusal, Solver};
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::record::{Happening, Record};
+use crate::sets::Sets;
 use rank::{Rank, Zero};
 
 /// A step of this part of the longest of late makes one look for what is ahead.
@@ -234,22 +235,16 @@ impl Equations {
     /// Whether joints and pivots that hold close a loop.
     fn has_loop(&self, mode: &Mode) -> bool {
         let world = self.model().bodies.len();
-        let mut leads: Vec<usize> = (0..=world).collect();
-        let end = |leads: &[usize], mut at: usize| {
-            while leads[at] != at {
-                at = leads[at];
-            }
-            at
-        };
+        let mut sets = Sets::new(world + 1);
         let pivots = (0..world).filter(|body| self.pivot_arm(*body).is_some()).map(|body| [body, world]);
         let joints = self.joints().iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         let joints = joints.map(|(_, joint)| {
             [joint.bodies.first().copied().unwrap_or(world), joint.bodies.get(1).copied().unwrap_or(world)]
         });
         pivots.chain(joints).any(|[a, b]| {
-            let [a, b] = [end(&leads, a), end(&leads, b)];
-            leads[a] = b;
-            a == b
+            let is_joined = sets.least(a) == sets.least(b);
+            sets.join(a, b);
+            is_joined
         })
     }
 
@@ -275,9 +270,7 @@ impl Equations {
 
     /// Names of the joints that rows belong to, quoted.
     pub(crate) fn named_joints(&self, rows: &[usize]) -> String {
-        let joints = self.joints().iter().enumerate();
-        let joints: Vec<usize> =
-            joints.flat_map(|(joint, known)| known.rows.iter().map(move |_| joint)).collect();
+        let joints = self.joints_of_rows();
         let mut named: Vec<usize> = rows.iter().map(|row| joints[*row]).collect();
         named.sort_unstable();
         named.dedup();
