@@ -160,7 +160,7 @@ fn what_lies_still_from_the_start_does_not_put_the_end_off() {
     falling(&mut model, "ball", 0.0, 0.0);
     falling(&mut model, "other", 3.0, 0.0);
     model.surface(floor(0.5));
-    let when = Expr::from(time()) - 1 * S;
+    let when = time() - 1 * S;
     model.events.push(Event {
         name: "over".into(),
         when,
