@@ -13,8 +13,9 @@ import json
 
 import mpmath as mp
 
+from taylor import states, text
+
 DIGITS = 34
-PRINTED = 20
 ABOUT = (
     "A point mass of 1 kg on a spring of 40 N/m and 1 m from the origin, vertical plane, g = 9.81 m/s^2, no resistance, let go at rest at "
     "(1 m, 0.2 m) at t = 0. x to the right, y up. SI units."
@@ -52,31 +53,12 @@ def energy(state):
     return motion + mp.mpf(STIFFNESS) * stretch * stretch / 2 + mp.mpf(MASS) * mp.mpf(GRAVITY) * y
 
 
-def states(order):
-    """States at the times. A step is so long that its last four coefficients are below the working precision."""
-    state, now, found = [mp.mpf(value) for value in START], mp.mpf(0), []
-    first = energy(state)
-    for time in map(mp.mpf, TIMES):
-        while now < time:
-            coefficients = series(state, order)
-            reach = time - now
-            for last in range(order - 3, order + 1):
-                size = max(abs(own[last]) for own in coefficients)
-                if size > 0:
-                    reach = min(reach, mp.root(mp.eps / size, last))
-            state = [mp.polyval(own[::-1], reach) for own in coefficients]
-            now = time if reach == time - now else now + reach
-        assert abs(energy(state) - first) < mp.mpf(10) ** (3 - PRINTED)
-        found.append(state)
-    return found
-
-
 def samples(digits, order):
     with mp.workdps(digits):
         names = ("x", "y", "vx", "vy")
-        show = lambda value: mp.nstr(value, PRINTED, strip_zeros=False, min_fixed=-6, max_fixed=12)
-        rows = zip(TIMES, states(order))
-        return [{"t": time} | {name: show(value) for name, value in zip(names, state)} for time, state in rows]
+        start = [mp.mpf(value) for value in START]
+        rows = zip(TIMES, states(series, energy, start, TIMES, order))
+        return [{"t": time} | {name: text(value) for name, value in zip(names, state)} for time, state in rows]
 
 
 def main():
