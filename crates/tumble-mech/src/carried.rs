@@ -4,7 +4,7 @@
 //! of zero before and on the other after it has crossed then.
 
 use tumble_expr::Expr;
-use tumble_ode::{Cause, Crossing, Reason};
+use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -28,11 +28,15 @@ impl Equations {
         let before = self.values(&formulas, at.mode, at.time, at.states, at.inputs)?;
         let after = self.values(&formulas, &jump.mode, at.time, &jump.states, at.inputs)?;
         let crosses = |(guard, event): &(usize, usize)| {
-            let (from, to) = (before[*guard], after[*guard]);
-            let is_told = from.abs() > VANISHED * to.abs() && to.abs() > VANISHED * from.abs();
             let is_cause = at.causes.contains(&Cause::Guard(*guard));
-            from.signum() != to.signum() && is_told && !is_cause && all[*event].direction.allows(to)
+            !is_cause && is_crossing(before[*guard], after[*guard], all[*event].direction)
         };
         Ok(events.into_iter().enumerate().filter(crosses).map(|(_, event)| event).collect())
     }
+}
+
+/// Whether a function that jumps between these values crosses zero in a direction.
+pub(crate) fn is_crossing(from: f64, to: f64, direction: Direction) -> bool {
+    let is_told = from.abs() > VANISHED * to.abs() && to.abs() > VANISHED * from.abs();
+    from.signum() != to.signum() && is_told && direction.allows(to)
 }

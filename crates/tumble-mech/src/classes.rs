@@ -1,4 +1,4 @@
-//! Components that differ by names alone: what is compiled of one serves all of its class.
+//! Groups that differ by names alone: what is compiled of one serves all of its class.
 
 use std::collections::HashMap;
 
@@ -9,11 +9,11 @@ use crate::kinematics::Kinematics;
 use crate::mode::Mode;
 use crate::surface::ContactLaw;
 
-/// By component, the first that it is like.
+/// By group, the first that it is like.
 #[derive(Debug, Default)]
 pub(crate) struct Classes(Vec<Option<Twin>>);
 
-/// What a component is called in the first of its class.
+/// What a group is called in the first of its class.
 #[derive(Debug)]
 pub(crate) struct Twin {
     /// Bodies of the first, in order.
@@ -23,7 +23,7 @@ pub(crate) struct Twin {
     names: Substitution,
 }
 
-/// What is compared of components.
+/// What is compared of groups.
 struct Signature {
     /// Counts, kinds and indices.
     shape: Vec<usize>,
@@ -60,21 +60,21 @@ impl Twin {
 
 impl Classes {
     pub(crate) fn of(equations: &Equations) -> Self {
-        let components = equations.components().all();
+        let groups = equations.components().groups();
         let mut firsts: HashMap<Vec<usize>, Vec<(usize, Signature)>> = HashMap::new();
         let mut found = vec![];
-        for (component, bodies) in components.iter().enumerate() {
-            let twin = Signature::of(equations, component).and_then(|own| {
+        for (group, bodies) in groups.iter().enumerate() {
+            let twin = Signature::of(equations, group).and_then(|own| {
                 let known = firsts.entry(own.shape.clone()).or_default();
                 let twin = known.iter().find_map(|(first, signature)| {
                     own.as_renamed(signature).map(|names| Twin {
-                        bodies: components[*first].clone(),
+                        bodies: groups[*first].clone(),
                         pairs: own.pairs.iter().copied().zip(signature.pairs.iter().copied()).collect(),
                         names,
                     })
                 });
                 if twin.is_none() {
-                    known.push((component, own));
+                    known.push((group, own));
                 }
                 twin
             });
@@ -86,14 +86,14 @@ impl Classes {
 }
 
 impl Signature {
-    /// `None` where a component has what is counted among all: joints, events, loads that do not always act.
-    fn of(equations: &Equations, component: usize) -> Option<Self> {
+    /// `None` where a group has what is counted among all: joints, events, loads that do not always act.
+    fn of(equations: &Equations, group: usize) -> Option<Self> {
         let components = equations.components();
-        let bodies = &components.all()[component];
+        let bodies = &components.groups()[group];
         let has = |body: &usize| bodies.binary_search(body).is_ok();
         let is_counted = equations.joints().iter().any(|joint| joint.bodies.iter().any(has))
             || equations.windows().iter().any(|window| has(&window.body))
-            || components.has_events(component);
+            || components.has_events(group);
         if is_counted {
             return None;
         }
@@ -138,7 +138,7 @@ impl Signature {
         self.shape.extend([self.formulas.len(), self.symbols.len()]);
     }
 
-    /// What symbols are called in another component, if it differs by that alone.
+    /// What symbols are called in another group, if it differs by that alone.
     fn as_renamed(&self, other: &Self) -> Option<Substitution> {
         let names: HashMap<&Symbol, &Symbol> = self.symbols.iter().zip(&other.symbols).collect();
         let stands_for = |own: &Symbol, its: &Symbol| match names.get(own) {
@@ -155,13 +155,14 @@ impl Signature {
 }
 
 impl Equations {
-    /// The first of its class that the component of a mode is like; `None` where it is that itself.
+    /// The first of its class that the group of a mode is like; `None` where it is that itself.
     pub(crate) fn twin(&self, mode: &Mode) -> Option<&Twin> {
-        let component = self.components().of_body(*mode.bodies.first()?);
-        if self.components().all().len() < 2 || self.components().all()[component] != mode.bodies {
+        let group = self.components().group_of(*mode.bodies.first()?);
+        let groups = self.components().groups();
+        if groups.len() < 2 || groups[group] != mode.bodies {
             return None;
         }
         let classes = self.built().classes.get_or_init(|| Classes::of(self));
-        classes.0[component].as_ref()
+        classes.0[group].as_ref()
     }
 }

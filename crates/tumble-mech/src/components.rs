@@ -1,9 +1,13 @@
-//! Which bodies have a part in each other's motion, and which never do.
+//! Which bodies have a part in each other's motion, always or at times, and which never do.
 //!
-//! A component is a set of bodies that forces, joints or events may couple at some time. No term, row, guard or jump of one
-//! component reads a state of another: each is a motion of its own, with its own modes, steps, scales and errors. What all bodies
-//! meet alike, a floor or the wind, couples none of them. A parameter that an event sets is read by all; Hertzian contacts share
-//! one time transformation: where there are any, all bodies are one component.
+//! Bodies of a *group* are always one motion: forces and joints that always act couple them. Bodies of an *island* are one motion now:
+//! a joint that events make or release holds, besides. Bodies of a *component* may ever have a part in each other's motion: an event
+//! reads several of them, or acts on them. No term, row, guard or jump of one component reads a state of another: each is a motion of
+//! its own, with its own modes, steps, scales and errors. What all bodies meet alike, a floor or the wind, couples none of them.
+//!
+//! A parameter that an event sets is read by all: its event has a part in the motion of all. Hertzian contacts share one time
+//! transformation: where there are any, all bodies are one group. So are those of a component whose joints close a loop, which is looked at
+//! as a whole where it is singular.
 
 use std::collections::HashMap;
 
@@ -11,19 +15,25 @@ use tumble_expr::{Expr, Symbol, Vector};
 
 use crate::contact::Pair;
 use crate::coordinates::force_symbols;
+use crate::equations::Equations;
 use crate::event::Action;
 use crate::load::Moment;
+use crate::mode::Mode;
 use crate::model::Model;
 use crate::sets::Sets;
 use crate::term::Term;
 
-/// The components of a model, and what belongs to which.
+/// The groups and components of a model, and what belongs to which.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Components {
-    /// Bodies of each, in order.
+    /// Bodies of each group, in order.
+    groups: Vec<Vec<usize>>,
+    group_of_body: Vec<usize>,
+    /// Groups of each component, in order.
     all: Vec<Vec<usize>>,
-    of_body: Vec<usize>,
-    of_event: Vec<usize>,
+    of_group: Vec<usize>,
+    /// By event, the groups that it reads or acts on, in order; the first where there are none.
+    of_event: Vec<Vec<usize>>,
     /// A body that a symbol of the motion belongs to.
     owners: HashMap<Symbol, usize>,
 }
@@ -39,55 +49,93 @@ pub(crate) struct Couplings<'a> {
 
 impl Components {
     pub(crate) fn of(couplings: &Couplings<'_>) -> Self {
-        let model = couplings.model;
+        let bodies = couplings.model.bodies.len();
         let owners = couplings.owners();
-        // Bodies, then events.
-        let mut sets = Sets::new(model.bodies.len() + model.events.len());
-        couplings.join(&owners, &mut sets);
-        let mut found = Self { owners, ..Self::default() };
-        let mut by_root: HashMap<usize, usize> = HashMap::new();
-        for body in 0..model.bodies.len() {
-            let component = *by_root.entry(sets.least(body)).or_insert(found.all.len());
-            if component == found.all.len() {
-                found.all.push(vec![]);
-            }
-            found.all[component].push(body);
-            found.of_body.push(component);
-        }
-        let events = (0..model.events.len()).map(|event| sets.least(model.bodies.len() + event));
-        // One that reads and does nothing of any body may come with any.
-        found.of_event = events.map(|root| by_root.get(&root).copied().unwrap_or(0)).collect();
-        found
+        let events: Vec<Vec<usize>> =
+            (0..couplings.model.events.len()).map(|event| couplings.of_event(event, &owners)).collect();
+        let mut always = Sets::new(bodies);
+        couplings.join(&owners, &mut always);
+        let mut ever = always.clone();
+        couplings.join_at_times(&events, &mut ever);
+        couplings.join_loops(&mut always, &mut ever);
+        let (groups, group_of_body) = always.in_order();
+        let mut of_groups = Sets::new(groups.len());
+        (0..bodies).for_each(|body| of_groups.join(group_of_body[body], group_of_body[ever.least(body)]));
+        let (all, of_group) = of_groups.in_order();
+        let of_event = events.into_iter().map(|bodies| {
+            let mut of: Vec<usize> = bodies.into_iter().map(|body| group_of_body[body]).collect();
+            of.sort_unstable();
+            of.dedup();
+            // One that reads and does nothing of any body may come with any.
+            if of.is_empty() { vec![0] } else { of }
+        });
+        Self { of_event: of_event.collect(), groups, group_of_body, all, of_group, owners }
     }
 
-    /// Bodies of each component, in order; no body is in two.
+    /// Bodies of each group, in order; no body is in two.
+    pub(crate) fn groups(&self) -> &[Vec<usize>] {
+        &self.groups
+    }
+
+    /// Groups of each component, in order.
     pub(crate) fn all(&self) -> &[Vec<usize>] {
         &self.all
     }
 
-    /// A body of the component that watches for an event.
-    pub(crate) fn body_of_event(&self, event: usize) -> usize {
-        self.all[self.of_event[event]][0]
+    /// The group of a body.
+    pub(crate) fn group_of(&self, body: usize) -> usize {
+        self.group_of_body[body]
     }
 
-    /// Components whose motion formulas read, in order; the first where they read none.
+    /// The component of a group.
+    pub(crate) fn of_group(&self, group: usize) -> usize {
+        self.of_group[group]
+    }
+
+    /// Bodies of several groups, in order.
+    pub(crate) fn bodies_of(&self, groups: &[usize]) -> Vec<usize> {
+        let mut bodies: Vec<usize> = groups.iter().flat_map(|group| &self.groups[*group]).copied().collect();
+        bodies.sort_unstable();
+        bodies
+    }
+
+    /// The groups that an event reads or acts on, in order.
+    pub(crate) fn of_event(&self, event: usize) -> &[usize] {
+        &self.of_event[event]
+    }
+
+    /// Whether a mode is of all bodies that an event reads or acts on.
+    pub(crate) fn watches(&self, mode: &Mode, event: usize) -> bool {
+        self.of_event[event].iter().all(|group| mode.has(self.groups[*group][0]))
+    }
+
+    /// Groups whose motion formulas read, in order; the first where they read none.
     pub(crate) fn read_by<'a>(&self, formulas: impl IntoIterator<Item = &'a Expr>) -> Vec<usize> {
         let symbols = formulas.into_iter().flat_map(Expr::symbols);
         let bodies = symbols.filter_map(|symbol| self.owners.get(&symbol));
-        let mut found: Vec<usize> = bodies.map(|body| self.of_body[*body]).collect();
+        let mut found: Vec<usize> = bodies.map(|body| self.group_of_body[*body]).collect();
         found.sort_unstable();
         found.dedup();
         if found.is_empty() { vec![0] } else { found }
     }
 
-    /// Whether a component watches for events.
-    pub(crate) fn has_events(&self, component: usize) -> bool {
-        self.of_event.contains(&component)
+    /// Whether events read or act on a group alone.
+    pub(crate) fn has_events(&self, group: usize) -> bool {
+        self.of_event.iter().any(|groups| groups[..] == [group])
     }
+}
 
-    /// The component of a body.
-    pub(crate) fn of_body(&self, body: usize) -> usize {
-        self.of_body[body]
+impl Equations {
+    /// Groups of those in a mode that joints which hold now make one motion, in order.
+    pub(crate) fn coupled(&self, mode: &Mode, groups: &[usize]) -> Vec<Vec<usize>> {
+        let place = |body: &usize| groups.binary_search(&self.components().group_of(*body));
+        let mut sets = Sets::new(groups.len());
+        for (_, joint) in self.joints().iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint)) {
+            let ends: Vec<usize> = joint.bodies.iter().filter_map(|body| place(body).ok()).collect();
+            ends.windows(2).for_each(|two| sets.join(two[0], two[1]));
+        }
+        let (islands, _) = sets.in_order();
+        islands.into_iter().map(|island| island.into_iter().map(|place| groups[place]).collect()).collect()
     }
 }
 
@@ -114,61 +162,104 @@ impl Couplings<'_> {
         owners
     }
 
-    /// Joins what has a part in each other's motion.
+    /// Joins what always has a part in each other's motion.
     fn join(&self, owners: &HashMap<Symbol, usize>, sets: &mut Sets) {
         let model = self.model;
-        let bodies = model.bodies.len();
-        let is_set = model.events.iter().any(|event| matches!(event.action, Action::Set(_)));
-        if is_set || self.pairs.iter().any(Pair::is_hertzian) {
+        if self.pairs.iter().any(Pair::is_hertzian) {
             sets.join_all();
             return;
         }
-        let body = |name: &str| model.body_index(name).expect("the model was checked");
-        let event = |name: &str| {
-            let found = model.events.iter().position(|event| event.name == name);
-            bodies + found.expect("the model was checked")
-        };
-        let read = |member: usize, formulas: Vec<&Expr>, sets: &mut Sets| {
-            let symbols = formulas.into_iter().flat_map(Expr::symbols);
-            let read: Vec<usize> = symbols.filter_map(|symbol| owners.get(&symbol).copied()).collect();
-            read.into_iter().for_each(|other| sets.join(member, other));
+        let mut read = |body: usize, formulas: Vec<&Expr>| {
+            read_by(formulas, owners).into_iter().for_each(|other| sets.join(body, other));
         };
         for term in self.terms {
             let vectors = [&term.arm, &term.force].into_iter().flat_map(|vector| vector.components());
-            read(term.body, vectors.chain([&term.couple]).collect(), sets);
-        }
-        for load in &model.loads {
-            for moment in load.during.iter().flatten() {
-                if let Moment::Event(name) = moment {
-                    sets.join(body(&load.body), event(name));
-                }
-            }
-        }
-        for interaction in &model.interactions {
-            let of: Vec<usize> = interaction.bodies().into_iter().map(body).collect();
-            of.windows(2).for_each(|two| sets.join(two[0], two[1]));
-        }
-        for (joint, (of, _)) in model.joints.iter().zip(&self.joints) {
-            of.windows(2).for_each(|two| sets.join(two[0], two[1]));
-            let events = joint.from.iter().chain(&joint.until);
-            events.for_each(|name| sets.join(of[0], event(name)));
+            read(term.body, vectors.chain([&term.couple]).collect());
         }
         for impulse in &model.impulses {
-            sets.join(body(&impulse.body), event(&impulse.when));
-            read(body(&impulse.body), impulse.application.formulas(), sets);
-        }
-        for (index, watched) in model.events.iter().enumerate() {
-            read(bodies + index, vec![&watched.when], sets);
+            read(self.body(&impulse.body), impulse.application.formulas());
         }
         for pair in self.pairs {
             let law = pair.law.dimensions().into_iter().map(|(_, formula, _)| formula);
-            read(pair.body, law.chain([&pair.gap()]).collect(), sets);
+            read(pair.body, law.chain([&pair.gap()]).collect());
         }
         for pivot in &model.pivots {
-            read(body(&pivot.body), pivot.world.components().iter().collect(), sets);
+            read(self.body(&pivot.body), pivot.world.components().iter().collect());
         }
         for (joint, (of, _)) in model.joints.iter().zip(&self.joints) {
-            read(of[0], joint.world().into_iter().flat_map(Vector::components).collect(), sets);
+            read(of[0], joint.world().into_iter().flat_map(Vector::components).collect());
+        }
+        for interaction in &model.interactions {
+            let of: Vec<usize> = interaction.bodies().into_iter().map(|name| self.body(name)).collect();
+            of.windows(2).for_each(|two| sets.join(two[0], two[1]));
+        }
+        for (joint, (of, _)) in model.joints.iter().zip(&self.joints) {
+            if joint.from.is_none() && joint.until.is_none() {
+                of.windows(2).for_each(|two| sets.join(two[0], two[1]));
+            }
         }
     }
+
+    /// Joins what events give a part in each other's motion, as long as it may be.
+    fn join_at_times(&self, events: &[Vec<usize>], sets: &mut Sets) {
+        let joints = self.joints.iter().map(|(of, _)| *of);
+        for together in events.iter().map(Vec::as_slice).chain(joints) {
+            together.windows(2).for_each(|two| sets.join(two[0], two[1]));
+        }
+    }
+
+    /// Makes one group of all bodies of what has a loop of joints, those that do not hold yet among them.
+    fn join_loops(&self, always: &mut Sets, ever: &mut Sets) {
+        let world = self.model.bodies.len();
+        let mut joined = Sets::new(world + 1);
+        let pivots = self.model.pivots.iter().map(|pivot| [self.body(&pivot.body), world]);
+        let joints = self.joints.iter().map(|(of, _)| [of[0], of.get(1).copied().unwrap_or(world)]);
+        let mut looped = vec![];
+        for [a, b] in pivots.chain(joints) {
+            if joined.least(a) == joined.least(b) {
+                looped.push(ever.least(a));
+            }
+            joined.join(a, b);
+        }
+        for body in 0..world {
+            let root = ever.least(body);
+            if looped.contains(&root) {
+                always.join(body, root);
+            }
+        }
+    }
+
+    /// Bodies that an event reads or acts on.
+    fn of_event(&self, index: usize, owners: &HashMap<Symbol, usize>) -> Vec<usize> {
+        let (model, event) = (self.model, &self.model.events[index]);
+        if matches!(event.action, Action::Set(_)) {
+            return (0..model.bodies.len()).collect();
+        }
+        let is_this = |name: &Option<String>| name.as_ref() == Some(&event.name);
+        let mut of = read_by([&event.when], owners);
+        for load in &model.loads {
+            let ends = load.during.iter().flatten();
+            let is_window =
+                ends.into_iter().any(|end| matches!(end, Moment::Event(name) if *name == event.name));
+            of.extend(is_window.then(|| self.body(&load.body)));
+        }
+        for (joint, (bodies, _)) in model.joints.iter().zip(&self.joints) {
+            if is_this(&joint.from) || is_this(&joint.until) {
+                of.extend(bodies.iter());
+            }
+        }
+        let impulses = model.impulses.iter().filter(|impulse| impulse.when == event.name);
+        of.extend(impulses.map(|impulse| self.body(&impulse.body)));
+        of
+    }
+
+    fn body(&self, name: &str) -> usize {
+        self.model.body_index(name).expect("the model was checked")
+    }
+}
+
+/// Bodies whose motion formulas read.
+fn read_by<'a>(formulas: impl IntoIterator<Item = &'a Expr>, owners: &HashMap<Symbol, usize>) -> Vec<usize> {
+    let symbols = formulas.into_iter().flat_map(Expr::symbols);
+    symbols.filter_map(|symbol| owners.get(&symbol).copied()).collect()
 }

@@ -72,23 +72,25 @@ impl Equations {
         holds && self.joints()[joint].bodies.iter().all(|body| mode.has(*body))
     }
 
-    /// The same mode as far as it is that of some bodies, which no joint holds to others.
+    /// The same mode as far as it is that of some bodies, which no joint holds to others now. What has become of a joint to others is
+    /// kept.
     pub(crate) fn restricted(&self, mode: &Mode, bodies: &[usize]) -> Mode {
-        let has = |body: usize| bodies.binary_search(&body).is_ok();
-        let own = |joint: usize| self.joints()[joint].bodies.iter().all(|body| has(*body));
+        let has = |body: &usize| bodies.binary_search(body).is_ok();
+        let joints = self.joints();
         let rows = self.joints_of_rows();
+        let windows = self.windows().iter().zip(&mode.windows);
         Mode {
             bodies: bodies.to_vec(),
-            windows: mode.windows.clone(),
+            windows: windows.map(|(window, acts)| *acts && has(&window.body)).collect(),
             changes: mode.changes.clone(),
             contacts: mode
                 .contacts
                 .iter()
-                .filter(|(pair, _)| has(self.pairs()[*pair].body))
+                .filter(|(pair, _)| has(&self.pairs()[*pair].body))
                 .copied()
                 .collect(),
-            switched: mode.switched.iter().filter(|joint| own(**joint)).copied().collect(),
-            redundant: mode.redundant.iter().filter(|row| own(rows[**row])).copied().collect(),
+            switched: some_of(&mode.switched, |joint| joints[*joint].bodies.iter().any(has)),
+            redundant: some_of(&mode.redundant, |row| joints[rows[*row]].bodies.iter().all(has)),
         }
     }
 
@@ -98,23 +100,24 @@ impl Equations {
         joints.flat_map(|(joint, known)| known.rows.iter().map(move |_| joint)).collect()
     }
 
-    /// Modes of different bodies as one.
+    /// Modes of different bodies at one time as one.
     pub(crate) fn as_one(&self, modes: &[&Mode]) -> Mode {
         let all = |of: fn(&Mode) -> &Vec<usize>| {
             let mut all: Vec<usize> = modes.iter().flat_map(|mode| of(mode)).copied().collect();
             all.sort_unstable();
+            all.dedup();
             all
         };
         let acts = |(index, window): (usize, &Window)| {
-            let own = modes.iter().find(|mode| mode.has(window.body)).or(modes.first());
-            own.is_some_and(|mode| mode.windows[index])
+            modes.iter().any(|mode| mode.has(window.body) && mode.windows[index])
         };
         let mut contacts: Vec<_> = modes.iter().flat_map(|mode| &mode.contacts).copied().collect();
         contacts.sort_unstable();
         Mode {
             bodies: all(|mode| &mode.bodies),
             windows: self.windows().iter().enumerate().map(acts).collect(),
-            changes: modes.iter().flat_map(|mode| &mode.changes).copied().collect(),
+            // What sets parameters is an event of all.
+            changes: modes.first().map(|mode| mode.changes.clone()).unwrap_or_default(),
             contacts,
             switched: all(|mode| &mode.switched),
             redundant: all(|mode| &mode.redundant),
@@ -294,4 +297,8 @@ impl Equations {
         let roots = roots.map(|pair| invariant(&laws::compliant::root_invariant(pair), Measure::Length));
         rows.chain(roots).collect()
     }
+}
+
+fn some_of(all: &[usize], keeps: impl Fn(&usize) -> bool) -> Vec<usize> {
+    all.iter().copied().filter(|one| keeps(one)).collect()
 }

@@ -192,8 +192,7 @@ impl Equations {
 
     /// Events that are watched for in a mode, by index.
     pub(crate) fn events(&self, mode: &Mode) -> Vec<usize> {
-        let is_watched = |event: &usize| mode.has(self.parts.components.body_of_event(*event));
-        (0..self.model.events.len()).filter(is_watched).collect()
+        (0..self.model.events.len()).filter(|event| self.parts.components.watches(mode, *event)).collect()
     }
 
     /// What belongs together of the bodies.

@@ -33,6 +33,7 @@ mod gauss;
 mod impulse;
 mod initial;
 mod interaction;
+mod islands;
 mod joint;
 mod kinematics;
 mod laws;

@@ -25,16 +25,16 @@ struct Part {
     along: Along,
     /// Indices of the formulas.
     places: Vec<usize>,
-    components: Vec<usize>,
+    groups: Vec<usize>,
 }
 
 impl Observer {
     pub(crate) fn new(run: &Run, formulas: &[Expr]) -> Result<Self, Reason> {
-        let part = |(components, places): (Vec<usize>, Vec<usize>)| {
+        let part = |(groups, places): (Vec<usize>, Vec<usize>)| {
             let own: Vec<Expr> = places.iter().map(|index| formulas[*index].clone()).collect();
-            let motion = run.part(&components).motion();
+            let motion = run.part(&groups).motion();
             let along = Along::new(&run.equations, motion, &run.inputs, &own)?;
-            Ok(Part { along, places, components })
+            Ok(Part { along, places, groups })
         };
         let parts = run.grouped(formulas).into_iter().map(part).collect::<Result<_, Reason>>()?;
         let tracks = run.all_tracks().clone();
@@ -73,7 +73,9 @@ impl Observer {
         let mut found = [vec![f64::NAN; *formulas], vec![f64::NAN; *formulas]];
         for part in parts {
             // Of a run that is one motion its events are all.
-            let is_of = |of: usize| tracks.each().len() == 1 || part.components.contains(&of);
+            let each = tracks.each();
+            let is_own = |group: &usize| part.groups.binary_search(group).is_ok();
+            let is_of = |of: usize| each.len() == 1 || each[of].groups.iter().any(is_own);
             let values = match is_of(of) {
                 true => {
                     let before = events[..index].iter().filter(|(of, _)| is_of(*of)).count();

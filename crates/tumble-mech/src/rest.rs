@@ -61,7 +61,7 @@ impl Equations {
     }
 
     /// Whether impacts too small to follow go on, of a body or of any.
-    fn is_settling(&self, mode: &Mode, body: Option<usize>) -> bool {
+    pub(crate) fn is_settling(&self, mode: &Mode, body: Option<usize>) -> bool {
         let settling =
             mode.contacts.iter().filter(|(_, contact_mode)| *contact_mode == ContactMode::Settling);
         let mut bodies = settling.map(|(pair, _)| self.pairs()[*pair].body);

@@ -11,6 +11,7 @@ use tumble_ode::{Accuracy, Event, Motion, Reason, Refusal, Side, Work};
 use crate::body::Body;
 use crate::equations::Equations;
 use crate::error::ModelErrors;
+use crate::islands::Refused;
 use crate::kinematics::PointRef;
 use crate::mode::Mode;
 use crate::model::Model;
@@ -123,8 +124,8 @@ impl Run {
 
     /// A motion that was found elsewhere, with the equations and the values of the parameters that it was found from.
     pub fn of(equations: Equations, trajectory: Motion<Equations>, inputs: Vec<f64>) -> Self {
-        let components = (0..equations.components().all().len()).collect();
-        let tracks = Tracks::one(components, Arc::new(trajectory));
+        let groups = (0..equations.components().groups().len()).collect();
+        let tracks = Tracks::one(groups, Arc::new(trajectory));
         Self { equations, tracks, inputs, quadrature: None, coarser: None }
     }
 
@@ -139,40 +140,45 @@ impl Run {
         Arc::clone(self.tracks.whole(&self.equations))
     }
 
-    /// The motions of bodies that nothing couples, each by itself.
+    /// The motions of islands, each by itself: bodies that are coupled are one for as long as they are.
     pub fn tracks(&self) -> impl ExactSizeIterator<Item = &Motion<Equations>> {
-        self.tracks.each().iter().map(Arc::as_ref)
+        self.tracks.each().iter().map(|track| &*track.motion)
     }
 
-    /// Each of them as a run of its own.
+    /// The runs of bodies that nothing ever couples.
     pub(crate) fn parts(&self) -> Vec<Self> {
         match self.tracks.each() {
             [_] => vec![self.clone()],
-            _ => self.tracks.components.chunks(1).map(|components| self.part(components)).collect(),
+            _ => {
+                let components = self.equations.components();
+                let own = |groups: &&Vec<usize>| self.tracks.groups.binary_search(&groups[0]).is_ok();
+                components.all().iter().filter(own).map(|groups| self.part(groups)).collect()
+            }
         }
     }
 
-    /// The run of some components only, as one motion.
-    pub(crate) fn part(&self, components: &[usize]) -> Self {
+    /// The run of some groups only, as one motion.
+    pub(crate) fn part(&self, groups: &[usize]) -> Self {
         Self {
             equations: self.equations.clone(),
-            tracks: self.tracks.of(components, &self.equations),
+            tracks: self.tracks.of(groups, &self.equations),
             inputs: self.inputs.clone(),
             quadrature: self.quadrature,
-            coarser: self.coarser.as_ref().map(|coarser| Box::new(coarser.part(components))),
+            coarser: self.coarser.as_ref().map(|coarser| Box::new(coarser.part(groups))),
         }
     }
 
-    /// The run of a body, and of those that anything couples to it, as one motion.
+    /// The run of a body, and of those that anything may ever couple to it, as one motion.
     #[must_use]
     pub fn of_body(&self, body: usize) -> Self {
-        self.part(&[self.equations.components().of_body(body)])
+        let components = self.equations.components();
+        self.part(&components.all()[components.of_group(components.group_of(body))])
     }
 
-    /// The components whose motion formulas read; all, where they are one motion.
+    /// The groups whose motion formulas read; all, where they are one motion.
     pub(crate) fn read_by(&self, formulas: &[Expr]) -> Vec<usize> {
         match self.tracks.each() {
-            [_] => self.tracks.components.clone(),
+            [_] => self.tracks.groups.clone(),
             _ => self.equations.components().read_by(formulas),
         }
     }
@@ -182,22 +188,18 @@ impl Run {
         self.part(&self.read_by(formulas))
     }
 
-    /// The components that formulas read, with the indices of those that read the same.
+    /// The groups that formulas read, with the indices of those that read the same.
     pub(crate) fn grouped(&self, formulas: &[Expr]) -> Vec<(Vec<usize>, Vec<usize>)> {
-        let mut groups: BTreeMap<Vec<usize>, Vec<usize>> = BTreeMap::new();
+        let mut found: BTreeMap<Vec<usize>, Vec<usize>> = BTreeMap::new();
         for index in 0..formulas.len() {
-            groups.entry(self.read_by(&formulas[index..=index])).or_default().push(index);
+            found.entry(self.read_by(&formulas[index..=index])).or_default().push(index);
         }
-        groups.into_iter().collect()
+        found.into_iter().collect()
     }
 
     /// Bodies whose motion it is, in order.
     pub(crate) fn bodies(&self) -> Vec<usize> {
-        let all = self.equations.components().all();
-        let mut bodies: Vec<usize> =
-            self.tracks.components.iter().flat_map(|component| &all[*component]).copied().collect();
-        bodies.sort_unstable();
-        bodies
+        self.equations.components().bodies_of(&self.tracks.groups)
     }
 
     pub(crate) fn all_tracks(&self) -> &Tracks {
@@ -216,12 +218,12 @@ impl Run {
 
     /// Time up to which the motion is known, s; `None` if nothing was integrated and nothing happened.
     pub fn end(&self) -> Option<f64> {
-        self.tracks().map(|track| track.end()).reduce(|a, b| Some(a?.min(b?)))?
+        self.tracks.last().map(|track| track.end()).reduce(|a, b| Some(a?.min(b?)))?
     }
 
     /// Whether something happens at its end.
     pub fn ends_at_event(&self) -> bool {
-        self.tracks().any(|track| track.last_event().is_some())
+        self.tracks.last().any(|track| track.last_event().is_some())
     }
 
     /// The states at its end, by the modes that the bodies are in then.
@@ -233,12 +235,12 @@ impl Run {
                 symbols.into_iter().zip(place.states).collect::<Vec<_>>()
             })
         };
-        self.tracks().filter_map(of).flatten().collect()
+        self.tracks.last().filter_map(of).flatten().collect()
     }
 
     /// Whether nothing was integrated.
     pub fn is_empty(&self) -> bool {
-        self.tracks().any(|track| track.pieces.is_empty())
+        self.tracks.last().any(|track| track.pieces.is_empty())
     }
 
     /// What it cost.
@@ -261,8 +263,9 @@ impl Run {
         let (tracks, refused) = equations.follow(&start, until, accuracy, &mut progress);
         let inputs = start.inputs.clone();
         let run = Self { equations, tracks, inputs, quadrature: None, coarser: None };
-        let Some((of, mut refusal)) = refused else { return Ok(run) };
-        if let Some(reason) = run.singular(&run.tracks.each()[of], &refusal) {
+        let Some(Refused { mut refusal, track }) = refused else { return Ok(run) };
+        let at_fault = track.map(|track| &run.tracks.each()[track].motion);
+        if let Some(reason) = at_fault.and_then(|motion| run.singular(motion, &refusal)) {
             refusal.reason = reason;
         }
         if run.is_empty() {
@@ -329,7 +332,9 @@ impl Run {
 
     /// Largest difference of the states at the end, in units of their scales.
     fn change_to(&self, other: &Self) -> f64 {
-        let changes = self.tracks().zip(other.tracks()).map(|(here, there)| {
+        let parts = self.parts().into_iter().zip(other.parts());
+        let changes = parts.map(|(here, there)| {
+            let (here, there) = (here.trajectory(), there.trajectory());
             let (Some(last), Some(other_last)) = (here.last_states(), there.last_states()) else {
                 return f64::INFINITY;
             };
@@ -349,7 +354,8 @@ impl Run {
 
     /// The motion at one time, s; at an event, just after it.
     pub fn at(&self, time: f64) -> Result<Instant<'_>, RunError> {
-        match self.tracks().all(|track| track.piece_at(time, Side::After).is_some()) {
+        let is_within = self.start().is_some_and(|start| start <= time) && Some(time) <= self.end();
+        match is_within {
             true => Ok(Instant { run: self, time }),
             false => Err(RunError::Outside { time, end: self.end().unwrap_or(0.0) }),
         }

@@ -66,8 +66,8 @@ impl Run {
     /// What is open of some formulas of the motion at a time: `None` of what is unique, and outside the motion.
     pub fn spreads(&self, formulas: &[Expr], time: f64, side: Side) -> Result<Vec<Option<Spread>>, RunError> {
         let mut found = vec![None; formulas.len()];
-        for (components, places) in self.grouped(formulas) {
-            let motion = self.part(&components).motion();
+        for (groups, places) in self.grouped(formulas) {
+            let motion = self.part(&groups).motion();
             let Some(place) = motion.place_at(time, side) else { continue };
             let own: Vec<Expr> = places.iter().map(|index| formulas[*index].clone()).collect();
             let mode = &motion.modes[place.mode];

@@ -151,6 +151,13 @@ impl Engine {
         self.system.guard_names.iter().cloned().zip(self.branch_signs.sides.iter().copied()).collect()
     }
 
+    /// Guards by name of which first coefficients are zero now, with how many.
+    pub(crate) fn zeros(&self) -> Vec<(String, usize)> {
+        let counts = self.branch_signs.zero_guards.iter().copied();
+        let named = self.system.guard_names.iter().cloned().zip(counts);
+        named.filter(|(_, count)| *count > 0).collect()
+    }
+
     /// The branch signs that hold, then the segments of the tables.
     pub(crate) fn signs(&self) -> &[f64] {
         &self.branch_signs.signs

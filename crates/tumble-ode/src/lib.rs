@@ -35,10 +35,10 @@ pub use hybrid::{
     AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
     StateVariable,
 };
-pub use joined::{AsOne, Of};
+pub use joined::{AsOne, Of, Segment};
 pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
-pub use solver::{Motion, Over, Solver, Start, Stopped, solve};
+pub use solver::{Carried, Handover, Motion, Over, Solver, Start, Stopped, solve};
 pub use trajectory::{Cursor, Event, Piece, Place, Side, Spot, Trajectory};
 pub use work::Work;

@@ -32,6 +32,15 @@ impl Scales {
         }
     }
 
+    /// Counts what another has seen of the same groups.
+    pub(crate) fn join(&mut self, other: &Self) {
+        let own = [&mut self.largest, &mut self.rates, &mut self.rounding];
+        for (own, its) in own.into_iter().zip([&other.largest, &other.rates, &other.rounding]) {
+            own.resize(own.len().max(its.len()), 0.0);
+            own.iter_mut().zip(its).for_each(|(own, its)| *own = own.max(*its));
+        }
+    }
+
     pub(crate) fn watch(&mut self, system: &Compiled, states: &[f64]) {
         for (state, value) in states.iter().enumerate() {
             let scale = &mut self.largest[system.group(state)];

@@ -1,9 +1,11 @@
 //! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
 
+mod handover;
 mod jump;
 pub(crate) mod late;
 mod memory;
 mod over;
+mod proposal;
 mod step;
 
 use std::collections::HashMap;
@@ -24,8 +26,11 @@ use crate::scale::Scales;
 use crate::trajectory::{Piece, Trajectory};
 use crate::whole::{Blur, Demand, Doubt, Noise, Stretch, Unknown};
 use crate::{Accuracy, Reason, Refusal, Work};
+use handover::GuardSigns;
+pub use handover::{Carried, Handover};
 use memory::Memory;
 pub use over::Over;
+use proposal::Proposal;
 
 /// Where no coefficient limits a step, it is at most this part of the run.
 const BLIND_PART: f64 = 1.0 / 8.0;
@@ -131,6 +136,10 @@ pub struct Solver<'a, H: Hybrid> {
     wakes: Vec<f64>,
     /// What happens at the very start.
     first_causes: Vec<Cause>,
+    /// What the motions knew of guards that it goes on from.
+    first_guards: GuardSigns,
+    /// The next step, where it is known.
+    proposal: Option<Proposal>,
     /// Events since time last passed.
     at_once: u64,
     memory: Memory,
@@ -171,6 +180,8 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             scales: Scales::new(until - start.time),
             wakes: vec![],
             first_causes: start.causes,
+            first_guards: GuardSigns::default(),
+            proposal: None,
             at_once: 0,
             memory: Memory::default(),
             stopped: false,
@@ -190,7 +201,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     /// Counts the memory that another motion takes as its own: both go on beside each other.
     pub fn share_memory(&mut self, other: &Self) {
-        self.memory.share(&other.memory);
+        self.memory.share_held(other.memory.held());
     }
 
     /// The instant that it has come to; `None` before the first step.
@@ -235,37 +246,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
 
     /// Takes one step, and the jump at its end if there is one.
     pub fn advance(&mut self) -> Result<(), Refusal> {
-        self.try_advance().map_err(|reason| Refusal { time: self.time, reason })
+        self.propose()?;
+        self.take()
     }
 
-    fn try_advance(&mut self) -> Result<(), Reason> {
-        let mode = self.current_mode()?;
-        if self.stopped {
-            return Ok(());
-        }
-        self.watch_memory(mode)?;
-        let end = self.next_stop(mode);
-        let mut expansion = std::mem::take(&mut self.expansion);
-        let step = match self.rest(mode, end, &mut expansion)? {
-            Some(step) => step,
-            None => {
-                self.expand(mode, &mut expansion)?;
-                self.accepted_step(mode, &mut expansion, end)?
-            }
-        };
-        self.pass(mode, &step, &expansion)?;
-        // Only a hit asks for it.
-        let left_out = if step.hits.is_empty() { Row::new() } else { Row::from_slice(&self.compensation) };
-        let start_left_out = self.time_left_out;
-        self.accept(mode, &mut expansion, &step)?;
-        let now = (self.time, self.states.as_slice());
-        self.blur = self.engines[mode].blur(&step.hits, &expansion, step.length, now, &left_out)?;
-        let work = &mut self.trajectory.work;
-        let ends_flow = self.engines[mode].fired(&step.hits, now, work);
-        self.record(mode, (&expansion, start_left_out), &step);
-        self.expansion = expansion;
-        let ends_flow = ends_flow?;
-        self.jump_if_due(mode, ends_flow, step.end == end)
+    fn refused(&self) -> impl Fn(Reason) -> Refusal + use<H> {
+        let time = self.time;
+        move |reason| Refusal { time, reason }
     }
 
     /// Index of the mode that holds, entered if need be.
@@ -276,7 +263,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 if !(self.until.is_finite() && self.span > 0.0) {
                     return Err(Reason::BadEnd { until: self.until });
                 }
-                let mode = self.enter(self.first_mode.clone(), self.states.clone(), &[])?;
+                let mode = self.enter_first()?;
                 let causes = std::mem::take(&mut self.first_causes);
                 if causes.is_empty() {
                     return Ok(mode);

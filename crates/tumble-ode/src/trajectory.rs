@@ -268,6 +268,13 @@ impl Piece {
         }
     }
 
+    /// Ranges that hold all states between two times within the piece, added to the end of `states`.
+    pub fn ranges_between(&self, [from, to]: [f64; 2], states: &mut Vec<Interval>) {
+        let [from, to] = [from, to].map(|time| self.parameter_at(time));
+        let about = |series: &[f64]| range(&polynomial::shifted(series, from), (to - from).max(0.0));
+        states.extend(self.states.iter().map(about));
+    }
+
     /// The states as series about a value of the piece's parameter, and the time as one.
     pub fn series_at(&self, s: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
         let states = self.states.iter().map(|series| polynomial::shifted(series, s).into_vec()).collect();

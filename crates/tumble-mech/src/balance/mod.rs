@@ -189,13 +189,12 @@ impl Held {
 
 /// The potentials of a run, by the motions that it is made of.
 fn potentials(run: &Run, parts: &[Run]) -> Vec<Vec<Potential>> {
-    let of =
-        |part: usize| parts[part].all_tracks().components.iter().map(move |component| (*component, part));
+    let of = |part: usize| parts[part].all_tracks().groups.iter().map(move |group| (*group, part));
     let part_of: HashMap<usize, usize> = (0..parts.len()).flat_map(of).collect();
     let mut found = vec![vec![]; parts.len()];
     for potential in run.equations.potentials() {
         let read = run.equations.components().read_by([&potential.energy]);
-        if let Some(part) = read.iter().find_map(|component| part_of.get(component)) {
+        if let Some(part) = read.iter().find_map(|group| part_of.get(group)) {
             found[*part].push(potential);
         }
     }

@@ -201,13 +201,19 @@ impl Trust {
 
     /// What is known of the motion that formulas read.
     fn along(&self, run: &Run, formulas: &[Expr]) -> Result<Arc<Part>, RunError> {
-        let components = run.read_by(formulas);
+        let of = run.equations.components();
+        let mut components: Vec<usize> =
+            run.read_by(formulas).into_iter().map(|group| of.of_group(group)).collect();
+        components.dedup();
         match (&self.parts[..], &components[..]) {
             ([only], _) => Ok(Arc::clone(only)),
             (parts, [one]) => Ok(Arc::clone(&parts[*one])),
             (parts, several) => {
                 let some: Vec<&Part> = several.iter().map(|component| &*parts[*component]).collect();
-                self.joined.get(&components, || Part::joined(run.part(several), &self.checks, &some))
+                let mut groups: Vec<usize> =
+                    several.iter().flat_map(|component| &of.all()[*component]).copied().collect();
+                groups.sort_unstable();
+                self.joined.get(&components, || Part::joined(run.part(&groups), &self.checks, &some))
             }
         }
     }

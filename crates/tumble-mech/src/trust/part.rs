@@ -60,8 +60,8 @@ impl Part {
     }
 
     fn beside(run: Run, checks: &[(Run, f64)]) -> Self {
-        let components = run.all_tracks().components.clone();
-        let beside = |(check, safety): &(Run, f64)| CheckRun::new(&run, check.part(&components), *safety);
+        let groups = run.all_tracks().groups.clone();
+        let beside = |(check, safety): &(Run, f64)| CheckRun::new(&run, check.part(&groups), *safety);
         let checks: Vec<CheckRun> = checks.iter().map(beside).collect();
         let ends = checks.iter().filter_map(|check| check.phases.divergence.as_ref());
         let compared_until = ends.map(|horizon| horizon.time).fold(f64::INFINITY, f64::min);

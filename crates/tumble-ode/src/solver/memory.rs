@@ -71,9 +71,14 @@ impl Memory {
         self.held.set(self.held.get() + bytes as u64);
     }
 
-    /// Counts what another holds too, from the start on.
-    pub(super) fn share(&mut self, other: &Self) {
-        self.held = Rc::clone(&other.held);
+    /// What all motions that share it hold.
+    pub(super) fn held(&self) -> Rc<Cell<u64>> {
+        Rc::clone(&self.held)
+    }
+
+    /// Counts what others hold too.
+    pub(super) fn share_held(&mut self, held: Rc<Cell<u64>>) {
+        self.held = held;
     }
 
     pub(super) fn count(&mut self, mode: usize, hits: &[Hit]) {

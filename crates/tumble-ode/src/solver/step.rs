@@ -41,7 +41,7 @@ impl<H: Hybrid> Solver<'_, H> {
 
     /// Ends a step at `end` at the latest, and at a time that is a number, from what rounding left out of its start. What comes to
     /// the same instant as `end` ends there: what is due then would be over after it.
-    fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
+    pub(super) fn fit(&self, expansion: &Expansion, length: f64, end: f64) -> Step {
         let due = end - SIMULTANEOUS_ULPS * f64::EPSILON * end.abs();
         let left_out = |end| self.mode.map_or(0.0, |mode| self.engines[mode].system.left_out_of(end));
         let (length, end) = match &expansion.time {

@@ -1,0 +1,214 @@
+//! An event that several groups have a part in: where it is shown not to come, while they are motions of their own.
+
+use std::collections::HashMap;
+
+use tumble_expr::{Branches, Interval, Jets};
+use tumble_ode::{Of, Piece, Reason, Solver};
+
+use super::Island;
+use crate::carried::is_crossing;
+use crate::equations::Equations;
+use crate::mode::Mode;
+
+/// A stretch in which an event cannot be excluded is cut down to this part of what was asked for: two or three steps as one motion cost
+/// about as much as that takes.
+const FINEST: f64 = 1.0 / 64.0;
+/// Islands that meet again and again stay one motion for so many steps at most before they are looked at.
+const LONGEST_WAIT: u32 = 1024;
+
+/// An event that several groups have a part in.
+pub(super) struct Watch {
+    pub(super) event: usize,
+    pub(super) groups: Vec<usize>,
+    /// Up to this time it is known not to come, as long as those it is of are several motions, s.
+    known_until: f64,
+    /// When they became several last, and the length of the step before, s.
+    parted: f64,
+    step: f64,
+    /// How long they were one motion then, in steps.
+    wait: u32,
+    ranges: HashMap<Vec<Mode>, Ranges>,
+}
+
+/// What an island does next, or did last.
+pub(super) struct Along {
+    mode: Mode,
+    piece: Piece,
+}
+
+/// Finds ranges of a function in modes beside each other.
+struct Ranges {
+    jets: Jets<Interval>,
+    layout: Vec<Of>,
+}
+
+impl Watch {
+    /// The events that several groups of a component have a part in.
+    pub(super) fn all(equations: &Equations, component: usize, start: f64) -> Vec<Self> {
+        let components = equations.components();
+        let of = |event: usize| {
+            let groups = components.of_event(event).to_vec();
+            let is_own = groups.len() > 1 && components.of_group(groups[0]) == component;
+            is_own.then(|| Self {
+                event,
+                groups,
+                known_until: start,
+                parted: f64::NEG_INFINITY,
+                step: 0.0,
+                wait: 1,
+                ranges: HashMap::new(),
+            })
+        };
+        (0..equations.model().events.len()).filter_map(of).collect()
+    }
+
+    /// Whether any of these groups has a part in it.
+    pub(super) fn is_of(&self, groups: &[usize]) -> bool {
+        self.groups.iter().any(|group| groups.contains(group))
+    }
+
+    /// Time up to which it is known not to come along what islands do next, at most `to`, s.
+    pub(super) fn known_to(
+        &mut self,
+        equations: &Equations,
+        inputs: &[f64],
+        along: &[Along],
+        to: f64,
+    ) -> f64 {
+        let shortest = FINEST * (to - self.known_until);
+        let mut step = to - self.known_until;
+        while self.known_until < to {
+            let end = (self.known_until + step).min(to);
+            // What has no formula here is for the equations of all of them to tell.
+            if self.is_excluded(equations, inputs, along, [self.known_until, end]).unwrap_or(false) {
+                self.known_until = end;
+            } else if step <= shortest {
+                break;
+            } else {
+                step *= 0.5;
+            }
+        }
+        self.known_until.min(to)
+    }
+
+    /// Nothing is known of it after a time, s, from which on those it is of may move in another way.
+    pub(super) fn forget_after(&mut self, time: f64) {
+        self.known_until = self.known_until.min(time);
+    }
+
+    /// Those it is of become several motions, s.
+    pub(super) fn part(&mut self, time: f64) {
+        (self.known_until, self.parted) = (time, time);
+    }
+
+    /// Those it is of become one motion; steps to be taken before they may be several again.
+    pub(super) fn met(&mut self, time: f64) -> u32 {
+        let is_soon = time - self.parted < self.step;
+        self.wait = if is_soon { (2 * self.wait).min(LONGEST_WAIT) } else { 1 };
+        self.wait
+    }
+
+    /// Whether it did not come near along the last piece of a motion of all that it is of.
+    pub(super) fn is_far(
+        &mut self,
+        equations: &Equations,
+        inputs: &[f64],
+        mode: &Mode,
+        piece: &Piece,
+    ) -> bool {
+        self.step = piece.end - piece.start;
+        let along = [Along { mode: mode.clone(), piece: piece.clone() }];
+        piece.time_series.is_none()
+            && self.is_excluded(equations, inputs, &along, [piece.start, piece.end]).unwrap_or(false)
+    }
+
+    /// Whether its function keeps its sign between two times, s.
+    fn is_excluded(
+        &mut self,
+        equations: &Equations,
+        inputs: &[f64],
+        along: &[Along],
+        between: [f64; 2],
+    ) -> Result<bool, Reason> {
+        let modes: Vec<Mode> = along.iter().map(|along| along.mode.clone()).collect();
+        let ranges = match self.ranges.entry(modes) {
+            std::collections::hash_map::Entry::Occupied(known) => known.into_mut(),
+            std::collections::hash_map::Entry::Vacant(place) => {
+                let ranges = Ranges::new(equations, place.key(), inputs, self.event)?;
+                place.insert(ranges)
+            }
+        };
+        Ok(ranges.of(along, between).definite_sign() != 0.0)
+    }
+
+    /// Whether the last jump of an island has carried its function across zero, others being in these modes and states.
+    pub(super) fn is_crossed(
+        &self,
+        equations: &Equations,
+        inputs: &[f64],
+        solver: &Solver<'_, Equations>,
+        others: &[(Mode, Vec<f64>)],
+    ) -> bool {
+        let Some(jump) = solver.trajectory().events.last() else { return false };
+        let event = &equations.model().events[self.event];
+        let modes = &solver.trajectory().modes;
+        let value = |mode: &Mode, states: &Vec<f64>| {
+            let own = [(mode.clone(), states.clone())];
+            let all: Vec<&(Mode, Vec<f64>)> = own.iter().chain(others).collect();
+            let modes: Vec<&Mode> = all.iter().map(|(mode, _)| mode).collect();
+            let (mode, layout) = equations.laid_out(&modes);
+            let states: Vec<f64> = layout.iter().map(|[part, state]| all[*part].1[*state]).collect();
+            equations.values(std::slice::from_ref(&event.when), &mode, jump.time, &states, inputs)
+        };
+        let before = value(&modes[jump.mode_before], &jump.before);
+        let after = value(&modes[jump.mode_after], &jump.after);
+        match (before, after) {
+            (Ok(before), Ok(after)) => is_crossing(before[0], after[0], event.direction),
+            // The equations of all of them tell why there is no value.
+            _ => false,
+        }
+    }
+}
+
+impl Ranges {
+    fn new(equations: &Equations, modes: &[Mode], inputs: &[f64], event: usize) -> Result<Self, Reason> {
+        let modes: Vec<&Mode> = modes.iter().collect();
+        let (mode, layout) = equations.laid_out(&modes);
+        let formula = std::slice::from_ref(&equations.model().events[event].when);
+        let inputs: Vec<Interval> = inputs.iter().map(|value| Interval::point(*value)).collect();
+        let jets = Jets::new(equations.motion_tape(&mode, formula)?, 0, &inputs);
+        Ok(Self { jets, layout })
+    }
+
+    /// A range that holds all values of the function between two times.
+    fn of(&mut self, along: &[Along], between: [f64; 2]) -> Interval {
+        let states = along.iter().map(|Along { piece, .. }| {
+            let mut states = vec![];
+            piece.ranges_between(between, &mut states);
+            states
+        });
+        let states: Vec<Vec<Interval>> = states.collect();
+        let all: Vec<Interval> = self.layout.iter().map(|[part, state]| states[*part][*state]).collect();
+        self.jets.start(Interval::new(between[0], between[1]), &all, Branches::Free);
+        self.jets.value_of(0)
+    }
+}
+
+impl Island<'_> {
+    /// What it does next; what it did last, where it goes on no more.
+    pub(super) fn along(&self) -> Option<Along> {
+        let known = self.solver.trajectory();
+        let piece = self.solver.proposed().or_else(|| known.pieces.last().cloned())?;
+        Some(Along { mode: known.modes[piece.mode].clone(), piece })
+    }
+
+    /// Its mode and states at a time within what it does next.
+    pub(super) fn at(&self, time: f64) -> Option<(Mode, Vec<f64>)> {
+        let now = self.solver.now()?;
+        let states = match self.solver.proposed() {
+            Some(piece) if time > now.time => piece.states_at(time),
+            _ => now.states.to_vec(),
+        };
+        Some((now.mode.clone(), states))
+    }
+}

@@ -1,0 +1,126 @@
+//! What motions hand over to others that go on from them: where two systems become one, or one becomes several.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use super::{Motion, Solver, Start};
+use crate::Accuracy;
+use crate::Reason;
+use crate::hybrid::Hybrid;
+use crate::scale::Scales;
+
+/// Where a motion has come to.
+#[derive(Clone, Debug)]
+pub struct Handover<Mode> {
+    /// The instant, as a start.
+    pub start: Start<Mode>,
+    /// What is known of the way to it.
+    pub carried: Carried,
+}
+
+/// What is known of the way to an instant.
+#[derive(Clone, Debug)]
+pub struct Carried {
+    /// What rounding left out of the time, s.
+    left_out: f64,
+    scales: Scales,
+    /// Times at which jumps have asked to be woken, s.
+    wakes: Vec<f64>,
+    guards: GuardSigns,
+    /// Bytes that all motions beside each other hold.
+    held: Rc<Cell<u64>>,
+}
+
+/// What is known of guards, by name.
+#[derive(Clone, Debug, Default)]
+pub(super) struct GuardSigns {
+    /// Signs where the last step ended.
+    sides: Vec<(String, f64)>,
+    /// How many first coefficients are zero now.
+    zeros: Vec<(String, usize)>,
+}
+
+impl Carried {
+    /// What several motions know of one instant that they have come to.
+    ///
+    /// # Panics
+    /// If there are none.
+    pub fn joined(all: &[&Self]) -> Self {
+        let mut joined = (*all.first().expect("motions that are joined")).clone();
+        for other in &all[1..] {
+            if joined.left_out == 0.0 {
+                joined.left_out = other.left_out;
+            }
+            joined.scales.join(&other.scales);
+            joined.wakes.extend(&other.wakes);
+            joined.guards.sides.extend(other.guards.sides.iter().cloned());
+            joined.guards.zeros.extend(other.guards.zeros.iter().cloned());
+        }
+        joined
+    }
+
+    /// The same of a motion that has asked for no time.
+    #[must_use]
+    pub fn without_wakes(self) -> Self {
+        Self { wakes: vec![], ..self }
+    }
+}
+
+impl<'a, H: Hybrid> Solver<'a, H> {
+    /// Ends this motion where it is: a step that was proposed is forgotten.
+    pub fn hand_over(self) -> (Motion<H>, Handover<H::Mode>) {
+        let guards = match self.mode {
+            Some(mode) => GuardSigns { sides: self.engines[mode].sides(), zeros: self.engines[mode].zeros() },
+            None => self.first_guards.clone(),
+        };
+        let start = Start {
+            time: self.time,
+            mode: self
+                .mode
+                .map_or_else(|| self.first_mode.clone(), |mode| self.trajectory.modes[mode].clone()),
+            states: self.states.clone(),
+            compensation: self.compensation.clone(),
+            inputs: self.inputs.clone(),
+            causes: self.first_causes.clone(),
+            rounding: self.rounding,
+            is_proved: self.is_proved,
+            stride: self.stride,
+        };
+        let carried = Carried {
+            left_out: self.time_left_out,
+            scales: self.scales.clone(),
+            wakes: self.wakes.clone(),
+            guards,
+            held: self.memory.held(),
+        };
+        (self.finish(), Handover { start, carried })
+    }
+
+    /// A motion that goes on from where others have come to.
+    pub fn resumed(
+        system: &'a H,
+        Handover { start, carried }: Handover<H::Mode>,
+        until: f64,
+        accuracy: Accuracy,
+    ) -> Self {
+        let Carried { left_out, scales, wakes, guards, held } = carried;
+        let mut resumed = Self::new(system, start, until, accuracy);
+        resumed.span = scales.span();
+        resumed.scales = scales;
+        resumed.time_left_out = left_out;
+        resumed.wakes = wakes;
+        resumed.first_guards = guards;
+        resumed.memory.share_held(held);
+        resumed
+    }
+
+    /// Enters the mode that it starts in.
+    pub(super) fn enter_first(&mut self) -> Result<usize, Reason> {
+        let GuardSigns { sides, zeros } = std::mem::take(&mut self.first_guards);
+        let mode = self.enter(self.first_mode.clone(), self.states.clone(), &zeros)?;
+        if !sides.is_empty() {
+            self.engines[mode].carry_sides(&sides);
+        }
+        Ok(mode)
+    }
+}
