@@ -242,8 +242,7 @@ impl<'a> Islands<'a> {
         }
         match happened.and_then(|_| self.carried(index)) {
             Some(meeting) => self.merge(meeting),
-            None if happened.is_none() => self.part(index),
-            None => {}
+            None => self.part(index),
         }
     }
 

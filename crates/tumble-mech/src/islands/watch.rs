@@ -75,20 +75,36 @@ impl Watch {
         along: &[Along],
         to: f64,
     ) -> f64 {
-        let shortest = FINEST * (to - self.known_until);
-        let mut step = to - self.known_until;
-        while self.known_until < to {
-            let end = (self.known_until + step).min(to);
+        let from = self.known_until;
+        self.known_until = self.excluded_to(equations, inputs, along, [from, to]).max(from);
+        self.known_until.min(to)
+    }
+
+    /// Time up to which its function keeps its sign, from one time on and at most to another, s.
+    fn excluded_to(
+        &mut self,
+        equations: &Equations,
+        inputs: &[f64],
+        along: &[Along],
+        [mut known, to]: [f64; 2],
+    ) -> f64 {
+        let mut step = to - known;
+        let shortest = FINEST * step;
+        while known < to {
+            let end = (known + step).min(to);
+            if end <= known {
+                break;
+            }
             // What has no formula here is for the equations of all of them to tell.
-            if self.is_excluded(equations, inputs, along, [self.known_until, end]).unwrap_or(false) {
-                self.known_until = end;
+            if self.is_excluded(equations, inputs, along, [known, end]).unwrap_or(false) {
+                known = end;
             } else if step <= shortest {
                 break;
             } else {
                 step *= 0.5;
             }
         }
-        self.known_until.min(to)
+        known
     }
 
     /// Nothing is known of it after a time, s, from which on those it is of may move in another way.
@@ -108,7 +124,7 @@ impl Watch {
         self.wait
     }
 
-    /// Whether it did not come near along the last piece of a motion of all that it is of.
+    /// Whether it did not come near along the later half of the last piece of a motion of all that it is of.
     pub(super) fn is_far(
         &mut self,
         equations: &Equations,
@@ -118,8 +134,8 @@ impl Watch {
     ) -> bool {
         self.step = piece.end - piece.start;
         let along = [Along { mode: mode.clone(), piece: piece.clone() }];
-        piece.time_series.is_none()
-            && self.is_excluded(equations, inputs, &along, [piece.start, piece.end]).unwrap_or(false)
+        let half = [0.5 * (piece.start + piece.end), piece.end];
+        piece.time_series.is_none() && self.excluded_to(equations, inputs, &along, half) == piece.end
     }
 
     /// Whether its function keeps its sign between two times, s.
