@@ -286,3 +286,40 @@ fn welded_rods_bounce_as_one_body() {
     let balance = tumble_mech::RunBalance::of(&second, [0.0, 0.0]).expect("a balance");
     assert!(balance.relative() < 1e-10, "{}", balance.relative());
 }
+
+/// Thrown up again whenever it has come to its top: the impulse takes the function of its own event away from zero, and it comes
+/// again 0.1 s later.
+#[test]
+fn an_impulse_that_takes_its_event_back_is_applied_again() {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(10 * M / (S * S));
+    let ball = model.add(Body::point("ball").mass(1 * KG));
+    let rate = ball.kinematics().velocity().y().clone();
+    for (name, direction) in [("top", tumble_ode::Direction::Falling), ("any", tumble_ode::Direction::Both)] {
+        let when = rate.clone();
+        model.events = vec![tumble_mech::Event {
+            name: name.into(),
+            when,
+            direction,
+            action: tumble_mech::Action::Record,
+        }];
+        let kick = tumble_expr::Vector::planar(0 * KG * M / S, 1 * KG * M / S);
+        let at = tumble_mech::Place::FromCentre(tumble_expr::Vector::planar(0 * M, 0 * M));
+        model.impulses = vec![tumble_mech::AppliedImpulse {
+            name: "kick".into(),
+            body: "ball".into(),
+            when: name.into(),
+            application: tumble_mech::Application::Force {
+                at,
+                force: kick,
+                frame: tumble_mech::Frame::World,
+            },
+        }];
+        let start = Start::default().velocity([0 * M / S, 1 * M / S]);
+        let run = motion(model.simulate(&[(&ball, start)], 1.05 * S));
+        let times: Vec<f64> = run.trajectory().events.iter().map(|event| event.time).collect();
+        assert_eq!(times.len(), 10, "{name}: {times:?}");
+        let exact = (1..=10).map(|count| 0.1 * f64::from(count));
+        assert!(times.iter().zip(exact).all(|(time, exact)| (time - exact).abs() < 1e-14), "{times:?}");
+    }
+}

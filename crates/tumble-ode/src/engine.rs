@@ -269,7 +269,7 @@ impl Engine {
         let states: Row = expansion.states.iter().map(|series| value(series, s)).collect();
         let time = expansion.time.as_ref().map_or(expansion.start + s, |series| value(series, s));
         self.values.start(time, &states, Branches::Frozen(&self.branch_signs.signs));
-        self.values.value_of(self.system.len() + usize::from(self.system.transformed) + guard)
+        self.values.value_of(self.output_of(guard))
     }
 
     /// Moves to the segment ahead where an argument stands on a knot. Whether it moved at all.

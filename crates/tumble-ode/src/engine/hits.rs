@@ -1,9 +1,10 @@
 //! What ends a step: the first zero of what is watched along it.
 
 use smallvec::{SmallVec, smallvec};
-use tumble_expr::Row;
+use tumble_expr::{Branches, Row};
 
 use super::{BranchSigns, Engine, SIMULTANEOUS_PART, ahead};
+use crate::Cause;
 use crate::compiled::Limit;
 use crate::expansion::{Expansion, Turn};
 use crate::hybrid::Direction;
@@ -16,8 +17,11 @@ use crate::signs::{leading_sign, sign_after};
 const CLOSE_TURN_STEPS: f64 = 4.0;
 /// What moves by less than this part of the scale does not move.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// A value that is more than this part of what it is made of, where a mode begins, has jumped there and not come to zero.
 const JUMPED: f64 = 1e-10;
+/// What a jump takes away from zero was this part of it before, or less: rounding.
+const CARRIED: f64 = 1e-12;
 
 /// Something that ends a step before its length does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,6 +148,46 @@ impl Engine {
         hits
     }
 
+    /// Values of guards that causes are, by name, lazily evaluated ones left out.
+    pub(crate) fn crossed_values(
+        &mut self,
+        causes: &[Cause],
+        (time, states): (f64, &[f64]),
+    ) -> Vec<(String, f64)> {
+        let crossed = causes.iter().filter_map(|cause| match cause {
+            Cause::Guard(guard) => Some(*guard),
+            _ => None,
+        });
+        let crossed: Vec<usize> = crossed.collect();
+        if crossed.is_empty() {
+            return vec![];
+        }
+        self.values.start(time, states, Branches::Free);
+        let named = |guard: usize| {
+            (self.system.guard_names[guard].clone(), self.values.value_of(self.output_of(guard)))
+        };
+        crossed.into_iter().map(named).collect()
+    }
+
+    /// A jump may take a guard that has made it away from zero: it is then zero no more, and may cross again.
+    pub(crate) fn carry_away(&mut self, before: &[(String, f64)], (time, states): (f64, &[f64])) {
+        for (name, before) in before {
+            let named = self.system.guard_names[..self.system.guards].iter().position(|known| known == name);
+            let Some(guard) = named else { continue };
+            self.noise(time, states, &vec![0.0; states.len()]);
+            let slot = self.system.tape.outputs()[self.output_of(guard)];
+            let (after, size) = (self.rounded.value_of(self.output_of(guard)).value, self.size_of(slot));
+            if before.abs() <= CARRIED * after.abs() && after.abs() > JUMPED * size {
+                self.branch_signs.zero_guards[guard] = 0;
+            }
+        }
+    }
+
+    /// Index of a guard among the outputs of the tape.
+    pub(super) fn output_of(&self, guard: usize) -> usize {
+        self.system.len() + usize::from(self.system.transformed) + guard
+    }
+
     /// Whether a guard has passed zero between the end of the last step and here, where rounding has moved it by as much as was left.
     fn passage(&self, guard: usize, series: &[f64]) -> Passage {
         let BranchSigns { sides, zero_guards, .. } = &self.branch_signs;
@@ -153,8 +197,7 @@ impl Engine {
             return Passage::None;
         }
         // Where it may have jumped, only what is zero has passed it; a jump across zero is the model's to tell.
-        let slot =
-            self.system.tape.outputs()[self.system.len() + usize::from(self.system.transformed) + guard];
+        let slot = self.system.tape.outputs()[self.output_of(guard)];
         if self.branch_signs.sides_are_carried && series[0].abs() > JUMPED * self.size_of(slot) {
             return Passage::None;
         }

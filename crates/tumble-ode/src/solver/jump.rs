@@ -38,6 +38,7 @@ impl<H: Hybrid> Solver<'_, H> {
             causes: &causes,
             scales: self.scales.all(),
         })?;
+        let crossed_at = self.engines[mode].crossed_values(&causes, (self.time, &self.states));
         let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
         let crossed = |cause: &Cause| match cause {
             Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
@@ -51,6 +52,9 @@ impl<H: Hybrid> Solver<'_, H> {
         self.stopped = jump.stop;
         let unchanged = jump.mode == self.trajectory.modes[mode] && jump.states == before;
         let mode_after = if unchanged { mode } else { self.enter(jump.mode, jump.states, &zeros)? };
+        if !unchanged {
+            self.engines[mode_after].carry_away(&crossed_at, (self.time, &self.states));
+        }
         if !unchanged && !self.rounding.is_nearest() {
             self.round_anew((mode, mode_after), &before, &causes);
         }
