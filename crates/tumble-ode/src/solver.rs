@@ -268,7 +268,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 if causes.is_empty() {
                     return Ok(mode);
                 }
-                self.jump(mode, causes)?;
+                self.jump(mode, causes, false)?;
                 Ok(self.mode.unwrap_or(mode))
             }
         }

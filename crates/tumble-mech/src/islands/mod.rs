@@ -25,16 +25,16 @@
 //! # Checked by
 //! `tests/islands.rs`: the same motion as in one island, beside it and against closed forms.
 
+mod join;
 mod race;
 mod start;
 mod watch;
 
-use tumble_ode::{Accuracy, Carried, Cause, Handover, Refusal, Solver};
+use tumble_ode::{Accuracy, Refusal, Solver};
 
 use crate::equations::Equations;
 use crate::islands::start::Places;
 use crate::islands::watch::Watch;
-use crate::mode::Mode;
 use crate::parameters::time_symbol;
 use crate::record::Happening;
 use crate::singular::Passages;
@@ -70,20 +70,20 @@ struct Island<'a> {
     passages: Passages,
     /// When it came to rest for good, if it has.
     rest: Option<f64>,
+    has_begun: bool,
     /// Whether it has been refused.
     is_refused: bool,
     /// Steps to be taken before it may fall apart.
     wait: u32,
 }
 
-/// An event of several islands that may come.
-#[derive(Clone, Copy)]
+/// Events of several islands that may come.
 struct Meeting {
     /// Which of the watches.
-    watch: usize,
+    watches: Vec<usize>,
     /// s
     time: f64,
-    /// Whether it has come: a jump of one of them has carried it across zero.
+    /// Whether they have come: a jump of one of them has carried them across zero.
     is_now: bool,
 }
 
@@ -119,7 +119,17 @@ impl<'a> Islands<'a> {
 
     fn add(&mut self, groups: Vec<usize>, solver: Solver<'a, Equations>, rest: Option<f64>, wait: u32) {
         let passages = Passages::default();
-        self.all.push(Island { born: self.born, groups, solver, passages, rest, is_refused: false, wait });
+        let (has_begun, is_refused) = (false, false);
+        self.all.push(Island {
+            born: self.born,
+            groups,
+            solver,
+            passages,
+            rest,
+            has_begun,
+            is_refused,
+            wait,
+        });
         self.born += 1;
     }
 
@@ -141,17 +151,25 @@ impl<'a> Islands<'a> {
     fn advance(&mut self) {
         let Some((next, end)) = self.propose() else { return };
         match self.meeting(next, end) {
-            Some(meeting) => self.merge(meeting),
+            Some(meeting) => self.merge(&meeting),
             None => self.take(next),
         }
     }
 
-    /// Finds the next steps; which ends first, and when, s.
+    /// Finds the next steps; which ends first, and when, s. `None` where there is none, or other islands have come to be at the start
+    /// of one.
     fn propose(&mut self) -> Option<(usize, f64)> {
         let mut first: Option<(usize, f64)> = None;
         for index in 0..self.all.len() {
             if self.is_over(&self.all[index]) {
                 continue;
+            }
+            if !std::mem::replace(&mut self.all[index].has_begun, true) {
+                let refusal = self.all[index].solver.begin().err();
+                self.look_ahead(index, refusal);
+                if self.follow_jump(index) {
+                    return None;
+                }
             }
             match self.all[index].solver.propose() {
                 Ok(end) if first.is_none_or(|(_, known)| end < known) => first = Some((index, end)),
@@ -202,19 +220,24 @@ impl<'a> Islands<'a> {
                     continue;
                 }
                 let time = self.known(watch, &of, limit);
-                if time < first.map_or(limit, |known| known.time) {
-                    first = Some(Meeting { watch, time, is_now: false });
+                if time < first.as_ref().map_or(limit, |known| known.time) {
+                    first = Some(Meeting { watches: vec![watch], time, is_now: false });
                 }
             }
             let Some(meeting) = first else { return found };
-            (moved, limit, found) = (self.of_watch(meeting.watch), meeting.time, Some(meeting));
+            (moved, limit, found) = (self.of_watches(&meeting.watches), meeting.time, Some(meeting));
         }
     }
 
     /// Islands that have a part in an event, in order.
     fn of_watch(&self, watch: usize) -> Vec<usize> {
-        let groups = &self.watches[watch].groups;
-        let has = |island: &Island<'_>| groups.iter().any(|group| island.groups.contains(group));
+        self.of_watches(&[watch])
+    }
+
+    /// Islands that have a part in any of several events, in order.
+    fn of_watches(&self, watches: &[usize]) -> Vec<usize> {
+        let has =
+            |island: &Island<'_>| watches.iter().any(|watch| self.watches[*watch].is_of(&island.groups));
         (0..self.all.len()).filter(|index| has(&self.all[*index])).collect()
     }
 
@@ -231,118 +254,46 @@ impl<'a> Islands<'a> {
         let refusal = island.solver.take().err();
         island.wait = island.wait.saturating_sub(1);
         self.look_ahead(index, refusal);
+        if !self.follow_jump(index) {
+            self.part(index);
+        }
+    }
+
+    /// Deals with what the jump of an island, if there was one just now, does to all; whether other islands have come to be.
+    fn follow_jump(&mut self, index: usize) -> bool {
         let island = &mut self.all[index];
-        let (time, is_stopped) = (island.solver.time(), island.solver.is_stopped());
-        let happened = island.solver.last_record().map(|record| record.happened.contains(&Happening::Rest));
-        if happened == Some(true) {
+        let time = island.solver.time();
+        let Some(record) = island.solver.last_record() else { return false };
+        if record.happened.contains(&Happening::Rest) {
             island.rest = Some(time);
         }
-        if is_stopped {
+        if island.solver.is_stopped() {
             self.end_at(time);
         }
-        match happened.and_then(|_| self.carried(index)) {
-            Some(meeting) => self.merge(meeting),
-            None => self.part(index),
+        let watches = self.carried(index);
+        let is_any = !watches.is_empty();
+        if is_any {
+            self.merge(&Meeting { watches, time, is_now: true });
         }
+        is_any
     }
 
-    /// An event of several islands that the jump of one has made happen.
-    fn carried(&self, index: usize) -> Option<Meeting> {
+    /// Events of several islands that the jump of one has made happen.
+    fn carried(&self, index: usize) -> Vec<usize> {
         let time = self.all[index].solver.time();
-        (0..self.watches.len()).find_map(|watch| {
-            let of = self.of_watch(watch);
-            let others: Vec<_> = of.iter().filter(|other| **other != index).collect();
+        let is_carried = |watch: &usize| {
+            let of = self.of_watch(*watch);
+            let others: Vec<usize> = of.iter().copied().filter(|other| *other != index).collect();
             if others.len() + 1 != of.len() || others.is_empty() {
-                return None;
+                return false;
             }
-            let others: Option<Vec<_>> = others.into_iter().map(|other| self.all[*other].at(time)).collect();
-            let others = others?;
-            let is_now =
-                self.watches[watch].is_crossed(self.equations, self.inputs, &self.all[index].solver, &others);
-            is_now.then_some(Meeting { watch, time, is_now })
-        })
-    }
-
-    /// Makes one island of those that have a part in an event.
-    fn merge(&mut self, Meeting { watch, time, is_now }: Meeting) {
-        let of = self.of_watch(watch);
-        for &index in &of {
-            let island = &mut self.all[index];
-            island.solver.cut_short(time);
-            let refusal = island.solver.take().err();
-            self.look_ahead(index, refusal);
-        }
-        if of.iter().any(|index| self.all[*index].is_refused) {
-            return;
-        }
-        let rests: Vec<Option<f64>> = of.iter().map(|index| self.all[*index].rest).collect();
-        let rest = rests.into_iter().try_fold(0.0, |last: f64, rest| Some(last.max(rest?)));
-        let (mut groups, mut handovers) = (vec![], vec![]);
-        for &index in of.iter().rev() {
-            let (own, handover) = self.hand_over(index);
-            groups.extend(own);
-            handovers.push(handover);
-        }
-        groups.sort_unstable();
-        handovers.reverse();
-        let mut handover = joined(self.equations, handovers);
-        if is_now {
-            let events = self.equations.events(&handover.start.mode);
-            let guard = events.iter().position(|event| *event == self.watches[watch].event);
-            handover.start.causes.extend(guard.map(Cause::Guard));
-        }
-        let wait = self.watches[watch].met(time);
-        for watch in self.watches.iter_mut().filter(|watch| watch.is_of(&groups)) {
-            watch.forget_after(time);
-        }
-        let solver = Solver::resumed(self.equations, handover, self.until, self.accuracy);
-        self.add(groups, solver, rest, wait);
-    }
-
-    /// Ends an island where it is; its groups, and what it hands over.
-    fn hand_over(&mut self, index: usize) -> (Vec<usize>, Handover<Mode>) {
-        let Island { born, groups, solver, .. } = self.all.remove(index);
-        let (motion, handover) = solver.hand_over();
-        if !motion.pieces.is_empty() || !motion.events.is_empty() {
-            self.finished.push((born, Track { groups: groups.clone(), motion: motion.into() }));
-        }
-        (groups, handover)
-    }
-
-    /// Makes several islands of one that nothing holds together any more, if no event of several of them is near.
-    fn part(&mut self, index: usize) {
-        let island = &self.all[index];
-        let rest = island.rest;
-        if island.groups.len() < 2 || island.wait > 0 || island.solver.is_done() {
-            return;
-        }
-        let Some(now) = island.solver.now() else { return };
-        let parts = self.equations.coupled(now.mode, &island.groups);
-        if parts.len() < 2 || !self.may_part(index, &parts) {
-            return;
-        }
-        let (_, handover) = self.hand_over(index);
-        let time = handover.start.time;
-        for watch in &mut self.watches {
-            if parts.iter().filter(|part| watch.is_of(part)).count() > 1 {
-                watch.part(time);
-            }
-        }
-        for groups in parts {
-            let own = restricted(self.equations, &handover, &groups);
-            let solver = Solver::resumed(self.equations, own, self.until, self.accuracy);
-            self.add(groups, solver, rest, 1);
-        }
-    }
-
-    /// Whether no event of several of these parts came near within the last step.
-    fn may_part(&mut self, index: usize, parts: &[Vec<usize>]) -> bool {
-        let Self { all, watches, equations, inputs, .. } = self;
-        let solver = &all[index].solver;
-        let Some(piece) = solver.trajectory().pieces.last() else { return false };
-        let mode = &solver.trajectory().modes[piece.mode];
-        let is_between = |watch: &&mut Watch| parts.iter().filter(|part| watch.is_of(part)).count() > 1;
-        watches.iter_mut().filter(is_between).all(|watch| watch.is_far(equations, inputs, mode, piece))
+            let others: Option<Vec<_>> = others.into_iter().map(|other| self.all[other].at(time)).collect();
+            let (equations, inputs) = (self.equations, self.inputs);
+            others.is_some_and(|others| {
+                self.watches[*watch].is_crossed(equations, inputs, &self.all[index].solver, &others)
+            })
+        };
+        (0..self.watches.len()).filter(is_carried).collect()
     }
 
     /// When the last of them has come to rest for good, s: 0 of those that lie still. `None` where any may still move.
@@ -374,29 +325,4 @@ impl<'a> Islands<'a> {
         let at_fault = refused.and_then(|(born, _)| finished.iter().position(|(own, _)| *own == born));
         (finished.into_iter().map(|(_, track)| track).collect(), at_fault)
     }
-}
-
-/// What several islands hand over to one.
-fn joined(equations: &Equations, handovers: Vec<Handover<Mode>>) -> Handover<Mode> {
-    let modes: Vec<&Mode> = handovers.iter().map(|handover| &handover.start.mode).collect();
-    let (mode, layout) = equations.laid_out(&modes);
-    let carried: Vec<&Carried> = handovers.iter().map(|handover| &handover.carried).collect();
-    let carried = Carried::joined(&carried);
-    let state = |of: fn(&tumble_ode::Start<Mode>) -> &Vec<f64>| {
-        layout.iter().map(|[part, state]| of(&handovers[*part].start)[*state]).collect()
-    };
-    let (states, compensation) = (state(|start| &start.states), state(|start| &start.compensation));
-    let mut start = handovers[0].start.clone();
-    (start.mode, start.states, start.compensation) = (mode, states, compensation);
-    Handover { start, carried }
-}
-
-/// What an island hands over to a part of it.
-fn restricted(equations: &Equations, whole: &Handover<Mode>, groups: &[usize]) -> Handover<Mode> {
-    let start = Places::of(equations, &whole.start).of_some(&equations.components().bodies_of(groups));
-    let carried = match equations.is_settling(&start.mode, None) {
-        true => whole.carried.clone(),
-        false => whole.carried.clone().without_wakes(),
-    };
-    Handover { start, carried }
 }

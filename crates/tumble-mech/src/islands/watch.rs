@@ -19,7 +19,7 @@ const LONGEST_WAIT: u32 = 1024;
 /// An event that several groups have a part in.
 pub(super) struct Watch {
     pub(super) event: usize,
-    pub(super) groups: Vec<usize>,
+    groups: Vec<usize>,
     /// Up to this time it is known not to come, as long as those it is of are several motions, s.
     known_until: f64,
     /// When they became several last, and the length of the step before, s.

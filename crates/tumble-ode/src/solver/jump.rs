@@ -25,10 +25,11 @@ impl<H: Hybrid> Solver<'_, H> {
         });
         let causes: Vec<Cause> = scheduled.chain(waking).chain(crossed).collect();
         self.wakes.retain(|wake| *wake > self.time);
-        if causes.is_empty() { Ok(()) } else { self.jump(mode, causes) }
+        if causes.is_empty() { Ok(()) } else { self.jump(mode, causes, true) }
     }
 
-    pub(super) fn jump(&mut self, mode: usize, causes: Vec<Cause>) -> Result<(), Reason> {
+    /// Asks the system what it makes of causes. Guards that have been located are zero now; others have been carried across zero by a jump.
+    pub(super) fn jump(&mut self, mode: usize, causes: Vec<Cause>, are_located: bool) -> Result<(), Reason> {
         let jump = self.system.jump(&Crossing {
             time: self.time,
             mode: &self.trajectory.modes[mode],
@@ -41,7 +42,7 @@ impl<H: Hybrid> Solver<'_, H> {
         let crossed_at = self.engines[mode].crossed_values(&causes, (self.time, &self.states));
         let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
         let crossed = |cause: &Cause| match cause {
-            Cause::Guard(guard) => Some((guard_names[*guard].clone(), 1)),
+            Cause::Guard(guard) => are_located.then(|| (guard_names[*guard].clone(), 1)),
             Cause::LazyGuard(lazy_guard) => Some((guard_names[guards + lazy_guard].clone(), 1)),
             Cause::Scheduled(_) | Cause::Wake => None,
         };

@@ -19,6 +19,11 @@ pub(super) struct Proposal {
 }
 
 impl<H: Hybrid> Solver<'_, H> {
+    /// Enters the first mode, and carries out what happens at the very start, if that is not done.
+    pub fn begin(&mut self) -> Result<(), Refusal> {
+        self.current_mode().map(|_| ()).map_err(self.refused())
+    }
+
     /// Finds the next step, if it is not known yet; the time at which it ends, s.
     pub fn propose(&mut self) -> Result<f64, Refusal> {
         self.find_step().map_err(self.refused())

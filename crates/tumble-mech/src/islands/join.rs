@@ -1,0 +1,120 @@
+//! Where several islands become one, and one becomes several.
+
+use tumble_ode::{Carried, Cause, Handover, Solver};
+
+use super::start::Places;
+use super::watch::Watch;
+use super::{Island, Islands, Meeting};
+use crate::equations::Equations;
+use crate::mode::Mode;
+use crate::tracks::Track;
+
+impl Islands<'_> {
+    /// Makes one island of those that have a part in events.
+    pub(super) fn merge(&mut self, Meeting { watches, time, is_now }: &Meeting) {
+        let of = self.of_watches(watches);
+        for &index in &of {
+            let island = &mut self.all[index];
+            island.solver.cut_short(*time);
+            let refusal = island.solver.take().err();
+            self.look_ahead(index, refusal);
+        }
+        if of.iter().any(|index| self.all[*index].is_refused) {
+            return;
+        }
+        let rests: Vec<Option<f64>> = of.iter().map(|index| self.all[*index].rest).collect();
+        let rest = rests.into_iter().try_fold(0.0, |last: f64, rest| Some(last.max(rest?)));
+        let (mut groups, mut handovers) = (vec![], vec![]);
+        for &index in of.iter().rev() {
+            let (own, handover) = self.hand_over(index);
+            groups.extend(own);
+            handovers.push(handover);
+        }
+        groups.sort_unstable();
+        handovers.reverse();
+        let mut handover = joined(self.equations, handovers);
+        if *is_now {
+            let events = self.equations.events(&handover.start.mode);
+            let is_of = |event: &usize| watches.iter().any(|watch| self.watches[*watch].event == *event);
+            let guards = events.iter().enumerate().filter(|(_, event)| is_of(event));
+            handover.start.causes.extend(guards.map(|(guard, _)| Cause::Guard(guard)));
+        }
+        let waits: Vec<u32> = watches.iter().map(|watch| self.watches[*watch].met(*time)).collect();
+        for watch in self.watches.iter_mut().filter(|watch| watch.is_of(&groups)) {
+            watch.forget_after(*time);
+        }
+        let solver = Solver::resumed(self.equations, handover, self.until, self.accuracy);
+        self.add(groups, solver, rest, waits.into_iter().max().unwrap_or(1));
+    }
+
+    /// Ends an island where it is; its groups, and what it hands over.
+    fn hand_over(&mut self, index: usize) -> (Vec<usize>, Handover<Mode>) {
+        let Island { born, groups, solver, .. } = self.all.remove(index);
+        let (motion, handover) = solver.hand_over();
+        if !motion.pieces.is_empty() || !motion.events.is_empty() {
+            self.finished.push((born, Track { groups: groups.clone(), motion: motion.into() }));
+        }
+        (groups, handover)
+    }
+
+    /// Makes several islands of one that nothing holds together any more, if no event of several of them is near.
+    pub(super) fn part(&mut self, index: usize) {
+        let island = &self.all[index];
+        let rest = island.rest;
+        if island.groups.len() < 2 || island.wait > 0 || island.solver.is_done() {
+            return;
+        }
+        let Some(now) = island.solver.now() else { return };
+        let parts = self.equations.coupled(now.mode, &island.groups);
+        if parts.len() < 2 || !self.may_part(index, &parts) {
+            return;
+        }
+        let (_, handover) = self.hand_over(index);
+        let time = handover.start.time;
+        for watch in &mut self.watches {
+            if parts.iter().filter(|part| watch.is_of(part)).count() > 1 {
+                watch.part(time);
+            }
+        }
+        for groups in parts {
+            let own = restricted(self.equations, &handover, &groups);
+            let solver = Solver::resumed(self.equations, own, self.until, self.accuracy);
+            self.add(groups, solver, rest, 1);
+        }
+    }
+
+    /// Whether no event of several of these parts came near within the last step.
+    fn may_part(&mut self, index: usize, parts: &[Vec<usize>]) -> bool {
+        let Self { all, watches, equations, inputs, .. } = self;
+        let solver = &all[index].solver;
+        let Some(piece) = solver.trajectory().pieces.last() else { return false };
+        let mode = &solver.trajectory().modes[piece.mode];
+        let is_between = |watch: &&mut Watch| parts.iter().filter(|part| watch.is_of(part)).count() > 1;
+        watches.iter_mut().filter(is_between).all(|watch| watch.is_far(equations, inputs, mode, piece))
+    }
+}
+
+/// What several islands hand over to one.
+fn joined(equations: &Equations, handovers: Vec<Handover<Mode>>) -> Handover<Mode> {
+    let modes: Vec<&Mode> = handovers.iter().map(|handover| &handover.start.mode).collect();
+    let (mode, layout) = equations.laid_out(&modes);
+    let carried: Vec<&Carried> = handovers.iter().map(|handover| &handover.carried).collect();
+    let carried = Carried::joined(&carried);
+    let state = |of: fn(&tumble_ode::Start<Mode>) -> &Vec<f64>| {
+        layout.iter().map(|[part, state]| of(&handovers[*part].start)[*state]).collect()
+    };
+    let (states, compensation) = (state(|start| &start.states), state(|start| &start.compensation));
+    let mut start = handovers[0].start.clone();
+    (start.mode, start.states, start.compensation) = (mode, states, compensation);
+    Handover { start, carried }
+}
+
+/// What an island hands over to a part of it.
+fn restricted(equations: &Equations, whole: &Handover<Mode>, groups: &[usize]) -> Handover<Mode> {
+    let start = Places::of(equations, &whole.start).of_some(&equations.components().bodies_of(groups));
+    let carried = match equations.is_settling(&start.mode, None) {
+        true => whole.carried.clone(),
+        false => whole.carried.clone().without_wakes(),
+    };
+    Handover { start, carried }
+}
