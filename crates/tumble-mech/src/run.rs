@@ -157,7 +157,15 @@ impl Run {
         }
     }
 
-    /// The run of some groups only, as one motion.
+    /// The groups of bodies that always move as one; all together, where they were one motion from the start.
+    pub(crate) fn groups(&self) -> Vec<Vec<usize>> {
+        match self.tracks.each() {
+            [_] => vec![self.tracks.groups.clone()],
+            _ => self.tracks.groups.iter().map(|group| vec![*group]).collect(),
+        }
+    }
+
+    /// The run of some groups only, as one motion: with others, as long as they are one motion with these.
     pub(crate) fn part(&self, groups: &[usize]) -> Self {
         Self {
             equations: self.equations.clone(),

@@ -72,6 +72,25 @@ impl Tracks {
         (0..self.each.len()).filter(is_last).map(|index| &*self.each[index].motion)
     }
 
+    /// These groups, with those that were ever one motion with any of them, in order.
+    pub(crate) fn ever_with(&self, groups: &[usize]) -> Vec<usize> {
+        let mut found = groups.to_vec();
+        loop {
+            let known = found.len();
+            for track in &self.each {
+                if track.groups.iter().any(|group| found.contains(group)) {
+                    found.extend(
+                        track.groups.iter().filter(|group| !found.contains(group)).collect::<Vec<_>>(),
+                    );
+                }
+            }
+            if found.len() == known {
+                found.sort_unstable();
+                return found;
+            }
+        }
+    }
+
     /// All as one.
     pub(crate) fn whole(&self, equations: &Equations) -> &Arc<Motion> {
         match &self.each[..] {

@@ -239,3 +239,27 @@ fn all_come_to_rest() {
     assert!((run.end().expect("an end") - rest).abs() < 1e-14, "{:?}", run.end());
     assert!(trust.horizon.is_none());
 }
+
+/// A ball is tossed about by a force that no digits survive; another, whose height an event compares with its, keeps its own.
+#[test]
+fn digits_end_body_by_body() {
+    let (mut model, balls) = bouncing(&[1.0, 0.6], 0.9);
+    // Over hills that shake: the motion is chaotic.
+    let (place, shake) =
+        (balls[1].kinematics().position().x() / (0.1 * M), 80 * tumble_mech::time() / (1 * S));
+    let force = 2500 * N * place.sin() + 1000 * N * shake.sin();
+    model.force("hills", &balls[1].cm(), Vector::planar(force, 0 * N));
+    let passes = height(&balls[0]) - height(&balls[1]);
+    event(&mut model, "passes", passes, Direction::Both, Action::Record);
+    let (run, trust) = trusted(&model, 3.0);
+    let horizon = trust.horizon.clone().expect("digits end");
+    assert!(horizon.time < 2.0, "{horizon:?}");
+    let error = |formula: Expr| {
+        let at = tumble_mech::At { time: 2.9, side: Side::Before, off: 0.0 };
+        trust.error_at(&run, &formula, at).expect("a formula")
+    };
+    assert!(error(height(&balls[0])).is_some_and(|error| error < 1e-12));
+    let lost = balls[1].kinematics().position().x().clone();
+    assert_eq!(error(lost.clone()), None);
+    assert_eq!(error(lost - height(&balls[0])), None);
+}

@@ -46,7 +46,7 @@ impl CaseBalance {
             rows.extend(balance.row(time, side)?);
         }
         let work_errors = match (&case.trust, run.end()) {
-            (Some(trust), Some(end)) => trust.work_errors(&mut balance, end, Side::After)?,
+            (Some(trust), Some(end)) => trust.work_errors(run, &mut balance, end, Side::After)?,
             _ => None,
         };
         let contributions = balance.contributions.iter().enumerate();

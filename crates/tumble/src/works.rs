@@ -48,7 +48,7 @@ impl Works {
         let mut balance = RunBalance::of(solution.run, ABOUT)?;
         let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
         let errors = match solution.trust {
-            Some(trust) => trust.work_errors(&mut balance, at.time, at.side)?,
+            Some(trust) => trust.work_errors(solution.run, &mut balance, at.time, at.side)?,
             None => None,
         };
         let [here, before] = around(solution, &mut balance, at)?;

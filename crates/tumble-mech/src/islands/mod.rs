@@ -71,6 +71,8 @@ struct Island<'a> {
     /// When it came to rest for good, if it has.
     rest: Option<f64>,
     has_begun: bool,
+    /// When the step that it has proposed ends, s.
+    end: f64,
     /// Whether it has been refused.
     is_refused: bool,
     /// Steps to be taken before it may fall apart.
@@ -127,6 +129,7 @@ impl<'a> Islands<'a> {
             passages,
             rest,
             has_begun,
+            end: f64::NEG_INFINITY,
             is_refused,
             wait,
         });
@@ -147,12 +150,12 @@ impl<'a> Islands<'a> {
         island.is_refused || island.solver.is_done() || is_beyond
     }
 
-    /// Goes on by one step of the island that is furthest behind, or by making one of several.
+    /// Goes on by one step of the island whose step ends first, or by making one of several.
     fn advance(&mut self) {
         let Some((next, end)) = self.propose() else { return };
-        match self.meeting(next, end) {
-            Some(meeting) => self.merge(&meeting),
-            None => self.take(next),
+        match self.meeting() {
+            Some(meeting) if meeting.time < end => self.merge(&meeting),
+            _ => self.take(next),
         }
     }
 
@@ -172,8 +175,12 @@ impl<'a> Islands<'a> {
                 }
             }
             match self.all[index].solver.propose() {
-                Ok(end) if first.is_none_or(|(_, known)| end < known) => first = Some((index, end)),
-                Ok(_) => {}
+                Ok(end) => {
+                    self.all[index].end = end;
+                    if first.is_none_or(|(_, known)| end < known) {
+                        first = Some((index, end));
+                    }
+                }
                 Err(refusal) => self.look_ahead(index, Some(refusal)),
             }
         }
@@ -208,25 +215,21 @@ impl<'a> Islands<'a> {
         is_first
     }
 
-    /// The first event of several islands that may come before one takes its step, which ends at `end`.
-    fn meeting(&mut self, next: usize, end: f64) -> Option<Meeting> {
-        let (mut moved, mut limit, mut found) = (vec![next], end, None);
-        // What ends the steps of some earlier may be known less far of others that they meet.
-        loop {
-            let mut first: Option<Meeting> = None;
-            for watch in 0..self.watches.len() {
-                let of = self.of_watch(watch);
-                if of.len() < 2 || !of.iter().any(|island| moved.contains(island)) {
-                    continue;
-                }
-                let time = self.known(watch, &of, limit);
-                if time < first.as_ref().map_or(limit, |known| known.time) {
-                    first = Some(Meeting { watches: vec![watch], time, is_now: false });
-                }
+    /// The first event of several islands that may come within the steps that they have proposed.
+    fn meeting(&mut self) -> Option<Meeting> {
+        let mut first: Option<Meeting> = None;
+        for watch in 0..self.watches.len() {
+            let of = self.of_watch(watch);
+            if of.len() < 2 {
+                continue;
             }
-            let Some(meeting) = first else { return found };
-            (moved, limit, found) = (self.of_watches(&meeting.watches), meeting.time, Some(meeting));
+            if let Some(time) = self.doubt(watch, &of)
+                && first.as_ref().is_none_or(|known| time < known.time)
+            {
+                first = Some(Meeting { watches: vec![watch], time, is_now: false });
+            }
         }
+        first
     }
 
     /// Islands that have a part in an event, in order.
@@ -241,11 +244,21 @@ impl<'a> Islands<'a> {
         (0..self.all.len()).filter(|index| has(&self.all[*index])).collect()
     }
 
-    /// Time up to which an event is known not to come, at most `to`, s.
-    fn known(&mut self, watch: usize, of: &[usize], to: f64) -> f64 {
+    /// From when on an event may come within the steps of its islands, s; `None` if it does not.
+    fn doubt(&mut self, watch: usize, of: &[usize]) -> Option<f64> {
         let Self { all, watches, equations, inputs, .. } = self;
-        let along: Option<Vec<_>> = of.iter().map(|island| all[*island].along()).collect();
-        along.map_or(f64::NEG_INFINITY, |along| watches[watch].known_to(equations, inputs, &along, to))
+        let ends = of.iter().map(|island| match all[*island].solver.is_done() || all[*island].is_refused {
+            true => all[*island].solver.time(),
+            false => all[*island].end,
+        });
+        let to = ends.fold(f64::INFINITY, f64::min);
+        if watches[watch].is_settled(to) {
+            return watches[watch].doubt();
+        }
+        // One that could not begin has ended all.
+        let along: Vec<_> = of.iter().map(|island| all[*island].along()).collect::<Option<_>>()?;
+        watches[watch].look(equations, inputs, &along, to);
+        watches[watch].doubt()
     }
 
     /// Lets an island take the step that it has proposed.

@@ -22,6 +22,8 @@ pub(super) struct Watch {
     groups: Vec<usize>,
     /// Up to this time it is known not to come, as long as those it is of are several motions, s.
     known_until: f64,
+    /// Whether it may come then.
+    is_doubtful: bool,
     /// When they became several last, and the length of the step before, s.
     parted: f64,
     step: f64,
@@ -53,6 +55,7 @@ impl Watch {
                 event,
                 groups,
                 known_until: start,
+                is_doubtful: false,
                 parted: f64::NEG_INFINITY,
                 step: 0.0,
                 wait: 1,
@@ -67,17 +70,20 @@ impl Watch {
         self.groups.iter().any(|group| groups.contains(group))
     }
 
-    /// Time up to which it is known not to come along what islands do next, at most `to`, s.
-    pub(super) fn known_to(
-        &mut self,
-        equations: &Equations,
-        inputs: &[f64],
-        along: &[Along],
-        to: f64,
-    ) -> f64 {
-        let from = self.known_until;
-        self.known_until = self.excluded_to(equations, inputs, along, [from, to]).max(from);
-        self.known_until.min(to)
+    /// Whether it need not be looked at for what may come up to a time, s.
+    pub(super) fn is_settled(&self, to: f64) -> bool {
+        self.is_doubtful || self.known_until >= to
+    }
+
+    /// From when on it may come, s, as far as it was looked at.
+    pub(super) fn doubt(&self) -> Option<f64> {
+        self.is_doubtful.then_some(self.known_until)
+    }
+
+    /// Looks whether it may come along what its islands do next, up to a time, s.
+    pub(super) fn look(&mut self, equations: &Equations, inputs: &[f64], along: &[Along], to: f64) {
+        self.known_until = self.excluded_to(equations, inputs, along, [self.known_until, to]);
+        self.is_doubtful = self.known_until < to;
     }
 
     /// Time up to which its function keeps its sign, from one time on and at most to another, s.
@@ -109,12 +115,12 @@ impl Watch {
 
     /// Nothing is known of it after a time, s, from which on those it is of may move in another way.
     pub(super) fn forget_after(&mut self, time: f64) {
-        self.known_until = self.known_until.min(time);
+        (self.known_until, self.is_doubtful) = (self.known_until.min(time), false);
     }
 
     /// Those it is of become several motions, s.
     pub(super) fn part(&mut self, time: f64) {
-        (self.known_until, self.parted) = (time, time);
+        (self.known_until, self.is_doubtful, self.parted) = (time, false, time);
     }
 
     /// Those it is of become one motion; steps to be taken before they may be several again.

@@ -5,6 +5,7 @@ use tumble_ode::{Place, Side};
 
 use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
+use crate::mode::Mode;
 use crate::run::{Run, RunError};
 use crate::trust::ULPS;
 use crate::trust::check_run::CheckRun;
@@ -184,9 +185,10 @@ impl<'a> Quantity<'a> {
     /// How fast the value changes, per s, on the way there: what an event comes to depends on what was before it.
     fn rate(&mut self) -> f64 {
         let Some(piece) = self.run.trajectory().piece_at(self.place.time, Side::Before) else { return 0.0 };
-        // A joint that begins to hold brings states of its own.
+        // A joint that begins to hold brings states of its own, and so do bodies that are one motion with these from now on.
         let mode = &self.run.trajectory().modes[piece.mode];
-        if piece.states.len() != self.jets.tape().states() {
+        let names = |mode: &Mode| self.run.equations.states(mode);
+        if names(mode) != names(&self.run.trajectory().modes[self.place.mode]) {
             match self.run.equations.evaluator(mode, std::slice::from_ref(self.formula), &self.run.inputs) {
                 Ok(jets) => self.jets = jets,
                 Err(_) => return 0.0,

@@ -45,6 +45,7 @@ mod beside;
 mod check_run;
 mod errors;
 mod instant;
+mod own;
 mod part;
 mod phases;
 
@@ -79,9 +80,9 @@ const GAIN: f64 = 0.5;
 pub struct Trust {
     /// The check runs, each with what its differences are multiplied with.
     checks: Vec<(Run, f64)>,
-    /// By component.
+    /// By group of bodies that always move as one.
     parts: Vec<Arc<Part>>,
-    /// Of several components.
+    /// Of several groups.
     joined: Cache<Vec<usize>, Part>,
     /// Accuracy that was asked for.
     pub asked: f64,
@@ -185,7 +186,8 @@ impl Trust {
         progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
         let checks = check_run::all(run, parameters, until, used, &progress)?;
-        let parts = run.parts().into_iter().map(|part| Part::of(part, &checks).map(Arc::new));
+        let groups = run.groups().into_iter();
+        let parts = groups.map(|groups| Part::of(run.part(&groups), &checks).map(Arc::new));
         let parts = parts.collect::<Result<Vec<_>, RunError>>()?;
         let horizons = parts.iter().filter_map(|part| part.horizon.clone());
         Ok(Self {
@@ -201,19 +203,22 @@ impl Trust {
 
     /// What is known of the motion that formulas read.
     fn along(&self, run: &Run, formulas: &[Expr]) -> Result<Arc<Part>, RunError> {
-        let of = run.equations.components();
-        let mut components: Vec<usize> =
-            run.read_by(formulas).into_iter().map(|group| of.of_group(group)).collect();
-        components.dedup();
-        match (&self.parts[..], &components[..]) {
+        let mut groups = run.read_by(formulas);
+        // What a force is depends on all that it couples.
+        if formulas.iter().any(|formula| run.equations.reads_forces(formula)) {
+            groups = run.all_tracks().ever_with(&groups);
+        }
+        self.of_groups(run, groups)
+    }
+
+    /// What is known of the motion of some groups.
+    fn of_groups(&self, run: &Run, groups: Vec<usize>) -> Result<Arc<Part>, RunError> {
+        match (&self.parts[..], &groups[..]) {
             ([only], _) => Ok(Arc::clone(only)),
             (parts, [one]) => Ok(Arc::clone(&parts[*one])),
             (parts, several) => {
-                let some: Vec<&Part> = several.iter().map(|component| &*parts[*component]).collect();
-                let mut groups: Vec<usize> =
-                    several.iter().flat_map(|component| &of.all()[*component]).copied().collect();
-                groups.sort_unstable();
-                self.joined.get(&components, || Part::joined(run.part(&groups), &self.checks, &some))
+                let some: Vec<&Part> = several.iter().map(|group| &*parts[*group]).collect();
+                self.joined.get(&groups, || Part::joined(run.part(several), &self.checks, &some))
             }
         }
     }
@@ -277,6 +282,7 @@ impl Trust {
     /// Errors of the works of a balance's contributions up to a time, s, J; `None` where nothing can be said of them.
     pub fn work_errors(
         &self,
+        run: &Run,
         balance: &mut RunBalance,
         time: f64,
         side: Side,
@@ -284,11 +290,13 @@ impl Trust {
         let Some(here) = balance.at(time, side)? else { return Ok(None) };
         let known = balance.contributions.iter().zip(&here.work);
         let mut errors: Vec<f64> = known.map(|(whole, work)| whole.rounding(*work)).collect();
-        for part in &self.parts {
-            let found = match self.parts.len() {
+        let runs = run.parts();
+        for own in &runs {
+            let part = self.of_groups(run, own.all_tracks().groups.clone())?;
+            let found = match runs.len() {
                 1 => part.work_differences(balance, &here.work, (time, side))?,
                 _ => {
-                    let mut own = RunBalance::of(&part.run, balance.about)?;
+                    let mut own = RunBalance::of(own, balance.about)?;
                     let Some(here) = own.at(time, side)? else { return Ok(None) };
                     let found = part.work_differences(&own, &here.work, (time, side))?;
                     found.map(|found| placed(balance, &own, &found))

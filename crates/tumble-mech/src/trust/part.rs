@@ -10,6 +10,7 @@ use crate::record::Record;
 use crate::run::{Run, RunError};
 use crate::trust::check_run::CheckRun;
 use crate::trust::errors::{Errors, Row, larger};
+use crate::trust::own::Own;
 use crate::trust::{Divergence, Horizon, SAFETY, ULPS};
 
 /// An error of this part of the scale leaves not one digit.
@@ -120,8 +121,11 @@ impl Part {
         self.end().min(self.compared_until)
     }
 
+    /// Whether anything happens to its bodies at a time, s.
     pub(super) fn has_event(&self, time: f64) -> bool {
-        events_at(&self.run.motion(), time).next().is_some()
+        let motion = self.run.motion();
+        let own = Own::of(&self.run);
+        events_at(&motion, time).any(|event| own.has(&motion, event))
     }
 
     /// What the check runs are off by in the time of an event, s; `None` where nothing can be said of it.

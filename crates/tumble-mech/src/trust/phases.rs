@@ -7,6 +7,7 @@ use tumble_ode::Side;
 use crate::record::{Happening, Record};
 use crate::run::Run;
 use crate::trust::errors::BRIEF;
+use crate::trust::own::Own;
 use crate::trust::{Divergence, Horizon};
 
 /// Two Zeno sequences end at one time if that differs by no more than this part of it: their last impacts need not
@@ -40,19 +41,19 @@ pub(super) struct Stretch {
 /// Events that only record change nothing: that one run has one more of them, at the edge of what it asks for, says
 /// nothing of the motion.
 pub(super) fn phases(first: &Run, second: &Run) -> Phases {
-    let runs = [first, second];
+    let (runs, own) = ([first, second], &Own::of(first));
     let ends = runs.map(|run| run.trajectory().end().unwrap_or(0.0));
-    let mut found = Phases { recorded: recorded(runs), ..Phases::default() };
-    let changing = runs.map(changing);
+    let mut found = Phases { recorded: recorded(runs, own), ..Phases::default() };
+    let changing = runs.map(|run| changing(run, own));
     let (mut from, mut at) = ([0.0; 2], [0; 2]);
     loop {
         let events = [0, 1].map(|run| changing[run].get(at[run]).copied());
         let (next, is_zeno) = match events {
             [None, None] => break,
-            [Some(a), Some(b)] if is_same(runs, [a, b]) => {
+            [Some(a), Some(b)] if is_same(runs, own, [a, b]) => {
                 (at.map(|index| index + 1), a.record.ends_zeno_sequence())
             }
-            _ => match after_zeno_sequences(&changing, at) {
+            _ => match after_zeno_sequences(&changing, own, at) {
                 Some(next) => (next, true),
                 None => {
                     let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
@@ -121,35 +122,34 @@ impl Phases {
     }
 }
 
-/// Events that change the motion or end it.
-fn changing(run: &Run) -> Vec<&Event> {
-    let end = run.trajectory().end();
-    let changes = |event: &&Event| {
-        event.mode_before != event.mode_after || event.before != event.after || end == Some(event.time)
-    };
-    run.trajectory().events.iter().filter(changes).collect()
+/// Events that change the motion of some bodies or end it.
+fn changing<'a>(run: &'a Run, own: &Own) -> Vec<&'a Event> {
+    let motion = run.trajectory();
+    let end = motion.end();
+    let changes = |event: &&Event| own.changes(motion, event) || end == Some(event.time);
+    motion.events.iter().filter(|event| own.has(motion, event) && changes(event)).collect()
 }
 
 /// Times of the other events that both runs have: the first of a kind in both, the second, and so on.
-fn recorded([first, second]: [&Run; 2]) -> Vec<[f64; 2]> {
-    let mut later: HashMap<&[Happening], VecDeque<f64>> = HashMap::new();
-    for event in &second.trajectory().events {
-        later.entry(&event.record.happened).or_default().push_back(event.time);
+fn recorded([first, second]: [&Run; 2], own: &Own) -> Vec<[f64; 2]> {
+    let mut later: HashMap<Vec<Happening>, VecDeque<f64>> = HashMap::new();
+    for event in own.events(second.trajectory()) {
+        later.entry(own.happened(&event.record)).or_default().push_back(event.time);
     }
-    let pair = |event: &Event| Some([event.time, later.get_mut(&event.record.happened[..])?.pop_front()?]);
-    first.trajectory().events.iter().filter_map(pair).collect()
+    let pair = |event: &Event| Some([event.time, later.get_mut(&own.happened(&event.record))?.pop_front()?]);
+    own.events(first.trajectory()).filter_map(pair).collect()
 }
 
 /// Whether the same things happen, between the same modes.
-fn is_same(runs: [&Run; 2], [a, b]: [&Event; 2]) -> bool {
-    let mode = |run: usize, index: usize| &runs[run].trajectory().modes[index];
-    a.record.happened == b.record.happened
+fn is_same(runs: [&Run; 2], own: &Own, [a, b]: [&Event; 2]) -> bool {
+    let mode = |run: usize, index: usize| own.mode(&runs[run].trajectory().modes[index]);
+    own.happened(&a.record) == own.happened(&b.record)
         && mode(0, a.mode_before) == mode(1, b.mode_before)
         && mode(0, a.mode_after) == mode(1, b.mode_after)
 }
 
 /// The events after the next ends of Zeno sequences, where these are the same in both.
-fn after_zeno_sequences(runs: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
+fn after_zeno_sequences(runs: &[Vec<&Event>; 2], own: &Own, at: [usize; 2]) -> Option<[usize; 2]> {
     let next = |run: usize| {
         let rest = runs[run].iter().enumerate().skip(at[run]);
         rest.filter(|(_, event)| event.record.ends_zeno_sequence()).map(|(index, _)| index).next()
@@ -157,8 +157,8 @@ fn after_zeno_sequences(runs: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usiz
     let [a, b] = [next(0)?, next(1)?];
     let events = [runs[0][a], runs[1][b]];
     let difference = (events[0].time - events[1].time).abs();
-    let is_limit =
-        events[0].record.happened == events[1].record.happened && difference <= SAME_LIMIT * events[0].time;
+    let [a_happened, b_happened] = events.map(|event| own.happened(&event.record));
+    let is_limit = a_happened == b_happened && difference <= SAME_LIMIT * events[0].time;
     is_limit.then_some([a + 1, b + 1])
 }
 
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn runs_diverge_by_what_changes_them_only() {
         let first = run();
-        let bounces = changing(&first).len();
+        let bounces = changing(&first, &Own::of(&first)).len();
         assert!(bounces > 1 && bounces < first.trajectory().events.len());
 
         let without = |left_out: &dyn Fn(&Event) -> bool| {
