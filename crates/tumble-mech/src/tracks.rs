@@ -1,5 +1,6 @@
 //! The motions of a model's islands, each found by itself, and of several of them as one where a quantity reads several.
 
+use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
@@ -27,6 +28,8 @@ pub(crate) struct Tracks {
     /// Which groups they are of, in order.
     pub(crate) groups: Vec<usize>,
     each: Vec<Track>,
+    /// The last motion of each island.
+    last: Vec<usize>,
     /// Whether an event of one of them has ended all.
     pub(crate) is_stopped: bool,
     /// Where each event is, in order of time: the motion and its index there.
@@ -44,12 +47,18 @@ impl Tracks {
 
     /// Motions of which one that follows another comes later.
     pub(crate) fn new(each: Vec<Track>, is_stopped: bool) -> Self {
-        let mut groups: Vec<usize> = each.iter().flat_map(|track| &track.groups).copied().collect();
-        groups.sort_unstable();
-        groups.dedup();
+        let mut last: BTreeMap<usize, usize> = BTreeMap::new();
+        for (index, track) in each.iter().enumerate() {
+            last.extend(track.groups.iter().map(|group| (*group, index)));
+        }
+        let groups = last.keys().copied().collect();
+        let mut last: Vec<usize> = last.into_values().collect();
+        last.sort_unstable();
+        last.dedup();
         Self {
             groups,
             each,
+            last,
             is_stopped,
             order: Arc::default(),
             whole: Arc::default(),
@@ -64,12 +73,7 @@ impl Tracks {
 
     /// The last motion of each island.
     pub(crate) fn last(&self) -> impl Iterator<Item = &Motion> {
-        let is_last = |index: &usize| {
-            let later = &self.each[index + 1..];
-            let groups = &self.each[*index].groups;
-            later.iter().all(|track| !track.groups.iter().any(|group| groups.contains(group)))
-        };
-        (0..self.each.len()).filter(is_last).map(|index| &*self.each[index].motion)
+        self.last.iter().map(|index| &*self.each[*index].motion)
     }
 
     /// These groups, with those that were ever one motion with any of them, in order.

@@ -188,12 +188,14 @@ impl<'a> Quantity<'a> {
         // A joint that begins to hold brings states of its own, and so do bodies that are one motion with these from now on.
         let mode = &self.run.trajectory().modes[piece.mode];
         let names = |mode: &Mode| self.run.equations.states(mode);
+        let mut other = None;
         if names(mode) != names(&self.run.trajectory().modes[self.place.mode]) {
             match self.run.equations.evaluator(mode, std::slice::from_ref(self.formula), &self.run.inputs) {
-                Ok(jets) => self.jets = jets,
+                Ok(jets) => other = Some(jets),
                 Err(_) => return 0.0,
             }
         }
+        let jets = other.as_mut().unwrap_or(&mut self.jets);
         let length = piece.end - piece.start;
         let step = (RATE_PART * length).max(RATE_ULPS * f64::EPSILON * self.place.time).min(length);
         let mut rate = 0.0_f64;
@@ -207,7 +209,11 @@ impl<'a> Quantity<'a> {
                 states: piece.states_at(time),
                 piece: Some(piece),
             };
-            let change = self.at(&place(time)) - self.at(&place(self.place.time));
+            let mut value = |time: f64| {
+                evaluate(jets, &place(time));
+                jets.value_of(0)
+            };
+            let change = value(time) - value(self.place.time);
             let change = change.abs() / (time - self.place.time).abs();
             rate = if change.is_finite() { rate.max(change) } else { rate };
         }

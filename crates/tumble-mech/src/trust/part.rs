@@ -124,8 +124,11 @@ impl Part {
     /// Whether anything happens to its bodies at a time, s.
     pub(super) fn has_event(&self, time: f64) -> bool {
         let motion = self.run.motion();
-        let own = Own::of(&self.run);
-        events_at(&motion, time).any(|event| own.has(&motion, event))
+        let mut events = events_at(&motion, time).peekable();
+        events.peek().is_some() && {
+            let own = Own::of(&self.run);
+            events.any(|event| own.has(&motion, event))
+        }
     }
 
     /// What the check runs are off by in the time of an event, s; `None` where nothing can be said of it.
