@@ -5,7 +5,7 @@ mod common;
 use common::integral;
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Anchor, Body, Gravity, Happening, Joint, Model, Run, RunError, Start};
+use tumble_mech::{Anchor, Body, Gravity, Happening, Joint, Model, Run, RunBalance, RunError, Start};
 use tumble_ode::Accuracy;
 
 /// m, and m/s^2.
@@ -160,5 +160,38 @@ fn forces_have_no_value_at_the_instant() {
     assert!(here[0].is_nan() && here[1].is_nan() && here[2].is_finite(), "{here:?}");
     for away in [-1e-3, 1e-3] {
         assert!(at(time + away).iter().all(|value| value.abs() < 1e4), "{:?}", at(time + away));
+    }
+}
+
+/// Of two equal cranks each end bears half of the coupler, in all poses: what the pins have done to it over a time that holds the
+/// instant is half of what it has gained, and what weight took from it.
+#[test]
+fn works_and_impulses_over_the_instant_are_those_of_the_pendulum() {
+    /// N s: next to the instant forces are rounding errors of velocities divided by the square of the angle that is left.
+    const OFF: f64 = 2e-9;
+    let (angle, omega, until) = (-1.0_f64, 9.0, 0.25);
+    let (model, cranks) = parallelogram(&[1.0, 1.0], angle, omega);
+    let run = run(&model, until).expect("a motion");
+    assert_eq!(passed(&run).len(), 1);
+    let end = run.at(until).expect("within");
+    let (turned, rate) = (end.angle(&cranks[0]).expect("finite"), end.omega(&cranks[0]).expect("finite"));
+    let velocity = |angle: f64, rate: f64| [-LENGTH * rate * angle.sin(), LENGTH * rate * angle.cos()];
+    let [before, after] = [velocity(angle, omega), velocity(turned, rate)];
+    let raised = LENGTH * (turned.sin() - angle.sin());
+    let impulse = [0.5 * (after[0] - before[0]), 0.5 * (after[1] - before[1] + G * until)];
+    let work = 0.5 * (0.5 * LENGTH * LENGTH * (rate * rate - omega * omega) + G * raised);
+    let balance = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
+    println!("{:e}", balance.relative());
+    assert!(balance.relative() < 1e-11, "{:e}", balance.relative());
+    for pin in ["B0", "B1"] {
+        let own = balance.contributions.iter().filter(|own| own.load == pin && own.body == Some(2));
+        let [found] = &own.collect::<Vec<_>>()[..] else {
+            panic!("one contribution of `{pin}` on the coupler")
+        };
+        println!("{pin}: {:?} {impulse:?}, {} {work}", found.impulse, found.work);
+        assert!((found.work - work).abs() < 1e-10, "{} is not {work}", found.work);
+        for (found, expected) in found.impulse.iter().zip(impulse) {
+            assert!((found - expected).abs() < OFF, "{found} is not {expected}");
+        }
     }
 }
