@@ -1,14 +1,14 @@
 //! Linkages over a thousand seconds: `cargo run --release -p tumble --example long_runs [-- SECONDS]`.
 //!
-//! A four-bar linkage that swings, and parallelograms of one loop and of two, whose third crank follows from the others, that swing
-//! through their flat poses or turn round. Printed are, along the whole run, the largest distance of points that are joined, the largest
+//! A four-bar linkage that swings, and parallelograms of one loop and of two, whose third crank follows from the others, that swing or
+//! turn round through their flat poses. Cranks and rocker are on pivots. Printed are, along the whole run, the largest distance of points that are joined, the largest
 //! change of the energy in parts of what there is of it above rest, how many singular configurations were passed, and the time it took.
 //! The motion is looked at where steps end and between.
 
 use std::time::Instant;
 
+use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
 use tumble_mech::{Anchor, Body, Gravity, Happening, Joint, Model, Run, Start};
 use tumble_ode::{Accuracy, Side};
 
@@ -104,9 +104,8 @@ fn four_bar() -> Model {
         model.starts.push((name.into(), Start::default().angle(Expr::from(angle))));
         bar(&mut model, name, length)
     });
-    let world = |x: f64| Anchor::World(Vector::planar(x * M, 0 * M));
-    pin(&mut model, "A0", [world(0.0), named(&crank, "start")]);
-    pin(&mut model, "B0", [world(0.5), named(&rocker, "start")]);
+    model.pivot_at("A0", &crank, [0 * M, 0 * M], [0 * M, 0 * M]);
+    model.pivot_at("B0", &rocker, [0 * M, 0 * M], [0.5 * M, 0 * M]);
     pin(&mut model, "A", [named(&crank, "end"), named(&coupler, "start")]);
     pin(&mut model, "B", [named(&coupler, "end"), named(&rocker, "end")]);
     model
@@ -127,8 +126,7 @@ fn parallelogram(cranks: usize, angle: f64, omega: f64) -> Model {
     for index in 0..cranks {
         let crank = bar(&mut model, &format!("crank{index}"), length);
         model.starts.push((crank.name.clone(), Start::default().angle(Expr::from(angle)).omega(omega / S)));
-        let world = Anchor::World(Vector::planar(apart * index as f64 * M, 0 * M));
-        pin(&mut model, &format!("A{index}"), [world, named(&crank, "start")]);
+        model.pivot_at(format!("A{index}"), &crank, [0 * M, 0 * M], [apart * index as f64 * M, 0 * M]);
         pin(&mut model, &format!("B{index}"), [named(&crank, "end"), named(&coupler, &format!("p{index}"))]);
     }
     model.add(coupler);
