@@ -195,3 +195,42 @@ fn works_and_impulses_over_the_instant_are_those_of_the_pendulum() {
         }
     }
 }
+
+/// Points that are joined stay together at all times, also within the steps over flat poses, and the energy stays: a short one of
+/// `cargo run --release -p tumble --example long_runs`.
+#[test]
+fn loops_stay_closed_as_they_turn() {
+    /// Places within each step.
+    const WITHIN: usize = 4;
+    for (masses, off) in [(&[0.6, 0.6][..], 1e-13), (&[0.6, 0.6, 0.6], 1e-13)] {
+        let (model, cranks) = parallelogram(masses, 1.7, 8.0);
+        let run = run(&model, 10.0).expect("a motion");
+        let bodies = &run.equations.model().bodies;
+        let coupler = &bodies[masses.len()];
+        let place = |body: &Body, point: &str| body.named_point(point).expect("a point").position();
+        let gaps = cranks.iter().enumerate().flat_map(|(index, crank)| {
+            let gap: Vector = place(crank, "end") - place(coupler, &format!("p{index}"));
+            [gap.x().clone(), gap.y().clone()]
+        });
+        let energy = bodies.iter().map(|body| body.kinetic_energy() + body.potential_energy(&model.gravity));
+        let energy = energy.reduce(|sum, own| sum + own).expect("bodies");
+        let formulas: Vec<Expr> = [energy].into_iter().chain(gaps).collect();
+        let mut observer = run.observe(&formulas).expect("formulas");
+        let (mut first, mut closure, mut change) = (None, 0.0_f64, 0.0_f64);
+        for piece in &run.trajectory().pieces {
+            for at in 0..=WITHIN {
+                let time = piece.start + (piece.end - piece.start) * at as f64 / WITHIN as f64;
+                let values = observer.at(time, tumble_ode::Side::Before).expect("within");
+                let start = *first.get_or_insert(values[0]);
+                change = change.max((values[0] / start - 1.0).abs());
+                values[1..].iter().for_each(|gap| closure = closure.max(gap.abs()));
+            }
+        }
+        println!(
+            "{masses:?}: {closure:e} m, {change:e}, {} passed, {} steps",
+            passed(&run).len(),
+            run.trajectory().pieces.len()
+        );
+        assert!(closure < off && change < 1e-10, "{masses:?}: {closure:e} m, {change:e}");
+    }
+}

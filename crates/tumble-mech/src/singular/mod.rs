@@ -73,8 +73,9 @@ const NEXT_LOOK: f64 = 0.5;
 const MOST_SHORT: usize = 400;
 /// It ends this part of the way to the instant behind it: rounding errors are then some four times what they were at the instant.
 const BEHIND: f64 = 0.04;
-/// Rows at the end of the step over an instant hold to this part of the scale, or the series did not lead there.
-const HOLDS: f64 = 1e-9;
+/// Rows at the end of the step over an instant hold to this part of the scale, or it starts elsewhere; where none does so well, to the
+/// other, or the series did not lead there.
+const HOLDS: [f64; 2] = [3e-14, 1e-9];
 /// A singular pose that is nearer, rad or m: the square of it is a million of the rounding errors by which joints are kept, so that six
 /// digits are left of the distance.
 const LOST: f64 = 1e-5;
@@ -101,7 +102,7 @@ pub(crate) struct Passages {
 struct Trying {
     /// s
     at: f64,
-    /// How many of [`BEFORE`] were too far or too near.
+    /// How many of [`BEFORE`] were too far or too near, for each of [`HOLDS`].
     tried: usize,
     /// Short steps since all were.
     steps: usize,
@@ -171,7 +172,7 @@ impl Passages {
         let (known, tried) = self.trying.as_ref().map_or((None, 0), |trying| (Some(trying.at), trying.tried));
         let Some(rank) = self.rank(equations, mode, inputs) else { return Ok(false) };
         let Some(mut ahead) = known.or_else(|| rank.ahead(piece, longest)) else { return Ok(false) };
-        let Some(way) = BEFORE.get(tried).map(|wanted| wanted * longest) else {
+        let Some(way) = Self::before(tried).map(|wanted| wanted * longest) else {
             return self.give_up(equations, solver, is_stuck);
         };
         let refused = |time: f64| move |reason: Reason| Refusal { time, reason };
@@ -190,7 +191,7 @@ impl Passages {
         }
         let from = (ahead - way).min(now).max(between(ahead)).min(now);
         if ahead - from < NEAREST * longest || !solver.go_back(from) {
-            self.trying.get_or_insert(Trying::of(ahead)).tried = BEFORE.len();
+            self.trying.get_or_insert(Trying::of(ahead)).tried = HOLDS.len() * BEFORE.len();
             return Ok(false);
         }
         let Some((_, Some(rank))) = &mut self.known else { return Ok(false) };
@@ -217,7 +218,9 @@ impl Passages {
         };
         let way = at - series.start;
         let end = at + BEHIND * way;
-        if !solver.reaches(end) || !rank.holds(series, end, solver.scales(), HOLDS) {
+        let tried = self.trying.as_ref().map_or(0, |trying| trying.tried);
+        let part = HOLDS[(tried / BEFORE.len()).min(HOLDS.len() - 1)];
+        if !solver.reaches(end) || !rank.holds(series, end, solver.scales(), part) {
             return Ok(self.try_elsewhere(at));
         }
         let record = is_singular.then(|| Record { happened: vec![Happening::Singular], ..Record::default() });
@@ -229,6 +232,11 @@ impl Passages {
             false => (self.not_before, self.last) = (end.min(solver.time()), Some(at)),
         }
         Ok(true)
+    }
+
+    /// Where the next step over an instant starts, in units of the longest of late, after so many were tried.
+    fn before(tried: usize) -> Option<f64> {
+        (tried < HOLDS.len() * BEFORE.len()).then(|| BEFORE[tried % BEFORE.len()])
     }
 
     /// The next step over an instant about that time starts elsewhere.
