@@ -3,7 +3,8 @@
 //! A four-bar linkage that swings, and parallelograms of one loop and of two, whose third crank follows from the others, that swing or
 //! turn round through their flat poses. Cranks and rocker are on pivots. Printed are, along the whole run, the largest distance of points that are joined, the largest
 //! change of the energy in parts of what there is of it above rest, how many singular configurations were passed, and the time it took.
-//! The motion is looked at where steps end and between.
+//! The motion is looked at where steps end and between. What turns round for so long has angles of ten thousand radians, whose doubles
+//! are 2e-12 rad apart.
 
 use std::time::Instant;
 
