@@ -88,8 +88,8 @@ impl Equations {
         }
         let moved = states.iter().zip(&before).map(|(now, before)| now != before);
         moved.zip(compensation).filter(|(moved, _)| *moved).for_each(|(_, left)| *left = 0.0);
-        if let Some(joints) = self.only_here(mode, 0.0, states, inputs) {
-            return Err(ModelError::StartsSingular { joints }.into());
+        if let Some(branches) = self.only_here(mode, 0.0, states, inputs) {
+            return Err(ModelError::StartsSingular { branches }.into());
         }
         mode.redundant = now.redundant();
         Ok(())

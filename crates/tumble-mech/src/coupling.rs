@@ -42,6 +42,13 @@ impl Equations {
         if !changed && applied.is_empty() {
             return Ok(Sizes::default());
         }
+        if let Some(branches) = self.only_here(&jump.mode, at.time, &jump.states, at.inputs) {
+            let what = if changed { "joints begin to hold" } else { "an impulse acts" };
+            return Err(Reason::Model(format!(
+                "{what} while the bodies are in a singular configuration. {branches}. Let it happen a little earlier or later, where one of \
+                 them is turned"
+            )));
+        }
         let rows = self.push(&applied, at, jump)?;
         Ok(Sizes { rows, applied, ..Sizes::default() })
     }

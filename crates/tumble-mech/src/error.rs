@@ -187,12 +187,11 @@ pub enum ModelError {
     },
     /// A start in which joints can be kept in more than one way.
     #[error(
-        "the bodies start in a singular configuration, in which {joints} can be kept in more than one way: where bars of a loop lie in \
-         one line, they may go on either side. Turn one of them a little, so that the start says which"
+        "the bodies start in a singular configuration. {branches}. Turn one of them a little, so that the start says how they go on"
     )]
     StartsSingular {
-        /// Their names, quoted.
-        joints: String,
+        /// Which joints those are, quoted, and how the bodies may go on, in a sentence.
+        branches: String,
     },
     /// A path that a pivot is moved on with a corner or a jump.
     #[error(

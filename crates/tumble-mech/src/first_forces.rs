@@ -10,7 +10,7 @@ use crate::error::{ModelError, ModelErrors};
 use crate::interaction::Interaction;
 use crate::mode::Mode;
 use crate::parameters::Parameters;
-use crate::term::{Law, Term};
+use crate::term::Term;
 
 /// Outputs a term: two of the force, one of the couple.
 const OUTPUTS: usize = 3;
@@ -32,7 +32,7 @@ impl Equations {
     /// Loads that are infinite or no number at the start. Contacts come after it, and reactions follow from the others.
     fn mistakes_at(&self, start: &NumericStart<Mode>) -> Result<Vec<ModelError>, ModelError> {
         let terms: Vec<Term> =
-            self.terms(&start.mode).into_iter().filter(|term| term.law != Law::Reaction).collect();
+            self.terms(&start.mode).into_iter().filter(|term| !term.law.is_reaction()).collect();
         let outputs = |term: &Term| [term.force.components(), std::slice::from_ref(&term.couple)].concat();
         let formulas: Vec<Expr> = terms.iter().flat_map(outputs).collect();
         let values = self.values_at(start, &formulas)?;

@@ -30,6 +30,11 @@ impl Law {
     pub fn is_couple(self) -> bool {
         matches!(self, Self::Torque | Self::Torsion)
     }
+
+    /// Whether it is what keeps bodies where a pivot or a joint holds them: it follows from the other loads.
+    pub fn is_reaction(self) -> bool {
+        matches!(self, Self::Reaction)
+    }
 }
 
 /// A force at its point and a couple, as they enter the equations.

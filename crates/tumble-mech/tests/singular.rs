@@ -5,7 +5,7 @@ mod common;
 use common::integral;
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Anchor, Body, Gravity, Happening, Joint, Model, Run, RunError, Start};
+use tumble_mech::{Anchor, Body, Gravity, Happening, Joint, Model, Run, RunBalance, RunError, Start};
 use tumble_ode::Accuracy;
 
 /// m, and m/s^2.
@@ -160,5 +160,77 @@ fn forces_have_no_value_at_the_instant() {
     assert!(here[0].is_nan() && here[1].is_nan() && here[2].is_finite(), "{here:?}");
     for away in [-1e-3, 1e-3] {
         assert!(at(time + away).iter().all(|value| value.abs() < 1e4), "{:?}", at(time + away));
+    }
+}
+
+/// Of two equal cranks each end bears half of the coupler, in all poses: what the pins have done to it over a time that holds the
+/// instant is half of what it has gained, and what weight took from it.
+#[test]
+fn works_and_impulses_over_the_instant_are_those_of_the_pendulum() {
+    /// N s: next to the instant forces are rounding errors of velocities divided by the square of the angle that is left.
+    const OFF: f64 = 2e-9;
+    let (angle, omega, until) = (-1.0_f64, 9.0, 0.25);
+    let (model, cranks) = parallelogram(&[1.0, 1.0], angle, omega);
+    let run = run(&model, until).expect("a motion");
+    assert_eq!(passed(&run).len(), 1);
+    let end = run.at(until).expect("within");
+    let (turned, rate) = (end.angle(&cranks[0]).expect("finite"), end.omega(&cranks[0]).expect("finite"));
+    let velocity = |angle: f64, rate: f64| [-LENGTH * rate * angle.sin(), LENGTH * rate * angle.cos()];
+    let [before, after] = [velocity(angle, omega), velocity(turned, rate)];
+    let raised = LENGTH * (turned.sin() - angle.sin());
+    let impulse = [0.5 * (after[0] - before[0]), 0.5 * (after[1] - before[1] + G * until)];
+    let work = 0.5 * (0.5 * LENGTH * LENGTH * (rate * rate - omega * omega) + G * raised);
+    let balance = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
+    println!("{:e}", balance.relative());
+    assert!(balance.relative() < 1e-11, "{:e}", balance.relative());
+    for pin in ["B0", "B1"] {
+        let own = balance.contributions.iter().filter(|own| own.load == pin && own.body == Some(2));
+        let [found] = &own.collect::<Vec<_>>()[..] else {
+            panic!("one contribution of `{pin}` on the coupler")
+        };
+        println!("{pin}: {:?} {impulse:?}, {} {work}", found.impulse, found.work);
+        assert!((found.work - work).abs() < 1e-10, "{} is not {work}", found.work);
+        for (found, expected) in found.impulse.iter().zip(impulse) {
+            assert!((found - expected).abs() < OFF, "{found} is not {expected}");
+        }
+    }
+}
+
+/// Points that are joined stay together at all times, also within the steps over flat poses, and the energy stays: a short one of
+/// `cargo run --release -p tumble --example long_runs`.
+#[test]
+fn loops_stay_closed_as_they_turn() {
+    /// Places within each step.
+    const WITHIN: usize = 4;
+    for (masses, off) in [(&[0.6, 0.6][..], 1e-13), (&[0.6, 0.6, 0.6], 1e-13)] {
+        let (model, cranks) = parallelogram(masses, 1.7, 8.0);
+        let run = run(&model, 10.0).expect("a motion");
+        let bodies = &run.equations.model().bodies;
+        let coupler = &bodies[masses.len()];
+        let place = |body: &Body, point: &str| body.named_point(point).expect("a point").position();
+        let gaps = cranks.iter().enumerate().flat_map(|(index, crank)| {
+            let gap: Vector = place(crank, "end") - place(coupler, &format!("p{index}"));
+            [gap.x().clone(), gap.y().clone()]
+        });
+        let energy = bodies.iter().map(|body| body.kinetic_energy() + body.potential_energy(&model.gravity));
+        let energy = energy.reduce(|sum, own| sum + own).expect("bodies");
+        let formulas: Vec<Expr> = [energy].into_iter().chain(gaps).collect();
+        let mut observer = run.observe(&formulas).expect("formulas");
+        let (mut first, mut closure, mut change) = (None, 0.0_f64, 0.0_f64);
+        for piece in &run.trajectory().pieces {
+            for at in 0..=WITHIN {
+                let time = piece.start + (piece.end - piece.start) * at as f64 / WITHIN as f64;
+                let values = observer.at(time, tumble_ode::Side::Before).expect("within");
+                let start = *first.get_or_insert(values[0]);
+                change = change.max((values[0] / start - 1.0).abs());
+                values[1..].iter().for_each(|gap| closure = closure.max(gap.abs()));
+            }
+        }
+        println!(
+            "{masses:?}: {closure:e} m, {change:e}, {} passed, {} steps",
+            passed(&run).len(),
+            run.trajectory().pieces.len()
+        );
+        assert!(closure < off && change < 1e-10, "{masses:?}: {closure:e} m, {change:e}");
     }
 }

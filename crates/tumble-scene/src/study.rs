@@ -119,6 +119,18 @@ impl Study {
         self.said.one(warning.help(help).warning())
     }
 
+    /// That a question asks for what forces have no value of at an instant, s: that of a singular configuration.
+    pub fn no_force(&self, question: &Question, at: f64) -> Diagnostics {
+        let message = format!(
+            "{} has no value at {at} s: the bodies pass a singular configuration, in which joints leave forces and accelerations open",
+            question.title
+        );
+        let what = format!("that of {}", question.title);
+        let warning = self.said.places.about(Code::ValueOfRun, &what, message).label("no value then");
+        let help = "ask for it a little before or after, as at `singular[1] + 1 ms`; places and velocities have values";
+        self.said.one(warning.help(help).warning())
+    }
+
     /// That the motion was to end at rest and did not come to it before the latest time, s.
     pub fn no_rest(&self, latest: f64) -> Diagnostics {
         let message = format!("the motion has not come to rest by {latest} s, and ends there");

@@ -1,6 +1,6 @@
 //! What goes wrong after a scene was read, at its place in the scene.
 
-use tumble_mech::RunError;
+use tumble_mech::{Happening, RunError};
 use tumble_ode::Reason;
 use tumble_scene::{Diagnostics, Question, Study, When};
 
@@ -63,10 +63,17 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
         study.finds.iter().zip(&case.finds).map(|(question, find)| (question, find.at, [find.value; 2]));
     let checks = study.checks.iter().zip(&case.checks);
     let checks = checks.map(|(check, result)| (&check.question, result.at, [result.found, result.expected]));
+    let is_singular = |at: f64| {
+        let mut events = case.run.events().filter(|event| event.time == at);
+        events.any(|event| event.record.happened.contains(&Happening::Singular))
+    };
     for (question, at, values) in finds.chain(checks) {
         let value = values.into_iter().find(|value| !value.is_finite());
         if let Some(value) = value.filter(|_| at.is_finite()) {
-            said.extend(study.no_number(question, value, at));
+            said.extend(match value.is_nan() && is_singular(at) {
+                true => study.no_force(question, at),
+                false => study.no_number(question, value, at),
+            });
         }
     }
     empty_windows(study, case, &mut said)?;

@@ -11,6 +11,7 @@ use crate::balance::quadrature::{Amounts, NotFinite, Quadrature, Sum};
 use crate::balance::stored::{Stored, StoredEvaluator};
 use crate::mode::Mode;
 use crate::potential::Potential;
+use crate::record::Happening;
 use crate::run::Run;
 
 /// The largest sizes in a run of what is balanced.
@@ -71,7 +72,11 @@ impl Accumulation {
     pub(super) fn run_through(&mut self) -> Result<(), Reason> {
         let motion = self.run.motion();
         let mut events = motion.events.iter().peekable();
+        let mut before: Option<(&Piece, Vec<Amounts>)> = None;
         for piece in &motion.pieces {
+            let is_singular = motion.events.iter().any(|event| {
+                event.time == piece.start && event.record.happened.contains(&Happening::Singular)
+            });
             while let Some(event) = events.next_if(|event| event.time <= piece.start) {
                 self.add_event(event)?;
             }
@@ -79,9 +84,28 @@ impl Accumulation {
             let states = piece.states_at_parameter(0.0);
             let stored = self.stored(&motion.modes[piece.mode], piece.start, &states)?;
             self.watch(&stored);
-            self.add_piece(piece)?;
+            match before.take().filter(|(before, _)| is_singular && before.mode == piece.mode) {
+                Some((before, totals)) => self.add_over((before, totals), piece)?,
+                None => self.add_piece(piece)?,
+            }
+            before = Some((piece, self.marks.last().cloned().unwrap_or_default()));
         }
         events.try_for_each(|event| self.add_event(event))
+    }
+
+    /// Adds what a piece up to a singular instant and the one from there on come to together, in place of what the first did alone:
+    /// next to the instant forces are rounding errors divided by the square of the distance, so that no node is to be there.
+    fn add_over(&mut self, (before, totals): (&Piece, Vec<Amounts>), after: &Piece) -> Result<(), Reason> {
+        self.prepare(before.mode)?;
+        let quadrature = &self.quadrature;
+        let Some((lines, contributions)) = self.lines.get_mut(&before.mode) else { return Ok(()) };
+        self.sums.iter_mut().zip(&totals).for_each(|(sums, total)| *sums = total.map(Sum::of));
+        let sums = &mut self.sums;
+        let mut add = |line: usize, amounts: &Amounts| {
+            sums[contributions[line]].iter_mut().zip(amounts).for_each(|(sum, amount)| sum.add(*amount));
+        };
+        let found = quadrature.over([before.length, after.length], &mut lines.along(before), &mut add);
+        found.map_err(|bad| refused(&lines.keys, before, &bad))
     }
 
     fn add_piece(&mut self, piece: &Piece) -> Result<(), Reason> {

@@ -197,7 +197,7 @@ fn lines(
 /// rest they do no work at all, not even that of rounding, and what a joint does to one of its bodies it takes from the other.
 fn velocity(equations: &Equations, mode: &Mode, term: &Term) -> Vector {
     let body = &equations.model().bodies[term.body];
-    if term.law == Law::Reaction {
+    if term.law.is_reaction() {
         let pivot = equations.model().pivots.iter().find(|pivot| pivot.name == term.load);
         let joint = equations.model().joints.iter().find(|joint| joint.name == term.load);
         let kept = pivot.map(|pivot| rate(&pivot.world)).or_else(|| joint.map(Joint::velocity));

@@ -19,6 +19,10 @@ const RESOLVED: f64 = 1e-15;
 /// A piece is halved at most that many times in a row. Where this is met, the residuals of the balances show it.
 const MOST_HALVINGS: u32 = 12;
 
+/// An instant that no node is to be near lies in this gap between nodes, counted from the end: so few nodes behind it, since steps end
+/// soon behind such an instant, and as wide a stretch as can be.
+const OVER_GAPS: usize = 2;
+
 /// Integrands at one instant.
 #[derive(Default)]
 pub(super) struct Sample {
@@ -75,6 +79,33 @@ impl Quadrature {
                 integrals.iter().enumerate().for_each(|(line, amounts)| add(line, amounts));
             }
         }
+        Ok(())
+    }
+
+    /// The same over an instant at which nothing is known, from a length before it to another after it: its last part is one stretch,
+    /// in which the instant lies between two nodes. What is smooth there is known by the others.
+    pub(super) fn over(
+        &self,
+        [before, after]: [f64; 2],
+        sample: &mut impl FnMut(f64) -> Sample,
+        add: &mut impl FnMut(usize, &Amounts),
+    ) -> Result<(), NotFinite> {
+        let whole = before + after;
+        // Rules are symmetric, so their nodes come in either order.
+        let mut places: Vec<f64> = self.nodes.iter().map(|(x, ..)| *x).collect();
+        places.sort_by(f64::total_cmp);
+        let between = |gap: usize| 0.5 * (places[NODES - gap] + places[NODES - gap - 1]);
+        let part = |gap: usize| 2.0 * after / (1.0 - between(gap));
+        let gap = (OVER_GAPS..NODES / 2).find(|gap| part(*gap) <= whole);
+        let from = gap.map_or(0.0, |gap| whole - part(gap));
+        self.integrate([0.0, from], sample, add)?;
+        let Stretch { integrals, .. } = self.stretch([from, whole], sample);
+        if let Some(line) =
+            integrals.iter().position(|amounts| !amounts.iter().all(|amount| amount.is_finite()))
+        {
+            return Err(NotFinite { line, from });
+        }
+        integrals.iter().enumerate().for_each(|(line, amounts)| add(line, amounts));
         Ok(())
     }
 
@@ -140,6 +171,10 @@ impl Sum {
             false => (value - sum) + self.sum,
         };
         self.sum = sum;
+    }
+
+    pub(super) fn of(sum: f64) -> Self {
+        Self { sum, compensation: 0.0 }
     }
 
     pub(super) fn value(self) -> f64 {

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 use tumble_ode::{Piece, Reason};
 
+use super::pose::Pose;
 use super::states_beyond;
 use crate::assembly::Rows;
 use crate::equations::Equations;
@@ -11,8 +12,11 @@ use crate::mode::Mode;
 
 /// A singular value is zero at its least if it is this part of what it is elsewhere on the way.
 pub(super) const ZERO: f64 = 1e-7;
-/// Nearer to zero than this part of the largest of them, half of the digits of what keeps the rows are gone.
-const LOST: f64 = 1e-6;
+/// Rows that are farther than this from depending on each other are far from a singular pose: the most that rows of length one change by a
+/// unit of motion is some few, and poses matter that are a tenth of this away.
+pub(super) const NEAR: f64 = 1e-4;
+/// Rows that were looked at are looked at again once they are this part as far from depending on each other.
+const NEARER_YET: f64 = 0.5;
 /// What grows in proportion is, an eighth as far away, an eighth; what grows with the square a sixty-fourth.
 const NEARER: f64 = 1.0 / 8.0;
 /// Between both.
@@ -25,15 +29,14 @@ const NARROWEST: f64 = 1e-5;
 const PARTS: usize = 16;
 /// A guess that is so many long steps ahead is too far.
 const FAR: f64 = 2.0;
-/// Parts of the largest entry of a vector that others must have to be told.
-const TOLD: f64 = 0.3;
-
 /// Rows of a mode, and which of them are kept.
 pub(super) struct Rank {
     gauge: Gauge,
     left_out: Vec<usize>,
     /// Kinds of what the rows are, by their indices: groups of scales of places and rates.
     groups: Vec<[usize; 2]>,
+    /// How far they were from depending on each other when they were last looked at, and no singular pose was about.
+    looked_at: f64,
 }
 
 /// What becomes of the rows ahead.
@@ -47,8 +50,8 @@ pub(super) enum Zero {
         /// Whether it is not only those that are kept.
         is_singular: bool,
     },
-    /// They do, and no velocity tells what comes after it; which of them, by index.
-    Touched { at: f64, rows: Vec<usize> },
+    /// They do, and no velocity tells what comes after it.
+    Touched { at: f64 },
 }
 
 impl Rank {
@@ -56,7 +59,7 @@ impl Rank {
         let rows: Vec<_> = equations.joint_rows(mode).collect();
         let groups = rows.iter().map(|(_, row)| [row.measure as usize, row.measure.rate() as usize]);
         let (gauge, groups) = (Gauge::of(equations, mode, &rows, inputs)?, groups.collect());
-        Ok(Self { gauge, left_out: mode.redundant.clone(), groups })
+        Ok(Self { gauge, left_out: mode.redundant.clone(), groups, looked_at: f64::INFINITY })
     }
 
     /// About when they lose rank, s, as a piece of the motion ends: within a step or two of that length, if they do.
@@ -67,11 +70,19 @@ impl Rank {
         (rate > 0.0 && ahead - piece.end < FAR * longest).then_some(ahead)
     }
 
-    /// Rows, by index, that are singular but for rounding at the end of a piece: from there no step tells where it leads.
-    pub(super) fn is_lost(&mut self, piece: Option<&Piece>) -> Option<Vec<usize>> {
-        let piece = piece?;
-        let is_lost = self.kept(piece, piece.end) < LOST * self.largest(piece, piece.end);
-        is_lost.then(|| self.weak(piece, piece.end))
+    /// The pose at the end of a piece, if it is near to one where they depend on each other; `is_stuck` where that is why no step was found.
+    pub(super) fn near(&mut self, piece: &Piece, is_stuck: bool) -> Option<Pose> {
+        let away = self.rows(piece, piece.end).without(&self.left_out).gradient.independence();
+        if !is_stuck && away > NEAR.min(NEARER_YET * self.looked_at) {
+            return None;
+        }
+        self.looked_at = away;
+        Some(self.pose(piece.end, &states_beyond(piece, piece.end)))
+    }
+
+    /// The pose at some states.
+    pub(super) fn pose(&mut self, time: f64, states: &[f64]) -> Pose {
+        Pose::at(&mut self.gauge, &self.left_out, (time, states), None)
     }
 
     /// What becomes of them up to about `ahead` along a piece, and as far again.
@@ -98,7 +109,7 @@ impl Rank {
         let shares = [-1.0, 1.0].map(grows);
         match shares.into_iter().all(|share| share < PROPORTIONAL && share > NEARER * PROPORTIONAL) {
             true => Zero::Crossed { at, blur, is_singular },
-            false => Zero::Touched { at, rows: self.weak(piece, at) },
+            false => Zero::Touched { at },
         }
     }
 
@@ -146,17 +157,6 @@ impl Rank {
 
     fn largest(&mut self, piece: &Piece, time: f64) -> f64 {
         values(&self.rows(piece, time)).first().copied().unwrap_or(f64::NAN)
-    }
-
-    /// Rows, by index, of which a sum changes nothing at a time.
-    fn weak(&mut self, piece: &Piece, time: f64) -> Vec<usize> {
-        let rows = self.rows(piece, time).without(&self.left_out);
-        let parts = scaled(&rows).svd(true, false);
-        let Some(left) = parts.u else { return rows.indices };
-        let weak = left.column(parts.singular_values.imin());
-        let most = weak.amax();
-        let told = rows.indices.iter().zip(weak.iter()).filter(|(_, part)| part.abs() > TOLD * most);
-        told.map(|(index, _)| *index).collect()
     }
 }
 

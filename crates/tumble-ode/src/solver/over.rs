@@ -148,6 +148,9 @@ impl<H: Hybrid> Solver<'_, H> {
             }
             let is_turned = step.hits.iter().any(|hit| !matches!(hit, Hit::Guard(_)));
             let is_changed = changes(&self.trajectory.events[known..]);
+            if is_changed {
+                self.not_enclosed = self.time;
+            }
             if is_turned || is_changed || self.stopped || self.time >= over.end.min(self.until) {
                 break;
             }
