@@ -51,9 +51,7 @@ impl Islands<'_> {
     fn hand_over(&mut self, index: usize) -> (Vec<usize>, Handover<Mode>) {
         let Island { born, groups, solver, .. } = self.all.remove(index);
         let (motion, handover) = solver.hand_over();
-        if !motion.pieces.is_empty() || !motion.events.is_empty() {
-            self.finished.push((born, Track { groups: groups.clone(), motion: motion.into() }));
-        }
+        self.finished.push((born, Track { groups: groups.clone(), motion: motion.into() }));
         (groups, handover)
     }
 

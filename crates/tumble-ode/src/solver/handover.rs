@@ -4,10 +4,11 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use super::{Motion, Solver, Start};
-use crate::Accuracy;
-use crate::Reason;
+use crate::coefficients::Coefficients;
 use crate::hybrid::Hybrid;
 use crate::scale::Scales;
+use crate::trajectory::Piece;
+use crate::{Accuracy, Reason};
 
 /// Where a motion has come to.
 #[derive(Clone, Debug)]
@@ -67,8 +68,9 @@ impl Carried {
 }
 
 impl<'a, H: Hybrid> Solver<'a, H> {
-    /// Ends this motion where it is: a step that was proposed is forgotten.
-    pub fn hand_over(self) -> (Motion<H>, Handover<H::Mode>) {
+    /// Ends this motion where it is: a step that was proposed is forgotten. One that has not moved has a piece of no length, by which its
+    /// states are known.
+    pub fn hand_over(mut self) -> (Motion<H>, Handover<H::Mode>) {
         let guards = match self.mode {
             Some(mode) => GuardSigns { sides: self.engines[mode].sides(), zeros: self.engines[mode].zeros() },
             None => self.first_guards.clone(),
@@ -93,7 +95,26 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             guards,
             held: self.memory.held(),
         };
+        if self.trajectory.pieces.is_empty() && self.trajectory.events.is_empty() {
+            self.stand();
+        }
         (self.finish(), Handover { start, carried })
+    }
+
+    fn stand(&mut self) {
+        let mode = self.mode.unwrap_or_else(|| {
+            self.trajectory.modes = vec![self.first_mode.clone()];
+            0
+        });
+        self.trajectory.pieces.push(Piece {
+            start: self.time,
+            left_out: self.time_left_out,
+            end: self.time,
+            mode,
+            length: 0.0,
+            states: Coefficients::of(self.states.chunks(1)),
+            time_series: None,
+        });
     }
 
     /// A motion that goes on from where others have come to.
