@@ -1,6 +1,6 @@
 //! The motions of a model's islands, each found by itself, and of several of them as one where a quantity reads several.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
@@ -28,8 +28,10 @@ pub(crate) struct Tracks {
     /// Which groups they are of, in order.
     pub(crate) groups: Vec<usize>,
     each: Vec<Track>,
-    /// The last motion of each island.
-    last: Vec<usize>,
+    /// By group, those that it has a part in, in order.
+    by_group: Arc<BTreeMap<usize, Vec<usize>>>,
+    /// The last of each island.
+    last: Arc<BTreeSet<usize>>,
     /// Whether an event of one of them has ended all.
     pub(crate) is_stopped: bool,
     /// Where each event is, in order of time: the motion and its index there.
@@ -47,18 +49,15 @@ impl Tracks {
 
     /// Motions of which one that follows another comes later.
     pub(crate) fn new(each: Vec<Track>, is_stopped: bool) -> Self {
-        let mut last: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut by_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (index, track) in each.iter().enumerate() {
-            last.extend(track.groups.iter().map(|group| (*group, index)));
+            track.groups.iter().for_each(|group| by_group.entry(*group).or_default().push(index));
         }
-        let groups = last.keys().copied().collect();
-        let mut last: Vec<usize> = last.into_values().collect();
-        last.sort_unstable();
-        last.dedup();
         Self {
-            groups,
+            groups: by_group.keys().copied().collect(),
             each,
-            last,
+            last: Arc::new(by_group.values().filter_map(|own| own.last()).copied().collect()),
+            by_group: Arc::new(by_group),
             is_stopped,
             order: Arc::default(),
             whole: Arc::default(),
@@ -78,21 +77,14 @@ impl Tracks {
 
     /// These groups, with those that were ever one motion with any of them, in order.
     pub(crate) fn ever_with(&self, groups: &[usize]) -> Vec<usize> {
-        let mut found = groups.to_vec();
-        loop {
-            let known = found.len();
-            for track in &self.each {
-                if track.groups.iter().any(|group| found.contains(group)) {
-                    found.extend(
-                        track.groups.iter().filter(|group| !found.contains(group)).collect::<Vec<_>>(),
-                    );
-                }
-            }
-            if found.len() == known {
-                found.sort_unstable();
-                return found;
+        let mut found: BTreeSet<usize> = groups.iter().copied().collect();
+        let mut ahead = groups.to_vec();
+        while let Some(group) = ahead.pop() {
+            for track in &self.by_group[&group] {
+                ahead.extend(self.each[*track].groups.iter().filter(|group| found.insert(**group)));
             }
         }
+        found.into_iter().collect()
     }
 
     /// All as one.
@@ -112,8 +104,8 @@ impl Tracks {
         if groups.len() == self.groups.len() {
             return one(Arc::clone(self.whole(equations)));
         }
-        let own = self.each.iter().filter(|track| track.groups.iter().any(|group| groups.contains(group)));
-        let own: Vec<&Track> = own.collect();
+        let own: BTreeSet<usize> = groups.iter().flat_map(|group| &self.by_group[group]).copied().collect();
+        let own: Vec<&Track> = own.into_iter().map(|index| &self.each[index]).collect();
         if let [only] = own[..] {
             return one(Arc::clone(&only.motion));
         }
