@@ -77,6 +77,21 @@ impl Graph {
         }
     }
 
+    /// Nodes that some need, these included, in the graph's order.
+    pub(crate) fn reachable(&self, roots: &[NodeId]) -> impl Iterator<Item = NodeId> {
+        let mut needed = vec![false; self.nodes.len()];
+        for root in roots {
+            needed[root.index()] = true;
+        }
+        for index in (0..needed.len()).rev() {
+            if needed[index] {
+                self.nodes[index].each_part(|part| needed[part.index()] = true);
+            }
+        }
+        let needed = needed.into_iter().zip(0..).filter(|(is_needed, _)| *is_needed);
+        needed.map(|(_, index)| NodeId(index))
+    }
+
     /// A simpler node for an unknown of a linear system, if there is one.
     pub(crate) fn peeled(&mut self, system: NodeId, row: u32) -> Option<NodeId> {
         if let Some(known) = self.peeled.get(&system) {
