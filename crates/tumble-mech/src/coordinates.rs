@@ -147,31 +147,27 @@ impl Coordinates {
         }
     }
 
-    /// Acceleration of the centre and angular acceleration under these terms.
+    /// Acceleration of the centre and angular acceleration under forces and torques of this sum, the latter as [`Self::torque`].
     pub(crate) fn accelerations(
         &self,
         body: &Kinematics,
         mass: &MassProperties,
-        terms: &[&Term],
+        (force, torque): (&Vector, &Expr),
     ) -> (Vector, Expr) {
         match self {
             Self::Free => {
-                let sum = total_force(terms);
-                let torque = total(terms.iter().map(|term| term.torque()));
                 let alpha = if tumble_expr::is_identically_zero(&mass.inertia) {
                     Expr::zero()
                 } else {
                     torque / &mass.inertia
                 };
-                (sum.map(|component| component / &mass.mass), alpha)
+                (force.map(|component| component / &mass.mass), alpha)
             }
             Self::Pivoted { arm, world, .. } => {
                 let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
-                let about_pivot = |term: &&Term| term.torque_about(&(&from_pivot + &term.arm));
                 let anchor = rate(&rate(world));
                 let carried = &mass.mass * from_pivot.cross_planar(&anchor);
-                let torque = total(terms.iter().map(about_pivot)) - carried;
-                let alpha = torque / inertia_about_pivot(arm, mass);
+                let alpha = (torque - carried) / inertia_about_pivot(arm, mass);
                 let omega = body.omega();
                 let centripetal = (&omega * &omega) * &from_pivot;
                 (anchor + &alpha * from_pivot.perpendicular() - centripetal, alpha)
@@ -179,17 +175,26 @@ impl Coordinates {
         }
     }
 
+    /// Torque of a term about what the body turns about: its centre, or its pivot.
+    pub(crate) fn torque(&self, body: &Kinematics, term: &Term) -> Expr {
+        match self {
+            Self::Free => term.torque(),
+            Self::Pivoted { arm, .. } => {
+                let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+                term.torque_about(&(&from_pivot + &term.arm))
+            }
+        }
+    }
+
     /// Forces of terms along each coordinate, N or N m.
     pub(crate) fn forces(&self, body: &Kinematics, terms: &[&Term]) -> Vec<Expr> {
+        let torque = total(terms.iter().map(|term| self.torque(body, term)));
         match self {
             Self::Free => {
                 let force = total_force(terms);
-                vec![force.x().clone(), force.y().clone(), total(terms.iter().map(|term| term.torque()))]
+                vec![force.x().clone(), force.y().clone(), torque]
             }
-            Self::Pivoted { arm, .. } => {
-                let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
-                vec![total(terms.iter().map(|term| term.torque_about(&(&from_pivot + &term.arm))))]
-            }
+            Self::Pivoted { .. } => vec![torque],
         }
     }
 
@@ -276,13 +281,13 @@ impl Coordinates {
         }
     }
 
-    /// The pivot's force on the body, given all other terms and the acceleration.
+    /// The pivot's force on the body, given the force of all other terms and the acceleration.
     pub(crate) fn reaction(
         &self,
         index: usize,
         body: &Kinematics,
         mass: &MassProperties,
-        terms: &[&Term],
+        force: &Vector,
     ) -> Option<Term> {
         let Self::Pivoted { joint, arm, .. } = self else { return None };
         let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
@@ -291,7 +296,7 @@ impl Coordinates {
             law: Law::Reaction,
             body: index,
             arm: -&from_pivot,
-            force: &mass.mass * body.acceleration() - total_force(terms),
+            force: &mass.mass * body.acceleration() - force,
             couple: Expr::zero(),
             window: None,
         })
@@ -304,7 +309,8 @@ fn inertia_about_pivot(arm: &Vector, mass: &MassProperties) -> Expr {
     MassProperties { centre: arm.clone(), ..mass.clone() }.inertia_about(&origin)
 }
 
-fn total_force(terms: &[&Term]) -> Vector {
+/// The sum of their forces.
+pub(crate) fn total_force(terms: &[&Term]) -> Vector {
     let nothing = Vector::planar(Expr::zero(), Expr::zero());
     terms.iter().fold(nothing, |sum, term| sum + &term.force)
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use tumble_expr::{
-    Branches, Dimension, Expr, Fragment, Interval, Jets, Kernels, Layout, Linker, NodeId, Rounded, Substitution,
-    Symbol, Tape,
+    Branches, Dimension, Expr, Fragment, Interval, Jets, Kernels, Layout, Linker, NodeId, Rounded,
+    Substitution, Symbol, Tape,
 };
 
 use super::{ORDER, P, cases, p, systems, t};
@@ -80,7 +80,8 @@ fn every_case_is_the_same_linked() {
         // Texts of numbers are theirs alone, also of those that are no number.
         let numbers = tapes.each_ref().map(|tape| format!("{:?}", series(tape, at, parameter)));
         assert_eq!(numbers[0], numbers[1], "{}", case.name);
-        let rounded = tapes.each_ref().map(|tape| format!("{:?}", series(tape, Rounded::leaf(at), parameter)));
+        let rounded =
+            tapes.each_ref().map(|tape| format!("{:?}", series(tape, Rounded::leaf(at), parameter)));
         assert_eq!(rounded[0], rounded[1], "{}", case.name);
         let place = Interval::new(at, at + 0.01);
         let intervals = tapes.each_ref().map(|tape| format!("{:?}", series(tape, place, parameter)));
@@ -128,7 +129,8 @@ fn systems_are_linked_from_their_entries() {
         let mut linker = Linker::default();
         let known = linked_with(&mut linker, &before(), &[]);
         let mut part = |formula: &Expr| linked_with(&mut linker, std::slice::from_ref(formula), &known)[0];
-        let entries = rows.iter().map(|row| row.iter().map(|(column, entry)| (*column, part(entry))).collect());
+        let entries =
+            rows.iter().map(|row| row.iter().map(|(column, entry)| (*column, part(entry))).collect());
         let entries: Vec<Vec<(usize, NodeId)>> = entries.collect();
         let sides = right.iter().map(&mut part).collect();
         let outputs = linker.solve_rows(entries, sides);
@@ -145,5 +147,8 @@ fn a_symbol_without_a_value_is_named() {
     let mut linker = Linker::default();
     let nobody = linker.symbol(&Symbol::new("nobody", Dimension::NONE));
     let refused = linker.tape(&layout(), &[nobody]);
-    assert_eq!(refused.map(|_| ()).map_err(|error| error.to_string()), Err("`nobody` has no value here".into()));
+    assert_eq!(
+        refused.map(|_| ()).map_err(|error| error.to_string()),
+        Err("`nobody` has no value here".into())
+    );
 }
