@@ -50,19 +50,21 @@ impl Graph {
     /// Adds formulas; shared parts are visited once, and the depth of a formula is not bounded by the stack.
     pub fn import(&mut self, formulas: &[Expr]) -> Vec<NodeId> {
         let mut seen: FastMap<*const Inner, NodeId> = FastMap::default();
-        let mut pending: Vec<&Expr> = Vec::new();
+        let mut pending: Vec<(&Expr, bool)> = Vec::new();
         for formula in formulas {
-            pending.push(formula);
-            while let Some(next) = pending.last().copied() {
-                let missing = |part: &&Expr| !seen.contains_key(&Arc::as_ptr(&part.0));
-                let parts: Vec<&Expr> = next.children().into_iter().filter(missing).collect();
-                if parts.is_empty() {
+            pending.push((formula, false));
+            while let Some((next, are_parts_done)) = pending.pop() {
+                if seen.contains_key(&Arc::as_ptr(&next.0)) {
+                    continue;
+                }
+                if are_parts_done {
                     let node = next.node().map(|part| seen[&Arc::as_ptr(&part.0)]);
                     let id = self.add(node);
                     seen.insert(Arc::as_ptr(&next.0), id);
-                    pending.pop();
                 } else {
-                    pending.extend(parts);
+                    pending.push((next, true));
+                    // The last of the parts comes first, as it always has: nodes are counted in that order.
+                    next.node().each_part(|part| pending.push((part, false)));
                 }
             }
         }

@@ -233,8 +233,7 @@ impl Equations {
     /// Whether a body has no moment of inertia and joints hold it beside its centre or its angle: they say how it turns.
     pub(crate) fn is_turned_by_joints(&self, mode: &Mode, body: usize) -> bool {
         let known = self.body_equations(body);
-        let is_point =
-            matches!(known.coordinates, Coordinates::Free) && is_identically_zero(&known.mass.inertia);
+        let is_point = matches!(known.coordinates, Coordinates::Free { is_point: true });
         let turns = |row: &Row| {
             let own = row.wrenches.iter().filter(|wrench| wrench.body == body);
             own.into_iter().any(|Wrench { arm, couple, .. }| {

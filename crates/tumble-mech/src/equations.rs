@@ -451,8 +451,7 @@ impl Equations {
 
     fn check_points_turn(&self) -> Result<(), ModelErrors> {
         let is_point = |(index, body): (usize, &BodyEquations)| {
-            matches!(body.coordinates, Coordinates::Free)
-                && is_identically_zero(&body.mass.inertia)
+            matches!(body.coordinates, Coordinates::Free { is_point: true })
                 && !self.joints().iter().any(|joint| joint.bodies.contains(&index))
         };
         let points: Vec<bool> = self.parts.bodies.iter().enumerate().map(is_point).collect();
