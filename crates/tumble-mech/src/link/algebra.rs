@@ -1,6 +1,6 @@
 //! What values in a mode may be: nodes of a linker, or formulas.
 
-use tumble_expr::{Binary, CompileError, Expr, Linker, NodeId, Substitution, Symbol};
+use tumble_expr::{Binary, CompileError, Expr, Linker, NodeId, Symbol};
 
 use super::part::Piece;
 
@@ -53,11 +53,11 @@ impl Algebra for Nodes {
     }
 
     fn link(&mut self, piece: &Piece, imports: &[NodeId]) -> Vec<NodeId> {
-        match &piece.code {
+        match &piece.class.code {
             Ok(code) => self.linker.link(code, imports),
             Err(mistake) => {
                 self.mistake.get_or_insert_with(|| mistake.clone());
-                vec![self.linker.zero(); piece.formulas.len()]
+                vec![self.linker.zero(); piece.class.formulas.len()]
             }
         }
     }
@@ -91,13 +91,7 @@ impl Algebra for Written {
     }
 
     fn link(&mut self, piece: &Piece, imports: &[Expr]) -> Vec<Expr> {
-        let mut substitution = Substitution::default();
-        for (import, value) in piece.imports.iter().zip(imports) {
-            if !matches!(value.node(), tumble_expr::Node::Symbol(symbol) if *symbol == import.symbol) {
-                substitution.insert(import.symbol.clone(), value.clone());
-            }
-        }
-        substitution.apply_all(&piece.formulas)
+        piece.written(imports)
     }
 
     fn binary(&mut self, op: Binary, a: Expr, b: Expr) -> Expr {

@@ -91,8 +91,8 @@ impl<'a, A: Algebra> Linking<'a, A> {
         mut other: impl FnMut(&mut Self, Meaning) -> Option<A::Value>,
     ) -> Vec<A::Value> {
         let names = Arc::clone(&self.names);
-        let mut imports = Vec::with_capacity(piece.imports.len());
-        for import in &piece.imports {
+        let mut imports = Vec::with_capacity(piece.imports().len());
+        for import in piece.imports() {
             imports.push(match import.name {
                 None => self.algebra.leaf(&import.symbol),
                 Some(name) => other(self, names.get(name).1).unwrap_or_else(|| self.value(name)),
@@ -144,7 +144,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
     fn parameter(&mut self, symbol: &Symbol) -> Option<A::Value> {
         let formula = self.changed.get(symbol)?;
         let piece = self.equations.written_piece(std::slice::from_ref(formula));
-        let imports: Vec<_> = piece.imports.iter().map(|import| self.algebra.leaf(&import.symbol)).collect();
+        let imports: Vec<_> = piece.imports().map(|import| self.algebra.leaf(&import.symbol)).collect();
         Some(self.algebra.link(&piece, &imports).remove(0))
     }
 

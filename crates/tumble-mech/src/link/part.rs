@@ -1,9 +1,11 @@
 //! What there are equations of, and those equations, prepared once.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use tumble_expr::{Code, CompileError, Expr, Formulas, Fragment, Substitution, Symbol, Vector};
+use tumble_expr::{
+    Code, CompileError, Expr, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
+};
 use tumble_ode::Watched;
 
 use super::names::{Name, Names, totals};
@@ -66,12 +68,26 @@ pub(crate) enum RowOf {
 /// Formulas, ready to be linked.
 #[derive(Debug)]
 pub(crate) struct Piece {
-    pub(crate) formulas: Vec<Expr>,
-    /// In the order of the code.
-    pub(crate) imports: Vec<Import>,
-    pub(crate) code: Result<Arc<Code>, CompileError>,
+    /// What those have in common that differ by names alone.
+    pub(crate) class: Arc<Class>,
+    /// What is in the place of each symbol of the class.
+    symbols: Vec<Import>,
     /// Of functions that are kept zero: kind of each, and the states that its slopes are by, which follow it.
     pub(crate) kept: Vec<(Measure, Vec<Name>)>,
+}
+
+/// Formulas that were prepared first among those that differ by names alone.
+#[derive(Debug)]
+pub(crate) struct Class {
+    /// What they are found by.
+    signature: Vec<Expr>,
+    outline: Outline,
+    /// What is computed, in the symbols of the first.
+    pub(crate) formulas: Vec<Expr>,
+    pub(crate) code: Result<Arc<Code>, CompileError>,
+    /// Indices of imports, and of the states that slopes are by, among the symbols of the outline.
+    imports: Vec<usize>,
+    kept: Vec<(Measure, Vec<usize>)>,
 }
 
 #[derive(Debug)]
@@ -88,8 +104,8 @@ pub(crate) struct Library {
     parts: Mutex<HashMap<Part, Arc<Piece>>>,
     /// Those of formulas from elsewhere: of observers, events and changes.
     written: Cache<Formulas, Piece>,
-    /// Code of parts, which those that differ by names alone share.
-    codes: Mutex<HashSet<Arc<Code>>>,
+    /// Classes of parts, by outline.
+    classes: Mutex<HashMap<u64, Vec<Arc<Class>>>>,
     /// By pair and what has changed parameters.
     watched: Cache<(usize, Vec<usize>), Arc<Watched>>,
 }
@@ -109,28 +125,49 @@ impl Equations {
         if let Some(known) = locked(&library.parts).get(&part) {
             return Arc::clone(known);
         }
-        // Not under the lock: two threads may both prepare it, and one of the two is kept.
-        let mut piece = match part {
+        let piece = match part {
             Part::Kept(row) => self.kept(&self.row(row)),
             Part::Root(pair) => {
                 let formula = compliant::root_invariant(&self.pairs()[pair]);
-                self.kept_zero(&[(formula, Measure::Length)])
+                self.sorted(vec![formula], &[Measure::Length])
             }
-            part => Piece::of(self.formulas_of(part), &self.names()),
+            part => self.sorted(self.formulas_of(part), &[]),
         };
-        if let Ok(code) = &mut piece.code {
-            let mut codes = locked(&library.codes);
-            match codes.get(&*code) {
-                Some(known) => *code = Arc::clone(known),
-                None => _ = codes.insert(Arc::clone(code)),
-            }
-        }
+        // Not under the lock: two threads may both prepare it, and one of the two is kept.
         Arc::clone(locked(&library.parts).entry(part).or_insert_with(|| Arc::new(piece)))
+    }
+
+    /// The piece of formulas, of their class; of functions that are kept zero where kinds are given.
+    fn sorted(&self, signature: Vec<Expr>, kept: &[Measure]) -> Piece {
+        let (names, classes) = (self.names(), &self.library().classes);
+        let signature: Vec<Expr> = match kept {
+            [] => signature,
+            _ => signature.iter().map(|function| self.in_coordinates(function)).collect(),
+        };
+        let outline = Outline::of(&signature);
+        let is_this = |class: &&Arc<Class>| {
+            let is_state = |symbol: &Symbol| names.find(symbol).is_some_and(|name| names.is_state(name));
+            let mut symbols = outline.symbols().iter().zip(class.outline.symbols());
+            class.kept.iter().map(|(measure, _)| measure).eq(kept)
+                && (kept.is_empty() || symbols.all(|(own, its)| is_state(own) == is_state(its)))
+                && outline.is_renamed(&signature, &class.outline, &class.signature)
+        };
+        let known = locked(classes).get(&outline.hash()).cloned().unwrap_or_default();
+        let class = known.iter().find(is_this).cloned().unwrap_or_else(|| {
+            let class = Arc::new(Class::of(signature, &outline, kept, &names));
+            locked(classes).entry(outline.hash()).or_default().push(Arc::clone(&class));
+            class
+        });
+        Piece::of(class, outline.symbols(), &names)
     }
 
     /// Formulas from elsewhere.
     pub(super) fn written_piece(&self, formulas: &[Expr]) -> Arc<Piece> {
-        let build = || Ok::<_, std::convert::Infallible>(Piece::of(formulas.to_vec(), &self.names()));
+        let build = || {
+            let (names, outline) = (self.names(), Outline::of(formulas));
+            let class = Class::of(formulas.to_vec(), &outline, &[], &names);
+            Ok::<_, std::convert::Infallible>(Piece::of(Arc::new(class), outline.symbols(), &names))
+        };
         let found = self.library().written.get(&Formulas::new(formulas), build);
         found.unwrap_or_else(|never| match never {})
     }
@@ -198,25 +235,7 @@ impl Equations {
     }
 
     fn kept(&self, row: &Row) -> Piece {
-        let [position, rate] = [&row.position, &row.rate].map(Expr::clone);
-        self.kept_zero(&[(position, row.measure), (rate, row.measure.rate())])
-    }
-
-    /// Functions that are kept zero, with their slopes by the states that they depend on.
-    fn kept_zero(&self, functions: &[(Expr, Measure)]) -> Piece {
-        let names = self.names();
-        let (mut formulas, mut kept) = (vec![], vec![]);
-        for (function, measure) in functions {
-            let function = self.in_coordinates(function);
-            let used = function.symbols();
-            let states = used.into_iter().filter_map(|symbol| Some((names.find(&symbol)?, symbol)));
-            let mut states: Vec<(Name, Symbol)> = states.filter(|(name, _)| names.is_state(*name)).collect();
-            states.sort_unstable_by_key(|(name, _)| *name);
-            formulas.push(function.clone());
-            formulas.extend(states.iter().map(|(_, state)| function.derivative(state)));
-            kept.push((*measure, states.into_iter().map(|(name, _)| name).collect()));
-        }
-        Piece { kept, ..Piece::of(formulas, &names) }
+        self.sorted(vec![row.position.clone(), row.rate.clone()], &[row.measure, row.measure.rate()])
     }
 
     /// How fast the gap of a pair can change with each coordinate of its body, where that is bounded.
@@ -234,14 +253,60 @@ impl Equations {
     }
 }
 
-impl Piece {
-    fn of(formulas: Vec<Expr>, names: &Names) -> Self {
-        let import = |symbol: Symbol| Import { name: names.find(&symbol), symbol };
+impl Class {
+    /// Of what is computed, or of functions that are kept zero, with their slopes by the states that they depend on.
+    fn of(signature: Vec<Expr>, outline: &Outline, kept: &[Measure], names: &Names) -> Self {
+        let place = |symbol: &Symbol| outline.symbols().iter().position(|known| known == symbol);
+        let (mut formulas, mut slopes) = (vec![], vec![]);
+        for (function, measure) in signature.iter().zip(kept) {
+            let used = function.symbols();
+            let is_own = |symbol: &Symbol| {
+                used.contains(symbol) && names.find(symbol).is_some_and(|name| names.is_state(name))
+            };
+            let states = outline.symbols().iter().enumerate().filter(|(_, symbol)| is_own(symbol));
+            formulas.push(function.clone());
+            formulas.extend(states.clone().map(|(_, state)| function.derivative(state)));
+            slopes.push((*measure, states.map(|(place, _)| place).collect()));
+        }
+        if kept.is_empty() {
+            formulas.clone_from(&signature);
+        }
         let (code, imports) = match Fragment::new(&formulas) {
-            Ok(Fragment { code, imports }) => (Ok(code), imports),
-            Err(mistake) => (Err(mistake), Expr::symbols_of(&formulas).into_iter().collect()),
+            Ok(Fragment { code, imports }) => (Ok(code), imports.iter().filter_map(place).collect()),
+            Err(mistake) => (Err(mistake), (0..outline.symbols().len()).collect()),
         };
-        Self { formulas, imports: imports.into_iter().map(import).collect(), code, kept: vec![] }
+        Self { signature, outline: outline.clone(), formulas, code, imports, kept: slopes }
+    }
+}
+
+impl Piece {
+    /// The one of a class that has these symbols in its outline.
+    fn of(class: Arc<Class>, symbols: &[Symbol], names: &Names) -> Self {
+        let import = |symbol: &Symbol| Import { name: names.find(symbol), symbol: symbol.clone() };
+        let states =
+            |places: &Vec<usize>| places.iter().filter_map(|place| names.find(&symbols[*place])).collect();
+        let kept = class.kept.iter().map(|(measure, places)| (*measure, states(places))).collect();
+        Self { class, symbols: symbols.iter().map(import).collect(), kept }
+    }
+
+    /// In the order of the code.
+    pub(crate) fn imports(&self) -> impl ExactSizeIterator<Item = &Import> {
+        self.class.imports.iter().map(|place| &self.symbols[*place])
+    }
+
+    /// The formulas, for values of the imports.
+    pub(crate) fn written(&self, imports: &[Expr]) -> Vec<Expr> {
+        let own: HashMap<usize, &Expr> = self.class.imports.iter().copied().zip(imports).collect();
+        let mut substitution = Substitution::default();
+        for (place, symbol) in self.class.outline.symbols().iter().enumerate() {
+            // What is no import has no part in any value.
+            let value = own.get(&place).copied().cloned();
+            let value = value.unwrap_or_else(|| self.symbols[place].symbol.clone().into());
+            if !matches!(value.node(), Node::Symbol(own) if own == symbol) {
+                substitution.insert(symbol.clone(), value);
+            }
+        }
+        substitution.apply_all(&self.class.formulas)
     }
 }
 
@@ -253,4 +318,46 @@ fn locked<T>(of: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 pub(crate) fn total(body: &str) -> (Vector, Expr) {
     let [x, y, torque] = totals(body).map(Expr::from);
     (Vector::planar(x, y), torque)
+}
+
+#[cfg(test)]
+mod tests {
+    use tumble_expr::units::{KG, M};
+
+    use super::*;
+    use crate::{Anchor, Body, Joint, Model};
+
+    /// Rods, each pinned to the one before; the last is heavier.
+    fn chain() -> Equations {
+        let mut model = Model::new();
+        let mut above = Anchor::World(Vector::planar(0 * M, 0 * M));
+        for (index, mass) in [1, 1, 1, 2].into_iter().enumerate() {
+            let rod = Body::rod(format!("rod{index}"), [0 * M, 0 * M], [0 * M, -1 * M]).mass(mass * KG);
+            let rod = rod.with_point("top", [0 * M, 0 * M]).with_point("tip", [0 * M, -1 * M]);
+            let body = model.add(rod);
+            let end = |point| Anchor::Material(body.named_point(point).expect("given"));
+            model.join(Joint::pin(format!("joint{index}"), [above, end("top")]));
+            above = end("tip");
+        }
+        Equations::new(model).expect("a model")
+    }
+
+    #[test]
+    fn what_differs_by_names_alone_is_prepared_once() {
+        let equations = chain();
+        let class = |part: Part| Arc::as_ptr(&equations.piece(part).class);
+        let row = |joint: usize| RowOf::Joint(joint, 0);
+        assert_eq!(class(Part::Kept(row(1))), class(Part::Kept(row(2))));
+        assert_eq!(class(Part::RowAcceleration(row(1))), class(Part::RowAcceleration(row(3))));
+        assert_eq!(class(Part::Response(row(0), row(1))), class(Part::Response(row(0), row(1))));
+        assert_eq!(class(Part::Acceleration(0)), class(Part::Acceleration(2)));
+        assert_ne!(class(Part::Acceleration(0)), class(Part::Acceleration(3)));
+        // The hook holds the first: there is one body less.
+        assert_ne!(class(Part::Kept(row(0))), class(Part::Kept(row(1))));
+        let [own, other] = [1, 2].map(|joint| equations.piece(Part::Kept(row(joint))));
+        let names =
+            |piece: &Piece| piece.imports().map(|import| import.symbol.name.to_string()).collect::<Vec<_>>();
+        let renamed = |name: &String| name.replace("rod1", "rod2").replace("rod0", "rod1");
+        assert_eq!(names(&own).iter().map(renamed).collect::<Vec<_>>(), names(&other));
+    }
 }
