@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Formulas, Jets, Layout, NodeId, Rounding, Tape};
+use tumble_expr::{Branches, Expr, Formulas, Jets, Layout, Rounding, Tape};
 use tumble_ode::{Piece, Place, Reason};
 
 use crate::cache::Cache;
@@ -122,7 +122,7 @@ impl Equations {
             // Linked with what the formulas need of the mode, and nothing else.
             Symbols::Motion => {
                 let mut linking = Linking::new(self, &key.mode, Nodes::default());
-                let outputs: Vec<NodeId> = formulas.iter().map(|formula| linking.formula(formula)).collect();
+                let outputs = linking.formulas(formulas);
                 linking.into_algebra().linker()?.tape(&layout, &outputs)?
             }
         })

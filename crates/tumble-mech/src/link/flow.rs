@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Binary, Symbol};
+use tumble_expr::{Binary, Expr, Symbol};
 use tumble_ode::{AtZero, Direction, Flow, Guard, Invariant, LazyGuard, ScaleGroup, StateVariable};
 
 use super::algebra::Algebra;
@@ -11,6 +11,7 @@ use super::names::Name;
 use super::part::{Part, RowOf};
 use crate::contact::Watched;
 use crate::coordinates::Measure;
+use crate::event::Event;
 use crate::parameters::time_symbol;
 
 impl<A: Algebra> Linking<'_, A> {
@@ -28,7 +29,7 @@ impl<A: Algebra> Linking<'_, A> {
             per_parameter: state.per_parameter,
         });
         let states = states.collect();
-        let schedule = equations.schedule(mode).map(|(_, _, time)| self.formula(time)).collect();
+        let schedule = self.formulas(&equations.scheduled_times(mode));
         let roots = equations.roots(mode).into_iter();
         let roots: Vec<A::Value> =
             roots.map(|pair| self.algebra.leaf(&equations.pairs()[pair].root_symbol())).collect();
@@ -60,7 +61,7 @@ impl<A: Algebra> Linking<'_, A> {
             });
         }
         let zero = self.algebra.zero();
-        let (size, one) = (size.unwrap_or_else(|| zero.clone()), self.formula(&tumble_expr::Expr::one()));
+        let (size, one) = (size.unwrap_or_else(|| zero.clone()), self.formula(&Expr::one()));
         let group = |name: &str, floor: &A::Value, per_run| ScaleGroup {
             name: name.to_owned(),
             floor: floor.clone(),
@@ -78,16 +79,15 @@ impl<A: Algebra> Linking<'_, A> {
     /// Guards of events, then of the pairs that touch.
     fn guards(&mut self) -> Vec<Guard<A::Value>> {
         let equations = self.equations;
-        let mut guards = vec![];
-        for event in equations.events(self.mode) {
-            let event = &equations.model().events[event];
-            guards.push(Guard {
-                name: event.name.clone(),
-                formula: self.formula(&event.when),
-                direction: event.direction,
-                at_zero: AtZero::Begins,
-            });
-        }
+        let events = equations.events(self.mode).into_iter().map(|event| &equations.model().events[event]);
+        let watched: Vec<Expr> = events.clone().map(|event| event.when.clone()).collect();
+        let guard = |(event, formula): (&Event, A::Value)| Guard {
+            name: event.name.clone(),
+            formula,
+            direction: event.direction,
+            at_zero: AtZero::Begins,
+        };
+        let mut guards: Vec<_> = events.zip(self.formulas(&watched)).map(guard).collect();
         for (pair, watched, direction) in equations.touching(self.mode) {
             guards.push(self.touching_guard(pair, watched, direction));
         }

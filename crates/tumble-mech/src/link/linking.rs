@@ -62,16 +62,21 @@ impl<'a, A: Algebra> Linking<'a, A> {
         self.algebra
     }
 
-    /// The values of formulas of any symbols.
-    pub(crate) fn formula(&mut self, formula: &Expr) -> A::Value {
+    /// The value of a formula of any symbols.
+    pub(super) fn formula(&mut self, formula: &Expr) -> A::Value {
         if let tumble_expr::Node::Symbol(symbol) = formula.node() {
             return match self.names.find(symbol) {
                 Some(name) => self.value(name),
                 None => self.algebra.leaf(symbol),
             };
         }
-        let piece = self.equations.written_piece(std::slice::from_ref(formula));
-        self.exports(&piece).remove(0)
+        self.formulas(std::slice::from_ref(formula)).remove(0)
+    }
+
+    /// The values of some formulas, which may have much in common: that is prepared once.
+    pub(crate) fn formulas(&mut self, formulas: &[Expr]) -> Vec<A::Value> {
+        let piece = self.equations.written_piece(formulas);
+        self.exports(&piece)
     }
 
     /// The values of a part.
