@@ -128,7 +128,7 @@ impl<Part> Node<Part> {
     }
 
     /// Hands over each of the parts, left to right.
-    pub fn each_part(&self, mut f: impl FnMut(&Part)) {
+    pub fn each_part<'a>(&'a self, mut f: impl FnMut(&'a Part)) {
         match self {
             Self::Number(_) | Self::Pi | Self::Symbol(_) => {}
             Self::Unary(_, a) | Self::Table(_, a) | Self::Unknown(a, _) => f(a),

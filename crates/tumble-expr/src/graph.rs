@@ -50,19 +50,21 @@ impl Graph {
     /// Adds formulas; shared parts are visited once, and the depth of a formula is not bounded by the stack.
     pub fn import(&mut self, formulas: &[Expr]) -> Vec<NodeId> {
         let mut seen: FastMap<*const Inner, NodeId> = FastMap::default();
-        let mut pending: Vec<&Expr> = Vec::new();
+        let mut pending: Vec<(&Expr, bool)> = Vec::new();
         for formula in formulas {
-            pending.push(formula);
-            while let Some(next) = pending.last().copied() {
-                let missing = |part: &&Expr| !seen.contains_key(&Arc::as_ptr(&part.0));
-                let parts: Vec<&Expr> = next.children().into_iter().filter(missing).collect();
-                if parts.is_empty() {
+            pending.push((formula, false));
+            while let Some((next, are_parts_done)) = pending.pop() {
+                if seen.contains_key(&Arc::as_ptr(&next.0)) {
+                    continue;
+                }
+                if are_parts_done {
                     let node = next.node().map(|part| seen[&Arc::as_ptr(&part.0)]);
                     let id = self.add(node);
                     seen.insert(Arc::as_ptr(&next.0), id);
-                    pending.pop();
                 } else {
-                    pending.extend(parts);
+                    pending.push((next, true));
+                    // The last of the parts comes first, as it always has: nodes are counted in that order.
+                    next.node().each_part(|part| pending.push((part, false)));
                 }
             }
         }
@@ -75,6 +77,21 @@ impl Graph {
             simplify::Simplified::Known(id) => id,
             simplify::Simplified::Node(node) => self.intern(node),
         }
+    }
+
+    /// Nodes that some need, these included, in the graph's order.
+    pub(crate) fn reachable(&self, roots: &[NodeId]) -> impl Iterator<Item = NodeId> {
+        let mut needed = vec![false; self.nodes.len()];
+        for root in roots {
+            needed[root.index()] = true;
+        }
+        for index in (0..needed.len()).rev() {
+            if needed[index] {
+                self.nodes[index].each_part(|part| needed[part.index()] = true);
+            }
+        }
+        let needed = needed.into_iter().zip(0..).filter(|(is_needed, _)| *is_needed);
+        needed.map(|(_, index)| NodeId(index))
     }
 
     /// A simpler node for an unknown of a linear system, if there is one.

@@ -2,7 +2,8 @@
 //!
 //! The way through this crate is
 //! [`Expr`] (a typed formula) → [`Graph`] (deduplicated) → [`Tape`] (straight line) →
-//! [`Values`] (one value each) or [`Jets`] (Taylor coefficients each), on one number or on lanes of them.
+//! [`Values`] (one value each) or [`Jets`] (Taylor coefficients each), on one number or on lanes of them. Formulas that are parts of
+//! many graphs are a [`Fragment`] each, which a [`Linker`] puts into them.
 //! It knows nothing of mechanics.
 
 mod active;
@@ -19,10 +20,12 @@ mod hashing;
 mod jets;
 pub mod language;
 mod linear;
+mod link;
 mod lower;
 mod narrow;
 mod operators;
 mod ops;
+mod outline;
 mod peel;
 mod remainder;
 mod resolved;
@@ -47,8 +50,10 @@ pub use dimension::{Dimension, Exponent};
 pub use expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 pub use graph::{Graph, NodeId, is_identically_zero};
 pub use jets::{Branches, Jets, Values};
+pub use link::{Code, Fragment, Linker};
 pub use ops::kernels::Kernels;
 pub use ops::{Op, Series, Slot};
+pub use outline::Outline;
 pub use remainder::Remainders;
 pub use rounding::{LEFT_OUT, Rounding, rounded_sum};
 pub use same::{Formulas, is_renamed};

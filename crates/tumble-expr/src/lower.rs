@@ -9,7 +9,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::rounding::{Constant, Rounding};
 
-use crate::expr::{Binary, Expr, Node, Relation, Symbol, Unary};
+use crate::expr::{Binary, Node, Relation, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
 use crate::hashing::FastMap;
 use crate::ops::{Op, Slot};
@@ -71,14 +71,13 @@ impl Lowering {
         lowering
     }
 
-    pub(crate) fn lower(mut self, outputs: &[Expr]) -> Result<Tape, CompileError> {
-        let mut graph = Graph::default();
-        let roots = graph.import(outputs);
+    /// The tape of some nodes of a graph, and of what they need.
+    pub(crate) fn lower(mut self, graph: &Graph, outputs: &[NodeId]) -> Result<Tape, CompileError> {
         let mut slots: Vec<Option<Slot>> = vec![None; graph.nodes().len()];
-        for id in reachable(&graph, &roots) {
-            slots[id.index()] = Some(self.node(&graph, id, &slots)?);
+        for id in graph.reachable(outputs) {
+            slots[id.index()] = Some(self.node(graph, id, &slots)?);
         }
-        self.tape.outputs = roots.iter().map(|root| placed(&slots, *root)).collect();
+        self.tape.outputs = outputs.iter().map(|output| placed(&slots, *output)).collect();
         self.tape.resolved = Resolved::of(&self.tape);
         Ok(self.tape)
     }
@@ -357,20 +356,4 @@ fn exact(graph: &Graph, id: NodeId) -> Option<&BigRational> {
 
 fn placed(slots: &[Option<Slot>], id: NodeId) -> Slot {
     slots[id.index()].expect("parts come before what is made of them")
-}
-
-/// Nodes the roots need, in the graph's order.
-fn reachable(graph: &Graph, roots: &[NodeId]) -> Vec<NodeId> {
-    let mut needed = vec![false; graph.nodes().len()];
-    for root in roots {
-        needed[root.index()] = true;
-    }
-    for index in (0..needed.len()).rev() {
-        if needed[index] {
-            for part in graph.nodes()[index].parts() {
-                needed[part.index()] = true;
-            }
-        }
-    }
-    (0..needed.len()).filter(|index| needed[*index]).map(|index| NodeId(index as u32)).collect()
 }

@@ -102,7 +102,12 @@ impl<Part: Hash> Hash for Node<Part> {
     }
 }
 
-fn hash_node<Part, H: Hasher>(node: &Node<Part>, state: &mut H, hash_part: impl Fn(&Part, &mut H)) {
+/// Hashes a node, its parts as they say.
+pub(crate) fn hash_node<Part, H: Hasher>(
+    node: &Node<Part>,
+    state: &mut H,
+    hash_part: impl Fn(&Part, &mut H),
+) {
     std::mem::discriminant(node).hash(state);
     match node {
         Node::Number(value) => hash_number(value, state),

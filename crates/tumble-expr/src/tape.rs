@@ -9,7 +9,7 @@ use crate::ops::{Op, Slot};
 use crate::resolved::Resolved;
 use crate::rounding::{Constant, Rounding};
 use crate::table::TableRef;
-use crate::{Expr, Kind, TypeError};
+use crate::{Expr, Graph, Kind, TypeError};
 
 /// Which symbols are leaves, and in which order their values are given.
 #[derive(Clone, Debug)]
@@ -113,13 +113,10 @@ pub enum Turning {
 impl Tape {
     /// Compiles formulas that share a layout; the order of `outputs` is kept.
     pub fn compile(layout: &Layout, outputs: &[Expr]) -> Result<Self, CompileError> {
-        for output in outputs {
-            match output.kind()? {
-                Kind::Truth => return Err(CompileError::TruthAsOutput),
-                kind => _ = kind.dimension()?,
-            }
-        }
-        Lowering::new(layout).lower(outputs)
+        check(outputs)?;
+        let mut graph = Graph::default();
+        let outputs = graph.import(outputs);
+        Lowering::new(layout).lower(&graph, &outputs)
     }
 
     /// The same with numbers rounded in another way.
@@ -234,4 +231,15 @@ impl Tape {
         let inner = self.ops.iter().zip(&self.stages).enumerate().skip(leaves);
         inner.filter(move |(_, (_, stage))| keep(**stage)).map(|(slot, (op, _))| (slot as Slot, *op))
     }
+}
+
+/// Whether formulas can be computed: their parts fit together, and none is a comparison.
+pub(crate) fn check(formulas: &[Expr]) -> Result<(), CompileError> {
+    for formula in formulas {
+        match formula.kind()? {
+            Kind::Truth => return Err(CompileError::TruthAsOutput),
+            kind => _ = kind.dimension()?,
+        }
+    }
+    Ok(())
 }

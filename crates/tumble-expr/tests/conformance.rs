@@ -3,6 +3,7 @@
 //! The reference shares no code with the evaluators: formulas are evaluated on a circle of complex numbers by
 //! another library, and Cauchy's integral formula gives their Taylor coefficients.
 
+mod links;
 mod systems;
 
 use std::sync::Arc;

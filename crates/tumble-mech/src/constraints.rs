@@ -2,18 +2,17 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Expr, Substitution, Symbol, is_identically_zero};
-use tumble_ode::Invariant;
+use tumble_expr::{Expr, Symbol, is_identically_zero};
 
 use crate::contact::Pair;
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::equations::{Equations, Window};
 use crate::joint::{Joint, Side};
-use crate::laws;
+use crate::link::RowOf;
 use crate::mode::Mode;
 use crate::model::Model;
 use crate::placement::Placement;
-use crate::row::{Light, Row, Wrench, solved};
+use crate::row::{Row, Wrench};
 use crate::term::Term;
 
 /// A joint with its bodies by index.
@@ -58,6 +57,11 @@ impl JointEquations {
 }
 
 impl JointEquations {
+    /// Symbols of what keeps it, in the order of its rows.
+    pub(crate) fn multipliers(&self) -> &[Symbol] {
+        &self.multipliers
+    }
+
     /// Symbols that it brings.
     pub(crate) fn symbols(&self) -> Vec<Symbol> {
         let seat = self.seat.iter().map(|(symbol, _)| symbol);
@@ -130,6 +134,24 @@ impl Equations {
         let rows =
             joints.flat_map(|(joint, known)| known.rows.iter().map(move |row| (joint, row))).enumerate();
         rows.filter(|(_, (joint, _))| self.holds(mode, *joint)).map(|(index, (_, row))| (index, row))
+    }
+
+    /// The rows of the joints that hold in a mode, each with its index among all.
+    pub(crate) fn rows_by_joint(&self, mode: &Mode) -> Vec<(usize, RowOf)> {
+        let joints = self.joints().iter().enumerate();
+        let rows = joints.flat_map(|(joint, known)| (0..known.rows.len()).map(move |row| (joint, row)));
+        let holding = rows.enumerate().filter(|(_, (joint, _))| self.holds(mode, *joint));
+        holding.map(|(index, (joint, row))| (index, RowOf::Joint(joint, row))).collect()
+    }
+
+    /// Bodies that a row is about.
+    pub(crate) fn bodies_of(&self, row: RowOf) -> Vec<usize> {
+        match row {
+            RowOf::Pair(pair) => vec![self.pairs()[pair].body],
+            RowOf::Joint(joint, row) => {
+                self.joints()[joint].rows[row].wrenches.iter().map(|wrench| wrench.body).collect()
+            }
+        }
     }
 
     /// States of the joints that events have made: they do not change while those hold.
@@ -208,64 +230,10 @@ impl Equations {
         own.map(|row| self.shown(mode, &row.acceleration)).collect()
     }
 
-    /// Forces of contacts and joints in a mode, by their symbols, in kinematic symbols without accelerations: zero where nothing is
-    /// kept.
-    pub(crate) fn constraint_forces(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
-        let mut is_own = vec![false; self.model().bodies.len()];
-        bodies.iter().for_each(|body| is_own[*body] = true);
-        let pairs = self.pairs().iter().filter(|pair| is_own[pair.body]);
-        let joints = self.joints().iter().filter(|joint| joint.bodies.iter().any(|body| is_own[*body]));
-        let joints = joints.flat_map(|joint| joint.multipliers.iter().cloned());
-        let mut forces = Substitution::default();
-        pairs.map(Pair::force_symbol).chain(joints).for_each(|symbol| forces.insert(symbol, Expr::zero()));
-        for pair in mode.pressed().map(|pair| &self.pairs()[pair]) {
-            let force = laws::compliant::normal_force(pair).unwrap_or_else(Expr::zero);
-            forces.insert(pair.force_symbol(), force);
-        }
-        let acting = self.acting_by_body(mode);
-        let mut kept = vec![];
-        for island in self.islands(mode, bodies) {
-            let rows = self.rows_on(mode, &island);
-            if !rows.is_empty() {
-                kept.extend(self.kept(mode, &island, rows, (&acting, &forces)));
-            }
-        }
-        kept.into_iter().for_each(|(symbol, force)| forces.insert(symbol, force));
-        forces
-    }
-
-    /// What keeps the rows of an island, given the forces of all else, and how bodies without moment of inertia turn.
-    fn kept(
-        &self,
-        mode: &Mode,
-        island: &[usize],
-        rows: Vec<Row>,
-        (acting, forces): (&[Vec<&Term>], &Substitution),
-    ) -> Vec<(Symbol, Expr)> {
-        let mut free = Substitution::default();
-        for &body in island {
-            for (symbol, formula) in self.body_equations(body).accelerations(&acting[body]) {
-                free.insert(symbol, forces.apply(&formula));
-            }
-        }
-        let light = island.iter().filter(|body| self.is_turned_by_joints(mode, **body)).map(|body| {
-            let torques = acting[*body].iter().map(|term| term.torque());
-            let torque = torques.fold(Expr::zero(), |sum, torque| sum + torque);
-            let alpha = self.body_equations(*body).kinematics.alpha_symbol();
-            Light { body: *body, alpha, torque: forces.apply(&torque) }
-        });
-        let light: Vec<Light> = light.collect();
-        let found = solved(&rows, &light, |i, j| self.body_equations(i.body).response(i, j), &free);
-        let symbols =
-            rows.into_iter().map(|row| row.multiplier).chain(light.into_iter().map(|light| light.alpha));
-        symbols.zip(found).collect()
-    }
-
     /// Whether a body has no moment of inertia and joints hold it beside its centre or its angle: they say how it turns.
     pub(crate) fn is_turned_by_joints(&self, mode: &Mode, body: usize) -> bool {
         let known = self.body_equations(body);
-        let is_point =
-            matches!(known.coordinates, Coordinates::Free) && is_identically_zero(&known.mass.inertia);
+        let is_point = matches!(known.coordinates, Coordinates::Free { is_point: true });
         let turns = |row: &Row| {
             let own = row.wrenches.iter().filter(|wrench| wrench.body == body);
             own.into_iter().any(|Wrench { arm, couple, .. }| {
@@ -279,23 +247,6 @@ impl Equations {
     pub(crate) fn masses(&self, mode: &Mode, body: usize) -> Vec<Expr> {
         let known = self.body_equations(body);
         known.coordinates.masses(&known.mass, self.is_turned_by_joints(mode, body))
-    }
-
-    /// What is zero all along a mode.
-    pub(crate) fn invariants(&self, mode: &Mode) -> Vec<Invariant> {
-        let definitions = self.definitions_of(mode);
-        let invariant = |formula: &Expr, measure: Measure| Invariant {
-            formula: definitions.apply(formula),
-            group: measure as usize,
-        };
-        let held = mode.held().map(|pair| self.pairs()[pair].row());
-        let rows = self.independent_rows(mode).map(|(_, row)| row.clone()).chain(held);
-        let rows = rows.flat_map(|row| {
-            [invariant(&row.position, row.measure), invariant(&row.rate, row.measure.rate())]
-        });
-        let roots = self.roots(mode).into_iter().map(|pair| &self.pairs()[pair]);
-        let roots = roots.map(|pair| invariant(&laws::compliant::root_invariant(pair), Measure::Length));
-        rows.chain(roots).collect()
     }
 }
 

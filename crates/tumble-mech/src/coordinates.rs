@@ -51,7 +51,10 @@ pub(crate) fn force_symbols(joint: &str) -> [Symbol; 2] {
 /// The coordinates of one body: which of its kinematic symbols are states, and what the others are.
 #[derive(Clone, Debug)]
 pub(crate) enum Coordinates {
-    Free,
+    Free {
+        /// Whether the body has no moment of inertia, whatever the parameters are.
+        is_point: bool,
+    },
     Pivoted {
         joint: String,
         /// From the pivot to the centre of mass, m, body axes.
@@ -94,7 +97,7 @@ pub(crate) struct StateRate {
 impl Coordinates {
     pub(crate) fn of(pivot: Option<&Pivot>, mass: &MassProperties) -> Self {
         match pivot {
-            None => Self::Free,
+            None => Self::Free { is_point: tumble_expr::is_identically_zero(&mass.inertia) },
             Some(pivot) => Self::Pivoted {
                 joint: pivot.name.clone(),
                 arm: &mass.centre - &pivot.point,
@@ -121,7 +124,7 @@ impl Coordinates {
             state(vy, ay.into(), Measure::Speed),
         ];
         match self {
-            Self::Free => moving.into_iter().chain(turning).collect(),
+            Self::Free { .. } => moving.into_iter().chain(turning).collect(),
             Self::Pivoted { .. } => turning.into(),
         }
     }
@@ -129,7 +132,7 @@ impl Coordinates {
     /// How many states there are.
     pub(crate) fn count(&self) -> usize {
         match self {
-            Self::Free => 6,
+            Self::Free { .. } => 6,
             Self::Pivoted { .. } => 2,
         }
     }
@@ -147,31 +150,23 @@ impl Coordinates {
         }
     }
 
-    /// Acceleration of the centre and angular acceleration under these terms.
+    /// Acceleration of the centre and angular acceleration under forces and torques of this sum, the latter as [`Self::torque`].
     pub(crate) fn accelerations(
         &self,
         body: &Kinematics,
         mass: &MassProperties,
-        terms: &[&Term],
+        (force, torque): (&Vector, &Expr),
     ) -> (Vector, Expr) {
         match self {
-            Self::Free => {
-                let sum = total_force(terms);
-                let torque = total(terms.iter().map(|term| term.torque()));
-                let alpha = if tumble_expr::is_identically_zero(&mass.inertia) {
-                    Expr::zero()
-                } else {
-                    torque / &mass.inertia
-                };
-                (sum.map(|component| component / &mass.mass), alpha)
+            Self::Free { is_point } => {
+                let alpha = if *is_point { Expr::zero() } else { torque / &mass.inertia };
+                (force.map(|component| component / &mass.mass), alpha)
             }
             Self::Pivoted { arm, world, .. } => {
                 let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
-                let about_pivot = |term: &&Term| term.torque_about(&(&from_pivot + &term.arm));
                 let anchor = rate(&rate(world));
                 let carried = &mass.mass * from_pivot.cross_planar(&anchor);
-                let torque = total(terms.iter().map(about_pivot)) - carried;
-                let alpha = torque / inertia_about_pivot(arm, mass);
+                let alpha = (torque - carried) / inertia_about_pivot(arm, mass);
                 let omega = body.omega();
                 let centripetal = (&omega * &omega) * &from_pivot;
                 (anchor + &alpha * from_pivot.perpendicular() - centripetal, alpha)
@@ -179,17 +174,26 @@ impl Coordinates {
         }
     }
 
-    /// Forces of terms along each coordinate, N or N m.
-    pub(crate) fn forces(&self, body: &Kinematics, terms: &[&Term]) -> Vec<Expr> {
+    /// Torque of a term about what the body turns about: its centre, or its pivot.
+    pub(crate) fn torque(&self, body: &Kinematics, term: &Term) -> Expr {
         match self {
-            Self::Free => {
-                let force = total_force(terms);
-                vec![force.x().clone(), force.y().clone(), total(terms.iter().map(|term| term.torque()))]
-            }
+            Self::Free { .. } => term.torque(),
             Self::Pivoted { arm, .. } => {
                 let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
-                vec![total(terms.iter().map(|term| term.torque_about(&(&from_pivot + &term.arm))))]
+                term.torque_about(&(&from_pivot + &term.arm))
             }
+        }
+    }
+
+    /// Forces of terms along each coordinate, N or N m.
+    pub(crate) fn forces(&self, body: &Kinematics, terms: &[&Term]) -> Vec<Expr> {
+        let torque = total(terms.iter().map(|term| self.torque(body, term)));
+        match self {
+            Self::Free { .. } => {
+                let force = total_force(terms);
+                vec![force.x().clone(), force.y().clone(), torque]
+            }
+            Self::Pivoted { .. } => vec![torque],
         }
     }
 
@@ -198,7 +202,7 @@ impl Coordinates {
         let force = term.force.norm();
         let torque = |arm: &Vector| arm.norm() * &force + term.couple.abs();
         match self {
-            Self::Free => vec![force.clone(), force.clone(), torque(&term.arm)],
+            Self::Free { .. } => vec![force.clone(), force.clone(), torque(&term.arm)],
             Self::Pivoted { arm, .. } => {
                 let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
                 vec![torque(&(from_pivot + &term.arm))]
@@ -209,7 +213,7 @@ impl Coordinates {
     /// Moment of inertia about the axis that the body turns about, kg m^2.
     pub(crate) fn inertia(&self, mass: &MassProperties) -> Expr {
         match self {
-            Self::Free => mass.inertia.clone(),
+            Self::Free { .. } => mass.inertia.clone(),
             Self::Pivoted { arm, .. } => inertia_about_pivot(arm, mass),
         }
     }
@@ -217,7 +221,7 @@ impl Coordinates {
     /// Indices of the velocities among [`Coordinates::states`].
     pub(crate) fn velocity_states(&self) -> &'static [usize] {
         match self {
-            Self::Free => &[2, 3, 5],
+            Self::Free { .. } => &[2, 3, 5],
             Self::Pivoted { .. } => &[1],
         }
     }
@@ -225,7 +229,7 @@ impl Coordinates {
     /// Indices of what those are the rates of.
     pub(crate) fn coordinate_states(&self) -> &'static [usize] {
         match self {
-            Self::Free => &[0, 1, 4],
+            Self::Free { .. } => &[0, 1, 4],
             Self::Pivoted { .. } => &[0],
         }
     }
@@ -234,9 +238,8 @@ impl Coordinates {
     /// one of 1 kg m^2, which nothing reaches.
     pub(crate) fn masses(&self, mass: &MassProperties, turns: bool) -> Vec<Expr> {
         match self {
-            Self::Free => {
-                let is_point = tumble_expr::is_identically_zero(&mass.inertia);
-                let inertia = if is_point && !turns { Expr::one() } else { mass.inertia.clone() };
+            Self::Free { is_point } => {
+                let inertia = if *is_point && !turns { Expr::one() } else { mass.inertia.clone() };
                 vec![mass.mass.clone(), mass.mass.clone(), inertia]
             }
             Self::Pivoted { arm, .. } => vec![inertia_about_pivot(arm, mass)],
@@ -246,8 +249,8 @@ impl Coordinates {
     /// Change of each velocity by a unit of its impulse: 1/kg, or 1/(kg m^2) of a rotation.
     pub(crate) fn inverse_masses(&self, mass: &MassProperties) -> Vec<Expr> {
         match self {
-            Self::Free => {
-                let turning = match tumble_expr::is_identically_zero(&mass.inertia) {
+            Self::Free { is_point } => {
+                let turning = match is_point {
                     true => &mass.inertia * 0,
                     false => 1 / &mass.inertia,
                 };
@@ -260,11 +263,11 @@ impl Coordinates {
     /// What a unit of one wrench on the body does along another: 1/kg for two forces.
     pub(crate) fn response(&self, body: &Kinematics, mass: &MassProperties, i: &Wrench, j: &Wrench) -> Expr {
         match self {
-            Self::Free => {
+            Self::Free { is_point } => {
                 let along = i.force.x() * j.force.x() + i.force.y() * j.force.y();
                 let centre = Vector::planar(Expr::zero(), Expr::zero());
                 let pushed = along / &mass.mass;
-                match tumble_expr::is_identically_zero(&mass.inertia) {
+                match is_point {
                     true => pushed,
                     false => pushed + i.torque_about(&centre) * j.torque_about(&centre) / &mass.inertia,
                 }
@@ -276,13 +279,13 @@ impl Coordinates {
         }
     }
 
-    /// The pivot's force on the body, given all other terms and the acceleration.
+    /// The pivot's force on the body, given the force of all other terms and the acceleration.
     pub(crate) fn reaction(
         &self,
         index: usize,
         body: &Kinematics,
         mass: &MassProperties,
-        terms: &[&Term],
+        force: &Vector,
     ) -> Option<Term> {
         let Self::Pivoted { joint, arm, .. } = self else { return None };
         let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
@@ -291,7 +294,7 @@ impl Coordinates {
             law: Law::Reaction,
             body: index,
             arm: -&from_pivot,
-            force: &mass.mass * body.acceleration() - total_force(terms),
+            force: &mass.mass * body.acceleration() - force,
             couple: Expr::zero(),
             window: None,
         })
@@ -304,7 +307,8 @@ fn inertia_about_pivot(arm: &Vector, mass: &MassProperties) -> Expr {
     MassProperties { centre: arm.clone(), ..mass.clone() }.inertia_about(&origin)
 }
 
-fn total_force(terms: &[&Term]) -> Vector {
+/// The sum of their forces.
+pub(crate) fn total_force(terms: &[&Term]) -> Vector {
     let nothing = Vector::planar(Expr::zero(), Expr::zero());
     terms.iter().fold(nothing, |sum, term| sum + &term.force)
 }

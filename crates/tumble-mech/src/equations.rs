@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
 use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
-use tumble_ode::{Program, ScaleGroup};
+use tumble_ode::Program;
 
 use crate::cache::Cache;
 use crate::classes::Classes;
@@ -12,12 +12,13 @@ use crate::components::{Components, Couplings};
 use crate::conditions::Sound;
 use crate::constraints::JointEquations;
 use crate::contact::{Pairs, TouchTapes};
-use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols};
+use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols, total_force};
 use crate::error::{ModelError, ModelErrors};
 use crate::evaluator::Tapes;
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
+use crate::link::{Library, Linking, TermOf, Written, total};
 use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
@@ -66,6 +67,7 @@ pub(crate) struct Built {
     pub(crate) classes: OnceLock<Classes>,
     /// The equations with other numbers of nodes along lines.
     pub(crate) by_nodes: Cache<usize, Equations>,
+    pub(crate) library: Library,
 }
 
 /// What symbols stand for in a mode: parameters that were changed, and kinematic ones that are not states, in parameters as they
@@ -76,10 +78,6 @@ pub(crate) struct Definitions {
 }
 
 impl Definitions {
-    fn new(kinematic: &Substitution, changes: Substitution) -> Self {
-        Self { kinematic: kinematic.then(&changes), changes }
-    }
-
     /// A formula of any kinematic symbols, in the states of the mode.
     pub(crate) fn apply(&self, formula: &Expr) -> Expr {
         self.kinematic.apply(&self.changes.apply(formula))
@@ -240,7 +238,8 @@ impl Equations {
         let (acting, by_body) = (self.acting(mode), self.acting_by_body(mode));
         let reactions = mode.bodies.iter().filter_map(|&index| {
             let body = &self.parts.bodies[index];
-            body.coordinates.reaction(index, &body.kinematics, &body.mass, &by_body[index])
+            let force = total_force(&by_body[index]);
+            body.coordinates.reaction(index, &body.kinematics, &body.mass, &force)
         });
         let terms = acting.iter().map(|term| (*term).clone()).chain(reactions);
         let vector = |v: &Vector| v.map(&shown);
@@ -275,33 +274,19 @@ impl Equations {
 
     /// The same, accelerations and constraint forces of one island only: what its own contacts need.
     pub(crate) fn definitions_about(&self, mode: &Mode, island: &[usize]) -> Definitions {
-        Definitions::new(&self.definitions_in(mode, island), self.changes(mode))
-    }
-
-    /// Formulas for all kinematic symbols that are not states.
-    ///
-    /// Positions and velocities are found first: an acceleration's formula holds them.
-    fn definitions_in(&self, mode: &Mode, bodies: &[usize]) -> Substitution {
-        let acting = self.acting_by_body(mode);
-        let mut all = Substitution::default();
-        for body in mode.bodies.iter().map(|body| &self.parts.bodies[*body]) {
-            body.coordinates.define(&body.kinematics, &mut all);
+        let names = self.names();
+        let mut linking = Linking::new(self, mode, Written);
+        let mut kinematic = Substitution::default();
+        let places = mode.bodies.iter().filter(|body| self.is_pivoted(**body));
+        let places = places.flat_map(|body| names.of_body(*body).places);
+        let forces = island.iter().flat_map(|body| {
+            let own = names.of_body(*body);
+            own.accelerations.iter().chain(&own.forces).copied()
+        });
+        for name in places.chain(forces) {
+            kinematic.insert(names.get(name).0.clone(), linking.value(name));
         }
-        // All at once: forces of one island are made of the same formulas.
-        let forces = self.constraint_forces(mode, bodies).then(&self.parts.definitions);
-        for &index in bodies {
-            for (symbol, formula) in self.parts.bodies[index].accelerations(&acting[index]) {
-                all.insert(symbol, forces.apply(&self.parts.definitions.apply(&formula)));
-            }
-        }
-        all.extend(forces);
-        for &index in bodies {
-            for (symbol, force) in self.parts.bodies[index].reaction(index, &acting[index]) {
-                let force = all.apply(&force);
-                all.insert(symbol, force);
-            }
-        }
-        all
+        Definitions { kinematic, changes: self.changes(mode) }
     }
 
     /// The terms on one body in a mode, reactions left out, in the states of the mode.
@@ -320,25 +305,39 @@ impl Equations {
     /// Parameters that events have given other formulas.
     pub(crate) fn changes(&self, mode: &Mode) -> Substitution {
         let mut changes = Substitution::default();
-        for event in &mode.changes {
-            for (name, formula) in self.model.events[*event].settings() {
-                if let Some(symbol) = self.model.parameters.symbol(name) {
-                    changes.insert(symbol.clone(), formula.clone());
-                }
-            }
-        }
+        self.changes_by(&mode.changes).for_each(|(symbol, formula)| changes.insert(symbol, formula));
         changes
     }
 
-    pub(crate) fn acting(&self, mode: &Mode) -> Vec<&Term> {
-        let loads = self
-            .parts
-            .terms
-            .iter()
-            .filter(|term| mode.has(term.body) && term.window.is_none_or(|window| mode.windows[window]));
-        let touching = mode.pressed().chain(mode.held()).map(|pair| &self.parts.pairs.terms[pair]);
+    /// What events change parameters to, the later after the earlier.
+    pub(crate) fn changes_by(&self, events: &[usize]) -> impl Iterator<Item = (Symbol, Expr)> {
+        let settings = events.iter().flat_map(|event| self.model.events[*event].settings());
+        settings.filter_map(|(name, formula)| {
+            Some((self.model.parameters.symbol(name)?.clone(), formula.clone()))
+        })
+    }
+
+    /// The terms that act in a mode, each with whether it is there to keep a row.
+    pub(crate) fn acting_terms(&self, mode: &Mode) -> impl Iterator<Item = (TermOf, bool)> {
+        let acts = |term: &Term| mode.has(term.body) && term.window.is_none_or(|window| mode.windows[window]);
+        let loads = self.parts.terms.iter().zip(0..).filter(move |(term, _)| acts(term));
+        let loads = loads.map(|(_, load)| (TermOf::Load(load), false));
+        let pressed = mode.pressed().map(|pair| (TermOf::Pair(pair), false));
+        let held = mode.held().map(|pair| (TermOf::Pair(pair), true));
         let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
-        loads.chain(touching).chain(joints.flat_map(|(_, joint)| &joint.terms)).collect()
+        let of_joint = |(joint, known): (usize, &JointEquations)| {
+            (0..known.terms.len()).map(move |term| (TermOf::Joint(joint, term), true)).collect::<Vec<_>>()
+        };
+        loads.chain(pressed).chain(held).chain(joints.flat_map(of_joint))
+    }
+
+    pub(crate) fn acting(&self, mode: &Mode) -> Vec<&Term> {
+        self.acting_terms(mode).map(|(term, _)| self.term(term)).collect()
+    }
+
+    /// All terms that are not of contacts or joints.
+    pub(crate) fn loads(&self) -> &[Term] {
+        &self.parts.terms
     }
 
     /// The same by body.
@@ -372,15 +371,6 @@ impl Equations {
     /// Pairs whose depth's root is a state of a mode.
     pub(crate) fn roots(&self, mode: &Mode) -> Vec<usize> {
         mode.pressed().filter(|pair| self.parts.pairs.all[*pair].is_hertzian()).collect()
-    }
-
-    /// The mode's time transformation, where it has one: while Hertzian contacts are pressed, the product of the
-    /// depths' roots.
-    pub(crate) fn time_transformation(&self, mode: &Mode) -> Option<Expr> {
-        let roots =
-            self.roots(mode).into_iter().map(|pair| Expr::from(self.parts.pairs.all[pair].root_symbol()));
-        // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
-        roots.reduce(|product, root| product * root)
     }
 
     /// The terms on a body that are not of contacts or joints.
@@ -459,29 +449,9 @@ impl Equations {
         Some((index, body.at(&self.model.pivots[index].point).world_arm()))
     }
 
-    /// What each kind of state of a mode is measured against; the order is [`Measure`]'s.
-    pub(crate) fn groups(&self, mode: &Mode) -> Vec<ScaleGroup> {
-        let reaches = mode.bodies.iter().map(|body| self.model.bodies[*body].reach() * 2);
-        let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
-        let size = size.unwrap_or_else(Expr::zero);
-        let group = |name: &str, floor: &Expr, per_run| ScaleGroup {
-            name: name.to_owned(),
-            floor: floor.clone(),
-            per_run,
-        };
-        vec![
-            group("length", &size, false),
-            group("angle", &Expr::one(), false),
-            group("speed", &size, true),
-            group("angular rate", &Expr::one(), true),
-            group("root of a depth", &Expr::zero(), false),
-        ]
-    }
-
     fn check_points_turn(&self) -> Result<(), ModelErrors> {
         let is_point = |(index, body): (usize, &BodyEquations)| {
-            matches!(body.coordinates, Coordinates::Free)
-                && is_identically_zero(&body.mass.inertia)
+            matches!(body.coordinates, Coordinates::Free { is_point: true })
                 && !self.joints().iter().any(|joint| joint.bodies.contains(&index))
         };
         let points: Vec<bool> = self.parts.bodies.iter().enumerate().map(is_point).collect();
@@ -503,7 +473,7 @@ impl BodyEquations {
 
     /// What its pivot does to it under these terms, by its symbols, in accelerations.
     pub(crate) fn reaction(&self, index: usize, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
-        let term = self.coordinates.reaction(index, &self.kinematics, &self.mass, terms);
+        let term = self.coordinates.reaction(index, &self.kinematics, &self.mass, &total_force(terms));
         let by_symbol = |term: Term| {
             let components = term.force.components().to_vec();
             force_symbols(&term.load).into_iter().zip(components).collect()
@@ -511,11 +481,18 @@ impl BodyEquations {
         term.map(by_symbol).unwrap_or_default()
     }
 
-    /// The accelerations under these terms, by their symbols.
-    pub(crate) fn accelerations(&self, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
-        let (a, alpha) = self.coordinates.accelerations(&self.kinematics, &self.mass, terms);
-        let along = self.kinematics.acceleration_symbols().into_iter().zip(a.components().to_vec());
-        along.chain([(self.kinematics.alpha_symbol(), alpha)]).collect()
+    /// Force of its pivot along x and y, in accelerations and the sum of all terms by its symbols.
+    pub(crate) fn reaction_to_all(&self) -> Vec<Expr> {
+        let (force, _) = total(&self.kinematics.body);
+        let term = self.coordinates.reaction(0, &self.kinematics, &self.mass, &force);
+        term.map(|term| term.force.components().to_vec()).unwrap_or_default()
+    }
+
+    /// The accelerations, of the centre along x and y and of the angle, in the sum of all terms by its symbols.
+    pub(crate) fn accelerations(&self) -> Vec<Expr> {
+        let (force, torque) = total(&self.kinematics.body);
+        let (a, alpha) = self.coordinates.accelerations(&self.kinematics, &self.mass, (&force, &torque));
+        vec![a.x().clone(), a.y().clone(), alpha]
     }
 }
 

@@ -7,6 +7,7 @@ use tumble_ode::{Piece, Place, Reason};
 
 use crate::cache::Cache;
 use crate::equations::Equations;
+use crate::link::{Linking, Nodes};
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
 
@@ -57,7 +58,7 @@ pub(crate) struct TapeKey {
 enum Symbols {
     /// States, parameters and the time.
     States,
-    /// Any of the motion, which are put into states first.
+    /// Any of the motion.
     Motion,
 }
 
@@ -118,10 +119,11 @@ impl Equations {
         let formulas = key.formulas.list();
         Ok(match key.symbols {
             Symbols::States => Tape::compile(&layout, formulas)?,
+            // Linked with what the formulas need of the mode, and nothing else.
             Symbols::Motion => {
-                let definitions = self.definitions_of(&key.mode);
-                let formulas: Vec<Expr> = formulas.iter().map(|formula| definitions.apply(formula)).collect();
-                Tape::compile(&layout, &formulas)?
+                let mut linking = Linking::new(self, &key.mode, Nodes::default());
+                let outputs = linking.formulas(formulas);
+                linking.into_algebra().linker()?.tape(&layout, &outputs)?
             }
         })
     }

@@ -38,6 +38,7 @@ mod joint;
 mod kinematics;
 mod laws;
 mod linear_program;
+mod link;
 mod load;
 mod mass;
 mod mode;

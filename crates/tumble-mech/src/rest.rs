@@ -82,8 +82,8 @@ impl Equations {
         }
         let flow = tumble_ode::Hybrid::flow(self, &jump.mode)?;
         let rates = flow.states.iter().map(|state| &state.rate);
-        let guards = flow.guards.iter().chain(flow.lazy_guards.iter().map(|lazy| &lazy.guard));
-        let mut formulas = rates.chain(guards.map(|guard| &guard.formula));
+        let guards = flow.guards.iter().map(|guard| &guard.formula);
+        let mut formulas = rates.chain(guards).chain(flow.lazy_guards.iter().map(|lazy| lazy.of.formula()));
         let t = time_symbol();
         Ok(!formulas.any(|formula| formula.symbols().contains(&t)))
     }

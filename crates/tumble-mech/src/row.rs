@@ -14,9 +14,7 @@
 //! # Checked by
 //! `tests/resting.rs`: a rod that slides down a wall, a box on a slope, lift-off; `tests/joints.rs`.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use tumble_expr::{Expr, Substitution, Symbol, Vector};
+use tumble_expr::{Expr, Symbol, Vector};
 
 use crate::coordinates::Measure;
 
@@ -52,53 +50,11 @@ impl Wrench {
     }
 }
 
-/// A body without moment of inertia that rows turn: its torques add up to nothing, which says how it turns.
-pub(crate) struct Light {
-    pub(crate) body: usize,
-    /// Symbol of its angular acceleration.
-    pub(crate) alpha: Symbol,
-    /// Of all forces but those of the rows, about its centre of mass, N m.
-    pub(crate) torque: Expr,
-}
-
-/// Multipliers by which all rows hold, then the angular accelerations of bodies without moment of inertia. `free` are the
-/// accelerations without them, by their symbols; `response` is what a unit of one wrench does along another of the same body.
-pub(crate) fn solved(
-    rows: &[Row],
-    light: &[Light],
-    response: impl Fn(&Wrench, &Wrench) -> Expr,
-    free: &Substitution,
-) -> Vec<Expr> {
-    let entry = |i: &Row, j: &Row| {
-        let both = i.wrenches.iter().flat_map(|own| j.wrenches.iter().map(move |other| (own, other)));
-        let shared = both.filter(|(own, other)| own.body == other.body);
-        shared.fold(Expr::zero(), |sum, (own, other)| sum + response(own, other))
-    };
-    let centre = Vector::planar(Expr::zero(), Expr::zero());
-    let torque = |row: &Row, light: &Light| {
-        let own = row.wrenches.iter().filter(|wrench| wrench.body == light.body);
+impl Row {
+    /// Torque of a unit of its multiplier on a body about the centre of mass.
+    pub(crate) fn torque_on(&self, body: usize) -> Expr {
+        let centre = Vector::planar(Expr::zero(), Expr::zero());
+        let own = self.wrenches.iter().filter(|wrench| wrench.body == body);
         own.fold(Expr::zero(), |sum, wrench| sum + wrench.torque_about(&centre))
-    };
-    // Bodies have few neighbours: all other entries are zero.
-    let mut on_body: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
-    for (index, row) in rows.iter().enumerate() {
-        row.wrenches.iter().for_each(|wrench| _ = on_body.entry(wrench.body).or_default().insert(index));
     }
-    let mut lights: BTreeMap<usize, usize> = BTreeMap::new();
-    light.iter().enumerate().for_each(|(index, light)| _ = lights.insert(light.body, index));
-    let of_row = |i: &Row| -> Vec<(usize, Expr)> {
-        let others: BTreeSet<usize> =
-            i.wrenches.iter().flat_map(|wrench| &on_body[&wrench.body]).copied().collect();
-        let turned: BTreeSet<usize> =
-            i.wrenches.iter().filter_map(|wrench| lights.get(&wrench.body)).copied().collect();
-        let turned = turned.into_iter().map(|index| (rows.len() + index, torque(i, &light[index])));
-        others.into_iter().map(|j| (j, entry(i, &rows[j]))).chain(turned).collect()
-    };
-    let of_light = |light: &Light| -> Vec<(usize, Expr)> {
-        let own = on_body.get(&light.body).into_iter().flatten();
-        own.map(|index| (*index, torque(&rows[*index], light))).collect()
-    };
-    let matrix = rows.iter().map(of_row).chain(light.iter().map(of_light)).collect();
-    let needed = rows.iter().map(|row| -free.apply(&row.acceleration));
-    Expr::solve_rows(matrix, needed.chain(light.iter().map(|light| -&light.torque)).collect())
 }

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use tumble_expr::Rounding;
-use tumble_ode::{AtZero, Cause, Crossing, Flow, Guard, Hybrid, LazyGuard, Program, Reason, StateVariable};
+use tumble_ode::{Cause, Crossing, Flow, Hybrid, Program, Reason};
 
 use crate::equations::Equations;
 use crate::event::Action;
+use crate::link::{Linking, Nodes, Written};
 use crate::load::Moment;
 use crate::mode::Mode;
-use crate::parameters::time_symbol;
 use crate::record::{Happening, Jump, Record};
 
 impl Hybrid for Equations {
@@ -17,38 +17,7 @@ impl Hybrid for Equations {
     type Record = Record;
 
     fn flow(&self, mode: &Mode) -> Result<Flow, Reason> {
-        let in_mode = self.definitions_of(mode);
-        let states = self.state_rates(mode).into_iter().map(|state| StateVariable {
-            rate: in_mode.apply(&state.rate),
-            symbol: state.symbol,
-            group: state.measure as usize,
-            per_parameter: state.per_parameter,
-        });
-        let events = self.events(mode).into_iter().map(|event| &self.model().events[event]);
-        let events = events.map(|event| Guard {
-            name: event.name.clone(),
-            formula: event.when.clone(),
-            direction: event.direction,
-            at_zero: AtZero::Begins,
-        });
-        let guards = events.chain(self.touching_guards(mode));
-        let guards = guards.map(|guard| Guard { formula: in_mode.apply(&guard.formula), ..guard });
-        let lazy_guards = self.lazy_guards(mode).into_iter().map(|lazy_guard| {
-            let formula = in_mode.apply(&lazy_guard.guard.formula);
-            LazyGuard { guard: Guard { formula, ..lazy_guard.guard }, ..lazy_guard }
-        });
-        Ok(Flow {
-            states: states.collect(),
-            time: time_symbol(),
-            inputs: self.model().parameters.symbols(),
-            rounding: self.rounding(),
-            groups: self.groups(mode),
-            schedule: self.scheduled_times(mode),
-            guards: guards.collect(),
-            lazy_guards: lazy_guards.collect(),
-            invariants: self.invariants(mode),
-            time_transformation: self.time_transformation(mode),
-        })
+        Ok(Linking::new(self, mode, Written).flow())
     }
 
     fn program(&self, mode: &Mode) -> Result<Arc<Program>, Reason> {
@@ -56,8 +25,12 @@ impl Hybrid for Equations {
             let names = self.states(mode).into_iter().map(|state| state.name.to_string()).collect();
             return Ok(Arc::new(self.program(&twin.mode(mode))?.renamed(names, self.guard_names(mode))));
         }
-        let compile = |mode: &Mode| Program::new(&Flow { rounding: Rounding::NEAREST, ..self.flow(mode)? });
-        self.built().programs.get_rounded(mode.clone(), self.rounding(), compile, Program::rounded)
+        let link = |mode: &Mode| {
+            let mut linking = Linking::new(self, mode, Nodes::default());
+            let flow = Flow { rounding: Rounding::NEAREST, ..linking.flow() };
+            Program::linked(&mut linking.into_algebra().linker()?, &flow)
+        };
+        self.built().programs.get_rounded(mode.clone(), self.rounding(), link, Program::rounded)
     }
 
     /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Scalar, Tape, rounded_sum};
 
 use crate::Reason;
-use crate::hybrid::AtZero;
+use crate::flow::AtZero;
 use crate::invariants::Invariants;
 use crate::lazy_guards::LazyGuards;
 use crate::program::{Plan, Program, values};
@@ -82,7 +82,7 @@ pub(crate) enum Limit {
 }
 
 fn limits(program: &Program, inputs: &[f64]) -> Vec<Limit> {
-    let limit = |(at_zero, response): (&AtZero, &Option<Arc<Tape>>)| match (at_zero, response) {
+    let limit = |(at_zero, response): (&AtZero<()>, &Option<Arc<Tape>>)| match (at_zero, response) {
         (AtZero::EndsIfItMoves { group, .. }, Some(response)) => {
             Limit::IfItMoves(values(response, inputs)[0], *group)
         }

@@ -7,13 +7,13 @@
 //! allowed is corrected only where no other can be, so its unit is a small part of that: it could hardly take a correction up. What rounding of the states does to a function is no
 //! fault of a step, which would not do less if it were shorter.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Expr, Jets, Layout, SparseSystem, Symbol};
+use tumble_expr::{Branches, Jets, SparseSystem};
 
 use crate::compiled::Compiled;
-use crate::hybrid::Invariant;
+use crate::flow::Invariant;
 use crate::program::Program;
 use crate::scale::Scales;
 
@@ -84,21 +84,20 @@ pub(crate) struct Slack<'a> {
 }
 
 impl Rows {
-    /// Those of some functions, and the formulas that they are evaluated by.
-    pub(crate) fn of_all(invariants: &[Invariant], layout: &Layout) -> (Vec<Expr>, Self) {
+    /// Those of some functions of so many states, and what they are evaluated by.
+    pub(crate) fn of_all<F: Clone>(invariants: &[Invariant<F>], states: usize) -> (Vec<F>, Self) {
         let (mut outputs, mut list) = (vec![], vec![]);
-        let places: HashMap<&Symbol, usize> =
-            layout.states.iter().enumerate().map(|(index, state)| (state, index)).collect();
-        for Invariant { formula, group } in invariants {
-            let used = formula.symbols();
-            let mut states: Vec<usize> = used.iter().filter_map(|used| places.get(used).copied()).collect();
-            states.sort_unstable();
+        for Invariant { formula, slopes, group } in invariants {
             let output = outputs.len();
             outputs.push(formula.clone());
-            outputs.extend(states.iter().map(|state| formula.derivative(&layout.states[*state])));
-            list.push(Row { group: *group, output, states });
+            outputs.extend(slopes.iter().map(|(_, slope)| slope.clone()));
+            list.push(Row {
+                group: *group,
+                output,
+                states: slopes.iter().map(|(state, _)| *state).collect(),
+            });
         }
-        (outputs, Self::new(list, layout.states.len()))
+        (outputs, Self::new(list, states))
     }
 
     fn new(list: Vec<Row>, states: usize) -> Self {

@@ -18,6 +18,7 @@ use crate::program::{Program, values};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 use crate::{Coefficients, Reason};
+pub use plan::Watched;
 pub(crate) use plan::{WatchPlan, WatchTape};
 
 /// A lazily evaluated guard's series may miss its value by this many tolerances: the order's rule aims at 1.

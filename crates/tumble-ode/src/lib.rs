@@ -10,6 +10,7 @@ mod compiled;
 mod enclosure;
 mod engine;
 mod expansion;
+mod flow;
 mod hybrid;
 mod invariants;
 mod joined;
@@ -31,11 +32,10 @@ mod work;
 pub use accuracy::{Accuracy, AccuracyError};
 pub use coefficients::Coefficients;
 pub use enclosure::{Bounds, Enclosure, Path, Vanishing};
-pub use hybrid::{
-    AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, ScaleGroup,
-    StateVariable,
-};
+pub use flow::{AtZero, Flow, Guard, Invariant, LazyGuard, ScaleGroup, StateVariable};
+pub use hybrid::{Cause, Crossing, Direction, Hybrid, Jump};
 pub use joined::{AsOne, Of, Segment};
+pub use lazy_guards::Watched;
 pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;

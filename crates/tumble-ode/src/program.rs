@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, CompileError, Degree, Expr, Jets, Layout, Rounding, Tape};
+use tumble_expr::{
+    Binary, Branches, CompileError, Degree, Expr, Jets, Layout, Linker, NodeId, Rounding, Tape,
+};
 
-use crate::hybrid::{AtZero, Direction, Guard, StateVariable};
+use crate::flow::{AtZero, StateVariable};
+use crate::hybrid::Direction;
 use crate::invariants::Rows;
 use crate::lazy_guards::{WatchPlan, WatchTape};
 use crate::{Flow, Reason};
@@ -47,7 +50,7 @@ pub(crate) struct Plan {
     pub(crate) guard_names: Vec<String>,
     pub(crate) guard_directions: Vec<Direction>,
     /// What each of them does at zero.
-    pub(crate) at_zero: Vec<AtZero>,
+    pub(crate) at_zero: Vec<AtZero<()>>,
     /// Whether there is anything to watch along a step.
     pub(crate) is_watched: bool,
     /// Whether rates may change within a stretch that their coefficients do not show.
@@ -58,45 +61,38 @@ pub(crate) struct Plan {
 impl Program {
     /// Compiles the equations of a mode.
     pub fn new(flow: &Flow) -> Result<Self, Reason> {
+        let mut formulas: Vec<Expr> = vec![];
+        flow.map(|formula| formulas.push(formula.clone()));
+        let mut linker = Linker::default();
+        let mut linked = linker.formulas(&formulas)?.into_iter();
+        let flow = flow.map(|_| linked.next().expect("one of each formula"));
+        Self::linked(&mut linker, &flow)
+    }
+
+    /// Those of a mode whose formulas are linked.
+    pub fn linked(linker: &mut Linker, flow: &Flow<NodeId>) -> Result<Self, Reason> {
         let layout = layout(flow);
-        let guards = flow.guards.iter().map(|guard| guard.formula.clone());
-        let outputs: Vec<Expr> = rates(flow).into_iter().chain(guards).collect();
-        let tape = Tape::compile(&layout, &outputs)?;
-        let fixed = |formulas: &[Expr]| fixed(&layout, formulas);
-        let floors: Vec<Expr> = flow.groups.iter().map(|group| group.floor.clone()).collect();
-        let response = |guard: &Guard| match &guard.at_zero {
-            AtZero::EndsIfItMoves { response, .. } => fixed(std::slice::from_ref(response)).map(Some),
-            AtZero::Begins | AtZero::Ends => Ok(None),
-        };
+        let guards = flow.guards.iter().map(|guard| guard.formula);
+        let outputs: Vec<NodeId> = rates(linker, flow).into_iter().chain(guards).collect();
+        let tape = linker.tape(&layout, &outputs)?;
+        let (invariants, rows) = Rows::of_all(&flow.invariants, layout.states.len());
+        let invariants = Arc::new(linker.tape(&layout, &invariants)?);
+        let watches = WatchPlan::of_all(&flow.lazy_guards, &layout)?.into_iter();
+        let watches = watches.map(|plan| Arc::new(WatchTape::new(plan))).collect();
+        let fixed = Fixed { linker, layout: Layout { states: vec![], ..layout.clone() } };
+        let floors: Vec<NodeId> = flow.groups.iter().map(|group| group.floor).collect();
         let slopes = flow.lazy_guards.iter().flat_map(|lazy_guard| lazy_guard.slopes.iter().flatten());
-        let slopes: Vec<Expr> = slopes.map(|(_, slope)| slope.clone()).collect();
-        let (invariants, rows) = Rows::of_all(&flow.invariants, &layout);
-        let transformed = flow.time_transformation.is_some();
-        let plan = Plan {
-            names: layout.states.iter().map(|state| state.name.to_string()).collect(),
-            groups: flow.states.iter().map(|state| state.group).collect(),
-            per_run: flow.groups.iter().map(|group| group.per_run).collect(),
-            schedule: fixed(&flow.schedule)?,
-            exact_degree: if transformed { None } else { polynomial_degree(&tape) },
-            transformed,
-            guards: flow.guards.len(),
-            guard_names: watched(flow).map(|guard| guard.name.clone()).collect(),
-            guard_directions: watched(flow).map(|guard| guard.direction).collect(),
-            at_zero: watched(flow).map(|guard| guard.at_zero.clone()).collect(),
-            is_watched: !flow.guards.is_empty() || tape.sides() > 0 || !tape.turnings().is_empty(),
-            may_be_narrow: tape.may_be_narrow(),
-            invariants: Arc::new(rows),
-        };
-        let watches = WatchPlan::of_all(&flow.lazy_guards, &layout).into_iter();
+        let slopes: Vec<NodeId> = slopes.map(|(_, slope)| *slope).collect();
+        let responses = at_zero(flow).map(|at_zero| fixed.response(at_zero));
         let nearest = Self {
-            plan: Arc::new(plan),
             rounding: Rounding::NEAREST,
+            floors: fixed.tape(&floors)?,
+            responses: responses.collect::<Result<_, _>>()?,
+            slopes: fixed.tape(&slopes)?,
+            plan: Arc::new(Plan::of(flow, layout, &tape, fixed.tape(&flow.schedule)?, rows)),
             tape: Arc::new(tape),
-            floors: fixed(&floors)?,
-            responses: watched(flow).map(response).collect::<Result<_, _>>()?,
-            slopes: fixed(&slopes)?,
-            invariants: Arc::new(Tape::compile(&layout, &invariants)?),
-            watches: watches.map(|plan| Arc::new(WatchTape::new(plan))).collect(),
+            invariants,
+            watches,
         };
         Ok(if flow.rounding.is_nearest() { nearest } else { nearest.rounded(flow.rounding) })
     }
@@ -136,16 +132,53 @@ impl Program {
     }
 }
 
+impl Plan {
+    fn of(flow: &Flow<NodeId>, layout: Layout, tape: &Tape, schedule: Arc<Tape>, rows: Rows) -> Self {
+        let transformed = flow.time_transformation.is_some();
+        let lazy = || flow.lazy_guards.iter();
+        let names = flow.guards.iter().map(|guard| &guard.name).chain(lazy().map(|guard| &guard.name));
+        let directions = flow.guards.iter().map(|guard| guard.direction);
+        Self {
+            names: layout.states.into_iter().map(|state| state.name.to_string()).collect(),
+            groups: flow.states.iter().map(|state| state.group).collect(),
+            per_run: flow.groups.iter().map(|group| group.per_run).collect(),
+            schedule,
+            exact_degree: if transformed { None } else { polynomial_degree(tape) },
+            transformed,
+            guards: flow.guards.len(),
+            guard_names: names.cloned().collect(),
+            guard_directions: directions.chain(lazy().map(|guard| guard.direction)).collect(),
+            at_zero: at_zero(flow).map(|at_zero| at_zero.map(|_| ())).collect(),
+            is_watched: !flow.guards.is_empty() || tape.sides() > 0 || !tape.turnings().is_empty(),
+            may_be_narrow: tape.may_be_narrow(),
+            invariants: Arc::new(rows),
+        }
+    }
+}
+
 /// What the tapes of a flow run on, rounded to the nearest.
-fn layout(flow: &Flow) -> Layout {
+fn layout(flow: &Flow<NodeId>) -> Layout {
     let states = flow.states.iter().map(|state| state.symbol.clone()).collect();
     Layout::new(states, flow.time.clone(), flow.inputs.clone())
 }
 
-/// The tape of formulas of the inputs.
-fn fixed(layout: &Layout, formulas: &[Expr]) -> Result<Arc<Tape>, CompileError> {
-    let layout = Layout { states: vec![], ..layout.clone() };
-    Ok(Arc::new(Tape::compile(&layout, formulas)?))
+/// Tapes of formulas of the inputs.
+struct Fixed<'a> {
+    linker: &'a Linker,
+    layout: Layout,
+}
+
+impl Fixed<'_> {
+    fn tape(&self, formulas: &[NodeId]) -> Result<Arc<Tape>, CompileError> {
+        Ok(Arc::new(self.linker.tape(&self.layout, formulas)?))
+    }
+
+    fn response(&self, at_zero: &AtZero<NodeId>) -> Result<Option<Arc<Tape>>, CompileError> {
+        match at_zero {
+            AtZero::EndsIfItMoves { response, .. } => self.tape(&[*response]).map(Some),
+            AtZero::Begins | AtZero::Ends => Ok(None),
+        }
+    }
 }
 
 /// Values of formulas of the inputs.
@@ -155,24 +188,20 @@ pub(crate) fn values(tape: &Arc<Tape>, inputs: &[f64]) -> Vec<f64> {
     (0..tape.outputs().len()).map(|index| values.value_of(index)).collect()
 }
 
-/// Guards, then those of lazily evaluated guards.
-fn watched(flow: &Flow) -> impl Iterator<Item = &Guard> {
-    flow.guards.iter().chain(flow.lazy_guards.iter().map(|lazy_guard| &lazy_guard.guard))
+/// What guards do at zero, then what lazily evaluated guards do.
+fn at_zero<F>(flow: &Flow<F>) -> impl Iterator<Item = &AtZero<F>> {
+    let lazy = flow.lazy_guards.iter().map(|guard| &guard.at_zero);
+    flow.guards.iter().map(|guard| &guard.at_zero).chain(lazy)
 }
 
 /// Rates with respect to the parameter.
-fn rates(flow: &Flow) -> Vec<Expr> {
-    let states = flow.states.iter().map(|state| &state.rate);
-    match &flow.time_transformation {
-        None => states.cloned().collect(),
-        Some(time_rate) => {
-            let per_parameter = |state: &StateVariable| match state.per_parameter {
-                true => state.rate.clone(),
-                false => &state.rate * time_rate,
-            };
-            flow.states.iter().map(per_parameter).chain([time_rate.clone()]).collect()
-        }
-    }
+fn rates(linker: &mut Linker, flow: &Flow<NodeId>) -> Vec<NodeId> {
+    let mut per_parameter = |state: &StateVariable<NodeId>| match flow.time_transformation {
+        Some(time_rate) if !state.per_parameter => linker.binary(Binary::Mul, state.rate, time_rate),
+        _ => state.rate,
+    };
+    let rates = flow.states.iter().map(&mut per_parameter);
+    rates.chain(flow.time_transformation).collect()
 }
 
 /// Degree of the solution, found state by state: one whose rate is a polynomial of states already known is one itself.

@@ -3,7 +3,7 @@
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_ode::{
     Accuracy, AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, Reason,
-    ScaleGroup, Side, Start, StateVariable, Stopped, Trajectory, solve,
+    ScaleGroup, Side, Start, StateVariable, Stopped, Trajectory, Watched, solve,
 };
 
 const G: f64 = 10.0;
@@ -21,7 +21,14 @@ fn guard(name: &str, formula: Expr) -> Guard {
 }
 
 fn lazy_guard(name: &str, formula: Expr, slopes: Option<Vec<(usize, Expr)>>) -> LazyGuard {
-    LazyGuard { guard: Guard { at_zero: AtZero::Ends, ..guard(name, formula) }, group: 0, slopes }
+    LazyGuard {
+        name: name.into(),
+        of: Watched::new(formula, &["x", "v"].map(symbol), &symbol("t"), &[]),
+        direction: Direction::Falling,
+        at_zero: AtZero::Ends,
+        group: 0,
+        slopes,
+    }
 }
 
 /// A system of pure numbers; what a jump does is a function of the crossing.
@@ -158,7 +165,10 @@ fn an_invariant_is_kept() {
     let outwards = Expr::from(1e-13);
     let toy = |kept: bool| Toy {
         rates: vec![("x", -&y + &outwards * &x), ("y", &x + &outwards * &y)],
-        invariants: kept.then(|| Invariant { formula: circle.clone(), group: 0 }).into_iter().collect(),
+        invariants: kept
+            .then(|| Invariant::new(circle.clone(), 0, &["x", "y"].map(symbol)))
+            .into_iter()
+            .collect(),
         ..falling(bounce)
     };
     let off = |kept: bool| {

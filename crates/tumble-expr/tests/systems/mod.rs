@@ -39,7 +39,7 @@ fn sum(unknowns: Vec<Expr>) -> Expr {
 }
 
 /// Entries that all change, the diagonal largest.
-fn dense(n: i32) -> Vec<Vec<Expr>> {
+pub(crate) fn dense(n: i32) -> Vec<Vec<Expr>> {
     let entry = |i: i32, j: i32| (t() * (0.2 + 0.1 * f64::from(i)) + 2 * i - 3 * j).sin();
     let diagonal = |i: i32, j: i32| if i == j { entry(i, j) + 6 + t() } else { entry(i, j) };
     (0..n).map(|i| (0..n).map(|j| diagonal(i, j)).collect()).collect()

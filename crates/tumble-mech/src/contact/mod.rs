@@ -22,5 +22,6 @@ pub use contact_mode::ContactMode;
 pub use feature::Feature;
 pub use interval::Contact;
 pub use pair::Pair;
+pub(crate) use pair::Watched;
 pub(crate) use pairs::Pairs;
 pub(crate) use touch::TouchTapes;

@@ -1,16 +1,13 @@
 //! All pairs of a model, and which of them are watched in a mode, and how.
 
-use tumble_expr::Expr;
-use tumble_ode::{AtZero, Direction, Guard, LazyGuard};
+use tumble_ode::Direction;
 
 use crate::body::Body;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::feature::Feature;
 use crate::contact::pair::{Pair, Watched};
-use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::kinematics::PointRef;
-use crate::laws::compliant;
 use crate::mode::Mode;
 use crate::model::Model;
 use crate::term::Term;
@@ -93,55 +90,5 @@ impl Equations {
         let touching = self.touching(mode).into_iter().map(|(pair, watched, _)| (pair, watched));
         let apart = self.apart(mode).into_iter().map(|pair| (pair, Watched::Gap));
         touching.chain(apart).map(|(pair, watched)| self.pairs()[pair].guard_name(watched)).collect()
-    }
-
-    /// Guards of the pairs that touch.
-    pub(crate) fn touching_guards(&self, mode: &Mode) -> Vec<Guard> {
-        let guard = |(pair, watched, direction)| {
-            let pair: &Pair = &self.pairs()[pair];
-            let formula = match watched {
-                // The gap and the root of the depth vanish together; the root does so with a slope.
-                Watched::Gap if pair.is_hertzian() => -Expr::from(pair.root_symbol()),
-                Watched::Gap => pair.gap(),
-                Watched::Force => compliant::normal_force(pair).unwrap_or_else(Expr::zero),
-                Watched::Normal => pair.force_symbol().into(),
-            };
-            let at_zero = match watched {
-                // A surface does not pull, not for a moment.
-                Watched::Normal => AtZero::EndsIfItMoves {
-                    response: 1 / &self.mass_properties(pair.body).mass,
-                    group: Measure::Length as usize,
-                },
-                Watched::Gap | Watched::Force => AtZero::Begins,
-            };
-            Guard { name: pair.guard_name(watched), formula, direction, at_zero }
-        };
-        self.touching(mode).into_iter().map(guard).collect()
-    }
-
-    /// Gaps of the pairs that are apart.
-    pub(crate) fn lazy_guards(&self, mode: &Mode) -> Vec<LazyGuard> {
-        let lazy_guard = |index: usize| {
-            let pair = &self.pairs()[index];
-            let body = &self.model().bodies[pair.body];
-            let slopes = pair.slopes(self.model().pivot_of(&body.name), body);
-            let first = self.first_state(mode, pair.body);
-            let coordinates =
-                if slopes.as_ref().is_some_and(|s| s.len() == 1) { [0, 0, 0] } else { [0, 1, 4] };
-            let by_state = |slopes: Vec<Expr>| {
-                coordinates.into_iter().zip(slopes).map(|(i, slope)| (first + i, slope)).collect()
-            };
-            LazyGuard {
-                guard: Guard {
-                    name: pair.guard_name(Watched::Gap),
-                    formula: pair.gap(),
-                    direction: Direction::Falling,
-                    at_zero: AtZero::Ends,
-                },
-                group: Measure::Length as usize,
-                slopes: slopes.map(by_state),
-            }
-        };
-        self.apart(mode).into_iter().map(lazy_guard).collect()
     }
 }

@@ -1,62 +1,81 @@
 //! What is known of lazily evaluated guards by their formulas.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
 use tumble_expr::{CompileError, Expr, Layout, Rounding, Symbol, Tape};
 
-use crate::hybrid::{Direction, LazyGuard};
+use crate::flow::LazyGuard;
+use crate::hybrid::Direction;
 
-/// What is known of a lazily evaluated guard by its formula.
+/// A function with the states and inputs that it depends on, compiled when it is first asked for. Flows may share it.
 #[derive(Debug)]
-pub(crate) struct WatchPlan {
+pub struct Watched {
     formula: Expr,
-    /// With the states and inputs that it depends on, and numbers to the nearest.
+    /// Numbers to the nearest.
     layout: Layout,
-    /// Index of each of those states and inputs among all.
-    pub(super) states: Vec<usize>,
-    pub(super) inputs: Vec<usize>,
-    /// The states that it has a bound for its change by.
-    pub(super) slopes: Option<Vec<usize>>,
-    pub(super) group: usize,
-    pub(super) direction: Direction,
     tape: OnceLock<Arc<Tape>>,
 }
 
-impl WatchPlan {
-    pub(crate) fn of_all(lazy_guards: &[LazyGuard], layout: &Layout) -> Vec<Self> {
-        let places = Places::of(layout);
-        lazy_guards.iter().map(|lazy_guard| Self::of(lazy_guard, layout, &places)).collect()
+impl Watched {
+    /// A function of these states, the time and these inputs, or some of them.
+    pub fn new(formula: Expr, states: &[Symbol], time: &Symbol, inputs: &[Symbol]) -> Arc<Self> {
+        let used = formula.symbols();
+        let own =
+            |symbols: &[Symbol]| symbols.iter().filter(|symbol| used.contains(*symbol)).cloned().collect();
+        let layout = Layout::new(own(states), time.clone(), own(inputs));
+        Arc::new(Self { formula, layout, tape: OnceLock::new() })
     }
 
-    fn of(lazy_guard: &LazyGuard, layout: &Layout, places: &Places) -> Self {
-        let used = lazy_guard.guard.formula.symbols();
-        let (states, inputs) = (places.states(&used), places.inputs(&used));
-        let pick = |symbols: &[Symbol], which: &[usize]| which.iter().map(|i| symbols[*i].clone()).collect();
-        let slopes = lazy_guard.slopes.as_ref();
-        Self {
-            formula: lazy_guard.guard.formula.clone(),
-            layout: Layout {
-                states: pick(&layout.states, &states),
-                inputs: pick(&layout.inputs, &inputs),
-                ..layout.clone()
-            },
-            states,
-            inputs,
-            slopes: slopes.map(|slopes| slopes.iter().map(|(state, _)| *state).collect()),
-            group: lazy_guard.group,
-            direction: lazy_guard.guard.direction,
-            tape: OnceLock::new(),
-        }
+    /// The function.
+    pub fn formula(&self) -> &Expr {
+        &self.formula
     }
 
-    /// Built when it is first asked for.
     fn tape(&self) -> Result<Arc<Tape>, CompileError> {
         if let Some(known) = self.tape.get() {
             return Ok(Arc::clone(known));
         }
         let tape = Arc::new(Tape::compile(&self.layout, std::slice::from_ref(&self.formula))?);
         Ok(Arc::clone(self.tape.get_or_init(|| tape)))
+    }
+}
+
+/// What is known of a lazily evaluated guard by its formula.
+#[derive(Debug)]
+pub(crate) struct WatchPlan {
+    of: Arc<Watched>,
+    /// Index of each of its states and inputs among all.
+    pub(super) states: Vec<usize>,
+    pub(super) inputs: Vec<usize>,
+    /// The states that it has a bound for its change by.
+    pub(super) slopes: Option<Vec<usize>>,
+    pub(super) group: usize,
+    pub(super) direction: Direction,
+}
+
+impl WatchPlan {
+    pub(crate) fn of_all<F>(
+        lazy_guards: &[LazyGuard<F>],
+        layout: &Layout,
+    ) -> Result<Vec<Self>, CompileError> {
+        if lazy_guards.is_empty() {
+            return Ok(vec![]);
+        }
+        let [states, inputs] = [&layout.states, &layout.inputs].map(|symbols| places(symbols));
+        let plan = |lazy_guard: &LazyGuard<F>| {
+            let own = &lazy_guard.of.layout;
+            let slopes = lazy_guard.slopes.as_ref();
+            Ok(Self {
+                of: Arc::clone(&lazy_guard.of),
+                states: found(&states, &own.states)?,
+                inputs: found(&inputs, &own.inputs)?,
+                slopes: slopes.map(|slopes| slopes.iter().map(|(state, _)| *state).collect()),
+                group: lazy_guard.group,
+                direction: lazy_guard.direction,
+            })
+        };
+        lazy_guards.iter().map(plan).collect()
     }
 }
 
@@ -81,7 +100,7 @@ impl WatchTape {
         if let Some(known) = self.tape.get() {
             return Ok(Arc::clone(known));
         }
-        let nearest = self.plan.tape()?;
+        let nearest = self.plan.of.tape()?;
         Ok(Arc::clone(self.tape.get_or_init(|| match self.rounding.is_nearest() {
             true => nearest,
             false => Arc::new(nearest.rounded(self.rounding)),
@@ -89,30 +108,13 @@ impl WatchTape {
     }
 }
 
-/// Where each symbol stands in a layout.
-struct Places {
-    states: HashMap<Symbol, usize>,
-    inputs: HashMap<Symbol, usize>,
+/// Where each symbol stands among these.
+fn places(symbols: &[Symbol]) -> HashMap<&Symbol, usize> {
+    symbols.iter().zip(0..).collect()
 }
 
-impl Places {
-    fn of(layout: &Layout) -> Self {
-        let places = |symbols: &[Symbol]| symbols.iter().cloned().zip(0..).collect();
-        Self { states: places(&layout.states), inputs: places(&layout.inputs) }
-    }
-
-    /// Indices of the states among these symbols, in order.
-    fn states(&self, used: &HashSet<Symbol>) -> Vec<usize> {
-        in_order(&self.states, used)
-    }
-
-    fn inputs(&self, used: &HashSet<Symbol>) -> Vec<usize> {
-        in_order(&self.inputs, used)
-    }
-}
-
-fn in_order(places: &HashMap<Symbol, usize>, used: &HashSet<Symbol>) -> Vec<usize> {
-    let mut found: Vec<usize> = used.iter().filter_map(|symbol| places.get(symbol).copied()).collect();
-    found.sort_unstable();
-    found
+fn found(places: &HashMap<&Symbol, usize>, symbols: &[Symbol]) -> Result<Vec<usize>, CompileError> {
+    let place = |symbol: &Symbol| places.get(symbol).copied();
+    let unknown = |symbol: &Symbol| CompileError::UnknownSymbol(symbol.name.to_string());
+    symbols.iter().map(|symbol| place(symbol).ok_or_else(|| unknown(symbol))).collect()
 }

@@ -1,0 +1,170 @@
+//! The flow of a mode, put together.
+
+use std::collections::HashMap;
+
+use tumble_expr::{Binary, Expr, Symbol};
+use tumble_ode::{AtZero, Direction, Flow, Guard, Invariant, LazyGuard, ScaleGroup, StateVariable};
+
+use super::algebra::Algebra;
+use super::linking::Linking;
+use super::names::Name;
+use super::part::{Part, RowOf};
+use crate::contact::Watched;
+use crate::coordinates::Measure;
+use crate::event::Event;
+use crate::parameters::time_symbol;
+
+impl<A: Algebra> Linking<'_, A> {
+    /// All that the integrator asks for.
+    pub(crate) fn flow(&mut self) -> Flow<A::Value> {
+        let (equations, mode) = (self.equations, self.mode);
+        let rates = equations.state_rates(mode);
+        let places =
+            rates.iter().zip(0..).filter_map(|(state, place)| Some((self.names.find(&state.symbol)?, place)));
+        let places: HashMap<Name, usize> = places.collect();
+        let states = rates.into_iter().map(|state| StateVariable {
+            rate: self.formula(&state.rate),
+            symbol: state.symbol,
+            group: state.measure as usize,
+            per_parameter: state.per_parameter,
+        });
+        let states = states.collect();
+        let schedule = self.formulas(&equations.scheduled_times(mode));
+        let roots = equations.roots(mode).into_iter();
+        let roots: Vec<A::Value> =
+            roots.map(|pair| self.algebra.leaf(&equations.pairs()[pair].root_symbol())).collect();
+        // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
+        let time_transformation =
+            roots.into_iter().reduce(|product, root| self.algebra.binary(Binary::Mul, product, root));
+        Flow {
+            states,
+            time: time_symbol(),
+            inputs: equations.model().parameters.symbols(),
+            rounding: equations.rounding(),
+            groups: self.groups(),
+            schedule,
+            guards: self.guards(),
+            lazy_guards: self.lazy_guards(),
+            invariants: self.invariants(&places),
+            time_transformation,
+        }
+    }
+
+    /// What each kind of state is measured against; the order is [`Measure`]'s.
+    fn groups(&mut self) -> Vec<ScaleGroup<A::Value>> {
+        let mut size = None;
+        for body in &self.mode.bodies {
+            let own = self.part(Part::Size(*body)).remove(0);
+            size = Some(match size {
+                None => own,
+                Some(far) => self.algebra.binary(Binary::Max, far, own),
+            });
+        }
+        let zero = self.algebra.zero();
+        let (size, one) = (size.unwrap_or_else(|| zero.clone()), self.formula(&Expr::one()));
+        let group = |name: &str, floor: &A::Value, per_run| ScaleGroup {
+            name: name.to_owned(),
+            floor: floor.clone(),
+            per_run,
+        };
+        vec![
+            group("length", &size, false),
+            group("angle", &one, false),
+            group("speed", &size, true),
+            group("angular rate", &one, true),
+            group("root of a depth", &zero, false),
+        ]
+    }
+
+    /// Guards of events, then of the pairs that touch.
+    fn guards(&mut self) -> Vec<Guard<A::Value>> {
+        let equations = self.equations;
+        let events = equations.events(self.mode).into_iter().map(|event| &equations.model().events[event]);
+        let watched: Vec<Expr> = events.clone().map(|event| event.when.clone()).collect();
+        let guard = |(event, formula): (&Event, A::Value)| Guard {
+            name: event.name.clone(),
+            formula,
+            direction: event.direction,
+            at_zero: AtZero::Begins,
+        };
+        let mut guards: Vec<_> = events.zip(self.formulas(&watched)).map(guard).collect();
+        for (pair, watched, direction) in equations.touching(self.mode) {
+            guards.push(self.touching_guard(pair, watched, direction));
+        }
+        guards
+    }
+
+    fn touching_guard(&mut self, index: usize, watched: Watched, direction: Direction) -> Guard<A::Value> {
+        let pair = &self.equations.pairs()[index];
+        let formula = match watched {
+            // The gap and the root of the depth vanish together; the root does so with a slope.
+            Watched::Gap if pair.is_hertzian() => {
+                let root = self.algebra.leaf(&pair.root_symbol());
+                self.algebra.negative(root)
+            }
+            Watched::Gap => self.part(Part::Gap(index)).remove(0),
+            Watched::Force => self.part(Part::Pressed(index)).remove(0),
+            Watched::Normal => self.symbol(&pair.force_symbol()),
+        };
+        let at_zero = match watched {
+            // A surface does not pull, not for a moment.
+            Watched::Normal => AtZero::EndsIfItMoves {
+                response: self.part(Part::Lightness(pair.body)).remove(0),
+                group: Measure::Length as usize,
+            },
+            Watched::Gap | Watched::Force => AtZero::Begins,
+        };
+        Guard { name: pair.guard_name(watched), formula, direction, at_zero }
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) -> A::Value {
+        self.formula(&symbol.clone().into())
+    }
+
+    /// Gaps of the pairs that are apart.
+    fn lazy_guards(&mut self) -> Vec<LazyGuard<A::Value>> {
+        let (equations, mode) = (self.equations, self.mode);
+        let mut guards = vec![];
+        for index in equations.apart(mode) {
+            let pair = &equations.pairs()[index];
+            let slopes = self.part(Part::Slopes(index));
+            let first = equations.first_state(mode, pair.body);
+            let coordinates = equations.body_equations(pair.body).coordinates.coordinate_states();
+            let by_state =
+                coordinates.iter().map(|coordinate| first + coordinate).zip(slopes.iter().cloned());
+            guards.push(LazyGuard {
+                name: pair.guard_name(Watched::Gap),
+                of: equations.watched_gap(index, &mode.changes),
+                direction: Direction::Falling,
+                at_zero: AtZero::Ends,
+                group: Measure::Length as usize,
+                slopes: (!slopes.is_empty()).then(|| by_state.collect()),
+            });
+        }
+        guards
+    }
+
+    /// What is zero all along the mode: of rows, then of the roots of depths.
+    fn invariants(&mut self, places: &HashMap<Name, usize>) -> Vec<Invariant<A::Value>> {
+        let (equations, mode) = (self.equations, self.mode);
+        let joints = equations.rows_by_joint(mode).into_iter();
+        let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
+        let rows = rows.chain(mode.held().map(RowOf::Pair)).map(Part::Kept);
+        let parts: Vec<Part> = rows.chain(equations.roots(mode).into_iter().map(Part::Root)).collect();
+        let mut invariants = vec![];
+        for part in parts {
+            let piece = equations.piece(part);
+            let mut values = self.exports(&piece).into_iter();
+            for (measure, states) in &piece.kept {
+                let Some(formula) = values.next() else { break };
+                let slopes = values.by_ref().take(states.len());
+                let slopes =
+                    states.iter().zip(slopes).filter_map(|(state, slope)| Some((*places.get(state)?, slope)));
+                let mut slopes: Vec<(usize, A::Value)> = slopes.collect();
+                slopes.sort_unstable_by_key(|(state, _)| *state);
+                invariants.push(Invariant { formula, slopes, group: *measure as usize });
+            }
+        }
+        invariants
+    }
+}

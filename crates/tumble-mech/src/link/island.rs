@@ -1,0 +1,166 @@
+//! The rows that hold bodies together in a mode, and what keeps them: see [`crate::row`].
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::algebra::Algebra;
+use super::linking::Linking;
+use super::names::Meaning;
+use super::part::{Part, RowOf};
+use crate::equations::Equations;
+use crate::mode::Mode;
+
+/// The islands of a mode.
+#[derive(Default)]
+pub(super) struct Islands {
+    all: Vec<Island>,
+    of_body: HashMap<usize, usize>,
+}
+
+/// Bodies that joints keep together.
+#[derive(Default)]
+struct Island {
+    /// Of joints, without what is redundant, then of contacts; each with its bodies.
+    rows: Vec<(RowOf, Vec<usize>)>,
+    /// Bodies without moment of inertia that joints turn.
+    lights: Vec<usize>,
+    is_solved: bool,
+}
+
+impl Islands {
+    pub(super) fn of(equations: &Equations, mode: &Mode) -> Self {
+        let mut found = Self::default();
+        for (index, bodies) in equations.islands(mode, &mode.bodies).into_iter().enumerate() {
+            let is_light = |body: &usize| equations.is_turned_by_joints(mode, *body);
+            let lights = bodies.iter().copied().filter(is_light).collect();
+            found.of_body.extend(bodies.into_iter().map(|body| (body, index)));
+            found.all.push(Island { lights, ..Island::default() });
+        }
+        let joints = equations.rows_by_joint(mode).into_iter();
+        let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
+        for row in rows.chain(mode.held().map(RowOf::Pair)) {
+            let bodies = equations.bodies_of(row);
+            if let Some(island) = bodies.first().and_then(|body| found.of_body.get(body)) {
+                found.all[*island].rows.push((row, bodies));
+            }
+        }
+        found
+    }
+
+    pub(super) fn is_light(&self, body: usize) -> bool {
+        self.of_body.get(&body).is_some_and(|island| self.all[*island].lights.contains(&body))
+    }
+
+    fn has(&self, body: usize) -> bool {
+        self.of_body.contains_key(&body)
+    }
+}
+
+impl<A: Algebra> Linking<'_, A> {
+    /// What keeps a row of a joint: nothing while that does not hold; `None` where no body of it is in the mode.
+    pub(super) fn multiplier(&mut self, joint: usize, row: usize) -> Option<A::Value> {
+        let equations = self.equations;
+        let bodies = &equations.joints()[joint].bodies;
+        let body = *bodies.iter().find(|body| self.islands.has(**body))?;
+        Some(self.keeping(body, RowOf::Joint(joint, row)))
+    }
+
+    /// The force of a pair; `None` where its body is not in the mode.
+    pub(super) fn normal(&mut self, pair: usize) -> Option<A::Value> {
+        let body = self.equations.pairs()[pair].body;
+        if !self.islands.has(body) {
+            return None;
+        }
+        Some(match self.mode.pressed().any(|pressed| pressed == pair) {
+            true => self.part(Part::Pressed(pair)).remove(0),
+            false => self.keeping(body, RowOf::Pair(pair)),
+        })
+    }
+
+    fn keeping(&mut self, body: usize, row: RowOf) -> A::Value {
+        let island = &self.islands.all[self.islands.of_body[&body]];
+        if !island.rows.iter().any(|(own, _)| *own == row) {
+            return self.algebra.zero();
+        }
+        let name = self.names.of_row(row);
+        self.solve_about(body);
+        self.value(name)
+    }
+
+    /// Finds what keeps the rows of a body's island, given the forces of all else, and how bodies without moment of inertia turn.
+    pub(super) fn solve_about(&mut self, body: usize) {
+        let index = self.islands.of_body[&body];
+        if std::mem::replace(&mut self.islands.all[index].is_solved, true) {
+            return;
+        }
+        let island = &mut self.islands.all[index];
+        let (rows, lights) = (std::mem::take(&mut island.rows), island.lights.clone());
+        let matrix = self.matrix(&rows, &lights);
+        let right = self.right_sides(&rows, &lights);
+        let found = self.algebra.solve(matrix, right);
+        let names = rows.iter().map(|(row, _)| self.names.of_row(*row));
+        let turning = lights.iter().map(|body| self.names.of_body(*body).accelerations[2]);
+        let names: Vec<_> = names.chain(turning).collect();
+        names.into_iter().zip(found).for_each(|(name, value)| self.settle(name, value));
+        self.islands.all[index].rows = rows;
+    }
+
+    /// Entries by row: what multipliers do to the accelerations of rows, and their torques on bodies without moment of inertia.
+    fn matrix(&mut self, rows: &[(RowOf, Vec<usize>)], lights: &[usize]) -> Vec<Vec<(usize, A::Value)>> {
+        // Bodies have few neighbours: all other entries are zero.
+        let mut on_body: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+        for (index, (_, bodies)) in rows.iter().enumerate() {
+            bodies.iter().for_each(|body| _ = on_body.entry(*body).or_default().insert(index));
+        }
+        let mut matrix: Vec<BTreeMap<usize, A::Value>> = vec![BTreeMap::new(); rows.len() + lights.len()];
+        for (i, (row, bodies)) in rows.iter().enumerate() {
+            let others: BTreeSet<usize> = bodies.iter().flat_map(|body| &on_body[body]).copied().collect();
+            for j in others.into_iter().filter(|j| *j >= i) {
+                let entry = self.part(Part::Response(*row, rows[j].0)).remove(0);
+                matrix[j].insert(i, entry.clone());
+                matrix[i].insert(j, entry);
+            }
+        }
+        for (place, body) in (rows.len()..).zip(lights) {
+            for index in on_body.get(body).into_iter().flatten().copied() {
+                let entry = self.part(Part::Torque(rows[index].0, *body)).remove(0);
+                matrix[place].insert(index, entry.clone());
+                matrix[index].insert(place, entry);
+            }
+        }
+        matrix.into_iter().map(|row| row.into_iter().collect()).collect()
+    }
+
+    fn right_sides(&mut self, rows: &[(RowOf, Vec<usize>)], lights: &[usize]) -> Vec<A::Value> {
+        let mut free: HashMap<usize, Vec<A::Value>> = HashMap::new();
+        for body in rows.iter().flat_map(|(_, bodies)| bodies) {
+            if !free.contains_key(body) {
+                let accelerations = self.free_accelerations(*body);
+                free.insert(*body, accelerations);
+            }
+        }
+        let mut right = vec![];
+        for (row, _) in rows {
+            let piece = self.equations.piece(Part::RowAcceleration(*row));
+            let acceleration = self.exports_with(&piece, |_, meaning| match meaning {
+                Meaning::Acceleration { body, which } => free.get(&body).map(|own| own[which].clone()),
+                _ => None,
+            });
+            right.extend(acceleration);
+        }
+        for body in lights {
+            let [_, _, torque] = self.given(*body);
+            right.push(torque);
+        }
+        right.into_iter().map(|side| self.algebra.negative(side)).collect()
+    }
+
+    /// Those that a body would have if nothing kept its rows.
+    fn free_accelerations(&mut self, body: usize) -> Vec<A::Value> {
+        let given = self.given(body);
+        let piece = self.equations.piece(Part::Acceleration(body));
+        self.exports_with(&piece, |_, meaning| match meaning {
+            Meaning::Total { which, .. } => Some(given[which].clone()),
+            _ => None,
+        })
+    }
+}

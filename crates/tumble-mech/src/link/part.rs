@@ -1,0 +1,363 @@
+//! What there are equations of, and those equations, prepared once.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use tumble_expr::{
+    Code, CompileError, Expr, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
+};
+use tumble_ode::Watched;
+
+use super::names::{Name, Names, totals};
+use crate::cache::Cache;
+use crate::coordinates::Measure;
+use crate::equations::Equations;
+use crate::laws::compliant;
+use crate::parameters::time_symbol;
+use crate::row::Row;
+use crate::term::Term;
+
+/// What there are equations of. None of them depends on a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Part {
+    /// x, y, vx and vy of a body on a pivot.
+    Place(usize),
+    /// ax, ay and alpha of a body, in what all terms on it do.
+    Acceleration(usize),
+    /// Force of a body's pivot.
+    Reaction(usize),
+    /// Force along x and y of a term, and its torque about what the body turns about.
+    Term(TermOf),
+    /// The force of a pair that is pressed.
+    Pressed(usize),
+    /// The gap of a pair.
+    Gap(usize),
+    /// How fast it can change with each coordinate; nothing where there is no bound.
+    Slopes(usize),
+    /// What a unit of force does to a body.
+    Lightness(usize),
+    /// The length that a body's places are measured against.
+    Size(usize),
+    /// What a unit of one row's multiplier does to another's acceleration.
+    Response(RowOf, RowOf),
+    /// Acceleration of a row, in the accelerations of its bodies.
+    RowAcceleration(RowOf),
+    /// Torque of a unit of a row's multiplier on a body about its centre.
+    Torque(RowOf, usize),
+    /// What is zero while a row holds: its position, then its rate, each with its slopes by states.
+    Kept(RowOf),
+    /// What is zero while the root of a pair's depth is a state, with its slopes.
+    Root(usize),
+}
+
+/// A term of the model, by its index; of a joint by the joint's and its own there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum TermOf {
+    Load(usize),
+    Pair(usize),
+    Joint(usize, usize),
+}
+
+/// A row, by the index of its pair, or of its joint and its own there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum RowOf {
+    Joint(usize, usize),
+    Pair(usize),
+}
+
+/// Formulas, ready to be linked.
+#[derive(Debug)]
+pub(crate) struct Piece {
+    /// What those have in common that differ by names alone.
+    pub(crate) class: Arc<Class>,
+    /// What is in the place of each symbol of the class.
+    symbols: Vec<Import>,
+    /// Of functions that are kept zero: kind of each, and the states that its slopes are by, which follow it.
+    pub(crate) kept: Vec<(Measure, Vec<Name>)>,
+}
+
+/// Formulas that were prepared first among those that differ by names alone.
+#[derive(Debug)]
+pub(crate) struct Class {
+    /// What they are found by.
+    signature: Vec<Expr>,
+    outline: Outline,
+    /// What is computed, in the symbols of the first.
+    pub(crate) formulas: Vec<Expr>,
+    pub(crate) code: Result<Arc<Code>, CompileError>,
+    /// Indices of imports, and of the states that slopes are by, among the symbols of the outline.
+    imports: Vec<usize>,
+    kept: Vec<(Measure, Vec<usize>)>,
+}
+
+#[derive(Debug)]
+pub(crate) struct Import {
+    pub(crate) symbol: Symbol,
+    /// `None` where the model does not have it.
+    pub(crate) name: Option<Name>,
+}
+
+/// All pieces that have been asked for.
+#[derive(Debug, Default)]
+pub(crate) struct Library {
+    names: OnceLock<Arc<Names>>,
+    parts: Mutex<HashMap<Part, Arc<Piece>>>,
+    /// Those of formulas from elsewhere: of observers, events and changes.
+    written: Cache<Formulas, Piece>,
+    /// Classes of parts, by outline.
+    classes: Mutex<HashMap<u64, Vec<Arc<Class>>>>,
+    /// By pair and what has changed parameters.
+    watched: Cache<(usize, Vec<usize>), Arc<Watched>>,
+}
+
+impl Equations {
+    pub(super) fn library(&self) -> &Library {
+        &self.built().library
+    }
+
+    pub(crate) fn names(&self) -> Arc<Names> {
+        Arc::clone(self.library().names.get_or_init(|| Arc::new(Names::of(self))))
+    }
+
+    /// The equations of a part.
+    pub(super) fn piece(&self, part: Part) -> Arc<Piece> {
+        let library = self.library();
+        if let Some(known) = locked(&library.parts).get(&part) {
+            return Arc::clone(known);
+        }
+        let piece = match part {
+            Part::Kept(row) => self.kept(&self.row(row)),
+            Part::Root(pair) => {
+                let formula = compliant::root_invariant(&self.pairs()[pair]);
+                self.sorted(vec![formula], &[Measure::Length])
+            }
+            part => self.sorted(self.formulas_of(part), &[]),
+        };
+        // Not under the lock: two threads may both prepare it, and one of the two is kept.
+        Arc::clone(locked(&library.parts).entry(part).or_insert_with(|| Arc::new(piece)))
+    }
+
+    /// The piece of formulas, of their class; of functions that are kept zero where kinds are given.
+    fn sorted(&self, signature: Vec<Expr>, kept: &[Measure]) -> Piece {
+        let (names, classes) = (self.names(), &self.library().classes);
+        let signature: Vec<Expr> = match kept {
+            [] => signature,
+            _ => signature.iter().map(|function| self.in_coordinates(function)).collect(),
+        };
+        let outline = Outline::of(&signature);
+        let is_this = |class: &&Arc<Class>| {
+            let is_state = |symbol: &Symbol| names.find(symbol).is_some_and(|name| names.is_state(name));
+            let mut symbols = outline.symbols().iter().zip(class.outline.symbols());
+            class.kept.iter().map(|(measure, _)| measure).eq(kept)
+                && (kept.is_empty() || symbols.all(|(own, its)| is_state(own) == is_state(its)))
+                && outline.is_renamed(&signature, &class.outline, &class.signature)
+        };
+        let known = locked(classes).get(&outline.hash()).cloned().unwrap_or_default();
+        let class = known.iter().find(is_this).cloned().unwrap_or_else(|| {
+            let class = Arc::new(Class::of(signature, &outline, kept, &names));
+            locked(classes).entry(outline.hash()).or_default().push(Arc::clone(&class));
+            class
+        });
+        Piece::of(class, outline.symbols(), &names)
+    }
+
+    /// Formulas from elsewhere.
+    pub(super) fn written_piece(&self, formulas: &[Expr]) -> Arc<Piece> {
+        let build = || {
+            let (names, outline) = (self.names(), Outline::of(formulas));
+            let class = Class::of(formulas.to_vec(), &outline, &[], &names);
+            Ok::<_, std::convert::Infallible>(Piece::of(Arc::new(class), outline.symbols(), &names))
+        };
+        let found = self.library().written.get(&Formulas::new(formulas), build);
+        found.unwrap_or_else(|never| match never {})
+    }
+
+    /// The gap of a pair, to be watched while it is open.
+    pub(super) fn watched_gap(&self, pair: usize, changes: &[usize]) -> Arc<Watched> {
+        let build = || {
+            let of = &self.pairs()[pair];
+            let mut changed = Substitution::default();
+            self.changes_by(changes).for_each(|(symbol, formula)| changed.insert(symbol, formula));
+            let gap = changed.apply(&self.in_coordinates(&of.gap()));
+            let body = self.body_equations(of.body);
+            let states = body.coordinates.states(&body.kinematics);
+            let states: Vec<Symbol> = states.into_iter().map(|state| state.symbol).collect();
+            let inputs = self.model().parameters.symbols();
+            Ok::<_, std::convert::Infallible>(Watched::new(gap, &states, &time_symbol(), &inputs))
+        };
+        let found = self.library().watched.get(&(pair, changes.to_vec()), build);
+        let found = found.unwrap_or_else(|never| match never {});
+        Arc::clone(&found)
+    }
+
+    pub(crate) fn term(&self, of: TermOf) -> &Term {
+        match of {
+            TermOf::Load(index) => &self.loads()[index],
+            TermOf::Pair(pair) => &self.pair_list().terms[pair],
+            TermOf::Joint(joint, index) => &self.joints()[joint].terms[index],
+        }
+    }
+
+    pub(super) fn row(&self, of: RowOf) -> Row {
+        match of {
+            RowOf::Pair(pair) => self.pairs()[pair].row(),
+            RowOf::Joint(joint, row) => self.joints()[joint].rows[row].clone(),
+        }
+    }
+
+    fn formulas_of(&self, part: Part) -> Vec<Expr> {
+        match part {
+            Part::Place(body) => {
+                let own = &self.body_equations(body).kinematics;
+                let places = [own.position(), own.velocity()];
+                places.iter().flat_map(Vector::components).map(|place| self.in_coordinates(place)).collect()
+            }
+            Part::Acceleration(body) => self.body_equations(body).accelerations(),
+            Part::Reaction(body) => self.body_equations(body).reaction_to_all(),
+            Part::Term(of) => {
+                let term = self.term(of);
+                let body = self.body_equations(term.body);
+                let torque = body.coordinates.torque(&body.kinematics, term);
+                vec![term.force.x().clone(), term.force.y().clone(), torque]
+            }
+            Part::Pressed(pair) => {
+                vec![compliant::normal_force(&self.pairs()[pair]).unwrap_or_else(Expr::zero)]
+            }
+            Part::Gap(pair) => vec![self.pairs()[pair].gap()],
+            Part::Slopes(pair) => self.gap_slopes(pair).unwrap_or_default(),
+            Part::Lightness(body) => vec![1 / &self.mass_properties(body).mass],
+            Part::Size(body) => vec![self.model().bodies[body].reach() * 2],
+            Part::Response(i, j) => vec![self.row_response(&self.row(i), &self.row(j))],
+            Part::RowAcceleration(row) => vec![self.row(row).acceleration],
+            Part::Torque(row, body) => vec![self.row(row).torque_on(body)],
+            Part::Kept(_) | Part::Root(_) => unreachable!("they are prepared with their slopes"),
+        }
+    }
+
+    fn kept(&self, row: &Row) -> Piece {
+        self.sorted(vec![row.position.clone(), row.rate.clone()], &[row.measure, row.measure.rate()])
+    }
+
+    /// How fast the gap of a pair can change with each coordinate of its body, where that is bounded.
+    fn gap_slopes(&self, pair: usize) -> Option<Vec<Expr>> {
+        let pair = &self.pairs()[pair];
+        let body = &self.model().bodies[pair.body];
+        pair.slopes(self.model().pivot_of(&body.name), body)
+    }
+
+    fn row_response(&self, i: &Row, j: &Row) -> Expr {
+        let both = i.wrenches.iter().flat_map(|own| j.wrenches.iter().map(move |other| (own, other)));
+        let shared = both.filter(|(own, other)| own.body == other.body);
+        let each = shared.map(|(own, other)| self.body_equations(own.body).response(own, other));
+        each.fold(Expr::zero(), |sum, response| sum + response)
+    }
+}
+
+impl Class {
+    /// Of what is computed, or of functions that are kept zero, with their slopes by the states that they depend on.
+    fn of(signature: Vec<Expr>, outline: &Outline, kept: &[Measure], names: &Names) -> Self {
+        let place = |symbol: &Symbol| outline.symbols().iter().position(|known| known == symbol);
+        let (mut formulas, mut slopes) = (vec![], vec![]);
+        for (function, measure) in signature.iter().zip(kept) {
+            let used = function.symbols();
+            let is_own = |symbol: &Symbol| {
+                used.contains(symbol) && names.find(symbol).is_some_and(|name| names.is_state(name))
+            };
+            let states = outline.symbols().iter().enumerate().filter(|(_, symbol)| is_own(symbol));
+            formulas.push(function.clone());
+            formulas.extend(states.clone().map(|(_, state)| function.derivative(state)));
+            slopes.push((*measure, states.map(|(place, _)| place).collect()));
+        }
+        if kept.is_empty() {
+            formulas.clone_from(&signature);
+        }
+        let (code, imports) = match Fragment::new(&formulas) {
+            Ok(Fragment { code, imports }) => (Ok(code), imports.iter().filter_map(place).collect()),
+            Err(mistake) => (Err(mistake), (0..outline.symbols().len()).collect()),
+        };
+        Self { signature, outline: outline.clone(), formulas, code, imports, kept: slopes }
+    }
+}
+
+impl Piece {
+    /// The one of a class that has these symbols in its outline.
+    fn of(class: Arc<Class>, symbols: &[Symbol], names: &Names) -> Self {
+        let import = |symbol: &Symbol| Import { name: names.find(symbol), symbol: symbol.clone() };
+        let states =
+            |places: &Vec<usize>| places.iter().filter_map(|place| names.find(&symbols[*place])).collect();
+        let kept = class.kept.iter().map(|(measure, places)| (*measure, states(places))).collect();
+        Self { class, symbols: symbols.iter().map(import).collect(), kept }
+    }
+
+    /// In the order of the code.
+    pub(crate) fn imports(&self) -> impl ExactSizeIterator<Item = &Import> {
+        self.class.imports.iter().map(|place| &self.symbols[*place])
+    }
+
+    /// The formulas, for values of the imports.
+    pub(crate) fn written(&self, imports: &[Expr]) -> Vec<Expr> {
+        let own: HashMap<usize, &Expr> = self.class.imports.iter().copied().zip(imports).collect();
+        let mut substitution = Substitution::default();
+        for (place, symbol) in self.class.outline.symbols().iter().enumerate() {
+            // What is no import has no part in any value.
+            let value = own.get(&place).copied().cloned();
+            let value = value.unwrap_or_else(|| self.symbols[place].symbol.clone().into());
+            if !matches!(value.node(), Node::Symbol(own) if own == symbol) {
+                substitution.insert(symbol.clone(), value);
+            }
+        }
+        substitution.apply_all(&self.class.formulas)
+    }
+}
+
+fn locked<T>(of: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    of.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Symbols for all that acts on a body, as a force and a torque.
+pub(crate) fn total(body: &str) -> (Vector, Expr) {
+    let [x, y, torque] = totals(body).map(Expr::from);
+    (Vector::planar(x, y), torque)
+}
+
+#[cfg(test)]
+mod tests {
+    use tumble_expr::units::{KG, M};
+
+    use super::*;
+    use crate::{Anchor, Body, Joint, Model};
+
+    /// Rods, each pinned to the one before; the last is heavier.
+    fn chain() -> Equations {
+        let mut model = Model::new();
+        let mut above = Anchor::World(Vector::planar(0 * M, 0 * M));
+        for (index, mass) in [1, 1, 1, 2].into_iter().enumerate() {
+            let rod = Body::rod(format!("rod{index}"), [0 * M, 0 * M], [0 * M, -1 * M]).mass(mass * KG);
+            let rod = rod.with_point("top", [0 * M, 0 * M]).with_point("tip", [0 * M, -1 * M]);
+            let body = model.add(rod);
+            let end = |point| Anchor::Material(body.named_point(point).expect("given"));
+            model.join(Joint::pin(format!("joint{index}"), [above, end("top")]));
+            above = end("tip");
+        }
+        Equations::new(model).expect("a model")
+    }
+
+    #[test]
+    fn what_differs_by_names_alone_is_prepared_once() {
+        let equations = chain();
+        let class = |part: Part| Arc::as_ptr(&equations.piece(part).class);
+        let row = |joint: usize| RowOf::Joint(joint, 0);
+        assert_eq!(class(Part::Kept(row(1))), class(Part::Kept(row(2))));
+        assert_eq!(class(Part::RowAcceleration(row(1))), class(Part::RowAcceleration(row(3))));
+        assert_eq!(class(Part::Response(row(0), row(1))), class(Part::Response(row(0), row(1))));
+        assert_eq!(class(Part::Acceleration(0)), class(Part::Acceleration(2)));
+        assert_ne!(class(Part::Acceleration(0)), class(Part::Acceleration(3)));
+        // The hook holds the first: there is one body less.
+        assert_ne!(class(Part::Kept(row(0))), class(Part::Kept(row(1))));
+        let [own, other] = [1, 2].map(|joint| equations.piece(Part::Kept(row(joint))));
+        let names =
+            |piece: &Piece| piece.imports().map(|import| import.symbol.name.to_string()).collect::<Vec<_>>();
+        let renamed = |name: &String| name.replace("rod1", "rod2").replace("rod0", "rod1");
+        assert_eq!(names(&own).iter().map(renamed).collect::<Vec<_>>(), names(&other));
+    }
+}
