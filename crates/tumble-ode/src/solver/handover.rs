@@ -27,6 +27,8 @@ pub struct Carried {
     scales: Scales,
     /// Times at which jumps have asked to be woken, s.
     wakes: Vec<f64>,
+    /// Events since time last passed.
+    at_once: u64,
     guards: GuardSigns,
     /// Bytes that all motions beside each other hold.
     held: Rc<Cell<u64>>,
@@ -54,6 +56,7 @@ impl Carried {
             }
             joined.scales.join(&other.scales);
             joined.wakes.extend(&other.wakes);
+            joined.at_once = joined.at_once.max(other.at_once);
             joined.guards.sides.extend(other.guards.sides.iter().cloned());
             joined.guards.zeros.extend(other.guards.zeros.iter().cloned());
         }
@@ -92,6 +95,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             left_out: self.time_left_out,
             scales: self.scales.clone(),
             wakes: self.wakes.clone(),
+            at_once: self.at_once,
             guards,
             held: self.memory.held(),
         };
@@ -124,12 +128,13 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         until: f64,
         accuracy: Accuracy,
     ) -> Self {
-        let Carried { left_out, scales, wakes, guards, held } = carried;
+        let Carried { left_out, scales, wakes, at_once, guards, held } = carried;
         let mut resumed = Self::new(system, start, until, accuracy);
         resumed.span = scales.span();
         resumed.scales = scales;
         resumed.time_left_out = left_out;
         resumed.wakes = wakes;
+        resumed.at_once = at_once;
         resumed.first_guards = guards;
         resumed.memory.share_held(held);
         resumed
