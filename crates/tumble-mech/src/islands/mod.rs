@@ -247,6 +247,8 @@ impl<'a> Islands<'a> {
     /// From when on an event may come within the steps of its islands, s; `None` if it does not.
     fn doubt(&mut self, watch: usize, of: &[usize]) -> Option<f64> {
         let Self { all, watches, equations, inputs, .. } = self;
+        let of: Vec<usize> =
+            of.iter().copied().filter(|island| watches[watch].reads(&all[*island].groups)).collect();
         let ends = of.iter().map(|island| match all[*island].solver.is_done() || all[*island].is_refused {
             true => all[*island].solver.time(),
             false => all[*island].end,
@@ -296,10 +298,12 @@ impl<'a> Islands<'a> {
         let time = self.all[index].solver.time();
         let is_carried = |watch: &usize| {
             let of = self.of_watch(*watch);
-            let others: Vec<usize> = of.iter().copied().filter(|other| *other != index).collect();
-            if others.len() + 1 != of.len() || others.is_empty() {
+            let reads = |island: &usize| self.watches[*watch].reads(&self.all[*island].groups);
+            if of.len() < 2 || !of.contains(&index) || !reads(&index) {
                 return false;
             }
+            let others = of.into_iter().filter(|other| *other != index && reads(other));
+            let others: Vec<usize> = others.collect();
             let others: Option<Vec<_>> = others.into_iter().map(|other| self.all[other].at(time)).collect();
             let (equations, inputs) = (self.equations, self.inputs);
             others.is_some_and(|others| {

@@ -20,6 +20,8 @@ const LONGEST_WAIT: u32 = 1024;
 pub(super) struct Watch {
     pub(super) event: usize,
     groups: Vec<usize>,
+    /// Those of them that it reads, in order.
+    readers: Vec<usize>,
     /// Up to this time it is known not to come, as long as those it is of are several motions, s.
     known_until: f64,
     /// Whether it may come then.
@@ -54,6 +56,7 @@ impl Watch {
             is_own.then(|| Self {
                 event,
                 groups,
+                readers: components.read_by([&equations.model().events[event].when]),
                 known_until: start,
                 is_doubtful: false,
                 parted: f64::NEG_INFINITY,
@@ -63,6 +66,11 @@ impl Watch {
             })
         };
         (0..equations.model().events.len()).filter_map(of).collect()
+    }
+
+    /// Whether it reads any of these groups.
+    pub(super) fn reads(&self, groups: &[usize]) -> bool {
+        self.readers.iter().any(|group| groups.contains(group))
     }
 
     /// Whether any of these groups has a part in it.
