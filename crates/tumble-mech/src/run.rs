@@ -271,9 +271,8 @@ impl Run {
         let (tracks, refused) = equations.follow(&start, until, accuracy, &mut progress);
         let inputs = start.inputs.clone();
         let run = Self { equations, tracks, inputs, quadrature: None, coarser: None };
-        let Some(Refused { mut refusal, track }) = refused else { return Ok(run) };
-        let at_fault = track.map(|track| &run.tracks.each()[track].motion);
-        if let Some(reason) = at_fault.and_then(|motion| run.singular(motion, &refusal)) {
+        let Some(Refused { mut refusal, motion }) = refused else { return Ok(run) };
+        if let Some(reason) = motion.and_then(|motion| run.singular(&motion, &refusal)) {
             refusal.reason = reason;
         }
         if run.is_empty() {

@@ -263,3 +263,39 @@ fn digits_end_body_by_body() {
     assert_eq!(error(lost.clone()), None);
     assert_eq!(error(lost - height(&balls[0])), None);
 }
+
+/// Whatever the islands of others are doing then, joining or parting, all motions are known up to where an event of one ends all.
+#[test]
+fn an_end_comes_to_islands_that_part() {
+    for part in 1..60 {
+        let stop = 0.05 * f64::from(part) + 1e-3;
+        let (mut model, balls) = bouncing(&[1.0, 0.6, 5.0], 0.9);
+        event(&mut model, "passes", height(&balls[0]) - height(&balls[1]), Direction::Both, Action::Record);
+        let fallen = 5.0 - GRAVITY / 2.0 * stop * stop;
+        if fallen > 0.0 {
+            event(&mut model, "low", height(&balls[2]) - fallen * M, Direction::Falling, Action::Stop);
+        }
+        let run = model.simulate(&[], 3 * S).unwrap_or_else(|error| panic!("{error}"));
+        let end = if fallen > 0.0 { stop } else { 3.0 };
+        assert!((run.end().expect("an end") - end).abs() < 1e-14, "{stop}: {:?}", run.end());
+        let places: Vec<Expr> = balls.iter().map(height).collect();
+        assert!(run.observe(&places).expect("formulas").at(0.999 * end, Side::Before).is_some());
+    }
+}
+
+/// Two that come to one instant: what stops the motion counts, and what the second takes back has not happened.
+#[test]
+fn jumps_at_one_instant_are_all_seen() {
+    let (mut model, balls) = bouncing(&[0.8, 0.8], 0.5);
+    // One mass counts twice, so that what the first bounce carries across zero the second does not take back.
+    let sum = rate(&balls[0]) + 2 * rate(&balls[1]) + 1 * M / S;
+    event(&mut model, "turned", sum, Direction::Rising, Action::Record);
+    let back = rate(&balls[0]) - rate(&balls[1]) + 0.5 * M / S;
+    event(&mut model, "never", back, Direction::Both, Action::Record);
+    event(&mut model, "down", rate(&balls[1]) - 1 * M / S, Direction::Rising, Action::Stop);
+    let [(run, _), _] = both(&model, 2.0);
+    let fall = (2.0 * 0.8 / GRAVITY).sqrt();
+    assert!((run.end().expect("an end") - fall).abs() < 1e-15, "{:?}", run.end());
+    let all: Vec<String> = told(&run).into_iter().flat_map(|(_, names)| names).collect();
+    assert!(all.contains(&"turned".to_owned()) && !all.contains(&"never".to_owned()), "{all:?}");
+}

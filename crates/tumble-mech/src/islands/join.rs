@@ -10,16 +10,28 @@ use crate::mode::Mode;
 use crate::tracks::Track;
 
 impl Islands<'_> {
-    /// Makes one island of those that have a part in events.
+    /// Makes one island of those that have a part in events. What happens to any of them at that very instant happens first: it may make
+    /// more events happen, or take back what has made these.
     pub(super) fn merge(&mut self, Meeting { watches, time, is_now }: &Meeting) {
         let of = self.of_watches(watches);
+        let mut carried = vec![];
         for &index in &of {
-            let island = &mut self.all[index];
-            island.solver.cut_short(*time);
-            let refusal = island.solver.take().err();
-            self.look_ahead(index, refusal);
+            self.all[index].solver.cut_short(*time);
+            if self.all[index].solver.has_proposal() {
+                let refusal = self.all[index].solver.take().err();
+                self.look_ahead(index, refusal);
+                carried.extend(self.see_jump(index));
+            }
         }
         if of.iter().any(|index| self.all[*index].is_refused) {
+            return;
+        }
+        if !carried.is_empty() {
+            let once = |watch: &usize| watches.contains(watch) != carried.contains(watch);
+            let watches = (0..self.watches.len()).filter(once).collect();
+            return self.merge(&Meeting { watches, time: *time, is_now: true });
+        }
+        if of.len() < 2 {
             return;
         }
         let rests: Vec<Option<f64>> = of.iter().map(|index| self.all[*index].rest).collect();

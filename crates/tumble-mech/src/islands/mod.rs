@@ -173,6 +173,9 @@ impl<'a> Islands<'a> {
                 if self.follow_jump(index) {
                     return None;
                 }
+                if self.is_over(&self.all[index]) {
+                    continue;
+                }
             }
             match self.all[index].solver.propose() {
                 Ok(end) => {
@@ -276,21 +279,28 @@ impl<'a> Islands<'a> {
 
     /// Deals with what the jump of an island, if there was one just now, does to all; whether other islands have come to be.
     fn follow_jump(&mut self, index: usize) -> bool {
+        let watches = self.see_jump(index);
+        let is_any = !watches.is_empty();
+        if is_any {
+            let time = self.all[index].solver.time();
+            self.merge(&Meeting { watches, time, is_now: true });
+        }
+        is_any
+    }
+
+    /// Sees whether the jump of an island, if there was one just now, has ended its motion, or all; events of several islands that it
+    /// has made happen.
+    fn see_jump(&mut self, index: usize) -> Vec<usize> {
         let island = &mut self.all[index];
         let time = island.solver.time();
-        let Some(record) = island.solver.last_record() else { return false };
+        let Some(record) = island.solver.last_record() else { return vec![] };
         if record.happened.contains(&Happening::Rest) {
             island.rest = Some(time);
         }
         if island.solver.is_stopped() {
             self.end_at(time);
         }
-        let watches = self.carried(index);
-        let is_any = !watches.is_empty();
-        if is_any {
-            self.merge(&Meeting { watches, time, is_now: true });
-        }
-        is_any
+        self.carried(index)
     }
 
     /// Events of several islands that the jump of one has made happen.
@@ -336,7 +346,7 @@ impl<'a> Islands<'a> {
     fn finish(self) -> (Vec<Track>, Option<usize>) {
         let Self { all, mut finished, refused, .. } = self;
         for Island { born, groups, solver, .. } in all {
-            finished.push((born, Track { groups, motion: solver.finish().into() }));
+            finished.push((born, Track { groups, motion: solver.hand_over().0.into() }));
         }
         finished.sort_by_key(|(born, _)| *born);
         let at_fault = refused.and_then(|(born, _)| finished.iter().position(|(own, _)| *own == born));

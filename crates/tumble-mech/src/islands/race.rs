@@ -2,7 +2,7 @@
 //! beyond is cut off.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashSet};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -21,8 +21,8 @@ const LEAD: f64 = 1.0 / 16.0;
 /// Why motions could not all go on to the end.
 pub(crate) struct Refused {
     pub(crate) refusal: Refusal,
-    /// Which of the motions is at fault, where it is one.
-    pub(crate) track: Option<usize>,
+    /// The motion that is at fault, where it is one.
+    pub(crate) motion: Option<Arc<Motion>>,
 }
 
 impl Equations {
@@ -155,13 +155,13 @@ impl<'a> Race<'a> {
         for (index, component) in components.into_iter().enumerate() {
             let (own, fault) = component.finish();
             if refused.as_ref().is_some_and(|(of, _)| *of == Some(index)) {
-                at_fault = fault.map(|fault| tracks.len() + fault);
+                at_fault = fault.map(|fault| Arc::clone(&own[fault].motion));
             }
             tracks.extend(own);
         }
         cut(&mut tracks, end);
         let is_stopped = end.is_some() && refused.is_none();
-        let refused = refused.map(|(_, refusal)| Refused { refusal, track: at_fault });
+        let refused = refused.map(|(_, refusal)| Refused { refusal, motion: at_fault });
         (Tracks::new(tracks, is_stopped), refused)
     }
 }
@@ -176,15 +176,20 @@ fn share_memory(components: &mut [Islands<'_>]) {
 
 /// Ends motions at a time, s, if it is not where they were to end. What comes to rest then is all at rest; that some were before is not
 /// told.
-fn cut(tracks: &mut [Track], end: Option<f64>) {
+fn cut(tracks: &mut Vec<Track>, end: Option<f64>) {
     let mut is_told = false;
-    for track in tracks {
+    for track in tracks.iter_mut() {
         let motion = Arc::make_mut(&mut track.motion);
         if let Some(end) = end {
             motion.cut(end);
         }
         forget_rest(motion, |time| Some(time) != end || std::mem::replace(&mut is_told, true));
     }
+    // What began at the end or beyond it has not been, but for what could not begin at all.
+    let is_known = |track: &Track| track.motion.start().is_some();
+    let known: HashSet<usize> =
+        tracks.iter().filter(|track| is_known(track)).flat_map(|track| track.groups.clone()).collect();
+    tracks.retain(|track| is_known(track) || !track.groups.iter().any(|group| known.contains(group)));
 }
 
 /// Takes out that bodies have come to rest at times that are to be forgotten, and the events that were nothing else.

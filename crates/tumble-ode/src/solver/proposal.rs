@@ -34,6 +34,11 @@ impl<H: Hybrid> Solver<'_, H> {
         self.take_step().map_err(self.refused())
     }
 
+    /// Whether a step is proposed.
+    pub fn has_proposal(&self) -> bool {
+        self.proposal.is_some()
+    }
+
     /// The proposed step as a piece of the motion; of no index among the modes.
     pub fn proposed(&self) -> Option<Piece> {
         let Proposal { mode, expansion, step, .. } = self.proposal.as_ref()?;
