@@ -288,9 +288,9 @@ fn an_end_comes_to_islands_that_part() {
 fn jumps_at_one_instant_are_all_seen() {
     let (mut model, balls) = bouncing(&[0.8, 0.8], 0.5);
     // One mass counts twice, so that what the first bounce carries across zero the second does not take back.
-    let sum = rate(&balls[0]) + 2 * rate(&balls[1]) + 1 * M / S;
+    let sum = 2 * rate(&balls[0]) + rate(&balls[1]) + 1 * M / S;
     event(&mut model, "turned", sum, Direction::Rising, Action::Record);
-    let back = rate(&balls[0]) - rate(&balls[1]) + 0.5 * M / S;
+    let back = rate(&balls[0]) - rate(&balls[1]) - 0.5 * M / S;
     event(&mut model, "never", back, Direction::Both, Action::Record);
     event(&mut model, "down", rate(&balls[1]) - 1 * M / S, Direction::Rising, Action::Stop);
     let [(run, _), _] = both(&model, 2.0);
