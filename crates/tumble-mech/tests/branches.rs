@@ -313,20 +313,25 @@ fn a_rhombus_turns_on_as_it_comes() {
     }
 }
 
+/// Where the joints of a four-bar are whose crank has turned so far, from its pivot to that of the rocker: crank, coupler, rocker, base.
+fn open_four_bar([a, b, c, d]: [f64; 4], turned: f64) -> [[f64; 2]; 4] {
+    let end = [a * turned.cos(), a * turned.sin()];
+    let [x, y] = [d - end[0], -end[1]];
+    let reach = x.hypot(y);
+    let inner = ((b * b + reach * reach - c * c) / (2.0 * b * reach)).acos();
+    let towards = y.atan2(x) + inner;
+    let tip = [end[0] + b * towards.cos(), end[1] + b * towards.sin()];
+    [[0.0, 0.0], end, tip, [d, 0.0]]
+}
+
 /// Crank and base as long as coupler and rocker together: once a turn they lie in one line, where two branches cross. The rates are
 /// those of the branch that leads on, which solve `sum of l_i w_i = 0` and `sum of l_i w_i^2 = 0` along that line.
 #[test]
 fn a_change_point_is_passed_on_the_branch_of_the_velocities() {
     let [a, b, c, d] = [0.2, 0.4, 0.3, 0.5];
     let turned = 2.0_f64;
-    let end: [f64; 2] = [a * turned.cos(), a * turned.sin()];
-    let [x, y] = [d - end[0], -end[1]];
-    let reach = x.hypot(y);
-    let inner = ((b * b + reach * reach - c * c) / (2.0 * b * reach)).acos();
-    let towards = y.atan2(x) + inner;
-    let tip = [end[0] + b * towards.cos(), end[1] + b * towards.sin()];
     let mut linkage = Linkage::new(0.0);
-    let bars = linkage.four_bar([[0.0, 0.0], end, tip, [d, 0.0]], 4.0);
+    let bars = linkage.four_bar(open_four_bar([a, b, c, d], turned), 4.0);
     let found = linkage.run(2.0).map_err(|error| error.to_string()).expect("a motion");
     let flat = passed(&found);
     assert!(!flat.is_empty());
@@ -349,14 +354,8 @@ fn a_change_point_is_passed_on_the_branch_of_the_velocities() {
 fn a_dead_point_is_not_singular() {
     let [a, b, c, d] = [0.2, 0.5, 0.4, 0.5];
     let turned = 1.4_f64;
-    let end: [f64; 2] = [a * turned.cos(), a * turned.sin()];
-    let [x, y] = [d - end[0], -end[1]];
-    let reach = x.hypot(y);
-    let inner = ((b * b + reach * reach - c * c) / (2.0 * b * reach)).acos();
-    let towards = y.atan2(x) + inner;
-    let tip = [end[0] + b * towards.cos(), end[1] + b * towards.sin()];
     let mut linkage = Linkage::new(0.0);
-    let [crank, _, rocker] = linkage.four_bar([[0.0, 0.0], end, tip, [d, 0.0]], 9.0);
+    let [crank, _, rocker] = linkage.four_bar(open_four_bar([a, b, c, d], turned), 9.0);
     let back = Event {
         name: "back".into(),
         when: rocker.kinematics().omega().clone(),

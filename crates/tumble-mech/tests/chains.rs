@@ -1,35 +1,13 @@
 //! Long chains: linear systems of hundreds of unknowns.
 
-use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
-use tumble_mech::{Anchor, Body, Gravity, Joint, Model, Run, Start};
+#[path = "common/chain.rs"]
+mod chain;
+
+use chain::{G, chain, named};
+use tumble_expr::Expr;
+use tumble_expr::units::S;
+use tumble_mech::{Anchor, Run};
 use tumble_ode::{Accuracy, Side};
-
-const G: f64 = 9.81;
-
-fn named(body: &Body, point: &str) -> Anchor {
-    Anchor::Material(body.named_point(point).expect("given"))
-}
-
-/// Uniform rods of 1 m and 1 kg that hang from the origin, each at its angle, and the places between which they are joined.
-fn chain(angles: impl IntoIterator<Item = f64>) -> (Model, Vec<Body>) {
-    let mut model = Model::new();
-    model.gravity = Gravity::Vertical(G * M / (S * S));
-    let mut bodies: Vec<Body> = vec![];
-    for (index, angle) in angles.into_iter().enumerate() {
-        let rod = Body::rod(format!("rod{index}"), [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG);
-        let rod = rod.with_point("top", [0 * M, 0 * M]).with_point("tip", [0 * M, -1 * M]);
-        let body = model.add(rod);
-        let above = match bodies.last() {
-            None => Anchor::World(Vector::planar(0 * M, 0 * M)),
-            Some(above) => named(above, "tip"),
-        };
-        model.join(Joint::pin(format!("joint{index}"), [above, named(&body, "top")]));
-        model.starts.push((body.name.clone(), Start::default().angle(Expr::from(angle))));
-        bodies.push(body);
-    }
-    (model, bodies)
-}
 
 fn values(run: &Run, time: f64, formulas: &[Expr]) -> Vec<f64> {
     run.observe(formulas).expect("formulas").at(time, Side::Before).expect("within")
@@ -39,7 +17,7 @@ fn values(run: &Run, time: f64, formulas: &[Expr]) -> Vec<f64> {
 #[test]
 fn a_hundred_links_hang_at_rest() {
     const LINKS: usize = 100;
-    let (model, bodies) = chain([0.0; LINKS]);
+    let (model, bodies) = chain([0.0; LINKS], |_| 1);
     let forces: Vec<Expr> =
         model.joints.iter().map(|joint| Expr::from(joint.multipliers()[1].clone())).collect();
     let run = model.simulate(&[], 1 * S).unwrap_or_else(|error| panic!("{error}"));
@@ -57,7 +35,7 @@ fn a_hundred_links_hang_at_rest() {
 /// Let go from all angles: the energy stays, to what the comparison with another run says, and the joints stay closed.
 #[test]
 fn sixty_links_keep_their_energy_and_their_joints() {
-    let (model, bodies) = chain((0..60).map(|index| 2.0 * f64::from(index).sin()));
+    let (model, bodies) = chain((0..60).map(|index| 2.0 * f64::from(index).sin()), |_| 1);
     let energy = bodies.iter().map(|body| body.kinetic_energy() + body.potential_energy(&model.gravity));
     let energy = energy.reduce(|sum, own| sum + own).expect("bodies");
     let apart = bodies.windows(2).flat_map(|pair| {

@@ -1,13 +1,14 @@
 //! A mode that was linked of its parts moves as one whose formulas were put together and compiled as one.
 
+#[path = "common/chain.rs"]
+mod chain;
 mod common;
 
+use chain::chain;
 use common::{bouncing_rod, close, rigid, spring, wind_pendulum};
-use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
-use tumble_mech::{
-    Action, Anchor, Body, ContactLaw, Equations, Event, Gravity, Joint, Mode, Model, Record, Start, Surface,
-};
+use tumble_expr::Expr;
+use tumble_expr::units::{M, S};
+use tumble_mech::{Action, ContactLaw, Equations, Event, Gravity, Mode, Model, Record, Start, Surface};
 use tumble_ode::{Accuracy, Crossing, Direction, Flow, Hybrid, Jump, Motion, Reason, solve};
 
 /// What a second of a motion of unstable bodies may make of last bits.
@@ -55,27 +56,10 @@ fn is_the_same(model: Model, until: f64, modes: usize) {
     assert_eq!(linked.pieces.len(), as_one.pieces.len());
 }
 
-/// Rods, each pinned to the one before, the first to the world, held out flat above a floor.
-fn chain(links: usize, height: f64, law: ContactLaw) -> Model {
-    let mut model = Model::new();
-    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
-    let mut last: Option<Body> = None;
-    for index in 0..links {
-        let rod =
-            Body::rod(format!("rod{index}"), [0 * M, 0 * M], [0 * M, -1 * M]).mass((1 + index as i32) * KG);
-        let rod = rod.with_point("top", [0 * M, 0 * M]).with_point("tip", [0 * M, -1 * M]);
-        let body = model.add(rod);
-        let end = |body: &Body, point| Anchor::Material(body.named_point(point).expect("given"));
-        let above = match &last {
-            None => Anchor::World(Vector::planar(0 * M, 0 * M)),
-            Some(above) => end(above, "tip"),
-        };
-        model.join(Joint::pin(format!("joint{index}"), [above, end(&body, "top")]));
-        model
-            .starts
-            .push((body.name.clone(), Start::default().angle(Expr::from(std::f64::consts::FRAC_PI_2))));
-        last = Some(body);
-    }
+/// Rods that differ, held out flat above a floor.
+fn flat_chain(links: usize, height: f64, law: ContactLaw) -> Model {
+    let flat = std::iter::repeat_n(std::f64::consts::FRAC_PI_2, links);
+    let (mut model, _) = chain(flat, |index| 1 + index as i32);
     model.surface(Surface::floor("floor", -height * M, law));
     model
 }
@@ -102,7 +86,7 @@ fn a_pivot_in_the_wind() {
 
 #[test]
 fn a_chain_that_meets_the_floor_and_loses_a_joint() {
-    let mut model = chain(4, 1.2, rigid(0.0));
+    let mut model = flat_chain(4, 1.2, rigid(0.0));
     let last = model.joints.pop().expect("four");
     model.joints.push(last.until("snap"));
     model.events.push(Event {
@@ -120,7 +104,7 @@ fn a_chain_that_meets_the_floor_and_loses_a_joint() {
 
 #[test]
 fn parameters_that_events_change() {
-    let mut model = chain(2, 9.0, rigid(0.5));
+    let mut model = flat_chain(2, 9.0, rigid(0.5));
     let gravity = 9.81 * M / (S * S);
     let gravity = model.parameters.set("g", gravity).expect("a name");
     model.gravity = Gravity::Vertical(gravity.clone());

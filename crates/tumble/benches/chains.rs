@@ -4,13 +4,15 @@
 //! the equations take from the model to the program of the mode, the start with its rows and gaps, and a step; how many steps a
 //! fifth of a second takes. All but the number of steps is to grow with the links and no faster.
 
+#[path = "../../tumble-mech/tests/common/chain.rs"]
+mod chain;
+
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
-use tumble_mech::{Anchor, Body, Equations, Gravity, Joint, Model, Run, Start};
+use chain::chain;
+use tumble_mech::{Equations, Run};
 use tumble_ode::{Accuracy, Hybrid};
 
 const LINKS: [usize; 7] = [1, 3, 10, 30, 100, 300, 1000];
@@ -52,7 +54,8 @@ struct Costs {
 }
 
 fn measure(links: usize) -> Costs {
-    let model = chain(links);
+    let flat = std::iter::repeat_n(std::f64::consts::FRAC_PI_2, links);
+    let (model, _) = chain(flat, |_| 1);
     let began = Instant::now();
     let equations = Equations::new(model).expect("a model");
     let parameters = &equations.model().parameters;
@@ -73,27 +76,6 @@ fn measure(links: usize) -> Costs {
     let ends = ends.into_inner();
     let running = ends.last().zip(ends.first()).map_or(Duration::ZERO, |(last, first)| *last - *first);
     Costs { building, start: starting, running, steps: ends.len() }
-}
-
-fn chain(links: usize) -> Model {
-    let mut model = Model::new();
-    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
-    let mut last: Option<Body> = None;
-    for index in 0..links {
-        let rod = Body::rod(format!("rod{index}"), [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG);
-        let rod = rod.with_point("top", [0 * M, 0 * M]).with_point("tip", [0 * M, -1 * M]);
-        let body = model.add(rod);
-        let end = |body: &Body, point| Anchor::Material(body.named_point(point).expect("given"));
-        let above = match &last {
-            None => Anchor::World(Vector::planar(0 * M, 0 * M)),
-            Some(above) => end(above, "tip"),
-        };
-        model.join(Joint::pin(format!("joint{index}"), [above, end(&body, "top")]));
-        let flat = Expr::from(std::f64::consts::FRAC_PI_2);
-        model.starts.push((body.name.clone(), Start::default().angle(flat)));
-        last = Some(body);
-    }
-    model
 }
 
 fn millis(time: Duration) -> f64 {

@@ -3,13 +3,14 @@
 //! For each change: how long the program of the scene's first mode takes, that of the mode after one such change, and that of a mode
 //! of two, each of which has been entered alone: then all parts of it are known. Each is the least of many, in microseconds.
 
+#[path = "../../tumble-mech/tests/common/chain.rs"]
+mod chain;
+
 use std::time::{Duration, Instant};
 
+use chain::chain;
 use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
-use tumble_mech::{
-    Anchor, Body, ContactLaw, ContactMode, Equations, Gravity, Joint, Mode, Model, Start, Surface,
-};
+use tumble_mech::{Body, ContactLaw, ContactMode, Equations, Gravity, Mode, Model, Start, Surface};
 use tumble_ode::Hybrid;
 
 /// Programs of many bodies are built less often, so that all take about as long: the least time is the one least disturbed.
@@ -22,8 +23,8 @@ fn main() {
         let (near, far) = (links / 3, 2 * links / 3);
         let ends = move |which: usize| [near, far][which];
         let name = |what: &str| format!("{what}, {links} links");
-        print(&name("a link's contact"), links, chain(links), move |which| touching(&[ends(which)]));
-        print(&name("a joint released"), links, chain(links), move |which| released(&[ends(which)]));
+        print(&name("a link's contact"), links, over_floor(links), move |which| touching(&[ends(which)]));
+        print(&name("a joint released"), links, over_floor(links), move |which| released(&[ends(which)]));
     }
 }
 
@@ -79,23 +80,9 @@ fn balls(balls: usize) -> Model {
     model
 }
 
-/// Uniform rods of 1 m, each pinned to the one before, over a floor that each may touch with its tip.
-fn chain(links: usize) -> Model {
-    let mut model = falling();
-    let mut last: Option<Body> = None;
-    for index in 0..links {
-        let rod = Body::rod(format!("rod{index}"), [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG);
-        let rod = rod.with_point("top", [0 * M, 0 * M]).with_point("tip", [0 * M, -1 * M]);
-        let body = model.add(rod);
-        let end = |body: &Body, point| Anchor::Material(body.named_point(point).expect("given"));
-        let above = match &last {
-            None => Anchor::World(Vector::planar(0 * M, 0 * M)),
-            Some(above) => end(above, "tip"),
-        };
-        model.join(Joint::pin(format!("joint{index}"), [above, end(&body, "top")]));
-        model.starts.push((body.name.clone(), Start::default().angle(Expr::from(1))));
-        last = Some(body);
-    }
+/// A chain over a floor that each link may touch with its tip.
+fn over_floor(links: usize) -> Model {
+    let (mut model, _) = chain(std::iter::repeat_n(1.0, links), |_| 1);
     model.surface(floor());
     model
 }

@@ -67,11 +67,7 @@ impl Quadrature {
     ) -> Result<(), NotFinite> {
         let mut pending = vec![(from, to, 0)];
         while let Some((from, to, halvings)) = pending.pop() {
-            let Stretch { integrals, excess } = self.stretch([from, to], sample);
-            let is_finite = |amounts: &Amounts| amounts.iter().all(|amount| amount.is_finite());
-            if let Some(line) = integrals.iter().position(|amounts| !is_finite(amounts)) {
-                return Err(NotFinite { line, from });
-            }
+            let Stretch { integrals, excess } = self.finite([from, to], sample)?;
             let middle = 0.5 * (from + to);
             if excess > 1.0 && halvings < MOST_HALVINGS && from < middle && middle < to {
                 pending.extend([(middle, to, halvings + 1), (from, middle, halvings + 1)]);
@@ -80,6 +76,20 @@ impl Quadrature {
             }
         }
         Ok(())
+    }
+
+    /// Integrals over a stretch, if they are numbers.
+    fn finite(
+        &self,
+        [from, to]: [f64; 2],
+        sample: &mut impl FnMut(f64) -> Sample,
+    ) -> Result<Stretch, NotFinite> {
+        let stretch = self.stretch([from, to], sample);
+        let is_finite = |amounts: &Amounts| amounts.iter().all(|amount| amount.is_finite());
+        match stretch.integrals.iter().position(|amounts| !is_finite(amounts)) {
+            Some(line) => Err(NotFinite { line, from }),
+            None => Ok(stretch),
+        }
     }
 
     /// The same over an instant at which nothing is known, from a length before it to another after it: its last part is one stretch,
@@ -99,12 +109,7 @@ impl Quadrature {
         let gap = (OVER_GAPS..NODES / 2).find(|gap| part(*gap) <= whole);
         let from = gap.map_or(0.0, |gap| whole - part(gap));
         self.integrate([0.0, from], sample, add)?;
-        let Stretch { integrals, .. } = self.stretch([from, whole], sample);
-        if let Some(line) =
-            integrals.iter().position(|amounts| !amounts.iter().all(|amount| amount.is_finite()))
-        {
-            return Err(NotFinite { line, from });
-        }
+        let Stretch { integrals, .. } = self.finite([from, whole], sample)?;
         integrals.iter().enumerate().for_each(|(line, amounts)| add(line, amounts));
         Ok(())
     }
