@@ -222,10 +222,14 @@ impl Engine {
             Limit::None => false,
             Limit::Always => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
-                let time = expansion.time.as_ref();
-                let elapsed = time.map_or(length, |series| polynomial::increment(series, length));
-                let push = polynomial::value(series, length).abs();
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
+                // What is beyond zero and comes back moves something until then only.
+                let back = if is_beyond { roots(series, length).first().map(|root| root.at) } else { None };
+                let until = back.unwrap_or(length);
+                let time = expansion.time.as_ref();
+                let elapsed = time.map_or(until, |series| polynomial::increment(series, until));
+                let most = [0.0, 0.5 * until, until].map(|s| polynomial::value(series, s).abs());
+                let push = if back.is_some() { most[0].max(most[1]) } else { most[2] };
                 let moves = response * push * elapsed * elapsed > ROUNDING * scales.of(group);
                 (is_beyond || is_overdue(series, zeros, direction)) && moves
             }
