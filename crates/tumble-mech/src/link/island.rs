@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+use tumble_expr::Unary;
+
 use super::algebra::Algebra;
 use super::linking::Linking;
 use super::names::Meaning;
@@ -151,7 +153,7 @@ impl<A: Algebra> Linking<'_, A> {
             let [_, _, torque] = self.given(*body);
             right.push(torque);
         }
-        right.into_iter().map(|side| self.algebra.negative(side)).collect()
+        right.into_iter().map(|side| self.algebra.unary(Unary::Neg, side)).collect()
     }
 
     /// Those that a body would have if nothing kept its rows.

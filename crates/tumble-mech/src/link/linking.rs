@@ -9,7 +9,6 @@ use super::algebra::Algebra;
 use super::island::Islands;
 use super::names::{Meaning, Name, Names};
 use super::part::{Part, Piece, TermOf};
-use crate::coordinates::Coordinates;
 use crate::equations::Equations;
 use crate::mode::Mode;
 
@@ -119,7 +118,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
         let found = match meaning {
             Meaning::Leaf => leaf,
             Meaning::Parameter => self.parameter(symbol).unwrap_or(leaf),
-            Meaning::Place { body, which } => match self.is_pivoted(body) {
+            Meaning::Place { body, which } => match self.equations.is_pivoted(body) {
                 true => self.part(Part::Place(body)).swap_remove(which),
                 false => leaf,
             },
@@ -139,10 +138,6 @@ impl<'a, A: Algebra> Linking<'a, A> {
     /// Says what a symbol stands for.
     pub(super) fn settle(&mut self, name: Name, value: A::Value) {
         self.values.insert(name, value);
-    }
-
-    fn is_pivoted(&self, body: usize) -> bool {
-        matches!(self.equations.body_equations(body).coordinates, Coordinates::Pivoted { .. })
     }
 
     /// What a parameter has been changed to, in parameters as they were at the start.
@@ -196,6 +191,12 @@ impl<'a, A: Algebra> Linking<'a, A> {
             None => [next(), next(), next()],
             Some(total) => total.map(|sum| self.algebra.binary(Binary::Add, sum, next())),
         }
+    }
+
+    /// All terms on a body.
+    pub(super) fn terms_on(&self, body: usize) -> Vec<TermOf> {
+        let own = self.acting.get(&body);
+        own.map(|acting| [&acting.given[..], &acting.keeping].concat()).unwrap_or_default()
     }
 
     fn or_nothing(&mut self, total: Option<[A::Value; 3]>) -> [A::Value; 3] {
