@@ -60,7 +60,7 @@ impl Gradients {
             pattern.push(own.keys().map(|other| *other as u32).collect());
             entries.extend(own.into_values());
         }
-        let mut products = SparseSystem::new(&pattern);
+        let mut products = SparseSystem::new(pattern);
         if products.factor(&entries) == 0.0 {
             return 0.0;
         }
@@ -148,7 +148,7 @@ fn units(mass: &DVector<f64>, rows: &Gradients) -> DVector<f64> {
 
 fn solved(matrix: &Gradients, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let columns = |row: &Vec<(usize, f64)>| row.iter().map(|(column, _)| *column as u32).collect();
-    let mut system = SparseSystem::new(&matrix.rows.iter().map(columns).collect::<Vec<_>>());
+    let mut system = SparseSystem::new(matrix.rows.iter().map(columns).collect());
     let entries: Vec<f64> = matrix.rows.iter().flatten().map(|(_, entry)| *entry).collect();
     if system.factor(&entries) <= SINGULAR {
         return least_solution(matrix.dense(), right, SINGULAR);
