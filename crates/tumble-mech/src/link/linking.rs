@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use tumble_expr::{Binary, Expr, Symbol};
+use tumble_expr::{Binary, Expr, FastMap, Symbol};
 
 use super::algebra::Algebra;
 use super::island::Islands;
@@ -18,9 +18,9 @@ pub(crate) struct Linking<'a, A: Algebra> {
     pub(super) mode: &'a Mode,
     pub(super) names: Arc<Names>,
     pub(super) algebra: A,
-    values: HashMap<Name, A::Value>,
+    values: FastMap<Name, A::Value>,
     /// By body that is in the mode.
-    acting: HashMap<usize, Acting>,
+    acting: FastMap<usize, Acting>,
     pub(super) islands: Islands,
     /// Parameters that events have changed.
     changed: HashMap<Symbol, Expr>,
@@ -37,7 +37,7 @@ struct Acting {
 
 impl<'a, A: Algebra> Linking<'a, A> {
     pub(crate) fn new(equations: &'a Equations, mode: &'a Mode, algebra: A) -> Self {
-        let mut acting: HashMap<usize, Acting> =
+        let mut acting: FastMap<usize, Acting> =
             mode.bodies.iter().map(|body| (*body, Acting::default())).collect();
         for (term, keeps) in equations.acting_terms(mode) {
             let own = acting.entry(equations.term(term).body).or_default();
@@ -49,7 +49,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
             mode,
             names: equations.names(),
             algebra,
-            values: HashMap::new(),
+            values: FastMap::default(),
             acting,
             islands: Islands::of(equations, mode),
             changed,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use tumble_expr::{
-    Code, CompileError, Expr, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
+    Code, CompileError, Expr, FastMap, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
 };
 use tumble_ode::Watched;
 
@@ -105,7 +105,7 @@ pub(crate) struct Import {
 #[derive(Debug, Default)]
 pub(crate) struct Library {
     names: OnceLock<Arc<Names>>,
-    parts: Mutex<HashMap<Part, Arc<Piece>>>,
+    parts: Mutex<FastMap<Part, Arc<Piece>>>,
     /// Those of formulas from elsewhere: of observers, events and changes.
     written: Cache<Formulas, Piece>,
     /// Classes of parts, by outline.
