@@ -24,4 +24,3 @@ pub use interval::Contact;
 pub use pair::Pair;
 pub(crate) use pair::Watched;
 pub(crate) use pairs::Pairs;
-pub(crate) use touch::TouchTapes;

@@ -13,7 +13,7 @@
 //! # Checked by
 //! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`.
 
-use tumble_expr::{Dimension, Expr, Symbol, Vector, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Symbol, Vector};
 
 use crate::anchor::rate;
 use crate::body::Body;
@@ -52,10 +52,6 @@ impl Pair {
         (body_index, body): (usize, &Body),
         (feature, centre): (&Feature, &PointRef),
     ) -> Self {
-        let law = match (&surface.law, &body.restitution) {
-            (ContactLaw::Rigid { .. }, Some(own)) => ContactLaw::Rigid { restitution: own.clone() },
-            (law, _) => law.clone(),
-        };
         Self {
             name: format!("{}.{}.{}", surface.name, body.name, feature.name),
             surface: surface_index,
@@ -64,7 +60,7 @@ impl Pair {
             radius: feature.radius.clone(),
             through: surface.through.clone(),
             normal: surface.normal.clone(),
-            law,
+            law: surface.law.of_body(body.restitution.as_ref()),
         }
     }
 
@@ -155,17 +151,16 @@ impl Pair {
 
     /// Whether the surface is rigid.
     pub fn is_rigid(&self) -> bool {
-        matches!(self.law, ContactLaw::Rigid { .. })
+        self.law.is_rigid()
     }
 
     pub(crate) fn is_hertzian(&self) -> bool {
-        matches!(self.law, ContactLaw::Hertz { .. })
+        self.law.is_hertzian()
     }
 
     /// Whether a body that is let go may still be inside the surface.
     pub(crate) fn releases_early(&self) -> bool {
-        use crate::surface::Release::AtZeroForce;
-        matches!(&self.law, ContactLaw::Spring { damping, release: AtZeroForce, .. } if !is_identically_zero(damping))
+        self.law.releases_early()
     }
 
     /// Kept apart, gaps and forces have names by which the integrator knows them in every mode.

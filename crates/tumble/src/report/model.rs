@@ -46,7 +46,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
         ),
         (!model.surfaces.is_empty(), "Surfaces have no friction: they push along their normals only."),
         (
-            model.surfaces.iter().any(|s| matches!(s.law, tumble_mech::ContactLaw::Rigid { .. })),
+            model.surfaces.iter().any(|s| s.law.is_rigid()),
             "An impact on a rigid surface takes no time.",
         ),
     ];
