@@ -90,15 +90,32 @@ async function narrowed(page) {
 
 // On paper no figure is cut: each is kept together and fits on a page. Chromium then moves it to the next one.
 async function printed(page) {
-  const pdf = await page.pdf({ format: "A4", preferCSSPageSize: true });
+  const pdf = await page.pdf({ format: "A4", preferCSSPageSize: true, tagged: true, outline: true });
   if (pdf.length < 1000) return ["the page does not print"];
   const size = page.viewportSize();
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize(PAPER);
   const faults = await page.evaluate(cutFigures, PAPER);
+  faults.push(...untagged(pdf.toString("latin1"), await page.evaluate(readAloud)));
   await page.emulateMedia({ media: null });
   await page.setViewportSize(size);
   return faults;
+}
+
+// What the printed file says to those who listen to it: its headings, and the alternative texts of its pictures.
+function untagged(pdf, said) {
+  const tags = { h1: /\/S \/H1\b/g, h2: /\/S \/H2\b/g, h3: /\/S \/H3\b/g, pictures: /\/Alt\b/g };
+  const faults = Object.entries(tags).map(([what, tag]) => {
+    const tagged = (pdf.match(tag) ?? []).length;
+    return tagged < said[what] ? `of ${said[what]} ${what} ${tagged} are tagged in print` : null;
+  });
+  return faults.filter((fault) => fault !== null);
+}
+
+// Runs in the page.
+function readAloud() {
+  const count = (selector) => [...document.querySelectorAll(selector)].filter((node) => node.getClientRects().length > 0).length;
+  return { h1: count("h1"), h2: count("h2"), h3: count("h3"), pictures: count("svg[role=img]") };
 }
 
 // Runs in the page.
