@@ -217,12 +217,15 @@ fn is_linear(op: Op) -> bool {
     is_multiple(op) || matches!(op, Op::Add(..) | Op::Sub(..))
 }
 
+/// Which operations become terms of what reads them.
+type Merges = fn(Op) -> bool;
+
 /// Which slots are nothing but terms of the sum after them: multiples, and sums on its left; or multiples that change their sign.
 fn merged(tape: &Tape) -> Vec<bool> {
     let uses = uses(tape);
     let mut merged = vec![false; tape.len()];
     for (_, op) in tape.varying() {
-        let parts: &[(Slot, fn(Op) -> bool)] = match op {
+        let parts: &[(Slot, Merges)] = match op {
             Op::Add(left, right) | Op::Sub(left, right) => &[(left, is_linear), (right, is_multiple)],
             Op::Neg(of) => &[(of, is_multiple)],
             _ => continue,

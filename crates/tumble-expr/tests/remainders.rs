@@ -155,7 +155,10 @@ fn a_large_matrix_that_is_weak_between_has_a_bound_that_holds_there() {
                 let s = length * f64::from(part) / 200.0;
                 values.start(0.3 + s, &[value(&MOTION, s)], Branches::Free);
                 let off = (values.value_of(0) - value(&series, s)).abs();
-                assert!(!(off > bound + ROUNDING), "{weak}: {off:e} at {s} of {length}, not {bound:e}");
+                assert!(
+                    bound.is_nan() || off <= bound + ROUNDING,
+                    "{weak}: {off:e} at {s} of {length}, not {bound:e}"
+                );
             }
         }
     }
