@@ -22,6 +22,7 @@
 //! Source: Moore, Interval Analysis, 1966, chapter 11; Makino and Berz, Taylor models, Int. J. Pure Appl. Math. 4 (2003).
 //! Checked by `tests/remainders.rs`: what is computed from polynomials and their series is within the bound.
 
+mod definite;
 mod system;
 
 use crate::arena::Arena;
@@ -40,6 +41,8 @@ pub struct Remainders {
     powers: Vec<f64>,
     /// In how many parts of a step the matrix of a linear system was last seen to be regular.
     parts: usize,
+    /// By linear system, what large ones leave out.
+    left_out: Vec<system::LeftOut>,
 }
 
 impl Remainders {
@@ -51,6 +54,7 @@ impl Remainders {
     fn begin(&mut self, rows: usize, orders: usize, length: f64) {
         self.rests.clear();
         self.rests.resize(rows, 0.0);
+        self.left_out.clear();
         self.is_known.clear();
         self.is_known.resize(rows, false);
         self.terms.resize(rows * orders, [0.0; 2]);
@@ -74,15 +78,12 @@ fn least(terms: impl Iterator<Item = f64> + Clone) -> f64 {
 impl Jets<f64> {
     /// Finds how far series to that order are from their functions on a step of that length.
     pub fn remainders(&self, found: &mut Remainders, order: usize, length: f64) {
-        let (tape, rows) = (self.tape(), self.tape().resolved().rows);
-        found.begin(rows, self.arena().stride(), length);
-        let mut along = Along { jets: self, found, order };
-        for leaf in 0..=tape.states() {
-            along.found.rests[leaf] = along.beyond(leaf as Slot);
+        found.begin(self.tape().resolved().rows, self.arena().stride(), length);
+        // Of a large system what is left out is told apart from rounding: the one is bounded, the other added up.
+        if self.tape().matrices.iter().any(|matrix| matrix.symmetric.is_some()) {
+            Along { jets: self, found, order, rounding: 0.0 }.run();
         }
-        for (slot, kernel) in &tape.resolved().kernels {
-            along.find(*slot, kernel);
-        }
+        Along { jets: self, found, order, rounding: ROUNDING }.run();
     }
 }
 
@@ -90,9 +91,21 @@ struct Along<'a> {
     jets: &'a Jets<f64>,
     found: &'a mut Remainders,
     order: usize,
+    /// Rounding errors of a coefficient, in units of the terms that it is made of.
+    rounding: f64,
 }
 
 impl Along<'_> {
+    fn run(&mut self) {
+        let tape = self.jets.tape();
+        for leaf in 0..=tape.states() {
+            self.found.rests[leaf] = self.beyond(leaf as Slot);
+        }
+        for (slot, kernel) in &tape.resolved().kernels {
+            self.find(*slot, kernel);
+        }
+    }
+
     fn arena(&self) -> &Arena<f64> {
         self.jets.arena()
     }
@@ -151,7 +164,7 @@ impl Along<'_> {
 
     fn product(&mut self, a: Slot, b: Slot) -> f64 {
         let (size_a, size_b, rest_a, rest_b) = (self.size(a), self.size(b), self.rest(a), self.rest(b));
-        let own = self.left_out(a, b) + ROUNDING * size_a * size_b;
+        let own = self.left_out(a, b) + self.rounding * size_a * size_b;
         own + size_a * rest_b + size_b * rest_a + rest_a * rest_b
     }
 
@@ -168,7 +181,7 @@ impl Along<'_> {
             Kernel::Wave { of, slope, cos, .. } => {
                 let turned =
                     self.left_out(slope, slot).max(self.left_out(slope, cos)) * std::f64::consts::SQRT_2;
-                let rest = turned + self.rest(of) + ROUNDING;
+                let rest = turned + self.rest(of) + self.rounding;
                 self.found.rests[cos as usize] = rest;
                 rest
             }
@@ -199,7 +212,7 @@ impl Along<'_> {
     }
 
     fn multiple(&self, term: &Term) -> f64 {
-        let rest = self.rest(term.of) + ROUNDING * self.arena().at(term.of, 0).abs();
+        let rest = self.rest(term.of) + self.rounding * self.arena().at(term.of, 0).abs();
         match term.by {
             By::One => rest,
             By::Times(by) => rest * self.arena().at(by, 0).abs(),
@@ -213,7 +226,7 @@ impl Along<'_> {
         if least.is_nan() || least <= 0.0 {
             return f64::INFINITY;
         }
-        let rounding = ROUNDING * self.size(c) * self.size(b);
+        let rounding = self.rounding * self.size(c) * self.size(b);
         (self.left_out(c, b) + self.size(c) * self.rest(b) + left + rounding) / least
     }
 
@@ -222,12 +235,12 @@ impl Along<'_> {
         if least.is_nan() || least <= 0.0 || self.arena().at(c, 0) < 0.0 {
             return f64::INFINITY;
         }
-        (self.left_out(c, c) + left + ROUNDING * self.size(c) * self.size(c)) / least
+        (self.left_out(c, c) + left + self.rounding * self.size(c) * self.size(c)) / least
     }
 
     fn exponential(&mut self, slot: Slot, of: Slot, slope: Slot) -> f64 {
         let changes = self.size(of) - self.arena().at(of, 0).abs();
-        let first = ROUNDING * self.size(slot) + f64::MIN_POSITIVE;
+        let first = self.rounding * self.size(slot) + f64::MIN_POSITIVE;
         let own = (self.left_out(slope, slot) + first) * libm::exp(changes);
         own + (self.size(slot) + own) * libm::expm1(self.rest(of))
     }
@@ -235,7 +248,7 @@ impl Along<'_> {
     /// Of tanh, with `1 - tanh^2` as the factor.
     fn tangent(&mut self, slot: Slot, of: Slot, (slope, factor): (Slot, Slot)) -> f64 {
         let changes = self.size(of) - self.arena().at(of, 0).abs();
-        let first = ROUNDING * (1.0 + changes);
+        let first = self.rounding * (1.0 + changes);
         let own = self.left_out(slope, factor) + changes * self.left_out(slot, slot) + first;
         own * libm::exp(changes * (1.0 + self.size(slot))) + self.rest(of)
     }

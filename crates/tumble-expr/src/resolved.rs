@@ -200,6 +200,7 @@ impl<'a> Resolving<'a> {
     /// A slot that is a multiple of another, as a term.
     fn multiple(&self, slot: Slot, is_taken: bool) -> Term {
         match self.tape.ops()[slot as usize] {
+            Op::Neg(of) if self.is_merged[of as usize] => self.multiple(of, !is_taken),
             Op::Neg(of) => Term { of, by: By::One, is_taken: !is_taken },
             Op::Scale { of, by } => Term { of, by: By::Times(by), is_taken },
             Op::Shrink { of, by } => Term { of, by: By::Over(by), is_taken },
@@ -216,13 +217,20 @@ fn is_linear(op: Op) -> bool {
     is_multiple(op) || matches!(op, Op::Add(..) | Op::Sub(..))
 }
 
-/// Which slots are nothing but terms of the sum after them: multiples, and sums on its left.
+/// Which operations become terms of what reads them.
+type Merges = fn(Op) -> bool;
+
+/// Which slots are nothing but terms of the sum after them: multiples, and sums on its left; or multiples that change their sign.
 fn merged(tape: &Tape) -> Vec<bool> {
     let uses = uses(tape);
     let mut merged = vec![false; tape.len()];
     for (_, op) in tape.varying() {
-        let (Op::Add(left, right) | Op::Sub(left, right)) = op else { continue };
-        for (part, merges) in [(left, is_linear as fn(Op) -> bool), (right, is_multiple)] {
+        let parts: &[(Slot, Merges)] = match op {
+            Op::Add(left, right) | Op::Sub(left, right) => &[(left, is_linear), (right, is_multiple)],
+            Op::Neg(of) => &[(of, is_multiple)],
+            _ => continue,
+        };
+        for &(part, merges) in parts {
             let op = tape.ops()[part as usize];
             let is_varying = tape.stage(part) == Stage::Varying;
             merged[part as usize] = is_varying && uses[part as usize] == 1 && merges(op);

@@ -119,6 +119,52 @@ fn what_may_be_zero_has_no_bound() {
     assert!(!bounded(&Expr::unary(Unary::Exp, (x() - 3) * (x() - 3) * -1e4), 0.2).1.is_finite());
 }
 
+/// A chain of so many unknowns that no inverse is found, of which one entry of the diagonal is given.
+fn chain_with(weak: &Expr) -> Expr {
+    let entry = |i: i32, j: i32| match (i - j).abs() {
+        0 if i == 9 => weak.clone(),
+        0 => x().cos() + 4,
+        1 => (t() + i.min(j)).sin() / 8,
+        _ => Expr::zero(),
+    };
+    let matrix = (0..20).map(|i| (0..20).map(|j| entry(i, j)).collect()).collect();
+    Expr::solve(matrix, (0..20).map(|i| t() * i + 1).collect())[9].clone()
+}
+
+/// At its beginning, middle and end the matrix is as good as any.
+#[test]
+fn a_large_matrix_that_is_singular_between_has_no_bound() {
+    // The steps go from t = 0.3 to 0.5.
+    for at in [0.33, 0.37, 0.43, 0.46] {
+        let bound = bounded(&chain_with(&(Expr::from(at) - t())), 0.2).1;
+        assert!(bound.is_nan() || bound == f64::INFINITY, "{at}: {bound:e}");
+    }
+}
+
+/// What is nearly singular somewhere makes much of what is left out there, and nowhere else.
+#[test]
+fn a_large_matrix_that_is_weak_between_has_a_bound_that_holds_there() {
+    let mut finite = 0;
+    for weak in [1e-2, 1e-3, 1e-4] {
+        let formula = chain_with(&((t() - 0.44) * (t() - 0.44) + 0.01 + weak));
+        let mut values = Jets::<f64>::new(tape(&formula), 0, &[]);
+        for length in [0.02, 0.05, 0.2] {
+            let (series, bound) = bounded(&formula, length);
+            finite += u32::from(bound.is_finite());
+            for part in 0..=200 {
+                let s = length * f64::from(part) / 200.0;
+                values.start(0.3 + s, &[value(&MOTION, s)], Branches::Free);
+                let off = (values.value_of(0) - value(&series, s)).abs();
+                assert!(
+                    bound.is_nan() || off <= bound + ROUNDING,
+                    "{weak}: {off:e} at {s} of {length}, not {bound:e}"
+                );
+            }
+        }
+    }
+    assert!(finite > 0, "no bound at all holds for nothing");
+}
+
 /// A step ahead is beyond what the series know, and the bound says so.
 #[test]
 fn a_step_ahead_has_no_small_bound() {

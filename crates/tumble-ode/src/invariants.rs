@@ -188,31 +188,44 @@ impl Invariants {
             return;
         }
         self.set_units(states, system, scales);
-        for _ in 0..CORRECTIONS {
-            self.values.start(time, states, Branches::Free);
-            let (of, units) = (|output: usize| self.values.value_of(output), &self.units);
-            let product = |Product { slopes: [a, b], state }: &Product| {
-                of(*a) * of(*b) * (units[*state] * units[*state])
-            };
-            self.entries.clear();
-            self.entries.extend(self.rows.entries.iter().map(|entry| entry.iter().map(product).sum::<f64>()));
-            self.off.clear();
-            self.off.extend(self.rows.list.iter().map(|row| of(row.output)));
-            // Functions that depend on each other have no one answer: the drift, a few ulps, then stays.
-            if self.normal.factor(&self.entries) == 0.0 {
-                return;
+        // Functions that depend on each other have no one answer: the drift, a few ulps, then stays.
+        if !self.factor() {
+            return;
+        }
+        for correction in 0..CORRECTIONS {
+            if correction > 0 {
+                self.values.start(time, states, Branches::Free);
             }
-            self.normal.solve(&self.off, &mut self.shares);
-            self.step.clear();
-            self.step.resize(states.len(), 0.0);
-            for (row, share) in self.rows.list.iter().zip(&self.shares) {
-                row.slopes().for_each(|(state, slope)| self.step[state] += of(slope) * share);
-            }
-            for (state, (step, unit)) in self.step.iter().zip(units).enumerate() {
-                let change = unit * unit * step;
-                if change.is_finite() {
-                    states[state] -= change;
-                }
+            self.correct(states);
+        }
+    }
+
+    /// Factors `J W J^T` where the functions have been evaluated; whether it has an inverse. The corrections that follow change it by no
+    /// more than they are, a few ulps, so that it serves all of them.
+    fn factor(&mut self) -> bool {
+        let (of, units) = (|output: usize| self.values.value_of(output), &self.units);
+        let product =
+            |Product { slopes: [a, b], state }: &Product| of(*a) * of(*b) * (units[*state] * units[*state]);
+        self.entries.clear();
+        self.entries.extend(self.rows.entries.iter().map(|entry| entry.iter().map(product).sum::<f64>()));
+        self.normal.factor(&self.entries) > 0.0
+    }
+
+    /// Moves the states by one correction, where the functions have been evaluated.
+    fn correct(&mut self, states: &mut [f64]) {
+        let of = |output: usize| self.values.value_of(output);
+        self.off.clear();
+        self.off.extend(self.rows.list.iter().map(|row| of(row.output)));
+        self.normal.solve(&self.off, &mut self.shares);
+        self.step.clear();
+        self.step.resize(states.len(), 0.0);
+        for (row, share) in self.rows.list.iter().zip(&self.shares) {
+            row.slopes().for_each(|(state, slope)| self.step[state] += of(slope) * share);
+        }
+        for ((state, step), unit) in states.iter_mut().zip(&self.step).zip(&self.units) {
+            let change = unit * unit * step;
+            if change.is_finite() {
+                *state -= change;
             }
         }
     }

@@ -2,7 +2,6 @@
 
 use super::Lowering;
 use crate::Stage;
-use crate::ops::elimination::Plan;
 use crate::ops::solve::{Matrix, System, Term};
 use crate::ops::{Op, Slot};
 use crate::shape::Shape;
@@ -39,9 +38,7 @@ impl Lowering {
         let is_this = |known: &Matrix| known.entries == entries && known.shape == shape;
         let index = self.tape.matrices.iter().position(is_this).unwrap_or_else(|| {
             let offset = self.tape.matrices.last().map_or(0, |last| last.offset + last.plan.room);
-            let rows = (0..shape.size()).map(|row| shape.columns()[shape.row(row)].to_vec());
-            let plan = Plan::of(rows.collect());
-            self.tape.matrices.push(Matrix { shape, entries, plan, offset });
+            self.tape.matrices.push(Matrix::new(shape, entries, offset));
             self.tape.matrices.len() - 1
         }) as u32;
         (index, self.emit(Op::Factor(index)))

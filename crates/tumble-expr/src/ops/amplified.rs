@@ -1,20 +1,23 @@
 //! What errors of the right sides, and of the matrix, make of the unknowns of a linear system: `|A^-1| w`, w by row.
 //!
-//! A small matrix has this row by row, from the columns of its inverse C. For a large one it is read off unknowns whose right sides are
-//! random, `s w`, so that it costs some substitutions and not n. Over signs s, the mean of the squares of an unknown is the sum of
-//! `(C_ij w_j)^2`, whose root is what rounding errors add up to that know nothing of each other. Over Cauchy's distribution
-//! of s an unknown has that distribution too, with the sum of `|C_ij| w_j` for its width, which is the geometric mean of its sizes.
+//! A small matrix has this row by row, from the columns of its inverse C. A large one is L U with the factors of its elimination, and
+//! entry by entry `|U^-1| <= M(U)^-1`, with M what has the sizes of the diagonal and of all else less than nothing; so is it for L. Two
+//! substitutions then bound `|A^-1| w`. Where only what rounding errors add up to that know nothing of each other is asked for, it is read off
+//! unknowns whose right sides are random, `s w`: over signs s, the mean of the squares of an unknown is the sum of `(C_ij w_j)^2`.
 //!
-//! Sources: Hutchinson, Commun. Stat. Simul. Comput. 19 (1990), for the signs; Indyk, J. ACM 53 (2006), for the widths.
+//! Sources: Higham, Accuracy and Stability of Numerical Algorithms, 2nd edition, 8.2, for the comparison; Hutchinson, Commun. Stat.
+//! Simul. Comput. 19 (1990), for the signs.
 
 use super::elimination::Plan;
 
 /// Of a matrix of up to so many rows the columns of the inverse are found.
 const SMALL: usize = 16;
-/// Of a larger one, unknowns for so many right sides: a mean of so many sizes or squares is less than what it stands for by
+/// Of a larger one, unknowns for so many right sides: a mean of so many squares is less than what it stands for by
 const PROBES: usize = 16;
 /// so much less than once in a thousand times.
 const SAFE: f64 = 4.0;
+/// Rounding of a bound, which is a sum without signs of so many parts at most.
+const ROUNDED: f64 = 1.0 + 1e-9;
 /// How often an error bound is put into itself until it is large enough.
 const REPEATS: usize = 12;
 /// So much wider than what is put in a bound has to be to hold.
@@ -43,21 +46,18 @@ impl Amplifier<'_> {
         if is_small(errors.len()) {
             return self.exact(errors);
         }
-        let sign = |bits: u64| if bits >> 63 == 1 { -1.0 } else { 1.0 };
-        let squares = self.mean(errors, sign, |x| x * x);
+        let squares = self.mean_squares(errors);
         squares.into_iter().map(|square| SAFE * square.sqrt()).collect()
     }
 
-    /// The same whatever the signs of the errors.
+    /// A bound of them whatever the signs of the errors.
     pub(crate) fn most(&self, errors: &[f64]) -> Vec<f64> {
         if is_small(errors.len()) {
             return self.exact(errors);
         }
-        // Between a half less and a half more than nothing, neither end included.
-        let turn = |bits: u64| ((bits >> 12) as f64 + 0.5) / (1_u64 << 52) as f64 - 0.5;
-        let cauchy = |bits: u64| libm::tan(std::f64::consts::PI * turn(bits));
-        let logarithms = self.mean(errors, cauchy, |x| libm::log(x.abs()));
-        logarithms.into_iter().map(|logarithm| SAFE * libm::exp(logarithm)).collect()
+        let compared = self.plan.compared(self.factors);
+        let sizes = Amplifier { plan: self.plan, factors: &compared };
+        sizes.solve(errors.to_vec()).into_iter().map(|size| ROUNDED * size).collect()
     }
 
     fn exact(&self, errors: &[f64]) -> Vec<f64> {
@@ -70,13 +70,14 @@ impl Amplifier<'_> {
         sums
     }
 
-    /// Means of something of the unknowns whose right sides are the errors times random numbers.
-    fn mean(&self, errors: &[f64], random: impl Fn(u64) -> f64, of: impl Fn(f64) -> f64) -> Vec<f64> {
+    /// Means of the squares of the unknowns whose right sides are the errors with random signs.
+    fn mean_squares(&self, errors: &[f64]) -> Vec<f64> {
+        let sign = |bits: u64| if bits >> 63 == 1 { -1.0 } else { 1.0 };
         let mut sums = vec![0.0; errors.len()];
         for probe in 0..PROBES {
-            let drawn = |(row, error): (usize, &f64)| error * random(bits(row * PROBES + probe));
+            let drawn = |(row, error): (usize, &f64)| error * sign(bits(row * PROBES + probe));
             let x = self.solve(errors.iter().enumerate().map(drawn).collect());
-            sums.iter_mut().zip(x).for_each(|(sum, x)| *sum += of(x) / PROBES as f64);
+            sums.iter_mut().zip(x).for_each(|(sum, x)| *sum += x * x / PROBES as f64);
         }
         sums
     }
@@ -102,7 +103,7 @@ impl Amplifier<'_> {
 }
 
 /// Mixed bits of a counter (Steele, Lea and Flood, OOPSLA 2014): the same in every run.
-fn bits(counter: usize) -> u64 {
+pub(crate) fn bits(counter: usize) -> u64 {
     let mut bits = (counter as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -5,9 +5,11 @@
 
 mod known;
 mod plan;
+mod symmetric;
 
 pub(crate) use plan::Plan;
 use plan::Step;
+pub(crate) use symmetric::{Column, Symmetric};
 
 use crate::Lanewise;
 
@@ -63,6 +65,16 @@ impl Plan {
         for step in self.steps.iter().rev() {
             step.backward(&factors[step.factors..], right, x);
         }
+    }
+
+    /// Factors of the comparison matrices: the sizes of the pivots, and of all else less than nothing.
+    pub(crate) fn compared(&self, factors: &[f64]) -> Vec<f64> {
+        let mut compared: Vec<f64> = factors.iter().map(|factor| -factor.abs()).collect();
+        for step in &self.steps {
+            let own = step.factors..step.factors + 2;
+            compared[own.clone()].iter_mut().zip(&factors[own]).for_each(|(sized, f)| *sized = f.abs());
+        }
+        compared
     }
 }
 

@@ -6,8 +6,9 @@
 
 use std::sync::Arc;
 
+use super::amplified::is_small;
 use super::arithmetic::convolution;
-use super::elimination::{Plan, Workspace};
+use super::elimination::{Plan, Symmetric, Workspace};
 use super::kernels::Kernels;
 use super::{Parts, Series, Slot};
 use crate::Lanewise;
@@ -20,8 +21,34 @@ pub struct Matrix {
     /// Row by row.
     pub(crate) entries: Vec<Slot>,
     pub(crate) plan: Arc<Plan>,
+    /// Of a large one in which entries across the diagonal are the same slots.
+    pub(crate) symmetric: Option<Symmetric>,
     /// Where its factors begin in the evaluator's list.
     pub(crate) offset: usize,
+}
+
+impl Matrix {
+    pub(crate) fn new(shape: Shape, entries: Vec<Slot>, offset: usize) -> Self {
+        let rows = (0..shape.size()).map(|row| shape.columns()[shape.row(row)].to_vec());
+        let plan = Plan::of(rows.collect());
+        let is_wanted = !is_small(shape.size()) && !plan.is_singular && is_symmetric(&shape, &entries);
+        let order = plan.steps.iter().map(|step| step.column);
+        let symmetric = is_wanted.then(|| Symmetric::new(&shape, order));
+        Self { shape, entries, plan, symmetric, offset }
+    }
+}
+
+/// Whether entries across the diagonal are the same, and none on it is missing.
+fn is_symmetric(shape: &Shape, entries: &[Slot]) -> bool {
+    let at = |row: usize, column: usize| {
+        let columns = &shape.columns()[shape.row(row)];
+        columns.binary_search(&(column as u32)).ok().map(|index| entries[shape.row(row).start + index])
+    };
+    let is_mirrored = |row: usize| {
+        let mut own = shape.entries_of(row);
+        at(row, row).is_some() && own.all(|(entry, column)| at(column, row) == Some(entries[entry]))
+    };
+    (0..shape.size()).all(is_mirrored)
 }
 
 /// A linear system on the tape.
