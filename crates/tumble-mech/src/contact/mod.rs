@@ -11,6 +11,8 @@ mod feature;
 mod interval;
 mod pair;
 mod pairs;
+#[allow(dead_code)]
+mod routh;
 mod settle;
 mod start;
 mod switch;
