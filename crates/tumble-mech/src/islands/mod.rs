@@ -134,6 +134,7 @@ impl<'a> Islands<'a> {
             wait,
         });
         self.born += 1;
+        self.disturb(self.all.len() - 1);
     }
 
     /// Time up to which all are known, s.
@@ -179,7 +180,10 @@ impl<'a> Islands<'a> {
             }
             match self.all[index].solver.propose() {
                 Ok(end) => {
-                    self.all[index].end = end;
+                    if self.all[index].end != end {
+                        self.all[index].end = end;
+                        self.disturb(index);
+                    }
                     if first.is_none_or(|(_, known)| end < known) {
                         first = Some((index, end));
                     }
@@ -202,6 +206,7 @@ impl<'a> Islands<'a> {
         if let Some(refusal) = refusal {
             island.is_refused = true;
             let born = island.born;
+            self.disturb(index);
             if self.end_at(refusal.time) {
                 self.refused = Some((born, refusal));
             }
@@ -222,17 +227,24 @@ impl<'a> Islands<'a> {
     fn meeting(&mut self) -> Option<Meeting> {
         let mut first: Option<Meeting> = None;
         for watch in 0..self.watches.len() {
-            let of = self.of_watch(watch);
-            if of.len() < 2 {
-                continue;
+            if std::mem::take(&mut self.watches[watch].is_stale) {
+                self.look(watch);
             }
-            if let Some(time) = self.doubt(watch, &of)
+            if let Some(time) = self.watches[watch].doubt()
                 && first.as_ref().is_none_or(|known| time < known.time)
             {
                 first = Some(Meeting { watches: vec![watch], time, is_now: false });
             }
         }
         first
+    }
+
+    /// The events that an island has a part in are to be looked at again.
+    fn disturb(&mut self, index: usize) {
+        let groups = &self.all[index].groups;
+        for watch in self.watches.iter_mut().filter(|watch| watch.is_of(groups)) {
+            watch.is_stale = true;
+        }
     }
 
     /// Islands that have a part in an event, in order.
@@ -247,23 +259,28 @@ impl<'a> Islands<'a> {
         (0..self.all.len()).filter(|index| has(&self.all[*index])).collect()
     }
 
-    /// From when on an event may come within the steps of its islands, s; `None` if it does not.
-    fn doubt(&mut self, watch: usize, of: &[usize]) -> Option<f64> {
+    /// Looks whether an event may come within the steps that its islands have proposed.
+    fn look(&mut self, watch: usize) {
+        let of = self.of_watch(watch);
         let Self { all, watches, equations, inputs, .. } = self;
-        let of: Vec<usize> =
-            of.iter().copied().filter(|island| watches[watch].reads(&all[*island].groups)).collect();
-        let ends = of.iter().map(|island| match all[*island].solver.is_done() || all[*island].is_refused {
-            true => all[*island].solver.time(),
-            false => all[*island].end,
+        let watch = &mut watches[watch];
+        if of.len() < 2 {
+            return watch.clear();
+        }
+        let read = of.into_iter().map(|index| &all[index]).filter(|island| watch.reads(&island.groups));
+        let read: Vec<&Island<'_>> = read.collect();
+        let ends = read.iter().map(|island| match island.solver.is_done() || island.is_refused {
+            true => island.solver.time(),
+            false => island.end,
         });
         let to = ends.fold(f64::INFINITY, f64::min);
-        if watches[watch].is_settled(to) {
-            return watches[watch].doubt();
-        }
         // One that could not begin has ended all.
-        let along: Vec<_> = of.iter().map(|island| all[*island].along()).collect::<Option<_>>()?;
-        watches[watch].look(equations, inputs, &along, to);
-        watches[watch].doubt()
+        let along = || read.iter().map(|island| island.along()).collect::<Option<Vec<_>>>();
+        if !watch.is_settled(to)
+            && let Some(along) = along()
+        {
+            watch.look(equations, inputs, &along, to);
+        }
     }
 
     /// Lets an island take the step that it has proposed.
@@ -271,6 +288,7 @@ impl<'a> Islands<'a> {
         let island = &mut self.all[index];
         let refusal = island.solver.take().err();
         island.wait = island.wait.saturating_sub(1);
+        self.disturb(index);
         self.look_ahead(index, refusal);
         if !self.follow_jump(index) {
             self.part(index);
@@ -307,9 +325,12 @@ impl<'a> Islands<'a> {
     fn carried(&self, index: usize) -> Vec<usize> {
         let time = self.all[index].solver.time();
         let is_carried = |watch: &usize| {
-            let of = self.of_watch(*watch);
             let reads = |island: &usize| self.watches[*watch].reads(&self.all[*island].groups);
-            if of.len() < 2 || !of.contains(&index) || !reads(&index) {
+            if !reads(&index) {
+                return false;
+            }
+            let of = self.of_watch(*watch);
+            if of.len() < 2 {
                 return false;
             }
             let others = of.into_iter().filter(|other| *other != index && reads(other));

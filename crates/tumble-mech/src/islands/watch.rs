@@ -26,6 +26,8 @@ pub(super) struct Watch {
     known_until: f64,
     /// Whether it may come then.
     is_doubtful: bool,
+    /// Whether what its islands do next has changed since it was looked at.
+    pub(super) is_stale: bool,
     /// When they became several last, and the length of the step before, s.
     parted: f64,
     step: f64,
@@ -59,6 +61,7 @@ impl Watch {
                 readers: components.read_by([&equations.model().events[event].when]),
                 known_until: start,
                 is_doubtful: false,
+                is_stale: true,
                 parted: f64::NEG_INFINITY,
                 step: 0.0,
                 wait: 1,
@@ -119,6 +122,11 @@ impl Watch {
             }
         }
         known
+    }
+
+    /// It is a guard of the one motion that all it is of are.
+    pub(super) fn clear(&mut self) {
+        self.is_doubtful = false;
     }
 
     /// Nothing is known of it after a time, s, from which on those it is of may move in another way.
