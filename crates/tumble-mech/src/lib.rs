@@ -73,7 +73,7 @@ pub use air::Wind;
 pub use anchor::{Anchor, place_symbols};
 pub use balance::{Balance, BodyBalance, Contribution, Kind, Reading, RunBalance, Store};
 pub use body::{Body, Part};
-pub use contact::{Change, Contact, ContactMode, Feature, Pair};
+pub use contact::{Change, Contact, ContactMode, Feature, Grip, Pair, Way};
 pub use coordinates::Pivot;
 pub use equations::Equations;
 pub use equilibrium::{Equilibrium, Growth, NoEquilibrium, Pose, Reaction, SmallMotions, Stability};

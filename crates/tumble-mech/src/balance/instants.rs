@@ -110,6 +110,7 @@ impl Accumulation {
         let angular = (old.place[0] + rx) * jy - (old.place[1] + ry) * jx + impulse.couple;
         let law = Some(match impulse.source {
             Source::Pair(_) => Law::Contact,
+            Source::Friction(_) => Law::Friction,
             Source::Pivot(_) | Source::Joint(_) => Law::Reaction,
             Source::Applied(_) => Law::Force,
         });

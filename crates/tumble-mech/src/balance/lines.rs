@@ -6,6 +6,7 @@ use tumble_ode::{Piece, Reason};
 use crate::anchor::rate;
 use crate::balance::contribution::Kind;
 use crate::balance::quadrature::{Amounts, Sample};
+use crate::contact::Grip;
 use crate::equations::{Definitions, Equations};
 use crate::joint::Joint;
 use crate::mode::Mode;
@@ -208,6 +209,11 @@ fn velocity(equations: &Equations, mode: &Mode, term: &Term) -> Vector {
     let mut held = mode.held().map(|pair| &equations.pairs()[pair]);
     if let Some(pair) = held.find(|pair| term.law == Law::Contact && pair.name == term.load) {
         return -pair.gap().derivative(&time_symbol()) * &pair.normal;
+    }
+    let mut still = mode.rubbing().filter(|pair| mode.grip(*pair).is_some_and(Grip::is_still));
+    let sticks = |pair: &usize| equations.pair_list().frictions[pair].load == term.load;
+    if let Some(pair) = still.find(|pair| term.law == Law::Friction && sticks(pair)) {
+        return rate(&equations.pairs()[pair].through);
     }
     let motion = body.kinematics();
     motion.velocity() + motion.omega() * term.arm.perpendicular()

@@ -11,6 +11,12 @@ pub enum Change {
     Start,
     /// A lasting contact ends.
     End,
+    /// A contact with friction begins to slip, or slips the other way from now on.
+    Slides,
+    /// It ceases to slip.
+    Sticks,
+    /// The same of a round rim, which rolls from now on.
+    Rolls,
     /// A body that a surface has let go inside itself is out of it.
     Clear,
 }
@@ -23,6 +29,9 @@ impl Change {
             Self::Zeno => "zeno",
             Self::Start => "start",
             Self::End => "end",
+            Self::Slides => "slides",
+            Self::Sticks => "sticks",
+            Self::Rolls => "rolls",
             Self::Clear => "clear",
         }
     }

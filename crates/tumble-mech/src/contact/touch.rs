@@ -12,6 +12,7 @@ use tumble_ode::Reason;
 use crate::cache::Cache;
 use crate::contact::complementarity::DEPENDENT;
 use crate::contact::settle::BALANCED;
+use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::{Definitions, Equations};
 use crate::mode::Mode;
@@ -59,7 +60,9 @@ pub(crate) struct Touch {
     pub(crate) strength: f64,
     /// Restitution of each; zero where the surface is compliant.
     pub(crate) restitution: DVector<f64>,
-    /// Change of rate i by a unit impulse at j, 1/kg.
+    /// Of those with friction, along their surfaces.
+    pub(crate) slips: Slips,
+    /// Change of rate i by a unit impulse at j, 1/kg; rates of gaps come first, then those of slips.
     pub(crate) response: DMatrix<f64>,
     /// Change of each velocity state by a unit impulse at j.
     kicks: DMatrix<f64>,
@@ -84,7 +87,7 @@ pub(crate) type TouchTapes = Cache<((usize, Mode), Rounding), Tape>;
 const BEFORE_ROW: usize = 4;
 
 impl Touch {
-    /// Adds impulses at the pairs to the velocities. Where they balance but for rounding nothing changes: what falls flat stays
+    /// Adds impulses at the pairs, and then along the surfaces, to the velocities. Where they balance but for rounding nothing changes: what falls flat stays
     /// flat.
     pub(crate) fn kick(&self, impulses: &DVector<f64>, states: &mut [f64]) {
         let changes = (&self.kicks * impulses, self.kicks.abs() * impulses.abs());
@@ -97,12 +100,13 @@ impl Touch {
 
     /// Takes rounding out of what joints keep where it is: no push moves it. `free` is the response without joints.
     fn clear(&mut self, free: &DMatrix<f64>) {
-        for pair in 0..self.pairs.len() {
-            if self.response[(pair, pair)] <= DEPENDENT * free[(pair, pair)] {
-                self.response.fill_row(pair, 0.0);
-                self.response.fill_column(pair, 0.0);
-                let is_balanced = self.free[pair].abs() <= BALANCED * self.strength;
-                self.free[pair] = if is_balanced { 0.0 } else { self.free[pair] };
+        let zero = BALANCED * self.strength;
+        let accelerations = self.free.iter_mut().chain(&mut self.slips.free);
+        for (row, acceleration) in accelerations.enumerate() {
+            if self.response[(row, row)] <= DEPENDENT * free[(row, row)] {
+                self.response.fill_row(row, 0.0);
+                self.response.fill_column(row, 0.0);
+                *acceleration = if acceleration.abs() <= zero { 0.0 } else { *acceleration };
             }
         }
     }
@@ -141,18 +145,22 @@ impl Equations {
         let after_rows = first_joint + joint_rows.len() * dofs;
         let value = |pair: usize, which: usize| jets.value_of(pair * (BEFORE_ROW + dofs) + which);
         let column = |which: usize| DVector::from_fn(n, |pair, _| value(pair, which));
-        let rows = DMatrix::from_fn(n, dofs, |pair, dof| value(pair, BEFORE_ROW + dof));
+        let after_all = after_rows + 2 * dofs + 1 + if joint_rows.is_empty() { 0 } else { dofs };
+        let (slips, along) =
+            Slips::read(&self.rough_among(&pairs), dofs, |which| jets.value_of(after_all + which));
+        let gaps = DMatrix::from_fn(n, dofs, |pair, dof| value(pair, BEFORE_ROW + dof));
+        let rows = stacked(gaps, &along);
         let inverse = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dof));
         let joint_value = |row: usize, which: usize| jets.value_of(first_joint + row * dofs + which);
         let slopes = DMatrix::from_fn(joint_rows.len(), dofs, joint_value);
         let (kicks, joints) = match joint_rows.is_empty() {
             true => {
                 let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
-                (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, n) })
+                (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, rows.nrows()) })
             }
             false => {
                 let mass = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + 2 * dofs + 1 + dof));
-                let none = DMatrix::zeros(joint_rows.len(), n);
+                let none = DMatrix::zeros(joint_rows.len(), rows.nrows());
                 let (kicks, share) = respond(&mass, &Gradients::of(&slopes), &rows.transpose(), &none)
                     .ok_or_else(|| self.not_independent(&island))?;
                 (kicks, Joined { rows: joint_rows, share })
@@ -161,10 +169,10 @@ impl Equations {
         let pushed = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dofs + dof));
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
-        let speed = |pair: usize| -> f64 {
-            let own = |dof: usize| rows[(pair, dof)] * states[velocities[dof]];
-            let left = |dof: usize| rows[(pair, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
-            let surface = value(pair, 1) - (0..dofs).map(own).sum::<f64>();
+        let speed = |row: usize, rate: f64| -> f64 {
+            let own = |dof: usize| rows[(row, dof)] * states[velocities[dof]];
+            let left = |dof: usize| rows[(row, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
+            let surface = rate - (0..dofs).map(own).sum::<f64>();
             (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
         };
         let mut touch = Touch {
@@ -175,18 +183,25 @@ impl Equations {
             }),
             blur: self.blur(jets.tape(), n, dofs, (states, now)),
             rate: column(1),
-            speed: DVector::from_fn(n, |pair, _| speed(pair)),
-            strength: (rows.abs() * inverse.component_mul(&pushed) + column(2).abs()).max(),
+            speed: DVector::from_fn(n, |pair, _| speed(pair, value(pair, 1))),
+            strength: (rows.abs() * inverse.component_mul(&pushed)
+                + stacked_column(&column(2), &slips.free).abs())
+            .max(),
             free: column(2),
             restitution: column(3),
             response: &rows * &kicks,
+            slips: Slips {
+                speed: DVector::from_fn(along.nrows(), |slip, _| speed(n + slip, slips.rate[slip])),
+                ..slips
+            },
             pairs,
             kicks,
             velocities,
             joints,
         };
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
-        match touch.rate.iter().chain(&touch.free).all(|value| value.is_finite()) {
+        let slips = touch.slips.rate.iter().chain(&touch.slips.free);
+        match touch.rate.iter().chain(&touch.free).chain(slips).all(|value| value.is_finite()) {
             true => Ok(touch),
             false => Err(Reason::Model(format!(
                 "where `{}` touches, its velocity or acceleration is not a finite number",
@@ -255,12 +270,20 @@ impl Equations {
             let masses = island.iter().flat_map(|body| self.masses(mode, *body));
             outputs.extend(masses.map(|formula| definitions.apply(&formula)));
         }
+        for slip in self.rough_among(pairs) {
+            outputs.extend(self.pairs()[pairs[slip]].slip_outputs(&definitions, &velocities));
+        }
         Ok(Tape::compile(&layout, &outputs)?)
     }
 
     fn not_independent(&self, island: &[usize]) -> Reason {
         let names: Vec<&str> = island.iter().map(|body| self.model().bodies[*body].name.as_str()).collect();
         Reason::Model(format!("the joints of {} do not determine their impulses here", names.join(", ")))
+    }
+
+    /// Positions of those of some pairs that have friction.
+    fn rough_among(&self, pairs: &[usize]) -> Vec<usize> {
+        (0..pairs.len()).filter(|place| self.pairs()[pairs[*place]].friction.is_some()).collect()
     }
 
     /// What kind each velocity of a body is of.
@@ -289,4 +312,17 @@ impl Equations {
             }
         }
     }
+}
+
+/// Rows of one matrix, then of another.
+fn stacked(first: DMatrix<f64>, then: &DMatrix<f64>) -> DMatrix<f64> {
+    let (before, all) = (first.nrows(), first.nrows() + then.nrows());
+    let mut rows = first.resize_vertically(all, 0.0);
+    rows.rows_mut(before, all - before).copy_from(then);
+    rows
+}
+
+/// Entries of one vector, then of another.
+pub(super) fn stacked_column(first: &DVector<f64>, then: &DVector<f64>) -> DVector<f64> {
+    DVector::from_iterator(first.len() + then.len(), first.iter().chain(then).copied())
 }
