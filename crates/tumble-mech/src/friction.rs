@@ -13,7 +13,7 @@
 //! # Checked by
 //! `tests/friction.rs`: stops, break-away, backspin, thresholds of rolling; tests of `contact/routh.rs`.
 
-use tumble_expr::Expr;
+use tumble_expr::{Expr, is_identically_zero};
 
 /// Dry friction of a rigid surface.
 #[derive(Clone, Debug)]
@@ -43,6 +43,14 @@ impl Friction {
     pub fn new(coefficient: impl Into<Expr>) -> Self {
         let coefficient = coefficient.into();
         Self { of_rest: coefficient.clone(), kinetic: coefficient, restitution: Restitution::default() }
+    }
+
+    /// The coefficients, with what messages call them.
+    pub(crate) fn coefficients(&self) -> Vec<(&'static str, &Expr)> {
+        match is_identically_zero(&(&self.of_rest - &self.kinetic)) {
+            true => vec![("friction", &self.kinetic)],
+            false => vec![("static friction", &self.of_rest), ("kinetic friction", &self.kinetic)],
+        }
     }
 
     /// With another coefficient while it slips.

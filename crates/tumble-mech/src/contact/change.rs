@@ -22,8 +22,11 @@ pub enum Change {
 }
 
 impl Change {
+    /// What friction may do to a contact.
+    pub const OF_FRICTION: [Self; 3] = [Self::Slides, Self::Sticks, Self::Rolls];
+
     /// What people call it.
-    pub(crate) fn word(self) -> &'static str {
+    pub fn word(self) -> &'static str {
         match self {
             Self::Impact => "impact",
             Self::Zeno => "zeno",
