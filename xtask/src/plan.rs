@@ -4,13 +4,12 @@ use anyhow::Result;
 
 use crate::steps::Step;
 use crate::workspace::Workspace;
-use crate::{browser, debian, references, tidy};
+use crate::{browser, references, tidy};
 
 const FORMATTING: Step = Step { name: "formatting", run: formatting };
 const LINTS: Step = Step { name: "lints", run: lints };
 const TESTS: Step = Step { name: "tests", run: tests };
 const DOCUMENTATION: Step = Step { name: "documentation", run: documentation };
-const PDF: Step = Step { name: "pdf", run: pdf };
 const TIDY: Step = Step { name: "tidy", run: tidy::run };
 const REFERENCES: Step = Step { name: "references", run: references::compare };
 const BROWSER: Step = Step { name: "browser", run: browser::run };
@@ -32,21 +31,14 @@ pub(crate) fn test_all() -> Vec<Step> {
     steps
 }
 
-/// [`test_all`] and what is only done when it is named: the typesetter takes longer to build than all else.
-fn every() -> Vec<Step> {
-    let mut steps = test_all();
-    steps.push(PDF);
-    steps
-}
-
 /// The names that [`only`] knows.
 pub(crate) fn step_names() -> Vec<&'static str> {
-    every().iter().map(|step| step.name).collect()
+    test_all().iter().map(|step| step.name).collect()
 }
 
 /// The steps that are named.
 pub(crate) fn only(names: &[String]) -> Vec<Step> {
-    every().into_iter().filter(|step| names.iter().any(|name| name == step.name)).collect()
+    test_all().into_iter().filter(|step| names.iter().any(|name| name == step.name)).collect()
 }
 
 /// The house rules alone.
@@ -70,13 +62,6 @@ fn tests(workspace: &Workspace) -> Result<()> {
 
 fn documentation(workspace: &Workspace) -> Result<()> {
     workspace.cargo(["doc", "--workspace", "--no-deps", "--locked"]).env("RUSTDOCFLAGS", "-D warnings").run()
-}
-
-/// The tests of the feature `pdf`, which read with Poppler what was written.
-fn pdf(workspace: &Workspace) -> Result<()> {
-    debian::program("pdftotext", "poppler-utils", workspace)?;
-    let arguments = ["test", "-p", "tumble", "-p", "tumble-report", "--features", "tumble/pdf", "--locked"];
-    workspace.cargo(arguments).args(["--lib", "--test", "pdf"]).run()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Formulas as one directed graph in which equal sub-formulas are one node.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use num_traits::Zero;
@@ -106,20 +107,19 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node<NodeId>) -> NodeId {
-        let leaf = matches!(node, Node::Number(_) | Node::Pi | Node::Symbol(_));
-        let found = if leaf { self.leaves.get(&node) } else { self.known.get(&node) };
-        if let Some(&id) = found {
-            return id;
+        match matches!(node, Node::Number(_) | Node::Pi | Node::Symbol(_)) {
+            true => placed(&mut self.nodes, self.leaves.entry(node)),
+            false => placed(&mut self.nodes, self.known.entry(node)),
         }
-        let id = NodeId(u32::try_from(self.nodes.len()).expect("fewer than 2^32 nodes fit in memory"));
-        self.nodes.push(node.clone());
-        if leaf {
-            self.leaves.insert(node, id)
-        } else {
-            self.known.insert(node, id)
-        };
-        id
     }
+}
+
+/// The node of an entry, added if it is new.
+fn placed(nodes: &mut Vec<Node<NodeId>>, entry: Entry<'_, Node<NodeId>, NodeId>) -> NodeId {
+    *entry.or_insert_with_key(|node| {
+        nodes.push(node.clone());
+        NodeId(u32::try_from(nodes.len() - 1).expect("fewer than 2^32 nodes fit in memory"))
+    })
 }
 
 /// Whether a formula is zero whatever its symbols are, as far as exact simplification shows.

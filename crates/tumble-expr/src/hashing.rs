@@ -8,14 +8,14 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// A map with a fast hasher.
-pub(crate) type FastMap<Key, Value> = HashMap<Key, Value, BuildHasherDefault<Mixer>>;
+pub type FastMap<Key, Value> = HashMap<Key, Value, BuildHasherDefault<Mixer>>;
 
 /// An odd number with no pattern in its bits: the golden ratio's fraction.
 const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// Mixes words by multiplication; the high half, folded down, makes up for the weak low bits of a product.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Mixer(u64);
+pub struct Mixer(u64);
 
 impl Mixer {
     fn mix(&mut self, word: u64) {

@@ -49,6 +49,7 @@ pub use degree::Degree;
 pub use dimension::{Dimension, Exponent};
 pub use expr::{Binary, Expr, Node, Relation, Symbol, Unary};
 pub use graph::{Graph, NodeId, is_identically_zero};
+pub use hashing::{FastMap, Mixer};
 pub use jets::{Branches, Jets, Values};
 pub use link::{Code, Fragment, Linker};
 pub use ops::kernels::Kernels;

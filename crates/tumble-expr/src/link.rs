@@ -114,9 +114,9 @@ impl Linker {
         self.graph.add(Node::Number(Zero::zero()))
     }
 
-    /// `-a`
-    pub fn negative(&mut self, a: NodeId) -> NodeId {
-        self.graph.add(Node::Unary(Unary::Neg, a))
+    /// An operation on a value.
+    pub fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
+        self.graph.add(Node::Unary(op, a))
     }
 
     /// An operation on two values.

@@ -1,5 +1,7 @@
 //! Linear systems of numbers with few entries, all of one pattern.
 
+use std::sync::Arc;
+
 use crate::ops::elimination::{Plan, Workspace};
 
 /// A matrix of numbers that is factored and solved with, again and again.
@@ -7,7 +9,7 @@ use crate::ops::elimination::{Plan, Workspace};
 /// Work and memory grow with the entries, and what eliminating them fills in, not with the square of their number.
 #[derive(Clone, Debug)]
 pub struct SparseSystem {
-    plan: Plan,
+    plan: Arc<Plan>,
     factors: Vec<f64>,
     space: Workspace,
     right: Vec<f64>,
@@ -15,13 +17,8 @@ pub struct SparseSystem {
 
 impl SparseSystem {
     /// Of rows with entries in these columns, each by increasing columns.
-    pub fn new(rows: &[Vec<u32>]) -> Self {
-        let mut first = 0;
-        let mut ranged = |columns: &Vec<u32>| {
-            first += columns.len();
-            (first - columns.len()..first, columns.clone())
-        };
-        let plan = Plan::new(&rows.iter().map(&mut ranged).collect::<Vec<_>>());
+    pub fn new(rows: Vec<Vec<u32>>) -> Self {
+        let plan = Plan::of(rows);
         Self { factors: vec![0.0; plan.room], plan, space: Workspace::default(), right: vec![] }
     }
 

@@ -1,7 +1,7 @@
 //! Formulas as mathematics for people: short, in the usual order, and the very formulas that are integrated.
 //!
 //! [`Notation`] turns a [`tumble_expr::Expr`] by exact algebra into [`Math`], a small tree of what stands on paper, and
-//! [`mathml`], [`latex`], [`typst()`] and [`text`] write it down. Each [`Line`] keeps what it shows as a formula, so that
+//! [`mathml`], [`latex`] and [`text`] write it down. Each [`Line`] keeps what it shows as a formula, so that
 //! anyone can put both to the test. [`page_font`] makes pages independent of the reader's fonts.
 //!
 //! ```
@@ -37,7 +37,6 @@ mod rational;
 mod spelling;
 mod symbol;
 mod text;
-mod typst;
 
 pub use closed_form::{Motion, integrate_twice, polynomial_in};
 pub use error::MathError;
@@ -48,4 +47,3 @@ pub use mathml::{mathml, mathml_aligned, mathml_block};
 pub use notation::{Left, Line, Notation, Shown};
 pub use symbol::Identifier;
 pub use text::text;
-pub use typst::typst;

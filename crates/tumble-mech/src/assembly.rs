@@ -11,9 +11,9 @@ use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
 use crate::gauge::Gauge;
+use crate::link::RowOf;
 use crate::mode::Mode;
 use crate::restrained::{Gradients, respond};
-use crate::row::Row;
 
 /// Places and rates that fit within so many times their rounding error fit.
 const FITS: f64 = 64.0;
@@ -112,15 +112,14 @@ impl Equations {
         states: &[f64],
         inputs: &[f64],
     ) -> Result<Rows, Reason> {
-        let rows: Vec<(usize, &Row)> = self.joint_rows(mode).collect();
-        self.numbers_of(mode, &rows, time, states, inputs)
+        self.numbers_of(mode, &self.rows_by_joint(mode), time, states, inputs)
     }
 
     /// Numbers of some rows, each with an index.
     pub(crate) fn numbers_of(
         &self,
         mode: &Mode,
-        rows: &[(usize, &Row)],
+        rows: &[(usize, RowOf)],
         time: f64,
         states: &[f64],
         inputs: &[f64],

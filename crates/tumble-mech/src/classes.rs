@@ -7,7 +7,6 @@ use tumble_expr::{Expr, Substitution, Symbol, is_renamed};
 use crate::equations::Equations;
 use crate::kinematics::Kinematics;
 use crate::mode::Mode;
-use crate::surface::ContactLaw;
 
 /// By group, the first that it is like.
 #[derive(Debug, Default)]
@@ -138,9 +137,7 @@ impl Signature {
             self.formulas.extend([pair.gap(), pair.radius.clone()]);
             self.formulas.extend(pair.centre.arm.components().iter().cloned());
             // What is not the surface's own is the body's.
-            if let ContactLaw::Rigid { restitution } = &pair.law {
-                self.formulas.push(restitution.clone());
-            }
+            self.formulas.extend(pair.law.restitution().cloned());
             let friction = pair.friction.iter();
             self.formulas.extend(friction.flat_map(|own| [own.of_rest.clone(), own.kinetic.clone()]));
         }

@@ -208,15 +208,11 @@ impl Equations {
         found
     }
 
-    /// The same without what is redundant.
-    fn independent_rows(&self, mode: &Mode) -> impl Iterator<Item = (usize, &Row)> {
-        self.joint_rows(mode).filter(|(index, _)| !mode.redundant.contains(index))
-    }
-
-    /// Those of an island's joints.
-    pub(crate) fn independent_rows_of(&self, mode: &Mode, island: &[usize]) -> Vec<(usize, &Row)> {
-        let is_own = |row: &Row| row.wrenches.iter().all(|wrench| island.binary_search(&wrench.body).is_ok());
-        self.independent_rows(mode).filter(|(_, row)| is_own(row)).collect()
+    /// Those of an island's joints, without what is redundant.
+    pub(crate) fn independent_rows_of(&self, mode: &Mode, island: &[usize]) -> Vec<(usize, RowOf)> {
+        let is_own = |row: RowOf| self.bodies_of(row).iter().all(|body| island.binary_search(body).is_ok());
+        let rows = self.rows_by_joint(mode).into_iter();
+        rows.filter(|(index, row)| !mode.redundant.contains(index) && is_own(*row)).collect()
     }
 
     /// The rows that hold an island in a mode: of its joints, without what is redundant, then of its lasting contacts, and of those that
@@ -227,7 +223,7 @@ impl Equations {
         let held = mode.held().map(|pair| &self.pairs()[pair]).filter(own);
         let sticking = mode.sticking().map(|pair| &self.pairs()[pair]).filter(own);
         joints
-            .map(|(_, row)| row.clone())
+            .map(|(_, row)| self.row(row))
             .chain(held.map(Pair::row))
             .chain(sticking.map(Pair::slip_row))
             .collect()

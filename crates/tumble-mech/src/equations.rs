@@ -11,14 +11,14 @@ use crate::classes::Classes;
 use crate::components::{Components, Couplings};
 use crate::conditions::Sound;
 use crate::constraints::JointEquations;
-use crate::contact::{Pairs, TouchTapes, moves};
+use crate::contact::{Pairs, moves};
 use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols, total_force};
 use crate::error::{ModelError, ModelErrors};
 use crate::evaluator::Tapes;
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
-use crate::link::{Library, Linking, TermOf, Written, total};
+use crate::link::{InstantTapes, Library, Linking, TermOf, Written, total};
 use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
@@ -60,7 +60,7 @@ pub(crate) struct Built {
     pub(crate) definitions: Cache<Mode, Definitions>,
     pub(crate) programs: Cache<(Mode, Rounding), Program>,
     pub(crate) tapes: Tapes,
-    pub(crate) touch_tapes: TouchTapes,
+    pub(crate) instant_tapes: InstantTapes,
     /// Events that have set parameters, with the values before them, that leave every value possible.
     pub(crate) sound_changes: Cache<(Vec<usize>, Vec<u64>), ()>,
     pub(crate) sound: Cache<(), Sound>,
@@ -263,43 +263,34 @@ impl Equations {
     }
 
     /// What every kinematic symbol stands for in a mode.
-    pub(crate) fn definitions_of(&self, mode: &Mode) -> Arc<Definitions> {
-        let found = self
-            .parts
-            .built
-            .definitions
-            .get(mode, || Ok::<_, Infallible>(self.definitions_about(mode, &mode.bodies)));
-        found.unwrap_or_else(|never| match never {})
+    fn definitions_of(&self, mode: &Mode) -> Arc<Definitions> {
+        let build = || Ok::<_, Infallible>(self.define(mode));
+        self.parts.built.definitions.get(mode, build).unwrap_or_else(|never| match never {})
     }
 
-    /// The same, accelerations and constraint forces of one island only: what its own contacts need.
-    pub(crate) fn definitions_about(&self, mode: &Mode, island: &[usize]) -> Definitions {
+    fn define(&self, mode: &Mode) -> Definitions {
         let names = self.names();
         let mut linking = Linking::new(self, mode, Written);
         let mut kinematic = Substitution::default();
-        let places = mode.bodies.iter().filter(|body| self.is_pivoted(**body));
-        let places = places.flat_map(|body| names.of_body(*body).places);
-        let forces = island.iter().flat_map(|body| {
+        for body in &mode.bodies {
             let own = names.of_body(*body);
-            own.accelerations.iter().chain(&own.forces).copied()
-        });
-        for name in places.chain(forces) {
-            kinematic.insert(names.get(name).0.clone(), linking.value(name));
+            let places = own.places.iter().filter(|_| self.is_pivoted(*body));
+            for name in places.chain(&own.accelerations).chain(&own.forces) {
+                kinematic.insert(names.get(*name).0.clone(), linking.value(*name));
+            }
         }
         Definitions { kinematic, changes: self.changes(mode) }
     }
 
-    /// The terms on one body in a mode, reactions left out, in the states of the mode.
-    pub(crate) fn terms_on(&self, mode: &Mode, body: usize, definitions: &Definitions) -> Vec<Term> {
-        let acting = self.acting(mode);
-        let in_mode = |formula: &Expr| definitions.apply(formula);
-        let in_states = |term: &&Term| Term {
-            arm: term.arm.map(in_mode),
-            force: term.force.map(in_mode),
-            couple: in_mode(&term.couple),
-            ..(*term).clone()
-        };
-        on_body(&acting, body).iter().map(in_states).collect()
+    /// What pivots do in a mode, by the symbols of their forces.
+    pub(crate) fn pivot_terms(&self, mode: &Mode) -> impl Iterator<Item = Term> {
+        let none = Vector::planar(Expr::zero(), Expr::zero());
+        mode.bodies.iter().filter_map(move |&index| {
+            let body = &self.parts.bodies[index];
+            let term = body.coordinates.reaction(index, &body.kinematics, &body.mass, &none)?;
+            let [x, y] = force_symbols(&term.load).map(Expr::from);
+            Some(Term { force: Vector::planar(x, y), ..term })
+        })
     }
 
     /// Parameters that events have given other formulas.
@@ -443,12 +434,6 @@ impl Equations {
         let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[body];
         let states = coordinates.states(kinematics);
         coordinates.coordinate_states().iter().map(|state| states[*state].measure).collect()
-    }
-
-    /// What an impulse does to each of a body's velocities.
-    pub(crate) fn inverse_masses(&self, body: usize) -> Vec<Expr> {
-        let body = &self.parts.bodies[body];
-        body.coordinates.inverse_masses(&body.mass)
     }
 
     /// Whether a body is held at a place that moves.

@@ -50,16 +50,6 @@ pub(crate) type Tapes = Cache<(TapeKey, Rounding), Tape>;
 pub(crate) struct TapeKey {
     mode: Mode,
     formulas: Formulas,
-    symbols: Symbols,
-}
-
-/// What the symbols in formulas stand for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Symbols {
-    /// States, parameters and the time.
-    States,
-    /// Any of the motion.
-    Motion,
 }
 
 impl Equations {
@@ -67,16 +57,6 @@ impl Equations {
     pub(crate) fn layout(&self, mode: &Mode) -> Layout {
         let inputs = self.model().parameters.symbols();
         Layout { rounding: self.rounding(), ..Layout::new(self.states(mode), time_symbol(), inputs) }
-    }
-
-    /// An evaluator of values of formulas that are in the states of a mode already.
-    pub(crate) fn compiled(
-        &self,
-        mode: &Mode,
-        formulas: &[Expr],
-        inputs: &[f64],
-    ) -> Result<Jets<f64>, Reason> {
-        Ok(Jets::new(self.tape(mode, formulas, Symbols::States)?, 0, inputs))
     }
 
     /// An evaluator of values of formulas of any kinematic symbols, accelerations and contact forces included.
@@ -102,30 +82,20 @@ impl Equations {
 
     /// The tape of formulas of any kinematic symbols.
     pub(crate) fn motion_tape(&self, mode: &Mode, formulas: &[Expr]) -> Result<Arc<Tape>, Reason> {
-        self.tape(mode, formulas, Symbols::Motion)
-    }
-
-    fn tape(&self, mode: &Mode, formulas: &[Expr], symbols: Symbols) -> Result<Arc<Tape>, Reason> {
         if let Some(twin) = self.twin(mode) {
             let formulas: Vec<Expr> = formulas.iter().map(|formula| twin.renamed(formula)).collect();
-            return self.tape(&twin.mode(mode), &formulas, symbols);
+            return self.motion_tape(&twin.mode(mode), &formulas);
         }
-        let key = TapeKey { mode: mode.clone(), formulas: Formulas::new(formulas), symbols };
-        self.built().tapes.get_rounded(key, self.rounding(), |key| self.compile(key), Tape::rounded)
+        let key = TapeKey { mode: mode.clone(), formulas: Formulas::new(formulas) };
+        self.built().tapes.get_rounded(key, self.rounding(), |key| self.link(key), Tape::rounded)
     }
 
-    fn compile(&self, key: &TapeKey) -> Result<Tape, Reason> {
+    /// Linked with what the formulas need of the mode, and nothing else.
+    fn link(&self, key: &TapeKey) -> Result<Tape, Reason> {
         let layout = Layout { rounding: Rounding::NEAREST, ..self.layout(&key.mode) };
-        let formulas = key.formulas.list();
-        Ok(match key.symbols {
-            Symbols::States => Tape::compile(&layout, formulas)?,
-            // Linked with what the formulas need of the mode, and nothing else.
-            Symbols::Motion => {
-                let mut linking = Linking::new(self, &key.mode, Nodes::default());
-                let outputs = linking.formulas(formulas);
-                linking.into_algebra().linker()?.tape(&layout, &outputs)?
-            }
-        })
+        let mut linking = Linking::new(self, &key.mode, Nodes::default());
+        let outputs = linking.formulas(key.formulas.list());
+        Ok(linking.into_algebra().linker()?.tape(&layout, &outputs)?)
     }
 
     /// Values of such formulas at one instant.

@@ -80,14 +80,15 @@ impl Forces {
 
 fn compiled(run: &Run, mode: usize) -> Result<Compiled, Reason> {
     let (equations, mode) = (&run.equations, &run.trajectory().modes[mode]);
-    let terms = equations.terms(mode);
+    let acting = equations.acting(mode).into_iter().cloned();
+    let terms: Vec<Term> = acting.chain(equations.pivot_terms(mode)).collect();
     let outputs: Vec<Expr> = terms
         .iter()
         .flat_map(|term| {
             [term.arm.components(), term.force.components(), std::slice::from_ref(&term.couple)].concat()
         })
         .collect();
-    let jets = equations.compiled(mode, &outputs, &run.inputs)?;
+    let jets = equations.evaluator(mode, &outputs, &run.inputs)?;
     Ok((terms, jets))
 }
 

@@ -10,6 +10,7 @@ use crate::kinematics::rotated;
 use crate::load::{Application, Frame};
 use crate::mode::Mode;
 use crate::record::Jump;
+use crate::term::Law;
 
 /// An impulse that an event applies to a body.
 #[derive(Clone, Debug)]
@@ -52,6 +53,18 @@ pub enum Source {
     Joint(usize),
     /// One that an event applies, by its index in the model.
     Applied(usize),
+}
+
+impl Source {
+    /// The law that it follows.
+    pub fn law(self) -> Law {
+        match self {
+            Self::Pair(_) => Law::Contact,
+            Self::Friction(_) => Law::Friction,
+            Self::Pivot(_) | Self::Joint(_) => Law::Reaction,
+            Self::Applied(_) => Law::Force,
+        }
+    }
 }
 
 /// Sizes of the impulses of an instant, before they are told by body and place.

@@ -31,14 +31,6 @@ pub(crate) struct Gradients {
 }
 
 impl Gradients {
-    /// Those of a matrix.
-    pub(crate) fn of(matrix: &DMatrix<f64>) -> Self {
-        let row = |row: usize| {
-            matrix.row(row).iter().copied().enumerate().filter(|(_, slope)| *slope != 0.0).collect()
-        };
-        Self { rows: (0..matrix.nrows()).map(row).collect(), columns: matrix.ncols() }
-    }
-
     /// As a matrix.
     pub(crate) fn dense(&self) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.rows.len(), self.columns);
@@ -68,7 +60,7 @@ impl Gradients {
             pattern.push(own.keys().map(|other| *other as u32).collect());
             entries.extend(own.into_values());
         }
-        let mut products = SparseSystem::new(&pattern);
+        let mut products = SparseSystem::new(pattern);
         if products.factor(&entries) == 0.0 {
             return 0.0;
         }
@@ -156,7 +148,7 @@ fn units(mass: &DVector<f64>, rows: &Gradients) -> DVector<f64> {
 
 fn solved(matrix: &Gradients, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let columns = |row: &Vec<(usize, f64)>| row.iter().map(|(column, _)| *column as u32).collect();
-    let mut system = SparseSystem::new(&matrix.rows.iter().map(columns).collect::<Vec<_>>());
+    let mut system = SparseSystem::new(matrix.rows.iter().map(columns).collect());
     let entries: Vec<f64> = matrix.rows.iter().flatten().map(|(_, entry)| *entry).collect();
     if system.factor(&entries) <= SINGULAR {
         return least_solution(matrix.dense(), right, SINGULAR);
@@ -184,6 +176,13 @@ pub(crate) fn least_solution(
 mod tests {
     use super::*;
 
+    fn gradients(matrix: &DMatrix<f64>) -> Gradients {
+        let row = |row: usize| {
+            matrix.row(row).iter().copied().enumerate().filter(|(_, slope)| *slope != 0.0).collect()
+        };
+        Gradients { rows: (0..matrix.nrows()).map(row).collect(), columns: matrix.ncols() }
+    }
+
     /// A point of 2 kg on a massless rod that is held 1 m above it: pushed across it moves as if free, along it not at all.
     #[test]
     fn a_massless_rod_turns_with_its_point() {
@@ -191,7 +190,7 @@ mod tests {
         let rows = DMatrix::from_row_slice(2, 3, &[1.0, 0.0, -1.0, 0.0, 1.0, 0.0]);
         let push = DMatrix::from_column_slice(3, 2, &[4.0, 0.0, 0.0, 0.0, 4.0, 0.0]);
         let (changes, shares) =
-            respond(&mass, &Gradients::of(&rows), &push, &DMatrix::zeros(2, 2)).expect("finite");
+            respond(&mass, &gradients(&rows), &push, &DMatrix::zeros(2, 2)).expect("finite");
         let expected = DMatrix::from_column_slice(3, 2, &[2.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
         assert!((changes - expected).amax() < 1e-15);
         assert!((shares - DMatrix::from_column_slice(2, 2, &[0.0, 0.0, 0.0, -4.0])).amax() < 1e-15);
@@ -202,7 +201,7 @@ mod tests {
     fn what_holds_twice_shares_the_impulse() {
         let (mass, rows) = (DVector::from_element(1, 3.0), DMatrix::from_element(2, 1, 1.0));
         let (changes, shares) =
-            respond(&mass, &Gradients::of(&rows), &DMatrix::from_element(1, 1, 6.0), &DMatrix::zeros(2, 1))
+            respond(&mass, &gradients(&rows), &DMatrix::from_element(1, 1, 6.0), &DMatrix::zeros(2, 1))
                 .expect("finite");
         assert!(changes.amax() < 1e-15 && (shares.add_scalar(3.0)).amax() < 1e-14);
     }

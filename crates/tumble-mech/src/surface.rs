@@ -1,6 +1,6 @@
 //! Plane surfaces that bodies meet: floors, walls, slopes, at rest or moved on a given path.
 
-use tumble_expr::{Dimension, Expr, Vector};
+use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
 
 use crate::body::Body;
 use crate::contact::Feature;
@@ -116,6 +116,47 @@ pub(crate) fn is_at(name: &str, body: &Body, feature: &Feature) -> bool {
 }
 
 impl ContactLaw {
+    /// Whether it does not yield.
+    pub fn is_rigid(&self) -> bool {
+        matches!(self, Self::Rigid { .. })
+    }
+
+    /// Whether the root of the depth is a state under it.
+    pub(crate) fn is_hertzian(&self) -> bool {
+        matches!(self, Self::Hertz { .. })
+    }
+
+    /// Whether what is let go may still be inside the surface.
+    pub(crate) fn releases_early(&self) -> bool {
+        matches!(self, Self::Spring { damping, release: Release::AtZeroForce, .. } if !is_identically_zero(damping))
+    }
+
+    /// What is left of a velocity of approach by a rigid surface.
+    pub(crate) fn restitution(&self) -> Option<&Expr> {
+        match self {
+            Self::Rigid { restitution } => Some(restitution),
+            Self::Spring { .. } | Self::Hertz { .. } => None,
+        }
+    }
+
+    /// The law for a body that may have a restitution of its own.
+    pub(crate) fn of_body(&self, own: Option<&Expr>) -> Self {
+        match (self, own) {
+            (Self::Rigid { .. }, Some(own)) => Self::Rigid { restitution: own.clone() },
+            (law, _) => law.clone(),
+        }
+    }
+
+    /// Stiffness and damping of a compliant surface.
+    pub(crate) fn coefficients(&self) -> Option<(&Expr, &Expr)> {
+        match self {
+            Self::Spring { stiffness, damping, .. } | Self::Hertz { stiffness, damping } => {
+                Some((stiffness, damping))
+            }
+            Self::Rigid { .. } => None,
+        }
+    }
+
     /// Coefficients: key, formula, dimension it must have.
     pub(crate) fn dimensions(&self) -> Vec<(&'static str, &Expr, Dimension)> {
         match self {

@@ -23,8 +23,8 @@ use tumble_ode::{Reason, Side};
 use crate::contact::ContactMode;
 use crate::equations::{Equations, on_body};
 use crate::linear_program::greatest;
+use crate::link::RowOf;
 use crate::mode::Mode;
-use crate::row::Row;
 use crate::run::{Run, RunError};
 
 /// A row that was left out follows from the others to this part of its size: a little more than the root of what contacts are told
@@ -155,33 +155,34 @@ impl Equations {
     fn redundancy(&self, spot: Spot<'_>) -> Result<Option<Redundancy>, Reason> {
         let mode = spot.mode;
         let is_left_out = |index: &usize| mode.redundant.contains(index);
-        let joints = self.joint_rows(mode).filter(|(index, _)| is_left_out(index));
-        let bodies = joints.flat_map(|(_, row)| row.wrenches.iter().map(|wrench| wrench.body));
+        let joints = self.rows_by_joint(mode);
+        let left_out = joints.iter().filter(|(index, _)| is_left_out(index));
+        let bodies = left_out.flat_map(|(_, row)| self.bodies_of(*row));
         let bodies: Vec<usize> = bodies.chain(idle(mode).map(|pair| self.pairs()[pair].body)).collect();
         if bodies.is_empty() {
             return Ok(None);
         }
         let own: Vec<usize> = self.islands(mode, &bodies).concat();
-        let is_own = |row: &Row| row.wrenches.iter().any(|wrench| own.contains(&wrench.body));
+        let is_own = |row: &RowOf| self.bodies_of(*row).iter().any(|body| own.contains(body));
         let of_joints = |left_out: bool| {
-            let rows = self.joint_rows(mode).filter(move |(index, _)| is_left_out(index) == left_out);
-            rows.map(|(_, row)| (row.clone(), false)).collect::<Vec<_>>()
+            let rows = joints.iter().filter(move |(index, _)| is_left_out(index) == left_out);
+            rows.map(|(_, row)| (*row, false)).collect::<Vec<_>>()
         };
-        let of_pair = |pair: usize| (self.pairs()[pair].row(), true);
-        let mut all: Vec<(Row, bool)> =
+        let of_pair = |pair: usize| (RowOf::Pair(pair), true);
+        let mut all: Vec<(RowOf, bool)> =
             of_joints(false).into_iter().chain(mode.held().map(of_pair)).collect();
         all.retain(|(row, _)| is_own(row));
         let kept = all.len();
         all.extend(of_joints(true).into_iter().chain(idle(mode).map(of_pair)));
-        let (rows, is_contact): (Vec<Row>, Vec<bool>) = all.into_iter().unzip();
+        let (rows, is_contact): (Vec<RowOf>, Vec<bool>) = all.into_iter().unzip();
         let directions = self.directions(spot, &rows, kept)?;
-        let symbols: Vec<Symbol> = rows.into_iter().map(|row| row.multiplier).collect();
+        let symbols: Vec<Symbol> = rows.into_iter().map(|row| self.row(row).multiplier).collect();
         Ok(Some(Redundancy { left_out: symbols.len() - kept, symbols, is_contact, directions }))
     }
 
     /// By row and row left out, what changes no motion.
-    fn directions(&self, spot: Spot<'_>, rows: &[Row], kept: usize) -> Result<DMatrix<f64>, Reason> {
-        let rows: Vec<(usize, &Row)> = rows.iter().enumerate().collect();
+    fn directions(&self, spot: Spot<'_>, rows: &[RowOf], kept: usize) -> Result<DMatrix<f64>, Reason> {
+        let rows: Vec<(usize, RowOf)> = rows.iter().copied().enumerate().collect();
         let numbers = self.numbers_of(spot.mode, &rows, spot.time, spot.states, spot.inputs)?;
         // In these units a unit of each is as much kinetic energy.
         let unit = numbers.mass.map(|mass| if mass > 0.0 { 1.0 / libm::sqrt(mass) } else { 1.0 });

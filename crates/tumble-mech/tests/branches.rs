@@ -182,6 +182,26 @@ fn what_comes_to_rest_is_told_so() {
     says(&text, &["the bodies come to rest in a singular configuration", "`B0`, `B1`", "0.25 : -1 : -0.75"]);
 }
 
+/// A ball that spins on the coupler is not at rest when all else is: that says nothing of how the cranks go on.
+#[test]
+fn what_spins_on_does_not_tell_the_cranks_where_to_go() {
+    let (inertia, weight) = (INERTIA + CRANK * CRANK, WEIGHT + CRANK * G);
+    let (angle, omega) = (-1.0_f64, (2.5e-3 - 2.0 * weight / inertia * f64::sin(-1.0)).sqrt());
+    let (mut linkage, _) = parallelogram(0.0, angle, omega);
+    let coupler = linkage.model.bodies[2].clone();
+    let disk = linkage.model.add(Body::ball("disk", 0.1 * M).mass(1 * KG));
+    let at = [CRANK * angle.cos() + BASE / 2.0, CRANK * angle.sin()];
+    let moves = [-CRANK * angle.sin() * omega, CRANK * angle.cos() * omega];
+    let start = Start::default().at(at.map(|x| x * M)).velocity(moves.map(|v| v * M / S)).omega(50.0 / S);
+    linkage.model.starts.push(("disk".into(), start));
+    linkage.pin("D", [named(&coupler, "cm"), named(&disk, "cm")]);
+    let (_, text) = linkage.refused(0.5);
+    says(
+        &text,
+        &["velocities that more than one motion goes on with: its branches touch there", "`B0`, `B1`"],
+    );
+}
+
 /// Struck just before they are flat, cranks go on as they were struck, or no step leads there.
 #[test]
 fn an_impulse_just_before_a_flat_pose_is_right_or_refused() {

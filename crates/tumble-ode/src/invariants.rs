@@ -117,7 +117,7 @@ impl Rows {
             pattern.push(own.keys().map(|other| *other as u32).collect());
             entries.extend(own.into_values());
         }
-        Self { list, entries, normal: SparseSystem::new(&pattern) }
+        Self { list, entries, normal: SparseSystem::new(pattern) }
     }
 }
 

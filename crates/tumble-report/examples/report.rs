@@ -91,7 +91,7 @@ fn run(restitution: f64) -> Run {
 
 fn math(mathml: &str, latex: &str, text: &str) -> Math {
     let mathml = format!("<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow>{mathml}</mrow></math>");
-    Math { mathml, latex: latex.to_owned(), text: text.to_owned(), ..Math::default() }
+    Math { mathml, latex: latex.to_owned(), text: text.to_owned() }
 }
 
 fn symbol(head: &str, latex: &str) -> Math {

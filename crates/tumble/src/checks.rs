@@ -48,9 +48,9 @@ impl CheckResult {
         }
     }
 
-    /// What is said of what was found where it is not unique.
+    /// What is said instead of what was found, where it is not unique or there is none.
     pub fn open(&self) -> Option<String> {
-        self.spread.map(|spread| open::words(&spread, &self.unit))
+        open::instead_of(self.found, self.spread.as_ref(), &self.unit)
     }
 
     /// Whether the motion is known well enough to say that the claim holds.

@@ -131,19 +131,26 @@ enum Form {
     Html,
     /// Text with formulas and links to the figures.
     Markdown,
-    /// Pages of A4 to print; needs a build with the feature pdf.
+    /// What a browser makes of the page.
+    #[value(hide = true)]
     Pdf,
     /// None.
     None,
 }
 
-impl From<Form> for ReportForm {
-    fn from(form: Form) -> Self {
+/// That a browser makes pages to print of the report.
+const NO_PDF: &str = "a browser prints report.html, on A4 as on a screen: open it and print to a file, or `chromium --headless \
+     --no-pdf-header-footer --print-to-pdf=report.pdf report.html`";
+
+impl TryFrom<Form> for ReportForm {
+    type Error = &'static str;
+
+    fn try_from(form: Form) -> Result<Self, Self::Error> {
         match form {
-            Form::Html => Self::Html,
-            Form::Markdown => Self::Markdown,
-            Form::Pdf => Self::Pdf,
-            Form::None => Self::None,
+            Form::Html => Ok(Self::Html),
+            Form::Markdown => Ok(Self::Markdown),
+            Form::Pdf => Err(NO_PDF),
+            Form::None => Ok(Self::None),
         }
     }
 }
@@ -188,7 +195,14 @@ impl Task {
         match self {
             Task::Run { scene, settings } => {
                 let Settings { set, out, no_figures, report: form, jobs } = settings;
-                let form = if no_figures { ReportForm::None } else { form.into() };
+                let form = match ReportForm::try_from(form) {
+                    Ok(form) if !no_figures => form,
+                    Ok(_) => ReportForm::None,
+                    Err(instead) => {
+                        tell!("error: {instead}");
+                        return Ending::Mistake;
+                    }
+                };
                 let stop = interruptible();
                 let options = Options { set, out, no_figures, report: form, jobs, progress: true, stop };
                 let mut told = Told::beside(&options.out);
@@ -322,12 +336,7 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             tell!("error: {}: {error}", shown(scene));
             Ending::Mistake
         }
-        #[cfg(feature = "pdf")]
-        PipelineError::Pdf(_) => {
-            tell!("error: {}: {error}", shown(scene));
-            Ending::File
-        }
-        PipelineError::WithoutPdf | PipelineError::Name { .. } => {
+        PipelineError::Name { .. } => {
             tell!("error: {error}");
             Ending::Mistake
         }

@@ -1,14 +1,24 @@
-//! What is said of a value that a motion leaves open: more contacts or joints bear than are needed.
+//! What is said of a value that a motion leaves open: more contacts or joints bear than are needed, or the instant has none.
 
 use tumble_mech::Spread;
 
 /// What becomes of a question about such a value.
 pub(crate) const NOT_UNIQUE: &str = "not unique";
+/// What becomes of a question about what has no value at its instant.
+pub(crate) const NO_VALUE: &str = "no value";
 /// Digits of the ends of a range.
 const READ: usize = 4;
 
+/// What is said instead of a value; `None` where there is one.
+pub(crate) fn instead_of(value: f64, spread: Option<&Spread>, unit: &str) -> Option<String> {
+    match spread {
+        Some(spread) => Some(words(spread, unit)),
+        None => value.is_nan().then(|| format!("has {NO_VALUE}")),
+    }
+}
+
 /// `is between 0 N and 14.72 N: not unique, more contacts or joints bear than are needed`
-pub(crate) fn words(spread: &Spread, unit: &str) -> String {
+fn words(spread: &Spread, unit: &str) -> String {
     let value = |value: f64| {
         let rounded: f64 = format!("{value:.*e}", READ - 1).parse().unwrap_or(value);
         if unit.is_empty() { rounded.to_string() } else { format!("{rounded} {unit}") }

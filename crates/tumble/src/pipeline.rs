@@ -122,13 +122,6 @@ pub enum PipelineError {
     #[cfg(feature = "png")]
     #[error(transparent)]
     Gif(#[from] tumble_report::GifError),
-    /// A report as PDF was asked for, and this build has no typesetter.
-    #[error("this build writes no PDF: build it with `cargo build --release --features pdf`")]
-    WithoutPdf,
-    /// A report cannot be set.
-    #[cfg(feature = "pdf")]
-    #[error(transparent)]
-    Pdf(#[from] tumble_report::report::PdfError),
 }
 
 /// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
@@ -152,7 +145,6 @@ pub fn run_telling(
     options: &Options,
     tell: impl FnMut(Finished) -> io::Result<()> + Send,
 ) -> Result<Outcome, PipelineError> {
-    options.report.check()?;
     let source = Source::read(path)?;
     let (study, needed) = read(&source, options)?;
     written(&source, study, &needed, options, tell)
@@ -187,7 +179,6 @@ pub fn run_telling(
 /// # }
 /// ```
 pub fn run_study(study: &Study, name: &str, options: &Options) -> Result<Outcome, PipelineError> {
-    options.report.check()?;
     let source = Source::of_program(name)?;
     let mut study = study.clone();
     if study.title.is_empty() {

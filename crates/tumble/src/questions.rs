@@ -8,7 +8,7 @@ use tumble_scene::{Question, Study, When};
 use crate::case::{Case, Solution};
 use crate::digits;
 use crate::moments::{Moments, Timed};
-use crate::open::{self, NOT_UNIQUE};
+use crate::open::{self, NO_VALUE, NOT_UNIQUE};
 use crate::pipeline::PipelineError;
 use crate::works::{Works, is_work};
 
@@ -45,13 +45,14 @@ impl FindResult {
         match self.spread {
             _ if !self.is_reached() => NOT_REACHED,
             Some(_) => NOT_UNIQUE,
+            None if self.value.is_nan() => NO_VALUE,
             None => "found",
         }
     }
 
-    /// What is said of a value that is not unique.
+    /// What is said instead of a value, where it is not unique or there is none.
     pub fn open(&self) -> Option<String> {
-        self.spread.map(|spread| open::words(&spread, &self.unit))
+        open::instead_of(self.value, self.spread.as_ref(), &self.unit)
     }
 }
 

@@ -234,15 +234,14 @@ fn a_command_line_that_is_not_one() {
     }
 }
 
-/// A typesetter is large, so a build has one only if it was asked for.
-#[cfg(not(feature = "pdf"))]
+/// A browser sets pages better than a program of our own would.
 #[test]
-fn a_report_that_this_build_cannot_write() {
+fn a_report_as_pdf_is_printed_by_a_browser() {
     let place = folder();
     write(&place.path().join("stone/scene.toml"), STONE);
     let (code, said) = ended_in(place.path(), &["run", "stone/scene.toml", "--report", "pdf"]);
     assert_eq!(code, Some(2), "{said}");
-    assert!(said.contains("writes no PDF") && said.contains("--features pdf"), "{said}");
+    assert!(said.contains("a browser prints report.html") && said.contains("--print-to-pdf"), "{said}");
     assert!(!place.path().join("out").exists(), "nothing was run");
 }
 

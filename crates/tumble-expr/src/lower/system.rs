@@ -39,9 +39,8 @@ impl Lowering {
         let is_this = |known: &Matrix| known.entries == entries && known.shape == shape;
         let index = self.tape.matrices.iter().position(is_this).unwrap_or_else(|| {
             let offset = self.tape.matrices.last().map_or(0, |last| last.offset + last.plan.room);
-            let rows =
-                (0..shape.size()).map(|row| (shape.row(row), shape.columns()[shape.row(row)].to_vec()));
-            let plan = Plan::new(&rows.collect::<Vec<_>>());
+            let rows = (0..shape.size()).map(|row| shape.columns()[shape.row(row)].to_vec());
+            let plan = Plan::of(rows.collect());
             self.tape.matrices.push(Matrix { shape, entries, plan, offset });
             self.tape.matrices.len() - 1
         }) as u32;

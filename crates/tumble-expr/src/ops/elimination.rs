@@ -3,6 +3,7 @@
 //! Rows are exchanged for the largest pivot in proportion to the row, so that the units of a row do not matter. A matrix that is
 //! singular within rounding has factors that are no numbers, and so are all its solutions.
 
+mod known;
 mod plan;
 
 pub(crate) use plan::Plan;

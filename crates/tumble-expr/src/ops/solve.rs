@@ -4,6 +4,8 @@
 //! when the evaluator starts ([`elimination`](super::elimination)), lane by lane, so that a pivot chosen in one lane is no
 //! other's. Then each order is a right side, of which the sum runs over the entries that change with time, and a substitution.
 
+use std::sync::Arc;
+
 use super::arithmetic::convolution;
 use super::elimination::{Plan, Workspace};
 use super::kernels::Kernels;
@@ -17,7 +19,7 @@ pub struct Matrix {
     pub(crate) shape: Shape,
     /// Row by row.
     pub(crate) entries: Vec<Slot>,
-    pub(crate) plan: Plan,
+    pub(crate) plan: Arc<Plan>,
     /// Where its factors begin in the evaluator's list.
     pub(crate) offset: usize,
 }

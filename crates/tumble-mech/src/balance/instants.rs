@@ -12,7 +12,6 @@ use crate::event::Action;
 use crate::impulse::{Impulse, Source};
 use crate::mode::Mode;
 use crate::record::{Happening, Record};
-use crate::term::Law;
 
 /// Contacts that begin to last stop what is left of the motion towards them, which is at most this part of the largest
 /// momentum that the body has had: bounces are followed down to 1e-15 of its size, so their speeds down to some 1e-8, and far from
@@ -108,12 +107,7 @@ impl Accumulation {
         let mean = |axis: usize| 0.5 * (old.velocity[axis] + new.velocity[axis]);
         let (vx, vy) = (mean(0) - omega * ry, mean(1) + omega * rx);
         let angular = (old.place[0] + rx) * jy - (old.place[1] + ry) * jx + impulse.couple;
-        let law = Some(match impulse.source {
-            Source::Pair(_) => Law::Contact,
-            Source::Friction(_) => Law::Friction,
-            Source::Pivot(_) | Source::Joint(_) => Law::Reaction,
-            Source::Applied(_) => Law::Force,
-        });
+        let law = Some(impulse.source.law());
         let load = self.run.equations.source_name(impulse.source).to_owned();
         let body = Some(impulse.body);
         let speed = |motion: &Motion| {

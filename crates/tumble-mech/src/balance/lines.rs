@@ -7,8 +7,8 @@ use crate::anchor::rate;
 use crate::balance::contribution::Kind;
 use crate::balance::quadrature::{Amounts, Sample};
 use crate::contact::Grip;
-use crate::equations::{Definitions, Equations};
-use crate::joint::Joint;
+use crate::equations::Equations;
+use crate::link::TermOf;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
 use crate::potential::Potential;
@@ -23,7 +23,7 @@ pub(super) struct Key {
     pub(super) kind: Kind,
 }
 
-/// A term with the velocity of its point.
+/// A term with the velocity of its point, in symbols of the motion.
 struct Line {
     key: Key,
     term: Term,
@@ -56,20 +56,17 @@ impl Lines {
         inputs: &[f64],
         about: &Vector,
     ) -> Result<Self, Reason> {
-        let definitions = equations.definitions_of(mode);
-        let lines = lines(equations, potentials, mode, &definitions);
-        let mut outputs: Vec<Expr> =
-            lines.iter().flat_map(|line| outputs(equations, line, about, &definitions)).collect();
+        let lines = lines(equations, potentials, mode);
+        let mut outputs: Vec<Expr> = lines.iter().flat_map(|line| outputs(equations, line, about)).collect();
         let mut keys: Vec<Key> = lines.into_iter().map(|line| line.key).collect();
         let terms = keys.len();
         for potential in potentials.iter().filter(|potential| potential.is_in(mode)) {
-            let driven = definitions.apply(&potential.driven);
-            if !driven.is_zero() {
+            if !potential.driven.is_zero() {
                 keys.push(potential.key(None, Kind::Driven));
-                outputs.push(driven);
+                outputs.push(potential.driven.clone());
             }
         }
-        let jets = equations.compiled(mode, &outputs, inputs)?;
+        let jets = equations.evaluator(mode, &outputs, inputs)?;
         let numbers: Vec<Rounded> = inputs.iter().map(|value| Rounded::leaf(*value)).collect();
         let rounded = Jets::new(jets.tape().clone(), 0, &numbers);
         Ok(Self { keys, terms, jets, rounded, operands: vec![0.0; terms], rounding: equations.rounding() })
@@ -160,16 +157,10 @@ impl Potential {
     }
 }
 
-fn lines(
-    equations: &Equations,
-    potentials: &[Potential],
-    mode: &Mode,
-    definitions: &Definitions,
-) -> Vec<Line> {
+fn lines(equations: &Equations, potentials: &[Potential], mode: &Mode) -> Vec<Line> {
     let mut taken = vec![0; potentials.len()];
     let mut lines = vec![];
-    for term in equations.terms(mode) {
-        let velocity = velocity(equations, mode, &term);
+    for (term, velocity) in terms(equations, mode) {
         let mut push = |kind: Kind, term: Term| {
             let key = Key { load: term.load.clone(), law: Some(term.law), body: Some(term.body), kind };
             lines.push(Line { key, term, velocity: velocity.clone() });
@@ -180,11 +171,7 @@ fn lines(
         };
         let elastic = &potentials[index].elastic[taken[index]];
         taken[index] += 1;
-        let part = Term {
-            force: elastic.force.map(|component| definitions.apply(component)),
-            couple: definitions.apply(&elastic.couple),
-            ..term.clone()
-        };
+        let part = Term { force: elastic.force.clone(), couple: elastic.couple.clone(), ..term.clone() };
         if !potentials[index].is_whole {
             let rest = Term { force: &term.force - &part.force, couple: &term.couple - &part.couple, ..term };
             push(Kind::Work, rest);
@@ -194,38 +181,42 @@ fn lines(
     lines
 }
 
-/// Velocity of a term's point, in kinematic symbols. What a pivot, a joint or a rigid surface holds moves as they do, so that at
-/// rest they do no work at all, not even that of rounding, and what a joint does to one of its bodies it takes from the other.
-fn velocity(equations: &Equations, mode: &Mode, term: &Term) -> Vector {
-    let body = &equations.model().bodies[term.body];
-    if term.law.is_reaction() {
-        let pivot = equations.model().pivots.iter().find(|pivot| pivot.name == term.load);
-        let joint = equations.model().joints.iter().find(|joint| joint.name == term.load);
-        let kept = pivot.map(|pivot| rate(&pivot.world)).or_else(|| joint.map(Joint::velocity));
-        if let Some(velocity) = kept {
-            return velocity;
-        }
-    }
-    let mut held = mode.held().map(|pair| &equations.pairs()[pair]);
-    if let Some(pair) = held.find(|pair| term.law == Law::Contact && pair.name == term.load) {
-        return -pair.gap().derivative(&time_symbol()) * &pair.normal;
-    }
-    let mut still = mode.rubbing().filter(|pair| mode.grip(*pair).is_some_and(Grip::is_still));
-    let sticks = |pair: &usize| equations.pair_list().frictions[pair].load == term.load;
-    if let Some(pair) = still.find(|pair| term.law == Law::Friction && sticks(pair)) {
-        return rate(&equations.pairs()[pair].through);
-    }
-    let motion = body.kinematics();
-    motion.velocity() + motion.omega() * term.arm.perpendicular()
+/// All terms of a mode, each with the velocity of its point. What a pivot, a joint or a rigid surface holds moves as they do, so
+/// that at rest they do no work at all, not even that of rounding, and what a joint does to one of its bodies it takes from the other.
+fn terms(equations: &Equations, mode: &Mode) -> Vec<(Term, Vector)> {
+    let model = equations.model();
+    let acting = equations.acting_terms(mode).map(|(of, keeps)| {
+        let term = equations.term(of).clone();
+        let velocity = match of {
+            TermOf::Joint(joint, _) => model.joints[joint].velocity(),
+            TermOf::Pair(pair) if keeps => {
+                let pair = &equations.pairs()[pair];
+                -pair.gap().derivative(&time_symbol()) * &pair.normal
+            }
+            TermOf::Friction(pair) if mode.grip(pair).is_some_and(Grip::is_still) => {
+                rate(&equations.pairs()[pair].through)
+            }
+            TermOf::Pair(_) | TermOf::Friction(_) | TermOf::Load(_) => {
+                let motion = model.bodies[term.body].kinematics();
+                motion.velocity() + motion.omega() * term.arm.perpendicular()
+            }
+        };
+        (term, velocity)
+    });
+    let pivots = equations.pivot_terms(mode).filter_map(|term| {
+        let (pivot, _) = equations.pivot_arm(term.body)?;
+        Some((term, rate(&model.pivots[pivot].world)))
+    });
+    acting.chain(pivots).collect()
 }
 
-fn outputs(equations: &Equations, line: &Line, about: &Vector, definitions: &Definitions) -> Vec<Expr> {
-    let motion = equations.model().bodies[line.term.body].kinematics();
-    let in_mode = |vector: &Vector| vector.map(|component| definitions.apply(component));
-    let velocity = in_mode(&line.velocity);
-    let place = in_mode(&(motion.position() - about)) + &line.term.arm;
-    let turning = [line.term.couple.clone(), definitions.apply(&motion.omega())];
-    let reach = [equations.model().bodies[line.term.body].reach()];
-    let all = [velocity.components(), line.term.force.components(), &turning, place.components(), &reach];
+fn outputs(equations: &Equations, line: &Line, about: &Vector) -> Vec<Expr> {
+    let body = &equations.model().bodies[line.term.body];
+    let motion = body.kinematics();
+    let place = &(motion.position() - about) + &line.term.arm;
+    let turning = [line.term.couple.clone(), motion.omega()];
+    let reach = [body.reach()];
+    let all =
+        [line.velocity.components(), line.term.force.components(), &turning, place.components(), &reach];
     all.concat()
 }

@@ -30,4 +30,3 @@ pub use pair::Pair;
 pub(crate) use pair::{Watched, moves};
 pub(crate) use pairs::Pairs;
 pub(crate) use slip::WEDGED;
-pub(crate) use touch::TouchTapes;

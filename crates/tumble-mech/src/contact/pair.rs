@@ -58,10 +58,6 @@ impl Pair {
         (body_index, body): (usize, &Body),
         (feature, centre): (&Feature, &PointRef),
     ) -> Self {
-        let law = match (&surface.law, &body.restitution) {
-            (ContactLaw::Rigid { .. }, Some(own)) => ContactLaw::Rigid { restitution: own.clone() },
-            (law, _) => law.clone(),
-        };
         Self {
             name: format!("{}.{}.{}", surface.name, body.name, feature.name),
             surface: surface_index,
@@ -70,7 +66,7 @@ impl Pair {
             radius: feature.radius.clone(),
             through: surface.through.clone(),
             normal: surface.normal.clone(),
-            law,
+            law: surface.law.of_body(body.restitution.as_ref()),
             friction: surface.friction.clone(),
         }
     }
@@ -225,17 +221,16 @@ impl Pair {
 
     /// Whether the surface is rigid.
     pub fn is_rigid(&self) -> bool {
-        matches!(self.law, ContactLaw::Rigid { .. })
+        self.law.is_rigid()
     }
 
     pub(crate) fn is_hertzian(&self) -> bool {
-        matches!(self.law, ContactLaw::Hertz { .. })
+        self.law.is_hertzian()
     }
 
     /// Whether a body that is let go may still be inside the surface.
     pub(crate) fn releases_early(&self) -> bool {
-        use crate::surface::Release::AtZeroForce;
-        matches!(&self.law, ContactLaw::Spring { damping, release: AtZeroForce, .. } if !is_identically_zero(damping))
+        self.law.releases_early()
     }
 
     /// Kept apart, gaps and forces have names by which the integrator knows them in every mode.

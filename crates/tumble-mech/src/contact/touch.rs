@@ -6,19 +6,17 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Branches, Expr, Jets, Layout, Rounded, Rounding, Tape};
+use tumble_expr::{Branches, Jets, Rounded};
 use tumble_ode::Reason;
 
-use crate::cache::Cache;
 use crate::contact::complementarity::DEPENDENT;
 use crate::contact::settle::BALANCED;
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
-use crate::equations::{Definitions, Equations};
+use crate::equations::Equations;
+use crate::link::{InstantTape, Measured};
 use crate::mode::Mode;
 use crate::restrained::{Gradients, respond};
-use crate::surface::ContactLaw;
-use crate::term::Term;
 
 /// Where and when.
 #[derive(Clone, Copy)]
@@ -80,12 +78,6 @@ pub(crate) struct Joined {
     pub(crate) share: DMatrix<f64>,
 }
 
-/// Tapes by the first body of an island, mode and how numbers are rounded.
-pub(crate) type TouchTapes = Cache<((usize, Mode), Rounding), Tape>;
-
-/// Outputs a pair before its row of the Jacobian: gap, rate, acceleration, restitution.
-const BEFORE_ROW: usize = 4;
-
 impl Touch {
     /// Adds impulses at the pairs, and then along the surfaces, to the velocities. Where they balance but for rounding nothing changes: what falls flat stays
     /// flat.
@@ -130,7 +122,8 @@ impl Equations {
         let pairs: Vec<usize> = island.iter().flat_map(|body| self.pair_list().of_body(*body)).collect();
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
-        let mut jets = Jets::new(self.touch_tape(&island, mode, &pairs)?, 1, now.inputs);
+        let tape = self.island_tape(&island, mode, &pairs)?;
+        let mut jets = Jets::new(Arc::clone(&tape.tape), 1, now.inputs);
         jets.start(now.time, states, Branches::Free);
         // Gaps are differences of much larger numbers: what the carries add to them is found to first order.
         for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
@@ -141,32 +134,34 @@ impl Equations {
         let (n, dofs) = (pairs.len(), velocities.len());
         let joint_rows = self.independent_rows_of(mode, &island).into_iter().map(|(index, _)| index);
         let joint_rows: Vec<usize> = joint_rows.collect();
-        let first_joint = n * (BEFORE_ROW + dofs);
-        let after_rows = first_joint + joint_rows.len() * dofs;
-        let value = |pair: usize, which: usize| jets.value_of(pair * (BEFORE_ROW + dofs) + which);
-        let column = |which: usize| DVector::from_fn(n, |pair, _| value(pair, which));
-        let after_all = after_rows + 2 * dofs + 1 + if joint_rows.is_empty() { 0 } else { dofs };
-        let (slips, along) =
-            Slips::read(&self.rough_among(&pairs), dofs, |which| jets.value_of(after_all + which));
-        let gaps = DMatrix::from_fn(n, dofs, |pair, dof| value(pair, BEFORE_ROW + dof));
-        let rows = stacked(gaps, &along);
-        let inverse = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dof));
-        let joint_value = |row: usize, which: usize| jets.value_of(first_joint + row * dofs + which);
-        let slopes = DMatrix::from_fn(joint_rows.len(), dofs, joint_value);
+        let value = |output: usize| jets.value_of(output);
+        let column = |of: &dyn Fn(&Measured) -> usize| {
+            DVector::from_iterator(n, tape.pairs.iter().map(|pair| value(of(pair))))
+        };
+        let slopes = |row: &Measured| {
+            row.slopes().map(|(dof, at)| (dof, value(at))).filter(|(_, slope)| *slope != 0.0).collect()
+        };
+        let gradients =
+            |rows: &[Measured]| Gradients { rows: rows.iter().map(slopes).collect(), columns: dofs };
+        let slips = Slips::read(&tape.slips, value);
+        let (gaps, along): (Vec<Measured>, Vec<Measured>) =
+            (tape.pairs.clone(), tape.slips.iter().map(|(_, slip)| slip.clone()).collect());
+        let rows = gradients(&[gaps, along].concat()).dense();
+        let of_bodies = |which: usize| DVector::from_fn(dofs, |dof, _| value(tape.bodies + which + dof));
+        let (inverse, pushed, size) = (of_bodies(0), of_bodies(dofs), tape.bodies + 2 * dofs);
         let (kicks, joints) = match joint_rows.is_empty() {
             true => {
                 let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
                 (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, rows.nrows()) })
             }
             false => {
-                let mass = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + 2 * dofs + 1 + dof));
                 let none = DMatrix::zeros(joint_rows.len(), rows.nrows());
-                let (kicks, share) = respond(&mass, &Gradients::of(&slopes), &rows.transpose(), &none)
+                let (mass, of_joints) = (of_bodies(2 * dofs + 1), gradients(&tape.rows));
+                let (kicks, share) = respond(&mass, &of_joints, &rows.transpose(), &none)
                     .ok_or_else(|| self.not_independent(&island))?;
                 (kicks, Joined { rows: joint_rows, share })
             }
         };
-        let pushed = DVector::from_fn(dofs, |dof, _| jets.value_of(after_rows + dofs + dof));
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
         let speed = |row: usize, rate: f64| -> f64 {
@@ -175,23 +170,24 @@ impl Equations {
             let surface = rate - (0..dofs).map(own).sum::<f64>();
             (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
         };
+        let (rate, free) = (column(&Measured::rate), column(&Measured::end));
         let mut touch = Touch {
-            size: jets.value_of(after_rows + 2 * dofs),
+            size: value(size),
             gap: DVector::from_fn(n, |pair, _| {
-                let series = jets.output(pair * (BEFORE_ROW + dofs));
+                let series = jets.output(tape.pairs[pair].position);
                 series[0] + series[1]
             }),
-            blur: self.blur(jets.tape(), n, dofs, (states, now)),
-            rate: column(1),
-            speed: DVector::from_fn(n, |pair, _| speed(pair, value(pair, 1))),
+            blur: blur(&tape, (states, now)),
+            speed: DVector::from_fn(n, |pair, _| speed(pair, rate[pair])),
+            rate,
             strength: (rows.abs() * inverse.component_mul(&pushed)
-                + stacked_column(&column(2), &slips.free).abs())
+                + stacked_column(&free, &slips.free).abs())
             .max(),
-            free: column(2),
-            restitution: column(3),
+            free,
+            restitution: column(&|pair| pair.end() + 1),
             response: &rows * &kicks,
             slips: Slips {
-                speed: DVector::from_fn(along.nrows(), |slip, _| speed(n + slip, slips.rate[slip])),
+                speed: DVector::from_fn(slips.of.len(), |slip, _| speed(n + slip, slips.rate[slip])),
                 ..slips
             },
             pairs,
@@ -210,80 +206,9 @@ impl Equations {
         }
     }
 
-    /// What rounding leaves of gaps that are zero: that of the gap itself, and what its rate makes of that of the time.
-    fn blur(
-        &self,
-        tape: &Arc<Tape>,
-        n: usize,
-        dofs: usize,
-        (states, now): (&[f64], Now<'_>),
-    ) -> DVector<f64> {
-        let rounded = |values: &[f64]| values.iter().map(|value| Rounded::leaf(*value)).collect::<Vec<_>>();
-        let mut jets = Jets::new(tape.clone(), 0, &rounded(now.inputs));
-        jets.start(Rounded::leaf(now.time), &rounded(states), Branches::Free);
-        DVector::from_fn(n, |pair, _| {
-            let [gap, rate] = [0, 1].map(|which| jets.value_of(pair * (BEFORE_ROW + dofs) + which));
-            ONE_INSTANT * (gap.noise() + rate.value.abs() * f64::EPSILON * now.time)
-        })
-    }
-
-    fn touch_tape(&self, island: &[usize], mode: &Mode, pairs: &[usize]) -> Result<Arc<Tape>, Reason> {
-        if let Some(twin) = self.twin(mode).filter(|twin| twin.bodies().len() == island.len()) {
-            let pairs: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
-            return self.touch_tape(twin.bodies(), &twin.mode(mode), &pairs);
-        }
-        let key = (island[0], mode.without_support(self.pairs(), island));
-        let build = |(_, mode): &(usize, Mode)| self.build_touch_tape(island, mode, pairs);
-        self.built().touch_tapes.get_rounded(key, self.rounding(), build, Tape::rounded)
-    }
-
-    fn build_touch_tape(&self, island: &[usize], mode: &Mode, pairs: &[usize]) -> Result<Tape, Reason> {
-        let layout = Layout { rounding: Rounding::NEAREST, ..self.layout(mode) };
-        let velocities: Vec<_> = island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
-        let velocities: Vec<_> = velocities.into_iter().map(|state| layout.states[state].clone()).collect();
-        let definitions = self.definitions_about(mode, island);
-        let mut outputs: Vec<Expr> = vec![];
-        for pair in pairs.iter().map(|pair| &self.pairs()[*pair]) {
-            let restitution = match &pair.law {
-                ContactLaw::Rigid { restitution } => restitution.clone(),
-                _ => Expr::zero(),
-            };
-            let rate = definitions.apply(&pair.gap_rate());
-            outputs.push(definitions.apply(&pair.gap()));
-            outputs.push(rate.clone());
-            outputs.push(definitions.apply(&pair.gap_acceleration()));
-            outputs.push(definitions.apply(&restitution));
-            outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
-        }
-        let joints = self.independent_rows_of(mode, island);
-        for (_, row) in &joints {
-            let rate = definitions.apply(&row.rate);
-            outputs.extend(velocities.iter().map(|velocity| rate.derivative(velocity)));
-        }
-        let inverse = island.iter().flat_map(|body| self.inverse_masses(*body));
-        outputs.extend(inverse.map(|formula| definitions.apply(&formula)));
-        outputs.extend(island.iter().flat_map(|body| self.pushes(*body, mode, &definitions)));
-        let reaches = island.iter().map(|body| self.model().bodies[*body].reach() * 2);
-        let size = reaches.reduce(|far, next| Expr::binary(tumble_expr::Binary::Max, far, next));
-        outputs.extend(size);
-        if !joints.is_empty() {
-            let masses = island.iter().flat_map(|body| self.masses(mode, *body));
-            outputs.extend(masses.map(|formula| definitions.apply(&formula)));
-        }
-        for slip in self.rough_among(pairs) {
-            outputs.extend(self.pairs()[pairs[slip]].slip_outputs(&definitions, &velocities));
-        }
-        Ok(Tape::compile(&layout, &outputs)?)
-    }
-
     fn not_independent(&self, island: &[usize]) -> Reason {
         let names: Vec<&str> = island.iter().map(|body| self.model().bodies[*body].name.as_str()).collect();
         Reason::Model(format!("the joints of {} do not determine their impulses here", names.join(", ")))
-    }
-
-    /// Positions of those of some pairs that have friction.
-    fn rough_among(&self, pairs: &[usize]) -> Vec<usize> {
-        (0..pairs.len()).filter(|place| self.pairs()[pairs[*place]].friction.is_some()).collect()
     }
 
     /// What kind each velocity of a body is of.
@@ -293,33 +218,18 @@ impl Equations {
             Some(_) => &[Measure::AngularRate],
         }
     }
-
-    /// Sizes of all forces and torques on a body, lasting contacts left out, added up without signs: one for each
-    /// velocity.
-    fn pushes(&self, body: usize, mode: &Mode, definitions: &Definitions) -> Vec<Expr> {
-        let terms = self.terms_on(mode, body, definitions);
-        let total =
-            |of: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + of(term).abs());
-        match self.pivot_arm(body) {
-            None => vec![
-                total(&|term| term.force.x().clone()),
-                total(&|term| term.force.y().clone()),
-                total(&Term::torque),
-            ],
-            Some((_, arm)) => {
-                let arm = arm.map(|part| definitions.apply(part));
-                vec![total(&|term| term.torque_about(&(&term.arm - &arm)))]
-            }
-        }
-    }
 }
 
-/// Rows of one matrix, then of another.
-fn stacked(first: DMatrix<f64>, then: &DMatrix<f64>) -> DMatrix<f64> {
-    let (before, all) = (first.nrows(), first.nrows() + then.nrows());
-    let mut rows = first.resize_vertically(all, 0.0);
-    rows.rows_mut(before, all - before).copy_from(then);
-    rows
+/// What rounding leaves of gaps that are zero: that of the gap itself, and what its rate makes of that of the time.
+fn blur(tape: &InstantTape, (states, now): (&[f64], Now<'_>)) -> DVector<f64> {
+    let rounded = |values: &[f64]| values.iter().map(|value| Rounded::leaf(*value)).collect::<Vec<_>>();
+    let mut jets = Jets::new(Arc::clone(&tape.tape), 0, &rounded(now.inputs));
+    jets.start(Rounded::leaf(now.time), &rounded(states), Branches::Free);
+    let blur = |pair: &Measured| {
+        let [gap, rate] = [pair.position, pair.rate()].map(|output| jets.value_of(output));
+        ONE_INSTANT * (gap.noise() + rate.value.abs() * f64::EPSILON * now.time)
+    };
+    DVector::from_iterator(tape.pairs.len(), tape.pairs.iter().map(blur))
 }
 
 /// Entries of one vector, then of another.

@@ -17,6 +17,7 @@
 //! `tests/equilibrium.rs`: a hanging pendulum, a triangle of rods hung up, a rod on two springs, an inverted pendulum with and
 //! without a torsion spring, a box and a ball on floors.
 
+mod formulas;
 mod small_motions;
 mod statics;
 

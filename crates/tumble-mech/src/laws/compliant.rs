@@ -21,19 +21,18 @@ use tumble_expr::{Expr, is_identically_zero};
 use crate::contact::Pair;
 use crate::parameters::time_symbol;
 use crate::potential::Potential;
-use crate::surface::ContactLaw;
 use crate::term::Term;
 
 /// Force of a pressed pair along the normal, N, in the body's position and velocity and, for Hertz, the root of the
 /// depth.
 pub(crate) fn normal_force(pair: &Pair) -> Option<Expr> {
-    let (stiffness, damping) = coefficients(pair)?;
+    let (stiffness, damping) = pair.law.coefficients()?;
     Some(damped_force(pair, stiffness, damping))
 }
 
 /// The energy of a pressed pair, by its index.
 pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
-    let (stiffness, damping) = coefficients(pair)?;
+    let (stiffness, damping) = pair.law.coefficients()?;
     let force = damped_force(pair, stiffness, &Expr::zero());
     let (energy, by_path) = match pair.is_hertzian() {
         true => {
@@ -51,16 +50,6 @@ pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
         is_whole: is_identically_zero(damping),
         ..whole
     })
-}
-
-/// Stiffness and damping.
-fn coefficients(pair: &Pair) -> Option<(&Expr, &Expr)> {
-    match &pair.law {
-        ContactLaw::Spring { stiffness, damping, .. } | ContactLaw::Hertz { stiffness, damping } => {
-            Some((stiffness, damping))
-        }
-        ContactLaw::Rigid { .. } => None,
-    }
 }
 
 fn damped_force(pair: &Pair, stiffness: &Expr, damping: &Expr) -> Expr {

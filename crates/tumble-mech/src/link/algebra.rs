@@ -1,6 +1,6 @@
 //! What values in a mode may be: nodes of a linker, or formulas.
 
-use tumble_expr::{Binary, CompileError, Expr, Linker, NodeId, Symbol};
+use tumble_expr::{Binary, CompileError, Expr, Linker, NodeId, Symbol, Unary};
 
 use super::part::Piece;
 
@@ -17,7 +17,7 @@ pub(crate) trait Algebra {
 
     fn binary(&mut self, op: Binary, a: Self::Value, b: Self::Value) -> Self::Value;
 
-    fn negative(&mut self, a: Self::Value) -> Self::Value;
+    fn unary(&mut self, op: Unary, a: Self::Value) -> Self::Value;
 
     /// The unknowns of a linear system of entries by row and column, and right sides.
     fn solve(&mut self, rows: Vec<Vec<(usize, Self::Value)>>, right: Vec<Self::Value>) -> Vec<Self::Value>;
@@ -66,8 +66,8 @@ impl Algebra for Nodes {
         self.linker.binary(op, a, b)
     }
 
-    fn negative(&mut self, a: NodeId) -> NodeId {
-        self.linker.negative(a)
+    fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
+        self.linker.unary(op, a)
     }
 
     fn solve(&mut self, rows: Vec<Vec<(usize, NodeId)>>, right: Vec<NodeId>) -> Vec<NodeId> {
@@ -98,8 +98,8 @@ impl Algebra for Written {
         Expr::binary(op, a, b)
     }
 
-    fn negative(&mut self, a: Expr) -> Expr {
-        -a
+    fn unary(&mut self, op: Unary, a: Expr) -> Expr {
+        Expr::unary(op, a)
     }
 
     fn solve(&mut self, rows: Vec<Vec<(usize, Expr)>>, right: Vec<Expr>) -> Vec<Expr> {

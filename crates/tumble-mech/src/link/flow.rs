@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Binary, Expr, Symbol};
+use tumble_expr::{Binary, Expr, Symbol, Unary};
 use tumble_ode::{AtZero, Direction, Flow, Guard, Invariant, LazyGuard, ScaleGroup, StateVariable};
 
 use super::algebra::Algebra;
@@ -52,16 +52,9 @@ impl<A: Algebra> Linking<'_, A> {
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
     fn groups(&mut self) -> Vec<ScaleGroup<A::Value>> {
-        let mut size = None;
-        for body in &self.mode.bodies {
-            let own = self.part(Part::Size(*body)).remove(0);
-            size = Some(match size {
-                None => own,
-                Some(far) => self.algebra.binary(Binary::Max, far, own),
-            });
-        }
         let zero = self.algebra.zero();
-        let (size, one) = (size.unwrap_or_else(|| zero.clone()), self.formula(&Expr::one()));
+        let size = self.size(&self.mode.bodies).unwrap_or_else(|| zero.clone());
+        let one = self.formula(&Expr::one());
         let group = |name: &str, floor: &A::Value, per_run| ScaleGroup {
             name: name.to_owned(),
             floor: floor.clone(),
@@ -74,6 +67,17 @@ impl<A: Algebra> Linking<'_, A> {
             group("angular rate", &one, true),
             group("root of a depth", &zero, false),
         ]
+    }
+
+    /// The largest length that places of some bodies are measured against.
+    pub(super) fn size(&mut self, bodies: &[usize]) -> Option<A::Value> {
+        bodies.iter().fold(None, |far, body| {
+            let own = self.part(Part::Size(*body)).remove(0);
+            Some(match far {
+                None => own,
+                Some(far) => self.algebra.binary(Binary::Max, far, own),
+            })
+        })
     }
 
     /// Guards of events, then of the pairs that touch.
@@ -100,7 +104,7 @@ impl<A: Algebra> Linking<'_, A> {
             // The gap and the root of the depth vanish together; the root does so with a slope.
             Watched::Gap if pair.is_hertzian() => {
                 let root = self.algebra.leaf(&pair.root_symbol());
-                self.algebra.negative(root)
+                self.algebra.unary(Unary::Neg, root)
             }
             Watched::Gap => self.part(Part::Gap(index)).remove(0),
             Watched::Force => self.part(Part::Pressed(index)).remove(0),

@@ -1,6 +1,8 @@
 //! The rows that hold bodies together in a mode, and what keeps them: see [`crate::row`].
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+use tumble_expr::{FastMap, Unary};
 
 use tumble_expr::Binary;
 
@@ -15,7 +17,7 @@ use crate::mode::Mode;
 #[derive(Default)]
 pub(super) struct Islands {
     all: Vec<Island>,
-    of_body: HashMap<usize, usize>,
+    of_body: FastMap<usize, usize>,
 }
 
 /// Bodies that joints keep together.
@@ -164,7 +166,7 @@ impl<A: Algebra> Linking<'_, A> {
     }
 
     fn right_sides(&mut self, rows: &[(RowOf, Vec<usize>)], lights: &[usize]) -> Vec<A::Value> {
-        let mut free: HashMap<usize, Vec<A::Value>> = HashMap::new();
+        let mut free: FastMap<usize, Vec<A::Value>> = FastMap::default();
         for body in rows.iter().flat_map(|(_, bodies)| bodies) {
             if !free.contains_key(body) {
                 let accelerations = self.free_accelerations(*body);
@@ -184,7 +186,7 @@ impl<A: Algebra> Linking<'_, A> {
             let [_, _, torque] = self.given(*body);
             right.push(torque);
         }
-        right.into_iter().map(|side| self.algebra.negative(side)).collect()
+        right.into_iter().map(|side| self.algebra.unary(Unary::Neg, side)).collect()
     }
 
     /// Those that a body would have if nothing kept its rows.

@@ -3,13 +3,12 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use tumble_expr::{Binary, Expr, Symbol};
+use tumble_expr::{Binary, Expr, FastMap, Symbol};
 
 use super::algebra::Algebra;
 use super::island::Islands;
 use super::names::{Meaning, Name, Names};
 use super::part::{Part, Piece, TermOf};
-use crate::coordinates::Coordinates;
 use crate::equations::Equations;
 use crate::mode::Mode;
 
@@ -19,9 +18,9 @@ pub(crate) struct Linking<'a, A: Algebra> {
     pub(super) mode: &'a Mode,
     pub(super) names: Arc<Names>,
     pub(super) algebra: A,
-    values: HashMap<Name, A::Value>,
+    values: FastMap<Name, A::Value>,
     /// By body that is in the mode.
-    acting: HashMap<usize, Acting>,
+    acting: FastMap<usize, Acting>,
     pub(super) islands: Islands,
     /// Parameters that events have changed.
     changed: HashMap<Symbol, Expr>,
@@ -38,7 +37,7 @@ struct Acting {
 
 impl<'a, A: Algebra> Linking<'a, A> {
     pub(crate) fn new(equations: &'a Equations, mode: &'a Mode, algebra: A) -> Self {
-        let mut acting: HashMap<usize, Acting> =
+        let mut acting: FastMap<usize, Acting> =
             mode.bodies.iter().map(|body| (*body, Acting::default())).collect();
         for (term, keeps) in equations.acting_terms(mode) {
             let own = acting.entry(equations.term(term).body).or_default();
@@ -50,7 +49,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
             mode,
             names: equations.names(),
             algebra,
-            values: HashMap::new(),
+            values: FastMap::default(),
             acting,
             islands: Islands::of(equations, mode),
             changed,
@@ -119,7 +118,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
         let found = match meaning {
             Meaning::Leaf => leaf,
             Meaning::Parameter => self.parameter(symbol).unwrap_or(leaf),
-            Meaning::Place { body, which } => match self.is_pivoted(body) {
+            Meaning::Place { body, which } => match self.equations.is_pivoted(body) {
                 true => self.part(Part::Place(body)).swap_remove(which),
                 false => leaf,
             },
@@ -140,10 +139,6 @@ impl<'a, A: Algebra> Linking<'a, A> {
     /// Says what a symbol stands for.
     pub(super) fn settle(&mut self, name: Name, value: A::Value) {
         self.values.insert(name, value);
-    }
-
-    fn is_pivoted(&self, body: usize) -> bool {
-        matches!(self.equations.body_equations(body).coordinates, Coordinates::Pivoted { .. })
     }
 
     /// What a parameter has been changed to, in parameters as they were at the start.
@@ -197,6 +192,12 @@ impl<'a, A: Algebra> Linking<'a, A> {
             None => [next(), next(), next()],
             Some(total) => total.map(|sum| self.algebra.binary(Binary::Add, sum, next())),
         }
+    }
+
+    /// All terms on a body.
+    pub(super) fn terms_on(&self, body: usize) -> Vec<TermOf> {
+        let own = self.acting.get(&body);
+        own.map(|acting| [&acting.given[..], &acting.keeping].concat()).unwrap_or_default()
     }
 
     fn or_nothing(&mut self, total: Option<[A::Value; 3]>) -> [A::Value; 3] {

@@ -7,11 +7,13 @@
 
 mod algebra;
 mod flow;
+mod instant;
 mod island;
 mod linking;
 mod names;
 mod part;
 
 pub(crate) use algebra::{Nodes, Written};
+pub(crate) use instant::{InstantTape, InstantTapes, Measured};
 pub(crate) use linking::Linking;
 pub(crate) use part::{Library, RowOf, TermOf, total};

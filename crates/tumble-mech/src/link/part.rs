@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use tumble_expr::{
-    Code, CompileError, Expr, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
+    Code, CompileError, Expr, FastMap, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
 };
 use tumble_ode::Watched;
 
@@ -26,6 +26,10 @@ pub(crate) enum Part {
     Acceleration(usize),
     /// Force of a body's pivot.
     Reaction(usize),
+    /// What each velocity of a body takes to be changed; whether it has no moment of inertia and joints turn it.
+    Masses(usize, bool),
+    /// What an impulse does to each velocity of a body.
+    InverseMasses(usize),
     /// Force along x and y of a term, and its torque about what the body turns about.
     Term(TermOf),
     /// The force of a pair that is pressed.
@@ -108,7 +112,7 @@ pub(crate) struct Import {
 #[derive(Debug, Default)]
 pub(crate) struct Library {
     names: OnceLock<Arc<Names>>,
-    parts: Mutex<HashMap<Part, Arc<Piece>>>,
+    parts: Mutex<FastMap<Part, Arc<Piece>>>,
     /// Those of formulas from elsewhere: of observers, events and changes.
     written: Cache<Formulas, Piece>,
     /// Classes of parts, by outline.
@@ -206,7 +210,7 @@ impl Equations {
         }
     }
 
-    pub(super) fn row(&self, of: RowOf) -> Row {
+    pub(crate) fn row(&self, of: RowOf) -> Row {
         match of {
             RowOf::Pair(pair) => self.pairs()[pair].row(),
             RowOf::Slip(pair) => self.pairs()[pair].slip_row(),
@@ -223,6 +227,14 @@ impl Equations {
             }
             Part::Acceleration(body) => self.body_equations(body).accelerations(),
             Part::Reaction(body) => self.body_equations(body).reaction_to_all(),
+            Part::Masses(body, is_light) => {
+                let body = self.body_equations(body);
+                body.coordinates.masses(&body.mass, is_light)
+            }
+            Part::InverseMasses(body) => {
+                let body = self.body_equations(body);
+                body.coordinates.inverse_masses(&body.mass)
+            }
             Part::Term(of) => {
                 let term = self.term(of);
                 let body = self.body_equations(term.body);

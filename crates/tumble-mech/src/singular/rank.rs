@@ -56,9 +56,9 @@ pub(super) enum Zero {
 
 impl Rank {
     pub(super) fn of(equations: &Equations, mode: &Mode, inputs: &[f64]) -> Result<Self, Reason> {
-        let rows: Vec<_> = equations.joint_rows(mode).collect();
-        let groups = rows.iter().map(|(_, row)| [row.measure as usize, row.measure.rate() as usize]);
-        let (gauge, groups) = (Gauge::of(equations, mode, &rows, inputs)?, groups.collect());
+        let groups = equations.joint_rows(mode);
+        let groups = groups.map(|(_, row)| [row.measure as usize, row.measure.rate() as usize]).collect();
+        let gauge = Gauge::of(equations, mode, &equations.rows_by_joint(mode), inputs)?;
         Ok(Self { gauge, left_out: mode.redundant.clone(), groups, looked_at: f64::INFINITY })
     }
 

@@ -18,7 +18,7 @@ impl Equations {
     /// In a sentence, of which joints a row follows from others at these states, or within [`LOST`] of them, and at no states nearby;
     /// none where there are none.
     pub(crate) fn only_here(&self, mode: &Mode, time: f64, states: &[f64], inputs: &[f64]) -> Option<String> {
-        let listed: Vec<_> = self.joint_rows(mode).collect();
+        let listed = self.rows_by_joint(mode);
         if listed.is_empty() {
             return None;
         }

@@ -2,15 +2,13 @@
 
 use super::prose::Text;
 
-/// A formula in four notations of the same content.
+/// A formula in three notations of the same content.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Math {
     /// A `math` element of MathML; what is none is shown as `text` instead.
     pub mathml: String,
     /// The formula in LaTeX, without dollar signs.
     pub latex: String,
-    /// The formula in Typst, without dollar signs; what is more than mathematics is shown as `text` instead.
-    pub typst: String,
     /// The formula in words or plain signs, for screen readers and where MathML fails.
     pub text: String,
 }

@@ -27,8 +27,6 @@ mod markup;
 mod math;
 mod mathml;
 mod model;
-#[cfg(feature = "pdf")]
-mod pdf;
 mod picture;
 mod prose;
 mod rows;
@@ -40,8 +38,6 @@ pub use animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, Moving
 pub use identify::{BodyRow, Identify, Quantity};
 pub use math::{Block, Definition, Math};
 pub use model::{BodyModel, ForceRow, Mode, Model};
-#[cfg(feature = "pdf")]
-pub use pdf::{Pdf, PdfError};
 pub use picture::{Picture, Plot};
 pub use prose::{Piece, Text};
 pub use solve::{Phase, Solve};
@@ -80,11 +76,5 @@ impl Report {
     /// The report as Markdown with LaTeX between dollar signs, and links to figure files.
     pub fn markdown(&self) -> String {
         markdown::document(self)
-    }
-
-    /// The report on A4. The motion is a stroboscopic picture of its first case.
-    #[cfg(feature = "pdf")]
-    pub fn pdf(&self) -> Result<Pdf, PdfError> {
-        pdf::pdf(self)
     }
 }

@@ -31,18 +31,8 @@ pub enum Form {
     Html,
     /// Text with formulas and links to the figures: `report.md`.
     Markdown,
-    /// Pages of A4 to print: `report.pdf`. Needs the feature `pdf`.
-    Pdf,
     /// None.
     None,
-}
-
-impl Form {
-    /// Refuses a form that this build cannot write, before any work is done for it.
-    pub(crate) fn check(self) -> Result<(), PipelineError> {
-        let lacks = self == Self::Pdf && cfg!(not(feature = "pdf"));
-        if lacks { Err(PipelineError::WithoutPdf) } else { Ok(()) }
-    }
 }
 
 /// Writes the report of a study beside its figures.
@@ -55,23 +45,10 @@ pub(crate) fn write(
 ) -> Result<(), PipelineError> {
     let (file, content) = match form {
         Form::None => return Ok(()),
-        Form::Html => ("report.html", build(source, study, runs)?.html().into()),
-        Form::Markdown => ("report.md", build(source, study, runs)?.markdown().into()),
-        Form::Pdf => ("report.pdf", pdf(&build(source, study, runs)?)?),
+        Form::Html => ("report.html", build(source, study, runs)?.html()),
+        Form::Markdown => ("report.md", build(source, study, runs)?.markdown()),
     };
-    Ok(folder.write(file, &content)?)
-}
-
-#[cfg(feature = "pdf")]
-fn pdf(report: &Report) -> Result<Vec<u8>, PipelineError> {
-    let pdf = report.pdf()?;
-    debug_assert!(pdf.warnings.is_empty(), "{:?}", pdf.warnings);
-    Ok(pdf.bytes)
-}
-
-#[cfg(not(feature = "pdf"))]
-fn pdf(_: &Report) -> Result<Vec<u8>, PipelineError> {
-    Err(PipelineError::WithoutPdf)
+    Ok(folder.write(file, content.as_bytes())?)
 }
 
 /// Identify, model, solve, analyze.

@@ -52,10 +52,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
             model.surfaces.iter().any(|surface| surface.friction.is_some()),
             "Friction is dry: its coefficients do not depend on the speed, the pressure or the time at rest.",
         ),
-        (
-            model.surfaces.iter().any(|s| matches!(s.law, tumble_mech::ContactLaw::Rigid { .. })),
-            "An impact on a rigid surface takes no time.",
-        ),
+        (model.surfaces.iter().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
     ];
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use tumble_expr::{Dimension, Expr, Symbol};
-use tumble_math::{Left, Notation, Shown, latex, mathml, text, typst};
+use tumble_math::{Left, Notation, Shown, latex, mathml, text};
 use tumble_mech::Law;
 use tumble_report::report::{Block, Definition, Math, Text};
 use tumble_report::{Label, numeral};
@@ -123,7 +123,7 @@ pub(crate) fn block(title: Text, shown: Result<Shown, tumble_math::MathError>) -
 
 /// The same in the notations of a report.
 pub(crate) fn math(formula: &tumble_math::Math) -> Math {
-    Math { mathml: mathml(formula), latex: latex(formula), typst: typst(formula), text: text(formula) }
+    Math { mathml: mathml(formula), latex: latex(formula), text: text(formula) }
 }
 
 /// Words in the place of a formula.

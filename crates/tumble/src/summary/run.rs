@@ -241,7 +241,7 @@ fn find(result: &FindResult) -> Find<'_> {
         unit: &result.unit,
         at: finite(result.at),
         value: finite(result.value).filter(|_| result.spread.is_none()),
-        error: result.error.and_then(finite),
+        error: result.error.and_then(finite).filter(|_| !result.value.is_nan()),
         between: result.spread.map(between),
         status: result.status(),
     }
@@ -256,7 +256,7 @@ fn check(result: &CheckResult) -> Check<'_> {
         found: finite(result.found).filter(|_| result.spread.is_none()),
         expected: finite(result.expected),
         within: result.within,
-        error: result.error.and_then(finite),
+        error: result.error.and_then(finite).filter(|_| !result.found.is_nan()),
         between: result.spread.map(between),
         holds: result.holds,
         status: result.status(),

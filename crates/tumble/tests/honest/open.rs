@@ -73,3 +73,52 @@ fn two_feet_are_known() {
     assert!(case.finds[0].spread.is_none());
     Found::of(&case.finds[0]).is(9.81, 1e-12);
 }
+
+/// Two cranks of unlike masses, parallel until they lie in one line with the coupler.
+const CRANKS: &str = r#"
+[body.crank0]
+rod = { from = [0, 0], to = ["0.3 m", 0] }
+mass = "1 kg"
+points.tip = ["0.3 m", 0]
+start = { angle = "-0.5 rad", omega = "6 rad/s" }
+[body.crank1]
+rod = { from = [0, 0], to = ["0.3 m", 0] }
+mass = "3 kg"
+points.tip = ["0.3 m", 0]
+start = { angle = "-0.5 rad", omega = "6 rad/s" }
+[body.coupler]
+rod = { from = [0, 0], to = ["0.5 m", 0] }
+mass = "1 kg"
+points.a = [0, 0]
+points.b = ["0.5 m", 0]
+start = { at = ["0.3 m*cos(-0.5) + 0.25 m", "0.3 m*sin(-0.5)"], velocity = ["-0.3 m*sin(-0.5)*(6 s^-1)", "0.3 m*cos(-0.5)*(6 s^-1)"] }
+[pivot.A0]
+body = "crank0"
+point = [0, 0]
+world = [0, 0]
+[pivot.A1]
+body = "crank1"
+point = [0, 0]
+world = ["0.5 m", 0]
+[pin.B0]
+between = ["crank0.tip", "coupler.a"]
+assemble = true
+[pin.B1]
+between = ["crank1.tip", "coupler.b"]
+assemble = true
+"#;
+
+/// Where joints leave them open forces have no value, and no error of one; places and velocities have both.
+#[test]
+fn forces_at_a_singular_instant_have_no_value() {
+    let find = |name: &str, that: &str| format!("[find.{name}]\nthat = \"{that}\"\nat = \"singular[1]\"\n");
+    let check = check("B0.fx", "1 N") + "at = \"singular[1]\"\n";
+    let more =
+        find("force", "B0.fx") + &find("angle", "crank0.angle") + &find("omega", "crank0.omega") + &check;
+    let case = scene(&format!("{CRANKS}{more}")).until("0.2 s").run(&[]);
+    assert_eq!(case.finds[0].status(), "no value");
+    assert_eq!(case.finds[0].open().expect("words"), "has no value");
+    assert_eq!((case.checks[0].holds, case.checks[0].open().as_deref()), (false, Some("has no value")));
+    Found::of(&case.finds[1]).is(0.0, 1e-12);
+    Found::of(&case.finds[2]).is(6.0, 1e-11);
+}

@@ -61,9 +61,14 @@ pub(crate) struct Inherited {
 }
 
 impl Plan {
-    /// Of a matrix of which each row has entries in these columns: numbers of the entries, then their columns.
-    pub(crate) fn new(rows: &[(Range<usize>, Vec<u32>)]) -> Self {
-        let n = rows.len();
+    /// Of a matrix of which each row has entries in these columns; entries are counted row by row.
+    pub(crate) fn new(rows: &[Vec<u32>]) -> Self {
+        let (n, mut first) = (rows.len(), 0);
+        let ranged = |columns: &Vec<u32>| {
+            first += columns.len();
+            (first - columns.len()..first, columns.clone())
+        };
+        let rows: &[(Range<usize>, Vec<u32>)] = &rows.iter().map(ranged).collect::<Vec<_>>();
         let merges = Merging::new(rows).run();
         if merges.len() < n {
             return Self { n, is_singular: true, room: 0, ..Self::default() };
@@ -107,6 +112,8 @@ struct Merging {
     costs: Vec<usize>,
     next: BTreeSet<(usize, u32)>,
     is_marked: Vec<bool>,
+    /// The columns that are, while they are counted.
+    marked: Vec<u32>,
 }
 
 impl Merging {
@@ -122,7 +129,8 @@ impl Merging {
             group.columns.iter().for_each(|column| holders[*column as usize].push(index));
         }
         let (costs, next) = (vec![0; n], BTreeSet::new());
-        let mut merging = Self { groups, holders, costs, next, is_marked: vec![false; n] };
+        let (is_marked, marked) = (vec![false; n], vec![]);
+        let mut merging = Self { groups, holders, costs, next, is_marked, marked };
         (0..n as u32).for_each(|column| merging.weigh(column));
         merging
     }
@@ -134,7 +142,7 @@ impl Merging {
             if groups.is_empty() {
                 return merges;
             }
-            let whole = self.union(&groups, Some(column));
+            let whole = self.union(&groups, column);
             for &other in &whole.columns {
                 self.holders[other as usize].retain(|group| !groups.contains(group));
             }
@@ -155,30 +163,45 @@ impl Merging {
     }
 
     /// All rows of some groups and all their columns, but for one.
-    fn union(&mut self, groups: &[usize], without: Option<u32>) -> Group {
-        let (mut places, mut columns) = (vec![], vec![]);
-        for group in groups.iter().map(|group| &self.groups[*group]) {
-            places.extend_from_slice(&group.places);
-            for &column in &group.columns {
-                if !std::mem::replace(&mut self.is_marked[column as usize], true) {
-                    columns.push(column);
-                }
-            }
+    fn union(&mut self, groups: &[usize], without: u32) -> Group {
+        let mut places: Vec<u32> =
+            groups.iter().flat_map(|group| &self.groups[*group].places).copied().collect();
+        for group in groups {
+            mark(&self.groups[*group].columns, &mut self.is_marked, &mut self.marked);
         }
-        columns.iter().for_each(|column| self.is_marked[*column as usize] = false);
-        columns.retain(|column| Some(*column) != without);
+        let mut columns = self.marked.clone();
+        self.unmark();
+        columns.retain(|column| *column != without);
         places.sort_unstable();
         columns.sort_unstable();
         Group { places, columns }
     }
 
+    /// Finds the size of a column's step: how many rows its groups have together, and how many columns. Groups share no rows.
     fn weigh(&mut self, column: u32) {
-        let holders = std::mem::take(&mut self.holders[column as usize]);
-        let whole = self.union(&holders, None);
-        self.holders[column as usize] = holders;
-        let cost = whole.places.len() * whole.columns.len();
+        let mut places = 0;
+        for group in self.holders[column as usize].iter().map(|group| &self.groups[*group]) {
+            places += group.places.len();
+            mark(&group.columns, &mut self.is_marked, &mut self.marked);
+        }
+        let cost = places * self.marked.len();
+        self.unmark();
         self.costs[column as usize] = cost;
         self.next.insert((cost, column));
+    }
+
+    fn unmark(&mut self) {
+        self.marked.iter().for_each(|column| self.is_marked[*column as usize] = false);
+        self.marked.clear();
+    }
+}
+
+/// Marks columns, and lists those that were not marked.
+fn mark(columns: &[u32], is_marked: &mut [bool], marked: &mut Vec<u32>) {
+    for &column in columns {
+        if !std::mem::replace(&mut is_marked[column as usize], true) {
+            marked.push(column);
+        }
     }
 }
 

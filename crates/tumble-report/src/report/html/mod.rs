@@ -10,8 +10,4 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-#[cfg(feature = "pdf")]
-pub(super) use figures::description;
-#[cfg(feature = "pdf")]
-pub(super) use motion::still;
 pub(super) use page::page;

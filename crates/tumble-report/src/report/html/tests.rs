@@ -17,12 +17,7 @@ fn label() -> Label {
 }
 
 fn formula() -> Math {
-    Math {
-        mathml: format!("<math><mi>{HOSTILE}</mi></math>"),
-        latex: HOSTILE.into(),
-        typst: HOSTILE.into(),
-        text: HOSTILE.into(),
-    }
+    Math { mathml: format!("<math><mi>{HOSTILE}</mi></math>"), latex: HOSTILE.into(), text: HOSTILE.into() }
 }
 
 fn picture() -> Picture {
@@ -226,7 +221,7 @@ fn long_tables_fold_after_twenty_rows() {
 #[test]
 fn formulas_stand_as_they_came_and_speak() {
     let mathml = "<math><mi>x</mi></math>".to_owned();
-    let math = Math { mathml, latex: "x".into(), text: "the \"x\"".into(), ..Math::default() };
+    let math = Math { mathml, latex: "x".into(), text: "the \"x\"".into() };
     let report = Report { intro: vec![math.into()], ..Report::default() };
     let shown =
         "<span class=\"math\" role=\"math\" aria-label=\"the &quot;x&quot;\"><math><mi>x</mi></math></span>";

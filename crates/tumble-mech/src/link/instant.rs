@@ -1,0 +1,220 @@
+//! Tapes of rows and pairs at one instant: what impacts, lasting contacts and corrections are found from.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use tumble_expr::{Binary, Expr, Layout, NodeId, Rounding, Tape, Unary};
+use tumble_ode::Reason;
+
+use super::algebra::{Algebra, Nodes};
+use super::linking::Linking;
+use super::names::Name;
+use super::part::{Part, RowOf};
+use crate::cache::Cache;
+use crate::equations::Equations;
+use crate::mode::Mode;
+
+/// Tapes by what they are of, mode and how numbers are rounded.
+pub(crate) type InstantTapes = Cache<((Asked, Mode), Rounding), InstantTape>;
+
+/// What a tape is of.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Asked {
+    /// The pairs of an island, by its first body.
+    Island(usize),
+    /// These rows.
+    Rows(Vec<RowOf>),
+}
+
+/// A tape with where the numbers stand among its outputs.
+#[derive(Clone, Debug)]
+pub(crate) struct InstantTape {
+    pub(crate) tape: Arc<Tape>,
+    /// Behind each of these stand the gap's acceleration and the restitution.
+    pub(crate) pairs: Vec<Measured>,
+    /// Of those with friction, by their order among the pairs, the rate along the surface; behind each of these stand its derivative
+    /// and both coefficients.
+    pub(crate) slips: Vec<(usize, Measured)>,
+    pub(crate) rows: Vec<Measured>,
+    /// Where numbers of bodies begin.
+    pub(crate) bodies: usize,
+}
+
+/// Where the numbers of a row stand: its position if it has one, its rate, the slopes of that by velocities.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    pub(crate) position: usize,
+    /// Velocities that the rate depends on, by their order among those that are asked about.
+    velocities: Vec<usize>,
+}
+
+impl Measured {
+    pub(crate) fn rate(&self) -> usize {
+        self.position + 1
+    }
+
+    /// Velocities, each with where the slope by it stands.
+    pub(crate) fn slopes(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.velocities.iter().copied().zip(self.position + 2..)
+    }
+
+    /// Where the next number stands.
+    pub(crate) fn end(&self) -> usize {
+        self.position + 2 + self.velocities.len()
+    }
+}
+
+impl InstantTape {
+    /// The same with numbers rounded in another way.
+    fn rounded(&self, rounding: Rounding) -> Self {
+        Self { tape: Arc::new(self.tape.rounded(rounding)), ..self.clone() }
+    }
+}
+
+impl Equations {
+    /// That of the pairs of an island and the joints that hold it. By velocity it has the change by a unit of impulse, the sum of the
+    /// sizes of all forces, lasting contacts left out, then the largest extent of a body, then masses where there are joints.
+    pub(crate) fn island_tape(
+        &self,
+        island: &[usize],
+        mode: &Mode,
+        pairs: &[usize],
+    ) -> Result<Arc<InstantTape>, Reason> {
+        if let Some(twin) = self.twin(mode).filter(|twin| twin.bodies().len() == island.len()) {
+            let pairs: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
+            return self.island_tape(twin.bodies(), &twin.mode(mode), &pairs);
+        }
+        let asked = Asked::Island(island[0]);
+        self.instant_tape((asked, mode.without_support(self.pairs(), island)), |mode| {
+            let mut instant = Instant::new(self, mode, island);
+            let rough = pairs.iter().copied().enumerate();
+            let rough = rough.filter(|(_, pair)| self.pairs()[*pair].friction.is_some());
+            let pairs = pairs.iter().map(|pair| instant.pair(*pair)).collect();
+            let slips = rough.map(|(position, pair)| (position, instant.slip(pair))).collect();
+            let rows = self.independent_rows_of(mode, island).into_iter();
+            let rows: Vec<Measured> = rows.map(|(_, row)| instant.row(row)).collect();
+            let bodies = instant.outputs.len();
+            instant.add_bodies(island, !rows.is_empty());
+            Ok(InstantTape { tape: instant.tape()?, pairs, slips, rows, bodies })
+        })
+    }
+
+    /// That of some rows in a mode, with the masses by velocity of all its bodies.
+    pub(crate) fn rows_tape(&self, mode: &Mode, rows: Vec<RowOf>) -> Result<Arc<InstantTape>, Reason> {
+        self.instant_tape((Asked::Rows(rows.clone()), mode.clone()), |mode| {
+            let mut instant = Instant::new(self, mode, &mode.bodies);
+            let rows = rows.into_iter().map(|row| instant.row(row)).collect();
+            let bodies = instant.outputs.len();
+            mode.bodies.iter().for_each(|body| instant.add_masses(*body));
+            Ok(InstantTape { tape: instant.tape()?, pairs: vec![], slips: vec![], rows, bodies })
+        })
+    }
+
+    fn instant_tape(
+        &self,
+        key: (Asked, Mode),
+        build: impl FnOnce(&Mode) -> Result<InstantTape, Reason>,
+    ) -> Result<Arc<InstantTape>, Reason> {
+        let tapes = &self.built().instant_tapes;
+        tapes.get_rounded(key, self.rounding(), |(_, mode)| build(mode), InstantTape::rounded)
+    }
+}
+
+/// A tape being put together.
+struct Instant<'a> {
+    linking: Linking<'a, Nodes>,
+    layout: Layout,
+    /// Velocities that are asked about, with their order.
+    velocities: HashMap<Name, usize>,
+    outputs: Vec<NodeId>,
+}
+
+impl<'a> Instant<'a> {
+    fn new(equations: &'a Equations, mode: &'a Mode, bodies: &[usize]) -> Self {
+        let linking = Linking::new(equations, mode, Nodes::default());
+        let layout = Layout { rounding: Rounding::NEAREST, ..equations.layout(mode) };
+        let velocities = bodies.iter().flat_map(|body| equations.velocity_states(mode, *body));
+        let names = velocities.map(|state| linking.names.find(&layout.states[state]));
+        let velocities = names.zip(0..).filter_map(|(name, place)| Some((name?, place))).collect();
+        Self { linking, layout, velocities, outputs: vec![] }
+    }
+
+    fn tape(self) -> Result<Arc<Tape>, Reason> {
+        Ok(Arc::new(self.linking.into_algebra().linker()?.tape(&self.layout, &self.outputs)?))
+    }
+
+    fn row(&mut self, row: RowOf) -> Measured {
+        let piece = self.linking.equations.piece(Part::Kept(row));
+        let mut values = self.linking.exports(&piece).into_iter();
+        // A slip has no position: its rate comes first.
+        let position = (self.outputs.len() + piece.kept.len()).saturating_sub(2);
+        let mut by_velocity = vec![];
+        for (_, states) in &piece.kept {
+            // The slopes of the position come first, those of the rate take their place.
+            self.outputs.extend(values.next());
+            let slopes = states.iter().zip(values.by_ref().take(states.len()));
+            by_velocity =
+                slopes.filter_map(|(state, slope)| Some((*self.velocities.get(state)?, slope))).collect();
+        }
+        by_velocity.sort_unstable_by_key(|(velocity, _)| *velocity);
+        let (velocities, slopes): (Vec<usize>, Vec<NodeId>) = by_velocity.into_iter().unzip();
+        self.outputs.extend(slopes);
+        Measured { position, velocities }
+    }
+
+    fn pair(&mut self, index: usize) -> Measured {
+        let measured = self.row(RowOf::Pair(index));
+        self.add(Part::RowAcceleration(RowOf::Pair(index)));
+        let restitution = self.linking.equations.pairs()[index].law.restitution();
+        let restitution = restitution.cloned().unwrap_or_else(Expr::zero);
+        self.outputs.push(self.linking.formula(&restitution));
+        measured
+    }
+
+    fn slip(&mut self, index: usize) -> Measured {
+        let measured = self.row(RowOf::Slip(index));
+        self.add(Part::RowAcceleration(RowOf::Slip(index)));
+        let friction = self.linking.equations.pairs()[index].friction.clone();
+        for coefficient in friction.iter().flat_map(|friction| [&friction.of_rest, &friction.kinetic]) {
+            let coefficient = self.linking.formula(coefficient);
+            self.outputs.push(coefficient);
+        }
+        measured
+    }
+
+    fn add(&mut self, part: Part) {
+        self.outputs.extend(self.linking.part(part));
+    }
+
+    fn add_bodies(&mut self, island: &[usize], with_masses: bool) {
+        island.iter().for_each(|body| self.add(Part::InverseMasses(*body)));
+        for body in island {
+            let pushes = self.linking.pushes(*body);
+            self.outputs.extend(pushes);
+        }
+        let size = self.linking.size(island);
+        self.outputs.extend(size);
+        if with_masses {
+            island.iter().for_each(|body| self.add_masses(*body));
+        }
+    }
+
+    fn add_masses(&mut self, body: usize) {
+        self.add(Part::Masses(body, self.linking.islands.is_light(body)));
+    }
+}
+
+impl Linking<'_, Nodes> {
+    /// Sizes of all forces and torques on a body, added up without signs: one for each velocity.
+    fn pushes(&mut self, body: usize) -> Vec<NodeId> {
+        let mut sums = [(); 3].map(|()| self.algebra.zero());
+        for term in self.terms_on(body) {
+            for (sum, part) in sums.iter_mut().zip(self.part(Part::Term(term))) {
+                let size = self.algebra.unary(Unary::Abs, part);
+                *sum = self.algebra.binary(Binary::Add, *sum, size);
+            }
+        }
+        // A pivot holds the place: only the torque is left.
+        sums[if self.equations.is_pivoted(body) { 2 } else { 0 }..].to_vec()
+    }
+}
