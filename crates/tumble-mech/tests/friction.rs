@@ -389,3 +389,46 @@ fn a_thrown_rod_comes_to_rest() {
         );
     }
 }
+
+/// How two corners share the friction that holds a box on a slope is undetermined, and told so; what both have together is not.
+#[test]
+fn shares_of_friction_are_undetermined() {
+    let run = run(block(0.3, 0.0, Friction::new(Expr::from(0.5))), 1.0, 1e-12);
+    let pairs: Vec<_> = run.equations.pairs().iter().take(2).cloned().collect();
+    let [first, second] = [0, 1].map(|corner| Expr::from(pairs[corner].friction_symbol()));
+    let normal: Expr = pairs[0].force_symbol().into();
+    let all = [first.clone(), second.clone(), first + second, normal];
+    let spreads = run.spreads(&all, 0.5, tumble_ode::Side::After).expect("within the run");
+    assert_eq!(spreads.iter().map(Option::is_some).collect::<Vec<_>>(), [true, true, false, false]);
+}
+
+/// What touches with friction has no one pose of equilibrium.
+#[test]
+fn there_is_no_one_equilibrium() {
+    let model = block(0.0, 0.0, Friction::new(Expr::from(0.5)));
+    let parameters = model.parameters.clone();
+    let equations = tumble_mech::Equations::new(model).expect("a model");
+    let told = equations.equilibrium(&parameters).map(|_| ()).expect_err("many poses");
+    assert!(told.to_string().contains("touches with friction"), "{told}");
+}
+
+/// Coefficients that cannot be, and friction of what is not rigid.
+#[test]
+fn coefficients_that_cannot_be_are_refused() {
+    let refused = |friction: Friction| {
+        let model = block(0.0, 0.0, friction);
+        let mistakes = model.value_mistakes(&model.parameters);
+        mistakes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
+    assert!(
+        refused(Friction::new(Expr::from(-0.1)))
+            .contains("friction of `floor` is -0.1: it must not be negative")
+    );
+    let below = Friction::new(Expr::from(0.3)).kinetic(Expr::from(0.4));
+    assert!(refused(below).contains("static friction of `floor` is less than the kinetic one"));
+    assert_eq!(refused(Friction::new(Expr::from(0.4)).kinetic(Expr::from(0.3))), "");
+    let mut model = block(0.0, 0.0, Friction::new(Expr::from(0.3)));
+    model.surfaces[0].law = common::spring();
+    let told = model.check().expect_err("compliant").to_string();
+    assert!(told.contains("compliant and has friction"), "{told}");
+}

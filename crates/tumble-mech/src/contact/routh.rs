@@ -111,7 +111,7 @@ impl Strike {
 
     fn course(&self) -> Course {
         let ([u_t, _], [_, kinetic]) = (self.before, self.friction);
-        let (then, after_stop) = self.from_rest();
+        let (then, after_stop) = self.once_still();
         let first = if u_t == 0.0 { then } else { self.stretch(-kinetic * u_t.signum()) };
         let towards_zero = -u_t / first.slopes[0];
         let stop = match u_t == 0.0 {
@@ -123,7 +123,7 @@ impl Strike {
     }
 
     /// What happens once nothing slips.
-    fn from_rest(&self) -> (Stretch, Ending) {
+    fn once_still(&self) -> (Stretch, Ending) {
         let ([tt, tn, nn], [of_rest, kinetic]) = (self.response, self.friction);
         if tn.abs() > of_rest * tt {
             return (self.stretch(-kinetic * tn.signum()), Ending::Turns);
