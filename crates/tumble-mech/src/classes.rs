@@ -17,6 +17,8 @@ pub(crate) struct Classes(Vec<Option<Twin>>);
 pub(crate) struct Twin {
     /// Bodies of the first, in order.
     bodies: Vec<usize>,
+    /// Bodies of this one with those of the first.
+    places: HashMap<usize, usize>,
     /// Pairs of this one with those of the first.
     pairs: HashMap<usize, usize>,
     names: Substitution,
@@ -43,7 +45,10 @@ impl Twin {
         let mut contacts: Vec<_> =
             mode.contacts.iter().map(|(pair, contact_mode)| (self.pairs[pair], *contact_mode)).collect();
         contacts.sort_unstable();
-        Mode { bodies: self.bodies.clone(), contacts, ..mode.clone() }
+        let mut grips: Vec<_> = mode.grips.iter().map(|(pair, grip)| (self.pairs[pair], *grip)).collect();
+        grips.sort_unstable();
+        let still = mode.still.iter().filter_map(|body| self.places.get(body)).copied().collect();
+        Mode { bodies: self.bodies.clone(), contacts, grips, still, ..mode.clone() }
     }
 
     /// Bodies of the first.
@@ -68,6 +73,7 @@ impl Classes {
                 let twin = known.iter().find_map(|(first, signature)| {
                     own.as_renamed(signature).map(|names| Twin {
                         bodies: groups[*first].clone(),
+                        places: bodies.iter().copied().zip(groups[*first].iter().copied()).collect(),
                         pairs: own.pairs.iter().copied().zip(signature.pairs.iter().copied()).collect(),
                         names,
                     })
@@ -126,11 +132,14 @@ impl Signature {
             let pair = &equations.pairs()[index];
             self.pairs.push(index);
             self.shape.extend([place, pair.surface]);
-            self.symbols.extend([pair.force_symbol(), pair.root_symbol()]);
+            self.symbols.extend([pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()]);
+            self.shape.push(usize::from(pair.friction.is_some()));
             self.formulas.extend([pair.gap(), pair.radius.clone()]);
             self.formulas.extend(pair.centre.arm.components().iter().cloned());
             // What is not the surface's own is the body's.
             self.formulas.extend(pair.law.restitution().cloned());
+            let friction = pair.friction.iter();
+            self.formulas.extend(friction.flat_map(|own| [own.of_rest.clone(), own.kinetic.clone()]));
         }
         self.shape.extend([self.formulas.len(), self.symbols.len()]);
     }

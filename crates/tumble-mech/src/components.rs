@@ -150,7 +150,7 @@ impl Couplings<'_> {
             own(body.kinematics().symbols(), index);
         }
         for pair in self.pairs {
-            own(vec![pair.force_symbol(), pair.root_symbol()], pair.body);
+            own(vec![pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()], pair.body);
         }
         for (bodies, symbols) in &self.joints {
             own(symbols.clone(), bodies[0]);
@@ -180,7 +180,8 @@ impl Couplings<'_> {
             read(self.body(&impulse.body), impulse.application.formulas());
         }
         for pair in self.pairs {
-            let law = pair.law.dimensions().into_iter().map(|(_, formula, _)| formula);
+            let friction = pair.friction.iter().flat_map(|friction| [&friction.of_rest, &friction.kinetic]);
+            let law = pair.law.dimensions().into_iter().map(|(_, formula, _)| formula).chain(friction);
             read(pair.body, law.chain([&pair.gap()]).collect());
         }
         for pivot in &model.pivots {

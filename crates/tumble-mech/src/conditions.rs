@@ -13,6 +13,7 @@ use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::event::Event;
 use crate::fixed::{Fixed, LARGEST_ANGLE};
+use crate::friction::Friction;
 use crate::interaction::Interaction;
 use crate::model::Model;
 use crate::parameters::{Known, Parameters};
@@ -33,6 +34,8 @@ enum Must {
     NotBeNegative(&'static str),
     /// A restitution.
     LieWithinOne,
+    /// What is left of static friction beyond the kinetic one.
+    HoldAsMuch,
     /// The length of a vector that says where something points.
     Point,
     /// The angle of a body, or one that it is turned back to.
@@ -258,6 +261,9 @@ impl Condition {
             Must::LieWithinOne if !(0.0..=1.0).contains(&value) => {
                 Some(ModelError::Restitution { what: what(), value })
             }
+            Must::HoldAsMuch if value < 0.0 => {
+                Some(ModelError::StaticBelowKinetic { what: what(), below: -value })
+            }
             Must::BeAnAngle if value.abs() > LARGEST_ANGLE => {
                 Some(ModelError::Angle { what: what(), value, most: LARGEST_ANGLE })
             }
@@ -336,5 +342,11 @@ fn of_surface(surface: &Surface) -> Vec<Condition> {
         "stiffness" => of(key, formula, Must::BePositive("N/m")),
         _ => of(key, formula, Must::NotBeNegative("kg/s")),
     });
-    law.chain([of("normal", &surface.normal.norm(), Must::Point)]).collect()
+    let friction = surface.friction.iter().flat_map(Friction::coefficients);
+    let friction = friction.map(|(key, formula)| of(key, formula, Must::NotBeNegative("")));
+    let left = surface.friction.iter().map(|friction| &friction.of_rest - &friction.kinetic);
+    let left = left.map(|left| of("static friction", &left, Must::HoldAsMuch));
+    let left = left.map(|condition| Condition { follows: true, ..condition });
+    let normal = of("normal", &surface.normal.norm(), Must::Point);
+    law.chain([normal]).chain(friction).chain(left).collect()
 }

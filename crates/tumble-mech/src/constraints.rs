@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use tumble_expr::{Expr, Symbol, is_identically_zero};
 
-use crate::contact::Pair;
+use crate::contact::{Grip, Pair};
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::equations::{Equations, Window};
 use crate::joint::{Joint, Side};
@@ -87,6 +87,8 @@ impl Equations {
             bodies: bodies.to_vec(),
             windows: windows.map(|(window, acts)| *acts && has(&window.body)).collect(),
             changes: mode.changes.clone(),
+            grips: some_pairs(&mode.grips, |pair| has(&self.pairs()[pair].body)),
+            still: some_of(&mode.still, has),
             contacts: mode
                 .contacts
                 .iter()
@@ -117,12 +119,16 @@ impl Equations {
         };
         let mut contacts: Vec<_> = modes.iter().flat_map(|mode| &mode.contacts).copied().collect();
         contacts.sort_unstable();
+        let mut grips: Vec<_> = modes.iter().flat_map(|mode| &mode.grips).copied().collect();
+        grips.sort_unstable();
         Mode {
             bodies: all(|mode| &mode.bodies),
             windows: self.windows().iter().enumerate().map(acts).collect(),
             // What sets parameters is an event of all.
             changes: modes.first().map(|mode| mode.changes.clone()).unwrap_or_default(),
             contacts,
+            grips,
+            still: all(|mode| &mode.still),
             switched: all(|mode| &mode.switched),
             redundant: all(|mode| &mode.redundant),
         }
@@ -147,7 +153,7 @@ impl Equations {
     /// Bodies that a row is about.
     pub(crate) fn bodies_of(&self, row: RowOf) -> Vec<usize> {
         match row {
-            RowOf::Pair(pair) => vec![self.pairs()[pair].body],
+            RowOf::Pair(pair) | RowOf::Slip(pair) => vec![self.pairs()[pair].body],
             RowOf::Joint(joint, row) => {
                 self.joints()[joint].rows[row].wrenches.iter().map(|wrench| wrench.body).collect()
             }
@@ -209,14 +215,18 @@ impl Equations {
         rows.filter(|(index, row)| !mode.redundant.contains(index) && is_own(*row)).collect()
     }
 
-    /// The rows that hold an island in a mode: of its joints, without what is redundant, then of its lasting contacts.
+    /// The rows that hold an island in a mode: of its joints, without what is redundant, then of its lasting contacts, and of those that
+    /// stick.
     pub(crate) fn rows_on(&self, mode: &Mode, island: &[usize]) -> Vec<Row> {
         let joints = self.independent_rows_of(mode, island).into_iter();
-        let held = mode
-            .held()
-            .map(|pair| &self.pairs()[pair])
-            .filter(|pair| island.binary_search(&pair.body).is_ok());
-        joints.map(|(_, row)| self.row(row)).chain(held.map(Pair::row)).collect()
+        let own = |pair: &&Pair| island.binary_search(&pair.body).is_ok();
+        let held = mode.held().map(|pair| &self.pairs()[pair]).filter(own);
+        let sticking = mode.sticking().map(|pair| &self.pairs()[pair]).filter(own);
+        joints
+            .map(|(_, row)| self.row(row))
+            .chain(held.map(Pair::row))
+            .chain(sticking.map(Pair::slip_row))
+            .collect()
     }
 
     /// By how fast the conditions change that hold an island of a body in a mode, m/s^2, shown like the terms.
@@ -244,6 +254,10 @@ impl Equations {
         let known = self.body_equations(body);
         known.coordinates.masses(&known.mass, self.is_turned_by_joints(mode, body))
     }
+}
+
+fn some_pairs(all: &[(usize, Grip)], keeps: impl Fn(usize) -> bool) -> Vec<(usize, Grip)> {
+    all.iter().copied().filter(|(pair, _)| keeps(*pair)).collect()
 }
 
 fn some_of(all: &[usize], keeps: impl Fn(&usize) -> bool) -> Vec<usize> {

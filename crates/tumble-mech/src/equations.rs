@@ -11,7 +11,7 @@ use crate::classes::Classes;
 use crate::components::{Components, Couplings};
 use crate::conditions::Sound;
 use crate::constraints::JointEquations;
-use crate::contact::Pairs;
+use crate::contact::{Pairs, moves};
 use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols, total_force};
 use crate::error::{ModelError, ModelErrors};
 use crate::evaluator::Tapes;
@@ -315,11 +315,12 @@ impl Equations {
         let loads = loads.map(|(_, load)| (TermOf::Load(load), false));
         let pressed = mode.pressed().map(|pair| (TermOf::Pair(pair), false));
         let held = mode.held().map(|pair| (TermOf::Pair(pair), true));
+        let rubbing = mode.rubbing().map(|pair| (TermOf::Friction(pair), true));
         let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         let of_joint = |(joint, known): (usize, &JointEquations)| {
             (0..known.terms.len()).map(move |term| (TermOf::Joint(joint, term), true)).collect::<Vec<_>>()
         };
-        loads.chain(pressed).chain(held).chain(joints.flat_map(of_joint))
+        loads.chain(pressed).chain(held).chain(rubbing).chain(joints.flat_map(of_joint))
     }
 
     pub(crate) fn acting(&self, mode: &Mode) -> Vec<&Term> {
@@ -341,8 +342,15 @@ impl Equations {
     /// The states of a mode: those of the bodies, then where events have made joints, then the roots of the depths of Hertzian
     /// contacts.
     pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
-        let bodies = mode.bodies.iter().map(|body| &self.parts.bodies[*body]);
-        let bodies = bodies.flat_map(|body| body.coordinates.states(&body.kinematics));
+        let bodies = mode.bodies.iter().flat_map(|body| {
+            let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[*body];
+            let is_still = mode.still.binary_search(body).is_ok();
+            let rate = move |state: StateRate| match is_still {
+                true => StateRate { rate: Expr::zero(), ..state },
+                false => state,
+            };
+            coordinates.states(kinematics).into_iter().map(rate)
+        });
         let roots = self.roots(mode);
         let root = |index: &usize| {
             let pair = &self.parts.pairs.all[*index];
@@ -378,7 +386,8 @@ impl Equations {
         let bodies = self.parts.bodies.iter().flat_map(of_body);
         let pivots = self.model.pivots.iter().flat_map(|pivot| pivot.force_symbols());
         let joints = self.parts.joints.iter().flat_map(JointEquations::symbols);
-        let pairs = self.parts.pairs.all.iter().map(|pair| pair.force_symbol());
+        let pairs =
+            self.parts.pairs.all.iter().flat_map(|pair| [pair.force_symbol(), pair.friction_symbol()]);
         let read = formula.symbols();
         bodies.chain(pivots).chain(joints).chain(pairs).any(|symbol| read.contains(&symbol))
     }
@@ -425,6 +434,11 @@ impl Equations {
         let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[body];
         let states = coordinates.states(kinematics);
         coordinates.coordinate_states().iter().map(|state| states[*state].measure).collect()
+    }
+
+    /// Whether a body is held at a place that moves.
+    pub(crate) fn is_carried(&self, body: usize) -> bool {
+        self.model.pivot_of(&self.model.bodies[body].name).is_some_and(|pivot| moves(&pivot.world))
     }
 
     /// Index of a body's pivot, and where it is from the body's centre of mass, m, world axes.

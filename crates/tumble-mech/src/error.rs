@@ -210,6 +210,22 @@ pub enum ModelError {
         /// Its value.
         value: f64,
     },
+    /// Static friction that is less than kinetic.
+    #[error(
+        "{what} is less than the kinetic one, by {below}: what slips would be held better than what is at rest"
+    )]
+    StaticBelowKinetic {
+        /// Whose it is.
+        what: String,
+        /// By how much.
+        below: f64,
+    },
+    /// Friction of a surface that is not rigid.
+    #[error("surface `{surface}` is compliant and has friction: there is friction of rigid surfaces only")]
+    CompliantFriction {
+        /// Its name.
+        surface: String,
+    },
     /// A body that starts inside a surface.
     #[error("`{body}` starts {depth} m inside `{surface}`, by its point `{feature}`")]
     Inside {
@@ -272,6 +288,7 @@ impl ModelError {
             | Self::NoDirection { what }
             | Self::NoInertia { what }
             | Self::CorneredPath { what }
+            | Self::StaticBelowKinetic { what, .. }
             | Self::Restitution { what, .. } => Some(what),
             _ => None,
         }

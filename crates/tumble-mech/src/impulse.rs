@@ -43,8 +43,10 @@ pub struct Impulse {
 /// What exerts an impulse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// A surface, by the index of the pair.
+    /// A surface along its normal, by the index of the pair.
     Pair(usize),
+    /// Friction of a surface, by the index of the pair.
+    Friction(usize),
     /// A pivot, by its index in the model.
     Pivot(usize),
     /// A joint, by its index in the model.
@@ -58,6 +60,7 @@ impl Source {
     pub fn law(self) -> Law {
         match self {
             Self::Pair(_) => Law::Contact,
+            Self::Friction(_) => Law::Friction,
             Self::Pivot(_) | Self::Joint(_) => Law::Reaction,
             Self::Applied(_) => Law::Force,
         }
@@ -69,6 +72,8 @@ impl Source {
 pub(crate) struct Sizes {
     /// Along the normals by the index of the pair, N s.
     pub(crate) normals: Vec<(usize, f64)>,
+    /// Along the surfaces by the index of the pair, N s.
+    pub(crate) frictions: Vec<(usize, f64)>,
     /// Of rows of joints by their index, N s or N m s.
     pub(crate) rows: Vec<(usize, f64)>,
     /// What events apply.
@@ -78,6 +83,7 @@ pub(crate) struct Sizes {
 impl Sizes {
     pub(crate) fn add(&mut self, other: Self) {
         self.normals.extend(other.normals);
+        self.frictions.extend(other.frictions);
         self.applied.extend(other.applied);
         for (row, size) in other.rows {
             match self.rows.iter_mut().find(|(known, _)| *known == row) {
@@ -93,6 +99,7 @@ impl Equations {
     pub fn source_name(&self, source: Source) -> &str {
         match source {
             Source::Pair(pair) => &self.pairs()[pair].name,
+            Source::Friction(pair) => &self.pair_list().frictions[&pair].load,
             Source::Pivot(pivot) => &self.model().pivots[pivot].name,
             Source::Joint(joint) => &self.model().joints[joint].name,
             Source::Applied(impulse) => &self.model().impulses[impulse].name,
@@ -107,12 +114,15 @@ impl Equations {
         jump: &Jump<Mode>,
     ) -> Result<Vec<Impulse>, Reason> {
         let mut impulses = vec![];
-        for &(index, impulse) in &sizes.normals {
+        let across = sizes.normals.iter().map(|(index, size)| (Source::Pair(*index), *index, *size));
+        let along = sizes.frictions.iter().map(|(index, size)| (Source::Friction(*index), *index, *size));
+        for (source, index, impulse) in across.chain(along) {
             let pair = &self.pairs()[index];
-            let formulas = [pair.arm().components(), pair.normal.components()].concat();
+            let direction = if source == Source::Pair(index) { pair.normal.clone() } else { pair.tangent() };
+            let formulas = [pair.arm().components(), direction.components()].concat();
             let values = self.values(&formulas, at.mode, at.time, at.states, at.inputs)?;
             impulses.push(Impulse {
-                source: Source::Pair(index),
+                source,
                 body: pair.body,
                 arm: [values[0], values[1]],
                 impulse: [impulse * values[2], impulse * values[3]],

@@ -1,6 +1,6 @@
 //! Which equations hold.
 
-use crate::contact::{ContactMode, Pair};
+use crate::contact::{ContactMode, Grip, Pair};
 
 /// What is switched on at an instant.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -14,6 +14,10 @@ pub struct Mode {
     pub changes: Vec<usize>,
     /// Which pairs touch and how, in the order of the pairs; those not mentioned are open.
     pub contacts: Vec<(usize, ContactMode)>,
+    /// How those are held along the surface that a rigid surface with friction holds by a force, in the order of the pairs.
+    pub grips: Vec<(usize, Grip)>,
+    /// Bodies that are held so that they cannot move, in order: nothing of them is integrated.
+    pub still: Vec<usize>,
     /// Joints that hold though they did not at the start, or the other way round, in order; see [`crate::Equations::holds`].
     pub switched: Vec<usize>,
     /// Rows of joints that follow from others and are left out, in order: all rows of all joints are counted.
@@ -47,6 +51,29 @@ impl Mode {
         Some(self.contacts[at].1)
     }
 
+    /// How a pair is held along its surface; `None` without friction or where it is not held.
+    pub fn grip(&self, pair: usize) -> Option<Grip> {
+        let at = self.grips.binary_search_by_key(&pair, |(known, _)| *known).ok()?;
+        Some(self.grips[at].1)
+    }
+
+    /// Gives a pair that grip, or none.
+    pub(crate) fn set_grip(&mut self, pair: usize, grip: Option<Grip>) {
+        self.grips.retain(|(known, _)| *known != pair);
+        self.grips.extend(grip.map(|grip| (pair, grip)));
+        self.grips.sort_unstable();
+    }
+
+    /// The pairs whose friction is as much as keeps them from slipping.
+    pub(crate) fn sticking(&self) -> impl Iterator<Item = usize> {
+        self.grips.iter().filter(|(_, grip)| *grip == Grip::Sticks).map(|(pair, _)| *pair)
+    }
+
+    /// The pairs that have friction.
+    pub(crate) fn rubbing(&self) -> impl Iterator<Item = usize> {
+        self.grips.iter().filter(|(_, grip)| *grip != Grip::Follows).map(|(pair, _)| *pair)
+    }
+
     /// Gives a pair that contact mode, or separates it.
     pub(crate) fn set_contact_mode(&mut self, pair: usize, contact_mode: Option<ContactMode>) {
         self.contacts.retain(|(known, _)| *known != pair);
@@ -57,7 +84,7 @@ impl Mode {
     /// The same mode as far as the free motion of an island depends on it: without its lasting contacts and those of others,
     /// except where they are states.
     pub(crate) fn without_support(&self, pairs: &[Pair], island: &[usize]) -> Self {
-        let mut mode = self.clone();
+        let mut mode = Self { grips: vec![], still: vec![], ..self.clone() };
         mode.contacts.retain(|(pair, contact_mode)| {
             let (own, is_state) = (island.contains(&pairs[*pair].body), pairs[*pair].is_hertzian());
             if own { !contact_mode.is_lasting() } else { is_state && *contact_mode == ContactMode::Pressed }

@@ -7,6 +7,7 @@ use crate::body::Body;
 use crate::coordinates::Pivot;
 use crate::error::ModelError;
 use crate::event::Event;
+use crate::friction::Friction;
 use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
 use crate::joint::Joint;
@@ -172,6 +173,9 @@ impl List {
         self.add(&format!("normal of `{name}`"), surface.normal.components(), Dimension::NONE);
         for (key, formula, dimension) in surface.law.dimensions() {
             self.add(&format!("{key} of `{name}`"), [formula], dimension);
+        }
+        for (key, formula) in surface.friction.iter().flat_map(Friction::coefficients) {
+            self.add(&format!("{key} of `{name}`"), [formula], Dimension::NONE);
         }
     }
 

@@ -16,7 +16,7 @@ use crate::model::Model;
 use crate::parameters::time_symbol;
 use crate::start::Start;
 use crate::stated::Stated;
-use crate::surface::{Surface, is_at};
+use crate::surface::{ContactLaw, Surface, is_at};
 
 impl Model {
     /// All mistakes that show before any number is known: names and dimensions.
@@ -151,8 +151,10 @@ impl<'m> Structure<'m> {
         let is_cornered = path.into_iter().any(|path| path.branches_on(&[time_symbol()]));
         let what = format!("surface `{}`", surface.name);
         let cornered = is_cornered.then_some(ModelError::CorneredPath { what });
+        let compliant = (surface.friction.is_some() && !matches!(surface.law, ContactLaw::Rigid { .. }))
+            .then(|| ModelError::CompliantFriction { surface: surface.name.clone() });
         let met = surface.on.iter().flatten().filter(|name| !self.can_touch(name));
-        cornered.into_iter().chain(met.filter_map(|name| self.unknown_body(name))).collect()
+        cornered.into_iter().chain(compliant).chain(met.filter_map(|name| self.unknown_body(name))).collect()
     }
 
     /// Whether this is the name of a body, or of a body's point by which it touches.

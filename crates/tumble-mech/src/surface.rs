@@ -4,6 +4,7 @@ use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
 
 use crate::body::Body;
 use crate::contact::Feature;
+use crate::friction::Friction;
 
 /// A half-plane that is solid behind its surface.
 #[derive(Clone, Debug)]
@@ -16,11 +17,13 @@ pub struct Surface {
     pub normal: Vector,
     /// What happens where a body touches it.
     pub law: ContactLaw,
+    /// Dry friction along it; none where nothing is said. Only a rigid surface has it.
+    pub friction: Option<Friction>,
     /// What meets it: names of bodies, `rod`, and of single points by which a body touches, `rod.tip`; `None` is all.
     pub on: Option<Vec<String>>,
 }
 
-/// What a surface does to what touches it; none of them has friction.
+/// What a surface does across itself to what touches it.
 #[derive(Clone, Debug)]
 pub enum ContactLaw {
     /// Compliant, like a spring with a damper that never pulls.
@@ -66,6 +69,7 @@ impl Surface {
             through: Vector::planar(px, py),
             normal: normal.map(|component| component / &length),
             law,
+            friction: None,
             on: None,
         }
     }
@@ -78,6 +82,7 @@ impl Surface {
             through: Vector::planar(px, py),
             normal: Vector::planar(-angle.sin(), angle.cos()),
             law,
+            friction: None,
             on: None,
         }
     }
@@ -85,6 +90,11 @@ impl Surface {
     /// A level floor at the height y, m.
     pub fn floor(name: impl Into<String>, height: Expr, law: ContactLaw) -> Self {
         Self::new(name, [Expr::zero(), height], [Expr::zero(), Expr::one()], law)
+    }
+
+    /// The same with friction.
+    pub fn with_friction(self, friction: Friction) -> Self {
+        Self { friction: Some(friction), ..self }
     }
 
     /// Whether a body meets it, by any of its points.

@@ -21,8 +21,10 @@ pub enum Law {
     Torsion,
     /// What holds a pivot in its place.
     Reaction,
-    /// What a surface does to a body that touches it.
+    /// What a surface does to a body that touches it, along its normal.
     Contact,
+    /// Dry friction: what it does along itself.
+    Friction,
 }
 
 impl Law {

@@ -7,7 +7,8 @@
 //! # Symbols and units
 //! lambda multipliers of contacts and joints (N or N m), lambda_0 those that the equations have found.
 //! # Sign and frame
-//! A contact pushes with lambda >= 0; a joint's multipliers may have any sign.
+//! A contact pushes with lambda >= 0; a joint's multipliers may have any sign, and so may friction of what sticks, whose limits are
+//! not looked at.
 //! # Validity
 //! Rigid bodies; what bears how much of a load is a question of how little they yield. The reaction of a pivot follows from all
 //! other forces.
@@ -20,7 +21,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_expr::{Expr, Substitution, Symbol, Unit, is_identically_zero};
 use tumble_ode::{Reason, Side};
 
-use crate::contact::ContactMode;
+use crate::contact::{ContactMode, Grip};
 use crate::equations::{Equations, on_body};
 use crate::linear_program::greatest;
 use crate::link::RowOf;
@@ -127,7 +128,11 @@ impl Equations {
     /// What keeps a body: names, and symbols of the forces.
     fn keeping(&self, body: usize) -> Vec<(String, Symbol)> {
         let pairs = self.pairs().iter().filter(|pair| pair.body == body);
-        let pairs = pairs.map(|pair| (pair.name.clone(), pair.force_symbol()));
+        let pairs = pairs.flat_map(|pair| {
+            let friction = pair.friction.iter().map(|_| pair.friction_symbol());
+            let forces = std::iter::once(pair.force_symbol()).chain(friction);
+            forces.map(|symbol| (pair.name.clone(), symbol)).collect::<Vec<_>>()
+        });
         let name = &self.model().bodies[body].name;
         let joints = self.model().joints.iter().filter(|joint| joint.bodies().any(|own| own == name));
         let joints = joints.map(|joint| (joint.name.clone(), joint.multipliers()));
@@ -158,7 +163,8 @@ impl Equations {
         let joints = self.rows_by_joint(mode);
         let left_out = joints.iter().filter(|(index, _)| is_left_out(index));
         let bodies = left_out.flat_map(|(_, row)| self.bodies_of(*row));
-        let bodies: Vec<usize> = bodies.chain(idle(mode).map(|pair| self.pairs()[pair].body)).collect();
+        let without = idle(mode).chain(following(mode));
+        let bodies: Vec<usize> = bodies.chain(without.map(|pair| self.pairs()[pair].body)).collect();
         if bodies.is_empty() {
             return Ok(None);
         }
@@ -169,11 +175,13 @@ impl Equations {
             rows.map(|(_, row)| (*row, false)).collect::<Vec<_>>()
         };
         let of_pair = |pair: usize| (RowOf::Pair(pair), true);
-        let mut all: Vec<(RowOf, bool)> =
-            of_joints(false).into_iter().chain(mode.held().map(of_pair)).collect();
+        let of_slip = |pair: usize| (RowOf::Slip(pair), false);
+        let contacts = mode.held().map(of_pair).chain(mode.sticking().map(of_slip));
+        let mut all: Vec<(RowOf, bool)> = of_joints(false).into_iter().chain(contacts).collect();
         all.retain(|(row, _)| is_own(row));
         let kept = all.len();
-        all.extend(of_joints(true).into_iter().chain(idle(mode).map(of_pair)));
+        let contacts = idle(mode).map(of_pair).chain(following(mode).map(of_slip));
+        all.extend(of_joints(true).into_iter().chain(contacts));
         let (rows, is_contact): (Vec<RowOf>, Vec<bool>) = all.into_iter().unzip();
         let directions = self.directions(spot, &rows, kept)?;
         let symbols: Vec<Symbol> = rows.into_iter().map(|row| self.row(row).multiplier).collect();
@@ -302,4 +310,9 @@ fn shares(columns: &DMatrix<f64>, kept: usize) -> DMatrix<f64> {
 fn idle(mode: &Mode) -> impl Iterator<Item = usize> {
     let idle = mode.contacts.iter().filter(|(_, contact_mode)| *contact_mode == ContactMode::Idle);
     idle.map(|(pair, _)| *pair)
+}
+
+/// Pairs that do not slip and are given no friction.
+fn following(mode: &Mode) -> impl Iterator<Item = usize> {
+    mode.grips.iter().filter(|(_, grip)| *grip == Grip::Follows).map(|(pair, _)| *pair)
 }

@@ -93,6 +93,9 @@ impl Places {
             ModelError::NotPositive { .. } => about(Code::Value).label("must be positive"),
             ModelError::Negative { .. } => about(Code::Value).label("must not be negative"),
             ModelError::Restitution { .. } => about(Code::Value).label("from 0 to 1"),
+            ModelError::StaticBelowKinetic { .. } => about(Code::Value)
+                .label("less than the kinetic one")
+                .help("write `friction = { static = 0.4, kinetic = 0.3 }`, or one number for both"),
             ModelError::TooSmall { .. } => about(Code::Value)
                 .label("too small")
                 .help("choose a unit in which the number is of ordinary size"),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tumble_expr::language::{Formula, Value};
 use tumble_expr::{Dimension, Expr, Symbol, Vector};
-use tumble_mech::{Body, Gravity, Model, time};
+use tumble_mech::{Body, Change, Gravity, Model, Pair, time};
 
 use crate::code::Code;
 use crate::curve::quantity;
@@ -58,7 +58,8 @@ fn define_points(names: &mut Names, body: &Body) {
     }
 }
 
-/// Gives what may touch its names: `floor.rod.tip.gap`, `.normal`, and `floor.normal` for all forces together.
+/// Gives what may touch its names: `floor.rod.tip.gap`, `.normal`, with friction `.friction` and `.slip`, and `floor.normal` and
+/// `floor.friction` for all forces together.
 pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
     let pairs = model.pairs();
     let mut rest = &pairs[..];
@@ -68,16 +69,40 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
         rest = later;
         for pair in of_surface {
             let body = format!("{}.{}", surface.name, model.bodies[pair.body].name);
+            if pair.friction.is_some() {
+                define_slips(names, &pair.name);
+                define_slips(names, &body);
+            }
             names.touching.extend([pair.name.clone(), body]);
             names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
             names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
+            if pair.friction.is_some() {
+                names.define(
+                    Level::Output,
+                    &format!("{}.friction", pair.name),
+                    &pair.friction_symbol().into(),
+                );
+                names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
+            }
         }
-        let forces = of_surface.iter().map(|pair| pair.force_symbol().into());
-        if let Some(all) = forces.reduce(|sum: Expr, force: Expr| sum + force) {
+        let sum =
+            |of: fn(&Pair) -> Symbol| of_surface.iter().map(|pair| Expr::from(of(pair))).reduce(|a, b| a + b);
+        if let Some(all) = sum(Pair::force_symbol) {
             names.define(Level::Output, &format!("{}.normal", surface.name), &all);
+        }
+        if let Some(all) = sum(Pair::friction_symbol).filter(|_| surface.friction.is_some()) {
+            names.define(Level::Output, &format!("{}.friction", surface.name), &all);
+        }
+        if surface.friction.is_some() {
+            define_slips(names, &surface.name);
         }
         names.touching.insert(surface.name.clone());
     }
+}
+
+/// Names the instants at which what touches there begins to slide, to stick or to roll: `floor.ball.rolls`.
+fn define_slips(names: &mut Names, place: &str) {
+    names.happenings.extend(Change::OF_FRICTION.map(|change| format!("{place}.{}", change.word())));
 }
 
 /// Gives what a joint does its names: `hinge.fx`, `hinge.fy`, `hinge.force`, of a weld `joint.torque`.

@@ -268,12 +268,16 @@ const MISSING: &[Row] = &[
             "rough",
             "roughness",
         ],
-        "there is no friction yet, and surfaces are smooth; a force of your own may resist the motion, such as \
-         `force = [\"-(0.5 kg/s)*rod.vx\", 0]`",
+        "rigid surfaces have friction: `rigid = { restitution = 0.5, friction = 0.3 }` in `[surface.NAME]`; joints, pivots and \
+         compliant surfaces have none yet",
     ),
     (
-        &["rolling", "roll", "tyre", "tire", "rolling_friction", "rolling_resistance"],
-        "nothing rolls yet, because there is no friction: what is round slides on surfaces",
+        &["rolling", "roll", "tyre", "tire"],
+        "what is round rolls where friction holds it: `rigid = { restitution = 0.5, friction = 0.3 }` in `[surface.NAME]`",
+    ),
+    (
+        &["rolling_friction", "rolling_resistance"],
+        "there is no rolling resistance yet: what rolls on a level floor goes on; a `torque` by formula in `[force.NAME]` may resist it",
     ),
     (
         &["rope", "string", "cable", "chain", "cord", "thread", "wire", "line", "tether"],
@@ -330,7 +334,7 @@ mod tests {
         assert_eq!(section("Air-Resistance"), section("air_resistance"));
         assert!(section("rope").is_some_and(|help| help.contains("no ropes yet")));
         assert_eq!(key("[run]", "dt"), key("[run]", "step"));
-        assert!(key("[surface.floor]", "friction").is_some_and(|help| help.contains("no friction yet")));
+        assert!(key("[surface.floor]", "friction").is_some_and(|help| help.contains("friction = 0.3")));
         assert_eq!(key("start", "quux"), None);
     }
 }

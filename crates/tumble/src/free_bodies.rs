@@ -155,12 +155,14 @@ impl Drawing<'_> {
 
     fn source_of(&self, impulse: &Impulse) -> (Kind, Label) {
         let kind = match impulse.source {
-            Source::Pair(_) => Kind::Contact,
+            Source::Pair(_) | Source::Friction(_) => Kind::Contact,
             Source::Pivot(_) | Source::Joint(_) => Kind::Reaction,
             Source::Applied(_) => Kind::Applied,
         };
         let name = self.run.equations.source_name(impulse.source);
-        (kind, Label::symbol(&format!("J_{}", symbols::contact(self.study, name))))
+        let place = symbols::contact(self.study, symbols::rubbed(name));
+        let along = if matches!(impulse.source, Source::Friction(_)) { "_f" } else { "" };
+        (kind, Label::symbol(&format!("J_{place}{along}")))
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, PipelineError> {
@@ -192,7 +194,7 @@ impl Drawing<'_> {
 pub(crate) fn kind(law: Law) -> Kind {
     match law {
         Law::Weight => Kind::Weight,
-        Law::Contact => Kind::Contact,
+        Law::Contact | Law::Friction => Kind::Contact,
         Law::Drag | Law::Lift => Kind::Air,
         Law::Spring | Law::Torsion => Kind::Spring,
         Law::Reaction => Kind::Reaction,

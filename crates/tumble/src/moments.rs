@@ -1,7 +1,7 @@
 //! Times that only a run knows: of events, and of the starts and ends of contacts.
 
 use tumble_expr::{Expr, Substitution, Symbol};
-use tumble_mech::Contact;
+use tumble_mech::{Change, Contact, Happening};
 use tumble_scene::{Count, Instant, Study};
 
 use crate::case::Solution;
@@ -120,8 +120,8 @@ impl<'a> Moments<'a> {
             if let Some(body) = self.resting(event) {
                 return run.rest_of(body).ok().flatten().map(at);
             }
-            let happening = run.equations.named(event)?;
-            let there = run.events().filter(|event| event.record.happened.contains(&happening));
+            let named = self.named(event)?;
+            let there = run.events().filter(|event| event.record.happened.iter().any(&named));
             return count.of(there).map(|event| at(event.time));
         }
         let (contact, part) = name.rsplit_once('.')?;
@@ -137,6 +137,20 @@ impl<'a> Moments<'a> {
                 error: start.error.zip(end.error).map(|(start, end)| start + end),
                 blur: start.blur + end.blur,
             },
+        })
+    }
+
+    /// What is called so: `apex`, or `floor.ball.rolls` of any point of the ball.
+    fn named<'n>(&self, name: &'n str) -> Option<impl Fn(&Happening) -> bool + use<'a, 'n>> {
+        let equations = &self.solution.run.equations;
+        let (place, word) = name.rsplit_once('.').unwrap_or((name, ""));
+        let slips = Change::OF_FRICTION.into_iter().find(|change| change.word() == word);
+        let happening = equations.named(name);
+        (happening.is_some() || slips.is_some()).then_some(move |own: &Happening| match *own {
+            Happening::Contact { pair, change } => {
+                Some(change) == slips && is_part(&equations.pairs()[pair].name, place)
+            }
+            own => Some(own) == happening,
         })
     }
 

@@ -13,6 +13,7 @@ pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
     match law {
         Law::Weight => "W".to_owned(),
         Law::Contact => format!("N_{}", contact(study, load)),
+        Law::Friction => format!("f_{}", contact(study, rubbed(load))),
         Law::Reaction => format!("R_{last}"),
         _ if law.is_couple() => format!("tau_{last}"),
         _ => format!("F_{last}"),
@@ -30,6 +31,11 @@ pub(crate) fn force_label(study: &Study, load: &str, law: Law) -> Label {
 /// `m g`
 pub(crate) fn weight() -> Label {
     Label::markup("$m$ $g$")
+}
+
+/// The contact that friction of this name is of.
+pub(crate) fn rubbed(load: &str) -> &str {
+    load.strip_suffix(".friction").unwrap_or(load)
 }
 
 /// Where a body is touched: by the point, `tip` of `floor.rod.tip`, and where there are several surfaces by them too.

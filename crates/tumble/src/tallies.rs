@@ -56,7 +56,8 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let contact = count.of(there)?;
     let at = |event: &&Event<tumble_mech::Record>| event.time == contact.start;
     let impulses = run.events().filter(at).flat_map(|event| &event.record.impulses);
-    let own = impulses.filter(|impulse| impulse.source == Source::Pair(contact.pair));
+    let sources = [Source::Pair(contact.pair), Source::Friction(contact.pair)];
+    let own = impulses.filter(|impulse| sources.contains(&impulse.source));
     let [x, y] = own.fold([0.0, 0.0], |[x, y], Impulse { impulse, .. }| [x + impulse[0], y + impulse[1]]);
     let size = (x * x + y * y).sqrt();
     let value = match axis {

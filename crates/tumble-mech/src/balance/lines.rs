@@ -6,6 +6,7 @@ use tumble_ode::{Piece, Reason};
 use crate::anchor::rate;
 use crate::balance::contribution::Kind;
 use crate::balance::quadrature::{Amounts, Sample};
+use crate::contact::Grip;
 use crate::equations::Equations;
 use crate::link::TermOf;
 use crate::mode::Mode;
@@ -192,7 +193,10 @@ fn terms(equations: &Equations, mode: &Mode) -> Vec<(Term, Vector)> {
                 let pair = &equations.pairs()[pair];
                 -pair.gap().derivative(&time_symbol()) * &pair.normal
             }
-            TermOf::Pair(_) | TermOf::Load(_) => {
+            TermOf::Friction(pair) if mode.grip(pair).is_some_and(Grip::is_still) => {
+                rate(&equations.pairs()[pair].through)
+            }
+            TermOf::Pair(_) | TermOf::Friction(_) | TermOf::Load(_) => {
                 let motion = model.bodies[term.body].kinematics();
                 motion.velocity() + motion.omega() * term.arm.perpendicular()
             }

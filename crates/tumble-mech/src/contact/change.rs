@@ -11,18 +11,30 @@ pub enum Change {
     Start,
     /// A lasting contact ends.
     End,
+    /// A contact with friction begins to slip, or slips the other way from now on.
+    Slides,
+    /// It ceases to slip.
+    Sticks,
+    /// The same of a round rim, which rolls from now on.
+    Rolls,
     /// A body that a surface has let go inside itself is out of it.
     Clear,
 }
 
 impl Change {
+    /// What friction may do to a contact.
+    pub const OF_FRICTION: [Self; 3] = [Self::Slides, Self::Sticks, Self::Rolls];
+
     /// What people call it.
-    pub(crate) fn word(self) -> &'static str {
+    pub fn word(self) -> &'static str {
         match self {
             Self::Impact => "impact",
             Self::Zeno => "zeno",
             Self::Start => "start",
             Self::End => "end",
+            Self::Slides => "slides",
+            Self::Sticks => "sticks",
+            Self::Rolls => "rolls",
             Self::Clear => "clear",
         }
     }

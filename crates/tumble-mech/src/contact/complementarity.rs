@@ -1,4 +1,5 @@
-//! Linear complementarity problems: `w = b + A z`, `w >= 0`, `z >= 0`, `w . z = 0`, A symmetric, not negative.
+//! Linear complementarity problems: `w = b + A z`, `w >= 0`, `z >= 0`, `w . z = 0`, A symmetric, not negative; or, where friction is
+//! tied to pushes, nearly so.
 //!
 //! They are solved by an active set (Lawson and Hanson 1974, with the exchanges of Keller 1973 where contacts depend on each other):
 //! the contact that closes fastest is pushed until it stands still, those that would come to pull leave on the way, and so on. Each
@@ -125,6 +126,9 @@ pub(crate) fn standing(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Opt
     }
     let part = DMatrix::from_fn(set.len(), set.len(), |i, j| a[(set[i], set[j])]);
     let right = DVector::from_fn(set.len(), |i, _| -b[set[i]]);
+    if (0..set.len()).any(|i| (0..i).any(|j| part[(i, j)] != part[(j, i)])) {
+        return unsymmetric(part, right).map(|pushes| spread(b.len(), set, &pushes));
+    }
     let factors = part.clone().cholesky()?;
     // What rounding leaves of a pivot that is none grows as those before it are smaller.
     let mut least = 1.0_f64;
@@ -136,12 +140,38 @@ pub(crate) fn standing(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Opt
         }
         least = least.min(share);
     }
-    let pushes = factors.solve(&right);
-    let mut all = DVector::zeros(b.len());
-    for (index, contact) in set.iter().enumerate() {
-        all[*contact] = pushes[index];
+    Some(spread(b.len(), set, &factors.solve(&right)))
+}
+
+/// The same where friction is tied to pushes. Elimination without exchanges: the pivots are those of one contact after the other, and
+/// each has to push away what it pushes.
+fn unsymmetric(mut part: DMatrix<f64>, mut right: DVector<f64>) -> Option<DVector<f64>> {
+    let n = right.len();
+    for k in 0..n {
+        let before: f64 = (0..k).map(|j| (part[(k, j)] * part[(j, k)]).abs()).sum();
+        let pivot = part[(k, k)];
+        if pivot.is_nan() || pivot <= DEPENDENT * (pivot.abs() + before) {
+            return None;
+        }
+        for i in k + 1..n {
+            let factor = part[(i, k)] / pivot;
+            part[(i, k)] = factor;
+            (k + 1..n).for_each(|j| part[(i, j)] -= factor * part[(k, j)]);
+            right[i] -= factor * right[k];
+        }
     }
-    Some(all)
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|j| part[(i, j)] * right[j]).sum();
+        right[i] = (right[i] - known) / part[(i, i)];
+    }
+    Some(right)
+}
+
+/// Pushes of some of so many contacts.
+fn spread(count: usize, set: &[usize], pushes: &DVector<f64>) -> DVector<f64> {
+    let mut all = DVector::zeros(count);
+    set.iter().zip(pushes).for_each(|(contact, push)| all[*contact] = *push);
+    all
 }
 
 #[cfg(test)]

@@ -1,24 +1,28 @@
 //! # Law
 //! A circle of radius r about the body's point p and a surface through P with the unit normal n: the gap is
 //! `g = n . (p - P) - r`, its rates follow by differentiating; the force N >= 0 acts along n at the contact point
-//! `p - r n`. It has no friction, so its power is `N g'` less what the moving surface adds.
+//! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
+//! angle. The rate of slip is `s = t . (v - P')`, with v the velocity of the body's material point there.
 //! # Symbols and units
-//! g (m), n (1), p, P, r (m), N (N).
+//! g (m), n, t (1), p, P, r (m), N, F (N), s (m/s).
 //! # Sign and frame
 //! World axes; n points out of the solid, g is positive apart and negative inside.
 //! # Validity
 //! Ends, corners and rims of rigid bodies against planes, which may move and tilt on given paths.
 //! # Source
-//! Geometry of a circle and a line; the law of the force is the surface's.
+//! Geometry of a circle and a line: what a tilting surface moves by along itself is zero where they touch. The laws of the forces are
+//! the surface's.
 //! # Checked by
 //! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`.
 
-use tumble_expr::{Dimension, Expr, Symbol, Vector};
+use tumble_expr::{Dimension, Expr, Symbol, Vector, is_identically_zero};
 
 use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::feature::Feature;
+use crate::contact::grip::Way;
 use crate::coordinates::{Measure, Pivot};
+use crate::friction::Friction;
 use crate::kinematics::PointRef;
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
@@ -44,6 +48,8 @@ pub struct Pair {
     pub normal: Vector,
     /// What happens where they touch, the body's own restitution included.
     pub law: ContactLaw,
+    /// Friction along the surface, if it has any.
+    pub friction: Option<Friction>,
 }
 
 impl Pair {
@@ -61,6 +67,7 @@ impl Pair {
             through: surface.through.clone(),
             normal: surface.normal.clone(),
             law: surface.law.of_body(body.restitution.as_ref()),
+            friction: surface.friction.clone(),
         }
     }
 
@@ -97,6 +104,38 @@ impl Pair {
         self.centre.body.position() + self.arm()
     }
 
+    /// Unit vector along the surface, its normal turned clockwise by a right angle.
+    pub fn tangent(&self) -> Vector {
+        turned(&self.normal)
+    }
+
+    /// Rate at which the body's point slips along the surface, m/s.
+    pub fn slip_rate(&self) -> Expr {
+        dot(&self.tangent(), &self.slipping())
+    }
+
+    /// Its derivative, m/s^2, in the body's accelerations.
+    pub fn slip_acceleration(&self) -> Expr {
+        let motion = &self.centre.body;
+        let (omega, arm) = (motion.omega(), self.arm());
+        let turning = &omega * self.centre.world_arm().perpendicular() - &self.radius * rate(&self.normal);
+        let own =
+            motion.acceleration() + motion.alpha() * arm.perpendicular() + &omega * turning.perpendicular();
+        let tilting = dot(&turned(&rate(&self.normal)), &self.slipping());
+        dot(&self.tangent(), &(own - rate(&rate(&self.through)))) + tilting
+    }
+
+    /// Velocity of the body's material point less that of the surface, m/s.
+    fn slipping(&self) -> Vector {
+        let motion = &self.centre.body;
+        motion.velocity() + motion.omega() * self.arm().perpendicular() - rate(&self.through)
+    }
+
+    /// Stands for the force along the surface, N.
+    pub fn friction_symbol(&self) -> Symbol {
+        Symbol::new(format!("{}.friction", self.name), Dimension::FORCE)
+    }
+
     /// Stands for the force along the normal, N.
     pub fn force_symbol(&self) -> Symbol {
         Symbol::new(format!("{}.normal", self.name), Dimension::FORCE)
@@ -122,6 +161,30 @@ impl Pair {
         }
     }
 
+    /// The friction on the body.
+    pub(crate) fn friction_term(&self) -> Term {
+        let force: Expr = self.friction_symbol().into();
+        Term {
+            load: format!("{}.friction", self.name),
+            law: Law::Friction,
+            force: &force * &self.tangent(),
+            ..self.term()
+        }
+    }
+
+    /// The condition that it does not slip. How far it has slipped before is nothing to it: it has a rate only.
+    pub(crate) fn slip_row(&self) -> Row {
+        let (body, arm, force) = (self.body, self.arm(), self.tangent());
+        Row {
+            multiplier: self.friction_symbol(),
+            wrenches: vec![Wrench { body, arm, force, couple: Expr::zero() }],
+            position: Expr::zero(),
+            rate: self.slip_rate(),
+            acceleration: self.slip_acceleration(),
+            measure: Measure::Length,
+        }
+    }
+
     /// The condition that the gap stays closed.
     pub(crate) fn row(&self) -> Row {
         let (body, arm, force) = (self.body, self.arm(), self.normal.clone());
@@ -138,15 +201,22 @@ impl Pair {
     /// How fast the gap can change with each coordinate: of x, of y and of the angle for a free body, of the angle for a
     /// pivoted one. `None` where the surface or the pivot moves.
     pub(crate) fn slopes(&self, pivot: Option<&Pivot>, body: &Body) -> Option<Vec<Expr>> {
-        let t = time_symbol();
-        let moves = |v: &Vector| v.components().iter().any(|part| part.symbols().contains(&t));
-        let is_moved = moves(&self.through) || moves(&self.normal);
         match pivot {
-            _ if is_moved => None,
+            _ if !self.is_fixed() => None,
             None => Some(vec![self.normal.x().clone(), self.normal.y().clone(), self.centre.arm.norm()]),
             Some(pivot) if moves(&pivot.world) => None,
             Some(pivot) => Some(vec![(&self.centre.arm - &body.at(&pivot.point).arm).norm()]),
         }
+    }
+
+    /// Whether the surface is at rest for good.
+    pub(crate) fn is_fixed(&self) -> bool {
+        !(moves(&self.through) || moves(&self.normal))
+    }
+
+    /// Whether it touches by a round rim, which rolls where it does not slip.
+    pub fn is_round(&self) -> bool {
+        !is_identically_zero(&self.radius)
     }
 
     /// Whether the surface is rigid.
@@ -169,6 +239,10 @@ impl Pair {
             Watched::Gap => "gap",
             Watched::Force => "force",
             Watched::Normal => "normal",
+            Watched::Slip => "slip",
+            Watched::Cone(Way::Forward) => "cone forward",
+            Watched::Cone(Way::Backward) => "cone backward",
+            Watched::Wedge => "wedge",
         };
         format!("{}.{what}", self.name)
     }
@@ -183,6 +257,23 @@ pub(crate) enum Watched {
     Force,
     /// The force that keeps it on a rigid surface.
     Normal,
+    /// The rate at which it slips.
+    Slip,
+    /// What friction could still have more before it slips that way.
+    Cone(Way),
+    /// How a push moves the contact while it slips.
+    Wedge,
+}
+
+/// Whether a place or a direction is a formula of the time.
+pub(crate) fn moves(v: &Vector) -> bool {
+    let t = time_symbol();
+    v.components().iter().any(|part| part.symbols().contains(&t))
+}
+
+/// A vector turned clockwise by a right angle.
+fn turned(v: &Vector) -> Vector {
+    Vector::planar(v.y().clone(), -v.x())
 }
 
 fn dot(a: &Vector, b: &Vector) -> Expr {

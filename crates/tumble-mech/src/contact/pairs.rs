@@ -1,10 +1,14 @@
 //! All pairs of a model, and which of them are watched in a mode, and how.
 
+use std::collections::HashMap;
+
+use tumble_expr::Expr;
 use tumble_ode::Direction;
 
 use crate::body::Body;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::feature::Feature;
+use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Watched};
 use crate::equations::Equations;
 use crate::kinematics::PointRef;
@@ -17,6 +21,8 @@ use crate::term::Term;
 pub(crate) struct Pairs {
     pub(crate) all: Vec<Pair>,
     pub(crate) terms: Vec<Term>,
+    /// Of those with friction.
+    pub(crate) frictions: HashMap<usize, Term>,
     of_bodies: Vec<Vec<usize>>,
 }
 
@@ -34,9 +40,11 @@ impl Pairs {
             }
         }
         let terms = all.iter().map(Pair::term).collect();
+        let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
+        let frictions = rough.map(|(index, pair)| (index, pair.friction_term())).collect();
         let mut of_bodies = vec![vec![]; model.bodies.len()];
         all.iter().enumerate().for_each(|(index, pair): (usize, &Pair)| of_bodies[pair.body].push(index));
-        Self { all, terms, of_bodies }
+        Self { all, terms, frictions, of_bodies }
     }
 
     /// Indices of a body's pairs.
@@ -82,7 +90,68 @@ impl Equations {
                 ContactMode::Idle => vec![],
             }
         };
-        mode.contacts.iter().flat_map(watched).collect()
+        let contacts = mode.contacts.iter().flat_map(watched);
+        contacts.chain(self.watched_grips(mode)).collect()
+    }
+
+    /// What is watched of friction: of all points of a body on one surface together, since they slip alike.
+    fn watched_grips(&self, mode: &Mode) -> Vec<(usize, Watched, Direction)> {
+        let mut found = vec![];
+        for (pair, grip) in &mode.grips {
+            match grip {
+                Grip::Sticks => found.extend(
+                    [Way::Forward, Way::Backward].map(|way| (*pair, Watched::Cone(way), Direction::Falling)),
+                ),
+                Grip::Slides(way) => {
+                    if self.alike(mode, *pair).next() == Some(*pair) {
+                        let direction =
+                            if *way == Way::Forward { Direction::Falling } else { Direction::Rising };
+                        found.push((*pair, Watched::Slip, direction));
+                    }
+                    if self.is_alone(mode, *pair) {
+                        found.push((*pair, Watched::Wedge, Direction::Falling));
+                    }
+                }
+                Grip::Follows | Grip::Strains(_) => {}
+            }
+        }
+        found
+    }
+
+    /// Whether a push at a pair moves one body that nothing else holds.
+    fn is_alone(&self, mode: &Mode, pair: usize) -> bool {
+        let body = self.pairs()[pair].body;
+        let mut own = mode.held().filter(|other| self.pairs()[*other].body == body);
+        own.next() == Some(pair)
+            && own.next().is_none()
+            && self.island_of(mode, body).len() == 1
+            && self.independent_rows_of(mode, &[body]).is_empty()
+    }
+
+    /// The pairs that are held and slip like a pair: of the same body on the same surface.
+    pub(crate) fn alike<'a>(&'a self, mode: &'a Mode, pair: usize) -> impl Iterator<Item = usize> + 'a {
+        let of = |pair: usize| (self.pairs()[pair].body, self.pairs()[pair].surface);
+        mode.grips.iter().map(|(other, _)| *other).filter(move |other| of(*other) == of(pair))
+    }
+
+    /// What friction of a body on a surface could still have more before it slips that way, N; the pair is the one that is given it.
+    pub(crate) fn friction_left(&self, mode: &Mode, pair: usize, way: Way) -> Expr {
+        let own = &self.pairs()[pair];
+        let of_rest = own.friction.as_ref().map_or_else(Expr::zero, |friction| friction.of_rest.clone());
+        let normals = self.alike(mode, pair).map(|other| Expr::from(self.pairs()[other].force_symbol()));
+        let normal = normals.reduce(|sum, next| sum + next).unwrap_or_else(Expr::zero);
+        // Friction acts against the slip that it keeps from coming.
+        of_rest * normal + way.sign() * Expr::from(own.friction_symbol())
+    }
+
+    /// Friction of a pair that is tied to its normal force, for each unit of that.
+    pub(crate) fn tie(&self, mode: &Mode, pair: usize) -> Option<Expr> {
+        let friction = self.pairs()[pair].friction.as_ref()?;
+        match mode.grip(pair)? {
+            Grip::Slides(way) => Some(-way.sign() * &friction.kinetic),
+            Grip::Strains(way) => Some(-way.sign() * &friction.of_rest),
+            Grip::Sticks | Grip::Follows => None,
+        }
     }
 
     /// Names of the guards of all pairs, in the order in which they are watched.

@@ -1,5 +1,7 @@
 //! What an instant changes for an island that touches rigid surfaces: impacts, then which contacts last.
 
+mod rubbing;
+
 use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
@@ -8,6 +10,7 @@ use tumble_ode::Reason;
 use crate::contact::change::Change;
 use crate::contact::complementarity::{pushing, standing};
 use crate::contact::contact_mode::ContactMode;
+use crate::contact::grip::Way;
 use crate::contact::pair::Watched;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::zeno::{LOWEST, ZenoSequence};
@@ -17,6 +20,7 @@ use crate::impulse::Sizes;
 use crate::laws::impact::impulses;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
+use rubbing::Rubbing;
 
 /// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
 pub(crate) const STANDS: f64 = 1e-12;
@@ -35,10 +39,23 @@ pub(crate) struct Touched {
     pub(crate) closed: BTreeSet<usize>,
     /// Pairs whose force has just come down to zero.
     pub(crate) lifted: BTreeSet<usize>,
+    /// Pairs that have just ceased to slip.
+    pub(crate) stopped: BTreeSet<usize>,
+    /// Pairs that friction cannot hold any more, with the way they are about to slip.
+    pub(crate) broken: BTreeSet<(usize, Way)>,
+    /// Pairs at which friction takes all that a push would move.
+    pub(crate) wedged: BTreeSet<usize>,
 }
 
 /// Contacts that last, by position, and the accelerations of all gaps then.
 type Held = (Vec<(usize, ContactMode)>, DVector<f64>);
+
+/// What lasts, and how it is held along surfaces with friction.
+#[derive(Default)]
+struct Lasting {
+    modes: Vec<(usize, ContactMode)>,
+    rubbing: Option<Rubbing>,
+}
 
 /// Velocities and contacts of one body while they are settled.
 struct Settling<'a> {
@@ -91,7 +108,7 @@ impl<'a> Settling<'a> {
             touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || overdue
         };
         let part: Vec<usize> = (0..touch.pairs.len()).filter(takes_part).collect();
-        let count = touch.pairs.len();
+        let count = touch.response.nrows();
         let speed = touch.speed.clone();
         let then = touch.free.clone();
         Ok(Self { equations, body, now, touch, part, impulses: DVector::zeros(count), speed, then })
@@ -104,14 +121,19 @@ impl<'a> Settling<'a> {
         if !(0..rate.len()).any(closes) {
             return Ok(());
         }
-        let rule = self.equations.model().multiple_impacts;
         let restitution = self.of(&self.touch.restitution);
-        let push = impulses(rule, &self.response(&self.part), &rate, &restitution)
-            .ok_or_else(|| self.unsolved("impact"))?;
-        self.impulses = self.whole(&self.part, &push);
+        self.impulses = if self.is_rough() { self.rough_impulses()? } else { self.smooth_impulses()? };
         self.apply(&self.impulses.clone(), jump)?;
         let target = -restitution.component_mul(&rate);
         self.refine(&target, jump)
+    }
+
+    /// Impulses of the impacts of this instant where nothing has friction.
+    fn smooth_impulses(&self) -> Result<DVector<f64>, Reason> {
+        let rule = self.equations.model().multiple_impacts;
+        let (rate, restitution) = (self.of(&self.touch.rate), self.of(&self.touch.restitution));
+        let push = impulses(rule, &self.response(&self.part), &rate, &restitution);
+        Ok(self.whole(&self.part, &push.ok_or_else(|| self.unsolved("impact"))?))
     }
 
     /// Takes the rounding of the impulses out of the rates where they are known, each what its restitution makes of it: a ball that
@@ -119,13 +141,18 @@ impl<'a> Settling<'a> {
     fn refine(&mut self, target: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let off = self.of(&self.touch.rate) - target;
         let is_known = |i: usize| off[i].abs() <= REBOUNDS * self.speed[self.part[i]];
-        if !(0..off.len()).all(is_known) {
+        let mut rows = if (0..off.len()).all(is_known) { self.part.clone() } else { vec![] };
+        let mut off = self.whole(&self.part, &off);
+        for slip in self.standing_slips() {
+            off[slip] = self.touch.slips.rate[slip - self.touch.pairs.len()];
+            rows.push(slip);
+        }
+        if rows.is_empty() {
             return Ok(());
         }
-        let all: Vec<usize> = (0..off.len()).collect();
         // Contacts that are not independent keep what rounding left.
-        let Some(missing) = standing(&self.response(&self.part), &off, &all) else { return Ok(()) };
-        self.apply(&self.whole(&self.part, &missing), jump)
+        let Some(missing) = standing(&self.touch.response, &off, &rows) else { return Ok(()) };
+        self.apply(&missing, jump)
     }
 
     /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.
@@ -147,7 +174,7 @@ impl<'a> Settling<'a> {
         let pick = |values: &DVector<f64>| DVector::from_fn(members.len(), |i, _| values[members[i]]);
         let zeno = ZenoSequence {
             rule: model.multiple_impacts,
-            response: &self.response(&members),
+            response: &self.response_with_friction(&members),
             restitution: &pick(&self.touch.restitution),
             free: &pick(&self.touch.free),
             lowest,
@@ -180,7 +207,7 @@ impl<'a> Settling<'a> {
         touched: &Touched,
         zeno: Option<&(Vec<usize>, f64)>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Vec<(usize, ContactMode)>, Reason> {
+    ) -> Result<Lasting, Reason> {
         let members: Vec<usize> = match zeno {
             Some((members, _)) => members.clone(),
             None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
@@ -189,6 +216,9 @@ impl<'a> Settling<'a> {
         let is_calm = self.impulses.amax() == 0.0;
         let stays = |position: &usize| !(is_calm && touched.lifted.contains(&self.touch.pairs[*position]));
         let without: Vec<usize> = members.iter().copied().filter(stays).collect();
+        if self.is_rough() {
+            return self.lasting_with_friction([&without, &members], touched, jump);
+        }
         let (found, then) = match self.hold(&without, &members) {
             Some(held) => held,
             None => self.hold(&members, &members).ok_or_else(|| self.unsolved("contact"))?,
@@ -201,7 +231,7 @@ impl<'a> Settling<'a> {
             .collect();
         let stop = standing(&self.touch.response, &self.touch.rate, &held);
         self.apply(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
-        Ok(found)
+        Ok(Lasting { modes: found, rubbing: None })
     }
 
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
@@ -210,7 +240,7 @@ impl<'a> Settling<'a> {
         let free = DVector::from_fn(some.len(), |i, _| self.touch.free[some[i]]);
         let (set, push) = pushing(&self.response(some), &free)?;
         let push = self.whole(some, &push);
-        let then = &self.touch.free + &self.touch.response * push;
+        let then = self.accelerations() + &self.touch.response * push;
         let zero = BALANCED * self.touch.strength;
         if all.iter().any(|position| then[*position] < -zero) {
             return None;
@@ -227,12 +257,8 @@ impl<'a> Settling<'a> {
     }
 
     /// Writes what was found into the jump.
-    fn arrange(
-        &self,
-        lasting: Vec<(usize, ContactMode)>,
-        zeno: Option<(Vec<usize>, f64)>,
-        jump: &mut Jump<Mode>,
-    ) {
+    fn arrange(&self, lasting: Lasting, zeno: Option<(Vec<usize>, f64)>, jump: &mut Jump<Mode>) {
+        let Lasting { modes: lasting, rubbing } = lasting;
         let settles = |time: f64| self.now.time + time > self.now.time;
         let wake = zeno.as_ref().map(|(_, time)| *time).filter(|time| settles(*time));
         jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
@@ -265,6 +291,7 @@ impl<'a> Settling<'a> {
                 jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
             }
         }
+        self.arrange_grips(rubbing.as_ref(), jump);
     }
 
     /// How many derivatives of a gap that opens are zero now, itself included.
@@ -299,7 +326,7 @@ impl<'a> Settling<'a> {
     }
 
     fn whole(&self, some: &[usize], values: &DVector<f64>) -> DVector<f64> {
-        let mut all = DVector::zeros(self.touch.pairs.len());
+        let mut all = DVector::zeros(self.touch.response.nrows());
         for (index, position) in some.iter().enumerate() {
             all[*position] = values[index];
         }
@@ -317,8 +344,12 @@ impl<'a> Settling<'a> {
             all.map(|(index, impulse)| (*index, *impulse)).collect()
         };
         let shares = &self.touch.joints.share * &self.impulses;
+        let slips = &self.touch.slips.of;
+        let along = self.impulses.rows(self.touch.pairs.len(), slips.len()).into_owned();
+        let rubbed: Vec<usize> = slips.iter().map(|position| self.touch.pairs[*position]).collect();
         Sizes {
             normals: by_index(&self.touch.pairs, &self.impulses),
+            frictions: by_index(&rubbed, &along),
             rows: by_index(&self.touch.joints.rows, &shares),
             applied: vec![],
         }

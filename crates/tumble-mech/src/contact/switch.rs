@@ -67,6 +67,9 @@ impl Equations {
             let body = self.island_of(&jump.mode, self.pairs()[pair].body)[0];
             match (self.pairs()[pair].is_rigid(), watched) {
                 (true, Watched::Normal) => _ = touched.entry(body).or_default().lifted.insert(pair),
+                (true, Watched::Slip) => _ = touched.entry(body).or_default().stopped.insert(pair),
+                (true, Watched::Cone(way)) => _ = touched.entry(body).or_default().broken.insert((pair, way)),
+                (true, Watched::Wedge) => _ = touched.entry(body).or_default().wedged.insert(pair),
                 (true, _) => _ = touched.entry(body).or_default().closed.insert(pair),
                 (false, _) if closes => self.press(pair, now, jump)?,
                 (false, watched) => self.let_go(pair, watched, now, jump)?,

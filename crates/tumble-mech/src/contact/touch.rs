@@ -11,6 +11,7 @@ use tumble_ode::Reason;
 
 use crate::contact::complementarity::DEPENDENT;
 use crate::contact::settle::BALANCED;
+use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::link::{InstantTape, Measured};
@@ -57,7 +58,9 @@ pub(crate) struct Touch {
     pub(crate) strength: f64,
     /// Restitution of each; zero where the surface is compliant.
     pub(crate) restitution: DVector<f64>,
-    /// Change of rate i by a unit impulse at j, 1/kg.
+    /// Of those with friction, along their surfaces.
+    pub(crate) slips: Slips,
+    /// Change of rate i by a unit impulse at j, 1/kg; rates of gaps come first, then those of slips.
     pub(crate) response: DMatrix<f64>,
     /// Change of each velocity state by a unit impulse at j.
     kicks: DMatrix<f64>,
@@ -76,7 +79,7 @@ pub(crate) struct Joined {
 }
 
 impl Touch {
-    /// Adds impulses at the pairs to the velocities. Where they balance but for rounding nothing changes: what falls flat stays
+    /// Adds impulses at the pairs, and then along the surfaces, to the velocities. Where they balance but for rounding nothing changes: what falls flat stays
     /// flat.
     pub(crate) fn kick(&self, impulses: &DVector<f64>, states: &mut [f64]) {
         let changes = (&self.kicks * impulses, self.kicks.abs() * impulses.abs());
@@ -89,12 +92,13 @@ impl Touch {
 
     /// Takes rounding out of what joints keep where it is: no push moves it. `free` is the response without joints.
     fn clear(&mut self, free: &DMatrix<f64>) {
-        for pair in 0..self.pairs.len() {
-            if self.response[(pair, pair)] <= DEPENDENT * free[(pair, pair)] {
-                self.response.fill_row(pair, 0.0);
-                self.response.fill_column(pair, 0.0);
-                let is_balanced = self.free[pair].abs() <= BALANCED * self.strength;
-                self.free[pair] = if is_balanced { 0.0 } else { self.free[pair] };
+        let zero = BALANCED * self.strength;
+        let accelerations = self.free.iter_mut().chain(&mut self.slips.free);
+        for (row, acceleration) in accelerations.enumerate() {
+            if self.response[(row, row)] <= DEPENDENT * free[(row, row)] {
+                self.response.fill_row(row, 0.0);
+                self.response.fill_column(row, 0.0);
+                *acceleration = if acceleration.abs() <= zero { 0.0 } else { *acceleration };
             }
         }
     }
@@ -139,16 +143,19 @@ impl Equations {
         };
         let gradients =
             |rows: &[Measured]| Gradients { rows: rows.iter().map(slopes).collect(), columns: dofs };
-        let rows = gradients(&tape.pairs).dense();
+        let slips = Slips::read(&tape.slips, value);
+        let (gaps, along): (Vec<Measured>, Vec<Measured>) =
+            (tape.pairs.clone(), tape.slips.iter().map(|(_, slip)| slip.clone()).collect());
+        let rows = gradients(&[gaps, along].concat()).dense();
         let of_bodies = |which: usize| DVector::from_fn(dofs, |dof, _| value(tape.bodies + which + dof));
         let (inverse, pushed, size) = (of_bodies(0), of_bodies(dofs), tape.bodies + 2 * dofs);
         let (kicks, joints) = match joint_rows.is_empty() {
             true => {
                 let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
-                (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, n) })
+                (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, rows.nrows()) })
             }
             false => {
-                let none = DMatrix::zeros(joint_rows.len(), n);
+                let none = DMatrix::zeros(joint_rows.len(), rows.nrows());
                 let (mass, of_joints) = (of_bodies(2 * dofs + 1), gradients(&tape.rows));
                 let (kicks, share) = respond(&mass, &of_joints, &rows.transpose(), &none)
                     .ok_or_else(|| self.not_independent(&island))?;
@@ -157,10 +164,10 @@ impl Equations {
         };
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
-        let speed = |pair: usize| -> f64 {
-            let own = |dof: usize| rows[(pair, dof)] * states[velocities[dof]];
-            let left = |dof: usize| rows[(pair, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
-            let surface = value(tape.pairs[pair].rate()) - (0..dofs).map(own).sum::<f64>();
+        let speed = |row: usize, rate: f64| -> f64 {
+            let own = |dof: usize| rows[(row, dof)] * states[velocities[dof]];
+            let left = |dof: usize| rows[(row, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
+            let surface = rate - (0..dofs).map(own).sum::<f64>();
             (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
         };
         let (rate, free) = (column(&Measured::rate), column(&Measured::end));
@@ -171,19 +178,26 @@ impl Equations {
                 series[0] + series[1]
             }),
             blur: blur(&tape, (states, now)),
+            speed: DVector::from_fn(n, |pair, _| speed(pair, rate[pair])),
             rate,
-            speed: DVector::from_fn(n, |pair, _| speed(pair)),
-            strength: (rows.abs() * inverse.component_mul(&pushed) + free.abs()).max(),
+            strength: (rows.abs() * inverse.component_mul(&pushed)
+                + stacked_column(&free, &slips.free).abs())
+            .max(),
             free,
             restitution: column(&|pair| pair.end() + 1),
             response: &rows * &kicks,
+            slips: Slips {
+                speed: DVector::from_fn(slips.of.len(), |slip, _| speed(n + slip, slips.rate[slip])),
+                ..slips
+            },
             pairs,
             kicks,
             velocities,
             joints,
         };
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
-        match touch.rate.iter().chain(&touch.free).all(|value| value.is_finite()) {
+        let slips = touch.slips.rate.iter().chain(&touch.slips.free);
+        match touch.rate.iter().chain(&touch.free).chain(slips).all(|value| value.is_finite()) {
             true => Ok(touch),
             false => Err(Reason::Model(format!(
                 "where `{}` touches, its velocity or acceleration is not a finite number",
@@ -216,4 +230,9 @@ fn blur(tape: &InstantTape, (states, now): (&[f64], Now<'_>)) -> DVector<f64> {
         ONE_INSTANT * (gap.noise() + rate.value.abs() * f64::EPSILON * now.time)
     };
     DVector::from_iterator(tape.pairs.len(), tape.pairs.iter().map(blur))
+}
+
+/// Entries of one vector, then of another.
+pub(super) fn stacked_column(first: &DVector<f64>, then: &DVector<f64>) -> DVector<f64> {
+    DVector::from_iterator(first.len() + then.len(), first.iter().chain(then).copied())
 }

@@ -98,6 +98,14 @@ pub enum NoEquilibrium {
         /// m/s^2 or rad/s^2
         unit: &'static str,
     },
+    /// What touches with friction rests in many poses.
+    #[error(
+        "`{contact}` touches with friction, and what does rests in many poses beside each other: let the motion go on until \"rest\" instead"
+    )]
+    Rough {
+        /// Name of the pair.
+        contact: String,
+    },
     /// Contacts that neither push nor let go.
     #[error("contacts near the start do not settle on which of them push")]
     Contacts,
@@ -118,6 +126,7 @@ impl Equations {
             self.velocity_states(&mode, body).into_iter().for_each(|state| states[state] = 0.0);
         }
         for _ in 0..MOST_CHANGES {
+            self.refuse_friction(&mode)?;
             let mut statics = Statics::new(self, &mode, &states, &start.inputs)?;
             let found = statics.solve()?;
             match self.change(&mode, &statics.contacts(&found)?) {
@@ -127,6 +136,14 @@ impl Equations {
             states = found.states;
         }
         Err(NoEquilibrium::Contacts)
+    }
+
+    fn refuse_friction(&self, mode: &Mode) -> Result<(), NoEquilibrium> {
+        let mut touching = mode.contacts.iter().map(|(pair, _)| &self.pairs()[*pair]);
+        match touching.find(|pair| pair.friction.is_some()) {
+            Some(pair) => Err(NoEquilibrium::Rough { contact: pair.name.clone() }),
+            None => Ok(()),
+        }
     }
 
     fn contact_of(&self, pair: usize) -> ContactMode {

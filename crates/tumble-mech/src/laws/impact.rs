@@ -9,7 +9,7 @@
 //! # Sign and frame
 //! Along the surfaces' normals, out of the solid.
 //! # Validity
-//! Rigid bodies, no friction, an instant. Energy never grows: with one e at all contacts it shrinks unless e is 1.
+//! Rigid bodies, an instant; without friction, or with what friction adds in the responses. Energy never grows: with one e at all contacts it shrinks unless e is 1.
 //! # Source
 //! Poisson's hypothesis as a complementarity problem: Glocker and Pfeiffer 1995, Anitescu and Potra 1997.
 //! # Checked by

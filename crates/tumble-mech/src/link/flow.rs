@@ -9,7 +9,7 @@ use super::algebra::Algebra;
 use super::linking::Linking;
 use super::names::Name;
 use super::part::{Part, RowOf};
-use crate::contact::Watched;
+use crate::contact::{WEDGED, Watched};
 use crate::coordinates::Measure;
 use crate::event::Event;
 use crate::parameters::time_symbol;
@@ -109,16 +109,31 @@ impl<A: Algebra> Linking<'_, A> {
             Watched::Gap => self.part(Part::Gap(index)).remove(0),
             Watched::Force => self.part(Part::Pressed(index)).remove(0),
             Watched::Normal => self.symbol(&pair.force_symbol()),
+            Watched::Slip => self.part(Part::Slip(index)).remove(0),
+            Watched::Cone(way) => {
+                let left = self.equations.friction_left(self.mode, index, way);
+                self.formula(&left)
+            }
+            Watched::Wedge => self.wedge(index),
         };
         let at_zero = match watched {
             // A surface does not pull, not for a moment.
-            Watched::Normal => AtZero::EndsIfItMoves {
+            Watched::Normal | Watched::Cone(_) => AtZero::EndsIfItMoves {
                 response: self.part(Part::Lightness(pair.body)).remove(0),
                 group: Measure::Length as usize,
             },
-            Watched::Gap | Watched::Force => AtZero::Begins,
+            Watched::Gap | Watched::Force | Watched::Slip => AtZero::Begins,
+            Watched::Wedge => AtZero::Ends,
         };
         Guard { name: pair.guard_name(watched), formula, direction, at_zero }
+    }
+
+    /// How much a push moves a contact that slips beyond the part of it that is [`WEDGED`], 1/kg.
+    fn wedge(&mut self, pair: usize) -> A::Value {
+        let own = self.part(Part::Response(RowOf::Pair(pair), RowOf::Pair(pair))).remove(0);
+        let most = self.formula(&Expr::from(1.0 - WEDGED));
+        let own = self.algebra.binary(Binary::Mul, most, own);
+        self.with_friction(own, RowOf::Pair(pair), |slip| Part::Response(RowOf::Pair(pair), slip))
     }
 
     fn symbol(&mut self, symbol: &Symbol) -> A::Value {
@@ -153,7 +168,8 @@ impl<A: Algebra> Linking<'_, A> {
         let (equations, mode) = (self.equations, self.mode);
         let joints = equations.rows_by_joint(mode).into_iter();
         let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
-        let rows = rows.chain(mode.held().map(RowOf::Pair)).map(Part::Kept);
+        let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip));
+        let rows = rows.chain(contacts).map(Part::Kept);
         let parts: Vec<Part> = rows.chain(equations.roots(mode).into_iter().map(Part::Root)).collect();
         let mut invariants = vec![];
         for part in parts {

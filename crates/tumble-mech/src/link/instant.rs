@@ -32,12 +32,15 @@ pub(crate) struct InstantTape {
     pub(crate) tape: Arc<Tape>,
     /// Behind each of these stand the gap's acceleration and the restitution.
     pub(crate) pairs: Vec<Measured>,
+    /// Of those with friction, by their order among the pairs, the rate along the surface; behind each of these stand its derivative
+    /// and both coefficients.
+    pub(crate) slips: Vec<(usize, Measured)>,
     pub(crate) rows: Vec<Measured>,
     /// Where numbers of bodies begin.
     pub(crate) bodies: usize,
 }
 
-/// Where the numbers of a row stand: its position, its rate, the slopes of that by velocities.
+/// Where the numbers of a row stand: its position if it has one, its rate, the slopes of that by velocities.
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
     pub(crate) position: usize,
@@ -84,12 +87,15 @@ impl Equations {
         let asked = Asked::Island(island[0]);
         self.instant_tape((asked, mode.without_support(self.pairs(), island)), |mode| {
             let mut instant = Instant::new(self, mode, island);
+            let rough = pairs.iter().copied().enumerate();
+            let rough = rough.filter(|(_, pair)| self.pairs()[*pair].friction.is_some());
             let pairs = pairs.iter().map(|pair| instant.pair(*pair)).collect();
+            let slips = rough.map(|(position, pair)| (position, instant.slip(pair))).collect();
             let rows = self.independent_rows_of(mode, island).into_iter();
             let rows: Vec<Measured> = rows.map(|(_, row)| instant.row(row)).collect();
             let bodies = instant.outputs.len();
             instant.add_bodies(island, !rows.is_empty());
-            Ok(InstantTape { tape: instant.tape()?, pairs, rows, bodies })
+            Ok(InstantTape { tape: instant.tape()?, pairs, slips, rows, bodies })
         })
     }
 
@@ -100,7 +106,7 @@ impl Equations {
             let rows = rows.into_iter().map(|row| instant.row(row)).collect();
             let bodies = instant.outputs.len();
             mode.bodies.iter().for_each(|body| instant.add_masses(*body));
-            Ok(InstantTape { tape: instant.tape()?, pairs: vec![], rows, bodies })
+            Ok(InstantTape { tape: instant.tape()?, pairs: vec![], slips: vec![], rows, bodies })
         })
     }
 
@@ -140,7 +146,8 @@ impl<'a> Instant<'a> {
     fn row(&mut self, row: RowOf) -> Measured {
         let piece = self.linking.equations.piece(Part::Kept(row));
         let mut values = self.linking.exports(&piece).into_iter();
-        let position = self.outputs.len();
+        // A slip has no position: its rate comes first.
+        let position = (self.outputs.len() + piece.kept.len()).saturating_sub(2);
         let mut by_velocity = vec![];
         for (_, states) in &piece.kept {
             // The slopes of the position come first, those of the rate take their place.
@@ -161,6 +168,17 @@ impl<'a> Instant<'a> {
         let restitution = self.linking.equations.pairs()[index].law.restitution();
         let restitution = restitution.cloned().unwrap_or_else(Expr::zero);
         self.outputs.push(self.linking.formula(&restitution));
+        measured
+    }
+
+    fn slip(&mut self, index: usize) -> Measured {
+        let measured = self.row(RowOf::Slip(index));
+        self.add(Part::RowAcceleration(RowOf::Slip(index)));
+        let friction = self.linking.equations.pairs()[index].friction.clone();
+        for coefficient in friction.iter().flat_map(|friction| [&friction.of_rest, &friction.kinetic]) {
+            let coefficient = self.linking.formula(coefficient);
+            self.outputs.push(coefficient);
+        }
         measured
     }
 

@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_expr::{FastMap, Unary};
 
+use tumble_expr::Binary;
+
 use super::algebra::Algebra;
 use super::linking::Linking;
 use super::names::Meaning;
@@ -39,7 +41,8 @@ impl Islands {
         }
         let joints = equations.rows_by_joint(mode).into_iter();
         let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
-        for row in rows.chain(mode.held().map(RowOf::Pair)) {
+        let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip));
+        for row in rows.chain(contacts) {
             let bodies = equations.bodies_of(row);
             if let Some(island) = bodies.first().and_then(|body| found.of_body.get(body)) {
                 found.all[*island].rows.push((row, bodies));
@@ -76,6 +79,23 @@ impl<A: Algebra> Linking<'_, A> {
             true => self.part(Part::Pressed(pair)).remove(0),
             false => self.keeping(body, RowOf::Pair(pair)),
         })
+    }
+
+    /// The friction of a pair; `None` where its body is not in the mode.
+    pub(super) fn friction(&mut self, pair: usize) -> Option<A::Value> {
+        let body = self.equations.pairs()[pair].body;
+        if !self.islands.has(body) {
+            return None;
+        }
+        let Some(tie) = self.tie(pair) else { return Some(self.keeping(body, RowOf::Slip(pair))) };
+        let normal = self.normal(pair)?;
+        Some(self.algebra.binary(Binary::Mul, tie, normal))
+    }
+
+    /// Friction of a pair that is tied to its normal force, for each unit of that.
+    fn tie(&mut self, pair: usize) -> Option<A::Value> {
+        let tie = self.equations.tie(self.mode, pair)?;
+        Some(self.formula(&tie))
     }
 
     fn keeping(&mut self, body: usize, row: RowOf) -> A::Value {
@@ -118,18 +138,31 @@ impl<A: Algebra> Linking<'_, A> {
             let others: BTreeSet<usize> = bodies.iter().flat_map(|body| &on_body[body]).copied().collect();
             for j in others.into_iter().filter(|j| *j >= i) {
                 let entry = self.part(Part::Response(*row, rows[j].0)).remove(0);
-                matrix[j].insert(i, entry.clone());
-                matrix[i].insert(j, entry);
+                let [below, above] = [(rows[j].0, *row), (*row, rows[j].0)]
+                    .map(|(of, by)| self.with_friction(entry.clone(), by, |slip| Part::Response(of, slip)));
+                matrix[j].insert(i, below);
+                matrix[i].insert(j, above);
             }
         }
         for (place, body) in (rows.len()..).zip(lights) {
             for index in on_body.get(body).into_iter().flatten().copied() {
-                let entry = self.part(Part::Torque(rows[index].0, *body)).remove(0);
-                matrix[place].insert(index, entry.clone());
-                matrix[index].insert(place, entry);
+                let row = rows[index].0;
+                let entry = self.part(Part::Torque(row, *body)).remove(0);
+                matrix[index].insert(place, entry.clone());
+                let pushed = self.with_friction(entry, row, |slip| Part::Torque(slip, *body));
+                matrix[place].insert(index, pushed);
             }
         }
         matrix.into_iter().map(|row| row.into_iter().collect()).collect()
+    }
+
+    /// What a unit of a row's multiplier does, the friction that comes with it included; `of` is the part for friction alone.
+    pub(super) fn with_friction(&mut self, own: A::Value, by: RowOf, of: impl Fn(RowOf) -> Part) -> A::Value {
+        let RowOf::Pair(pair) = by else { return own };
+        let Some(tie) = self.tie(pair) else { return own };
+        let rubbed = self.part(of(RowOf::Slip(pair))).remove(0);
+        let rubbed = self.algebra.binary(Binary::Mul, tie, rubbed);
+        self.algebra.binary(Binary::Add, own, rubbed)
     }
 
     fn right_sides(&mut self, rows: &[(RowOf, Vec<usize>)], lights: &[usize]) -> Vec<A::Value> {

@@ -129,6 +129,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
             }
             Meaning::Multiplier { joint, row } => self.multiplier(joint, row).unwrap_or(leaf),
             Meaning::Normal { pair } => self.normal(pair).unwrap_or(leaf),
+            Meaning::Friction { pair } => self.friction(pair).unwrap_or(leaf),
             Meaning::Acceleration { .. } | Meaning::Reaction { .. } => leaf,
         };
         self.values.insert(name, found.clone());

@@ -28,8 +28,10 @@ pub(crate) enum Meaning {
     Reaction { body: usize, which: usize },
     /// What keeps a row of a joint, by its order there.
     Multiplier { joint: usize, row: usize },
-    /// The force of a pair.
+    /// The force of a pair along its normal.
     Normal { pair: usize },
+    /// The same along its surface.
+    Friction { pair: usize },
 }
 
 /// All symbols of the motion, the time and the parameters.
@@ -42,6 +44,8 @@ pub(crate) struct Names {
     multipliers: Vec<Vec<Name>>,
     /// By pair.
     normals: Vec<Name>,
+    /// Of pairs with friction.
+    frictions: HashMap<usize, Name>,
 }
 
 /// Names of what belongs to a body.
@@ -77,6 +81,11 @@ impl Names {
             let normal = names.add(pair.force_symbol(), Meaning::Normal { pair: index });
             names.of_bodies[pair.body].forces.push(normal);
             names.normals.push(normal);
+            if pair.friction.is_some() {
+                let friction = names.add(pair.friction_symbol(), Meaning::Friction { pair: index });
+                names.of_bodies[pair.body].forces.push(friction);
+                names.frictions.insert(index, friction);
+            }
             names.add(pair.root_symbol(), Meaning::Leaf);
         }
         for (index, joint) in equations.joints().iter().enumerate() {
@@ -142,6 +151,7 @@ impl Names {
         match row {
             RowOf::Joint(joint, row) => self.multipliers[joint][row],
             RowOf::Pair(pair) => self.normals[pair],
+            RowOf::Slip(pair) => self.frictions[&pair],
         }
     }
 

@@ -36,6 +36,8 @@ pub(crate) enum Part {
     Pressed(usize),
     /// The gap of a pair.
     Gap(usize),
+    /// The rate at which it slips.
+    Slip(usize),
     /// How fast it can change with each coordinate; nothing where there is no bound.
     Slopes(usize),
     /// What a unit of force does to a body.
@@ -59,6 +61,8 @@ pub(crate) enum Part {
 pub(crate) enum TermOf {
     Load(usize),
     Pair(usize),
+    /// Friction of a pair.
+    Friction(usize),
     Joint(usize, usize),
 }
 
@@ -66,7 +70,10 @@ pub(crate) enum TermOf {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum RowOf {
     Joint(usize, usize),
+    /// That its gap stays closed.
     Pair(usize),
+    /// That it does not slip.
+    Slip(usize),
 }
 
 /// Formulas, ready to be linked.
@@ -130,7 +137,7 @@ impl Equations {
             return Arc::clone(known);
         }
         let piece = match part {
-            Part::Kept(row) => self.kept(&self.row(row)),
+            Part::Kept(row) => self.kept(row),
             Part::Root(pair) => {
                 let formula = compliant::root_invariant(&self.pairs()[pair]);
                 self.sorted(vec![formula], &[Measure::Length])
@@ -198,6 +205,7 @@ impl Equations {
         match of {
             TermOf::Load(index) => &self.loads()[index],
             TermOf::Pair(pair) => &self.pair_list().terms[pair],
+            TermOf::Friction(pair) => &self.pair_list().frictions[&pair],
             TermOf::Joint(joint, index) => &self.joints()[joint].terms[index],
         }
     }
@@ -205,6 +213,7 @@ impl Equations {
     pub(crate) fn row(&self, of: RowOf) -> Row {
         match of {
             RowOf::Pair(pair) => self.pairs()[pair].row(),
+            RowOf::Slip(pair) => self.pairs()[pair].slip_row(),
             RowOf::Joint(joint, row) => self.joints()[joint].rows[row].clone(),
         }
     }
@@ -236,6 +245,7 @@ impl Equations {
                 vec![compliant::normal_force(&self.pairs()[pair]).unwrap_or_else(Expr::zero)]
             }
             Part::Gap(pair) => vec![self.pairs()[pair].gap()],
+            Part::Slip(pair) => vec![self.pairs()[pair].slip_rate()],
             Part::Slopes(pair) => self.gap_slopes(pair).unwrap_or_default(),
             Part::Lightness(body) => vec![1 / &self.mass_properties(body).mass],
             Part::Size(body) => vec![self.model().bodies[body].reach() * 2],
@@ -246,8 +256,12 @@ impl Equations {
         }
     }
 
-    fn kept(&self, row: &Row) -> Piece {
-        self.sorted(vec![row.position.clone(), row.rate.clone()], &[row.measure, row.measure.rate()])
+    fn kept(&self, of: RowOf) -> Piece {
+        let row = self.row(of);
+        match of {
+            RowOf::Slip(_) => self.sorted(vec![row.rate], &[row.measure.rate()]),
+            _ => self.sorted(vec![row.position, row.rate], &[row.measure, row.measure.rate()]),
+        }
     }
 
     /// How fast the gap of a pair can change with each coordinate of its body, where that is bounded.

@@ -1,7 +1,7 @@
 //! `[surface.NAME]`: a floor, wall or slope, at rest or moving, and what it does to what touches it.
 
 use tumble_expr::{Dimension, Exponent, Expr, Vector};
-use tumble_mech::{ContactLaw, Release, Surface};
+use tumble_mech::{ContactLaw, Friction, Release, Restitution, Surface};
 
 use super::{body, each};
 use crate::code::Code;
@@ -32,7 +32,9 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
     let facing = facing(draft, &name, table);
     let law = law(draft, &name, table);
     let on = table.take("on").map(|field| met(draft, &field));
-    let (Some(through), Some(facing), Some(law), None | Some(Some(_))) = (through, facing, law, &on) else {
+    let (Some(through), Some(facing), Some((law, friction)), None | Some(Some(_))) =
+        (through, facing, law, &on)
+    else {
         return draft.names.break_name(&name);
     };
     let at = [through.x().clone(), through.y().clone()];
@@ -40,7 +42,7 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
         Facing::Normal(normal) => Surface::new(name, at, [normal.x().clone(), normal.y().clone()], law),
         Facing::Slope(angle) => Surface::sloping(name, at, &angle, law),
     };
-    draft.model.surface(Surface { on: on.flatten(), ..surface });
+    draft.model.surface(Surface { on: on.flatten(), friction, ..surface });
 }
 
 enum Facing {
@@ -73,9 +75,12 @@ fn facing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Facing> {
     }
 }
 
+/// What a surface does across itself, and along.
+type Law = (ContactLaw, Option<Friction>);
+
 /// One of `rigid`, `spring` and `hertz`.
-fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
-    type Read = fn(&mut Draft, &str, &mut Table) -> Option<ContactLaw>;
+fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
+    type Read = fn(&mut Draft, &str, &mut Table) -> Option<Law>;
     let laws: [(&str, Read); 3] = [("rigid", rigid), ("spring", spring), ("hertz", hertz)];
     let given: Vec<_> = laws.into_iter().filter_map(|(key, read)| Some((read, table.take(key)?))).collect();
     if let [(_, first), (_, second), ..] = &given[..] {
@@ -99,12 +104,56 @@ fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
     law
 }
 
-fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
-    let restitution = draft.coefficient(table, name, "restitution", "0.7", Dimension::NONE)?;
-    Some(ContactLaw::Rigid { restitution })
+fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
+    let restitution = draft.coefficient(table, name, "restitution", "0.7", Dimension::NONE);
+    let meaning = table.take("law");
+    let friction = table.take("friction").map(|field| friction(draft, name, &field));
+    let friction = match (friction, &meaning) {
+        (Some(friction), None) => Some(friction?),
+        (Some(friction), Some(field)) => {
+            let meaning = ratio(draft, field);
+            Some(friction?.restitution(meaning?))
+        }
+        (None, Some(field)) => {
+            let message = format!("`{name}` has a `law` of impacts, but no `friction`");
+            let help = "without friction the three laws are one: add `friction = 0.3`, or leave `law` out";
+            let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
+            draft.note(mistake.label("says nothing here").help(help));
+            return None;
+        }
+        (None, None) => None,
+    };
+    Some((ContactLaw::Rigid { restitution: restitution? }, friction))
 }
 
-fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
+/// What the restitution is the ratio of.
+fn ratio(draft: &mut Draft, field: &Field) -> Option<Restitution> {
+    Some(match draft.choice(field, &["poisson", "stronge", "newton"])? {
+        "stronge" => Restitution::Stronge,
+        "newton" => Restitution::Newton,
+        _ => Restitution::Poisson,
+    })
+}
+
+/// One coefficient, or a static and a kinetic one.
+fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
+    if field.value.as_table().is_none() {
+        draft.remember(format!("friction of `{name}`"), &field.span);
+        return draft.number(field, Want::constant(Dimension::NONE)).map(Friction::new);
+    }
+    let mut inner = draft.table(field, field.key.to_owned())?;
+    inner.span = field.span.clone();
+    let [of_rest, kinetic] = [("static", "0.4"), ("kinetic", "0.3")].map(|(key, example)| {
+        let own = draft.required(&mut inner, key, example)?;
+        draft.remember(format!("{key} friction of `{name}`"), &own.span);
+        draft.number(&own, Want::constant(Dimension::NONE))
+    });
+    draft.remember(format!("friction of `{name}`"), &field.span);
+    draft.done(inner);
+    Some(Friction::new(of_rest?).kinetic(kinetic?))
+}
+
+fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
     let stiffness = draft.coefficient(table, name, "stiffness", "\"1e4 N/m\"", STIFFNESS);
     let damping = draft.coefficient(table, name, "damping", "0", DAMPING);
     let release = match table.take("release") {
@@ -115,14 +164,14 @@ fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw
         "at the surface" => Release::AtSurface,
         _ => Release::AtZeroForce,
     };
-    Some(ContactLaw::Spring { stiffness: stiffness?, damping: damping?, release })
+    Some((ContactLaw::Spring { stiffness: stiffness?, damping: damping?, release }, None))
 }
 
-fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<ContactLaw> {
+fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
     let dimension = Dimension { length: Exponent::new(-1, 2), ..Dimension::FORCE };
     let stiffness = draft.coefficient(table, name, "stiffness", "\"1e6 N/m^(3/2)\"", dimension);
     let damping = draft.coefficient(table, name, "damping", "0", SLOWNESS);
-    Some(ContactLaw::Hertz { stiffness: stiffness?, damping: damping? })
+    Some((ContactLaw::Hertz { stiffness: stiffness?, damping: damping? }, None))
 }
 
 /// One name or a list of names, of bodies or of single points by which they touch.

@@ -85,7 +85,32 @@ pub(super) const KEYS: &[(&str, &[Row])] = &[
             (&["body", "bodie", "for"], "write `on = \"rod\"`, the bodies that it meets"),
         ],
     ),
-    ("rigid", &[(&["e", "bounce", "coefficient"], "write `restitution = 0.8`")]),
+    (
+        "rigid",
+        &[
+            (&["e", "bounce", "coefficient"], "write `restitution = 0.8`"),
+            (
+                &[
+                    "mu",
+                    "static_friction",
+                    "kinetic_friction",
+                    "static",
+                    "kinetic",
+                    "coulomb",
+                    "rough",
+                    "grip",
+                ],
+                "write `friction = 0.3`, or `friction = { static = 0.4, kinetic = 0.3 }`",
+            ),
+        ],
+    ),
+    (
+        "friction",
+        &[
+            (&["mu_s", "rest", "sticking", "stick"], "write `static = 0.4`"),
+            (&["mu_k", "mu", "sliding", "dynamic", "slip"], "write `kinetic = 0.3`"),
+        ],
+    ),
     ("spring", SPRING),
     ("damper", SPRING),
     (

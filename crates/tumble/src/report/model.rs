@@ -44,11 +44,15 @@ fn assumptions(study: &Study) -> Vec<Text> {
             model.joints.iter().any(|joint| joint.from.is_some()),
             "What joins bodies on the way does so in no time: an impact without rebound.",
         ),
-        (!model.surfaces.is_empty(), "Surfaces have no friction: they push along their normals only."),
         (
-            model.surfaces.iter().any(|s| s.law.is_rigid()),
-            "An impact on a rigid surface takes no time.",
+            !model.surfaces.is_empty() && model.surfaces.iter().all(|surface| surface.friction.is_none()),
+            "Surfaces have no friction: they push along their normals only.",
         ),
+        (
+            model.surfaces.iter().any(|surface| surface.friction.is_some()),
+            "Friction is dry: its coefficients do not depend on the speed, the pressure or the time at rest.",
+        ),
+        (model.surfaces.iter().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
     ];
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }
@@ -181,6 +185,7 @@ fn name_of(term: &Term) -> String {
     match term.law {
         Law::Weight => "weight".to_owned(),
         Law::Contact => format!("contact {}", term.load),
+        Law::Friction => format!("friction {}", symbols::rubbed(&term.load)),
         Law::Reaction => format!("reaction of {}", term.load),
         _ => term.load.clone(),
     }
@@ -198,7 +203,7 @@ fn point(equations: &Equations, term: &Term) -> String {
     };
     match (term.law, body.points.iter().find(is_there)) {
         (_, Some((name, _))) => format!("{}.{name}", body.name),
-        (Law::Contact, None) => term.load.clone(),
+        (Law::Contact | Law::Friction, None) => symbols::rubbed(&term.load).to_owned(),
         (Law::Reaction, None) => term.load.clone(),
         (law, None) if law.is_couple() => "everywhere".to_owned(),
         _ => "its point of action".to_owned(),

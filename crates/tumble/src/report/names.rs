@@ -208,6 +208,7 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
     for pair in study.model.pairs() {
         let touched = symbols::contact(study, &pair.name);
         symbols.insert(format!("{}.normal", pair.name), format!("N_{touched}"));
+        symbols.insert(format!("{}.friction", pair.name), format!("f_{touched}"));
     }
     for (joint, multipliers) in joints(study) {
         let force = symbols::force(study, &joint, Law::Reaction);

@@ -148,9 +148,28 @@ fn direction() -> Value {
 }
 
 fn rigid() -> Value {
+    let both = closed(
+        "friction",
+        &[
+            must("static", named("formula"), "Greatest friction over the normal force while nothing slips."),
+            must("kinetic", named("formula"), "Friction over the normal force while it slips; not greater."),
+        ],
+    );
     closed(
         "rigid",
-        &[must("restitution", named("formula"), "How much of its speed an impact leaves, from 0 to 1.")],
+        &[
+            must("restitution", named("formula"), "How much of its speed an impact leaves, from 0 to 1."),
+            may(
+                "friction",
+                json!({ "anyOf": [named("formula"), both] }),
+                "Dry friction: one coefficient, or a static and a kinetic one; none without it.",
+            ),
+            may(
+                "law",
+                choice(&["poisson", "stronge", "newton"]),
+                "What the restitution is the ratio of in an impact with friction: impulses, works or speeds; impulses without it.",
+            ),
+        ],
     )
 }
 

@@ -1,0 +1,252 @@
+//! Contacts with friction at one instant: pushes with which no gap closes, and which friction allows.
+//!
+//! With w what gaps and slips do (rates or accelerations), b what they would do without pushes and A the response, `w = b + A z`. Along
+//! the normals `w_n >= 0`, `z_n >= 0`, one of the two zero. Along a surface, for all points of one body on it together, since they slip
+//! alike: it sticks, `w_t = 0` and `|z_t| <= mu_s z_n`, or it slides, `z_t = -mu_k sign(w_t) z_n`. For a choice of who sticks and who
+//! slides which way, friction is eliminated and what is left is a problem of complementarity along the normals. The choice is found by
+//! letting those slide that cannot hold; where that does not end, all choices are tried.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::contact::complementarity::{DEPENDENT, pushing, standing};
+use crate::contact::grip::{Grip, Way};
+
+/// Friction that is beyond what it can be by less than this part has all that it can be.
+const FULL: f64 = 1e-11;
+/// Choices in turn for each surface before all are tried.
+const ROUNDS: usize = 4;
+/// With more surfaces than this not all choices are tried: there are five for each.
+const MOST_TRIED: usize = 5;
+
+/// All points by which one body touches one surface with friction.
+#[derive(Clone, Debug)]
+pub(super) struct Patch {
+    /// Their normals, each with its row along the surface.
+    pub(super) contacts: Vec<(usize, usize)>,
+    /// Static and kinetic coefficient.
+    pub(super) friction: [f64; 2],
+    /// Set where it slips already, whatever happens.
+    pub(super) slips: Option<Way>,
+}
+
+/// The problem. Normals of all contacts come first in its vectors, then what is along surfaces.
+pub(super) struct Rough<'a> {
+    pub(super) response: &'a DMatrix<f64>,
+    /// b
+    pub(super) without: DVector<f64>,
+    /// Normals that take part.
+    pub(super) contacts: Vec<usize>,
+    pub(super) patches: Vec<Patch>,
+    /// Pushes along the normals that are there anyway.
+    pub(super) given: DVector<f64>,
+    /// What of w is nothing.
+    pub(super) zero: f64,
+}
+
+/// A solution.
+#[derive(Clone, Debug)]
+pub(super) struct Pushes {
+    /// z
+    pub(super) pushes: DVector<f64>,
+    /// Normals that push independently, some perhaps with no force.
+    pub(super) held: Vec<usize>,
+    /// By patch.
+    pub(super) grips: Vec<Grip>,
+    /// Rows along surfaces by which those that stick do.
+    pub(super) holding: Vec<usize>,
+    /// w
+    pub(super) then: DVector<f64>,
+}
+
+/// The problem along the normals that is left once friction is eliminated.
+struct Reduced {
+    matrix: DMatrix<f64>,
+    without: DVector<f64>,
+    /// Friction for each unit of each normal, by row along a surface and contact.
+    friction: Vec<(usize, usize, f64)>,
+    holding: Vec<usize>,
+    /// What holds, without pushes and for each unit of them.
+    held_without: DVector<f64>,
+    held_by: DMatrix<f64>,
+}
+
+impl Rough<'_> {
+    /// Pushes that every condition holds for; `None` if none were found.
+    pub(super) fn solve(&self) -> Option<Pushes> {
+        let start = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
+        let mut grips: Vec<Grip> = self.patches.iter().map(start).collect();
+        for _ in 0..=ROUNDS * self.patches.len() {
+            let Some(found) = self.attempt(&grips) else { break };
+            match self.wrong(&found) {
+                None => return Some(found),
+                Some((patch, grip)) => grips[patch] = grip,
+            }
+        }
+        self.all_choices()
+            .iter()
+            .filter_map(|grips| self.attempt(grips))
+            .find(|found| self.wrong(found).is_none())
+    }
+
+    /// Pushes of either sign with which just these normals, and those that stick, stand still.
+    pub(super) fn stopped(&self, grips: &[Grip], held: &[usize]) -> Option<Pushes> {
+        let reduced = self.reduced(grips)?;
+        let held: Vec<usize> =
+            (0..self.contacts.len()).filter(|index| held.contains(&self.contacts[*index])).collect();
+        let pushes = standing(&reduced.matrix, &reduced.without, &held)?;
+        Some(self.complete(grips, reduced, &held, &pushes))
+    }
+
+    /// Responses along the normals for a choice of grips.
+    pub(super) fn across(&self, grips: &[Grip]) -> Option<DMatrix<f64>> {
+        self.reduced(grips).map(|reduced| reduced.matrix)
+    }
+
+    /// The solution for a choice of grips, whether or not friction allows it.
+    pub(super) fn attempt(&self, grips: &[Grip]) -> Option<Pushes> {
+        let reduced = self.reduced(grips)?;
+        let (held, pushes) = pushing(&reduced.matrix, &reduced.without)?;
+        Some(self.complete(grips, reduced, &held, &pushes))
+    }
+
+    fn reduced(&self, grips: &[Grip]) -> Option<Reduced> {
+        let friction = self.ties(grips);
+        let mut columns = DMatrix::from_fn(self.response.nrows(), self.contacts.len(), |row, index| {
+            self.response[(row, self.contacts[index])]
+        });
+        let mut without = &self.without + self.response * &self.given;
+        for &(row, index, tie) in &friction {
+            columns.column_mut(index).axpy(tie, &self.response.column(row), 1.0);
+            without.axpy(tie * self.given[self.contacts[index]], &self.response.column(row), 1.0);
+        }
+        let holding = self.holding(grips);
+        let of = |some: &[usize]| DMatrix::from_fn(some.len(), columns.ncols(), |i, j| columns[(some[i], j)]);
+        let part = |some: &[usize]| DVector::from_fn(some.len(), |i, _| without[some[i]]);
+        let [across, among] = [&self.contacts, &holding].map(|some| {
+            DMatrix::from_fn(some.len(), holding.len(), |i, j| self.response[(some[i], holding[j])])
+        });
+        let factors = among.cholesky()?;
+        let (held_by, held_without) = (factors.solve(&of(&holding)), factors.solve(&part(&holding)));
+        let mut reduced = Reduced {
+            matrix: of(&self.contacts) - &across * &held_by,
+            without: part(&self.contacts) - across * &held_without,
+            friction,
+            holding,
+            held_without,
+            held_by,
+        };
+        self.clear(&mut reduced);
+        Some(reduced)
+    }
+
+    /// Takes rounding out of what those that stick keep where it is.
+    fn clear(&self, reduced: &mut Reduced) {
+        for (index, contact) in self.contacts.iter().enumerate() {
+            if reduced.matrix[(index, index)].abs() <= DEPENDENT * self.response[(*contact, *contact)] {
+                reduced.matrix.fill_row(index, 0.0);
+                reduced.matrix.fill_column(index, 0.0);
+                if reduced.without[index].abs() <= self.zero {
+                    reduced.without[index] = 0.0;
+                }
+            }
+        }
+    }
+
+    /// Friction that is tied to normals: row along the surface, index of the contact, part.
+    fn ties(&self, grips: &[Grip]) -> Vec<(usize, usize, f64)> {
+        let mut ties = vec![];
+        for (patch, grip) in self.patches.iter().zip(grips) {
+            let tie = match grip {
+                Grip::Slides(way) => -f64::from(way.sign()) * patch.friction[1],
+                Grip::Strains(way) => -f64::from(way.sign()) * patch.friction[0],
+                Grip::Sticks | Grip::Follows => continue,
+            };
+            let index = |contact: &usize| self.contacts.iter().position(|known| known == contact);
+            let own = patch.contacts.iter().filter_map(|(contact, row)| Some((*row, index(contact)?, tie)));
+            ties.extend(own);
+        }
+        ties
+    }
+
+    /// Of the rows by which those that stick do, a largest set that is independent.
+    fn holding(&self, grips: &[Grip]) -> Vec<usize> {
+        let none = DVector::zeros(self.response.nrows());
+        let mut holding = vec![];
+        for (patch, grip) in self.patches.iter().zip(grips) {
+            let grown = [&holding[..], &[patch.row()]].concat();
+            if *grip == Grip::Sticks && standing(self.response, &none, &grown).is_some() {
+                holding = grown;
+            }
+        }
+        holding
+    }
+
+    fn complete(&self, grips: &[Grip], reduced: Reduced, held: &[usize], found: &DVector<f64>) -> Pushes {
+        let mut pushes = self.given.clone();
+        for (index, contact) in self.contacts.iter().enumerate() {
+            pushes[*contact] += found[index];
+        }
+        for (row, index, tie) in &reduced.friction {
+            pushes[*row] = tie * pushes[self.contacts[*index]];
+        }
+        let kept = -(reduced.held_without + reduced.held_by * found);
+        reduced.holding.iter().zip(&kept).for_each(|(row, push)| pushes[*row] = *push);
+        let then = &self.without + self.response * &pushes;
+        let held = held.iter().map(|index| self.contacts[*index]).collect();
+        Pushes { then, pushes, held, grips: grips.to_vec(), holding: reduced.holding }
+    }
+
+    /// The first patch that friction does not allow to be held or to slip as it was chosen, with what to try instead.
+    fn wrong(&self, found: &Pushes) -> Option<(usize, Grip)> {
+        let all = self.patches.iter().zip(&found.grips).enumerate();
+        let mut wrong =
+            all.filter_map(|(index, (patch, grip))| Some((index, self.instead(patch, *grip, found)?)));
+        wrong.next()
+    }
+
+    fn instead(&self, patch: &Patch, grip: Grip, found: &Pushes) -> Option<Grip> {
+        let normal: f64 = patch.contacts.iter().map(|(contact, _)| found.pushes[*contact]).sum();
+        let (row, slip) = (patch.row(), found.then[patch.row()]);
+        let slack = self.zero / self.response[(row, row)].max(f64::MIN_POSITIVE);
+        match grip {
+            _ if patch.slips.is_some() => None,
+            Grip::Sticks | Grip::Follows => {
+                let (push, most) = (found.pushes[row], patch.friction[0] * normal);
+                (push.abs() > most * (1.0 + FULL) + slack).then(|| Grip::Strains(Way::of(-push)))
+            }
+            Grip::Strains(way) => {
+                let along = f64::from(way.sign()) * slip;
+                (slip.abs() > self.zero).then_some(if along > 0.0 {
+                    Grip::Slides(way)
+                } else {
+                    Grip::Slides(Way::of(slip))
+                })
+            }
+            Grip::Slides(way) => {
+                let is_against = f64::from(way.sign()) * slip < -self.zero;
+                (is_against && normal > 0.0).then_some(Grip::Sticks)
+            }
+        }
+    }
+
+    /// All choices of grips, but for what slips already; none where they are too many.
+    fn all_choices(&self) -> Vec<Vec<Grip>> {
+        if self.patches.iter().filter(|patch| patch.slips.is_none()).count() > MOST_TRIED {
+            return vec![];
+        }
+        let ways = [Way::Forward, Way::Backward];
+        let free: Vec<Grip> =
+            [Grip::Sticks].into_iter().chain(ways.map(Grip::Strains)).chain(ways.map(Grip::Slides)).collect();
+        self.patches.iter().fold(vec![vec![]], |choices, patch| {
+            let own = patch.slips.map_or(free.clone(), |way| vec![Grip::Slides(way)]);
+            choices.iter().flat_map(|known| own.iter().map(|grip| [&known[..], &[*grip]].concat())).collect()
+        })
+    }
+}
+
+impl Patch {
+    /// The row along the surface that stands for all of them.
+    pub(super) fn row(&self) -> usize {
+        self.contacts[0].1
+    }
+}

@@ -1,0 +1,423 @@
+//! What an instant changes where surfaces have friction: impacts by Routh or all at once, then who sticks and who slides.
+
+use nalgebra::{DMatrix, DVector};
+use tumble_ode::Reason;
+
+use super::{BALANCED, Lasting, STANDS, Settling, Touched};
+use crate::contact::change::Change;
+use crate::contact::contact_mode::ContactMode;
+use crate::contact::grip::{Grip, Way};
+use crate::contact::pair::Watched;
+use crate::contact::rough::{Patch, Pushes, Rough};
+use crate::contact::routh::{Refused, Strike};
+use crate::contact::slip::WEDGED;
+use crate::contact::touch::stacked_column;
+use crate::friction::Restitution;
+use crate::laws::impact::MultipleImpacts;
+use crate::mode::Mode;
+use crate::record::{Happening, Jump};
+
+/// Contacts that change each other's rates by less than this part of their own by an impulse do not influence each other.
+const COUPLED: f64 = 1e-12;
+/// Impacts one after the other at one instant that have not come to an end by then are refused.
+const MOST_SEQUENTIAL: usize = 10_000;
+
+/// Contacts with friction that last.
+pub(super) struct Rubbing {
+    patches: Vec<Patch>,
+    found: Pushes,
+}
+
+impl Settling<'_> {
+    /// Whether any that takes part has friction.
+    pub(super) fn is_rough(&self) -> bool {
+        self.part.iter().any(|position| self.touch.slips.at(*position).is_some())
+    }
+
+    /// Impulses of the impacts of this instant.
+    pub(super) fn rough_impulses(&mut self) -> Result<DVector<f64>, Reason> {
+        let mut all = DVector::zeros(self.touch.response.nrows());
+        for group in self.coupled() {
+            let closes = |position: &usize| self.touch.rate[*position] < -STANDS * self.speed[*position];
+            if !group.iter().any(closes) {
+                continue;
+            }
+            let rule = self.equations.model().multiple_impacts;
+            all += match &group[..] {
+                [only] => self.routh(*only, &self.rates())?,
+                _ if rule == MultipleImpacts::Sequential => self.one_by_one(&group)?,
+                _ => self.at_once(&group)?,
+            };
+        }
+        Ok(all)
+    }
+
+    /// Those that take part, parted where impulses at some do nothing to others.
+    fn coupled(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = vec![];
+        for &position in &self.part {
+            let (own, others): (Vec<_>, Vec<_>) = groups
+                .into_iter()
+                .partition(|group| group.iter().any(|other| self.are_coupled(position, *other)));
+            groups = others;
+            groups.push([own.concat(), vec![position]].concat());
+        }
+        groups.iter_mut().for_each(|group| group.sort_unstable());
+        groups.sort_unstable();
+        groups
+    }
+
+    fn are_coupled(&self, a: usize, b: usize) -> bool {
+        let response = &self.touch.response;
+        let [of_a, of_b] = [a, b].map(|position| {
+            let slip = self.touch.slips.at(position).map(|slip| self.touch.pairs.len() + slip);
+            [Some(position), slip]
+        });
+        let own = |i: usize, j: usize| libm::sqrt(response[(i, i)] * response[(j, j)]);
+        let mut entries = of_a.iter().flatten().flat_map(|i| of_b.iter().flatten().map(move |j| (*i, *j)));
+        entries.any(|(i, j)| response[(i, j)].abs() > COUPLED * own(i, j))
+    }
+
+    /// Rates of all gaps and slips.
+    fn rates(&self) -> DVector<f64> {
+        stacked_column(&self.touch.rate, &self.touch.slips.rate)
+    }
+
+    /// The impulse at one contact that strikes alone.
+    fn routh(&self, position: usize, rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
+        let (response, pair) = (&self.touch.response, &self.equations.pairs()[self.touch.pairs[position]]);
+        let mut all = DVector::zeros(response.nrows());
+        let restitution = self.touch.restitution[position];
+        let Some(slip) = self.touch.slips.at(position) else {
+            all[position] = -(1.0 + restitution) * rates[position] / response[(position, position)];
+            return Ok(all);
+        };
+        let row = self.touch.pairs.len() + slip;
+        let stands = rates[row].abs() <= STANDS * self.touch.slips.speed[slip];
+        let strike = Strike {
+            response: [response[(row, row)], response[(row, position)], response[(position, position)]],
+            before: [if stands { 0.0 } else { rates[row] }, rates[position]],
+            friction: self.touch.slips.friction[slip],
+            restitution,
+            law: pair.friction.as_ref().map(|friction| friction.restitution).unwrap_or_default(),
+        };
+        let struck = strike.resolve().map_err(|refused| self.refused(position, refused))?;
+        [all[row], all[position]] = struck.impulse;
+        Ok(all)
+    }
+
+    fn refused(&self, position: usize, refused: Refused) -> Reason {
+        let name = &self.equations.pairs()[self.touch.pairs[position]].name;
+        Reason::Model(match refused {
+            Refused::Blocked => {
+                format!("`{name}` strikes, and nothing that pushes there parts it from the surface")
+            }
+            Refused::GainsEnergy(gain) => format!(
+                "`{name}` strikes with friction, and Newton's law of restitution would add {gain} J there (Kane's paradox): take \
+                 `law = \"poisson\"` or `law = \"stronge\"`, which never add energy"
+            ),
+        })
+    }
+
+    /// The fastest approach first, then the next.
+    fn one_by_one(&self, group: &[usize]) -> Result<DVector<f64>, Reason> {
+        let mut rates = self.rates();
+        let mut all = DVector::zeros(rates.len());
+        for _ in 0..MOST_SEQUENTIAL {
+            let fastest = group.iter().copied().min_by(|i, j| rates[*i].total_cmp(&rates[*j]));
+            let Some(fastest) = fastest.filter(|position| rates[*position] < -STANDS * self.speed[*position])
+            else {
+                return Ok(all);
+            };
+            let impulse = self.routh(fastest, &rates)?;
+            rates += &self.touch.response * &impulse;
+            all += impulse;
+        }
+        Err(self.unsolved("impact"))
+    }
+
+    /// Compression until nothing closes, then restitution gives back its part, and as much more as keeps the gaps from closing.
+    fn at_once(&self, group: &[usize]) -> Result<DVector<f64>, Reason> {
+        self.refuse_other_laws(group)?;
+        let rates = self.rates();
+        let zero = STANDS * group.iter().map(|position| self.speed[*position]).fold(0.0, f64::max);
+        let given = DVector::zeros(rates.len());
+        let patches = self.patches(group);
+        let phase = |given| Rough { given, zero, ..self.rough(group, &patches, rates.clone()) };
+        let unsolved = || self.unsolved("impact");
+        let compressed = phase(given).solve().ok_or_else(unsolved)?;
+        let mut given = DVector::zeros(rates.len());
+        for position in group {
+            given[*position] = self.touch.restitution[*position] * compressed.pushes[*position];
+        }
+        if given.amax() == 0.0 {
+            return Ok(compressed.pushes);
+        }
+        let restored = Rough { without: compressed.then, ..phase(given) }.solve().ok_or_else(unsolved)?;
+        Ok(compressed.pushes + restored.pushes)
+    }
+
+    fn refuse_other_laws(&self, group: &[usize]) -> Result<(), Reason> {
+        let pairs = group.iter().map(|position| &self.equations.pairs()[self.touch.pairs[*position]]);
+        let other = |friction: &crate::Friction| friction.restitution != Restitution::Poisson;
+        match pairs.into_iter().find(|pair| pair.friction.as_ref().is_some_and(other)) {
+            None => Ok(()),
+            Some(pair) => Err(Reason::Model(format!(
+                "`{}` strikes together with others, for which there is Poisson's law alone: write `law = \"poisson\"`, or \
+                 `impacts = \"sequential\"` to let one strike after the other",
+                pair.name
+            ))),
+        }
+    }
+
+    /// What slips alike of some contacts; none of it is known to slip.
+    fn patches(&self, some: &[usize]) -> Vec<Patch> {
+        let mut patches: Vec<((usize, usize), Patch)> = vec![];
+        for &position in some {
+            let Some(slip) = self.touch.slips.at(position) else { continue };
+            let pair = &self.equations.pairs()[self.touch.pairs[position]];
+            let (of, contact) = ((pair.body, pair.surface), (position, self.touch.pairs.len() + slip));
+            match patches.iter_mut().find(|(known, _)| *known == of) {
+                Some((_, patch)) => patch.contacts.push(contact),
+                None => {
+                    let friction = self.touch.slips.friction[slip];
+                    patches.push((of, Patch { contacts: vec![contact], friction, slips: None }));
+                }
+            }
+        }
+        patches.into_iter().map(|(_, patch)| patch).collect()
+    }
+
+    /// Rows of a group whose rates are known after an impact, but for rounding: what sticks.
+    pub(super) fn standing_slips(&self) -> Vec<usize> {
+        let slips = &self.touch.slips;
+        let stands = |slip: &usize| {
+            self.part.contains(&slips.of[*slip]) && slips.rate[*slip].abs() <= STANDS * slips.speed[*slip]
+        };
+        (0..slips.of.len()).filter(stands).map(|slip| self.touch.pairs.len() + slip).collect()
+    }
+
+    /// Who sticks and who slides of some contacts that stand still; `None` where no forces are found, or one of `all` would close.
+    fn rub(
+        &self,
+        [some, all]: [&[usize]; 2],
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Result<Option<Rubbing>, Reason> {
+        let mut patches = self.patches(some);
+        for patch in &mut patches {
+            patch.slips = self.slips_now(patch, touched);
+        }
+        self.refuse_wedged(&patches, touched, jump)?;
+        let forced = self.forced(&patches, touched);
+        let zero = BALANCED * self.touch.strength;
+        let moves_as_forced = |rough: &Rough<'_>, found: &Pushes| {
+            let mut ways = rough.patches.iter().zip(&patches).filter(|(_, own)| own.slips.is_none());
+            ways.all(|(patch, _)| {
+                patch.slips.is_none_or(|way| f64::from(way.sign()) * found.then[patch.row()] >= -zero)
+            })
+        };
+        let rough = |patches: &[Patch]| self.rough(some, patches, self.accelerations());
+        let found = forced.and_then(|forced| {
+            let rough = rough(&forced);
+            rough.solve().filter(|found| moves_as_forced(&rough, found))
+        });
+        let Some(found) = found.or_else(|| rough(&patches).solve()) else { return Ok(None) };
+        let closes = all.iter().any(|position| found.then[*position] < -zero);
+        Ok((!closes).then_some(Rubbing { patches, found }))
+    }
+
+    /// Accelerations of all gaps and slips without forces of contacts that last.
+    pub(super) fn accelerations(&self) -> DVector<f64> {
+        stacked_column(&self.touch.free, &self.touch.slips.free)
+    }
+
+    /// The way that a patch slips before anything is settled, if it does.
+    fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
+        let count = self.touch.pairs.len();
+        let is_still = |(position, row): &(usize, usize)| {
+            let (rate, speed) = (self.touch.slips.rate[row - count], self.touch.slips.speed[row - count]);
+            rate.abs() <= STANDS * speed || touched.stopped.contains(&self.touch.pairs[*position])
+        };
+        let is_still = patch.contacts.iter().any(is_still);
+        (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - count]))
+    }
+
+    /// The patches with those that could not hold any more made to slide the way they were about to.
+    fn forced(&self, patches: &[Patch], touched: &Touched) -> Option<Vec<Patch>> {
+        let way = |patch: &Patch| {
+            let broken = |(position, _): &(usize, usize)| {
+                let pair = self.touch.pairs[*position];
+                touched.broken.iter().find(|(known, _)| *known == pair).map(|(_, way)| *way)
+            };
+            patch.slips.or_else(|| patch.contacts.iter().find_map(broken))
+        };
+        let forced: Vec<Patch> =
+            patches.iter().map(|patch| Patch { slips: way(patch), ..patch.clone() }).collect();
+        let changes = forced.iter().zip(patches).any(|(new, old)| new.slips != old.slips);
+        changes.then_some(forced)
+    }
+
+    /// Refuses what slips so that friction takes all that a push would move (Painleve).
+    fn refuse_wedged(&self, patches: &[Patch], touched: &Touched, jump: &Jump<Mode>) -> Result<(), Reason> {
+        let slipping = patches.iter().filter_map(|patch| Some((patch, patch.slips?)));
+        let alone = slipping.filter(|(patch, _)| patch.contacts.len() == 1);
+        for (patch, way) in alone {
+            let (position, row) = patch.contacts[0];
+            let response = &self.touch.response;
+            let (own, by) = (response[(position, position)], response[(position, row)]);
+            let left = own - f64::from(way.sign()) * patch.friction[1] * by;
+            if left <= WEDGED * own || touched.wedged.contains(&self.touch.pairs[position]) {
+                return Err(self.wedged(position, [patch.friction[1], own / by.abs()], jump));
+            }
+        }
+        Ok(())
+    }
+
+    /// Painleve's configuration by its name.
+    fn wedged(&self, position: usize, [friction, most]: [f64; 2], jump: &Jump<Mode>) -> Reason {
+        let pair = &self.equations.pairs()[self.touch.pairs[position]];
+        let body = &self.equations.model().bodies[pair.body];
+        let formulas = [body.kinematics().angle()];
+        let angle = self
+            .equations
+            .values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)
+            .map_or(f64::NAN, |values| values[0]);
+        Reason::Model(format!(
+            "`{}` slips with the kinetic coefficient {friction} while `{}` is at {angle} rad: from {most} on, friction takes all that a \
+             push of the surface would move there, and no force holds the body up or several do (Painleve's paradox). Take less \
+             friction, another angle or another speed, or a compliant surface",
+            pair.name, body.name
+        ))
+    }
+
+    /// Which contacts last, with friction: `some` of `all` that stand still, or all where one would close otherwise.
+    pub(super) fn lasting_with_friction(
+        &mut self,
+        [some, all]: [&[usize]; 2],
+        touched: &Touched,
+        jump: &mut Jump<Mode>,
+    ) -> Result<Lasting, Reason> {
+        let rubbing = match self.rub([some, all], touched, jump)? {
+            Some(rubbing) => rubbing,
+            None => self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?,
+        };
+        let modes = self.held_by_friction(all, &rubbing, jump)?;
+        Ok(Lasting { modes, rubbing: Some(rubbing) })
+    }
+
+    /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.
+    pub(super) fn response_with_friction(&self, some: &[usize]) -> DMatrix<f64> {
+        let (smooth, patches) = (self.response(some), self.patches(some));
+        if patches.is_empty() {
+            return smooth;
+        }
+        let grip =
+            |patch: &Patch| self.slips_now(patch, &Touched::default()).map_or(Grip::Sticks, Grip::Slides);
+        let grips: Vec<Grip> = patches.iter().map(grip).collect();
+        self.rough(some, &patches, self.accelerations()).across(&grips).unwrap_or(smooth)
+    }
+
+    /// The problem of some contacts with what they would do without pushes.
+    fn rough(&self, some: &[usize], patches: &[Patch], without: DVector<f64>) -> Rough<'_> {
+        Rough {
+            response: &self.touch.response,
+            without,
+            contacts: some.to_vec(),
+            patches: patches.to_vec(),
+            given: DVector::zeros(self.touch.response.nrows()),
+            zero: BALANCED * self.touch.strength,
+        }
+    }
+
+    /// Contact modes of what was found; velocities are made to stand.
+    fn held_by_friction(
+        &mut self,
+        all: &[usize],
+        rubbing: &Rubbing,
+        jump: &mut Jump<Mode>,
+    ) -> Result<Vec<(usize, ContactMode)>, Reason> {
+        let Rubbing { patches, found } = rubbing;
+        self.then = found.then.clone();
+        let zero = BALANCED * self.touch.strength;
+        let contact_mode = |position: &usize| match found.held.contains(position) {
+            true => Some((*position, ContactMode::Resting)),
+            false if found.then[*position] <= zero => Some((*position, ContactMode::Idle)),
+            false => None,
+        };
+        let modes = all.iter().filter_map(contact_mode).collect();
+        let stop = self.rough(&found.held, patches, self.rates());
+        let stop = stop.stopped(&found.grips, &found.held).ok_or_else(|| self.unsolved("contact"))?;
+        self.apply(&stop.pushes, jump)?;
+        Ok(modes)
+    }
+
+    /// Writes how contacts are held along their surfaces into the jump.
+    pub(super) fn arrange_grips(&self, rubbing: Option<&Rubbing>, jump: &mut Jump<Mode>) {
+        let before = jump.mode.grips.clone();
+        for &pair in &self.touch.pairs {
+            jump.mode.set_grip(pair, None);
+            jump.mode.still.retain(|body| *body != self.equations.pairs()[pair].body);
+        }
+        let Some(Rubbing { patches, found }) = rubbing else { return };
+        for (patch, grip) in patches.iter().zip(&found.grips) {
+            let holds = patch.contacts.iter().any(|(_, row)| found.holding.contains(row));
+            let held = patch.contacts.iter().filter(|(position, _)| found.held.contains(position));
+            for (index, (position, _)) in held.enumerate() {
+                let own = match grip {
+                    Grip::Sticks if index > 0 || !holds => Grip::Follows,
+                    other => *other,
+                };
+                jump.mode.set_grip(self.touch.pairs[*position], Some(own));
+                if index == 0 {
+                    self.tell_grip(*position, patch, *grip, &before, jump);
+                }
+            }
+        }
+        self.keep_still(found, jump);
+    }
+
+    /// Says when a patch begins to stick, to roll or to slide, and where its slip begins at zero.
+    fn tell_grip(
+        &self,
+        position: usize,
+        patch: &Patch,
+        grip: Grip,
+        before: &[(usize, Grip)],
+        jump: &mut Jump<Mode>,
+    ) {
+        let pair = self.touch.pairs[position];
+        let own =
+            |pair: usize| patch.contacts.iter().any(|(position, _)| self.touch.pairs[*position] == pair);
+        let known = before.iter().find(|(other, _)| own(*other)).map(|(_, grip)| *grip);
+        let change = match (grip, known) {
+            (Grip::Slides(way), Some(Grip::Slides(before))) if way == before => None,
+            (Grip::Slides(_), _) => Some(Change::Slides),
+            (_, Some(known)) if known.is_still() => None,
+            _ if self.equations.pairs()[pair].is_round() => Some(Change::Rolls),
+            _ => Some(Change::Sticks),
+        };
+        jump.record.happened.extend(change.map(|change| Happening::Contact { pair, change }));
+        if let (Grip::Slides(_), None) = (grip, patch.slips) {
+            let moves = self.then[patch.row()].abs() > BALANCED * self.touch.strength;
+            jump.zeros
+                .push((self.equations.pairs()[pair].guard_name(Watched::Slip), if moves { 1 } else { 2 }));
+        }
+    }
+
+    /// A body that is held so that it cannot move is not integrated: it does not creep by what rounding leaves of its forces.
+    fn keep_still(&self, found: &Pushes, jump: &mut Jump<Mode>) {
+        let bodies = self.equations.island_of(&jump.mode, self.body);
+        let held = [&found.held[..], &found.holding].concat();
+        let pairs = self.touch.pairs.iter().enumerate().filter(|(position, _)| found.held.contains(position));
+        let is_fixed = pairs.into_iter().all(|(_, pair)| self.equations.pairs()[*pair].is_fixed());
+        let velocities = self.equations.velocity_states(&jump.mode, bodies[0]);
+        let only = bodies.len() == 1 && self.equations.independent_rows_of(&jump.mode, &bodies).is_empty();
+        if !(only && is_fixed && held.len() == velocities.len() && !self.equations.is_carried(self.body)) {
+            return;
+        }
+        velocities.into_iter().for_each(|state| jump.states[state] = 0.0);
+        jump.mode.still.push(bodies[0]);
+        jump.mode.still.sort_unstable();
+    }
+}
