@@ -105,6 +105,7 @@ fn weight() -> Math {
 fn report() -> Report {
     let runs = CASES.map(run);
     Report {
+        lesson: None,
         title: "A rod that bounces beside a pendulum".to_owned(),
         language: "en".to_owned(),
         intro: vec!["A rod falls turning onto a floor without friction and bounces. A pendulum with a spring swings beside it. How do the impacts depend on the restitution?".into()],

@@ -99,6 +99,7 @@ fn hostile() -> Report {
         ForceRow { name: words(), symbol: formula(), formula: formula(), point: words(), torque: formula() };
     Report {
         title: HOSTILE.into(),
+        lesson: Some(HOSTILE.into()),
         language: HOSTILE.into(),
         intro: vec![words()],
         meta: vec![(HOSTILE.into(), HOSTILE.into())],
