@@ -29,6 +29,10 @@ pub fn typst(math: &Math) -> String {
                 rows.iter().map(|row| row.iter().map(typst).collect::<Vec<_>>().join(", ")).collect();
             format!("mat({})", rows.join("; "))
         }
+        Math::Integral { of, over, limits } => {
+            let [from, to] = limits.each_ref().map(typst);
+            format!("integral_({from})^({to}) {} thin dif {}", typst(of), typst(over))
+        }
         Math::Component(of, index) => format!("{}_({index})", base(of)),
     }
 }
@@ -43,6 +47,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Times => "dot.op",
         // A bare slash would make a fraction.
         Operator::Over => "slash",
+        Operator::Cross => "times",
     }
 }
 

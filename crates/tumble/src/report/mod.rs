@@ -11,6 +11,7 @@ mod findings;
 mod identify;
 mod model;
 mod names;
+mod reduced;
 mod solve;
 mod texts;
 
