@@ -33,8 +33,16 @@ pub fn mathml_in_pieces(math: &Math) -> String {
         1 => mathml(&piece.remove(0)),
         _ => mathml(&Math::Row(piece)),
     });
-    shown.collect::<Vec<_>>().join(" ")
+    // Behind a space, a sign has its own space on its right only.
+    let spaced = "<mo form=\"infix\" lspace=\"0\" rspace=\"0.25em\">";
+    shown
+        .map(|piece| piece.replacen(LEADING, &format!("<math><mrow>{spaced}"), 1))
+        .collect::<Vec<_>>()
+        .join(" ")
 }
+
+/// How a piece begins that has a sign first.
+const LEADING: &str = "<math><mrow><mo form=\"infix\">";
 
 /// The parts of rows in rows.
 fn outermost(math: &Math) -> Vec<&Math> {
@@ -295,9 +303,10 @@ mod tests {
     fn lines_may_be_broken_before_relations_and_terms() {
         let sum = Math::Row(vec![Math::symbol("a"), Math::Operator(Operator::Minus), Math::symbol("b")]);
         let shown = mathml_in_pieces(&Math::equation(Math::symbol("x"), sum.clone()));
-        let minus = "<math><mrow><mo form=\"infix\">−</mo><mi>b</mi></mrow></math>";
+        let minus =
+            "<math><mrow><mo form=\"infix\" lspace=\"0\" rspace=\"0.25em\">−</mo><mi>b</mi></mrow></math>";
         assert!(
-            shown.starts_with("<math><mi>x</mi></math> <math><mrow><mo form=\"infix\">=</mo>"),
+            shown.starts_with("<math><mi>x</mi></math> <math><mrow><mo form=\"infix\" lspace"),
             "{shown}"
         );
         assert!(shown.ends_with(minus), "{shown}");

@@ -176,8 +176,9 @@ fn contact(names: &Names, term: &Term, said: Option<&Written>, symbol: &str) -> 
 /// Whether it is the opposite of what a joint's symbol says: on the other of its bodies.
 fn is_opposite(term: &Term) -> bool {
     let is_opposite = |component: &Expr| {
-        let multiplier = component.symbols().into_iter().next();
-        multiplier.is_some_and(|multiplier| is_identically_zero(&(component.derivative(&multiplier) + 1)))
+        let symbols = component.symbols();
+        let multiplier = symbols.iter().next().filter(|_| symbols.len() == 1);
+        multiplier.is_some_and(|multiplier| is_identically_zero(&(component.derivative(multiplier) + 1)))
     };
     term.law == Law::Reaction && term.force.components().iter().any(is_opposite)
 }

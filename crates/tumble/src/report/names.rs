@@ -159,9 +159,9 @@ pub(crate) fn math(formula: &tumble_math::Math) -> Math {
     }
 }
 
-/// Words in the place of a formula.
+/// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
 pub(crate) fn words(words: &str) -> Math {
-    math(&tumble_math::Math::Text(words.to_owned()))
+    Math { text: words.to_owned(), ..Math::default() }
 }
 
 /// A value with its unit.
