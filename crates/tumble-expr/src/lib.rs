@@ -42,6 +42,7 @@ mod traces;
 mod typing;
 mod unit;
 mod vector;
+mod written;
 
 pub use active::Active;
 pub use bernstein::{Bernstein, Row};
@@ -67,3 +68,4 @@ pub use tape::{CompileError, Layout, Lookup, Stage, Tape, Turning};
 pub use typing::{Kind, TypeError};
 pub use unit::{Unit, units};
 pub use vector::Vector;
+pub use written::{Named, Written};

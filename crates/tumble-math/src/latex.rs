@@ -32,6 +32,10 @@ pub fn latex(math: &Math) -> String {
                 rows.iter().map(|row| row.iter().map(latex).collect::<Vec<_>>().join(" & ")).collect();
             format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
         }
+        Math::Integral { of, over, limits } => {
+            let [from, to] = limits.each_ref().map(latex);
+            format!("\\int_{{{from}}}^{{{to}}} {} \\, \\mathrm{{d}}{}", latex(of), latex(over))
+        }
         Math::Component(of, index) => format!("{}_{{{index}}}", base(of)),
     }
 }
@@ -46,6 +50,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::LessEqual => " \\le ",
         Operator::Times => " \\cdot ",
         Operator::Over => "/",
+        Operator::Cross => " \\times ",
     }
 }
 
@@ -131,8 +136,8 @@ fn escaped(text: &str) -> String {
         '^' => "\\hat{}".to_owned(),
         '~' => "\\sim{}".to_owned(),
         // An exponent of a unit within text.
-        '²' => "$^2$".to_owned(),
-        '³' => "$^3$".to_owned(),
+        '²' => "}^{2}\\text{".to_owned(),
+        '³' => "}^{3}\\text{".to_owned(),
         _ => c.to_string(),
     };
     text.chars().map(escape).collect()

@@ -17,6 +17,8 @@ pub enum Operator {
     Times,
     /// A fraction within a line, as in an exponent.
     Over,
+    /// A vector product.
+    Cross,
 }
 
 /// How derivatives by time are marked.
@@ -77,18 +79,40 @@ pub enum Math {
     },
     /// Rows of a matrix; a vector has rows of one entry.
     Matrix(Vec<Vec<Self>>),
+    /// An integral.
+    Integral {
+        /// Of what.
+        of: Box<Self>,
+        /// The variable.
+        over: Box<Self>,
+        /// Its limits.
+        limits: Box<[Self; 2]>,
+    },
     /// A component of a vector, counted from 1.
     Component(Box<Self>, u32),
 }
 
 impl Math {
-    /// A symbol by its name, such as `theta`, `v_x` or `w1`. A name between bars, `|u|`, is the length of what is named.
+    /// A symbol by its name, such as `theta`, `v_x`, `w1` or `w(t)`. A name between bars, `|u|`, is the length of what is named.
     pub fn symbol(name: &str) -> Self {
         let inside = name.strip_prefix('|').and_then(|rest| rest.strip_suffix('|'));
         match inside.filter(|inside| !inside.is_empty()) {
             Some(inside) => Self::Bars(Box::new(Self::symbol(inside))),
-            None => Self::Identifier(Identifier::parse(name)),
+            None => Self::called(name).unwrap_or_else(|| Self::Identifier(Identifier::parse(name))),
         }
+    }
+
+    /// `w(t)` as a function of a letter.
+    fn called(name: &str) -> Option<Self> {
+        let (function, rest) = name.split_once('(')?;
+        let argument = rest.strip_suffix(')').filter(|argument| !argument.contains(['(', ',']))?;
+        let is_plain = !function.is_empty() && !argument.is_empty();
+        is_plain.then(|| Self::Call {
+            function: Identifier::parse(function),
+            power: None,
+            arguments: vec![Self::symbol(argument)],
+            bare: false,
+        })
     }
 
     /// The derivative of that order of a symbol by time.

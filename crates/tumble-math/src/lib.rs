@@ -37,13 +37,14 @@ mod rational;
 mod spelling;
 mod symbol;
 mod text;
+mod written;
 
 pub use closed_form::{Motion, integrate_twice, polynomial_in};
 pub use error::MathError;
 pub use font::{FAMILY, page_font};
 pub use latex::latex;
 pub use layout::{Mark, Math, Operator};
-pub use mathml::{mathml, mathml_aligned, mathml_block};
+pub use mathml::{mathml, mathml_aligned, mathml_block, mathml_in_pieces};
 pub use notation::{Left, Line, Notation, Shown};
 pub use symbol::Identifier;
 pub use text::text;

@@ -13,6 +13,45 @@ pub fn mathml(math: &Math) -> String {
     format!("<math>{}</math>", element(math))
 }
 
+/// A formula in a line of text as `math` elements between which the line may be broken: before relations, and before the terms of the
+/// outermost sum.
+pub fn mathml_in_pieces(math: &Math) -> String {
+    let mut pieces: Vec<Vec<Math>> = vec![vec![]];
+    for part in outermost(math) {
+        let begins = matches!(
+            part,
+            Math::Operator(
+                Operator::Plus | Operator::Minus | Operator::Equals | Operator::Less | Operator::LessEqual
+            )
+        );
+        match pieces.last_mut() {
+            Some(last) if !begins || last.is_empty() => last.push(part.clone()),
+            _ => pieces.push(vec![part.clone()]),
+        }
+    }
+    let shown = pieces.into_iter().map(|mut piece| match piece.len() {
+        1 => mathml(&piece.remove(0)),
+        _ => mathml(&Math::Row(piece)),
+    });
+    // Behind a space, a sign has its own space on its right only.
+    let spaced = "<mo form=\"infix\" lspace=\"0\" rspace=\"0.25em\">";
+    shown
+        .map(|piece| piece.replacen(LEADING, &format!("<math><mrow>{spaced}"), 1))
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// How a piece begins that has a sign first.
+const LEADING: &str = "<math><mrow><mo form=\"infix\">";
+
+/// The parts of rows in rows.
+fn outermost(math: &Math) -> Vec<&Math> {
+    match math {
+        Math::Row(parts) => parts.iter().flat_map(outermost).collect(),
+        other => vec![other],
+    }
+}
+
 /// A `math` element on a line of its own.
 pub fn mathml_block(math: &Math) -> String {
     format!("<math display=\"block\">{}</math>", element(math))
@@ -71,6 +110,12 @@ fn element(math: &Math) -> String {
             let rows: String = rows.iter().map(row).collect();
             fenced("(", ")", &format!("<mtable>{rows}</mtable>"), true)
         }
+        Math::Integral { of, over, limits } => {
+            let [from, to] = limits.each_ref().map(element);
+            let sign = format!("<msubsup><mo stretchy=\"false\">∫</mo>{from}{to}</msubsup>");
+            let variable = format!("{THIN_SPACE}<mi mathvariant=\"normal\">d</mi>{}", element(over));
+            mrow(format!("{sign}{}{variable}", element(of)))
+        }
         Math::Component(of, index) => {
             let of = fenced("(", ")", &element(of), true);
             format!("<msub>{of}<mn>{index}</mn></msub>")
@@ -87,7 +132,11 @@ fn mrow(content: String) -> String {
 fn is_tall(math: &Math) -> bool {
     match math {
         Math::Row(parts) | Math::Product(parts) => parts.iter().any(is_tall),
-        Math::Fraction(..) | Math::Cases(_) | Math::Matrix(_) | Math::Component(..) => true,
+        Math::Fraction(..)
+        | Math::Cases(_)
+        | Math::Matrix(_)
+        | Math::Component(..)
+        | Math::Integral { .. } => true,
         Math::Power(inside, _) | Math::Root(inside) | Math::Bars(inside) | Math::Brackets(inside) => {
             is_tall(inside)
         }
@@ -118,6 +167,7 @@ fn sign(operator: Operator) -> String {
         Operator::Less => ("infix", "&lt;"),
         Operator::LessEqual => ("infix", "≤"),
         Operator::Times => ("infix", "·"),
+        Operator::Cross => ("infix", "×"),
         Operator::Over => return "<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">/</mo>".to_owned(),
     };
     format!("<mo form=\"{form}\">{sign}</mo>")
@@ -247,6 +297,20 @@ mod tests {
         for text in [mathml(&hostile), mathml(&Math::Text("<b>&".to_owned())), mathml_block(&hostile)] {
             assert!(!text.contains("<script") && !text.contains("<b>") && !text.contains("&\""), "{text}");
         }
+    }
+
+    #[test]
+    fn lines_may_be_broken_before_relations_and_terms() {
+        let sum = Math::Row(vec![Math::symbol("a"), Math::Operator(Operator::Minus), Math::symbol("b")]);
+        let shown = mathml_in_pieces(&Math::equation(Math::symbol("x"), sum.clone()));
+        let minus =
+            "<math><mrow><mo form=\"infix\" lspace=\"0\" rspace=\"0.25em\">−</mo><mi>b</mi></mrow></math>";
+        assert!(
+            shown.starts_with("<math><mi>x</mi></math> <math><mrow><mo form=\"infix\" lspace"),
+            "{shown}"
+        );
+        assert!(shown.ends_with(minus), "{shown}");
+        assert_eq!(mathml_in_pieces(&sum.bracketed()).matches("<math>").count(), 1);
     }
 
     #[test]

@@ -27,6 +27,10 @@ pub fn text(math: &Math) -> String {
                 rows.iter().map(|row| row.iter().map(text).collect::<Vec<_>>().join(", ")).collect();
             format!("({})", rows.join("; "))
         }
+        Math::Integral { of, over, limits } => {
+            let [from, to] = limits.each_ref().map(base);
+            format!("∫_{from}^{to} {} d{}", text(of), text(over))
+        }
         Math::Component(of, index) => format!("{}_{index}", base(of)),
     }
 }
@@ -41,6 +45,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::LessEqual => " ≤ ",
         Operator::Times => "·",
         Operator::Over => "/",
+        Operator::Cross => " × ",
     }
 }
 

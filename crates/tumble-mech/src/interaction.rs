@@ -8,6 +8,7 @@ use crate::air::Wind;
 use crate::body::Body;
 use crate::model::Model;
 use crate::potential::Potential;
+use crate::statement::Statement;
 use crate::term::{Law, Term};
 
 /// A law of force that the model knows by its coefficients.
@@ -16,6 +17,10 @@ pub trait Interaction: Debug + Send + Sync {
     fn name(&self) -> &str;
     /// The terms it contributes.
     fn terms(&self, bodies: &Bodies<'_>) -> Vec<Term>;
+    /// What it says of each load, as it is written on a board; nothing of a law that leaves it to its terms.
+    fn statements(&self, _: &Bodies<'_>) -> Vec<Statement> {
+        vec![]
+    }
     /// The energy that its terms, or a part of them, come from, if there is one.
     fn potential(&self, _: &Bodies<'_>) -> Option<Potential> {
         None

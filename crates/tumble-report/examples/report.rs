@@ -105,6 +105,7 @@ fn weight() -> Math {
 fn report() -> Report {
     let runs = CASES.map(run);
     Report {
+        lesson: None,
         title: "A rod that bounces beside a pendulum".to_owned(),
         language: "en".to_owned(),
         intro: vec!["A rod falls turning onto a floor without friction and bounces. A pendulum with a spring swings beside it. How do the impacts depend on the restitution?".into()],
@@ -228,20 +229,20 @@ fn forces() -> Vec<ForceRow> {
         ForceRow {
             name: "weight".into(),
             symbol: symbol("W", "W"),
-            formula: weight(),
+            law: vec![weight()],
             point: "centre of mass".into(),
-            torque: symbol("0", "0"),
+            torque: vec![symbol("0", "0")],
         },
         ForceRow {
             name: "normal force of the floor".into(),
             symbol: symbol("N", "N"),
-            formula: math("<mi>N</mi><mo>≥</mo><mn>0</mn>", "N \\ge 0", "N >= 0"),
+            law: vec![math("<mi>N</mi><mo>≥</mo><mn>0</mn>", "N \\ge 0", "N >= 0")],
             point: "lower end".into(),
-            torque: math(
+            torque: vec![math(
                 "<mo>−</mo><mfrac><mi>L</mi><mn>2</mn></mfrac><mi>N</mi><mi>cos</mi><mi>θ</mi>",
                 "-\\frac{L}{2} N \\cos\\theta",
                 "- L/2 N cos theta",
-            ),
+            )],
         },
     ]
 }

@@ -12,8 +12,9 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::names::Names;
 use crate::places::Places;
 use crate::quantities;
+use crate::sections::functions;
 use crate::settings::{Override, Setting};
-use crate::study::{BalancePlot, Check, FreeBody, Plot, Question, Said, Stroboscope, Study};
+use crate::study::{BalancePlot, Check, Commentary, FreeBody, Plot, Question, Said, Stroboscope, Study};
 use crate::sweep::SweepAxis;
 
 /// A study that may still have holes.
@@ -29,6 +30,7 @@ pub(crate) struct Draft {
     /// The name of each figure, which is that of a file, and where it stands; by its letters whatever their case.
     pub(crate) figures: BTreeMap<String, (String, Span)>,
     pub(crate) title: String,
+    pub(crate) texts: Vec<Commentary>,
     pub(crate) horizontal: bool,
     pub(crate) model: Model,
     pub(crate) until: Option<Expr>,
@@ -78,7 +80,9 @@ impl Draft {
             (Some(until), Some(equations)) if self.mistakes.is_empty() => Ok(Study {
                 equations,
                 quantities: quantities::all(&self.names),
+                functions: functions::of_time(&self.names),
                 title: self.title,
+                texts: self.texts,
                 model: self.model,
                 angles: self.angular,
                 until,

@@ -56,7 +56,8 @@ pub use plan::Plan;
 pub use printable::{is_unseen, printable, printable_lines};
 pub use settings::Override;
 pub use study::{
-    BalancePlot, Check, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope, Study, When,
+    BalancePlot, Check, Commentary, Curve, FreeBody, Instant, Plot, Quantity, Question, Sheet, Stroboscope,
+    Study, When,
 };
 pub use sweep::{SweepAxis, SweepValue, SweepValues, Swept};
 

@@ -17,6 +17,10 @@ use crate::sweep::SweepAxis;
 pub struct Study {
     /// One line, as the user wrote it.
     pub title: String,
+    /// What the scene says in words, in the order in which it is read.
+    pub texts: Vec<Commentary>,
+    /// Its functions of the time by their calls, such as `w(t)`, each with its formula.
+    pub functions: Vec<(String, Expr)>,
     /// Bodies, loads, starts and parameters.
     pub model: Model,
     /// Parameters that are angles, or angles per time.
@@ -154,6 +158,17 @@ impl Study {
         self.said
             .one(warning.label("ends before it begins").help("write the earlier instant first").warning())
     }
+}
+
+/// What a scene says in words, at its top or in one of its sections.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Commentary {
+    /// `body` of `[body.rod]`; empty at the top of the file.
+    pub section: String,
+    /// `rod` of `[body.rod]`; empty where the section has no name.
+    pub name: String,
+    /// Each in one line.
+    pub paragraphs: Vec<String>,
 }
 
 /// Something that can be shown: a named formula of the motion.

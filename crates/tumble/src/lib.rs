@@ -52,6 +52,7 @@ mod open;
 mod placed;
 mod questions;
 mod report;
+mod report_file;
 mod summary;
 mod symbols;
 mod tables;
@@ -65,7 +66,7 @@ pub use digits::Held;
 pub use finished::{Finished, Happened, Tally};
 pub use pipeline::{Options, Outcome, PipelineError};
 pub use questions::FindResult;
-pub use report::Form as ReportForm;
+pub use report_file::Form as ReportForm;
 
 /// The programs in the documents, compiled and run as tests of the documentation.
 #[cfg(doctest)]

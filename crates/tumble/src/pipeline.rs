@@ -19,7 +19,9 @@ use crate::finished::{Finished, Tally};
 use crate::output::{Folder, OutputError, shown};
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
+#[cfg(feature = "png")]
 use crate::report;
+use crate::report_file;
 use crate::summary::{self, Source};
 use crate::tables;
 
@@ -33,7 +35,7 @@ pub struct Options {
     /// Whether figures are left out, for numbers only.
     pub no_figures: bool,
     /// Which form of report is written.
-    pub report: report::Form,
+    pub report: report_file::Form,
     /// How many runs are made at once; as many as there are cores where nothing is said. What comes out is the same.
     pub jobs: Option<NonZeroUsize>,
     /// Whether it may be told how far work over a second is.
@@ -248,7 +250,7 @@ fn write(
     let missing = case::all(study, options, write, keep)?;
     let figures = if options.no_figures { vec![] } else { figures::write(study, &cases, folder)? };
     let runs = Runs { cases: &cases, missing: &missing };
-    report::write(source, study, runs, folder, options.report)?;
+    report_file::write(source, study, runs, folder, options.report)?;
     drop(cases);
     let all = summary::All { figures: &figures, tally, missing: &missing, pages: RefCell::new(pages) };
     summary::write(source, study, &all, folder)?;
@@ -259,8 +261,8 @@ fn write(
 fn still_needed(study: &Study, options: &Options, case: Case) -> Option<Case> {
     let has_figures = !options.no_figures && figures::are_asked_for(study);
     match options.report {
-        report::Form::None if !has_figures => None,
-        report::Form::None => {
+        report_file::Form::None if !has_figures => None,
+        report_file::Form::None => {
             let balance = case.balance.filter(|_| !study.balances.is_empty());
             // Only words and numbers say how far it can be trusted.
             Some(Case { trust: None, balance, ..case })

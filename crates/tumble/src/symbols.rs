@@ -52,6 +52,12 @@ pub(crate) fn below(symbol: &str, letter: &str) -> String {
     format!("{symbol}{separator}{letter}")
 }
 
+/// The torque of a force: `tau_air` of `F_air`, `tau_N,tip` of the contact's `N_tip`.
+pub(crate) fn torque(force: &str) -> String {
+    let below = force.strip_prefix("F_").or_else(|| force.strip_prefix("R_")).unwrap_or(force);
+    format!("tau_{}", below.replace('_', ","))
+}
+
 /// The last word of a name: `tip` of `floor.rod.tip`.
 pub(crate) fn last(name: &str) -> &str {
     name.rsplit('.').next().unwrap_or(name)

@@ -150,3 +150,25 @@ fn a_moment_of_inertia_is_that_of_its_body() {
     }
     assert_eq!(page.matches("t²/I₁").count(), page.matches("θ_first = 0.5").count());
 }
+
+/// The problem in words, what a scene says of its sections, and the way to the lesson.
+#[test]
+fn words_of_a_scene_and_the_way_to_its_lesson_stand_in_the_report() {
+    let place = folder();
+    let (file, lesson) = (place.path().join("scene.toml"), place.path().join("README.md"));
+    let scene = read(&repository("scenes/04-kicked-ball/scene.toml"));
+    let scene =
+        scene.replacen("plane =", "text = \"\"\"A ball is\nkicked at $y$.\n\nHow fast?\"\"\"\nplane =", 1);
+    let scene = scene.replacen("on = \"ball\"", "text = \"A foot.\"\non = \"ball\"", 1);
+    write(&file, &scene);
+    let without = run(&file, &place.path().join("out"), ReportForm::Markdown);
+    assert!(!read(&without.folder.join("report.md")).contains("README"));
+    write(&lesson, "# A lesson");
+    let outcome = run(&file, &place.path().join("out"), ReportForm::Html);
+    let page = read(&outcome.folder.join("report.html"));
+    assert!(page.contains("<p>A ball is kicked at <i>y</i>.</p>\n<p>How fast?</p>"), "{page}");
+    assert!(page.contains("<p>kick: A foot.</p>"), "{page}");
+    let (_, after) = page.split_once("<a href=\"").expect("a link");
+    let (way, _) = after.split_once('"').expect("its end");
+    assert_eq!(read(&outcome.folder.join(way)), "# A lesson");
+}

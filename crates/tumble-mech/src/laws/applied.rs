@@ -13,10 +13,11 @@
 //! # Checked by
 //! `tests/kicked_ball.rs` (a fixed offset and a material point), `tests/free_flight.rs` (gravity-free rotation).
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Expr, Vector, Written};
 
 use crate::kinematics::{Kinematics, rotated};
 use crate::load::{Application, Frame, Load};
+use crate::statement::Statement;
 use crate::term::{Law, Term};
 
 pub(crate) fn term(load: &Load, body: usize, kinematics: &Kinematics, window: Option<usize>) -> Term {
@@ -32,4 +33,13 @@ pub(crate) fn term(load: &Load, body: usize, kinematics: &Kinematics, window: Op
         Application::Torque(torque) => (Law::Torque, nothing(), nothing(), torque.clone()),
     };
     Term { load: load.name.clone(), law, body, arm, force, couple, window }
+}
+
+/// Its components, or its torque.
+pub(crate) fn statement(load: &Load, body: usize, kinematics: &Kinematics) -> Statement {
+    let term = term(load, body, kinematics, None);
+    match &load.application {
+        Application::Force { .. } => Statement::of(&term, Written::Vector(term.force.clone())),
+        Application::Torque(torque) => Statement::couple(&term, Written::Scalar(torque.clone())),
+    }
 }

@@ -16,11 +16,12 @@
 //! # Checked by
 //! `tests/compliant.rs`: contact times on a spring with gravity, damped and Hertzian, in closed form; energy.
 
-use tumble_expr::{Expr, is_identically_zero};
+use tumble_expr::{Expr, Written, is_identically_zero};
 
 use crate::contact::Pair;
 use crate::parameters::time_symbol;
 use crate::potential::Potential;
+use crate::statement::{Statement, sum, times};
 use crate::term::Term;
 
 /// Force of a pressed pair along the normal, N, in the body's position and velocity and, for Hertz, the root of the
@@ -28,6 +29,21 @@ use crate::term::Term;
 pub(crate) fn normal_force(pair: &Pair) -> Option<Expr> {
     let (stiffness, damping) = pair.law.coefficients()?;
     Some(damped_force(pair, stiffness, damping))
+}
+
+/// `(k d + c d') n`, with d the depth; nothing of a Hertzian contact, whose depth is a state of its own.
+pub(crate) fn statement(pair: &Pair) -> Option<Statement> {
+    let (stiffness, damping) = pair.law.coefficients()?;
+    if pair.is_hertzian() {
+        return None;
+    }
+    let depth = Written::named("d", Written::Scalar(-pair.gap()));
+    let mut terms = vec![times(stiffness, vec![depth])];
+    if !is_identically_zero(damping) {
+        terms.push(times(damping, vec![Written::named("d'", Written::Scalar(-pair.gap_rate()))]));
+    }
+    let normal = Written::named("n", Written::Vector(pair.normal.clone()));
+    Some(Statement::of(&pair.term(), Written::Product(vec![sum(terms), normal])))
 }
 
 /// The energy of a pressed pair, by its index.

@@ -20,12 +20,13 @@
 //! `tests/air.rs` (a rod falling flat, a spinning rod, a sign change along the rod, a box that has all but stopped turning, the
 //! reference of the thrown rod).
 
-use tumble_expr::{Binary, Dimension, Expr, Relation, Vector};
+use tumble_expr::{Binary, Dimension, Expr, Relation, Symbol, Vector, Written, is_identically_zero};
 
 use crate::air::Wind;
 use crate::gauss;
 use crate::interaction::{Bodies, Interaction};
 use crate::kinematics::PointRef;
+use crate::statement::{Statement, sum, times, vanishes};
 use crate::term::{Law, Term};
 
 /// Air resistance on one body.
@@ -130,6 +131,41 @@ impl Drag {
         sum
     }
 
+    /// `b u + c |u| u`, as it is written, of the whole velocity or of its component along a direction.
+    fn said(&self, u: &Written, normal: Option<&Written>, number: &str) -> Written {
+        let along = match normal {
+            Some(normal) => Written::named(&format!("u_n{number}"), u.clone().dot(normal.clone())),
+            None => u.clone(),
+        };
+        let direction = || normal.cloned().into_iter();
+        let linear = self.linear.as_ref().map(|b| {
+            let factors = std::iter::once(along.clone()).chain(direction());
+            times(b, factors.collect())
+        });
+        let quadratic = self.quadratic.as_ref().map(|c| {
+            let factors = [along.clone().norm(), along.clone()].into_iter().chain(direction());
+            times(c, factors.collect())
+        });
+        sum(linear.into_iter().chain(quadratic).collect())
+    }
+
+    /// The force and the torque of one line, as integrals.
+    fn said_along(
+        &self,
+        ends: &[PointRef; 2],
+        number: &str,
+        component: Component,
+        wind: &Wind,
+    ) -> [Written; 2] {
+        let line = WrittenLine::new(&self.name, ends, number);
+        let wind = written_wind(wind, &line.place);
+        let is = against(line.velocity.clone(), wind);
+        let u = Written::function(&format!("u{number}"), &line.variable, is);
+        let normal = (component == Component::Normal).then_some(&line.normal);
+        let density = self.said(&u, normal, number);
+        [line.integral(density.clone()), line.integral(line.arm.clone().cross(density))]
+    }
+
     /// The integrals of the law's header.
     fn exact(&self, line: &Line, wind: &Wind) -> Resultant {
         let [u0, u1] = [&line.from, &line.to].map(|end| dot(&relative(end, wind), &line.normal));
@@ -214,6 +250,64 @@ impl Line {
     }
 }
 
+/// Velocity of the wind at a place, by its name; nothing where the air is at rest.
+pub(crate) fn written_wind(wind: &Wind, place: &Vector) -> Option<Written> {
+    let velocity = wind.at(place);
+    (!vanishes(&velocity)).then(|| Written::named("w", Written::Vector(velocity)))
+}
+
+/// Velocity of the air relative to a point, as it is written.
+fn written_relative(point: &PointRef, wind: &Wind) -> Written {
+    let velocity = Written::named("v", Written::Vector(point.velocity()));
+    Written::named("u", against(velocity, written_wind(wind, &point.position())))
+}
+
+/// The wind less a velocity.
+fn against(velocity: Written, wind: Option<Written>) -> Written {
+    match wind {
+        Some(wind) => wind.less(velocity),
+        None => velocity.negative(),
+    }
+}
+
+/// A line as it is written, with s along it.
+struct WrittenLine {
+    variable: Symbol,
+    limits: [Expr; 2],
+    arm: Written,
+    velocity: Written,
+    normal: Written,
+    place: Vector,
+}
+
+impl WrittenLine {
+    /// `number` is that of the line, where there are several.
+    fn new(load: &str, [from, to]: &[PointRef; 2], number: &str) -> Self {
+        let variable = Symbol::new(format!("{load}.s"), Dimension::LENGTH);
+        let s: Expr = variable.clone().into();
+        let body = &from.body;
+        let local = (1 / (&to.arm - &from.arm).norm()) * (&to.arm - &from.arm);
+        // From the centre of mass where that is on the line, else from the line's own beginning.
+        let is_central = is_identically_zero(&from.arm.cross_planar(&to.arm));
+        let (foot, limits) = match is_central {
+            true => (Vector::planar(Expr::zero(), Expr::zero()), [from, to].map(|end| dot(&end.arm, &local))),
+            false => (from.arm.clone(), [Expr::zero(), (&to.arm - &from.arm).norm()]),
+        };
+        let point = PointRef { body: body.clone(), arm: &foot + &s * &local };
+        let arm = Written::function(&format!("r{number}"), &variable, Written::Vector(point.world_arm()));
+        let centre = Written::named("V", Written::Vector(body.velocity()));
+        let turning = Written::Scalar(body.omega()).cross(arm.clone());
+        let velocity = Written::Sum(vec![(false, centre), (false, turning)]);
+        let normal = crate::kinematics::rotated(&local.perpendicular(), &body.angle());
+        let normal = Written::named(&format!("n{number}"), Written::Vector(normal));
+        Self { variable, limits, arm, velocity, normal, place: point.position() }
+    }
+
+    fn integral(&self, of: Written) -> Written {
+        Written::Integral { of: Box::new(of), over: self.variable.clone(), limits: self.limits.clone() }
+    }
+}
+
 /// Velocity of the air relative to a point.
 pub(crate) fn relative(point: &PointRef, wind: &Wind) -> Vector {
     wind.at(&point.position()) - point.velocity()
@@ -250,6 +344,33 @@ impl Interaction for Drag {
             bodies.term(&self.name, Law::Drag, &at.body.body, at.world_arm(), force, couple)
         };
         resultants.into_iter().map(term).collect()
+    }
+
+    fn statements(&self, bodies: &Bodies<'_>) -> Vec<Statement> {
+        let terms = self.terms(bodies);
+        let (force, torque) = match &self.on {
+            DragPlace::Point(point) | DragPlace::Ball { centre: point, .. } => {
+                (self.said(&written_relative(point, bodies.wind), None, ""), None)
+            }
+            DragPlace::PointNormal(point, direction) => {
+                let unit = (1 / direction.norm()) * direction;
+                let normal = crate::kinematics::rotated(&unit, &point.body.angle());
+                let normal = Written::named("n", Written::Vector(normal));
+                (self.said(&written_relative(point, bodies.wind), Some(&normal), ""), None)
+            }
+            DragPlace::Lines { lines, component } => {
+                let (mut forces, mut torques) = (vec![], vec![]);
+                for (index, line) in lines.iter().enumerate() {
+                    let number = if lines.len() > 1 { (index + 1).to_string() } else { String::new() };
+                    let [force, torque] = self.said_along(line, &number, *component, bodies.wind);
+                    forces.push(force);
+                    torques.push(torque);
+                }
+                (sum(forces), Some(sum(torques)))
+            }
+        };
+        let first = terms.first().map(|term| Statement { torque, ..Statement::of(term, force) });
+        first.into_iter().collect()
     }
 
     fn bodies(&self) -> Vec<&str> {

@@ -12,11 +12,13 @@
 //! # Checked by
 //! `tests/air.rs` (the lift turns the velocity at a constant rate: a circle).
 
-use tumble_expr::{Dimension, Expr, Vector};
+use tumble_expr::{Dimension, Expr, Vector, Written};
 
+use crate::air::Wind;
 use crate::interaction::{Bodies, Interaction};
 use crate::kinematics::PointRef;
-use crate::laws::drag::relative;
+use crate::laws::drag::{relative, written_wind};
+use crate::statement::{Statement, times};
 use crate::term::{Law, Term};
 
 /// Lift on a spinning body.
@@ -38,6 +40,15 @@ impl Magnus {
     }
 }
 
+/// Velocity through the air, as it is written.
+fn through_air(point: &PointRef, wind: &Wind) -> Written {
+    let velocity = Written::named("v", Written::Vector(point.velocity()));
+    match written_wind(wind, &point.position()) {
+        Some(wind) => Written::named("v_r", velocity.less(wind)),
+        None => velocity,
+    }
+}
+
 impl Interaction for Magnus {
     fn name(&self) -> &str {
         &self.name
@@ -48,6 +59,13 @@ impl Interaction for Magnus {
         let force: Vector = (&self.factor * self.at.body.omega()) * through_air.perpendicular();
         let (body, arm) = (&self.at.body.body, self.at.world_arm());
         vec![bodies.term(&self.name, Law::Lift, body, arm, force, Expr::zero())]
+    }
+
+    fn statements(&self, bodies: &Bodies<'_>) -> Vec<Statement> {
+        let spin = Written::Scalar(self.at.body.omega());
+        let lift = spin.cross(through_air(&self.at, bodies.wind));
+        let force = times(&self.factor, vec![lift]);
+        self.terms(bodies).iter().map(|term| Statement::of(term, force.clone())).collect()
     }
 
     fn bodies(&self) -> Vec<&str> {

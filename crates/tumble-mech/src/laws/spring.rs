@@ -14,11 +14,12 @@
 //! # Checked by
 //! `tests/springs.rs` (oscillators against closed forms, two bodies, a shaken anchor); energy in `tests/balance.rs`.
 
-use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Vector, Written, is_identically_zero};
 
 use crate::anchor::Anchor;
 use crate::interaction::{Bodies, Interaction};
 use crate::potential::Potential;
+use crate::statement::{Statement, sum, times};
 use crate::term::{Law, Term};
 
 /// A spring, a damper, or both side by side.
@@ -61,6 +62,30 @@ impl Spring {
         pull
     }
 
+    /// `k (|d| - d_0) d/|d| + c ...` on the first end, with d from it to the second.
+    fn said(&self) -> Written {
+        let [a, b] = &self.ends;
+        let span = Written::named("d", Written::Vector(self.span()));
+        if self.rest_length.is_zero() && self.damping.is_zero() {
+            return times(&self.stiffness, vec![span]);
+        }
+        let inverse = Written::Scalar(1 / self.span().norm());
+        let along = Written::named("e", Written::Product(vec![inverse, span.clone()]));
+        let mut pulls = vec![];
+        if !is_identically_zero(&self.stiffness) {
+            let longer = match self.rest_length.is_zero() {
+                true => span.norm(),
+                false => span.norm().less(Written::Scalar(self.rest_length.clone())),
+            };
+            pulls.push(times(&self.stiffness, vec![longer]));
+        }
+        if !is_identically_zero(&self.damping) {
+            let parting = Written::named("v", Written::Vector(b.velocity() - a.velocity()));
+            pulls.push(times(&self.damping, vec![parting.dot(along.clone())]));
+        }
+        Written::Product(vec![sum(pulls), along])
+    }
+
     /// Energy, J.
     fn energy(&self) -> Expr {
         let span = self.span();
@@ -90,6 +115,16 @@ impl Interaction for Spring {
             }
         };
         self.ends.iter().zip([pull.clone(), -&pull]).filter_map(on_end).collect()
+    }
+
+    fn statements(&self, bodies: &Bodies<'_>) -> Vec<Statement> {
+        let force = self.said();
+        let on_end = |(index, term): (usize, &Term)| {
+            let is_second = self.ends[0].body().is_none() || index == 1;
+            let force = if is_second { force.clone().negative() } else { force.clone() };
+            Statement::of(term, force)
+        };
+        self.terms(bodies).iter().enumerate().map(on_end).collect()
     }
 
     fn potential(&self, bodies: &Bodies<'_>) -> Option<Potential> {

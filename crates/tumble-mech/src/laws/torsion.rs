@@ -12,11 +12,12 @@
 //! # Checked by
 //! `tests/springs.rs` (a torsion pendulum, damped); energy in `tests/balance.rs`.
 
-use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Vector, Written, is_identically_zero};
 
 use crate::interaction::{Bodies, Interaction};
 use crate::kinematics::Kinematics;
 use crate::potential::Potential;
+use crate::statement::{Statement, times};
 use crate::term::{Law, Term};
 
 /// A torsion spring, a torsion damper, or both.
@@ -50,6 +51,18 @@ impl Interaction for Torsion {
         let torque = -(&self.stiffness * self.twist()) - &self.damping * self.body.omega();
         let nothing = || Vector::planar(Expr::zero(), Expr::zero());
         vec![bodies.term(&self.name, Law::Torsion, &self.body.body, nothing(), nothing(), torque)]
+    }
+
+    fn statements(&self, bodies: &Bodies<'_>) -> Vec<Statement> {
+        let turned = || match is_identically_zero(&self.rest_angle) {
+            true => Written::Scalar(self.body.angle()),
+            false => Written::Scalar(self.body.angle()).less(Written::Scalar(self.rest_angle.clone())),
+        };
+        let spring = (!is_identically_zero(&self.stiffness)).then(|| times(&self.stiffness, vec![turned()]));
+        let rate = || Written::Scalar(self.body.omega());
+        let damper = (!is_identically_zero(&self.damping)).then(|| times(&self.damping, vec![rate()]));
+        let torque = Written::Sum(spring.into_iter().chain(damper).map(|part| (true, part)).collect());
+        self.terms(bodies).iter().map(|term| Statement::couple(term, torque.clone())).collect()
     }
 
     fn potential(&self, bodies: &Bodies<'_>) -> Option<Potential> {

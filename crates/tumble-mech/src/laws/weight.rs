@@ -13,12 +13,13 @@
 //! `tests/free_flight.rs` (parabola), `tests/pendulum.rs` (elliptic functions); energy in
 //! `tests/balance.rs`.
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Expr, Vector, Written};
 
 use crate::body::Body;
 use crate::mass::MassProperties;
 use crate::model::Gravity;
 use crate::potential::Potential;
+use crate::statement::Statement;
 use crate::term::{Law, Term};
 
 /// Name of the load in every equation and output.
@@ -34,6 +35,12 @@ pub(crate) fn term(body: usize, mass: &MassProperties, gravity: &Vector) -> Term
         couple: Expr::zero(),
         window: None,
     }
+}
+
+/// `m g`
+pub(crate) fn statement(body: usize, mass: &MassProperties, gravity: &Vector) -> Statement {
+    let force = Written::Vector(gravity.map(|g| &mass.mass * g));
+    Statement::of(&term(body, mass, gravity), force)
 }
 
 /// The energy of a body, by its index, where there is gravity in the plane.

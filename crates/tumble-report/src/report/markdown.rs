@@ -1,6 +1,5 @@
 //! The report as Markdown, with LaTeX between dollar signs and links to figure files.
 
-use super::Report;
 use super::analyze::{Analyze, Case};
 use super::identify::Identify;
 use super::markup::Markup;
@@ -11,6 +10,8 @@ use super::prose::Text;
 use super::rows;
 use super::solve::{Phase, Solve};
 use super::table::{Align, Table};
+use super::{LESSON, Report};
+use crate::page::url;
 
 /// Characters that Markdown or HTML inside of it would read as markup.
 const SPECIAL: &str = "\\`*_{}[]()#+-.!|<>&$~^=\"':";
@@ -19,6 +20,7 @@ pub(super) fn document(report: &Report) -> String {
     let meta: Vec<_> = report.meta.iter().map(|(k, v)| format!("- {}: {}", escape(k), escape(v))).collect();
     let parts = [
         format!("# {}", escape(&report.title)),
+        report.lesson.as_ref().map(|path| format!("[{LESSON}]({})", url(path))).unwrap_or_default(),
         paragraphs(&report.intro),
         identify(&report.identify),
         model(&report.model),
@@ -237,11 +239,7 @@ fn plot(plot: &Plot) -> String {
 
 /// A link to a picture with its caption below; the caption alone if there is no file.
 fn figure(file: &str, alt: &str, caption: &Text) -> String {
-    let image = if file.is_empty() {
-        String::new()
-    } else {
-        format!("![{}]({})", escape(alt), crate::page::url(file))
-    };
+    let image = if file.is_empty() { String::new() } else { format!("![{}]({})", escape(alt), url(file)) };
     joined([image, text(caption)])
 }
 

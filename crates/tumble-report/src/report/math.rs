@@ -5,7 +5,7 @@ use super::prose::Text;
 /// A formula in three notations of the same content.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Math {
-    /// A `math` element of MathML; what is none is shown as `text` instead.
+    /// One or more `math` elements of MathML, between which a line may be broken; what is none is shown as `text` instead.
     pub mathml: String,
     /// The formula in LaTeX, without dollar signs.
     pub latex: String,

@@ -79,13 +79,13 @@ const ATTRIBUTES: [&str; 40] = [
     "arg",
 ];
 
-/// Whether the text is one `math` element of well-formed MathML made of harmless parts.
+/// Whether the text is `math` elements, with spaces between them, of well-formed MathML made of harmless parts.
 pub(super) fn is_harmless(mathml: &str) -> bool {
     let mathml = mathml.trim();
     mathml.starts_with("<math") && mathml.ends_with("</math>") && walk(mathml).is_some()
 }
 
-/// Reads tags until the first `math` is closed; `None` if anything is out of order or follows.
+/// Reads tags until the last `math` is closed; `None` if anything is out of order, or something else stands between or behind them.
 fn walk(mathml: &str) -> Option<()> {
     let (mut open, mut rest) = (Vec::new(), mathml);
     while let Some(start) = rest.find('<') {
@@ -97,10 +97,13 @@ fn walk(mathml: &str) -> Option<()> {
         step(&mut open, &tag[1..end])?;
         rest = &tag[end + 1..];
         if open.is_empty() {
-            return rest.is_empty().then_some(());
+            rest = rest.trim_start();
+            if !rest.is_empty() && !rest.starts_with("<math") {
+                return None;
+            }
         }
     }
-    None
+    (open.is_empty() && rest.is_empty()).then_some(())
 }
 
 /// Where the tag ends; quoted signs do not end it.
@@ -151,6 +154,7 @@ mod tests {
     fn formulas_pass() {
         for good in [
             "<math><mi>x</mi></math>",
+            "<math><mi>x</mi></math> <math><mo>=</mo><mn>0</mn></math>",
             "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mfrac><mn>1</mn><mn>2</mn></mfrac></math>",
             "<math><mrow><mi>a</mi><mo stretchy=\"false\">&lt;</mo><mspace width=\"1em\"/></mrow></math>",
         ] {
@@ -168,6 +172,8 @@ mod tests {
             "<math><mi href=\"javascript:alert(1)\">x</mi></math>",
             "<math><mi style=\"background:url(http://a)\">x</mi></math>",
             "<math><mi>x</mi></math><img src=x onerror=alert(1)></math>",
+            "<math><mi>x</mi></math> <mi>y</mi> <math></math>",
+            "<math><mi>x</mi></math> y <math></math>",
             "<math><mi>x</math></mi>",
             "<math><mi mathvariant=normal>x</mi></math>",
             "<math><mi mathvariant=\"a>b\">x</mi></math>",

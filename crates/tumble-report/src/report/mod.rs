@@ -50,6 +50,8 @@ pub struct Report {
     pub title: String,
     /// Language of the texts as HTML names it, for instance `en`; empty if unknown.
     pub language: String,
+    /// Path of the lesson that belongs to it, relative to the report; none where there is none.
+    pub lesson: Option<String>,
     /// Paragraphs below the title.
     pub intro: Vec<Text>,
     /// Where the numbers come from, as name and value: program, version, scene, hash.
@@ -66,6 +68,9 @@ pub struct Report {
     /// Curves, motion, balance, checks, findings.
     pub analyze: Analyze,
 }
+
+/// What the link to a lesson says.
+const LESSON: &str = "The lesson that goes with this scene";
 
 impl Report {
     /// The page as one HTML file.

@@ -37,12 +37,12 @@ pub struct ForceRow {
     pub name: Text,
     /// Its symbol.
     pub symbol: Math,
-    /// Its law.
-    pub formula: Math,
+    /// Its law, then what the names in it stand for.
+    pub law: Vec<Math>,
     /// Where it acts.
     pub point: Text,
-    /// Its torque about the centre of mass.
-    pub torque: Math,
+    /// Its torque about the centre of mass, likewise.
+    pub torque: Vec<Math>,
 }
 
 /// The equations of motion while the contacts do not change.

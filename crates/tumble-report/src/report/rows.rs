@@ -53,12 +53,22 @@ fn shown(math: &Math) -> Text {
     math.clone().into()
 }
 
+/// A law with what its names stand for.
+fn stated(lines: &[Math]) -> Text {
+    let between = |index: usize| if index == 1 { " with " } else { ", " };
+    let add = |text: Text, (index, line): (usize, &Math)| match index {
+        0 => text.and(line.clone()),
+        _ => text.and(between(index)).and(line.clone()),
+    };
+    lines.iter().enumerate().fold(Text::default(), add)
+}
+
 /// The forces on a body.
 pub(super) fn forces(forces: &[ForceRow]) -> Table {
     let columns = ["Force", "Symbol", "Law", "Acts at", "Torque about the centre of mass"].map(Column::words);
     let row = |force: &ForceRow| {
-        let (symbol, law, torque) = (shown(&force.symbol), shown(&force.formula), shown(&force.torque));
-        vec![force.name.clone(), symbol, law, force.point.clone(), torque]
+        let symbol = shown(&force.symbol);
+        vec![force.name.clone(), symbol, stated(&force.law), force.point.clone(), stated(&force.torque)]
     };
     forces.iter().map(row).fold(Table::new("Forces and couples", columns.into()), Table::row)
 }

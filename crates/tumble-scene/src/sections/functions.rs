@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use tumble_expr::language::{self, Function, FunctionError, NameUse};
+use tumble_expr::Expr;
+use tumble_expr::language::{self, Function, FunctionError, NameUse, Value};
 
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, fields};
 use crate::draft::Draft;
 use crate::formula::{Origin, Want, translate};
-use crate::names::Level;
+use crate::names::{Level, Names};
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
@@ -37,6 +38,20 @@ fn function(draft: &mut Draft, field: &Field) -> Option<()> {
     draft.noted(claimed)?;
     draft.names.define_function(&function, origin);
     Some(())
+}
+
+/// The functions that the time can be given to, by their calls `w(t)`; each with its value.
+pub(crate) fn of_time(names: &Names) -> Vec<(String, Expr)> {
+    let scope = names.scope(Level::Time);
+    let value = |name: &str| {
+        let call = format!("{name}(t)");
+        let found = language::parse(&call).ok()?.check(scope).ok()?;
+        match found {
+            Value::Scalar(formula) => Some((call, formula)),
+            Value::Vector(_) => None,
+        }
+    };
+    scope.function_names().filter_map(value).collect()
 }
 
 /// What a function's body names must exist, whether it is called or not. The dimensions of its arguments are known

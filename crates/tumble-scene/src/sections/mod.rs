@@ -9,7 +9,7 @@ mod equilibrium;
 mod event;
 mod force;
 mod free_body;
-mod functions;
+pub(crate) mod functions;
 mod header;
 mod joint;
 mod lift;
@@ -28,6 +28,7 @@ mod surface;
 mod sweep;
 mod symbols;
 mod table;
+mod text;
 mod torsion;
 mod world;
 
@@ -60,6 +61,7 @@ const fn needed(key: &'static str, example: &'static str, read: fn(&mut Draft, &
 pub(crate) const SECTIONS: &[Section] = &[
     needed("version", "version = 1", header::version),
     optional("title", header::title),
+    optional("text", text::of_scene),
     optional("plane", header::plane),
     optional("table", table::read),
     optional("functions", functions::read),
@@ -157,6 +159,7 @@ fn each(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &Field, &mut Ta
             continue;
         };
         let mut inner = Table::new(format!("[{}.{}]", section.key, field.key), field.key_span.clone(), inner);
+        text::of_section(draft, section, Some(&field), &mut inner);
         read(draft, &field, &mut inner);
         draft.done(inner);
     }
@@ -183,6 +186,7 @@ fn unnamed(section: &str, field: &Field) -> Diagnostic {
 /// A section without a second name, such as `[run]`.
 fn only(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &mut Table)) {
     let Some(mut table) = draft.table(section, format!("[{}]", section.key)) else { return };
+    text::of_section(draft, section, None, &mut table);
     read(draft, &mut table);
     draft.done(table);
 }

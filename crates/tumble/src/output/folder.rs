@@ -64,6 +64,12 @@ impl Folder {
         })
     }
 
+    /// Where the results will stand, from the root; `None` where the system cannot tell.
+    pub(crate) fn place(&self) -> Option<PathBuf> {
+        let out = self.place.parent()?.canonicalize().ok()?;
+        Some(out.join(self.place.file_name()?))
+    }
+
     /// A file to be written, its folders made.
     pub(super) fn sink(&self, file: &str) -> Result<Sink, OutputError> {
         let (path, line) = (self.aside.join(file), Manifest::begun(file));

@@ -1,13 +1,15 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
-use tumble_expr::{Expr, Substitution, Symbol, Vector, is_identically_zero};
-use tumble_math::{Left, Mark, Math as Formula, MathError, Notation, Shown};
+use tumble_expr::language::Value;
+use tumble_expr::{Expr, Substitution, Symbol, Vector, Written, is_identically_zero};
+use tumble_math::{Left, Mark, Math as Formula, Notation, Shown};
 use tumble_mech::{Anchor, ContactMode, Joint, Mode, Pivot, Term, rotated};
 use tumble_report::report::{Block, Definition, Mode as ModeShown, Text};
 use tumble_scene::Study;
 
-use super::model::{MOST_OPERATIONS, distinct, laws_of, operations};
+use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, block, math};
+use super::reduced::{self, Reduced, Solved};
 use crate::case::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -18,14 +20,48 @@ const MOST_MODES: usize = 6;
 /// The equations of motion in each mode that the motion went through.
 pub(super) fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
     let modes = &case.run.trajectory().modes;
-    let shown = modes.iter().take(MOST_MODES).map(|mode| ModeShown {
-        name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
-        holds: Text::default(),
-        equations: (0..study.model.bodies.len())
-            .map(|body| equations_of(study, names, case, mode, body))
-            .collect(),
+    let bodies = study.model.bodies.len();
+    let shown = modes.iter().take(MOST_MODES).map(|mode| {
+        let motions = motions(study, names, case, mode);
+        let blocks: Vec<Block> =
+            motions.iter().filter_map(|motion| equations_of(study, names, motion)).collect();
+        let told =
+            |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
+        let by_name = (0..bodies).filter(|body| !told(body)).count();
+        ModeShown {
+            name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
+            holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
+            equations: blocks,
+        }
     });
     shown.collect()
+}
+
+/// What is said of equations that Newton's laws state as shortly as can be.
+const BY_NAME: &str =
+    "Newton\u{2019}s laws above, with the forces of the table, are the equations of motion.";
+
+/// The equations of all bodies in a mode: reduced where joints and contacts allow, and then how their forces follow.
+fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion> {
+    let conditions: Vec<Expr> = (0..study.model.bodies.len())
+        .flat_map(|body| {
+            let constraints = case.run.equations.shown_constraints(mode, body);
+            constraints.into_iter().filter(move |constraint| last_of(study, constraint) == Some(body))
+        })
+        .collect();
+    let solved = reduced::of(study, case, mode, &conditions);
+    let of_body = |body: usize| match &solved {
+        Some(solved) if solved.motion.iter().any(|one| one.body == body) => {
+            let motion = Motion::reduced(study, names, case, mode, body, solved);
+            let follow = Motion::following(study, names, case, mode, body, solved);
+            std::iter::once(motion).chain(follow).collect()
+        }
+        Some(solved) if solved.follow.iter().any(|(other, ..)| *other == body) => {
+            Motion::following(study, names, case, mode, body, solved).into_iter().collect()
+        }
+        _ => vec![Motion::of(study, names, case, mode, body)],
+    };
+    (0..study.model.bodies.len()).flat_map(of_body).collect()
 }
 
 /// What touches and what acts: `floor.rod.tip pressed, kick acts`.
@@ -65,28 +101,23 @@ pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
     }
 }
 
-fn equations_of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Block {
-    let title = if study.model.bodies.len() > 1 { study.model.bodies[body].name.as_str() } else { "" };
-    let terms = case.run.equations.shown_terms(mode);
-    let motion = Motion::of(study, names, case, mode, body);
-    if operations(motion.lines.iter().map(|(_, right)| right)) <= MOST_OPERATIONS {
-        let written = motion.shown();
-        let signs = written.as_ref().map_or(usize::MAX, |shown| shown.text().chars().count());
-        if signs <= MOST_SIGNS {
-            let mut shown = block(title.into(), written);
-            shown.definitions.extend(seats(study, names, &motion));
-            return shown;
-        }
-    }
-    let title =
-        format!("{title} With the forces by their names: written out, these equations would fill pages");
-    let terms: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
-    laws_of(study, names, case, (body, &distinct(terms)), title.trim_start())
+fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
+    let shown = motion.shown().filter(|_| motion.is_short())?;
+    let body = &study.model.bodies[motion.body].name;
+    let title = match (study.model.bodies.len() > 1, motion.follows) {
+        (true, true) => format!("{body}, and the forces that hold it"),
+        (false, true) => "The forces that hold it follow from".to_owned(),
+        (true, false) => body.clone(),
+        (false, false) => String::new(),
+    };
+    let mut block = block(title.into(), Ok(shown));
+    block.definitions.extend(seats(study, names, motion));
+    Some(block)
 }
 
 /// What the places in equations mean at which joints were made on the way.
 fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
-    let used = |symbol: &Symbol| motion.lines.iter().any(|(_, right)| right.symbols().contains(symbol));
+    let used = |symbol: &Symbol| motion.lines.iter().any(|line| line.right.symbols().contains(symbol));
     let seated = study.model.joints.iter().filter(|joint| joint.is_seated);
     let definition = |joint: &Joint| {
         let Anchor::Material(point) = &joint.ends[1] else { return None };
@@ -108,8 +139,27 @@ fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
 /// Forces of joints and of several lasting contacts stand in them by name, and what determines them below: solved for, they would
 /// be a matrix's inverse.
 struct Motion {
-    notation: Notation,
-    lines: Vec<(Left, Expr)>,
+    body: usize,
+    /// Ways to write them, of which the shortest is taken.
+    notations: Vec<Notation>,
+    lines: Vec<Line>,
+    /// Whether it says what follows from the motion.
+    follows: bool,
+}
+
+/// An equation, solved for what stands on its left side.
+struct Line {
+    left: Left,
+    right: Expr,
+    /// What the symbol on the left side is; 0 of a condition. The tests hold the right side against it.
+    #[cfg_attr(not(test), expect(dead_code))]
+    is: Expr,
+}
+
+impl Line {
+    fn new(left: Left, right: Expr, is: impl Into<Expr>) -> Self {
+        Self { left, right, is: is.into() }
+    }
 }
 
 impl Motion {
@@ -126,19 +176,14 @@ impl Motion {
         let notation = names.of_body(body).notation().clone();
         let (notation, mut lines) = match (pivot, is_solved) {
             (Some(_), true) => {
-                let angle = names.shown(&kinematics.angle_symbol().name).to_owned();
-                let left = Left::symbol(Formula::derivative(&angle, 2, Mark::Primes));
-                let alpha = equations.in_states(mode, &kinematics.alpha_symbol().into());
-                (notation, vec![(left, alpha)])
+                let symbol = kinematics.alpha_symbol();
+                let alpha = equations.in_states(mode, &symbol.clone().into());
+                (notation, vec![Line::new(second(names, study, body), alpha, symbol)])
             }
             (Some(pivot), false) => {
                 let inertia = about_pivot(case, body, pivot);
                 let line = turned(names, case, mode, (body, pivot), &inertia);
-                let named = match inertia.symbols().is_empty() {
-                    true => notation,
-                    false => notation.define(inertia_name(study, &model_body.name), &inertia),
-                };
-                (named, vec![line])
+                (named_inertia(notation, study, body, &inertia), vec![line])
             }
             (None, _) => (notation, free(names, case, mode, body, is_solved)),
         };
@@ -147,18 +192,110 @@ impl Motion {
             // What two bodies share stands with the later one.
             let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
             let conditions = own.map(|constraint| shortest(&notation, &of_pivots.apply(constraint)));
-            lines.extend(conditions.map(|condition| (nothing(), condition)));
+            lines.extend(conditions.map(|condition| Line::new(nothing(), condition, Expr::zero())));
         }
-        Self { notation, lines }
+        let notations = with_parts(case, mode, names, body, notation);
+        Self { body, notations, lines, follows: false }
     }
 
-    fn shown(&self) -> Result<Shown, MathError> {
-        self.notation.equations(&self.lines)
+    /// Without the forces of joints and lasting contacts.
+    fn reduced(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize, solved: &Solved) -> Self {
+        let parameters = study.model.parameters.symbols();
+        let is_fixed = |formula: &Expr| formula.symbols().iter().all(|symbol| parameters.contains(symbol));
+        let is_turning = |symbol: &Symbol| *symbol == study.model.bodies[body].kinematics().alpha_symbol();
+        let line = |one: &Reduced| {
+            let shown = Formula::symbol(names.shown(&one.symbol.name));
+            let left = match is_fixed(&one.inertia) {
+                true if is_turning(&one.symbol) => second(names, study, body),
+                true => Left::symbol(shown),
+                false => Left::times(&one.inertia, shown),
+            };
+            Line::new(left, &one.right / &one.inertia, one.symbol.clone())
+        };
+        let lines = solved.motion.iter().filter(|one| one.body == body).map(line).collect();
+        // The moment of inertia becomes a number with those of the conditions.
+        let notation = names.written_notation().clone();
+        let notations = with_parts(case, mode, names, body, notation);
+        Self { body, notations, lines, follows: false }
+    }
+
+    /// The accelerations that follow from the motion, and the forces that they tell of.
+    fn following(
+        study: &Study,
+        names: &Names,
+        case: &Case,
+        mode: &Mode,
+        body: usize,
+        solved: &Solved,
+    ) -> Option<Self> {
+        let equations = &case.run.equations;
+        let own: Vec<_> = solved.follow.iter().filter(|(other, ..)| *other == body).collect();
+        let terms = equations.shown_terms(mode);
+        let axes = study.model.bodies[body].kinematics().acceleration_symbols();
+        let mass = &equations.mass_properties(body).mass;
+        let force = |axis: usize| {
+            let terms = terms.iter().filter(|term| term.body == body);
+            terms.fold(Expr::zero(), |sum, term| sum + &term.force[axis])
+        };
+        let lines = own.iter().flat_map(|(_, symbol, formula)| {
+            let shown = || Formula::symbol(names.shown(&symbol.name));
+            let axis = usize::from(*symbol == axes[1]);
+            let by_force = Line::new(Left::times(mass, shown()), force(axis) / mass, symbol.clone());
+            [by_force, Line::new(Left::symbol(shown()), formula.clone(), symbol.clone())]
+        });
+        let notations = vec![names.of_body(body).notation().clone()];
+        (!own.is_empty()).then(|| Self { body, notations, lines: lines.collect(), follows: true })
+    }
+
+    /// In the way that has the shortest equations; what laws have explained is not explained again.
+    fn shown(&self) -> Option<Shown> {
+        let sides: Vec<(Left, Expr)> =
+            self.lines.iter().map(|line| (line.left.clone(), line.right.clone())).collect();
+        let ways = self.notations.iter().filter_map(|notation| notation.equations(&sides).ok());
+        let signs = |shown: &Shown| Shown { definitions: vec![], ..shown.clone() }.text().chars().count();
+        let mut shown = ways.min_by_key(signs)?;
+        shown.definitions.retain(|line| !matches!(line.left, Some(Formula::Bars(_))));
+        Some(shown)
+    }
+
+    /// Whether it is shorter than anybody reads.
+    fn is_short(&self) -> bool {
+        operations(self.lines.iter().map(|line| &line.right)) <= MOST_OPERATIONS
+            && self.shown().is_some_and(|shown| shown.text().chars().count() <= MOST_SIGNS)
+    }
+}
+
+/// A notation, and the same with the lengths of vectors by their names, which laws explain: `|u|`.
+fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: Notation) -> Vec<Notation> {
+    let statements = case.run.equations.shown_statements(mode);
+    let own = statements.iter().filter(|stated| stated.body == body);
+    let mut parts = notation.clone();
+    for stated in own {
+        for named in stated.force.iter().flat_map(Written::names).filter(|named| named.of.is_none()) {
+            let name = names.of_law(&named.name, &stated.load);
+            if let (Written::Sum(_), Some(Value::Vector(vector))) = (&named.is, named.is.value(1)) {
+                parts = parts.define(format!("|{name}|"), &vector.norm());
+            }
+        }
+    }
+    vec![parts, notation]
+}
+
+/// `theta''`
+fn second(names: &Names, study: &Study, body: usize) -> Left {
+    let angle = study.model.bodies[body].kinematics().angle_symbol();
+    Left::symbol(Formula::derivative(names.shown(&angle.name), 2, Mark::Primes))
+}
+
+fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {
+    match inertia.symbols().is_empty() {
+        true => notation,
+        false => notation.define(inertia_name(study, &study.model.bodies[body].name), inertia),
     }
 }
 
 /// `M A = sum F` and `I alpha = sum tau`, solved for where nothing stands by its name.
-fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -> Vec<(Left, Expr)> {
+fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -> Vec<Line> {
     let equations = &case.run.equations;
     let kinematics = equations.model().bodies[body].kinematics();
     let mass = equations.mass_properties(body);
@@ -170,7 +307,7 @@ fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -
             true => equations.in_states(mode, &symbol.clone().into()),
             false => own.map(part).fold(Expr::zero(), |sum, part| sum + part) / factor,
         };
-        (left, right)
+        Line::new(left, right, symbol.clone())
     };
     let [ax, ay] = kinematics.acceleration_symbols();
     let mut lines = vec![
@@ -182,7 +319,7 @@ fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -
         lines.push(times(&mass.inertia, &kinematics.alpha_symbol(), Term::torque));
     } else if !is_identically_zero(&torque) {
         // A point mass on a massless rod.
-        lines.push((nothing(), torque));
+        lines.push(Line::new(nothing(), torque, Expr::zero()));
     }
     lines
 }
@@ -200,24 +337,24 @@ fn nothing() -> Left {
 
 /// `I_P alpha = sum tau` of a body about its pivot, with the forces of joints by their names; where the pivot moves, less
 /// `M r x A_P`.
-fn turned(
-    names: &Names,
-    case: &Case,
-    mode: &Mode,
-    (body, pivot): (usize, &Pivot),
-    inertia: &Expr,
-) -> (Left, Expr) {
+fn turned(names: &Names, case: &Case, mode: &Mode, (body, pivot): (usize, &Pivot), inertia: &Expr) -> Line {
+    let symbol = case.run.equations.model().bodies[body].kinematics().alpha_symbol();
+    let terms = case.run.equations.shown_terms(mode);
+    let own: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
+    let left = Left::times(inertia, Formula::symbol(names.shown(&symbol.name)));
+    Line::new(left, pivot_torque(case, (body, pivot), &own) / inertia, symbol)
+}
+
+/// Torque of terms on a body about its pivot, less `M r x A_P` where that is moved.
+pub(super) fn pivot_torque(case: &Case, (body, pivot): (usize, &Pivot), terms: &[Term]) -> Expr {
     let equations = &case.run.equations;
     let kinematics = equations.model().bodies[body].kinematics();
     let mass = equations.mass_properties(body);
     let arm = rotated(&(&mass.centre - &pivot.point), &kinematics.angle());
-    let terms = equations.shown_terms(mode);
-    let own = terms.iter().filter(|term| term.body == body && term.load != pivot.name);
+    let own = terms.iter().filter(|term| term.load != pivot.name);
     let torque =
         own.map(|term| term.torque_about(&(&arm + &term.arm))).fold(Expr::zero(), |sum, torque| sum + torque);
-    let carried = &mass.mass * arm.cross_planar(&acceleration(pivot));
-    let left = Left::times(inertia, Formula::symbol(names.shown(&kinematics.alpha_symbol().name)));
-    (left, (torque - carried) / inertia)
+    torque - &mass.mass * arm.cross_planar(&acceleration(pivot))
 }
 
 /// Of the point that a pivot holds.
@@ -227,7 +364,7 @@ fn acceleration(pivot: &Pivot) -> Vector {
 }
 
 /// Accelerations of the centres of bodies on pivots, by how the bodies turn.
-fn of_pivots(study: &Study, case: &Case) -> Substitution {
+pub(super) fn of_pivots(study: &Study, case: &Case) -> Substitution {
     let mut all = Substitution::default();
     for (index, body) in study.model.bodies.iter().enumerate() {
         let Some(pivot) = study.model.pivot_of(&body.name) else { continue };
@@ -254,7 +391,7 @@ fn last_of(study: &Study, condition: &Expr) -> Option<usize> {
 }
 
 /// Moment of inertia of a body about its pivot.
-fn about_pivot(case: &Case, body: usize, pivot: &Pivot) -> Expr {
+pub(super) fn about_pivot(case: &Case, body: usize, pivot: &Pivot) -> Expr {
     let mass = case.run.equations.mass_properties(body);
     let away = &mass.centre - &pivot.point;
     &mass.inertia + &mass.mass * away.components().iter().fold(Expr::zero(), |sum, part| sum + part * part)
@@ -318,25 +455,22 @@ mod tests {
             let study = study.with(&case.parameters);
             let names = Names::of(&study).expect("names");
             for mode in 0..case.run.trajectory().modes.len().min(MOST_MODES) {
-                for body in 0..study.model.bodies.len() {
-                    compared += compare(&study, &names, case, mode, body);
+                for motion in motions(&study, &names, case, &case.run.trajectory().modes[mode]) {
+                    compared += compare(case, mode, &motion);
                 }
             }
         }
         assert!(compared > 20, "{compared}");
     }
 
-    fn compare(study: &Study, names: &Names, case: &Case, mode: usize, body: usize) -> usize {
+    fn compare(case: &Case, mode: usize, motion: &Motion) -> usize {
         let trajectory = &case.run.trajectory();
-        let motion = Motion::of(study, names, case, &trajectory.modes[mode], body);
-        let integrated = integrated(study, case, &trajectory.modes[mode], body);
         let shown = motion.shown().expect("it can be shown");
         let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
         let seats = seats_of(case, mode, pieces.first().copied());
         let mut compared = 0;
-        // What determines forces of contacts follows the accelerations.
-        let integrated = integrated.into_iter().chain(std::iter::repeat(Expr::zero()));
-        for (line, ((left, _), right)) in shown.lines.iter().zip(motion.lines.iter().zip(integrated)) {
+        for (line, Line { left, is, .. }) in shown.lines.iter().zip(&motion.lines) {
+            let right = case.run.equations.in_states(&trajectory.modes[mode], is);
             let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * &right);
             // Places of joints are states of this mode alone.
             let both = [&line.formula, &integrated].map(|formula| seats.apply(formula));
@@ -363,18 +497,5 @@ mod tests {
             .filter(|(symbol, _)| symbol.dimension == Dimension::LENGTH && symbol.name.contains(".seat_"));
         places.for_each(|(symbol, value)| seats.insert(symbol, value * tumble_expr::units::M));
         seats
-    }
-
-    /// The accelerations as the integrator has them.
-    fn integrated(study: &Study, case: &Case, mode: &Mode, body: usize) -> Vec<Expr> {
-        let of_model = &study.model.bodies[body];
-        let motion = of_model.kinematics();
-        let [ax, ay] = motion.acceleration_symbols();
-        let shown = match study.model.pivot_of(&of_model.name) {
-            Some(_) => vec![motion.alpha_symbol()],
-            None if is_identically_zero(&case.run.equations.mass_properties(body).inertia) => vec![ax, ay],
-            None => vec![ax, ay, motion.alpha_symbol()],
-        };
-        shown.into_iter().map(|symbol| case.run.equations.in_states(mode, &symbol.into())).collect()
     }
 }

@@ -1,8 +1,8 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use tumble_expr::{Expr, Graph, Symbol, Vector, is_identically_zero};
-use tumble_math::{Left, Math as Formula};
-use tumble_mech::{Equations, Law, Mode, Term};
+use tumble_expr::{Expr, Graph, Symbol, Vector, Written, is_identically_zero};
+use tumble_math::{Left, Math as Formula, Operator};
+use tumble_mech::{Equations, Law, Mode, Statement, Term};
 use tumble_report::report::{Block, BodyModel, ForceRow, Math, Model, Picture, Text};
 use tumble_scene::{FreeBody, Instant, Study};
 
@@ -13,8 +13,8 @@ use crate::free_bodies;
 use crate::pipeline::PipelineError;
 use crate::symbols;
 
-/// Formulas of more signs than these are only counted.
-const MOST_SIGNS_IN_TABLE: usize = 120;
+/// A torque of more signs than these is said by its arm and its force.
+const MOST_SIGNS_IN_TABLE: usize = 60;
 /// Formulas of more operations than this come to more signs than are read anywhere: they are not even brought into a short form,
 /// which takes long.
 pub(super) const MOST_OPERATIONS: usize = 300;
@@ -105,12 +105,13 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
     let mut seen: Vec<String> = vec![];
     let mut rows = vec![];
     for mode in &case.run.of_body(body).trajectory().modes {
-        let terms = equations.shown_terms(mode);
+        let (terms, statements) = (equations.shown_terms(mode), equations.shown_statements(mode));
         for load in loads_of(&terms, body) {
             if !seen.contains(&load) {
                 let own: Vec<&Term> =
                     terms.iter().filter(|term| term.body == body && term.load == load).collect();
-                rows.push(row(study, names, equations, &own));
+                let stated = statements.iter().find(|stated| stated.body == body && stated.load == load);
+                rows.push(row(study, names, equations, &own, stated));
                 seen.push(load);
             }
         }
@@ -128,49 +129,93 @@ fn loads_of(terms: &[Term], body: usize) -> Vec<String> {
     loads
 }
 
-fn row(study: &Study, names: &Names, equations: &Equations, terms: &[&Term]) -> ForceRow {
+fn row(
+    study: &Study,
+    names: &Names,
+    equations: &Equations,
+    terms: &[&Term],
+    stated: Option<&Statement>,
+) -> ForceRow {
     let term = terms[0];
-    let symbol = math(&Formula::symbol(&symbols::force(study, &term.load, term.law)));
-    if terms.len() > 1 {
-        let sum = format!("sum over {} points along the body", terms.len());
-        let row =
-            ForceRow { name: name_of(term).into(), symbol, formula: words(&sum), ..ForceRow::default() };
-        return ForceRow {
-            point: "along the body".into(),
-            torque: words("sum of the points' torques"),
-            ..row
-        };
-    }
-    let formula = match term.law {
-        Law::Reaction => words("holds the point in its place"),
-        law if law.is_couple() => {
-            readable(std::slice::from_ref(&term.couple), |couple| names.formula(&couple[0]))
-        }
-        _ => readable(term.force.components(), |force| vector(names, force)),
-    };
+    let symbol = symbols::force(study, &term.load, term.law);
     ForceRow {
         name: name_of(term).into(),
-        symbol,
-        formula,
-        point: point(equations, term).into(),
-        torque: match term.law {
-            Law::Reaction => words("r × F"),
-            _ => readable(std::slice::from_ref(&term.torque()), |torque| names.formula(&torque[0])),
-        },
+        symbol: math(&signed(&symbol, is_opposite(term))),
+        law: law(names, term, stated, &symbol),
+        point: if terms.len() > 1 { "along the body".into() } else { point(equations, term).into() },
+        torque: torque(names, terms, stated, &symbol),
     }
 }
 
-/// The formula, or words where it is too long for a table.
-fn readable(formulas: &[Expr], shown: impl Fn(&[Expr]) -> Math) -> Math {
-    let operations = operations(formulas);
-    if operations > MOST_OPERATIONS {
-        return words(&format!("a formula of {operations} operations"));
+/// What the law says; where it says nothing, the components.
+fn law(names: &Names, term: &Term, stated: Option<&Statement>, symbol: &str) -> Vec<Math> {
+    let said = stated.and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
+    if term.law == Law::Contact {
+        return contact(names, term, said, symbol);
     }
-    let shown = shown(formulas);
-    match shown.text.chars().count() {
-        signs if signs > MOST_SIGNS_IN_TABLE => words(&format!("a formula of {signs} signs")),
-        _ => shown,
+    let right = match (said, term.law) {
+        (None, Law::Reaction) => return vec![words("holds the point in its place")],
+        (None, law) if law.is_couple() => Written::Scalar(term.couple.clone()),
+        (None, _) => Written::Vector(term.force.clone()),
+        (Some(said), _) => said.clone(),
+    };
+    names.stated(Formula::symbol(symbol), &right, &term.load)
+}
+
+/// What a contact pushes with along the normal; nothing says how strongly a rigid one does.
+fn contact(names: &Names, term: &Term, said: Option<&Written>, symbol: &str) -> Vec<Math> {
+    let normal = |force: &Symbol| term.force.map(|component| component.derivative(force));
+    let force = term.force.components().iter().flat_map(Expr::symbols).next();
+    let pushes = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol("n")]);
+    match (said, force) {
+        (Some(said), _) => names.stated(pushes, said, &term.load),
+        (None, Some(force)) => {
+            let normal = names.stated(Formula::symbol("n"), &Written::Vector(normal(&force)), &term.load);
+            std::iter::once(math(&pushes)).chain(normal).collect()
+        }
+        (None, None) => vec![math(&pushes)],
     }
+}
+
+/// Whether it is the opposite of what a joint's symbol says: on the other of its bodies.
+fn is_opposite(term: &Term) -> bool {
+    let is_opposite = |component: &Expr| {
+        let symbols = component.symbols();
+        let multiplier = symbols.iter().next().filter(|_| symbols.len() == 1);
+        multiplier.is_some_and(|multiplier| is_identically_zero(&(component.derivative(multiplier) + 1)))
+    };
+    term.law == Law::Reaction && term.force.components().iter().any(is_opposite)
+}
+
+/// A symbol, or its opposite.
+fn signed(symbol: &str, is_opposite: bool) -> Formula {
+    let symbol = Formula::symbol(symbol);
+    match is_opposite {
+        true => Formula::Row(vec![Formula::Operator(Operator::Negative), symbol]),
+        false => symbol,
+    }
+}
+
+/// The torque about the centre of mass: as the law says it, by its formula if that is short, or as arm and force.
+fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &str) -> Vec<Math> {
+    let term = terms[0];
+    let own = Formula::symbol(&symbols::torque(symbol));
+    if let Some(Statement { force: Some(_), torque: Some(torque), .. }) = stated {
+        return names.stated(own, torque, &term.load).into_iter().take(1).collect();
+    }
+    if term.law.is_couple() {
+        return vec![math(&Formula::symbol(symbol))];
+    }
+    if term.law != Law::Reaction {
+        let formula = names.formula(&term.torque());
+        if formula.text.chars().count() <= MOST_SIGNS_IN_TABLE {
+            return vec![formula];
+        }
+    }
+    let arm = Written::named("r", Written::Vector(term.arm.clone()));
+    let force = Written::Scalar(Symbol::new(symbol, tumble_expr::Dimension::FORCE).into());
+    let force = if is_opposite(term) { force.negative() } else { force };
+    names.stated(own, &arm.cross(force), &term.load)
 }
 
 /// How many different operations, numbers and names formulas consist of.
@@ -210,17 +255,6 @@ fn point(equations: &Equations, term: &Term) -> String {
     }
 }
 
-fn vector(names: &Names, components: &[Expr]) -> Math {
-    let part = |component: &Expr| -> Formula {
-        let shown = names.notation().clone().without_automatic_names().formula(component);
-        match shown {
-            Ok(shown) => shown.lines.into_iter().next().map_or(Formula::Row(vec![]), |line| line.right),
-            Err(error) => Formula::Text(error.to_string()),
-        }
-    };
-    math(&Formula::Matrix(components.iter().map(|component| vec![part(component)]).collect()))
-}
-
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
 fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
     let run = case.run.of_body(body);
@@ -230,19 +264,18 @@ fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
     laws_of(study, names, case, (body, &terms), "Newton's laws")
 }
 
-pub(super) fn laws_of(
-    study: &Study,
-    names: &Names,
-    case: &Case,
-    (body, terms): (usize, &[Term]),
-    title: &str,
-) -> Block {
+fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[Term]), title: &str) -> Block {
     let kinematics = study.model.bodies[body].kinematics();
     let mass = case.run.equations.mass_properties(body);
     let component = |axis: usize| {
         let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
         let letter = ["x", "y"][axis];
         let symbol = |term: &Term| -> Expr {
+            // Components of joints and contacts have symbols, with the sign that they act with.
+            let own = term.force[axis].symbols();
+            if !own.is_empty() && own.iter().all(|symbol| is_multiplier(study, symbol)) {
+                return term.force[axis].clone();
+            }
             Symbol::new(
                 symbols::below(&symbols::force(study, &term.load, term.law), letter),
                 tumble_expr::Dimension::FORCE,
@@ -253,7 +286,8 @@ pub(super) fn laws_of(
     };
     let torque = terms.iter().filter(|term| !is_identically_zero(&term.torque()));
     let torque = torque.map(|term| {
-        let name = format!("tau_{}", symbols::force(study, &term.load, term.law).replace('_', ","));
+        let force = symbols::force(study, &term.load, term.law);
+        let name = if term.law.is_couple() { force } else { symbols::torque(&force) };
         Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
     });
     let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);
@@ -270,8 +304,17 @@ pub(super) fn laws_of(
     names.block(title, &lines)
 }
 
+/// Whether a symbol stands for a force that follows from conditions.
+fn is_multiplier(study: &Study, symbol: &Symbol) -> bool {
+    let contacts = study.model.pairs();
+    let joints = study.model.joints.iter().flat_map(tumble_mech::Joint::multipliers);
+    let pivots = study.model.pivots.iter().flat_map(tumble_mech::Pivot::force_symbols);
+    contacts.iter().any(|pair| pair.force_symbol() == *symbol)
+        || joints.chain(pivots).any(|known| known == *symbol)
+}
+
 /// The first term of each load.
-pub(super) fn distinct(terms: Vec<Term>) -> Vec<Term> {
+fn distinct(terms: Vec<Term>) -> Vec<Term> {
     let mut found: Vec<Term> = vec![];
     for term in terms {
         if !found.iter().any(|known| known.load == term.load) {
@@ -279,4 +322,111 @@ pub(super) fn distinct(terms: Vec<Term>) -> Vec<Term> {
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pipeline::{self, Options};
+    use tumble_expr::{Expr, Substitution, language::Value};
+
+    /// Integrals of the board are summed over this many pieces by Simpson's rule, those of the program by its own: where the wind on
+    /// a line changes its sign, the first is off by about the cube of a piece.
+    const PIECES: u32 = 200;
+    const QUADRATURE: f64 = 1e-6;
+    /// States that are tried for each law.
+    const STATES: usize = 8;
+
+    /// Numbers between -1 and 1 in no order.
+    fn number(state: usize, index: usize) -> f64 {
+        let turned =
+            (state as f64 + 1.0) * 0.618_033_988_749_895 + (index as f64 + 1.0) * 0.754_877_666_246_693;
+        2.0 * (turned * 7.0).fract() - 1.0
+    }
+
+    /// Force and torque of a load, and the same as the board says them.
+    fn both(terms: &[&Term], stated: &Statement) -> Option<Vec<(Expr, Expr)>> {
+        let sum =
+            |part: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + part(term));
+        let mut found = vec![];
+        let force = match &stated.force {
+            Some(force) => match force.value(PIECES)? {
+                Value::Vector(force) => Some(force),
+                Value::Scalar(_) => return None,
+            },
+            None => None,
+        };
+        if let Some(force) = &force {
+            found.push((force.x().clone(), sum(&|term| term.force.x().clone())));
+            found.push((force.y().clone(), sum(&|term| term.force.y().clone())));
+        }
+        let torque = match (&stated.torque, force) {
+            (Some(torque), _) => match torque.value(PIECES)? {
+                Value::Scalar(torque) => torque,
+                Value::Vector(_) => return None,
+            },
+            (None, force) => terms[0].arm.cross_planar(&force?),
+        };
+        found.push((torque, sum(&Term::torque)));
+        Some(found)
+    }
+
+    /// In every scene and mode, what each law says has the value of the terms that are integrated, at states of all kinds.
+    #[test]
+    fn what_laws_say_is_what_is_integrated() {
+        let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+        let scenes = std::fs::read_dir(scenes).expect("the scenes");
+        let mut compared = 0;
+        for scene in scenes.map(|folder| folder.expect("readable").path().join("scene.toml")) {
+            let (study, cases) = pipeline::motions(&scene, &Options::default()).expect("a scene that runs");
+            for case in &cases {
+                let study = study.with(&case.parameters);
+                for mode in &case.run.trajectory().modes {
+                    compared += compare(&study, case, mode);
+                }
+            }
+        }
+        assert!(compared > 500, "{compared}");
+    }
+
+    fn compare(study: &Study, case: &Case, mode: &Mode) -> usize {
+        let equations = &case.run.equations;
+        let terms = equations.shown_terms(mode);
+        let mut compared = 0;
+        for stated in equations.shown_statements(mode) {
+            let own: Vec<&Term> =
+                terms.iter().filter(|term| term.body == stated.body && term.load == stated.load).collect();
+            let pairs = both(&own, &stated).expect("vectors and numbers where they belong");
+            for state in 0..STATES {
+                let mut here = Substitution::default();
+                for (index, symbol) in equations.states(mode).into_iter().enumerate() {
+                    here.insert(symbol.clone(), number(state, index) * one(&symbol));
+                }
+                here.insert(
+                    Symbol::new("t", tumble_expr::Dimension::TIME),
+                    (1.0 + number(state, 99)) * tumble_expr::units::S,
+                );
+                for (said, integrated) in &pairs {
+                    let values =
+                        [said, integrated].map(|formula| here.apply(&equations.in_states(mode, formula)));
+                    let values = study.model.parameters.evaluate(&values).expect("numbers");
+                    let scale = values[1].abs().max(1e-3);
+                    assert!(
+                        (values[0] - values[1]).abs() <= QUADRATURE * scale,
+                        "{}: {values:?}",
+                        stated.load
+                    );
+                    compared += 1;
+                }
+            }
+        }
+        compared
+    }
+
+    /// One of its unit.
+    fn one(symbol: &Symbol) -> Expr {
+        use tumble_expr::units::{M, S};
+        let units = [1.0 * M, 1.0 * M / S, 1.0 / S];
+        units.into_iter().find(|unit| unit.dimension() == Ok(symbol.dimension)).unwrap_or_else(Expr::one)
+    }
 }

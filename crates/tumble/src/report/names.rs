@@ -1,10 +1,10 @@
 //! How the names of a scene are written in formulas and in running text.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use tumble_expr::{Dimension, Expr, Symbol};
-use tumble_math::{Left, Notation, Shown, latex, mathml, text};
-use tumble_mech::Law;
+use tumble_expr::{Dimension, Expr, Symbol, Written};
+use tumble_math::{Left, Notation, Shown, latex, mathml_in_pieces, text};
+use tumble_mech::{Gravity, Law};
 use tumble_report::report::{Block, Definition, Math, Text};
 use tumble_report::{Label, numeral};
 use tumble_scene::Study;
@@ -12,9 +12,12 @@ use tumble_scene::Study;
 use crate::pipeline::PipelineError;
 use crate::symbols;
 
+/// The letter of gravity.
+const GRAVITY: &str = "g";
 /// Digits of numbers in running text.
 const DIGITS: usize = 6;
 
+#[derive(Clone)]
 pub(crate) struct Names {
     /// Shown names by names of the scene.
     symbols: BTreeMap<String, String>,
@@ -23,6 +26,8 @@ pub(crate) struct Names {
     notation: Notation,
     /// By body, where they are worth a name.
     inertias: Vec<Option<(String, Expr)>>,
+    /// What the scene's own quantities are shown as.
+    taken: BTreeSet<String>,
 }
 
 impl Names {
@@ -42,12 +47,16 @@ impl Names {
             }
         }
         let inertias = inertias(study, &Notation::new().positive(positive.clone()));
-        let plain = notation.positive(positive);
+        let mut plain = notation.positive(positive);
+        for (name, formula) in scene_s_own(study, &symbols) {
+            plain = plain.define(name, &formula);
+        }
         let mut notation = plain.clone();
         for (name, inertia) in inertias.iter().flatten() {
             notation = notation.define(name, inertia);
         }
-        Ok(Self { symbols, plain, notation, inertias })
+        let taken = taken(study, &symbols);
+        Ok(Self { symbols, plain, notation, inertias, taken })
     }
 
     /// Those for the formulas of one body: another one's moment of inertia may have the same formula, and is not meant.
@@ -57,7 +66,7 @@ impl Names {
             Some((name, inertia)) => plain.clone().define(name, inertia),
             None => plain.clone(),
         };
-        Self { symbols: self.symbols.clone(), plain, notation, inertias: self.inertias.clone() }
+        Self { plain, notation, ..self.clone() }
     }
 
     /// What a name is shown as: `theta` for `rod.angle`.
@@ -70,8 +79,27 @@ impl Names {
         Label::name(name, &symbols.collect::<Vec<_>>())
     }
 
+    /// What a name of a law is called where the scene has it for something else: that of the load stands below it.
+    pub(crate) fn of_law(&self, name: &str, load: &str) -> String {
+        let is_taken = self.taken.contains(name);
+        if is_taken { symbols::below(name, symbols::last(load)) } else { name.to_owned() }
+    }
+
+    /// What a law says, first, and then what the names in it stand for.
+    pub(crate) fn stated(&self, left: tumble_math::Math, right: &Written, load: &str) -> Vec<Math> {
+        match self.notation.stated(left, right, &|name| self.of_law(name, load)) {
+            Ok(lines) => lines.iter().map(math).collect(),
+            Err(error) => vec![words(&error.to_string())],
+        }
+    }
+
     pub(crate) fn notation(&self) -> &Notation {
         &self.notation
+    }
+
+    /// Without names for moments of inertia.
+    pub(crate) fn written_notation(&self) -> &Notation {
+        &self.plain
     }
 
     /// A formula on one line, whatever its length.
@@ -123,12 +151,12 @@ pub(crate) fn block(title: Text, shown: Result<Shown, tumble_math::MathError>) -
 
 /// The same in the notations of a report.
 pub(crate) fn math(formula: &tumble_math::Math) -> Math {
-    Math { mathml: mathml(formula), latex: latex(formula), text: text(formula) }
+    Math { mathml: mathml_in_pieces(formula), latex: latex(formula), text: text(formula) }
 }
 
-/// Words in the place of a formula.
+/// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
 pub(crate) fn words(words: &str) -> Math {
-    math(&tumble_math::Math::Text(words.to_owned()))
+    Math { text: words.to_owned(), ..Math::default() }
 }
 
 /// A value with its unit.
@@ -143,6 +171,31 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
         true => number.into(),
         false => number.then(Label::plain("\u{a0}")).then(Label::unit(unit)).into(),
     }
+}
+
+/// What the scene's parameters and the bodies' motion are shown as.
+fn taken(study: &Study, symbols: &BTreeMap<String, String>) -> BTreeSet<String> {
+    let parameters = study.model.parameters.symbols();
+    let shown =
+        parameters.iter().map(|symbol| symbols.get(&*symbol.name).map_or(&*symbol.name, String::as_str));
+    let functions = study.functions.iter().filter_map(|(call, _)| call.split('(').next());
+    let all = shown.chain(symbols.values().map(String::as_str)).map(str::to_owned);
+    // A vector of the same letter as the function that it is made of is understood: w = (w(t); 0).
+    all.filter(|name| !functions.clone().any(|function| function == name)).collect()
+}
+
+/// What the scene calls by a name of its own: functions of the time, and gravity as g where it is written as a number.
+fn scene_s_own(study: &Study, symbols: &BTreeMap<String, String>) -> Vec<(String, Expr)> {
+    let functions = study.functions.iter().filter(|(_, formula)| !formula.symbols().is_empty());
+    let mut own: Vec<(String, Expr)> = functions.cloned().collect();
+    if let Gravity::Vertical(g) = &study.model.gravity
+        && g.symbols().is_empty()
+        && !taken(study, symbols).contains(GRAVITY)
+        && !tumble_expr::is_identically_zero(g)
+    {
+        own.push((GRAVITY.to_owned(), g.clone()));
+    }
+    own
 }
 
 /// By body, a moment of inertia that is worth a name: the parameter's that is one, else I. `notation` shows every symbol by its
@@ -204,6 +257,9 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
             };
             symbols.insert(format!("{}.{name}", body.name), shown);
         }
+    }
+    for law in &study.model.interactions {
+        symbols.insert(format!("{}.s", law.name()), "s".to_owned());
     }
     for pair in study.model.pairs() {
         let touched = symbols::contact(study, &pair.name);

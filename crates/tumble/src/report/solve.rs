@@ -1,8 +1,8 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
-use tumble_expr::{Dimension, Expr, Substitution, Symbol};
+use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_math::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
-use tumble_mech::{Mode, Record, Run};
+use tumble_mech::{Mode, Parameters, Record, Run};
 use tumble_ode::{Cause, Event};
 use tumble_report::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
 use tumble_report::{Label, numeral};
@@ -15,85 +15,97 @@ use crate::digits::Held;
 use crate::pipeline::PipelineError;
 use crate::tables::{is_angle, unit};
 
+/// Runs of a sweep beyond these have no closed forms of their own.
+const MOST_RUNS: usize = 6;
 /// Phases beyond these are told of by the table of events.
 const MOST_PHASES: usize = 4;
 /// Digits of numbers in closed forms.
 const DIGITS: usize = 6;
 
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, PipelineError> {
-    let phases = phases(study, names, &cases[0])?;
-    let intro = match (phases.is_empty(), &cases[0].run.work()) {
-        (false, work) if work.exact_steps == work.steps => {
+    let mut phases: Vec<Phase> = vec![];
+    for case in cases.iter().take(MOST_RUNS) {
+        let study = study.with(&case.parameters);
+        let own = self::phases(&study, names, case)?;
+        let label = |phase: Phase| match case.label.as_str() {
+            "" => phase,
+            label => Phase { name: Text::from(format!("{label}: ")).and(phase.name.clone()), ..phase },
+        };
+        // What other runs have said in symbols they do not say again.
+        let told = |phase: Phase| match phases.iter().any(|known| known.symbols == phase.symbols) {
+            true => Phase { symbols: vec![], ..phase },
+            false => phase,
+        };
+        let own: Vec<Phase> = own.into_iter().map(told).map(label).collect();
+        phases.extend(own);
+    }
+    let is_exact = |case: &Case| case.run.work().exact_steps == case.run.work().steps;
+    let intro = match (phases.is_empty(), cases.iter().all(is_exact)) {
+        (false, true) => {
             "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form."
         }
-        (false, _) => "The motion begins with phases that are known in closed form; the rest was integrated.",
+        (false, false) => "The following phases are known in closed form; the rest was integrated.",
         (true, _) => "The equations have no closed form that the program knows: they were integrated.",
     };
+    let how = std::iter::once(how(cases));
     Ok(Solve {
         intro: vec![intro.into()],
         phases,
         method: method(cases),
-        tables: cases.iter().map(events).collect(),
+        tables: how
+            .chain(cases.iter().filter(|case| case.run.events().next().is_some()).map(events))
+            .collect(),
     })
 }
 
+/// What is not in the table of runs.
 fn method(cases: &[Case]) -> Vec<(Text, Text)> {
-    let row = |name: &str, value: &dyn Fn(&Case) -> String| {
-        let values: Vec<(&str, String)> = cases.iter().map(|case| (&*case.label, value(case))).collect();
-        (Text::from(name), Text::from(by_run(&values)))
-    };
-    let work = |case: &Case| case.run.work();
-    let mut rows = vec![
-        row("Method", &|_| "Taylor series, each step checked against the equations".to_owned()),
-        row("Accuracy asked", &|case| format!("{:e}", case.accuracy.value())),
-        row("Order of the series", &|case| case.run.order().to_string()),
-        row("Steps", &|case| work(case).steps.to_string()),
-        row("of them exact, the motion being a polynomial", &|case| work(case).exact_steps.to_string()),
-        row("Steps shortened and repeated", &|case| work(case).rejected.to_string()),
-        row("Sets of equations, one for each way of touching", &|case| work(case).modes.to_string()),
-    ];
-    rows.extend(trust(cases));
-    if cases.iter().any(|case| case.run.quadrature.is_some()) {
-        rows.push(row("Points along lines that stand for integrals", &|case| {
-            case.run.quadrature.map_or_else(String::new, |found| format!("{}", found.nodes))
-        }));
-    }
-    for (case, refusal) in cases.iter().filter_map(|case| Some((case, case.refusal.as_ref()?))) {
-        rows.push((of_run("Stopped", cases, case), Text::from(refusal.to_string())));
+    let mut rows = vec![("Method".into(), "Taylor series, each step checked against the equations".into())];
+    for case in cases {
+        let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
+        let ends = |reason: String| (of_run("Verified digits end because", cases, case), reason.into());
+        rows.extend(horizon.map(|horizon| ends(horizon.reason.to_string())));
+        let stopped = |reason: String| (of_run("Stopped", cases, case), reason.into());
+        rows.extend(case.refusal.as_ref().map(|refusal| stopped(refusal.to_string())));
     }
     rows
 }
 
-/// One value if all runs have the same, else that of each run with its label.
-fn by_run(values: &[(&str, String)]) -> String {
-    match values {
-        [(_, first), rest @ ..] if rest.iter().all(|(_, value)| value == first) => first.clone(),
-        _ => {
-            let each = values.iter().map(|(label, value)| format!("{label}: {value}"));
-            each.collect::<Vec<_>>().join("; ")
-        }
-    }
+/// How the runs were solved, a row each.
+fn how(cases: &[Case]) -> Table {
+    let columns = [
+        Column::words("Run"),
+        Column::numbers("Accuracy asked"),
+        Column::numbers("Order"),
+        Column::numbers("Steps"),
+        Column::numbers("Exact ones"),
+        Column::numbers("Repeated"),
+        Column::numbers("Contact modes"),
+        Column::numbers("Points along lines"),
+        Column::words("Verified by a check run"),
+    ];
+    let row = |case: &Case| {
+        let work = case.run.work();
+        let held = case.trust.as_ref().map(|trust| Held::of(trust).words());
+        let points = case.run.quadrature.as_ref().map(|found| found.nodes.to_string());
+        vec![
+            case.label.as_str().into(),
+            format!("{:e}", case.accuracy.value()).into(),
+            case.run.order().to_string().into(),
+            work.steps.to_string().into(),
+            work.exact_steps.to_string().into(),
+            work.rejected.to_string().into(),
+            work.modes.to_string().into(),
+            points.unwrap_or_default().into(),
+            held.unwrap_or_default().into(),
+        ]
+    };
+    cases.iter().map(row).fold(Table::new("How it was solved", columns.into()), Table::row)
 }
 
 /// What is told of one run, with its label where there are several.
 fn of_run(what: &str, cases: &[Case], case: &Case) -> Text {
     if cases.len() > 1 { format!("{what}, {}", case.label).into() } else { what.into() }
-}
-
-/// What a check run says, a row for each thing that it says of any run.
-fn trust(cases: &[Case]) -> Vec<(Text, Text)> {
-    let rows = cases.iter().flat_map(|case| {
-        let name = |what: &str| of_run(what, cases, case);
-        let held = case
-            .trust
-            .as_ref()
-            .map(|trust| (name("Verified by an independent check run"), Held::of(trust).words().into()));
-        let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
-        let why =
-            horizon.map(|horizon| (name("Verified digits end because"), horizon.reason.to_string().into()));
-        held.into_iter().chain(why)
-    });
-    rows.collect()
 }
 
 /// A row an event.
@@ -107,9 +119,6 @@ fn events(case: &Case) -> Table {
     };
     let mut table = Table::new(caption, columns);
     table.rows = case.run.events().map(row).collect();
-    if table.rows.is_empty() {
-        table.notes.push("Nothing happens on the way.".into());
-    }
     table
 }
 
@@ -131,7 +140,7 @@ fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, Pipel
     let mut found = vec![];
     let mut known = true;
     for (number, (mode, ends)) in stretches(run).into_iter().take(MOST_PHASES).enumerate() {
-        let elapsed = Symbol::new(if number == 0 { "t" } else { "tau" }, Dimension::TIME);
+        let elapsed = Symbol::new(elapsed_since(number), Dimension::TIME);
         let Some(motions) = motions(run, mode, &coordinates, &begins, &elapsed) else { break };
         found.push(phase(study, case, names, mode, (&begins, &elapsed), &coordinates, &motions)?);
         // An end at a time that only the run knows has no formula: the closed forms end there.
@@ -145,6 +154,11 @@ fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, Pipel
         begins = end;
     }
     Ok(found)
+}
+
+/// The time since a phase began.
+fn elapsed_since(number: usize) -> String {
+    if number == 0 { "t".to_owned() } else { format!("t_{number}") }
 }
 
 /// The modes one after the other, each with the formula of the time at which it ends, where there is one.
@@ -217,8 +231,10 @@ fn motions(
 ) -> Option<Vec<Motion>> {
     let inputs = run.equations.model().parameters.symbols();
     let time = Symbol::new("t", Dimension::TIME);
+    let without = zeros(&run.equations.model().parameters);
     let one = |coordinate: &Coordinate| {
         let acceleration = run.equations.in_states(mode, &coordinate.acceleration.clone().into());
+        let acceleration = without_states(run, mode, &without.apply(&acceleration))?;
         let given = |symbol: &Symbol| *symbol == time || inputs.contains(symbol);
         if !acceleration.symbols().iter().all(given) {
             return None;
@@ -227,6 +243,27 @@ fn motions(
         integrate_twice(&acceleration, (&time, begins), elapsed, (position, velocity))
     };
     coordinates.iter().map(one).collect()
+}
+
+/// Parameters that are zero in a run: without air there is none in the formulas.
+fn zeros(parameters: &Parameters) -> Substitution {
+    let mut none = Substitution::default();
+    for symbol in parameters.symbols() {
+        let value = parameters.evaluate(&[symbol.clone().into()]);
+        if value.is_ok_and(|value| value[0] == 0.0) {
+            none.insert(symbol, Expr::zero());
+        }
+    }
+    none
+}
+
+/// A formula that no state has a part in, without their symbols; `None` where one has.
+fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
+    let states = run.equations.states(mode);
+    let is_free = states.iter().all(|state| is_identically_zero(&formula.derivative(state)));
+    let mut none = Substitution::default();
+    states.into_iter().for_each(|state| none.insert(state, Expr::zero()));
+    is_free.then(|| none.apply(formula))
 }
 
 fn phase(
@@ -253,7 +290,7 @@ fn phase(
     let mut symbols: Vec<Block> = lines.iter().enumerate().map(of_body).collect();
     if *elapsed.name != *"t" {
         let since: Expr = Expr::symbol("t", Dimension::TIME) - begins;
-        let symbol = names.equation("tau", &since);
+        let symbol = names.equation(&elapsed.name, &since);
         let definition = Definition { symbol, meaning: Text::default() };
         if let Some(last) = symbols.last_mut() {
             last.definitions.push(definition);
@@ -326,22 +363,4 @@ fn in_unit(unit: &str) -> Option<Formula> {
         parts.push(Formula::Text(text));
     }
     (!parts.is_empty()).then_some(Formula::Row(parts))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// What belongs to one run stands at the same place in every row.
-    #[test]
-    fn values_stay_with_their_runs() {
-        let row = |values: [&str; 3]| {
-            let values: Vec<(&str, String)> =
-                ["a", "b", "c"].into_iter().zip(values.map(str::to_owned)).collect();
-            by_run(&values)
-        };
-        assert_eq!(row(["18", "18", "18"]), "18");
-        assert_eq!(row(["18", "18", "20"]), "a: 18; b: 18; c: 20");
-        assert_eq!(row(["18", "20", "18"]), "a: 18; b: 20; c: 18");
-    }
 }

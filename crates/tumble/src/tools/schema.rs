@@ -35,6 +35,7 @@ fn sections() -> Vec<Key> {
     let top = [
         must("version", json!({ "const": 1 }), "Version of the scene language."),
         may("title", named("text"), "A line of text."),
+        may("text", named("text"), "The problem in words; empty lines part paragraphs."),
         may(
             "plane",
             choice(&["vertical", "horizontal"]),

@@ -1,7 +1,8 @@
 //! The frame of the page: head, title, contents, sections, data, scripts.
 
 use super::inline::{paragraphs, tagged};
-use crate::report::{Report, font_css, json};
+use crate::page::url;
+use crate::report::{LESSON, Report, font_css, json};
 use crate::svg::escape;
 
 const STYLE: &str = include_str!("../assets/report.css");
@@ -74,9 +75,12 @@ fn head(report: &Report) -> String {
 fn header(report: &Report) -> String {
     let links: String =
         MOVES.iter().map(|(id, name)| format!("<li><a href=\"#{id}\">{name}</a></li>")).collect();
+    let lesson =
+        report.lesson.as_ref().map(|path| format!("<p><a href=\"{}\">{LESSON}</a></p>\n", url(path)));
     format!(
-        "<header>\n<h1>{}</h1>\n{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
+        "<header>\n<h1>{}</h1>\n{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
         escape(&report.title),
+        lesson.unwrap_or_default(),
         paragraphs(&report.intro)
     )
 }

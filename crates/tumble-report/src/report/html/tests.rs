@@ -90,10 +90,16 @@ fn case() -> Case {
 
 /// A report with hostile text in every field.
 fn hostile() -> Report {
-    let force =
-        ForceRow { name: words(), symbol: formula(), formula: formula(), point: words(), torque: formula() };
+    let force = ForceRow {
+        name: words(),
+        symbol: formula(),
+        law: vec![formula(), formula()],
+        point: words(),
+        torque: vec![formula()],
+    };
     Report {
         title: HOSTILE.into(),
+        lesson: Some(HOSTILE.into()),
         language: HOSTILE.into(),
         intro: vec![words()],
         meta: vec![(HOSTILE.into(), HOSTILE.into())],

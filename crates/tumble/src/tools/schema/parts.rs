@@ -20,10 +20,14 @@ pub(super) fn may(name: &'static str, mut value: Value, description: &str) -> Ke
     Key { name, value, needed: false }
 }
 
-/// A table of these keys and no others.
+/// A table of these keys and no others; a section may have a text beside them.
 pub(super) fn closed(title: &str, keys: &[Key]) -> Value {
-    let properties: Map<String, Value> =
+    let mut properties: Map<String, Value> =
         keys.iter().map(|key| (key.name.to_owned(), key.value.clone())).collect();
+    if title.starts_with('[') {
+        let text = may("text", named("text"), "What the report says of it; empty lines part paragraphs.");
+        properties.insert(text.name.to_owned(), text.value);
+    }
     let required: Vec<_> = keys.iter().filter(|key| key.needed).map(|key| key.name).collect();
     json!({
         "title": title,
