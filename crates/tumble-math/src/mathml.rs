@@ -14,7 +14,7 @@ pub fn mathml(math: &Math) -> String {
 }
 
 /// A formula in a line of text as `math` elements between which the line may be broken: before relations, and before the terms of the
-/// outermost sum.
+/// outermost sum, or of a long sum in brackets that ends a product.
 pub fn mathml_in_pieces(math: &Math) -> String {
     let mut pieces: Vec<Vec<Math>> = vec![vec![]];
     for part in outermost(math) {
@@ -25,8 +25,8 @@ pub fn mathml_in_pieces(math: &Math) -> String {
             )
         );
         match pieces.last_mut() {
-            Some(last) if !begins || last.is_empty() => last.push(part.clone()),
-            _ => pieces.push(vec![part.clone()]),
+            Some(last) if !begins || last.is_empty() => last.push(part),
+            _ => pieces.push(vec![part]),
         }
     }
     let shown = pieces.into_iter().map(|mut piece| match piece.len() {
@@ -45,11 +45,28 @@ pub fn mathml_in_pieces(math: &Math) -> String {
 const LEADING: &str = "<math><mrow><mo form=\"infix\">";
 
 /// The parts of rows in rows.
-fn outermost(math: &Math) -> Vec<&Math> {
+fn outermost(math: &Math) -> Vec<Math> {
     match math {
         Math::Row(parts) => parts.iter().flat_map(outermost).collect(),
-        other => vec![other],
+        Math::Product(factors) => opened(factors).unwrap_or_else(|| vec![math.clone()]),
+        other => vec![other.clone()],
     }
+}
+
+/// A sum of more terms than this in brackets is long.
+const LONG: usize = 3;
+
+/// The parts of a product that ends in a long sum, whose brackets need not grow.
+fn opened(factors: &[Math]) -> Option<Vec<Math>> {
+    let (Math::Brackets(sum), before) = factors.split_last()? else { return None };
+    let parts = outermost(sum);
+    let signs = parts.iter().filter(|part| matches!(part, Math::Operator(Operator::Plus | Operator::Minus)));
+    if signs.count() < LONG || is_tall(sum) {
+        return None;
+    }
+    let bracket = |sign: &str| Math::Text(sign.to_owned());
+    let before = Math::Product(before.to_vec());
+    Some([before, bracket("(")].into_iter().chain(parts).chain([bracket(")")]).collect())
 }
 
 /// A `math` element on a line of its own.
@@ -310,7 +327,18 @@ mod tests {
             "{shown}"
         );
         assert!(shown.ends_with(minus), "{shown}");
-        assert_eq!(mathml_in_pieces(&sum.bracketed()).matches("<math>").count(), 1);
+        assert_eq!(mathml_in_pieces(&sum.clone().bracketed()).matches("<math>").count(), 1);
+        // Brackets of a short sum stay whole, those of a long one do not.
+        let with = |sum: Math| Math::Product(vec![Math::symbol("c"), Math::Brackets(Box::new(sum))]);
+        assert_eq!(mathml_in_pieces(&with(sum.clone())).matches("<math>").count(), 1);
+        let long = Math::Row(vec![
+            sum.clone(),
+            Math::Operator(Operator::Plus),
+            sum.clone(),
+            Math::Operator(Operator::Minus),
+            sum,
+        ]);
+        assert_eq!(mathml_in_pieces(&with(long)).matches("<math>").count(), 6);
     }
 
     #[test]

@@ -112,7 +112,12 @@ const STRUCTURE: &[Row] = &[
     ("[output]", "[drag.air]\nquadratic = 1\n[output]", "E0513 air", "does not say where it acts"),
     ("until = \"5 s\"", "until = \"5 s\"\nutnil = \"6 s\"", "E0511 utnil", "did you mean `until`?"),
     ("until = \"5 s\"", "until = \"5 s\"\ntitle = \"a\"", "E0511 title", "stands at the top level"),
-    ("until = \"5 s\"", "until = \"5 s\"\nzork = \"a\"", "E0511 zork", "the keys are `until` and `accuracy`"),
+    (
+        "until = \"5 s\"",
+        "until = \"5 s\"\nzork = \"a\"",
+        "E0511 zork",
+        "the keys are `text`, `until` and `accuracy`",
+    ),
     ("until = \"5 s\"", "until = { rest = true }", "E0513 until", "add `at_most = \"60 s\"`"),
     (
         "until = \"5 s\"",

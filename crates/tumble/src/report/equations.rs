@@ -3,7 +3,7 @@
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_math::{Left, Mark, Math as Formula, Notation, Shown};
-use tumble_mech::{Anchor, ContactMode, Joint, Mode, Pivot, Term, rotated};
+use tumble_mech::{Anchor, ContactMode, Grip, Joint, Mode, Pivot, Term, rotated};
 use tumble_report::report::{Block, Definition, Mode as ModeShown, Text};
 use tumble_scene::Study;
 
@@ -71,7 +71,12 @@ pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
         let how = match contact_mode {
             ContactMode::Pressed => "pressed",
             ContactMode::Released => "released",
-            ContactMode::Resting => "in touch",
+            ContactMode::Resting => match mode.grip(*pair) {
+                Some(Grip::Sticks | Grip::Follows) => "sticks",
+                Some(Grip::Slides(_)) => "slides",
+                Some(Grip::Strains(_)) => "is on the point of sliding",
+                None => "in touch",
+            },
             ContactMode::Settling => "settling",
             ContactMode::Idle => "touching",
         };

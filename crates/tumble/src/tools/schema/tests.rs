@@ -45,6 +45,10 @@ const TABLES: &[(&str, &str)] = &[
     ("shell", "[body.a]\nshell = { KEY = 1 }"),
     ("box", "[body.a]\nbox = { KEY = 1 }"),
     ("polygon", "[body.a]\npolygon = { KEY = 1 }"),
+    (
+        "friction",
+        "[surface.a]\nthrough = [0, 0]\nrigid = { restitution = 0, friction = { static = 0.4, kinetic = 0.3, KEY = 1 } }",
+    ),
     ("[pivot.NAME]", "[pivot.a]\nKEY = 1"),
     ("[pin.NAME]", "[pin.a]\nKEY = 1"),
     ("end of a joint", "[pin.a]\nbetween = [{ KEY = 1 }, \"rod.tip\"]"),
