@@ -35,6 +35,11 @@ const FIGURES: &[(&str, &str)] = &[
     ("14-sliding-ladder/fall.svg", "sliding-ladder.svg"),
     ("15-falling-chain/fall.svg", "falling-chain.svg"),
     ("16-bench-on-three-feet/bench.svg", "bench.svg"),
+    ("17-block-on-a-slope/block.svg", "block-on-a-slope.svg"),
+    ("18-backspin/path.svg", "backspin.svg"),
+    ("19-bowling-ball/speeds.svg", "bowling-ball.svg"),
+    ("20-rolling-down/disk.svg", "rolling-down.svg"),
+    ("21-rough-floor/bounces.svg", "rough-floor.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.
