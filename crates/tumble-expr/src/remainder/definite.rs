@@ -19,7 +19,7 @@ use crate::ops::elimination::{Column, Symmetric};
 /// What is tried first, in units of the guess, and what it is multiplied with where it does not hold, so many times.
 const FIRST: f64 = 0.5;
 const LESS: f64 = 1.0 / 8.0;
-const TRIES: i32 = 3;
+const TRIES: usize = 3;
 /// The matrix is known to be regular if what is left out is at most this part of the number.
 const LEFT_OUT: f64 = 0.5;
 
@@ -135,8 +135,8 @@ impl<'a> Definite<'a> {
 
     /// A lower bound of the eigenvalues, by a guess of the least of them.
     pub(super) fn least_eigenvalue(&self, guess: f64) -> Option<f64> {
-        let tried = |time: i32| self.is_above(guess * FIRST * LESS.powi(time));
-        (0..TRIES).find_map(tried)
+        let bounds = std::iter::successors(Some(guess * FIRST), |bound| Some(bound * LESS));
+        bounds.take(TRIES).find_map(|bound| self.is_above(bound))
     }
 
     /// What all eigenvalues are above for certain, if they are above `bound` but for what is left out.
