@@ -23,6 +23,7 @@
 //! ```
 
 mod algebra;
+mod board;
 mod closed_form;
 mod error;
 mod font;
@@ -37,7 +38,6 @@ mod rational;
 mod spelling;
 mod symbol;
 mod text;
-mod written;
 
 pub use closed_form::{Motion, integrate_twice, polynomial_in};
 pub use error::MathError;

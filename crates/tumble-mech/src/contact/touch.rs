@@ -103,6 +103,11 @@ impl Touch {
         }
     }
 
+    fn is_finite(&self) -> bool {
+        let slips = self.slips.rate.iter().chain(&self.slips.free);
+        self.rate.iter().chain(&self.free).chain(slips).all(|value| value.is_finite())
+    }
+
     /// Position of a pair among the island's own.
     pub(crate) fn position(&self, pair: usize) -> Option<usize> {
         self.pairs.iter().position(|known| *known == pair)
@@ -123,87 +128,50 @@ impl Equations {
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let tape = self.island_tape(&island, mode, &pairs)?;
-        let mut jets = Jets::new(Arc::clone(&tape.tape), 1, now.inputs);
-        jets.start(now.time, states, Branches::Free);
-        // Gaps are differences of much larger numbers: what the carries add to them is found to first order.
-        for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
-            jets.set(leaf, 1, *compensation);
-        }
-        jets.set(states.len(), 1, 0.0);
-        jets.extend(1);
-        let (n, dofs) = (pairs.len(), velocities.len());
-        let joint_rows = self.independent_rows_of(mode, &island).into_iter().map(|(index, _)| index);
-        let joint_rows: Vec<usize> = joint_rows.collect();
-        let value = |output: usize| jets.value_of(output);
-        let column = |of: &dyn Fn(&Measured) -> usize| {
-            DVector::from_iterator(n, tape.pairs.iter().map(|pair| value(of(pair))))
-        };
-        let slopes = |row: &Measured| {
-            row.slopes().map(|(dof, at)| (dof, value(at))).filter(|(_, slope)| *slope != 0.0).collect()
-        };
-        let gradients =
-            |rows: &[Measured]| Gradients { rows: rows.iter().map(slopes).collect(), columns: dofs };
-        let slips = Slips::read(&tape.slips, value);
-        let (gaps, along): (Vec<Measured>, Vec<Measured>) =
-            (tape.pairs.clone(), tape.slips.iter().map(|(_, slip)| slip.clone()).collect());
-        let rows = gradients(&[gaps, along].concat()).dense();
-        let of_bodies = |which: usize| DVector::from_fn(dofs, |dof, _| value(tape.bodies + which + dof));
-        let (inverse, pushed, size) = (of_bodies(0), of_bodies(dofs), tape.bodies + 2 * dofs);
-        let (kicks, joints) = match joint_rows.is_empty() {
-            true => {
-                let kicks = DMatrix::from_diagonal(&inverse) * rows.transpose();
-                (kicks, Joined { rows: vec![], share: DMatrix::zeros(0, rows.nrows()) })
-            }
-            false => {
-                let none = DMatrix::zeros(joint_rows.len(), rows.nrows());
-                let (mass, of_joints) = (of_bodies(2 * dofs + 1), gradients(&tape.rows));
-                let (kicks, share) = respond(&mass, &of_joints, &rows.transpose(), &none)
-                    .ok_or_else(|| self.not_independent(&island))?;
-                (kicks, Joined { rows: joint_rows, share })
-            }
-        };
+        let jets = to_first_order(&tape, states, now);
+        let joints = self.independent_rows_of(mode, &island).into_iter().map(|(index, _)| index).collect();
+        let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
+        let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
+        let (rows, slips) = (read.rows(), Slips::read(&tape.slips, |output| jets.value_of(output)));
+        let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(&island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
         let speed = |row: usize, rate: f64| -> f64 {
             let own = |dof: usize| rows[(row, dof)] * states[velocities[dof]];
             let left = |dof: usize| rows[(row, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
-            let surface = rate - (0..dofs).map(own).sum::<f64>();
-            (0..dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
+            let surface = rate - (0..read.dofs).map(own).sum::<f64>();
+            (0..read.dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
         };
-        let (rate, free) = (column(&Measured::rate), column(&Measured::end));
+        let speeds = |first: usize, rates: &DVector<f64>| {
+            DVector::from_fn(rates.len(), |index, _| speed(first + index, rates[index]))
+        };
+        let (rate, free) = (read.column(&Measured::rate), read.column(&Measured::end));
+        let accelerations = stacked_column(&free, &slips.free).abs();
         let mut touch = Touch {
-            size: value(size),
-            gap: DVector::from_fn(n, |pair, _| {
-                let series = jets.output(tape.pairs[pair].position);
-                series[0] + series[1]
-            }),
+            size: read.size(),
+            gap: read.gaps(),
             blur: blur(&tape, (states, now)),
-            speed: DVector::from_fn(n, |pair, _| speed(pair, rate[pair])),
+            speed: speeds(0, &rate),
             rate,
-            strength: (rows.abs() * inverse.component_mul(&pushed)
-                + stacked_column(&free, &slips.free).abs())
-            .max(),
+            strength: (rows.abs() * inverse.component_mul(&pushed) + accelerations).max(),
             free,
-            restitution: column(&|pair| pair.end() + 1),
+            restitution: read.column(&|pair| pair.end() + 1),
             response: &rows * &kicks,
-            slips: Slips {
-                speed: DVector::from_fn(slips.of.len(), |slip, _| speed(n + slip, slips.rate[slip])),
-                ..slips
-            },
+            slips: Slips { speed: speeds(pairs.len(), &slips.rate), ..slips },
             pairs,
             kicks,
             velocities,
             joints,
         };
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
-        let slips = touch.slips.rate.iter().chain(&touch.slips.free);
-        match touch.rate.iter().chain(&touch.free).chain(slips).all(|value| value.is_finite()) {
-            true => Ok(touch),
-            false => Err(Reason::Model(format!(
-                "where `{}` touches, its velocity or acceleration is not a finite number",
-                self.model().bodies[body].name
-            ))),
-        }
+        if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(body)) }
+    }
+
+    fn not_finite(&self, body: usize) -> Reason {
+        Reason::Model(format!(
+            "where `{}` touches, its velocity or acceleration is not a finite number",
+            self.model().bodies[body].name
+        ))
     }
 
     fn not_independent(&self, island: &[usize]) -> Reason {
@@ -217,6 +185,82 @@ impl Equations {
             None => &[Measure::Speed, Measure::Speed, Measure::AngularRate],
             Some(_) => &[Measure::AngularRate],
         }
+    }
+}
+
+/// The tape's numbers; gaps are differences of much larger numbers, and what the carries add to them is found to first order.
+fn to_first_order(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Jets<f64> {
+    let mut jets = Jets::new(Arc::clone(&tape.tape), 1, now.inputs);
+    jets.start(now.time, states, Branches::Free);
+    for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
+        jets.set(leaf, 1, *compensation);
+    }
+    jets.set(states.len(), 1, 0.0);
+    jets.extend(1);
+    jets
+}
+
+/// The numbers of a tape at an instant.
+struct Numbers<'a> {
+    tape: &'a InstantTape,
+    jets: &'a Jets<f64>,
+    /// How many velocities there are.
+    dofs: usize,
+}
+
+impl Numbers<'_> {
+    /// One of each pair.
+    fn column(&self, of: &dyn Fn(&Measured) -> usize) -> DVector<f64> {
+        let values = self.tape.pairs.iter().map(|pair| self.jets.value_of(of(pair)));
+        DVector::from_iterator(self.tape.pairs.len(), values)
+    }
+
+    fn gaps(&self) -> DVector<f64> {
+        let gaps = self.tape.pairs.iter().map(|pair| {
+            let series = self.jets.output(pair.position);
+            series[0] + series[1]
+        });
+        DVector::from_iterator(self.tape.pairs.len(), gaps)
+    }
+
+    /// Those by velocity, in the order of [`Equations::island_tape`].
+    fn of_bodies(&self, which: usize) -> DVector<f64> {
+        DVector::from_fn(self.dofs, |dof, _| self.jets.value_of(self.tape.bodies + which * self.dofs + dof))
+    }
+
+    /// Largest extent of a body, m; it stands behind two numbers by velocity.
+    fn size(&self) -> f64 {
+        self.jets.value_of(self.tape.bodies + 2 * self.dofs)
+    }
+
+    fn masses(&self) -> DVector<f64> {
+        DVector::from_fn(self.dofs, |dof, _| self.jets.value_of(self.tape.bodies + 2 * self.dofs + 1 + dof))
+    }
+
+    fn gradients<'r>(&self, rows: impl Iterator<Item = &'r Measured>) -> Gradients {
+        let slopes = |row: &Measured| {
+            let all = row.slopes().map(|(dof, at)| (dof, self.jets.value_of(at)));
+            all.filter(|(_, slope)| *slope != 0.0).collect()
+        };
+        Gradients { rows: rows.map(slopes).collect(), columns: self.dofs }
+    }
+
+    /// Slopes of all gaps' rates, then of those along surfaces.
+    fn rows(&self) -> DMatrix<f64> {
+        let along = self.tape.slips.iter().map(|(_, slip)| slip);
+        self.gradients(self.tape.pairs.iter().chain(along)).dense()
+    }
+
+    /// What unit impulses do to velocities, and what joints add to them; `None` where joints leave that open.
+    fn kicks(&self, rows: &DMatrix<f64>, joints: Vec<usize>) -> Option<(DMatrix<f64>, Joined)> {
+        if joints.is_empty() {
+            let kicks = DMatrix::from_diagonal(&self.of_bodies(0)) * rows.transpose();
+            return Some((kicks, Joined { rows: vec![], share: DMatrix::zeros(0, rows.nrows()) }));
+        }
+        let none = DMatrix::zeros(joints.len(), rows.nrows());
+        let of_joints = self.gradients(self.tape.rows.iter());
+        let (kicks, share) = respond(&self.masses(), &of_joints, &rows.transpose(), &none)?;
+        Some((kicks, Joined { rows: joints, share }))
     }
 }
 

@@ -2,9 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use tumble_expr::{FastMap, Unary};
-
-use tumble_expr::Binary;
+use tumble_expr::{Binary, FastMap, Unary};
 
 use super::algebra::Algebra;
 use super::linking::Linking;
