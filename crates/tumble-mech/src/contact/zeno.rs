@@ -63,10 +63,17 @@ impl ZenoSequence<'_> {
         let (mut gap, mut rate) = (gap.map(|g| g.max(0.0)), rate.clone());
         let fastest = self.fastest(&gap, &rate).max(f64::MIN_POSITIVE);
         let mut time = 0.0;
-        for _ in 0..MOST_BOUNCES {
+        let patience = self.patience();
+        let (mut known, mut until) = (1.0, patience);
+        for bounces in 0..MOST_BOUNCES {
             let left = self.fastest(&gap, &rate) / fastest;
             if left <= ENDED {
                 return Some(time / (1.0 - left));
+            }
+            if left <= 0.5 * known {
+                (known, until) = (left, bounces as f64 + patience);
+            } else if bounces as f64 > until {
+                return None;
             }
             let free = self.with_held(&gap, &rate)?;
             let flights = DVector::from_fn(gap.len(), |i, _| match gap[i] == 0.0 && rate[i] == 0.0 {
@@ -91,6 +98,14 @@ impl ZenoSequence<'_> {
             }
         }
         None
+    }
+
+    /// Bounces after which all speeds are halved, if contacts lose speed at their hits and nowhere gain it: `ln 2/(1 - e)` hits of the fastest do
+    /// it, and between two of these each of the others bounces `ln(1/STANDS)/(1 - e)` times before it stands.
+    fn patience(&self) -> f64 {
+        let lost = 1.0 - self.restitution.iter().fold(0.0, |most: f64, e| most.max(*e));
+        let between = self.restitution.len() as f64 * libm::log(1.0 / STANDS) / lost;
+        between * (1.0 + std::f64::consts::LN_2 / lost)
     }
 
     /// The greatest speed that any of them comes down with: one that is let go has none yet.

@@ -115,3 +115,42 @@ fn a_surface_without_damping_lets_go_for_good_at_zero_force() {
         found.is((2.0 * g * height + speed * speed).sqrt(), 1e-8);
     }
 }
+
+/// Two pinned rods on a rough floor: their bounces push each other and lead to no end of a kind that arithmetic finds at once. Each
+/// attempt at that is given up, and they come to lie.
+#[test]
+fn rough_bounces_of_pinned_rods_come_to_an_end() {
+    let rod = |name: &str, length: f64, mass: u32, at: [f64; 2], velocity: [f64; 2], turn: [f64; 2]| {
+        format!(
+            "[body.{name}]\nrod = {{ from = [0, 0], to = [\"{length} m\", 0] }}\nmass = \"{mass} kg\"\npoints.end = [0, 0]\n\
+             start = {{ at = [\"{} m\", \"{} m\"], velocity = [\"{} m/s\", \"{} m/s\"], angle = \"{} deg\", omega = \"{} rad/s\" }}\n",
+            at[0], at[1], velocity[0], velocity[1], turn[0], turn[1]
+        )
+    };
+    let first = rod(
+        "a",
+        0.7304745875009395,
+        1,
+        [-0.3102692755398064, 1.3940113923041542],
+        [-1.580481774328006, 0.4763079557018781],
+        [-148.15738604050128, -1.535143803308264],
+    );
+    let second = rod(
+        "b",
+        0.40541220788254334,
+        2,
+        [-0.1567598307137557, 1.4581910605598796],
+        [-1.5662470156184125, 0.3434642829843923],
+        [-140.65436803260647, -2.1910222881750867],
+    );
+    let rest = "[pin.P]\nbetween = [\"a.end\", \"b.end\"]\nassemble = true\n\
+                [surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 0.5, friction = 0.6 }\n";
+    let case = scene(&format!("{first}{second}{rest}"))
+        .heavy()
+        .until("1.2 s")
+        .run(&["a.energy + b.energy", "b.omega"]);
+    assert_eq!(case.run.end(), Some(1.2));
+    let [energy, omega] = [0, 1].map(|index: usize| case.finds[index].value);
+    assert!((0.0..40.0).contains(&energy), "{energy}");
+    assert!(omega.abs() < 1e-9, "{omega}");
+}
