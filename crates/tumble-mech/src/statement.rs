@@ -43,8 +43,8 @@ impl Statement {
 }
 
 impl Equations {
-    /// What the laws say of the loads that act in a mode, in the symbols of [`Equations::shown_terms`]. Reactions and rigid contacts
-    /// follow from the other loads: no law says them.
+    /// What the laws say of the loads that act in a mode, in the symbols of [`Equations::shown_terms`]. Reactions follow from the
+    /// other loads: no law says them. Of rigid contacts and friction it is the direction that is said.
     pub fn shown_statements(&self, mode: &Mode) -> Vec<Statement> {
         let acting = self.acting(mode);
         let acts = |statement: &Statement| {
@@ -66,7 +66,11 @@ impl Equations {
             weight.into_iter().chain(own)
         };
         let interactions = model.interactions.iter().flat_map(|law| law.statements(&bodies));
-        let surfaces = self.pairs().iter().filter_map(compliant::statement);
+        let surfaces = self.pairs().iter().flat_map(|pair| {
+            let pushes =
+                if pair.law.is_rigid() { Some(pair.statement()) } else { compliant::statement(pair) };
+            pushes.into_iter().chain(pair.friction_statement())
+        });
         (0..model.bodies.len()).flat_map(on_body).chain(interactions).chain(surfaces).collect()
     }
 }

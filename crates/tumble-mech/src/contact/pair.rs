@@ -15,7 +15,7 @@
 //! # Checked by
 //! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`.
 
-use tumble_expr::{Dimension, Expr, Symbol, Vector, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Symbol, Vector, Written, is_identically_zero};
 
 use crate::anchor::rate;
 use crate::body::Body;
@@ -26,6 +26,7 @@ use crate::friction::Friction;
 use crate::kinematics::PointRef;
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
+use crate::statement::Statement;
 use crate::surface::{ContactLaw, Surface};
 use crate::term::{Law, Term};
 
@@ -172,6 +173,17 @@ impl Pair {
         }
     }
 
+    /// `N n`; what N is follows from other loads where the surface is rigid.
+    pub(crate) fn statement(&self) -> Statement {
+        along(&self.term(), self.force_symbol(), "n", &self.normal)
+    }
+
+    /// `f t`, where there is friction.
+    pub(crate) fn friction_statement(&self) -> Option<Statement> {
+        let rubs = || along(&self.friction_term(), self.friction_symbol(), "t", &self.tangent());
+        self.friction.is_some().then(rubs)
+    }
+
     /// The condition that it does not slip. How far it has slipped before is nothing to it: it has a rate only.
     pub(crate) fn slip_row(&self) -> Row {
         let (body, arm, force) = (self.body, self.arm(), self.tangent());
@@ -278,4 +290,10 @@ fn turned(v: &Vector) -> Vector {
 
 fn dot(a: &Vector, b: &Vector) -> Expr {
     a.x() * b.x() + a.y() * b.y()
+}
+
+/// A force along a unit vector.
+fn along(term: &Term, force: Symbol, name: &str, unit: &Vector) -> Statement {
+    let unit = Written::named(name, Written::Vector(unit.clone()));
+    Statement::of(term, Written::Product(vec![Written::Scalar(force.into()), unit]))
 }

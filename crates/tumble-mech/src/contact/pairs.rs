@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::Expr;
+use tumble_expr::{Expr, Symbol};
 use tumble_ode::Direction;
 
 use crate::body::Body;
@@ -142,6 +142,16 @@ impl Equations {
         let normal = normals.reduce(|sum, next| sum + next).unwrap_or_else(Expr::zero);
         // Friction acts against the slip that it keeps from coming.
         of_rest * normal + way.sign() * Expr::from(own.friction_symbol())
+    }
+
+    /// Friction that is tied to normal forces in a mode, by its symbol, shown like the terms.
+    pub fn shown_ties(&self, mode: &Mode) -> Vec<(Symbol, Expr)> {
+        let tied = |pair: usize| {
+            let own = &self.pairs()[pair];
+            let force = self.tie(mode, pair)? * Expr::from(own.force_symbol());
+            Some((own.friction_symbol(), self.shown(mode, &force)))
+        };
+        mode.grips.iter().filter_map(|(pair, _)| tied(*pair)).collect()
     }
 
     /// Friction of a pair that is tied to its normal force, for each unit of that.

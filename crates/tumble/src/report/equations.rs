@@ -61,7 +61,22 @@ fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion
         }
         _ => vec![Motion::of(study, names, case, mode, body)],
     };
-    (0..study.model.bodies.len()).flat_map(of_body).collect()
+    let mut motions: Vec<Motion> = (0..study.model.bodies.len()).flat_map(of_body).collect();
+    add_ties(&mut motions, names, case, mode);
+    motions
+}
+
+/// Says of friction that slides what it is, where it is first read of.
+fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
+    for (symbol, force) in case.run.equations.shown_ties(mode) {
+        let reads =
+            |motion: &&mut Motion| motion.lines.iter().any(|line| line.right.symbols().contains(&symbol));
+        let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+        let line = Line::new(left, force, symbol.clone());
+        if let Some(motion) = motions.iter_mut().find(reads) {
+            motion.lines.push(line);
+        }
+    }
 }
 
 /// What touches and what acts: `floor.rod.tip pressed, kick acts`.

@@ -1,8 +1,8 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use tumble_expr::{Expr, Graph, Symbol, Vector, Written, is_identically_zero};
+use tumble_expr::{Expr, Graph, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_math::{Left, Math as Formula, Operator};
-use tumble_mech::{Equations, Law, Mode, Statement, Term};
+use tumble_mech::{Equations, Friction, Law, Mode, Pair, Statement, Term};
 use tumble_report::report::{Block, BodyModel, ForceRow, Math, Model, Picture, Text};
 use tumble_scene::{FreeBody, Instant, Study};
 
@@ -141,17 +141,25 @@ fn row(
     ForceRow {
         name: name_of(term).into(),
         symbol: math(&signed(&symbol, is_opposite(term))),
-        law: law(names, term, stated, &symbol),
+        law: law(names, equations, term, stated, &symbol),
         point: if terms.len() > 1 { "along the body".into() } else { point(equations, term).into() },
         torque: torque(names, terms, stated, &symbol),
     }
 }
 
 /// What the law says; where it says nothing, the components.
-fn law(names: &Names, term: &Term, stated: Option<&Statement>, symbol: &str) -> Vec<Math> {
+fn law(
+    names: &Names,
+    equations: &Equations,
+    term: &Term,
+    stated: Option<&Statement>,
+    symbol: &str,
+) -> Vec<Math> {
     let said = stated.and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
-    if term.law == Law::Contact {
-        return contact(names, term, said, symbol);
+    let is_of = |pair: &&Pair| pair.name == symbols::rubbed(&term.load);
+    let touches = matches!(term.law, Law::Contact | Law::Friction);
+    if let Some(pair) = equations.pairs().iter().find(is_of).filter(|_| touches) {
+        return contact(names, pair, term, said, symbol);
     }
     let right = match (said, term.law) {
         (None, Law::Reaction) => return vec![words("holds the point in its place")],
@@ -162,19 +170,30 @@ fn law(names: &Names, term: &Term, stated: Option<&Statement>, symbol: &str) -> 
     names.stated(Formula::symbol(symbol), &right, &term.load)
 }
 
-/// What a contact pushes with along the normal; nothing says how strongly a rigid one does.
-fn contact(names: &Names, term: &Term, said: Option<&Written>, symbol: &str) -> Vec<Math> {
-    let normal = |force: &Symbol| term.force.map(|component| component.derivative(force));
-    let force = term.force.components().iter().flat_map(Expr::symbols).next();
-    let pushes = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol("n")]);
-    match (said, force) {
-        (Some(said), _) => names.stated(pushes, said, &term.load),
-        (None, Some(force)) => {
-            let normal = names.stated(Formula::symbol("n"), &Written::Vector(normal(&force)), &term.load);
-            std::iter::once(math(&pushes)).chain(normal).collect()
-        }
-        (None, None) => vec![math(&pushes)],
+/// What a contact pushes with along the normal, or rubs with along the surface; nothing says how strongly a rigid one pushes.
+fn contact(names: &Names, pair: &Pair, term: &Term, said: Option<&Written>, symbol: &str) -> Vec<Math> {
+    let letter = if term.law == Law::Friction { "t" } else { "n" };
+    let acts = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol(letter)]);
+    let Some(said) = said else { return vec![math(&acts)] };
+    let mut lines = names.stated(acts.clone(), said, &term.load);
+    if pair.law.is_rigid() {
+        // It says that it is along a direction, and no more.
+        lines[0] = math(&acts);
     }
+    let friction = pair.friction.as_ref().filter(|_| term.law == Law::Friction);
+    lines.extend(friction.into_iter().flat_map(|friction| coulomb(names, pair, friction, symbol)));
+    lines
+}
+
+/// Friction while it slips with the rate s, and its bound while it does not.
+fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec<Math> {
+    let slip = Symbol::new("s", tumble_expr::Dimension::SPEED);
+    let way = Expr::unary(Unary::Sign, slip.into());
+    let normal: Expr = pair.force_symbol().into();
+    let slips = names.equation(symbol, &-(&friction.kinetic * &normal * way));
+    let own = Formula::Bars(Box::new(Formula::symbol(symbol)));
+    let holds = names.relation(own, Operator::LessEqual, &(&friction.of_rest * &normal));
+    vec![slips, words("while it slips with s"), holds, words("while it does not")]
 }
 
 /// Whether it is the opposite of what a joint's symbol says: on the other of its bodies.

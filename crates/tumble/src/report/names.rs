@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_expr::{Dimension, Expr, Symbol, Written};
-use tumble_math::{Left, Notation, Shown, latex, mathml_in_pieces, text};
+use tumble_math::{Left, Notation, Operator, Shown, latex, mathml_in_pieces, text};
 use tumble_mech::{Gravity, Law};
 use tumble_report::report::{Block, Definition, Math, Text};
 use tumble_report::{Label, numeral};
@@ -117,6 +117,18 @@ impl Names {
         let left = Left::symbol(tumble_math::Math::symbol(left));
         match self.plain.clone().without_automatic_names().equation(left, right) {
             Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
+            Err(error) => words(&error.to_string()),
+        }
+    }
+
+    /// A relation of something to a formula, on one line as it was written.
+    pub(crate) fn relation(&self, left: tumble_math::Math, operator: Operator, right: &Expr) -> Math {
+        match self.plain.clone().without_automatic_names().formula(right) {
+            Ok(shown) => {
+                let right = shown.lines.into_iter().map(|line| line.right);
+                let parts = [left, tumble_math::Math::Operator(operator)].into_iter().chain(right.take(1));
+                math(&tumble_math::Math::Row(parts.collect()))
+            }
             Err(error) => words(&error.to_string()),
         }
     }

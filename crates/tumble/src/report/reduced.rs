@@ -92,10 +92,7 @@ fn directions(study: &Study, case: &Case, mode: &Mode, body: usize) -> Vec<Direc
 fn applied(equations: &Equations, mode: &Mode, body: usize) -> Vec<Term> {
     let is_held = |term: &Term| match term.law {
         Law::Reaction => true,
-        Law::Contact => equations
-            .pairs()
-            .iter()
-            .any(|pair| pair.name == term.load && matches!(pair.law, tumble_mech::ContactLaw::Rigid { .. })),
+        Law::Contact => equations.pairs().iter().any(|pair| pair.name == term.load && pair.law.is_rigid()),
         _ => false,
     };
     let terms = equations.shown_terms(mode).into_iter();
