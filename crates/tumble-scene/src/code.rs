@@ -131,6 +131,8 @@ tumble_expr::codes! {
     NoRest = "W0606";
     /// A pose of equilibrium that was asked for and not found.
     NoEquilibrium = "W0607";
+    /// A joint or an impulse that waits for an event which does not happen.
+    NeverComes = "W0608";
 }
 
 #[cfg(test)]

@@ -143,6 +143,16 @@ impl Study {
         self.said.one(warning.help(help).warning())
     }
 
+    /// That an event which a joint or an impulse waits for does not happen in a motion; `what` is which, and `stays` what becomes of it.
+    pub fn never_comes(&self, what: &str, stays: &str, event: &str) -> Diagnostics {
+        let message = format!("{what} {stays}: `{event}` does not happen in this motion");
+        let warning = self.said.places.about(Code::NeverComes, what, message).label("waits for an event");
+        let help = format!(
+            "look at `when` of `[event.{event}]`, at the way in which it passes, and at how long the run is"
+        );
+        self.said.one(warning.help(help).warning())
+    }
+
     /// Why there is no pose of equilibrium to tell of.
     pub fn no_equilibrium(&self, reason: &str) -> Diagnostics {
         let warning =

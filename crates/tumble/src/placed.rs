@@ -76,6 +76,9 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
             });
         }
     }
+    if case.refusal.is_none() {
+        never_comes(study, case, &mut said);
+    }
     empty_windows(study, case, &mut said)?;
     name_run(&mut said, &case.label);
     Ok(said)
@@ -84,6 +87,25 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, PipelineEr
 pub(crate) fn name_run(said: &mut Diagnostics, label: &str) {
     for diagnostic in said.list.iter_mut().filter(|_| !label.is_empty()) {
         diagnostic.message = format!("in the run `{label}`: {}", diagnostic.message);
+    }
+}
+
+/// Joints and impulses that wait for events which do not happen.
+fn never_comes(study: &Study, case: &Case, said: &mut Diagnostics) {
+    let has = |wanted: &Happening| case.run.events().any(|event| event.record.happened.contains(wanted));
+    let mut tell = |what: String, stays: &str, event: &Option<String>, wanted: Happening| {
+        if let Some(event) = event.as_ref().filter(|_| !has(&wanted)) {
+            said.extend(study.never_comes(&what, stays, event));
+        }
+    };
+    for (index, joint) in study.model.joints.iter().enumerate() {
+        let what = || format!("joint `{}`", joint.name);
+        tell(what(), "never begins to hold", &joint.from, Happening::Joint { joint: index, holds: true });
+        tell(what(), "is never released", &joint.until, Happening::Joint { joint: index, holds: false });
+    }
+    for (index, impulse) in study.model.impulses.iter().enumerate() {
+        let what = format!("impulse `{}`", impulse.name);
+        tell(what, "never acts", &Some(impulse.when.clone()), Happening::Impulse(index));
     }
 }
 

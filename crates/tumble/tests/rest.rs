@@ -1,4 +1,4 @@
-//! Runs that end at rest, and the instant at which a body comes to it.
+//! Runs that end at rest, and the instant at which a body comes to it; what waits for an event that does not come.
 
 use tumble::pipeline::run_text;
 
@@ -57,4 +57,38 @@ fn what_does_not_rest_in_time_is_told() {
     assert!(dull.holds && !last.is_reached() && !lively.is_reached());
     let said: Vec<&str> = cases[0].said.list.iter().map(|said| said.code.as_str()).collect();
     assert_eq!(said, ["W0606"]);
+}
+
+const HOOK: &str = r#"
+    version = 1
+    world.gravity = "9.8 m/s^2"
+    run.until = "1 s"
+
+    [body.stone]
+    point = {}
+    mass = "1 kg"
+    start = { at = ["1 m", 0] }
+
+    [pin.hook]
+    between = ["stone.cm", { world = ["1 m", 0] }]
+    until = "top"
+
+    [event.top]
+    when = "t rises through WHEN"
+
+    [impulse.kick]
+    on = "stone"
+    at = "stone.cm"
+    impulse = ["1 N*s", 0]
+    when = "top"
+"#;
+
+/// A release and an impulse that never come, and the same that do.
+#[test]
+fn what_waits_for_an_event_that_does_not_happen_is_told() {
+    for (when, told) in [("2 s", &["W0608", "W0608"][..]), ("0.5 s", &[])] {
+        let cases = run_text("hook", &HOOK.replace("WHEN", when)).expect("a scene without mistakes");
+        let said: Vec<&str> = cases[0].said.list.iter().map(|said| said.code.as_str()).collect();
+        assert_eq!(said, told, "{when}");
+    }
 }

@@ -66,6 +66,7 @@ fn impulse(draft: &mut Draft, field: &Field, table: &mut Table) {
     let when = draft.required(table, "when", "\"hit\"").and_then(|field| event(draft, &field));
     let (Some(body), Some(application), Some(when)) = (on, application, when) else { return };
     draft.names.happenings.insert(name.clone());
+    draft.remember(format!("impulse `{name}`"), &field.key_span);
     draft.model.impulses.push(AppliedImpulse { name, body, when, application });
 }
 
