@@ -5,7 +5,8 @@
 // A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
 // machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
 // A page with a motion must play it, one with curves must answer a pointer, and none may be wider than a narrow window
-// or fail to print, or cut a figure in print.
+// or fail to print, or cut a figure in print. In a narrow window no text may be too small to read and no equation wider
+// than its box; light and dark, text must stand out from what is behind it.
 // Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
 
 import { mkdtemp, rm } from "node:fs/promises";
@@ -24,6 +25,12 @@ const FLAGS = [
   "--disable-sync",
 ];
 const NARROW = 400;
+// Size of the smallest text that is read without effort, in pixels; indices are smaller, and so are scripts of formulas.
+const LEAST_TEXT = 11;
+// Contrast of text with what is behind it, as WCAG 2 counts it for level AA.
+const LEAST_CONTRAST = 4.5;
+// Faults of one kind that are listed for a page.
+const LISTED = 4;
 // What the margins of a report leave of A4, in pixels of 1/96 inch: 180 mm by 263 mm.
 const PAPER = { width: 680, height: 994 };
 const LOCAL = /^(file|data|blob|about):/;
@@ -48,7 +55,8 @@ async function open(browser, path, screenshot) {
   await page.goto(pathToFileURL(path).href, { waitUntil: "load", timeout: 60_000 });
   await page.waitForTimeout(300);
   await page.screenshot({ path: screenshot, fullPage: true });
-  faults.push(...(await played(page)), ...(await pointed(page)), ...(await narrowed(page)), ...(await printed(page)));
+  faults.push(...(await played(page)), ...(await pointed(page)), ...(await narrowed(page)), ...(await contrasted(page)));
+  faults.push(...(await printed(page)));
   await page.close();
   return faults;
 }
@@ -84,8 +92,85 @@ async function narrowed(page) {
   await page.setViewportSize({ width: NARROW, height: 800 });
   await page.waitForTimeout(200);
   const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  const faults = await page.evaluate(illegible, LEAST_TEXT);
   await page.setViewportSize(size);
-  return width <= NARROW ? [] : [`in a window of ${NARROW} pixels the page is ${width} wide`];
+  if (width > NARROW) faults.push(`in a window of ${NARROW} pixels the page is ${width} wide`);
+  return first(faults);
+}
+
+// The first of many faults, and how many there are.
+function first(faults) {
+  const more = faults.length - LISTED;
+  return more > 0 ? [...faults.slice(0, LISTED), `and ${more} more of that kind`] : faults;
+}
+
+// Runs in the page: text that is too small, and equations that are cut off or have to be scrolled.
+function illegible(least) {
+  const faults = [];
+  const named = (node) => `"${node.textContent.trim().slice(0, 40)}"`;
+  const isSeen = (node) => node.checkVisibility({ checkVisibilityCSS: true }) && node.getClientRects().length > 0;
+  const hasText = (node) => [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim() !== "");
+  for (const node of document.querySelectorAll("body *")) {
+    if (!isSeen(node) || node.closest("sub, sup, math, tspan, .heard, script")) continue;
+    const isDrawn = node.namespaceURI.endsWith("svg");
+    if (isDrawn ? node.localName !== "text" : !hasText(node)) continue;
+    const turned = isDrawn ? node.getScreenCTM() : { a: 1, b: 0 };
+    const scale = Math.hypot(turned.a, turned.b);
+    const size = parseFloat(getComputedStyle(node).fontSize) * scale;
+    if (size < least - 0.05) faults.push(`text of ${size.toFixed(1)} pixels: ${named(node)}`);
+  }
+  for (const box of document.querySelectorAll(".line, td, th, p, li, dd")) {
+    if (!isSeen(box) || box.querySelector("math") === null) continue;
+    const right = box.getBoundingClientRect().right + 1;
+    const wide = [...box.querySelectorAll("math")].find((math) => math.getBoundingClientRect().right > right);
+    if (wide || box.scrollWidth > box.clientWidth + 1) faults.push(`an equation is wider than its box: ${named(wide ?? box)}`);
+  }
+  return faults;
+}
+
+// Text stands out from its background, light and dark.
+async function contrasted(page) {
+  const faults = [];
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    faults.push(...first((await page.evaluate(faint, LEAST_CONTRAST)).map((fault) => `${colorScheme}: ${fault}`)));
+  }
+  await page.emulateMedia({ colorScheme: null });
+  return faults;
+}
+
+// Runs in the page. Drawings are turned about as a whole in the dark: they are looked at in the light.
+function faint(least) {
+  const canvas = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const rgba = (colour) => {
+    canvas.clearRect(0, 0, 1, 1);
+    canvas.fillStyle = colour;
+    canvas.fillRect(0, 0, 1, 1);
+    return [...canvas.getImageData(0, 0, 1, 1).data];
+  };
+  const light = (colour) => {
+    const part = (v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * part(colour[0]) + 0.7152 * part(colour[1]) + 0.0722 * part(colour[2]);
+  };
+  const behind = (node) => {
+    if (node === null) return rgba("#fff");
+    const own = node.namespaceURI.endsWith("svg") && node.localName === "svg" && node.closest(".sheet") ? "#fff" : getComputedStyle(node).backgroundColor;
+    const colour = rgba(own);
+    return colour[3] === 255 ? colour : behind(node.parentElement);
+  };
+  const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const faults = new Set();
+  for (const node of document.querySelectorAll("body *")) {
+    const isDrawn = node.namespaceURI.endsWith("svg");
+    const hasText = [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim() !== "");
+    if (!hasText || !node.checkVisibility({ checkVisibilityCSS: true }) || node.closest("script, style, [aria-pressed=false], title, desc")) continue;
+    if (isDark && node.closest(".sheet")) continue;
+    const style = getComputedStyle(node);
+    const [a, b] = [light(rgba(isDrawn ? style.fill : style.color)), light(behind(node))];
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (contrast < least) faults.add(`contrast of ${contrast.toFixed(2)}: "${node.textContent.trim().slice(0, 40)}"`);
+  }
+  return [...faults];
 }
 
 // On paper no figure is cut: each is kept together and fits on a page. Chromium then moves it to the next one.

@@ -40,6 +40,11 @@ const FIGURES: &[(&str, &str)] = &[
     ("19-bowling-ball/speeds.svg", "bowling-ball.svg"),
     ("20-rolling-down/disk.svg", "rolling-down.svg"),
     ("21-rough-floor/bounces.svg", "rough-floor.svg"),
+    ("22-newtons-cradle/angles.svg", "newtons-cradle.svg"),
+    ("23-three-balls-at-once/places.svg", "three-balls.svg"),
+    ("24-glancing-disks/path.svg", "glancing-disks.svg"),
+    ("25-pool-break/corners.svg", "pool-break.svg"),
+    ("26-ball-in-a-bowl/ball.svg", "ball-in-a-bowl.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.

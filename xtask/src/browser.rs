@@ -14,7 +14,8 @@ use crate::debian;
 use crate::workspace::{Workspace, copy, read};
 
 /// Copied next to the installed packages, so that the script finds them and the repository stays clean.
-const SCRIPT_FILES: [&str; 4] = ["check.mjs", "package.json", "package-lock.json", ".npmrc"];
+const SCRIPT_FILES: [&str; 6] =
+    ["check.mjs", "engine.mjs", "play.mjs", "package.json", "package-lock.json", ".npmrc"];
 
 /// The status of `check.mjs` for pages with faults; any other failure is the tool's own.
 const FAULTY: i32 = 1;
@@ -32,24 +33,35 @@ pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-struct Checker {
+/// Chromium, and the scripts with what they need.
+pub(crate) struct Checker {
     folder: PathBuf,
     chromium: PathBuf,
     screenshots: PathBuf,
 }
 
 impl Checker {
-    fn prepare(workspace: &Workspace) -> Result<Self> {
+    /// Installs what is missing.
+    pub(crate) fn prepare(workspace: &Workspace) -> Result<Self> {
         let chromium = debian::chosen("CHROMIUM", "chromium", "chromium", workspace)?;
         let folder = install_script(workspace)?;
         let screenshots = workspace.empty_scratch("screenshots")?;
         Ok(Self { folder, chromium, screenshots })
     }
 
+    /// A script, to be run.
+    pub(crate) fn node(&self, script: &str) -> Process {
+        Process::new("node", &self.folder).arg(script)
+    }
+
+    pub(crate) fn chromium(&self) -> &Path {
+        &self.chromium
+    }
+
     /// The exit status for these pages; 0 says they are good.
     fn check(&self, pages: &[PathBuf]) -> Result<Option<i32>> {
-        let node = Process::new("node", &self.folder).arg("check.mjs");
-        let status = node.arg(&self.chromium).arg(&self.screenshots).args(pages).status()?;
+        let status =
+            self.node("check.mjs").arg(&self.chromium).arg(&self.screenshots).args(pages).status()?;
         Ok(status.code())
     }
 

@@ -6,8 +6,11 @@ mod bless;
 mod browser;
 mod command;
 mod debian;
+mod lab;
 mod plan;
+mod play;
 mod references;
+mod release;
 mod steps;
 mod tidy;
 mod workspace;
@@ -41,6 +44,10 @@ enum Task {
     },
     /// The invariants of ARCHITECTURE.md and the house rules that a program can check.
     Tidy,
+    /// The program, linked with nothing of the system, in an archive with its licences.
+    Release,
+    /// Build the engine of pages that play, as it stands in the repository.
+    Lab,
     /// Regenerate snapshots, figures and references; review the difference before committing it.
     Bless {
         /// What to regenerate; everything when nothing is named.
@@ -66,6 +73,8 @@ fn run(task: Task, workspace: &Workspace) -> ExitCode {
         Task::Test { all: true, .. } => plan::test_all(),
         Task::Test { all: false, .. } => plan::test(),
         Task::Tidy => plan::tidy(),
+        Task::Release => plan::release(),
+        Task::Lab => lab::steps(),
         Task::Bless { parts } => bless::steps(&parts),
     };
     steps::run_all(&steps, workspace)

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use crate::steps::Step;
 use crate::workspace::Workspace;
-use crate::{browser, references, tidy};
+use crate::{browser, play, references, release, tidy};
 
 const FORMATTING: Step = Step { name: "formatting", run: formatting };
 const LINTS: Step = Step { name: "lints", run: lints };
@@ -12,6 +12,9 @@ const TESTS: Step = Step { name: "tests", run: tests };
 const DOCUMENTATION: Step = Step { name: "documentation", run: documentation };
 const TIDY: Step = Step { name: "tidy", run: tidy::run };
 const REFERENCES: Step = Step { name: "references", run: references::compare };
+const PACKAGES: Step = Step { name: "packages", run: release::packages };
+const RELEASE: Step = Step { name: "release", run: release::program };
+const PLAY: Step = Step { name: "play", run: play::run };
 const BROWSER: Step = Step { name: "browser", run: browser::run };
 
 /// The quick look before a commit.
@@ -24,10 +27,10 @@ pub(crate) fn test() -> Vec<Step> {
     vec![FORMATTING, LINTS, TESTS, DOCUMENTATION, TIDY]
 }
 
-/// [`test()`] and what needs Python, Node and Chromium.
+/// [`test()`] and what needs Python, Node and Chromium, or takes long.
 pub(crate) fn test_all() -> Vec<Step> {
     let mut steps = test();
-    steps.extend([REFERENCES, BROWSER]);
+    steps.extend([PACKAGES, REFERENCES, BROWSER, PLAY]);
     steps
 }
 
@@ -39,6 +42,11 @@ pub(crate) fn step_names() -> Vec<&'static str> {
 /// The steps that are named.
 pub(crate) fn only(names: &[String]) -> Vec<Step> {
     test_all().into_iter().filter(|step| names.iter().any(|name| name == step.name)).collect()
+}
+
+/// The program for others.
+pub(crate) fn release() -> Vec<Step> {
+    vec![RELEASE]
 }
 
 /// The house rules alone.

@@ -4,12 +4,14 @@
 //! new entry of [`RULES`].
 
 mod crates;
+mod engine;
 mod kernel;
 mod laws;
 mod length;
 mod links;
 mod scenes;
 mod source;
+mod surroundings;
 mod tree;
 mod unsafe_code;
 mod workshop;
@@ -17,14 +19,16 @@ mod workshop;
 use anyhow::{Result, bail};
 
 use crate::workspace::Workspace;
-use tree::Tree;
+pub(crate) use tree::{File, Tree};
 
 type Rule = fn(&Tree) -> Vec<Finding>;
 
 const RULES: &[(&str, Rule)] = &[
     ("crate dependencies", crates::check),
     ("unchecked code", unsafe_code::check),
+    ("files, threads and times", surroundings::check),
     ("elementary functions", kernel::check),
+    ("engine of pages", engine::check),
     ("length of files", length::check),
     ("headers of laws", laws::check),
     ("scene folders", scenes::check),

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use tumble_expr::{Expr, Substitution, Symbol, is_renamed};
 
+use crate::contact::Rule;
 use crate::equations::Equations;
 use crate::kinematics::Kinematics;
 use crate::mode::Mode;
@@ -90,15 +91,22 @@ impl Classes {
     }
 }
 
+/// Whether a body meets others.
+fn meets(equations: &Equations, body: usize) -> bool {
+    let pairs = equations.pair_list().of_body(body);
+    pairs.into_iter().any(|pair| equations.pairs()[pair].other.is_some())
+}
+
 impl Signature {
-    /// `None` where a group has what is counted among all: joints, events, loads that do not always act.
+    /// `None` where a group has what is counted among all: joints, events, loads that do not always act; and where its bodies meet each other.
     fn of(equations: &Equations, group: usize) -> Option<Self> {
         let components = equations.components();
         let bodies = &components.groups()[group];
         let has = |body: &usize| bodies.binary_search(body).is_ok();
         let is_counted = equations.joints().iter().any(|joint| joint.bodies.iter().any(has))
             || equations.windows().iter().any(|window| has(&window.body))
-            || components.has_events(group);
+            || components.has_events(group)
+            || bodies.iter().any(|body| meets(equations, *body));
         if is_counted {
             return None;
         }
@@ -131,7 +139,9 @@ impl Signature {
         for index in equations.pair_list().of_body(body) {
             let pair = &equations.pairs()[index];
             self.pairs.push(index);
-            self.shape.extend([place, pair.surface]);
+            // Groups of bodies that meet have no twins.
+            let Rule::Surface(surface) = pair.rule else { continue };
+            self.shape.extend([place, surface]);
             self.symbols.extend([pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()]);
             self.shape.push(usize::from(pair.friction.is_some()));
             self.formulas.extend([pair.gap(), pair.radius.clone()]);

@@ -5,7 +5,7 @@
 //! reads several of them, or acts on them. No term, row, guard or jump of one component reads a state of another: each is a motion of
 //! its own, with its own modes, steps, scales and errors. What all bodies meet alike, a floor or the wind, couples none of them.
 //!
-//! A parameter that an event sets is read by all: its event has a part in the motion of all. Hertzian contacts share one time
+//! A parameter that an event sets is read by all: its event has a part in the motion of all. Bodies that meet each other are one group. Hertzian contacts share one time
 //! transformation: where there are any, all bodies are one group. So are those of a component whose joints close a loop, which is looked at
 //! as a whole where it is singular.
 

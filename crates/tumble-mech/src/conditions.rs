@@ -8,6 +8,7 @@ use tumble_expr::{Expr, Vector, is_identically_zero};
 use tumble_ode::Reason;
 
 use crate::body::Body;
+use crate::contact::BodyContact;
 use crate::coordinates::{Coordinates, Pivot};
 use crate::equations::Equations;
 use crate::error::ModelError;
@@ -282,7 +283,8 @@ fn conditions(model: &Model) -> Vec<Condition> {
         let what = format!("start of `{body}`");
         start.angle.iter().map(move |angle| own(body, what.clone(), angle.clone(), Must::BeAnAngle))
     });
-    bodies.chain(interactions).chain(surfaces).chain(starts).collect()
+    let contacts = model.contacts.iter().flat_map(of_contact);
+    bodies.chain(interactions).chain(surfaces).chain(of_bowls(model)).chain(contacts).chain(starts).collect()
 }
 
 fn own(owner: &str, what: String, formula: Expr, must: Must) -> Condition {
@@ -342,11 +344,41 @@ fn of_surface(surface: &Surface) -> Vec<Condition> {
         "stiffness" => of(key, formula, Must::BePositive("N/m")),
         _ => of(key, formula, Must::NotBeNegative("kg/s")),
     });
-    let friction = surface.friction.iter().flat_map(Friction::coefficients);
-    let friction = friction.map(|(key, formula)| of(key, formula, Must::NotBeNegative("")));
-    let left = surface.friction.iter().map(|friction| &friction.of_rest - &friction.kinetic);
-    let left = left.map(|left| of("static friction", &left, Must::HoldAsMuch));
-    let left = left.map(|condition| Condition { follows: true, ..condition });
     let normal = of("normal", &surface.normal.norm(), Must::Point);
-    law.chain([normal]).chain(friction).chain(left).collect()
+    let radius = surface.circle.iter().map(|circle| of("radius", &circle.radius, Must::BePositive("m")));
+    law.chain([normal]).chain(radius).chain(of_friction(name, surface.friction.as_ref())).collect()
+}
+
+fn of_contact(contact: &BodyContact) -> Vec<Condition> {
+    let name = contact.name.as_str();
+    let restitution = contact.restitution.iter().map(|restitution| {
+        own(name, format!("restitution of `{name}`"), restitution.clone(), Must::LieWithinOne)
+    });
+    restitution.chain(of_friction(name, contact.friction.as_ref())).collect()
+}
+
+fn of_friction(name: &str, friction: Option<&Friction>) -> Vec<Condition> {
+    let of = |key: &str, formula: Expr, must| own(name, format!("{key} of `{name}`"), formula, must);
+    let coefficients = friction.into_iter().flat_map(Friction::coefficients);
+    let coefficients = coefficients.map(|(key, formula)| of(key, formula.clone(), Must::NotBeNegative("")));
+    let left = friction.map(|friction| &friction.of_rest - &friction.kinetic);
+    let left = left.map(|left| of("static friction", left, Must::HoldAsMuch));
+    let left = left.map(|condition| Condition { follows: true, ..condition });
+    coefficients.chain(left).collect()
+}
+
+/// What a bowl has more of than what moves in it.
+fn of_bowls(model: &Model) -> Vec<Condition> {
+    let bowls = model.surfaces.iter().filter_map(|surface| Some((surface, surface.circle.as_ref()?)));
+    let mut all = vec![];
+    for (surface, circle) in bowls.filter(|(_, circle)| circle.inside) {
+        for body in &model.bodies {
+            let met = body.features().into_iter().filter(|feature| surface.meets_at(body, feature));
+            all.extend(met.map(|feature| {
+                let what = format!("radius of `{}` less that of `{}`", surface.name, body.name);
+                own(&surface.name, what, &circle.radius - &feature.radius, Must::BePositive("m"))
+            }));
+        }
+    }
+    all
 }

@@ -87,12 +87,12 @@ impl Equations {
             bodies: bodies.to_vec(),
             windows: windows.map(|(window, acts)| *acts && has(&window.body)).collect(),
             changes: mode.changes.clone(),
-            grips: some_pairs(&mode.grips, |pair| has(&self.pairs()[pair].body)),
+            grips: some_pairs(&mode.grips, |pair| self.pairs()[pair].bodies().all(|body| has(&body))),
             still: some_of(&mode.still, has),
             contacts: mode
                 .contacts
                 .iter()
-                .filter(|(pair, _)| has(&self.pairs()[*pair].body))
+                .filter(|(pair, _)| self.pairs()[*pair].bodies().all(|body| has(&body)))
                 .copied()
                 .collect(),
             switched: some_of(&mode.switched, |joint| joints[*joint].bodies.iter().any(has)),
@@ -153,7 +153,7 @@ impl Equations {
     /// Bodies that a row is about.
     pub(crate) fn bodies_of(&self, row: RowOf) -> Vec<usize> {
         match row {
-            RowOf::Pair(pair) | RowOf::Slip(pair) => vec![self.pairs()[pair].body],
+            RowOf::Pair(pair) | RowOf::Slip(pair) => self.pairs()[pair].bodies().collect(),
             RowOf::Joint(joint, row) => {
                 self.joints()[joint].rows[row].wrenches.iter().map(|wrench| wrench.body).collect()
             }
@@ -172,7 +172,7 @@ impl Equations {
         joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
     }
 
-    /// By body, those that joints keep it together with in a mode.
+    /// By body, those that joints and lasting contacts keep it together with in a mode.
     fn neighbours(&self, mode: &Mode) -> Vec<Vec<usize>> {
         let mut neighbours = vec![vec![]; self.model().bodies.len()];
         for (index, joint) in self.joints().iter().enumerate() {
@@ -181,17 +181,28 @@ impl Equations {
                 neighbours[*b].push(*a);
             }
         }
+        for (pair, contact_mode) in &mode.contacts {
+            if contact_mode.is_lasting() {
+                self.pairs()[*pair].couple(&mut neighbours);
+            }
+        }
         neighbours
     }
 
-    /// Bodies that joints keep together with a body in a mode, itself included, in order.
+    /// Bodies that joints and lasting contacts keep together with a body in a mode, itself included, in order.
     pub(crate) fn island_of(&self, mode: &Mode, body: usize) -> Vec<usize> {
         self.islands(mode, &[body]).concat()
     }
 
     /// All islands of some bodies, each once.
     pub(crate) fn islands(&self, mode: &Mode, bodies: &[usize]) -> Vec<Vec<usize>> {
-        let neighbours = self.neighbours(mode);
+        self.islands_with(mode, bodies, &[])
+    }
+
+    /// The same where some pairs couple their bodies besides.
+    pub(crate) fn islands_with(&self, mode: &Mode, bodies: &[usize], pairs: &[usize]) -> Vec<Vec<usize>> {
+        let mut neighbours = self.neighbours(mode);
+        pairs.iter().for_each(|pair| self.pairs()[*pair].couple(&mut neighbours));
         let mut is_placed = vec![false; neighbours.len()];
         let mut found = vec![];
         for &body in bodies {

@@ -313,9 +313,13 @@ impl Equations {
         let acts = |term: &Term| mode.has(term.body) && term.window.is_none_or(|window| mode.windows[window]);
         let loads = self.parts.terms.iter().zip(0..).filter(move |(term, _)| acts(term));
         let loads = loads.map(|(_, load)| (TermOf::Load(load), false));
-        let pressed = mode.pressed().map(|pair| (TermOf::Pair(pair), false));
-        let held = mode.held().map(|pair| (TermOf::Pair(pair), true));
-        let rubbing = mode.rubbing().map(|pair| (TermOf::Friction(pair), true));
+        let sides = |pair: usize| 0..self.pairs()[pair].bodies().count();
+        let across =
+            move |pair: usize, keeps: bool| sides(pair).map(move |side| (TermOf::Pair(pair, side), keeps));
+        let along = move |pair: usize| sides(pair).map(move |side| (TermOf::Friction(pair, side), true));
+        let pressed = mode.pressed().flat_map(move |pair| across(pair, false));
+        let held = mode.held().flat_map(move |pair| across(pair, true));
+        let rubbing = mode.rubbing().flat_map(along);
         let joints = self.parts.joints.iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint));
         let of_joint = |(joint, known): (usize, &JointEquations)| {
             (0..known.terms.len()).map(move |term| (TermOf::Joint(joint, term), true)).collect::<Vec<_>>()

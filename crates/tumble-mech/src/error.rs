@@ -238,6 +238,26 @@ pub enum ModelError {
         /// How deep it is, m.
         depth: f64,
     },
+    /// Two bodies that meet each other and start inside each other.
+    #[error("`{first}` and `{second}` start {depth} m inside each other, and `{contact}` lets them meet")]
+    InEachOther {
+        /// One of them.
+        first: String,
+        /// The other.
+        second: String,
+        /// Name of the contact.
+        contact: String,
+        /// How deep they are in each other, m.
+        depth: f64,
+    },
+    /// A contact of bodies that cannot be.
+    #[error("`{contact}` {problem}")]
+    Contact {
+        /// Its name.
+        contact: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// A body without start, or a start that does not fit the body.
     #[error("start of `{body}`: {problem}")]
     Start {

@@ -43,9 +43,9 @@ pub struct Impulse {
 /// What exerts an impulse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// A surface along its normal, by the index of the pair.
+    /// A surface, or another body, along the normal, by the index of the pair.
     Pair(usize),
-    /// Friction of a surface, by the index of the pair.
+    /// Friction there, by the index of the pair.
     Friction(usize),
     /// A pivot, by its index in the model.
     Pivot(usize),
@@ -99,7 +99,7 @@ impl Equations {
     pub fn source_name(&self, source: Source) -> &str {
         match source {
             Source::Pair(pair) => &self.pairs()[pair].name,
-            Source::Friction(pair) => &self.pair_list().frictions[&pair].load,
+            Source::Friction(pair) => &self.pair_list().frictions[&pair][0].load,
             Source::Pivot(pivot) => &self.model().pivots[pivot].name,
             Source::Joint(joint) => &self.model().joints[joint].name,
             Source::Applied(impulse) => &self.model().impulses[impulse].name,
@@ -119,15 +119,20 @@ impl Equations {
         for (source, index, impulse) in across.chain(along) {
             let pair = &self.pairs()[index];
             let direction = if source == Source::Pair(index) { pair.normal.clone() } else { pair.tangent() };
-            let formulas = [pair.arm().components(), direction.components()].concat();
+            let arms = pair.bodies().flat_map(|body| pair.arm_of(body).components().to_vec());
+            let formulas: Vec<Expr> = direction.components().iter().cloned().chain(arms).collect();
             let values = self.values(&formulas, at.mode, at.time, at.states, at.inputs)?;
-            impulses.push(Impulse {
-                source,
-                body: pair.body,
-                arm: [values[0], values[1]],
-                impulse: [impulse * values[2], impulse * values[3]],
-                couple: 0.0,
-            });
+            let (direction, arms) = values.split_at(2);
+            for ((body, sign), arm) in pair.sides().zip(arms.chunks_exact(2)) {
+                let size = f64::from(sign) * impulse;
+                impulses.push(Impulse {
+                    source,
+                    body,
+                    arm: [arm[0], arm[1]],
+                    impulse: [size * direction[0], size * direction[1]],
+                    couple: 0.0,
+                });
+            }
         }
         impulses.extend(self.joint_impulses(&sizes.rows, at, jump)?);
         impulses.extend(sizes.applied);

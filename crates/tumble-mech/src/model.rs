@@ -6,7 +6,7 @@ use tumble_expr::{Expr, Vector};
 
 use crate::air::Wind;
 use crate::body::Body;
-use crate::contact::{Pair, Pairs};
+use crate::contact::{BodyContact, Pair, Pairs};
 use crate::coordinates::Pivot;
 use crate::event::Event;
 use crate::impulse::AppliedImpulse;
@@ -65,7 +65,9 @@ pub struct Model {
     pub interactions: Vec<Arc<dyn Interaction>>,
     /// What bodies meet.
     pub surfaces: Vec<Surface>,
-    /// How impacts of one body at several contacts at one instant are taken.
+    /// Which bodies meet each other.
+    pub contacts: Vec<BodyContact>,
+    /// How impacts at several contacts at one instant are taken.
     pub multiple_impacts: MultipleImpacts,
     /// The air.
     pub wind: Wind,
@@ -98,6 +100,7 @@ impl Model {
             impulses: vec![],
             interactions: vec![],
             surfaces: vec![],
+            contacts: vec![],
             multiple_impacts: MultipleImpacts::default(),
             wind: Wind::still(),
             nodes: DEFAULT_NODES,
@@ -150,7 +153,12 @@ impl Model {
         self.surfaces.push(surface);
     }
 
-    /// Everything that may touch: each point of a body and each surface that it meets.
+    /// Bodies that meet each other.
+    pub fn contact(&mut self, contact: BodyContact) {
+        self.contacts.push(contact);
+    }
+
+    /// Everything that may touch: each point of a body and each surface that it meets, then points of bodies that meet.
     pub fn pairs(&self) -> Vec<Pair> {
         Pairs::of(self).all
     }

@@ -1,8 +1,8 @@
-//! Bodies whose drawings share a piece of the plane: they would have to meet, and bodies do not meet each other yet.
+//! Bodies whose drawings share a piece of the plane: they would have to meet, and nothing says that they do.
 //!
 //! The tests are on the safe side: what only touches does not overlap, nor do two points, and holes hide what is in them.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use tumble_ode::Start as NumericStart;
@@ -48,13 +48,17 @@ struct Placed {
 }
 
 impl Equations {
-    /// That bodies which no joints connect overlap at the start: one pair, and how many there are.
+    /// That bodies which no joints connect and no contact lets meet overlap at the start: one pair, and how many there are.
     pub(crate) fn overlap(&self, start: &NumericStart<Mode>) -> Result<Option<ModelWarning>, ModelError> {
         let mut placed = self.placed(start)?;
         placed.sort_by(|a, b| a.left.total_cmp(&b.left));
+        let met = self.pairs().iter().filter_map(|pair| Some([pair.body, pair.other?]));
+        let met: HashSet<[usize; 2]> = met.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        let meets = |a: usize, b: usize| met.contains(&[a.min(b), a.max(b)]);
         let pairs = placed.iter().enumerate().flat_map(|(index, one)| {
             let near = placed[index + 1..].iter().take_while(|other| other.left < one.right);
-            near.filter(|other| one.overlaps(other)).map(|other| [one.body, other.body])
+            near.filter(|other| !meets(one.body, other.body) && one.overlaps(other))
+                .map(|other| [one.body, other.body])
         });
         let pairs: Vec<[usize; 2]> = pairs.take(MOST_PAIRS).collect();
         let Some([one, other]) = pairs.first().copied() else { return Ok(None) };

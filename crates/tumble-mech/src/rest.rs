@@ -64,7 +64,7 @@ impl Equations {
     pub(crate) fn is_settling(&self, mode: &Mode, body: Option<usize>) -> bool {
         let settling =
             mode.contacts.iter().filter(|(_, contact_mode)| *contact_mode == ContactMode::Settling);
-        let mut bodies = settling.map(|(pair, _)| self.pairs()[*pair].body);
+        let mut bodies = settling.flat_map(|(pair, _)| self.pairs()[*pair].bodies());
         bodies.any(|own| body.is_none_or(|body| body == own))
     }
 

@@ -4,6 +4,7 @@ use tumble_expr::{Dimension, Expr, Vector};
 
 use crate::anchor::Anchor;
 use crate::body::Body;
+use crate::contact::BodyContact;
 use crate::coordinates::Pivot;
 use crate::error::ModelError;
 use crate::event::Event;
@@ -53,6 +54,7 @@ impl Model {
         list.add("wind", self.wind.0.components(), Dimension::SPEED);
         self.interactions.iter().for_each(|interaction| list.interaction(&**interaction));
         self.surfaces.iter().for_each(|surface| list.surface(surface));
+        self.contacts.iter().for_each(|contact| list.contact(contact));
         self.starts.iter().for_each(|(body, start)| list.start(body, start));
         list.all
     }
@@ -174,7 +176,19 @@ impl List {
         for (key, formula, dimension) in surface.law.dimensions() {
             self.add(&format!("{key} of `{name}`"), [formula], dimension);
         }
-        for (key, formula) in surface.friction.iter().flat_map(Friction::coefficients) {
+        let radius = surface.circle.iter().map(|circle| &circle.radius);
+        self.add(&format!("radius of `{name}`"), radius, Dimension::LENGTH);
+        self.friction(name, surface.friction.as_ref());
+    }
+
+    fn contact(&mut self, contact: &BodyContact) {
+        let name = &contact.name;
+        self.add(&format!("restitution of `{name}`"), &contact.restitution, Dimension::NONE);
+        self.friction(name, contact.friction.as_ref());
+    }
+
+    fn friction(&mut self, name: &str, friction: Option<&Friction>) {
+        for (key, formula) in friction.into_iter().flat_map(Friction::coefficients) {
             self.add(&format!("{key} of `{name}`"), [formula], Dimension::NONE);
         }
     }

@@ -2,9 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use tumble_expr::Vector;
+use tumble_expr::{Vector, is_identically_zero};
 
 use crate::body::Body;
+use crate::contact::BodyContact;
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
@@ -63,6 +64,8 @@ impl<'m> Structure<'m> {
         let interactions = model.interactions.iter();
         mistakes.extend(interactions.flat_map(|interaction| self.of_interaction(&**interaction)));
         mistakes.extend(model.surfaces.iter().flat_map(|surface| self.of_surface(surface)));
+        mistakes.extend(model.contacts.iter().flat_map(|contact| self.of_contact(contact)));
+        mistakes.extend(self.two_rules());
         mistakes.extend(model.starts.iter().flat_map(|(body, start)| self.of_start(body, start)));
         mistakes
     }
@@ -79,6 +82,7 @@ impl<'m> Structure<'m> {
         names.extend(model.events.iter().map(|event| event.name.as_str()));
         names.extend(model.interactions.iter().map(|interaction| interaction.name()));
         names.extend(model.surfaces.iter().map(|surface| surface.name.as_str()));
+        names.extend(model.contacts.iter().map(|contact| contact.name.as_str()));
         names.sort_unstable();
         let twice = names.windows(2).filter(|pair| pair[0] == pair[1]);
         twice.map(|pair| ModelError::Duplicate { name: pair[0].to_owned() }).collect()
@@ -154,7 +158,70 @@ impl<'m> Structure<'m> {
         let compliant = (surface.friction.is_some() && !matches!(surface.law, ContactLaw::Rigid { .. }))
             .then(|| ModelError::CompliantFriction { surface: surface.name.clone() });
         let met = surface.on.iter().flatten().filter(|name| !self.can_touch(name));
-        cornered.into_iter().chain(compliant).chain(met.filter_map(|name| self.unknown_body(name))).collect()
+        let met = met.filter_map(|name| self.unknown_body(name));
+        cornered.into_iter().chain(compliant).chain(met).chain(self.of_circle(surface)).collect()
+    }
+
+    /// What circles are not there for.
+    fn of_circle(&self, surface: &Surface) -> Vec<ModelError> {
+        let Some(circle) = &surface.circle else { return vec![] };
+        let wrong = |problem: String| ModelError::Contact { contact: surface.name.clone(), problem };
+        let compliant = (!surface.law.is_rigid()).then(|| wrong("is a circle, and circles are rigid".into()));
+        let met = self.model.bodies.iter().filter(|body| surface.meets(body));
+        let angular = met.filter(|body| !circle.inside && !body.is_round());
+        let angular = angular.map(|body| {
+            wrong(format!("is round, and `{}` would meet it by its edges: {ROUND_ONLY}", body.name))
+        });
+        compliant.into_iter().chain(angular).collect()
+    }
+
+    fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
+        let wrong = |problem: String| ModelError::Contact { contact: contact.name.clone(), problem };
+        let names = contact.between.as_deref().unwrap_or_default();
+        let mut mistakes: Vec<ModelError> = names.iter().filter_map(|name| self.unknown_body(name)).collect();
+        let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
+        let twice = names.iter().enumerate().filter(is_again);
+        mistakes.extend(twice.map(|(_, name)| wrong(format!("is of `{name}` with itself"))));
+        if contact.between.is_some() && names.len() < 2 {
+            mistakes.push(wrong("needs two bodies, or more".into()));
+        }
+        let couples = contact.couples(self.model);
+        let mut bodies: Vec<usize> = couples.concat();
+        bodies.sort_unstable();
+        bodies.dedup();
+        let bodies = bodies.into_iter().map(|body| &self.model.bodies[body]);
+        mistakes.extend(bodies.filter(|body| !body.is_round()).map(|body| {
+            wrong(format!("is of `{}`, which would meet others by its edges: {ROUND_ONLY}", body.name))
+        }));
+        let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
+        let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
+        mistakes.extend(silent.map(|[a, b]| {
+            wrong(format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name))
+        }));
+        let are_points = |couple: &&[usize; 2]| of(couple).iter().all(|body| is_point(body));
+        let points = couples.iter().find(are_points).map(of);
+        mistakes.extend(points.map(|[a, b]| {
+            wrong(format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name))
+        }));
+        mistakes
+    }
+
+    /// Two bodies whose impacts two contacts tell of.
+    fn two_rules(&self) -> Vec<ModelError> {
+        let mut rules: HashMap<[usize; 2], &str> = HashMap::new();
+        let mut mistakes = vec![];
+        for contact in &self.model.contacts {
+            let mut couples = contact.couples(self.model).into_iter().map(|[a, b]| [a.min(b), a.max(b)]);
+            let first = couples.find_map(|couple| Some((couple, *rules.get(&couple)?)));
+            mistakes.extend(first.map(|(couple, first)| {
+                let [a, b] = couple.map(|body| self.model.bodies[body].name.as_str());
+                let problem = format!("is a second rule for `{a}` and `{b}`, which `{first}` lets meet");
+                ModelError::Contact { contact: contact.name.clone(), problem }
+            }));
+            let own = contact.couples(self.model).into_iter();
+            rules.extend(own.map(|[a, b]| ([a.min(b), a.max(b)], contact.name.as_str())));
+        }
+        mistakes
     }
 
     /// Whether this is the name of a body, or of a body's point by which it touches.
@@ -176,6 +243,13 @@ impl<'m> Structure<'m> {
         let unknown = || ModelError::Unknown { kind: "body", name: name.to_owned() };
         (!self.bodies.contains(name)).then(unknown)
     }
+}
+
+/// What can meet more than planes.
+const ROUND_ONLY: &str = "so far disks, rings, balls, shells and points do";
+
+fn is_point(body: &Body) -> bool {
+    body.features().iter().all(|feature| is_identically_zero(&feature.radius))
 }
 
 fn is_of(name: &str, body: &Body) -> bool {

@@ -1,4 +1,4 @@
-//! Plane surfaces that bodies meet: floors, walls, slopes, at rest or moved on a given path.
+//! Surfaces that bodies meet: floors, walls, slopes, bowls and poles, at rest or moved on a given path.
 
 use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
 
@@ -6,21 +6,32 @@ use crate::body::Body;
 use crate::contact::Feature;
 use crate::friction::Friction;
 
-/// A half-plane that is solid behind its surface.
+/// A half-plane that is solid behind its surface, or a circle that is solid inside or outside.
 #[derive(Clone, Debug)]
 pub struct Surface {
     /// Its name.
     pub name: String,
-    /// A point on it, m, world axes; a formula of the time where it moves.
+    /// A point on it, or the centre of a circle, m, world axes; a formula of the time where it moves.
     pub through: Vector,
-    /// Unit vector out of the solid, world axes; a formula of the time where it tilts.
+    /// Unit vector out of the solid, world axes; a formula of the time where it tilts. Nothing of a circle.
     pub normal: Vector,
+    /// Set where it is a circle.
+    pub circle: Option<Round>,
     /// What happens where a body touches it.
     pub law: ContactLaw,
     /// Dry friction along it; none where nothing is said. Only a rigid surface has it.
     pub friction: Option<Friction>,
     /// What meets it: names of bodies, `rod`, and of single points by which a body touches, `rod.tip`; `None` is all.
     pub on: Option<Vec<String>>,
+}
+
+/// A circle that bodies meet.
+#[derive(Clone, Debug)]
+pub struct Round {
+    /// m
+    pub radius: Expr,
+    /// Whether it is hollow, and met from inside, as a bowl is.
+    pub inside: bool,
 }
 
 /// What a surface does across itself to what touches it.
@@ -68,10 +79,23 @@ impl Surface {
             name: name.into(),
             through: Vector::planar(px, py),
             normal: normal.map(|component| component / &length),
+            circle: None,
             law,
             friction: None,
             on: None,
         }
+    }
+
+    /// A circle about a point, m, that is solid inside: a wheel, a pole.
+    pub fn circle(name: impl Into<String>, centre: [Expr; 2], radius: Expr, law: ContactLaw) -> Self {
+        let circle = Some(Round { radius, inside: false });
+        Self { circle, ..Self::new(name, centre, [Expr::zero(), Expr::one()], law) }
+    }
+
+    /// The same, solid outside and met from inside: a bowl.
+    pub fn bowl(name: impl Into<String>, centre: [Expr; 2], radius: Expr, law: ContactLaw) -> Self {
+        let circle = Some(Round { radius: radius.clone(), inside: true });
+        Self { circle, ..Self::circle(name, centre, radius, law) }
     }
 
     /// A surface through a point, m, that rises to the right by `angle`; at zero it is a floor.
@@ -81,6 +105,7 @@ impl Surface {
             name: name.into(),
             through: Vector::planar(px, py),
             normal: Vector::planar(-angle.sin(), angle.cos()),
+            circle: None,
             law,
             friction: None,
             on: None,

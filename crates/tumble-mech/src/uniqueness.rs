@@ -127,7 +127,7 @@ impl Equations {
 
     /// What keeps a body: names, and symbols of the forces.
     fn keeping(&self, body: usize) -> Vec<(String, Symbol)> {
-        let pairs = self.pairs().iter().filter(|pair| pair.body == body);
+        let pairs = self.pairs().iter().filter(|pair| pair.has(body));
         let pairs = pairs.flat_map(|pair| {
             let friction = pair.friction.iter().map(|_| pair.friction_symbol());
             let forces = std::iter::once(pair.force_symbol()).chain(friction);
@@ -147,7 +147,7 @@ impl Equations {
     /// Reactions of pivots by the forces of all contacts and joints, with those that bear nothing.
     fn reactions(&self, mode: &Mode) -> Substitution {
         let mut terms = self.acting(mode);
-        terms.extend(idle(mode).map(|pair| &self.pair_list().terms[pair]));
+        terms.extend(idle(mode).flat_map(|pair| &self.pair_list().terms[pair]));
         let mut reactions = Substitution::default();
         for &body in &mode.bodies {
             let found = self.body_equations(body).reaction(body, &on_body(&terms, body));
@@ -164,7 +164,7 @@ impl Equations {
         let left_out = joints.iter().filter(|(index, _)| is_left_out(index));
         let bodies = left_out.flat_map(|(_, row)| self.bodies_of(*row));
         let without = idle(mode).chain(following(mode));
-        let bodies: Vec<usize> = bodies.chain(without.map(|pair| self.pairs()[pair].body)).collect();
+        let bodies: Vec<usize> = bodies.chain(without.flat_map(|pair| self.pairs()[pair].bodies())).collect();
         if bodies.is_empty() {
             return Ok(None);
         }

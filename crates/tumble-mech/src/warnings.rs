@@ -36,7 +36,7 @@ pub enum ModelWarning {
         ratio: f64,
     },
     /// Two bodies that no joints connect and that share a piece of the plane.
-    #[error("`{first}` and `{second}` overlap at the start{}, and bodies do not meet each other yet: they pass through each other", more(*others))]
+    #[error("`{first}` and `{second}` overlap at the start{}, and no contact lets them meet: they pass through each other", more(*others))]
     Overlap {
         /// The first of them.
         first: String,

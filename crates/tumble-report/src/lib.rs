@@ -1,51 +1,18 @@
-//! Figures of a mechanics laboratory, from plain data: curves, stroboscopic
-//! pictures, free-body diagrams, the gallery's page, and the report.
+//! From a study to its report: runs, what they came to, figures, and the report as data, from which page and Markdown are written.
 //!
-//! Nothing here integrates or knows a law. Drawings are SVG written by
-//! [`svg`]; [`png`](mod@png) turns them into pictures with embedded fonts.
+//! [`results`] makes the runs and answers what a scene asks of them, [`figures`] draws what it asks to see, [`of`] fills a
+//! [`Report`](report::Report). No file is read or written here, no thread begun and no time asked for: it is the same in
+//! a browser.
 
-pub mod axes;
-pub mod curves;
-pub mod font;
-pub mod free_body;
-#[cfg(feature = "png")]
-pub mod gif;
-pub mod heading;
-pub mod legend;
-pub mod numeral;
-pub mod outline;
-pub mod page;
-pub mod place;
-#[cfg(feature = "png")]
-pub mod png;
-pub mod rect;
+pub mod figures;
+pub mod gallery_page;
 pub mod report;
-pub mod retrace;
-pub mod scale;
-pub mod scale_bar;
-pub mod scene_drawing;
-pub mod stroboscope;
-pub mod svg;
-pub mod symbol;
-pub mod text;
-pub mod theme;
-pub mod thin;
-pub mod ticks;
-pub mod track;
+pub mod results;
 
-pub use axes::Axis;
-pub use curves::{CurveFigure, Mark, Series};
-#[cfg(feature = "png")]
-pub use gif::{ANIMATION_SEAL, GifError, animation_gif};
-pub use outline::{Outline, Pose};
-pub use page::{Entry, Figure, GALLERY_SEAL, IndexPage, Link};
-#[cfg(feature = "png")]
-pub use png::{PngError, png};
-pub use report::Report;
-pub use scale::Range;
-pub use scene_drawing::{SceneBody, SceneDrawing, SceneLink};
-pub use stroboscope::{Reference, Stroboscope};
-pub use svg::Svg;
-pub use text::Label;
-pub use ticks::Ticking;
-pub use track::{Instants, Track};
+mod fill;
+#[cfg(test)]
+#[path = "tests/scenes.rs"]
+mod scenes;
+
+pub use fill::animation;
+pub use fill::of;

@@ -133,6 +133,8 @@ tumble_expr::codes! {
     NoEquilibrium = "W0607";
     /// A joint or an impulse that waits for an event which does not happen.
     NeverComes = "W0608";
+    /// Two quantities that are shown by the same symbol.
+    ShownAlike = "W0609";
 }
 
 #[cfg(test)]

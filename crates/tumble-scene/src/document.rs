@@ -68,6 +68,11 @@ impl<'t> Table<'t> {
         Self { title, span, fields: fields(table), asked: vec![] }
     }
 
+    /// One without keys, for what is not there.
+    pub(crate) fn empty(title: &str) -> Self {
+        Self { title: title.to_owned(), span: 0..0, fields: vec![], asked: vec![] }
+    }
+
     /// The field of that key, which thereby is one the table may have.
     pub(crate) fn take(&mut self, key: &'static str) -> Option<Field<'t>> {
         self.asked.push(key);

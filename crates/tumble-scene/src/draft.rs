@@ -9,13 +9,15 @@ use tumble_mech::{Equations, Model};
 use tumble_ode::Accuracy;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
+use crate::formula::Text;
 use crate::names::Names;
 use crate::places::Places;
+use crate::play::{Asked, Play, Preset, StartValue};
 use crate::quantities;
 use crate::sections::functions;
 use crate::settings::{Override, Setting};
 use crate::study::{BalancePlot, Check, Commentary, FreeBody, Plot, Question, Said, Stroboscope, Study};
-use crate::sweep::SweepAxis;
+use crate::sweep::{SweepAxis, Swept};
 
 /// A study that may still have holes.
 #[derive(Default)]
@@ -45,6 +47,14 @@ pub(crate) struct Draft {
     pub(crate) equilibrium: bool,
     pub(crate) symbols: BTreeMap<String, String>,
     pub(crate) sweep: Vec<SweepAxis>,
+    /// Parameters in the order of the scene, each with the formula that it has.
+    pub(crate) parameter_texts: Vec<(String, String)>,
+    /// What bodies start from, by components.
+    pub(crate) starts: Vec<StartValue>,
+    /// What `[play]` asks for.
+    pub(crate) asked_to_play: Vec<Asked>,
+    pub(crate) presets: Vec<Preset>,
+    pub(crate) play: Play,
     /// Once it is known that the model has some.
     pub(crate) equations: Option<Equations>,
     /// Parameters that are angles, or angles per time.
@@ -52,6 +62,9 @@ pub(crate) struct Draft {
     /// What the files of the scene's tables hold, by their names there.
     pub(crate) files: BTreeMap<String, io::Result<Vec<u8>>>,
 }
+
+/// Values of a sweep that a range is taken from.
+const MOST_SWEPT: usize = 100;
 
 /// Mistakes of a scene that has more are mostly echoes of each other, and each costs the time to find its cure.
 const MOST_MISTAKES: usize = 200;
@@ -72,6 +85,19 @@ impl Draft {
         };
         quantities::define_time(&mut draft.names);
         draft
+    }
+
+    /// What the command line puts in the place of a value, the last of several.
+    pub(crate) fn setting(&self, name: &str) -> Option<Text> {
+        self.settings.iter().rev().find(|setting| setting.name == name).map(|setting| setting.text.clone())
+    }
+
+    /// The values that a sweep gives a parameter, SI units.
+    pub(crate) fn swept(&self, name: &str) -> Vec<f64> {
+        let axis = self.sweep.iter().find(|axis| axis.of == Swept::Parameter(name.to_owned()));
+        let Some(axis) = axis else { return vec![] };
+        let values: Vec<Expr> = axis.values.iter().take(MOST_SWEPT).map(|value| value.value).collect();
+        self.model.parameters.evaluate(&values).unwrap_or_default()
     }
 
     /// The study, if nothing is wrong with it.
@@ -97,6 +123,7 @@ impl Draft {
                 equilibrium: self.equilibrium,
                 symbols: self.symbols,
                 sweep: self.sweep,
+                play: self.play,
                 said: Said {
                     sources: self.sources.into(),
                     places: Arc::new(self.places),

@@ -31,6 +31,7 @@ mod moments;
 mod names;
 mod places;
 mod plan;
+mod play;
 mod printable;
 mod quantities;
 mod reader;
@@ -53,6 +54,7 @@ pub use file_names::file_name_fault;
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use moments::Count;
 pub use plan::Plan;
+pub use play::{Knob, Play, Preset};
 pub use printable::{is_unseen, printable, printable_lines};
 pub use settings::Override;
 pub use study::{
@@ -115,6 +117,9 @@ fn read_document(draft: &mut Draft, document: &toml::de::DeTable) {
     settings::refuse_unknown(draft);
     model_mistakes::check(draft);
     values::check(draft);
+    if draft.mistakes.is_empty() {
+        draft.play = play::of(draft);
+    }
 }
 
 fn refuse_size(name: &str, bytes: usize) -> Result<(), Diagnostics> {

@@ -49,7 +49,7 @@ pub(crate) struct Names {
     pub(crate) happenings: BTreeSet<String>,
     /// The names of all joints, pivots among them, likewise.
     pub(crate) joints: Vec<String>,
-    /// The names of all surfaces, likewise.
+    /// The names of all surfaces and contacts, likewise.
     pub(crate) surfaces: Vec<String>,
     /// What may touch what: `floor`, `floor.rod` and `floor.rod.tip`.
     pub(crate) touching: BTreeSet<String>,

@@ -62,6 +62,10 @@ impl Places {
             ModelError::Inside { body, depth, .. } => about(Code::Inside, &format!("start of `{body}`"))
                 .label("inside the surface")
                 .help(format!("start it {depth} m farther out, or a little more")),
+            ModelError::InEachOther { first, depth, .. } => about(Code::Inside, &format!("start of `{first}`"))
+                .label("inside the other")
+                .help(format!("start them {depth} m farther apart, or a little more")),
+            ModelError::Contact { contact, .. } => about(Code::Model, &format!("`{contact}`")).label("cannot be"),
             ModelError::NoForce { load, .. } => about(Code::NoForce, &format!("`{load}`"))
                 .label("has no value at the start")
                 .help("look for a division by what is zero at the start, a root of what is negative, or a table outside its range"),
@@ -152,7 +156,7 @@ impl Places {
                 Code::Overlap,
                 format!("start of `{second}`"),
                 "starts in the other",
-                "start them apart, or join them if they are one; only surfaces are met",
+                "start them apart, join them if they are one, or let them meet by a `[contact.NAME]`",
             ),
         };
         self.about(code, &what, warning.to_string()).label(label).help(help).warning()

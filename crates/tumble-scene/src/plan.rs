@@ -34,7 +34,9 @@ impl Plan {
         let title = one_line(title.as_ref());
         let mut draft = Draft::begin(&title, "", &[]);
         draft.names.bodies = model.bodies.iter().map(|body| body.name.clone()).collect();
-        draft.names.surfaces = model.surfaces.iter().map(|surface| surface.name.clone()).collect();
+        let surfaces = model.surfaces.iter().map(|surface| surface.name.clone());
+        draft.names.surfaces =
+            surfaces.chain(model.contacts.iter().map(|contact| contact.name.clone())).collect();
         draft.names.events = model.events.iter().map(|event| event.name.clone()).collect();
         let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
         draft.names.joints = pivots.chain(model.joints.iter().map(|joint| joint.name.clone())).collect();
@@ -42,6 +44,7 @@ impl Plan {
             quantities::define(&mut draft.names, &model.gravity, body);
         }
         quantities::define_contacts(&mut draft.names, &model);
+        quantities::define_meetings(&mut draft.names, &model);
         for pivot in &model.pivots {
             quantities::define_joint(&mut draft.names, &pivot.name, pivot.force_symbols().into());
         }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tumble_expr::language::{Formula, Value};
 use tumble_expr::{Dimension, Expr, Symbol, Vector};
-use tumble_mech::{Body, Change, Gravity, Model, Pair, time};
+use tumble_mech::{Body, Change, Gravity, Model, Pair, Rule, time};
 
 use crate::code::Code;
 use crate::curve::quantity;
@@ -62,28 +62,10 @@ fn define_points(names: &mut Names, body: &Body) {
 /// `floor.friction` for all forces together.
 pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
     let pairs = model.pairs();
-    let mut rest = &pairs[..];
     for (index, surface) in model.surfaces.iter().enumerate() {
-        // Pairs are in the order of their surfaces.
-        let (of_surface, later) = rest.split_at(rest.partition_point(|pair| pair.surface <= index));
-        rest = later;
-        for pair in of_surface {
-            let body = format!("{}.{}", surface.name, model.bodies[pair.body].name);
-            if pair.friction.is_some() {
-                define_slips(names, &pair.name);
-                define_slips(names, &body);
-            }
-            names.touching.extend([pair.name.clone(), body]);
-            names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
-            names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
-            if pair.friction.is_some() {
-                names.define(
-                    Level::Output,
-                    &format!("{}.friction", pair.name),
-                    &pair.friction_symbol().into(),
-                );
-                names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
-            }
+        let of_surface: Vec<&Pair> = pairs.iter().filter(|pair| pair.rule == Rule::Surface(index)).collect();
+        for pair in &of_surface {
+            define_pair(names, pair, format!("{}.{}", surface.name, model.bodies[pair.body].name));
         }
         let sum =
             |of: fn(&Pair) -> Symbol| of_surface.iter().map(|pair| Expr::from(of(pair))).reduce(|a, b| a + b);
@@ -98,6 +80,33 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
         }
         names.touching.insert(surface.name.clone());
     }
+}
+
+/// The same for bodies that meet each other: `balls.red.white.gap`.
+pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
+    for pair in model.pairs() {
+        let (Rule::Bodies(contact), Some(other)) = (pair.rule, pair.other) else { continue };
+        let contact = &model.contacts[contact].name;
+        let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
+        define_pair(names, &pair, format!("{contact}.{first}.{second}"));
+        if pair.friction.is_some() {
+            define_slips(names, contact);
+        }
+        names.touching.insert(contact.clone());
+    }
+}
+
+/// Names of one pair; `bodies` is that of all pairs of the same bodies.
+fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
+    names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
+    names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
+    if pair.friction.is_some() {
+        define_slips(names, &pair.name);
+        define_slips(names, &bodies);
+        names.define(Level::Output, &format!("{}.friction", pair.name), &pair.friction_symbol().into());
+        names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
+    }
+    names.touching.extend([pair.name.clone(), bodies]);
 }
 
 /// Names the instants at which what touches there begins to slide, to stick or to roll: `floor.ball.rolls`.

@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::draft::Draft;
 use crate::formula::{Origin, Text};
 use crate::names::{ACCURACY, Level};
+use crate::sections::start;
 use crate::suggest;
 
 /// Another formula for a parameter, as `--set name=text` gives it.
@@ -42,7 +43,10 @@ impl Override {
 pub(crate) fn refuse_unknown(draft: &mut Draft) {
     let parameters: Vec<_> = draft.model.parameters.symbols().into_iter().map(|symbol| symbol.name).collect();
     let known = |name: &str| {
-        name == ACCURACY || draft.model.parameters.symbol(name).is_some() || draft.names.is_broken(name)
+        name == ACCURACY
+            || draft.model.parameters.symbol(name).is_some()
+            || draft.names.is_broken(name)
+            || start::is_setting(&draft.names, name)
     };
     let unknown: Vec<_> = draft.settings.iter().filter(|setting| !known(&setting.name)).cloned().collect();
     for setting in unknown {

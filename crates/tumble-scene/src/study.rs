@@ -10,6 +10,7 @@ use tumble_ode::{Accuracy, Reason, Side};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::places::Places;
+use crate::play::Play;
 use crate::sweep::SweepAxis;
 
 /// A model and what to do with it, as formulas of its parameters.
@@ -51,6 +52,8 @@ pub struct Study {
     pub symbols: BTreeMap<String, String>,
     /// What takes several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
+    /// What a reader of the page may change.
+    pub play: Play,
     /// Of the model as it was read.
     pub(crate) equations: Equations,
     pub(crate) said: Said,
@@ -149,6 +152,16 @@ impl Study {
         let warning = self.said.places.about(Code::NeverComes, what, message).label("waits for an event");
         let help = format!(
             "look at `when` of `[event.{event}]`, at the way in which it passes, and at how long the run is"
+        );
+        self.said.one(warning.help(help).warning())
+    }
+
+    /// That two quantities are shown by the same symbol, so that no reader can tell them apart.
+    pub fn shown_alike(&self, name: &str, other: &str, symbol: &str) -> Diagnostics {
+        let message = format!("`{name}` and `{other}` are both shown as {symbol}");
+        let warning = self.said.places.about(Code::ShownAlike, name, message).label("shown like another");
+        let help = format!(
+            "give one of them a symbol of its own, as in `[symbols]` with `\"{other}\" = \"{symbol}_1\"`"
         );
         self.said.one(warning.help(help).warning())
     }

@@ -87,6 +87,12 @@ impl SweepValues {
         self.written.label(index)
     }
 
+    /// The unit that the scene writes them in, with its size in SI units; `None` where it writes none.
+    pub fn unit(&self) -> Option<(String, f64)> {
+        let unit = self.written.unit()?;
+        (!unit.text().is_empty()).then(|| (unit.text().to_owned(), unit.size()))
+    }
+
     fn with_dimension(&self, value: Expr) -> Expr {
         let one = |dimension| 1 * Unit(dimension);
         match self.dimension.filter(|_| value.is_zero()) {
@@ -108,6 +114,14 @@ impl Written {
         match self {
             Self::List(list) => list[index].clone(),
             Self::Range(range) => SweepValue { value: range.value(index), label: range.label(index) },
+        }
+    }
+
+    /// Of a list, that of its first value.
+    fn unit(&self) -> Option<UnitText> {
+        match self {
+            Self::List(list) => UnitText::of(list.first()?.label.split_once(" = ")?.1),
+            Self::Range(range) => Some(range.unit.clone()),
         }
     }
 

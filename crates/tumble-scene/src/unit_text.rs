@@ -41,6 +41,21 @@ impl UnitText {
         Self { text: example.trim_start_matches("1").trim().to_owned(), size: 1.0 }
     }
 
+    /// As it was written.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// One of it in SI units.
+    pub(crate) fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// A number of SI units in this one.
+    pub(crate) fn number(&self, value: f64) -> f64 {
+        value / self.size
+    }
+
     /// A number of SI units in this one, six digits.
     pub(crate) fn write(&self, value: f64) -> String {
         let digits = format!("{:.5e}", value / self.size);

@@ -101,14 +101,13 @@ const SECTIONS: &[Row] = &[
             "table_top",
             "obstacle",
             "barrier",
-            "contact",
             "impact",
             "restitution",
             "boundary",
             "terrain",
             "bounce",
         ],
-        "a floor, a wall or a slope is a `[surface.NAME]`",
+        "a floor, a wall, a slope or a bowl is a `[surface.NAME]`; bodies meet each other by a `[contact.NAME]`",
     ),
     (
         &["air", "wind", "resistance", "air_resistance", "aerodynamic", "atmosphere", "fluid", "damping"],
@@ -298,7 +297,7 @@ const MISSING: &[Row] = &[
     ),
     (
         &["collision", "collide", "collision_pair", "body_contact", "billiard", "collider"],
-        "bodies do not meet each other yet, only surfaces do; a force of your own may push them apart where they are near",
+        "bodies meet by a `[contact.NAME]`: `between = [\"red\", \"white\"]` or `between = \"all\"`, and `rigid = { restitution = 0.9 }`",
     ),
     (
         &["z", "space", "3d", "three_dimension", "dimension", "quaternion", "rotation_axi", "vz", "depth"],

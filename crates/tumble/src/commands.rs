@@ -6,14 +6,16 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use tumble::CaseError;
 use tumble::ReportForm;
 use tumble::gallery::{self, GalleryError, Shown};
 #[cfg(feature = "png")]
 use tumble::pipeline::AnimationOptions;
 use tumble::pipeline::{self, Options, Outcome, PipelineError};
-use tumble_scene::Diagnostics;
+use tumble_report::results::count;
+use tumble_scene::{Diagnostics, printable};
 
-use crate::told::{Told, count, shown};
+use crate::told::{Told, shown};
 use crate::tools::new::Kind;
 use crate::tools::say::{self, say, tell};
 use crate::tools::stop::interruptible;
@@ -24,7 +26,7 @@ command line has mistakes, 3 the motion was refused on the way, 4 a file cannot 
 
 /// A rigid-body mechanics laboratory: state the bodies and the forces, get the motion.
 #[derive(Parser)]
-#[command(version, after_help = EXIT_CODES)]
+#[command(version = env!("TUMBLE_VERSION"), after_help = EXIT_CODES)]
 pub(crate) struct Command {
     #[command(subcommand)]
     task: Task,
@@ -119,6 +121,9 @@ struct Settings {
     /// What to write the report as.
     #[arg(long, value_enum, default_value = "html")]
     report: Form,
+    /// Leave the engine out of the report: it shows, and does not play.
+    #[arg(long)]
+    no_play: bool,
     /// How many runs of a sweep are made at once [default: as many as there are cores].
     #[arg(long, value_name = "NUMBER")]
     jobs: Option<NonZeroUsize>,
@@ -194,7 +199,7 @@ impl Task {
     fn run(self) -> Ending {
         match self {
             Task::Run { scene, settings } => {
-                let Settings { set, out, no_figures, report: form, jobs } = settings;
+                let Settings { set, out, no_figures, report: form, no_play, jobs } = settings;
                 let form = match ReportForm::try_from(form) {
                     Ok(form) if !no_figures => form,
                     Ok(_) => ReportForm::None,
@@ -204,7 +209,8 @@ impl Task {
                     }
                 };
                 let stop = interruptible();
-                let options = Options { set, out, no_figures, report: form, jobs, progress: true, stop };
+                let options =
+                    Options { set, out, no_figures, report: form, no_play, jobs, progress: true, stop };
                 let mut told = Told::beside(&options.out);
                 let result = pipeline::run_telling(&scene, &options, |run| told.add(&run));
                 report(&Shown { result, scene }, &mut told)
@@ -306,6 +312,7 @@ fn unread(error: &std::io::Error) -> Ending {
 fn describe(outcome: &Outcome, told: &mut Told) -> std::io::Result<()> {
     say!("{}", outcome.study.title);
     told.say()?;
+    outcome.located.iter().for_each(|located| say!("{}", printable(&located.told())));
     if !outcome.figures.is_empty() {
         say!("  figures: {}", outcome.figures.join(", "));
     }
@@ -340,29 +347,35 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
             tell!("error: {error}");
             Ending::Mistake
         }
-        PipelineError::Scene(diagnostics) => {
-            draw(diagnostics);
-            Ending::Mistake
-        }
-        PipelineError::Refused(diagnostics) => {
-            draw(diagnostics);
-            Ending::Refused
-        }
-        PipelineError::Model(_) | PipelineError::Accuracy(_) => {
-            tell!("error: {}: {error}", shown(scene));
-            Ending::Mistake
-        }
-        PipelineError::Run(_) => {
-            tell!("error: {}: {error}", shown(scene));
-            Ending::Refused
-        }
-        PipelineError::Interrupted => {
-            tell!("{}: {error}", shown(scene));
-            Ending::Interrupted
-        }
+        PipelineError::Case(of_case) => complain_of_case(scene, of_case),
         PipelineError::Read { .. } | PipelineError::Output(_) => {
             tell!("error: {error}");
             Ending::File
+        }
+    }
+}
+
+fn complain_of_case(scene: &Path, error: &CaseError) -> Ending {
+    match error {
+        CaseError::Scene(diagnostics) => {
+            draw(diagnostics);
+            Ending::Mistake
+        }
+        CaseError::Refused(diagnostics) => {
+            draw(diagnostics);
+            Ending::Refused
+        }
+        CaseError::Model(_) | CaseError::Accuracy(_) => {
+            tell!("error: {}: {error}", shown(scene));
+            Ending::Mistake
+        }
+        CaseError::Run(_) => {
+            tell!("error: {}: {error}", shown(scene));
+            Ending::Refused
+        }
+        CaseError::Interrupted => {
+            tell!("{}: {error}", shown(scene));
+            Ending::Interrupted
         }
     }
 }

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 use thiserror::Error;
-use tumble_report::{Entry, Figure, GALLERY_SEAL, IndexPage, Link};
+use tumble_report::gallery_page::{Entry, Figure, GALLERY_SEAL, IndexPage, Link};
 
-use crate::finished::Finished;
 use crate::output::{Kind, OutputError, Single, shown};
 use crate::pipeline::{self, Options, Outcome, PipelineError};
+use tumble_report::results::Finished;
 
 /// Why there is no gallery.
 #[derive(Debug, Error)]
@@ -103,36 +103,28 @@ fn entry(outcome: &Outcome) -> Entry {
     let path = |file: &str| format!("{folder}/{file}");
     let figure = |name: &String| Figure {
         path: path(&format!("{name}.svg")),
-        alt: format!("{}: {name}", outcome.study.title),
-        caption: name.clone(),
+        alt: format!("{}: {}", outcome.study.title, name.replace(['-', '_'], " ")),
+        caption: String::new(),
     };
     let link = |file: String| Link { path: path(&file), text: file };
     let tables = outcome.cases.iter().flat_map(|case| {
         ["trajectory.csv", "events.csv", "balance.csv"].map(|table| format!("{}/{table}", case.folder()))
     });
+    let summary = std::iter::once(outcome.lead.clone()).chain(outcome.cases.iter().filter_map(fault));
     Entry {
         title: outcome.study.title.clone(),
-        summary: outcome.cases.iter().flat_map(summary).collect(),
+        report: path("report.html"),
+        summary: summary.filter(|line| !line.is_empty()).collect(),
         figures: outcome.figures.iter().map(figure).collect(),
-        data: ["report.html", "summary.json"]
-            .map(str::to_owned)
-            .into_iter()
-            .chain(tables)
-            .map(link)
-            .collect(),
+        data: std::iter::once("summary.json".to_owned()).chain(tables).map(link).collect(),
     }
 }
 
-fn summary(run: &Finished) -> Vec<String> {
-    let held = run.checks.iter().filter(|check| check.holds).count();
+/// Why a run is not what it should be, if it is not.
+fn fault(run: &Finished) -> Option<String> {
+    let refuted = run.checks.iter().filter(|check| !check.holds).count();
     let which = if run.label.is_empty() { String::new() } else { format!("{}: ", run.label) };
-    let checks = match run.checks.len() {
-        0 => String::new(),
-        all => format!("; {held} of {all} checks hold"),
-    };
-    let Finished { end, order, work, .. } = run;
-    let mut lines =
-        vec![format!("{which}{end} s of motion in {} steps of order {order}{checks}.", work.steps)];
-    lines.extend(run.refusal.as_ref().map(ToString::to_string));
-    lines
+    let checks =
+        (refuted > 0).then(|| format!("{which}{refuted} of {} checks do not hold.", run.checks.len()));
+    run.refusal.as_ref().map(|refusal| format!("{which}{refusal}")).or(checks)
 }

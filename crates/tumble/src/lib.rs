@@ -37,36 +37,19 @@ pub mod pipeline;
 pub mod prelude;
 pub mod progress;
 
-mod balance;
-mod balance_figures;
-mod case;
-mod checks;
-mod digits;
-mod equilibrium;
-mod figures;
-mod finished;
-mod free_bodies;
+mod figure_files;
 mod jobs;
-mod moments;
-mod open;
-mod placed;
-mod questions;
-mod report;
 mod report_file;
+mod runs;
 mod summary;
-mod symbols;
+mod sweep_tables;
 mod tables;
-mod tallies;
-mod works;
 
-pub use balance::CaseBalance;
-pub use case::{Case, Missing};
-pub use checks::CheckResult;
-pub use digits::Held;
-pub use finished::{Finished, Happened, Tally};
 pub use pipeline::{Options, Outcome, PipelineError};
-pub use questions::FindResult;
 pub use report_file::Form as ReportForm;
+pub use tumble_report::results::{
+    Case, CaseBalance, CaseError, CheckResult, FindResult, Finished, Happened, Held, Located, Missing, Tally,
+};
 
 /// The programs in the documents, compiled and run as tests of the documentation.
 #[cfg(doctest)]

@@ -8,21 +8,21 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use thiserror::Error;
-use tumble_mech::{ModelErrors, RunError};
-use tumble_ode::AccuracyError;
+#[cfg(feature = "png")]
+use tumble_drawing::gif;
+use tumble_report::results::{
+    Case, CaseBalance, CaseError, Finished, Located, Missing, Runs, Surveyor, Tally,
+};
 use tumble_scene::{Diagnostics, Files, Override, Study};
 
-use crate::balance::CaseBalance;
-use crate::case::{self, Case, Missing};
-use crate::figures;
-use crate::finished::{Finished, Tally};
+use crate::figure_files;
 use crate::output::{Folder, OutputError, shown};
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
-#[cfg(feature = "png")]
-use crate::report;
 use crate::report_file;
+use crate::runs;
 use crate::summary::{self, Source};
+use crate::sweep_tables::SweepTables;
 use crate::tables;
 
 /// How a scene is run, beyond what it says itself.
@@ -36,6 +36,8 @@ pub struct Options {
     pub no_figures: bool,
     /// Which form of report is written.
     pub report: report_file::Form,
+    /// Whether its page is without the engine, and only shows.
+    pub no_play: bool,
     /// How many runs are made at once; as many as there are cores where nothing is said. What comes out is the same.
     pub jobs: Option<NonZeroUsize>,
     /// Whether it may be told how far work over a second is.
@@ -62,6 +64,10 @@ pub struct Outcome {
     pub of_runs: Diagnostics,
     /// The runs that were not made, because no more were wanted.
     pub missing: Vec<Missing>,
+    /// Where along a sweep of one parameter its answers are greatest and least.
+    pub located: Vec<Located>,
+    /// What was found, in a line; empty where no report was asked for.
+    pub lead: String,
     /// What is left over beside the results and was not removed, with the reason.
     pub notes: Vec<String>,
 }
@@ -70,6 +76,7 @@ impl Outcome {
     /// What its user should know: warnings of the scene and of its runs, and why a run stopped early.
     pub fn said(&self) -> Diagnostics {
         let mut said = self.study.warnings();
+        tumble_report::figures::clashes(&self.study).into_iter().for_each(|alike| said.extend(alike));
         said.extend(self.of_runs.clone());
         said
     }
@@ -99,31 +106,16 @@ pub enum PipelineError {
         /// What is wrong with it.
         fault: String,
     },
-    /// The scene has mistakes.
-    #[error("the scene has mistakes")]
-    Scene(Box<Diagnostics>),
-    /// The model's values do not fit.
+    /// A run, or what is asked of it, has no result.
     #[error(transparent)]
-    Model(#[from] ModelErrors),
-    /// The motion cannot be begun, or a question to it has no answer.
-    #[error("the motion was refused")]
-    Refused(Box<Diagnostics>),
-    /// A formula cannot be evaluated along the motion.
-    #[error(transparent)]
-    Run(#[from] Box<RunError>),
-    /// A sweep of the accuracy has a value that cannot be asked for.
-    #[error(transparent)]
-    Accuracy(#[from] AccuracyError),
-    /// No more was wanted before there was anything to write.
-    #[error("interrupted: nothing was finished, and nothing is written")]
-    Interrupted,
+    Case(#[from] CaseError),
     /// Results cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
     /// An animation cannot be drawn.
     #[cfg(feature = "png")]
     #[error(transparent)]
-    Gif(#[from] tumble_report::GifError),
+    Gif(#[from] gif::GifError),
 }
 
 /// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
@@ -147,9 +139,9 @@ pub fn run_telling(
     options: &Options,
     tell: impl FnMut(Finished) -> io::Result<()> + Send,
 ) -> Result<Outcome, PipelineError> {
-    let source = Source::read(path)?;
-    let (study, needed) = read(&source, options)?;
-    written(&source, study, &needed, options, tell)
+    let mut source = Source::read(path)?;
+    let study = read(&mut source, options)?;
+    written(&source, study, &source.needed(), options, tell)
 }
 
 /// Runs a study of a model that was made in Rust, and writes what a scene's run does, into a folder of that name.
@@ -203,11 +195,11 @@ fn written(
     tell: impl FnMut(Finished) -> io::Result<()> + Send,
 ) -> Result<Outcome, PipelineError> {
     let folder = Folder::begin(&options.out, &source.name, needed)?;
-    let Written { figures, tally, of_runs, missing } =
+    let Written { figures, tally, of_runs, missing, located, lead } =
         write(source, &study, options, &folder, tell).map_err(|error| error.placed(&study))?;
     let placed = folder.finish()?;
     let (folder, notes, cases) = (placed.folder, placed.notes, vec![]);
-    Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing })
+    Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing, located, lead })
 }
 
 /// Names of figures, what became of the runs that were made, and those that were not.
@@ -216,6 +208,8 @@ struct Written {
     tally: Tally,
     of_runs: Diagnostics,
     missing: Vec<Missing>,
+    located: Vec<Located>,
+    lead: String,
 }
 
 /// Makes the runs and all that is told of them.
@@ -233,7 +227,7 @@ fn write(
         tables::write(study, &case, folder)?;
         if !options.no_figures {
             case.balance = CaseBalance::of(&case)?;
-            case.balance.iter().try_for_each(|balance| balance.write(&case, folder))?;
+            case.balance.iter().try_for_each(|balance| tables::write_balance(balance, &case, folder))?;
         }
         let finished = Finished::of(&case);
         let page = folder.towards(summary::FILE, summary::page(study, &finished))?;
@@ -241,25 +235,44 @@ fn write(
     };
     let (mut tally, mut of_runs, mut cases) = (Tally::default(), Diagnostics::default(), vec![]);
     let mut pages = folder.spool();
+    let mut sweep = SweepTables::begin(study, folder)?;
+    let mut surveyor = Surveyor::of(study, wants_pictures(options))?;
     let keep = |(finished, page, case): (Finished, String, Option<Case>)| {
         tally.add(&finished);
+        surveyor.add(&finished);
+        sweep.iter_mut().try_for_each(|tables| tables.add(&finished))?;
         of_runs.extend(finished.said.clone());
         cases.extend(case);
         Ok(folder.towards(summary::FILE, pages.add(&page).and_then(|()| tell(finished)))?)
     };
-    let missing = case::all(study, options, write, keep)?;
-    let figures = if options.no_figures { vec![] } else { figures::write(study, &cases, folder)? };
-    let runs = Runs { cases: &cases, missing: &missing };
-    report_file::write(source, study, runs, folder, options.report)?;
+    let missing = runs::all(study, options, write, keep)?;
+    sweep.map_or(Ok(()), SweepTables::finish)?;
+    let located = if missing.is_empty() { runs::located(study, options, &surveyor)? } else { vec![] };
+    let survey = surveyor.end(located);
+    let runs = Runs { cases: &cases, missing: &missing, survey: &survey };
+    let figures = if options.no_figures { vec![] } else { figure_files::write(study, runs, folder)? };
+    let lead = report_file::write(source, study, runs, folder, options)?;
     drop(cases);
-    let all = summary::All { figures: &figures, tally, missing: &missing, pages: RefCell::new(pages) };
+    let located = survey.located;
+    let all = summary::All {
+        figures: &figures,
+        tally,
+        missing: &missing,
+        located: &located,
+        pages: RefCell::new(pages),
+    };
     summary::write(source, study, &all, folder)?;
-    Ok(Written { figures, tally, of_runs, missing })
+    Ok(Written { figures, tally, of_runs, missing, located, lead })
+}
+
+/// Whether anything is to be drawn or told beyond numbers.
+fn wants_pictures(options: &Options) -> bool {
+    !options.no_figures || options.report != report_file::Form::None
 }
 
 /// What figures and the report will read of a run, if anything.
 fn still_needed(study: &Study, options: &Options, case: Case) -> Option<Case> {
-    let has_figures = !options.no_figures && figures::are_asked_for(study);
+    let has_figures = !options.no_figures && tumble_report::figures::are_asked_for(study);
     match options.report {
         report_file::Form::None if !has_figures => None,
         report_file::Form::None => {
@@ -271,23 +284,16 @@ fn still_needed(study: &Study, options: &Options, case: Case) -> Option<Case> {
     }
 }
 
-/// The runs whose motions are known, and those that were not made.
-#[derive(Clone, Copy)]
-pub(crate) struct Runs<'a> {
-    pub(crate) cases: &'a [Case],
-    pub(crate) missing: &'a [Missing],
-}
-
 /// Runs a scene file and writes nothing: the study, and the runs with their motions.
 pub fn motions(path: &Path, options: &Options) -> Result<(Study, Vec<Case>), PipelineError> {
-    let (study, _) = read(&Source::read(path)?, options)?;
+    let study = read(&mut Source::read(path)?, options)?;
     let cases = all_motions(&study, options)?;
     Ok((study, cases))
 }
 
 fn all_motions(study: &Study, options: &Options) -> Result<Vec<Case>, PipelineError> {
     let (cases, missing) = kept(study, options).map_err(|error| error.placed(study))?;
-    if missing.is_empty() { Ok(cases) } else { Err(PipelineError::Interrupted) }
+    if missing.is_empty() { Ok(cases) } else { Err(CaseError::Interrupted.into()) }
 }
 
 /// Runs a scene that is given as text, and writes nothing.
@@ -325,12 +331,12 @@ fn kept(study: &Study, options: &Options) -> Result<(Vec<Case>, Vec<Missing>), P
         cases.push(case);
         Ok(())
     };
-    let missing = case::all(study, options, Ok, keep)?;
+    let missing = runs::all(study, options, Ok, keep)?;
     Ok((cases, missing))
 }
 
 fn mistaken(diagnostics: Diagnostics) -> PipelineError {
-    PipelineError::Scene(Box::new(diagnostics))
+    CaseError::Scene(Box::new(diagnostics)).into()
 }
 
 /// How an animation is drawn.
@@ -349,69 +355,67 @@ pub struct AnimationOptions {
 
 /// Animations replace animations only.
 #[cfg(feature = "png")]
-const ANIMATION: Kind = Kind { seal: tumble_report::ANIMATION_SEAL, option: "--to" };
+const ANIMATION: Kind = Kind { seal: gif::ANIMATION_SEAL, option: "--to" };
 
 /// Runs a scene and writes its motion as an animated GIF; the path of the file.
 #[cfg(feature = "png")]
 pub fn animate(path: &Path, options: &Options, how: &AnimationOptions) -> Result<PathBuf, PipelineError> {
-    let source = Source::read(path)?;
-    let (study, _) = read(&source, options)?;
+    let mut source = Source::read(path)?;
+    let study = read(&mut source, options)?;
     let to = how.to.clone().unwrap_or_else(|| options.out.join(format!("{}.gif", source.name)));
     let file = Single::begin(&to, ANIMATION)?;
     let cases = all_motions(&study, options)?;
-    let animation = report::animation(&study, &cases)?;
-    let gif = tumble_report::animation_gif(&animation, how.run.wrapping_sub(1), how.width, how.rate)?;
+    let animation = tumble_report::animation(&study, &cases)?;
+    let gif = gif::animation_gif(&animation, how.run.wrapping_sub(1), how.width, how.rate)?;
     Ok(file.finish(&gif)?)
 }
 
 /// Reads a scene and reports its mistakes, without running it.
 pub fn check(path: &Path, options: &Options) -> Result<Study, PipelineError> {
-    Ok(read(&Source::read(path)?, options)?.0)
+    read(&mut Source::read(path)?, options)
 }
 
 /// The files beside a scene, which notes what was read of them.
 struct Noting {
     folder: tumble_scene::Folder,
-    read: RefCell<Vec<PathBuf>>,
+    read: RefCell<Vec<(String, Vec<u8>)>>,
 }
 
 impl Files for Noting {
     fn read(&self, relative: &str) -> io::Result<Vec<u8>> {
-        self.read.borrow_mut().push(self.folder.0.join(relative));
-        self.folder.read(relative)
+        let bytes = self.folder.read(relative);
+        let known = bytes.as_ref().map_or_else(|_| vec![], Clone::clone);
+        self.read.borrow_mut().push((relative.to_owned(), known));
+        bytes
     }
 }
 
-/// The study, and the files that it was read from.
-fn read(source: &Source, options: &Options) -> Result<(Study, Vec<PathBuf>), PipelineError> {
+/// The study of a scene, which then has the files that it reads.
+fn read(source: &mut Source, options: &Options) -> Result<Study, PipelineError> {
     let overrides: Vec<Override> =
         options.set.iter().map(|(name, text)| Override { name: name.clone(), text: text.clone() }).collect();
-    let read = RefCell::new(vec![source.path.clone()]);
-    let beside = Noting { folder: tumble_scene::Folder::of(&source.path), read };
+    let beside = Noting { folder: tumble_scene::Folder::of(&source.path), read: RefCell::default() };
     let mut study =
         tumble_scene::read_bytes_in(&source.path.display().to_string(), &source.bytes, &overrides, &beside)
             .map_err(mistaken)?;
     if study.title.is_empty() {
         study.title = source.shown_name();
     }
-    Ok((study, beside.read.into_inner()))
+    source.beside = beside.read.into_inner();
+    Ok(study)
 }
 
 impl PipelineError {
+    /// The same with the place in the scene that it is about.
+    fn placed(self, study: &Study) -> Self {
+        match self {
+            Self::Case(error) => Self::Case(error.placed(study)),
+            other => other,
+        }
+    }
+
     /// Whether it is none of its own: no more was wanted.
     pub(crate) fn is_interruption(&self) -> bool {
-        matches!(self, Self::Interrupted)
-    }
-}
-
-impl From<tumble_ode::Reason> for PipelineError {
-    fn from(reason: tumble_ode::Reason) -> Self {
-        RunError::from(reason).into()
-    }
-}
-
-impl From<RunError> for PipelineError {
-    fn from(error: RunError) -> Self {
-        Self::Run(Box::new(error))
+        matches!(self, Self::Case(error) if error.is_interruption())
     }
 }

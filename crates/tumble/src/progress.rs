@@ -54,15 +54,9 @@ impl Progress {
         Self { bar, title, runs, finished: AtomicUsize::new(0), began, told, stop: options.stop.clone() }
     }
 
-    /// Of one of them, with a motion until that time, s.
-    pub fn of_run(&self, until: f64) -> RunProgress<'_> {
-        RunProgress {
-            all: self,
-            until,
-            steps: Cell::new(0),
-            last: Cell::new(0.0),
-            began: Cell::new(Instant::now()),
-        }
+    /// Of one of them.
+    pub fn of_run(&self) -> RunProgress<'_> {
+        RunProgress { all: self, steps: Cell::new(0), last: Cell::new(0.0), began: Cell::new(Instant::now()) }
     }
 
     /// One more run is done.
@@ -123,7 +117,6 @@ impl Drop for Progress {
 /// How much of one motion is found.
 pub struct RunProgress<'a> {
     all: &'a Progress,
-    until: f64,
     steps: Cell<u32>,
     last: Cell<f64>,
     /// When the motion was last begun: it is found several times.
@@ -131,14 +124,14 @@ pub struct RunProgress<'a> {
 }
 
 impl RunProgress<'_> {
-    /// The motion is found up to that time, s; it goes on unless no more is wanted.
-    pub fn reached(&self, time: f64) -> ControlFlow<()> {
+    /// The motion is found up to that time of all that it lasts, s; it goes on unless no more is wanted.
+    pub fn reached(&self, time: f64, until: f64) -> ControlFlow<()> {
         self.steps.set(self.steps.get().wrapping_add(1));
         if time < self.last.replace(time) {
             self.began.set(Instant::now());
         }
         if self.steps.get().is_multiple_of(STEPS_A_LOOK) {
-            self.all.show(time / self.until, self.began.get().elapsed());
+            self.all.show(time / until, self.began.get().elapsed());
         }
         if self.all.stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

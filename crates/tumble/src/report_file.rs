@@ -2,16 +2,19 @@
 
 use std::path::{Component, Path};
 
-use tumble_report::report::Report;
+use tumble_report::report::{Lab, Report};
+use tumble_report::results::Runs;
 use tumble_scene::Study;
 
 use crate::output::Folder;
-use crate::pipeline::{PipelineError, Runs};
-use crate::report;
+use crate::pipeline::{Options, PipelineError};
 use crate::summary::Source;
 
 /// The lesson of a scene, in its folder.
 const LESSON: &str = "README.md";
+
+/// The engine, as `cargo xtask lab` builds it.
+const ENGINE: &[u8] = include_bytes!("../assets/engine.wasm.lzma");
 
 /// How a report is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,21 +28,37 @@ pub enum Form {
     None,
 }
 
-/// Writes the report of a study, with where it comes from.
+/// Writes the report of a study, with where it comes from, and returns its first line: what was found.
 pub(crate) fn write(
     source: &Source,
     study: &Study,
     runs: Runs<'_>,
     folder: &Folder,
-    form: Form,
-) -> Result<(), PipelineError> {
-    let (file, written): (_, fn(&Report) -> String) = match form {
-        Form::None => return Ok(()),
+    options: &Options,
+) -> Result<String, PipelineError> {
+    let (file, written): (_, fn(&Report) -> String) = match options.report {
+        Form::None => return Ok(String::new()),
         Form::Html => ("report.html", Report::html),
         Form::Markdown => ("report.md", Report::markdown),
     };
-    let report = Report { lesson: lesson(source, folder), meta: meta(source), ..report::of(study, runs)? };
-    Ok(folder.write(file, written(&report).as_bytes())?)
+    let (lesson, meta) = (lesson(source, folder), meta(source));
+    let lab = lab(source, study, options);
+    let report = Report { lesson, meta, lab, ..tumble_report::of(study, runs)? };
+    folder.write(file, written(&report).as_bytes())?;
+    Ok(report.lead.to_plain())
+}
+
+/// The engine with the scene that the page plays; a study of a program has none.
+fn lab(source: &Source, study: &Study, options: &Options) -> Option<Lab> {
+    let is_wanted = options.report == Form::Html && !options.no_play && !source.path.as_os_str().is_empty();
+    is_wanted.then(|| Lab {
+        engine: ENGINE,
+        name: source.path.display().to_string(),
+        scene: String::from_utf8_lossy(&source.bytes).into_owned(),
+        files: source.beside.clone(),
+        set: options.set.clone(),
+        play: study.play.clone(),
+    })
 }
 
 fn meta(source: &Source) -> Vec<(String, String)> {

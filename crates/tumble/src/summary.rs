@@ -1,5 +1,6 @@
 //! `summary.json`: what was run, with what, and what came out, for programs.
 
+mod located;
 mod run;
 
 use std::cell::RefCell;
@@ -12,10 +13,10 @@ use serde::{Serialize, Serializer};
 use serde_json::value::RawValue;
 use tumble_scene::{Diagnostic, Diagnostics, Study, printable};
 
-use crate::case::{self, Missing};
-use crate::finished::Tally;
 use crate::output::{Folder, Hash, Spool};
 use crate::pipeline::PipelineError;
+use tumble_report::results::Tally;
+use tumble_report::results::{self, Located, Missing};
 
 pub(crate) use run::page;
 
@@ -32,6 +33,8 @@ pub(crate) struct Source {
     /// Name of the scene: of its folder where the file is called `scene.toml`, else of the file.
     pub(crate) name: String,
     pub(crate) bytes: Vec<u8>,
+    /// The files that it reads, by their names in it.
+    pub(crate) beside: Vec<(String, Vec<u8>)>,
 }
 
 /// Larger files are no scenes.
@@ -49,7 +52,7 @@ impl Source {
             return Err(failed(std::io::Error::other(reason)));
         }
         let bytes = fs::read(path).map_err(failed)?;
-        Ok(Self { path: path.to_owned(), name: scene_name(path), bytes })
+        Ok(Self { path: path.to_owned(), name: scene_name(path), bytes, beside: vec![] })
     }
 }
 
@@ -58,13 +61,20 @@ impl Source {
     pub(crate) fn of_program(name: &str) -> Result<Self, PipelineError> {
         match tumble_scene::file_name_fault(name) {
             Some(fault) => Err(PipelineError::Name { name: name.to_owned(), fault }),
-            None => Ok(Self { path: PathBuf::new(), name: name.to_owned(), bytes: vec![] }),
+            None => Ok(Self { path: PathBuf::new(), name: name.to_owned(), bytes: vec![], beside: vec![] }),
         }
     }
 
     /// The hash of the scene, where there is one.
     pub(crate) fn hash(&self) -> Option<String> {
         (!self.path.as_os_str().is_empty()).then(|| Hash::of(&self.bytes).to_string())
+    }
+
+    /// Every file that it is made of.
+    pub(crate) fn needed(&self) -> Vec<PathBuf> {
+        let folder = tumble_scene::Folder::of(&self.path);
+        let beside = self.beside.iter().map(|(name, _)| folder.0.join(name));
+        std::iter::once(self.path.clone()).chain(beside).collect()
     }
 
     /// The name as people see it.
@@ -100,6 +110,8 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<Said>,
     figures: &'a [String],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    located: Vec<located::Entry<'a>>,
     runs: Pages<'a>,
 }
 
@@ -150,6 +162,7 @@ pub(crate) struct All<'a> {
     pub(crate) figures: &'a [String],
     pub(crate) tally: Tally,
     pub(crate) missing: &'a [Missing],
+    pub(crate) located: &'a [Located],
     /// What each run came to, by [`page`].
     pub(crate) pages: RefCell<Spool>,
 }
@@ -171,6 +184,7 @@ pub(crate) fn write(
         interrupted: interrupted(all),
         warnings: said(&study.warnings()),
         figures: all.figures,
+        located: all.located.iter().map(located::entry).collect(),
         runs: Pages(&all.pages),
     };
     let file = |mut sink: &mut dyn Write| {
@@ -200,7 +214,8 @@ fn said(diagnostics: &Diagnostics) -> Vec<Said> {
 
 fn interrupted<'a>(all: &All<'a>) -> Option<Interrupted<'a>> {
     let missing = all.missing.iter();
-    let not_made = missing.map(|Missing { number, label }| NotMade { folder: case::folder(*number), label });
+    let not_made =
+        missing.map(|Missing { number, label }| NotMade { folder: results::folder(*number), label });
     let not_made: Vec<_> = not_made.collect();
     (!not_made.is_empty()).then_some(Interrupted { finished: all.tally.made, not_made })
 }

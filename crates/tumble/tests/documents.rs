@@ -78,7 +78,7 @@ fn succeeds(scene: &str, place: &str) {
         Ok(outcome) => {
             assert!(outcome.is_success(), "{place}: {:#?}", failures(&outcome));
         }
-        Err(pipeline::PipelineError::Scene(mistakes)) => {
+        Err(pipeline::PipelineError::Case(tumble::CaseError::Scene(mistakes))) => {
             panic!("{place}:\n{}", mistakes.render(false, WIDTH))
         }
         Err(error) => panic!("{place}: {error}"),

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use common::{folder, read, write};
 use tumble::gallery::{self, GalleryError};
-use tumble::{Options, PipelineError, pipeline};
+use tumble::{CaseError, Options, PipelineError, pipeline};
 
 /// A sweep whose first two runs are over at once and whose third one takes for ever.
 const SWING: &str = r#"
@@ -121,7 +121,7 @@ fn without_a_finished_run_the_last_results_stay() {
     let before = read(&folder.path().join("out/swing/summary.json"));
     options.stop.store(true, Ordering::Relaxed);
     let interrupted = pipeline::run(&folder.path().join("swing.toml"), &options);
-    assert!(matches!(interrupted, Err(PipelineError::Interrupted)));
+    assert!(matches!(interrupted, Err(PipelineError::Case(CaseError::Interrupted))));
     assert_eq!(read(&folder.path().join("out/swing/summary.json")), before);
     assert_eq!(names(&folder.path().join("out")), ["swing"]);
 }

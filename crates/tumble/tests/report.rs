@@ -172,3 +172,77 @@ fn words_of_a_scene_and_the_way_to_its_lesson_stand_in_the_report() {
     let (way, _) = after.split_once('"').expect("its end");
     assert_eq!(read(&outcome.folder.join(way)), "# A lesson");
 }
+
+/// Throws whose range is greatest at 45 degrees.
+const THROWS: &str = r#"version = 1
+    title = "Throws"
+    world.gravity = "10 m/s^2"
+    run.until = "2 s"
+    [parameters]
+    up = "30 deg"
+    v = "5 m/s"
+    [body.stone]
+    point = {}
+    mass = "1 kg"
+    start = { velocity = ["v*cos(up)", "v*sin(up)"] }
+    [event.down]
+    when = "stone.y falls through 0 m"
+    action = "stop"
+    [find.range]
+    that = "stone.x"
+    [plot.path]
+    y = "stone.y"
+    [sweep]
+"#;
+
+/// The greatest answer of a sweep lies between the values that are stated, and is known to the digits that are stated.
+#[test]
+fn the_greatest_answer_of_a_sweep_is_located() {
+    let place = folder();
+    let file = place.path().join("throws.toml");
+    write(&file, &format!("{THROWS}up = {{ from = \"20 deg\", to = \"75 deg\", count = 12 }}"));
+    let outcome = run(&file, place.path(), ReportForm::Html);
+    let summary: Value = serde_json::from_str(&read(&outcome.folder.join("summary.json"))).expect("JSON");
+    let located = &summary["located"][0];
+    let between = [0, 1].map(|side| located["between"][side].as_f64().expect("a number"));
+    assert!(between[0] < 45.0 && 45.0 < between[1] && between[1] - between[0] < 0.02, "{located}");
+    assert!((located["value"].as_f64().expect("a number") - 2.5).abs() < 1e-6, "{located}");
+    assert_eq!(located["which"], "greatest");
+    let page = read(&outcome.folder.join("report.html"));
+    assert!(page.contains("range: stone.x is greatest"));
+    assert!(page.contains("all 12 runs") && page.contains("median"), "a long sweep is bands");
+    assert!(outcome.folder.join("find.range.svg").is_file());
+    let least = &summary["located"][1];
+    assert_eq!(
+        (&least["which"], least["more_runs"].as_u64(), least.get("between")),
+        (&Value::from("least"), Some(0), None)
+    );
+}
+
+/// A row a run, a row an event, in the order of the runs.
+#[test]
+fn a_sweep_has_a_table_of_its_runs_and_one_of_its_events() {
+    let place = folder();
+    let file = place.path().join("throws.toml");
+    write(&file, &format!("{THROWS}v = [\"1 m/s\", \"2 m/s\"]\nup = [\"30 deg\", \"45 deg\", \"60 deg\"]"));
+    let outcome = run(&file, place.path(), ReportForm::Html);
+    let table = read(&outcome.folder.join("runs.csv"));
+    // The label of a run has a comma in quotes.
+    let table = table.replace(", ", "; ");
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 7);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{table}");
+    assert_eq!(rows[0][..4], ["run", "label", "up [rad]", "v [m/s]"]);
+    let column = |name: &str| rows[0].iter().position(|cell| *cell == name).expect("a column");
+    let (range, state) = (column("find range [m]"), column("state"));
+    let ranges: Vec<f64> = rows[1..].iter().map(|row| row[range].parse().expect("a number")).collect();
+    assert!((ranges[4] - 0.4).abs() < 1e-9, "{ranges:?}");
+    assert!(rows[1..].iter().all(|row| row[state] == "complete"));
+    let events = read(&outcome.folder.join("events.csv"));
+    assert_eq!(events.lines().next(), Some("run,v [m/s],up [rad],t [s],what"));
+    assert_eq!(events.lines().count(), 7);
+    let page = read(&outcome.folder.join("report.html"));
+    assert!(!page.contains("median"), "six runs are curves");
+    let without = run(&repository("scenes/04-kicked-ball/scene.toml"), place.path(), ReportForm::None);
+    assert!(!without.folder.join("runs.csv").exists(), "nothing is swept");
+}

@@ -11,9 +11,36 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("tumble-ode", &["tumble-expr"]),
     ("tumble-mech", &["tumble-expr", "tumble-ode"]),
     ("tumble-scene", &["tumble-expr", "tumble-ode", "tumble-mech"]),
-    ("tumble-report", &[]),
-    ("tumble-math", &["tumble-expr"]),
-    ("tumble", &["tumble-expr", "tumble-ode", "tumble-mech", "tumble-scene", "tumble-report", "tumble-math"]),
+    ("tumble-drawing", &[]),
+    ("tumble-notation", &["tumble-expr"]),
+    (
+        "tumble-report",
+        &["tumble-expr", "tumble-ode", "tumble-mech", "tumble-scene", "tumble-notation", "tumble-drawing"],
+    ),
+    (
+        "tumble",
+        &[
+            "tumble-expr",
+            "tumble-ode",
+            "tumble-mech",
+            "tumble-scene",
+            "tumble-notation",
+            "tumble-drawing",
+            "tumble-report",
+        ],
+    ),
+    (
+        "tumble-lab",
+        &[
+            "tumble-expr",
+            "tumble-ode",
+            "tumble-mech",
+            "tumble-scene",
+            "tumble-notation",
+            "tumble-drawing",
+            "tumble-report",
+        ],
+    ),
     ("xtask", &[]),
 ];
 
@@ -95,8 +122,8 @@ mod tests {
 
     #[test]
     fn report_takes_plain_data() {
-        let text = "[package]\nname = \"tumble-report\"\n[dependencies]\ntumble-expr.workspace = true\n";
-        assert_eq!(messages("crates/tumble-report/Cargo.toml", text).len(), 1);
+        let text = "[package]\nname = \"tumble-drawing\"\n[dependencies]\ntumble-expr.workspace = true\n";
+        assert_eq!(messages("crates/tumble-drawing/Cargo.toml", text).len(), 1);
     }
 
     #[test]

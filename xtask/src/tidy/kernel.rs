@@ -74,7 +74,7 @@ mod tests {
     fn paths_are_refused_wherever_results_are_computed() {
         assert_eq!(count("crates/tumble-mech/src/a.rs", "let y = f64::sin(x);"), 1);
         assert_eq!(count("crates/tumble-expr/src/expr.rs", "let y = f64::powf(x, 2.5);"), 1);
-        assert_eq!(count("crates/tumble-report/src/a.rs", "let y = f64::sin(x);"), 0);
+        assert_eq!(count("crates/tumble-drawing/src/a.rs", "let y = f64::sin(x);"), 0);
     }
 
     #[test]

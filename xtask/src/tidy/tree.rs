@@ -9,32 +9,32 @@ use crate::command::Process;
 use crate::workspace::Workspace;
 
 /// A file by its path from the root, with `/` between folders.
-pub(super) struct File {
-    pub(super) path: String,
+pub(crate) struct File {
+    pub(crate) path: String,
     /// `None` for what is not text.
     text: Option<String>,
 }
 
 impl File {
     /// The text; empty for a file that is not text.
-    pub(super) fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         self.text.as_deref().unwrap_or_default()
     }
 
     /// The lines with their numbers, counted from 1.
-    pub(super) fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
+    pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
         (1..).zip(self.text().lines())
     }
 }
 
 /// All files that are tracked, or would be after `git add --all`.
-pub(super) struct Tree {
+pub(crate) struct Tree {
     files: Vec<File>,
 }
 
 impl Tree {
     /// Reads the files of the repository.
-    pub(super) fn of(workspace: &Workspace) -> Result<Self> {
+    pub(crate) fn of(workspace: &Workspace) -> Result<Self> {
         let list = ["ls-files", "-z", "--cached", "--others", "--exclude-standard", "--deduplicate"];
         let names = Process::new("git", workspace.root()).args(list).output()?;
         let mut files = Vec::new();
@@ -46,28 +46,28 @@ impl Tree {
 
     /// A tree for the test of a rule.
     #[cfg(test)]
-    pub(super) fn from(files: &[(&str, &str)]) -> Self {
+    pub(crate) fn from(files: &[(&str, &str)]) -> Self {
         let file = |&(path, text): &(&str, &str)| File { path: path.to_owned(), text: Some(text.to_owned()) };
         Self { files: files.iter().map(file).collect() }
     }
 
-    pub(super) fn files(&self) -> &[File] {
+    pub(crate) fn files(&self) -> &[File] {
         &self.files
     }
 
-    pub(super) fn file(&self, path: &str) -> Option<&File> {
+    pub(crate) fn file(&self, path: &str) -> Option<&File> {
         self.files.iter().find(|file| file.path == path)
     }
 
     /// Whether there is such a file, or a folder with files in it.
-    pub(super) fn has(&self, path: &str) -> bool {
+    pub(crate) fn has(&self, path: &str) -> bool {
         let path = path.trim_end_matches('/');
         let inside = |file: &File| file.path.strip_prefix(path).is_some_and(|rest| rest.starts_with('/'));
         path.is_empty() || self.files.iter().any(|file| file.path == path || inside(file))
     }
 
     /// The files below a folder, written with a final `/`, whose name ends so.
-    pub(super) fn below<'a>(&'a self, folder: &'a str, ending: &'a str) -> impl Iterator<Item = &'a File> {
+    pub(crate) fn below<'a>(&'a self, folder: &'a str, ending: &'a str) -> impl Iterator<Item = &'a File> {
         self.files.iter().filter(move |file| file.path.starts_with(folder) && file.path.ends_with(ending))
     }
 }

@@ -129,9 +129,9 @@ impl Accumulation {
         let lasting = lasting.map(|(pair, _)| (*pair, &equations.pairs()[*pair]));
         let mut sources = vec![];
         let mut formulas = vec![];
-        for (index, pair) in lasting.filter(|(_, pair)| pair.body == body) {
+        for (index, pair) in lasting.filter(|(_, pair)| pair.has(body)) {
             sources.push(Source::Pair(index));
-            formulas.push([pair.arm().components(), pair.normal.components()].concat());
+            formulas.push([pair.arm_of(body).components(), pair.normal.components()].concat());
         }
         if sources.is_empty() || left == [0.0; 3] {
             return Ok(vec![]);

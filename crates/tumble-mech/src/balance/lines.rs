@@ -6,7 +6,7 @@ use tumble_ode::{Piece, Reason};
 use crate::anchor::rate;
 use crate::balance::contribution::Kind;
 use crate::balance::quadrature::{Amounts, Sample};
-use crate::contact::Grip;
+use crate::contact::{Grip, Pair};
 use crate::equations::Equations;
 use crate::link::TermOf;
 use crate::mode::Mode;
@@ -189,14 +189,12 @@ fn terms(equations: &Equations, mode: &Mode) -> Vec<(Term, Vector)> {
         let term = equations.term(of).clone();
         let velocity = match of {
             TermOf::Joint(joint, _) => model.joints[joint].velocity(),
-            TermOf::Pair(pair) if keeps => {
+            TermOf::Pair(pair, _) if keeps => kept_with(&equations.pairs()[pair]),
+            TermOf::Friction(pair, _) if mode.grip(pair).is_some_and(Grip::is_still) => {
                 let pair = &equations.pairs()[pair];
-                -pair.gap().derivative(&time_symbol()) * &pair.normal
+                if pair.other.is_some() { pair.material_velocity() } else { rate(&pair.through) }
             }
-            TermOf::Friction(pair) if mode.grip(pair).is_some_and(Grip::is_still) => {
-                rate(&equations.pairs()[pair].through)
-            }
-            TermOf::Pair(_) | TermOf::Friction(_) | TermOf::Load(_) => {
+            TermOf::Pair(..) | TermOf::Friction(..) | TermOf::Load(_) => {
                 let motion = model.bodies[term.body].kinematics();
                 motion.velocity() + motion.omega() * term.arm.perpendicular()
             }
@@ -208,6 +206,15 @@ fn terms(equations: &Equations, mode: &Mode) -> Vec<(Term, Vector)> {
         Some((term, rate(&model.pivots[pivot].world)))
     });
     acting.chain(pivots).collect()
+}
+
+/// Velocity of the point by which a pair touches as far as the normal force does work there: that of the surface along its normal, or of
+/// one body for both.
+fn kept_with(pair: &Pair) -> Vector {
+    match pair.other {
+        Some(_) => pair.material_velocity(),
+        None => -pair.closing().derivative(&time_symbol()) * &pair.normal,
+    }
 }
 
 fn outputs(equations: &Equations, line: &Line, about: &Vector) -> Vec<Expr> {

@@ -2,18 +2,24 @@
 //! A circle of radius r about the body's point p and a surface through P with the unit normal n: the gap is
 //! `g = n . (p - P) - r`, its rates follow by differentiating; the force N >= 0 acts along n at the contact point
 //! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
-//! angle. The rate of slip is `s = t . (v - P')`, with v the velocity of the body's material point there.
+//! angle. The rate of slip is `s = t . (v - w)`, with v and w the velocities of the two material points there.
+//!
+//! Against a circle of radius R about Q, with `d = p - Q`: from outside `g = |d| - L`, `L = R + r`, `n = d/L`; from inside
+//! `g = L - |d|`, `L = R - r`, `n = -d/L`. Rows keep `h = +-(d . d - L^2)/(2 L)` in the place of g, which is zero where g is, with
+//! `h' = n . d'` and `h'' = n . d'' +- d' . d'/L`: polynomials, exact where they touch. If Q is a point of another body, that has the
+//! opposite forces at `Q +- R n`.
 //! # Symbols and units
-//! g (m), n, t (1), p, P, r (m), N, F (N), s (m/s).
+//! g, h (m), n, t (1), p, P, Q, d, r, R, L (m), N, F (N), s (m/s).
 //! # Sign and frame
-//! World axes; n points out of the solid, g is positive apart and negative inside.
+//! World axes; n points out of the solid towards the first body, g is positive apart and negative inside.
 //! # Validity
-//! Ends, corners and rims of rigid bodies against planes, which may move and tilt on given paths.
+//! Ends, corners and rims of rigid bodies against planes and circles, which may move, and planes tilt, on given paths; rims and points
+//! against those of other bodies. n has the length one where they touch.
 //! # Source
-//! Geometry of a circle and a line: what a tilting surface moves by along itself is zero where they touch. The laws of the forces are
-//! the surface's.
+//! Geometry of a circle and a line, or two circles: what a tilting surface moves by along itself is zero where they touch. The laws of
+//! the forces are the surface's.
 //! # Checked by
-//! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`.
+//! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`, `tests/meeting.rs`, `tests/bowl.rs`.
 
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written, is_identically_zero};
 
@@ -21,6 +27,7 @@ use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::feature::Feature;
 use crate::contact::grip::Way;
+use crate::contact::opposite::Opposite;
 use crate::coordinates::{Measure, Pivot};
 use crate::friction::Friction;
 use crate::kinematics::PointRef;
@@ -30,27 +37,43 @@ use crate::statement::Statement;
 use crate::surface::{ContactLaw, Surface};
 use crate::term::{Law, Term};
 
-/// A point of a body and a surface that it may touch.
+/// Where in a model it is said that the two of a pair meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rule {
+    /// A surface, by its index.
+    Surface(usize),
+    /// A contact of bodies, by its index.
+    Bodies(usize),
+}
+
+/// A body, what it meets, and where that is no plane the pair: pairs with one of these slip alike.
+pub(crate) type Alike = (usize, Rule, Option<usize>);
+
+/// A point of a body and what it may touch: a surface, or a point of another body.
 #[derive(Clone, Debug)]
 pub struct Pair {
-    /// `floor.rod.tip`
+    /// `floor.rod.tip`, `balls.red.white`
     pub name: String,
-    /// Index of the surface.
-    pub surface: usize,
+    /// What says that they meet.
+    pub rule: Rule,
     /// Index of the body.
     pub body: usize,
+    /// Index of the other body, if it is none of the world.
+    pub other: Option<usize>,
     /// Centre of the circle that touches.
     pub centre: PointRef,
     /// Its radius, m.
     pub radius: Expr,
-    /// A point of the surface, m.
+    /// A point of the surface, or the centre of the other circle, m.
     pub through: Vector,
-    /// Unit vector out of the solid.
+    /// Unit vector out of the solid, towards the body; of a circle it has that length where they touch.
     pub normal: Vector,
     /// What happens where they touch, the body's own restitution included.
     pub law: ContactLaw,
     /// Friction along the surface, if it has any.
     pub friction: Option<Friction>,
+    /// What of the surface is not said by a point and the normal.
+    pub(crate) opposite: Opposite,
 }
 
 impl Pair {
@@ -59,40 +82,97 @@ impl Pair {
         (body_index, body): (usize, &Body),
         (feature, centre): (&Feature, &PointRef),
     ) -> Self {
+        let opposite = surface.circle.as_ref().map_or(Opposite::Plane, |circle| {
+            Opposite::circle(None, circle.radius.clone(), circle.inside, &feature.radius)
+        });
         Self {
             name: format!("{}.{}.{}", surface.name, body.name, feature.name),
-            surface: surface_index,
+            rule: Rule::Surface(surface_index),
             body: body_index,
+            other: None,
             centre: centre.clone(),
             radius: feature.radius.clone(),
             through: surface.through.clone(),
-            normal: surface.normal.clone(),
+            normal: opposite.normal(centre, &surface.through).unwrap_or_else(|| surface.normal.clone()),
             law: surface.law.of_body(body.restitution.as_ref()),
             friction: surface.friction.clone(),
+            opposite,
         }
     }
 
     /// Distance from the surface, m.
     pub fn gap(&self) -> Expr {
+        match &self.opposite {
+            Opposite::Plane => dot(&self.normal, &self.apart()) - &self.radius,
+            Opposite::Circle(circle) => circle.sign() * (self.apart().norm() - &circle.reach),
+        }
+    }
+
+    /// What is zero with the gap and has as simple a formula as there is: it is the gap itself of a plane.
+    pub(crate) fn closing(&self) -> Expr {
+        match &self.opposite {
+            Opposite::Plane => self.gap(),
+            Opposite::Circle(circle) => {
+                let apart = self.apart();
+                let beyond = dot(&apart, &apart) - &circle.reach * &circle.reach;
+                circle.sign() * beyond / (2 * &circle.reach)
+            }
+        }
+    }
+
+    /// What is watched for zero while they are apart: it changes with no coordinate faster than [`Self::slopes`]. From inside a
+    /// circle that is as true of the polynomial, which is smooth where the centres meet.
+    pub(crate) fn watched(&self) -> Expr {
+        match &self.opposite {
+            Opposite::Circle(circle) if circle.inside => self.closing(),
+            _ => self.gap(),
+        }
+    }
+
+    /// From the point of the surface, or the other centre, to the centre, m.
+    fn apart(&self) -> Vector {
         // Far from the origin the difference of the places is exact; what the arm is added to before would be rounded.
-        let from = self.centre.body.position() - &self.through;
-        dot(&self.normal, &(from + self.centre.world_arm())) - &self.radius
+        let place = self.centre.body.position();
+        match self.opposite.point() {
+            None => place - &self.through + self.centre.world_arm(),
+            Some(other) => place - other.body.position() + (self.centre.world_arm() - other.world_arm()),
+        }
     }
 
     /// Rate of the gap, m/s.
     pub fn gap_rate(&self) -> Expr {
-        let relative = self.centre.velocity() - rate(&self.through);
-        let tilting = dot(&rate(&self.normal), &(self.centre.position() - &self.through));
-        dot(&self.normal, &relative) + tilting
+        let relative = self.centre.velocity() - self.opposite.velocity(&self.through);
+        match self.opposite {
+            Opposite::Circle(_) => dot(&self.normal, &relative),
+            Opposite::Plane => {
+                let tilting = dot(&rate(&self.normal), &(self.centre.position() - &self.through));
+                dot(&self.normal, &relative) + tilting
+            }
+        }
     }
 
-    /// Second derivative of the gap, m/s^2, in the body's accelerations.
+    /// Second derivative of the gap, m/s^2, in the bodies' accelerations.
     pub fn gap_acceleration(&self) -> Expr {
-        let relative = self.centre.acceleration() - rate(&rate(&self.through));
+        let relative = self.centre.acceleration() - self.opposite.acceleration(&self.through);
+        if let Opposite::Circle(circle) = &self.opposite {
+            let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
+            return dot(&self.normal, &relative) + circle.sign() * dot(&velocity, &velocity) / &circle.reach;
+        }
         let turning = rate(&self.normal);
         let coriolis = 2 * dot(&turning, &(self.centre.velocity() - rate(&self.through)));
         let tilting = dot(&rate(&turning), &(self.centre.position() - &self.through));
         dot(&self.normal, &relative) + coriolis + tilting
+    }
+
+    /// How the normal turns, 1/s.
+    fn turning(&self) -> Vector {
+        match &self.opposite {
+            Opposite::Plane => rate(&self.normal),
+            Opposite::Circle(circle) => {
+                let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
+                velocity.map(|part| circle.sign() * part / &circle.reach)
+            }
+        }
     }
 
     /// From the body's centre of mass to the point that touches, m, world axes.
@@ -100,9 +180,59 @@ impl Pair {
         self.centre.world_arm() - &self.radius * &self.normal
     }
 
+    /// The same of the other body.
+    pub fn other_arm(&self) -> Option<Vector> {
+        let (Opposite::Circle(circle), Some(other)) = (&self.opposite, self.opposite.point()) else {
+            return None;
+        };
+        Some(other.world_arm() + &(circle.sign() * &circle.radius) * &self.normal)
+    }
+
+    /// The arm of one of its bodies.
+    pub(crate) fn arm_of(&self, body: usize) -> Vector {
+        self.other_arm().filter(|_| self.other == Some(body)).unwrap_or_else(|| self.arm())
+    }
+
+    /// The bodies, the one that the normal points to first.
+    pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
+        std::iter::once(self.body).chain(self.other)
+    }
+
+    /// Makes its bodies neighbours of each other.
+    pub(crate) fn couple(&self, neighbours: &mut [Vec<usize>]) {
+        if let Some(other) = self.other {
+            neighbours[self.body].push(other);
+            neighbours[other].push(self.body);
+        }
+    }
+
+    /// Whether it is of a body.
+    pub(crate) fn has(&self, body: usize) -> bool {
+        self.body == body || self.other == Some(body)
+    }
+
+    /// What it has in common with those that slip alike: all points of a body on one plane do; `own` is its index.
+    pub(crate) fn slips_with(&self, own: usize) -> Alike {
+        let is_plane = matches!(self.opposite, Opposite::Plane);
+        (self.body, self.rule, (!is_plane).then_some(own))
+    }
+
+    /// Each body with the sign of the forces on it.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = (usize, i32)> + use<> {
+        self.bodies().zip([1, -1])
+    }
+
     /// The point that touches, m.
     pub fn point(&self) -> Vector {
         self.centre.body.position() + self.arm()
+    }
+
+    /// A length that its gap is measured from besides its places, m.
+    pub(crate) fn extent(&self) -> Expr {
+        match &self.opposite {
+            Opposite::Plane => Expr::zero(),
+            Opposite::Circle(circle) => circle.radius.clone(),
+        }
     }
 
     /// Unit vector along the surface, its normal turned clockwise by a right angle.
@@ -115,21 +245,27 @@ impl Pair {
         dot(&self.tangent(), &self.slipping())
     }
 
-    /// Its derivative, m/s^2, in the body's accelerations.
+    /// Its derivative, m/s^2, in the bodies' accelerations.
     pub fn slip_acceleration(&self) -> Expr {
         let motion = &self.centre.body;
         let (omega, arm) = (motion.omega(), self.arm());
-        let turning = &omega * self.centre.world_arm().perpendicular() - &self.radius * rate(&self.normal);
+        let normal_turns = self.turning();
+        let turning = &omega * self.centre.world_arm().perpendicular() - &self.radius * &normal_turns;
         let own =
             motion.acceleration() + motion.alpha() * arm.perpendicular() + &omega * turning.perpendicular();
-        let tilting = dot(&turned(&rate(&self.normal)), &self.slipping());
-        dot(&self.tangent(), &(own - rate(&rate(&self.through)))) + tilting
+        let tilting = dot(&turned(&normal_turns), &self.slipping());
+        dot(&self.tangent(), &(own - self.opposite.material_acceleration(self, &normal_turns))) + tilting
     }
 
     /// Velocity of the body's material point less that of the surface, m/s.
     fn slipping(&self) -> Vector {
+        self.material_velocity() - self.opposite.material_velocity(self)
+    }
+
+    /// Velocity of the body's material point that touches, m/s.
+    pub(crate) fn material_velocity(&self) -> Vector {
         let motion = &self.centre.body;
-        motion.velocity() + motion.omega() * self.arm().perpendicular() - rate(&self.through)
+        motion.velocity() + motion.omega() * self.arm().perpendicular()
     }
 
     /// Stands for the force along the surface, N.
@@ -162,8 +298,13 @@ impl Pair {
         }
     }
 
+    /// The forces on both bodies.
+    pub(crate) fn terms(&self) -> Vec<Term> {
+        self.on_both(self.term())
+    }
+
     /// The friction on the body.
-    pub(crate) fn friction_term(&self) -> Term {
+    fn friction_term(&self) -> Term {
         let force: Expr = self.friction_symbol().into();
         Term {
             load: format!("{}.friction", self.name),
@@ -171,6 +312,17 @@ impl Pair {
             force: &force * &self.tangent(),
             ..self.term()
         }
+    }
+
+    /// The friction on both bodies.
+    pub(crate) fn friction_terms(&self) -> Vec<Term> {
+        self.on_both(self.friction_term())
+    }
+
+    fn on_both(&self, own: Term) -> Vec<Term> {
+        let other = self.other.zip(self.other_arm());
+        let other = other.map(|(body, arm)| Term { body, arm, force: -&own.force, ..own.clone() });
+        std::iter::once(own).chain(other).collect()
     }
 
     /// `N n`; what N is follows from other loads where the surface is rigid.
@@ -186,10 +338,9 @@ impl Pair {
 
     /// The condition that it does not slip. How far it has slipped before is nothing to it: it has a rate only.
     pub(crate) fn slip_row(&self) -> Row {
-        let (body, arm, force) = (self.body, self.arm(), self.tangent());
         Row {
             multiplier: self.friction_symbol(),
-            wrenches: vec![Wrench { body, arm, force, couple: Expr::zero() }],
+            wrenches: self.wrenches(&self.tangent()),
             position: Expr::zero(),
             rate: self.slip_rate(),
             acceleration: self.slip_acceleration(),
@@ -199,25 +350,39 @@ impl Pair {
 
     /// The condition that the gap stays closed.
     pub(crate) fn row(&self) -> Row {
-        let (body, arm, force) = (self.body, self.arm(), self.normal.clone());
         Row {
             multiplier: self.force_symbol(),
-            wrenches: vec![Wrench { body, arm, force, couple: Expr::zero() }],
-            position: self.gap(),
+            wrenches: self.wrenches(&self.normal),
+            position: self.closing(),
             rate: self.gap_rate(),
             acceleration: self.gap_acceleration(),
             measure: Measure::Length,
         }
     }
 
-    /// How fast the gap can change with each coordinate: of x, of y and of the angle for a free body, of the angle for a
-    /// pivoted one. `None` where the surface or the pivot moves.
-    pub(crate) fn slopes(&self, pivot: Option<&Pivot>, body: &Body) -> Option<Vec<Expr>> {
+    fn wrenches(&self, direction: &Vector) -> Vec<Wrench> {
+        let wrench = |(body, sign)| Wrench {
+            body,
+            arm: self.arm_of(body),
+            force: if sign < 0 { -direction } else { direction.clone() },
+            couple: Expr::zero(),
+        };
+        self.sides().map(wrench).collect()
+    }
+
+    /// How fast what is watched can change with each coordinate of one of its bodies: of x, of y and of the angle for a free body,
+    /// of the angle for a pivoted one. `None` where the surface or the pivot moves.
+    pub(crate) fn slopes(&self, index: usize, pivot: Option<&Pivot>, body: &Body) -> Option<Vec<Expr>> {
+        let point = self.opposite.point().filter(|_| self.other == Some(index)).unwrap_or(&self.centre);
+        let along = match &self.opposite {
+            Opposite::Plane => [self.normal.x().clone(), self.normal.y().clone()],
+            Opposite::Circle(_) => [Expr::one(), Expr::one()],
+        };
         match pivot {
             _ if !self.is_fixed() => None,
-            None => Some(vec![self.normal.x().clone(), self.normal.y().clone(), self.centre.arm.norm()]),
+            None => Some(along.into_iter().chain([point.arm.norm()]).collect()),
             Some(pivot) if moves(&pivot.world) => None,
-            Some(pivot) => Some(vec![(&self.centre.arm - &body.at(&pivot.point).arm).norm()]),
+            Some(pivot) => Some(vec![(&point.arm - &body.at(&pivot.point).arm).norm()]),
         }
     }
 
@@ -228,7 +393,7 @@ impl Pair {
 
     /// Whether it touches by a round rim, which rolls where it does not slip.
     pub fn is_round(&self) -> bool {
-        !is_identically_zero(&self.radius)
+        !is_identically_zero(&self.radius) || self.other.is_some()
     }
 
     /// Whether the surface is rigid.
@@ -288,7 +453,7 @@ fn turned(v: &Vector) -> Vector {
     Vector::planar(v.y().clone(), -v.x())
 }
 
-fn dot(a: &Vector, b: &Vector) -> Expr {
+pub(super) fn dot(a: &Vector, b: &Vector) -> Expr {
     a.x() * b.x() + a.y() * b.y()
 }
 

@@ -16,22 +16,24 @@ use crate::mode::Mode;
 use crate::model::Model;
 use crate::term::Term;
 
-/// Every pair, in the order of surfaces, bodies and features, with the force it exerts when it touches.
+/// Every pair, in the order of surfaces, bodies and features, then of contacts of bodies, with the forces it exerts when it touches.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pairs {
     pub(crate) all: Vec<Pair>,
-    pub(crate) terms: Vec<Term>,
+    /// By pair, then by body.
+    pub(crate) terms: Vec<Vec<Term>>,
     /// Of those with friction.
-    pub(crate) frictions: HashMap<usize, Term>,
+    pub(crate) frictions: HashMap<usize, Vec<Term>>,
     of_bodies: Vec<Vec<usize>>,
 }
 
 impl Pairs {
     pub(crate) fn of(model: &Model) -> Self {
-        let features: Vec<Vec<(Feature, PointRef)>> = match model.surfaces.is_empty() {
-            true => vec![vec![]; model.bodies.len()],
-            false => model.bodies.iter().map(placed).collect(),
-        };
+        let features: Vec<Vec<(Feature, PointRef)>> =
+            match model.surfaces.is_empty() && model.contacts.is_empty() {
+                true => vec![vec![]; model.bodies.len()],
+                false => model.bodies.iter().map(placed).collect(),
+            };
         let mut all = vec![];
         for surface in model.surfaces.iter().enumerate() {
             for body in model.bodies.iter().enumerate() {
@@ -39,12 +41,26 @@ impl Pairs {
                 all.extend(met.map(|(feature, centre)| Pair::new(surface, body, (feature, centre))));
             }
         }
-        let terms = all.iter().map(Pair::term).collect();
+        let contacts = model.contacts.iter().enumerate();
+        all.extend(contacts.flat_map(|(index, contact)| contact.pairs(index, model, &features)));
+        let terms = all.iter().map(Pair::terms).collect();
         let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
-        let frictions = rough.map(|(index, pair)| (index, pair.friction_term())).collect();
+        let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
         let mut of_bodies = vec![vec![]; model.bodies.len()];
-        all.iter().enumerate().for_each(|(index, pair): (usize, &Pair)| of_bodies[pair.body].push(index));
+        for (index, pair) in all.iter().enumerate() {
+            pair.bodies().for_each(|body| of_bodies[body].push(index));
+        }
         Self { all, terms, frictions, of_bodies }
+    }
+
+    /// Indices of the pairs of which all bodies are among some that are in order.
+    pub(crate) fn among(&self, bodies: &[usize]) -> Vec<usize> {
+        let is_own = |pair: &usize| self.all[*pair].bodies().all(|body| bodies.binary_search(&body).is_ok());
+        let mut pairs: Vec<usize> =
+            bodies.iter().flat_map(|body| self.of_body(*body)).filter(is_own).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
     }
 
     /// Indices of a body's pairs.
@@ -68,10 +84,8 @@ impl Equations {
 
     /// Pairs that are apart in a mode.
     pub(crate) fn apart(&self, mode: &Mode) -> Vec<usize> {
-        let own = mode.bodies.iter().flat_map(|body| self.pair_list().of_body(*body));
-        let mut apart: Vec<usize> = own.filter(|pair| mode.contact_mode(*pair).is_none()).collect();
-        apart.sort_unstable();
-        apart
+        let own = self.pair_list().among(&mode.bodies).into_iter();
+        own.filter(|pair| mode.contact_mode(*pair).is_none()).collect()
     }
 
     /// What is watched of the pairs that touch: its guards come after those of the events.
@@ -121,17 +135,20 @@ impl Equations {
     /// Whether a push at a pair moves one body that nothing else holds.
     fn is_alone(&self, mode: &Mode, pair: usize) -> bool {
         let body = self.pairs()[pair].body;
-        let mut own = mode.held().filter(|other| self.pairs()[*other].body == body);
+        let mut own = mode.held().filter(|other| self.pairs()[*other].has(body));
         own.next() == Some(pair)
             && own.next().is_none()
             && self.island_of(mode, body).len() == 1
             && self.independent_rows_of(mode, &[body]).is_empty()
     }
 
-    /// The pairs that are held and slip like a pair: of the same body on the same surface.
+    /// The pairs that are held and slip like a pair: of the same body on the same plane.
     pub(crate) fn alike<'a>(&'a self, mode: &'a Mode, pair: usize) -> impl Iterator<Item = usize> + 'a {
-        let of = |pair: usize| (self.pairs()[pair].body, self.pairs()[pair].surface);
-        mode.grips.iter().map(|(other, _)| *other).filter(move |other| of(*other) == of(pair))
+        let own = self.pairs()[pair].slips_with(pair);
+        mode.grips
+            .iter()
+            .map(|(other, _)| *other)
+            .filter(move |other| self.pairs()[*other].slips_with(*other) == own)
     }
 
     /// What friction of a body on a surface could still have more before it slips that way, N; the pair is the one that is given it.

@@ -4,7 +4,8 @@
 //! the normals `w_n >= 0`, `z_n >= 0`, one of the two zero. Along a surface, for all points of one body on it together, since they slip
 //! alike: it sticks, `w_t = 0` and `|z_t| <= mu_s z_n`, or it slides, `z_t = -mu_k sign(w_t) z_n`. For a choice of who sticks and who
 //! slides which way, friction is eliminated and what is left is a problem of complementarity along the normals. The choice is found by
-//! letting those slide that cannot hold; where that does not end, all choices are tried.
+//! letting those slide that cannot hold; where that does not end, the choice that sweeps over single contacts come to is put right in
+//! the same way, and where there are few surfaces all choices are tried.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,6 +16,10 @@ use crate::contact::grip::{Grip, Way};
 const FULL: f64 = 1e-11;
 /// Choices in turn for each surface before all are tried.
 const ROUNDS: usize = 4;
+/// Sweeps over all contacts for a first choice; what they have not come to by then is put right afterwards.
+const SWEEPS: usize = 1000;
+/// Friction nearer to what it can be at most than this part is taken for all of it after the sweeps.
+const NEARLY_FULL: f64 = 1e-6;
 /// With more surfaces than this not all choices are tried: there are five for each.
 const MOST_TRIED: usize = 5;
 
@@ -74,18 +79,69 @@ impl Rough<'_> {
     /// Pushes that every condition holds for; `None` if none were found.
     pub(super) fn solve(&self) -> Option<Pushes> {
         let start = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
-        let mut grips: Vec<Grip> = self.patches.iter().map(start).collect();
+        let found = self.put_right(self.patches.iter().map(start).collect());
+        found.or_else(|| self.put_right(self.swept())).or_else(|| {
+            let choices = self.all_choices();
+            let mut found = choices.iter().filter_map(|grips| self.attempt(grips));
+            found.find(|found| self.wrong(found).is_none())
+        })
+    }
+
+    /// Pushes for a choice in which one after the other is changed that friction does not allow.
+    fn put_right(&self, mut grips: Vec<Grip>) -> Option<Pushes> {
         for _ in 0..=ROUNDS * self.patches.len() {
-            let Some(found) = self.attempt(&grips) else { break };
+            let found = self.attempt(&grips)?;
             match self.wrong(&found) {
                 None => return Some(found),
                 Some((patch, grip)) => grips[patch] = grip,
             }
         }
-        self.all_choices()
-            .iter()
-            .filter_map(|grips| self.attempt(grips))
-            .find(|found| self.wrong(found).is_none())
+        None
+    }
+
+    /// The choice that is come to by pushing at one contact after the other as much as stops it there, within what friction allows
+    /// (Gauss and Seidel).
+    fn swept(&self) -> Vec<Grip> {
+        let mut pushes = self.given.clone();
+        for _ in 0..SWEEPS {
+            for &contact in &self.contacts {
+                let stopping = self.stopping(contact, &pushes);
+                pushes[contact] = stopping.max(self.given[contact]);
+            }
+            for patch in &self.patches {
+                for &(contact, row) in &patch.contacts {
+                    let [most, kinetic] = patch.friction.map(|friction| friction * pushes[contact]);
+                    pushes[row] = match patch.slips {
+                        Some(way) => -f64::from(way.sign()) * kinetic,
+                        None => self.stopping(row, &pushes).max(-most).min(most),
+                    };
+                }
+            }
+        }
+        let then = &self.without + self.response * &pushes;
+        self.patches.iter().map(|patch| self.swept_grip(patch, &pushes, &then)).collect()
+    }
+
+    /// The push of a row with which it stands still, the others as they are.
+    fn stopping(&self, row: usize, pushes: &DVector<f64>) -> f64 {
+        let own = self.response[(row, row)];
+        let rate = self.without[row] + self.response.row(row).transpose().dot(pushes);
+        if own > 0.0 { pushes[row] - rate / own } else { pushes[row] }
+    }
+
+    fn swept_grip(&self, patch: &Patch, pushes: &DVector<f64>, then: &DVector<f64>) -> Grip {
+        let sum = |of: &dyn Fn(&(usize, usize)) -> usize| -> f64 {
+            patch.contacts.iter().map(|contact| pushes[of(contact)]).sum()
+        };
+        let (normal, along) = (sum(&|(contact, _)| *contact), sum(&|(_, row)| *row));
+        let slip = then[patch.row()];
+        match patch.slips {
+            Some(way) => Grip::Slides(way),
+            None if along.abs() < (1.0 - NEARLY_FULL) * patch.friction[0] * normal => Grip::Sticks,
+            None if slip.abs() > self.zero => Grip::Slides(Way::of(slip)),
+            None if normal > 0.0 => Grip::Strains(Way::of(-along)),
+            None => Grip::Sticks,
+        }
     }
 
     /// Pushes of either sign with which just these normals, and those that stick, stand still.

@@ -17,7 +17,7 @@ use crate::contact::zeno::{LOWEST, ZenoSequence};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
-use crate::laws::impact::impulses;
+use crate::laws::impact::{MultipleImpacts, impulses};
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
 use rubbing::Rubbing;
@@ -32,7 +32,7 @@ pub(crate) const BALANCED: f64 = 1e-10;
 /// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
 const UNDISTURBED: f64 = 8.0;
 
-/// Why one body's contacts are looked at.
+/// Why the contacts of an island are looked at.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Touched {
     /// Pairs that have just closed.
@@ -47,6 +47,19 @@ pub(crate) struct Touched {
     pub(crate) wedged: BTreeSet<usize>,
 }
 
+impl Touched {
+    /// Adds what was seen of a pair of rigid ones.
+    pub(crate) fn add(&mut self, pair: usize, watched: Watched) {
+        match watched {
+            Watched::Normal => _ = self.lifted.insert(pair),
+            Watched::Slip => _ = self.stopped.insert(pair),
+            Watched::Cone(way) => _ = self.broken.insert((pair, way)),
+            Watched::Wedge => _ = self.wedged.insert(pair),
+            Watched::Gap | Watched::Force => _ = self.closed.insert(pair),
+        }
+    }
+}
+
 /// Contacts that last, by position, and the accelerations of all gaps then.
 type Held = (Vec<(usize, ContactMode)>, DVector<f64>);
 
@@ -57,13 +70,14 @@ struct Lasting {
     rubbing: Option<Rubbing>,
 }
 
-/// Velocities and contacts of one body while they are settled.
+/// Velocities and contacts of an island while they are settled.
 struct Settling<'a> {
     equations: &'a Equations,
-    body: usize,
+    /// Bodies, in order.
+    island: Vec<usize>,
     now: Now<'a>,
     touch: Touch,
-    /// Positions, among the body's pairs, of those that take part.
+    /// Positions, among the island's pairs, of those that take part.
     part: Vec<usize>,
     /// Impulses of the impact so far, by position, N s.
     impulses: DVector<f64>,
@@ -74,15 +88,15 @@ struct Settling<'a> {
 }
 
 impl Equations {
-    /// Settles the rigid contacts of the island that a body belongs to. The impulses of the impact.
+    /// Settles the rigid contacts of bodies that joints and contacts make an island now. The impulses of the impact.
     pub(crate) fn settle(
         &self,
-        body: usize,
+        island: &[usize],
         touched: &Touched,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<Sizes, Reason> {
-        let mut settling = Settling::new(self, body, touched, now, jump)?;
+        let mut settling = Settling::new(self, island, touched, now, jump)?;
         settling.impact(jump)?;
         let zeno = settling.zeno();
         let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;
@@ -94,24 +108,27 @@ impl Equations {
 impl<'a> Settling<'a> {
     fn new(
         equations: &'a Equations,
-        body: usize,
+        island: &[usize],
         touched: &Touched,
         now: Now<'a>,
         jump: &Jump<Mode>,
     ) -> Result<Self, Reason> {
-        let touch = equations.touch(body, &jump.mode, &jump.states, now)?;
+        let touch = equations.touch(island, &jump.mode, &jump.states, now)?;
         let takes_part = |position: &usize| {
             let pair = touch.pairs[*position];
             let lasts = jump.mode.contact_mode(pair).is_some_and(ContactMode::is_lasting);
-            let closes = touch.gap[*position] <= touch.blur[*position] && touch.rate[*position] < 0.0;
-            let overdue = closes && equations.pairs()[pair].is_rigid();
-            touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || overdue
+            // What touches and does not part has a part too: else rounding would say whether it closes next.
+            let stays = touch.rate[*position] <= STANDS * touch.speed[*position];
+            let touches = touch.gap[*position] <= touch.blur[*position] && stays;
+            let is_there = touches && equations.pairs()[pair].is_rigid();
+            touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || is_there
         };
         let part: Vec<usize> = (0..touch.pairs.len()).filter(takes_part).collect();
         let count = touch.response.nrows();
         let speed = touch.speed.clone();
         let then = touch.free.clone();
-        Ok(Self { equations, body, now, touch, part, impulses: DVector::zeros(count), speed, then })
+        let (island, impulses) = (island.to_vec(), DVector::zeros(count));
+        Ok(Self { equations, island, now, touch, part, impulses, speed, then })
     }
 
     /// Velocities after the impacts of this instant, if anything closes.
@@ -133,7 +150,11 @@ impl<'a> Settling<'a> {
         let rule = self.equations.model().multiple_impacts;
         let (rate, restitution) = (self.of(&self.touch.rate), self.of(&self.touch.restitution));
         let push = impulses(rule, &self.response(&self.part), &rate, &restitution);
-        Ok(self.whole(&self.part, &push.ok_or_else(|| self.unsolved("impact"))?))
+        let push = push.ok_or_else(|| match rule {
+            MultipleImpacts::Sequential => self.endless(),
+            MultipleImpacts::Simultaneous => self.unsolved("impact"),
+        });
+        Ok(self.whole(&self.part, &push?))
     }
 
     /// Takes the rounding of the impulses out of the rates where they are known, each what its restitution makes of it: a ball that
@@ -313,7 +334,7 @@ impl<'a> Settling<'a> {
 
     fn apply(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         self.touch.kick(impulses, &mut jump.states);
-        self.touch = self.equations.touch(self.body, &jump.mode, &jump.states, self.now)?;
+        self.touch = self.equations.touch(&self.island, &jump.mode, &jump.states, self.now)?;
         Ok(())
     }
 
@@ -334,8 +355,16 @@ impl<'a> Settling<'a> {
     }
 
     fn unsolved(&self, what: &str) -> Reason {
-        let body = &self.equations.model().bodies[self.body].name;
-        Reason::Model(format!("no impulses or forces were found for the {what} of `{body}`"))
+        let bodies = self.equations.body_names(&self.island);
+        Reason::Model(format!("no impulses or forces were found for the {what} of {bodies}"))
+    }
+
+    /// Impacts one after the other at this instant that come to no end.
+    fn endless(&self) -> Reason {
+        let bodies = self.equations.body_names(&self.island);
+        Reason::Model(format!(
+            "impacts of {bodies} follow each other at one instant and come to no end, nor near one: take `impacts = \"simultaneous\"`"
+        ))
     }
 
     fn found(&self) -> Sizes {

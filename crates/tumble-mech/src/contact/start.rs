@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use tumble_expr::Expr;
 use tumble_ode::{Cause, Reason};
 
+use crate::contact::pair::Rule;
 use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::mode::Mode;
@@ -27,7 +28,9 @@ impl Equations {
         let formulas: Vec<_> = self
             .pairs()
             .iter()
-            .flat_map(|pair| [pair.gap(), &extents[pair.body] + pair.through.norm() + &pair.radius])
+            .flat_map(|pair| {
+                [pair.gap(), &extents[pair.body] + pair.through.norm() + &pair.radius + pair.extent()]
+            })
             .collect();
         let values = self.values(&formulas, mode, 0.0, states, inputs).map_err(|reason| match reason {
             Reason::Compile(mistake) => ModelError::Compile { what: "a surface".into(), mistake },
@@ -38,7 +41,7 @@ impl Equations {
         for (index, pair) in self.pairs().iter().enumerate() {
             let (gap, size) = (values[2 * index], values[2 * index + 1]);
             if !gap.is_finite() {
-                let what = format!("distance of `{}` from its surface", pair.name);
+                let what = format!("gap of `{}`", pair.name);
                 inside.push(ModelError::NotFinite { what, value: gap });
             } else if gap < -TOUCHES * size {
                 inside.push(self.inside(index, -gap));
@@ -51,11 +54,21 @@ impl Equations {
     }
 
     fn inside(&self, pair: usize, depth: f64) -> ModelError {
-        let pair = &self.pairs()[pair];
-        let body = &self.model().bodies[pair.body].name;
-        let surface = &self.model().surfaces[pair.surface].name;
-        let feature = pair.name.trim_start_matches(&format!("{surface}.{body}.")).to_owned();
-        ModelError::Inside { body: body.clone(), feature, surface: surface.clone(), depth }
+        let (pair, model) = (&self.pairs()[pair], self.model());
+        let body = model.bodies[pair.body].name.clone();
+        match pair.rule {
+            Rule::Surface(surface) => {
+                let surface = model.surfaces[surface].name.clone();
+                let feature = pair.name.trim_start_matches(&format!("{surface}.{body}.")).to_owned();
+                ModelError::Inside { body, feature, surface, depth }
+            }
+            Rule::Bodies(contact) => ModelError::InEachOther {
+                first: body,
+                second: pair.other.map(|other| model.bodies[other].name.clone()).unwrap_or_default(),
+                contact: model.contacts[contact].name.clone(),
+                depth,
+            },
+        }
     }
 }
 
@@ -63,6 +76,9 @@ impl Equations {
 fn deepest(inside: Vec<ModelError>) -> Vec<ModelError> {
     let depth_of = |mistake: &ModelError| match mistake {
         ModelError::Inside { body, surface, depth, .. } => Some(((body.clone(), surface.clone()), *depth)),
+        ModelError::InEachOther { first, second, depth, .. } => {
+            Some(((first.clone(), second.clone()), *depth))
+        }
         _ => None,
     };
     let mut most: HashMap<(String, String), (f64, usize)> = HashMap::new();

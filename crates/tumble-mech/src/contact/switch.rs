@@ -1,7 +1,5 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
-use std::collections::BTreeMap;
-
 use tumble_ode::{Cause, Crossing, Reason};
 
 use crate::contact::change::Change;
@@ -61,16 +59,22 @@ impl Equations {
         if causes.wakes {
             self.wake(jump);
         }
-        let mut touched = self.still_standing(at, jump);
+        let islands = self.islands_now(&causes, now, jump)?;
+        let mut touched = vec![None; islands.len()];
+        let of = |pair: usize| {
+            islands.iter().position(|island| island.binary_search(&self.pairs()[pair].body).is_ok())
+        };
+        for pair in self.still_standing(at, jump) {
+            of(pair).into_iter().for_each(|island| _ = touched[island].get_or_insert_default());
+        }
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
-            let body = self.island_of(&jump.mode, self.pairs()[pair].body)[0];
             match (self.pairs()[pair].is_rigid(), watched) {
-                (true, Watched::Normal) => _ = touched.entry(body).or_default().lifted.insert(pair),
-                (true, Watched::Slip) => _ = touched.entry(body).or_default().stopped.insert(pair),
-                (true, Watched::Cone(way)) => _ = touched.entry(body).or_default().broken.insert((pair, way)),
-                (true, Watched::Wedge) => _ = touched.entry(body).or_default().wedged.insert(pair),
-                (true, _) => _ = touched.entry(body).or_default().closed.insert(pair),
+                (true, watched) => {
+                    of(pair).into_iter().for_each(|island| {
+                        touched[island].get_or_insert_with(Touched::default).add(pair, watched);
+                    });
+                }
                 (false, _) if closes => self.press(pair, now, jump)?,
                 (false, watched) => self.let_go(pair, watched, now, jump)?,
             }
@@ -78,25 +82,38 @@ impl Equations {
         }
         self.refuse_common_beginning(jump)?;
         let mut impulses = Sizes::default();
-        for (body, touched) in touched {
-            impulses.add(self.settle(body, &touched, now, jump)?);
+        for (island, touched) in islands.iter().zip(touched) {
+            if let Some(touched) = touched {
+                impulses.add(self.settle(island, &touched, now, jump)?);
+            }
         }
         Ok(impulses)
     }
 
-    /// Bodies with lasting contacts, where loads or parameters change now: what held them may not any more.
-    fn still_standing(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> BTreeMap<usize, Touched> {
+    /// What joints, lasting contacts and bodies that meet at this instant make one island.
+    fn islands_now(
+        &self,
+        causes: &Causes,
+        now: Now<'_>,
+        jump: &Jump<Mode>,
+    ) -> Result<Vec<Vec<usize>>, Reason> {
+        let mut meeting = self.meeting(&jump.mode, &jump.states, now)?;
+        meeting.extend(causes.seen.iter().map(|(pair, ..)| *pair));
+        Ok(self.islands_with(&jump.mode, &jump.mode.bodies, &meeting))
+    }
+
+    /// Pairs that last, where loads or parameters change now: what held them may not any more.
+    fn still_standing(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> Vec<usize> {
         let is_pushed =
             |happening: &Happening| matches!(happening, Happening::Joint { .. } | Happening::Impulse(_));
         let same = at.mode.windows == jump.mode.windows
             && at.mode.changes == jump.mode.changes
             && !jump.record.happened.iter().any(is_pushed);
         if same {
-            return BTreeMap::new();
+            return vec![];
         }
         let lasting = at.mode.contacts.iter().filter(|(_, contact_mode)| contact_mode.is_lasting());
-        let first = |pair: &usize| self.island_of(&jump.mode, self.pairs()[*pair].body)[0];
-        lasting.map(|(pair, _)| (first(pair), Touched::default())).collect()
+        lasting.map(|(pair, _)| *pair).collect()
     }
 
     /// Impacts that were too small to follow have ended.
@@ -112,7 +129,7 @@ impl Equations {
     /// A point meets a compliant surface.
     fn press(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
-        let touch = self.touch(pair.body, &jump.mode, &jump.states, now)?;
+        let touch = self.touch(&self.island_of(&jump.mode, pair.body), &jump.mode, &jump.states, now)?;
         let Some(own) = touch.position(index) else { return Ok(()) };
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
         let closes = if stands { touch.free[own] < 0.0 } else { touch.rate[own] < 0.0 };
@@ -156,7 +173,8 @@ impl Equations {
     }
 
     fn is_at_surface(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
-        let touch = self.touch(self.pairs()[index].body, &jump.mode, &jump.states, now)?;
+        let touch =
+            self.touch(&self.island_of(&jump.mode, self.pairs()[index].body), &jump.mode, &jump.states, now)?;
         Ok(touch.position(index).is_some_and(|own| touch.gap[own].abs() <= touch.blur[own]))
     }
 

@@ -115,25 +115,24 @@ impl Touch {
 }
 
 impl Equations {
-    /// The numbers of the pairs of the island that a body belongs to.
+    /// The numbers of the pairs among the bodies of an island.
     pub(crate) fn touch(
         &self,
-        body: usize,
+        island: &[usize],
         mode: &Mode,
         states: &[f64],
         now: Now<'_>,
     ) -> Result<Touch, Reason> {
-        let island = self.island_of(mode, body);
-        let pairs: Vec<usize> = island.iter().flat_map(|body| self.pair_list().of_body(*body)).collect();
+        let pairs = self.pair_list().among(island);
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
-        let tape = self.island_tape(&island, mode, &pairs)?;
+        let tape = self.island_tape(island, mode, &pairs)?;
         let jets = to_first_order(&tape, states, now);
-        let joints = self.independent_rows_of(mode, &island).into_iter().map(|(index, _)| index).collect();
+        let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
         let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
         let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
         let (rows, slips) = (read.rows(), Slips::read(&tape.slips, |output| jets.value_of(output)));
-        let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(&island))?;
+        let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
         let speed = |row: usize, rate: f64| -> f64 {
@@ -164,19 +163,35 @@ impl Equations {
             joints,
         };
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
-        if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(body)) }
+        if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(island)) }
     }
 
-    fn not_finite(&self, body: usize) -> Reason {
-        Reason::Model(format!(
-            "where `{}` touches, its velocity or acceleration is not a finite number",
-            self.model().bodies[body].name
-        ))
+    /// Pairs of bodies that touch or nearly do, whether or not they last.
+    pub(crate) fn meeting(&self, mode: &Mode, states: &[f64], now: Now<'_>) -> Result<Vec<usize>, Reason> {
+        let mut pairs = self.pair_list().among(&mode.bodies);
+        pairs.retain(|pair| self.pairs()[*pair].other.is_some());
+        if pairs.is_empty() {
+            return Ok(pairs);
+        }
+        let tape = self.gaps_tape(mode, &pairs)?;
+        let closed = closed(&tape, states, now);
+        Ok(pairs.into_iter().zip(closed).filter(|(_, is_closed)| *is_closed).map(|(pair, _)| pair).collect())
+    }
+
+    fn not_finite(&self, island: &[usize]) -> Reason {
+        let bodies = self.body_names(island);
+        Reason::Model(format!("where {bodies} touches, its velocity or acceleration is not a finite number"))
+    }
+
+    /// Names of bodies for a message.
+    pub(crate) fn body_names(&self, bodies: &[usize]) -> String {
+        let names = bodies.iter().map(|body| format!("`{}`", self.model().bodies[*body].name));
+        names.collect::<Vec<_>>().join(", ")
     }
 
     fn not_independent(&self, island: &[usize]) -> Reason {
-        let names: Vec<&str> = island.iter().map(|body| self.model().bodies[*body].name.as_str()).collect();
-        Reason::Model(format!("the joints of {} do not determine their impulses here", names.join(", ")))
+        let names = self.body_names(island);
+        Reason::Model(format!("the joints of {names} do not determine their impulses here"))
     }
 
     /// What kind each velocity of a body is of.
@@ -264,16 +279,31 @@ impl Numbers<'_> {
     }
 }
 
-/// What rounding leaves of gaps that are zero: that of the gap itself, and what its rate makes of that of the time.
+/// Pairs of a tape whose gaps are zero but for rounding.
+fn closed(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Vec<bool> {
+    let jets = rounded(tape, states, now);
+    let is_closed = |pair: &Measured| jets.value_of(pair.position).value.abs() <= blur_of(&jets, pair, now);
+    tape.pairs.iter().map(is_closed).collect()
+}
+
+/// What rounding leaves of gaps that are zero.
 fn blur(tape: &InstantTape, (states, now): (&[f64], Now<'_>)) -> DVector<f64> {
+    let jets = rounded(tape, states, now);
+    DVector::from_iterator(tape.pairs.len(), tape.pairs.iter().map(|pair| blur_of(&jets, pair, now)))
+}
+
+/// The rounding error of the gap itself, and what its rate makes of that of the time, m.
+fn blur_of(jets: &Jets<Rounded>, pair: &Measured, now: Now<'_>) -> f64 {
+    let [gap, rate] = [pair.position, pair.rate()].map(|output| jets.value_of(output));
+    ONE_INSTANT * (gap.noise() + rate.value.abs() * f64::EPSILON * now.time)
+}
+
+/// A tape with its running rounding errors.
+fn rounded(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Jets<Rounded> {
     let rounded = |values: &[f64]| values.iter().map(|value| Rounded::leaf(*value)).collect::<Vec<_>>();
     let mut jets = Jets::new(Arc::clone(&tape.tape), 0, &rounded(now.inputs));
     jets.start(Rounded::leaf(now.time), &rounded(states), Branches::Free);
-    let blur = |pair: &Measured| {
-        let [gap, rate] = [pair.position, pair.rate()].map(|output| jets.value_of(output));
-        ONE_INSTANT * (gap.noise() + rate.value.abs() * f64::EPSILON * now.time)
-    };
-    DVector::from_iterator(tape.pairs.len(), tape.pairs.iter().map(blur))
+    jets
 }
 
 /// Entries of one vector, then of another.

@@ -3,7 +3,9 @@
 //! unit impulse at contact j, the impulses P come in two phases (Poisson): compression ends where no gap closes,
 //! `v + A P_c >= 0`, `P_c >= 0`, one of the two zero at each contact; restitution gives back at least the part e of
 //! each compression, `P_e >= e P_c`, as much more as keeps the gaps from closing. One contact: `v_after = -e v_before`.
-//! Taken sequentially instead, the contact that closes fastest impacts alone, until none closes: Newton's cradle.
+//! Taken sequentially instead, the contact that closes fastest impacts alone, until none closes: Newton's cradle. Those that close
+//! equally fast impact together. Where it takes infinitely many, as with e below 1 between three balls, they come to a limit, which
+//! is taken where what still closes is rounding.
 //! # Symbols and units
 //! v (m/s), A (1/kg), P (N s), e (1), 0 to 1.
 //! # Sign and frame
@@ -24,13 +26,16 @@ const MOST_SEQUENTIAL: usize = 100_000;
 /// An approach slower than this part of the fastest at the beginning is over.
 const STANDS: f64 = 1e-12;
 
+/// Approaches that differ by less than this part are equally fast: rounding does not say which of them is first.
+const AS_FAST: f64 = 1e-9;
+
 /// How impacts at several contacts of one instant are taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MultipleImpacts {
     /// All at once.
     #[default]
     Simultaneous,
-    /// The fastest approach first, then the next.
+    /// The fastest approach first, then the next; those that are equally fast together.
     Sequential,
 }
 
@@ -72,15 +77,26 @@ fn sequential(
     let mut impulses = DVector::zeros(before.len());
     let slow = -STANDS * before.amax();
     for _ in 0..MOST_SEQUENTIAL {
-        let (fastest, approach) = now.argmin();
-        if approach >= slow {
+        if now.min() >= slow {
             return Some(impulses);
         }
-        let impulse = -(1.0 + restitution[fastest]) * approach / response[(fastest, fastest)];
-        impulses[fastest] += impulse;
-        now += response.column(fastest) * impulse;
+        let first = fastest(now.iter().copied());
+        let part = DMatrix::from_fn(first.len(), first.len(), |i, j| response[(first[i], first[j])]);
+        let [rates, ratios] =
+            [&now, restitution].map(|all| DVector::from_fn(first.len(), |i, _| all[first[i]]));
+        let own = simultaneous(&part, &rates, &ratios)?;
+        for (index, impulse) in first.into_iter().zip(&own) {
+            impulses[index] += impulse;
+            now += response.column(index) * *impulse;
+        }
     }
     None
+}
+
+/// Of the rates of gaps, those that close fastest, by their order.
+pub(crate) fn fastest(rates: impl Iterator<Item = f64> + Clone) -> Vec<usize> {
+    let least = rates.clone().fold(f64::INFINITY, f64::min);
+    rates.enumerate().filter(|(_, rate)| *rate <= (1.0 - AS_FAST) * least).map(|(index, _)| index).collect()
 }
 
 #[cfg(test)]
@@ -120,6 +136,32 @@ mod tests {
         let energy = |v: &DVector<f64>| (v.transpose() * &inverse * v)[0];
         assert!((energy(&before) - energy(&found)).abs() < 1e-12, "{found}");
         assert!(found.iter().all(|v| *v >= -1e-12));
+    }
+
+    /// Three balls in a row, the first strikes two that touch.
+    fn row() -> (DMatrix<f64>, DVector<f64>) {
+        (DMatrix::from_row_slice(2, 2, &[2.0, -1.0, -1.0, 2.0]), DVector::from_row_slice(&[-1.0, 0.0]))
+    }
+
+    /// With e = 0 the first two go on together at 1/2, then the last two at 1/4, and so on: all at 1/3 in the end.
+    #[test]
+    fn infinitely_many_impacts_come_to_their_limit() {
+        let (response, before) = row();
+        let none = DVector::zeros(2);
+        let push = impulses(MultipleImpacts::Sequential, &response, &before, &none).expect("a limit");
+        assert!((push[0] - 2.0 / 3.0).abs() < 1e-11 && (push[1] - 1.0 / 3.0).abs() < 1e-11, "{push}");
+    }
+
+    /// A ball strikes two that touch at once: which of the two is first is not left to rounding.
+    #[test]
+    fn what_closes_equally_fast_strikes_together() {
+        // Normals at 30 degrees to both sides of the way.
+        let response = DMatrix::from_row_slice(2, 2, &[2.0, 0.5, 0.5, 2.0]);
+        let before = DVector::from_row_slice(&[-1.0, -1.0 + 1e-14]);
+        let push = impulses(MultipleImpacts::Sequential, &response, &before, &DVector::from_element(2, 1.0))
+            .expect("one");
+        assert!((push[0] - push[1]).abs() < 1e-13, "{push}");
+        assert!((push[0] - 0.8).abs() < 1e-13, "{push}");
     }
 
     #[test]

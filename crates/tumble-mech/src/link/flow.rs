@@ -9,7 +9,7 @@ use super::algebra::Algebra;
 use super::linking::Linking;
 use super::names::Name;
 use super::part::{Part, RowOf};
-use crate::contact::{WEDGED, Watched};
+use crate::contact::{Pair, WEDGED, Watched};
 use crate::coordinates::Measure;
 use crate::event::Event;
 use crate::parameters::time_symbol;
@@ -118,14 +118,21 @@ impl<A: Algebra> Linking<'_, A> {
         };
         let at_zero = match watched {
             // A surface does not pull, not for a moment.
-            Watched::Normal | Watched::Cone(_) => AtZero::EndsIfItMoves {
-                response: self.part(Part::Lightness(pair.body)).remove(0),
-                group: Measure::Length as usize,
-            },
+            Watched::Normal | Watched::Cone(_) => {
+                AtZero::EndsIfItMoves { response: self.lightness(pair), group: Measure::Length as usize }
+            }
             Watched::Gap | Watched::Force | Watched::Slip => AtZero::Begins,
             Watched::Wedge => AtZero::Ends,
         };
         Guard { name: pair.guard_name(watched), formula, direction, at_zero }
+    }
+
+    /// What a unit of force does to the bodies of a pair, 1/kg.
+    fn lightness(&mut self, pair: &Pair) -> A::Value {
+        let own = self.part(Part::Lightness(pair.body)).remove(0);
+        let Some(other) = pair.other else { return own };
+        let other = self.part(Part::Lightness(other)).remove(0);
+        self.algebra.binary(Binary::Add, own, other)
     }
 
     /// How much a push moves a contact that slips beyond the part of it that is [`WEDGED`], 1/kg.
@@ -147,10 +154,8 @@ impl<A: Algebra> Linking<'_, A> {
         for index in equations.apart(mode) {
             let pair = &equations.pairs()[index];
             let slopes = self.part(Part::Slopes(index));
-            let first = equations.first_state(mode, pair.body);
-            let coordinates = equations.body_equations(pair.body).coordinates.coordinate_states();
-            let by_state =
-                coordinates.iter().map(|coordinate| first + coordinate).zip(slopes.iter().cloned());
+            let coordinates = pair.bodies().flat_map(|body| equations.coordinate_states(mode, body));
+            let by_state = coordinates.zip(slopes.iter().cloned());
             guards.push(LazyGuard {
                 name: pair.guard_name(Watched::Gap),
                 of: equations.watched_gap(index, &mode.changes),

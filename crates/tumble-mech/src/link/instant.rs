@@ -20,8 +20,10 @@ pub(crate) type InstantTapes = Cache<((Asked, Mode), Rounding), InstantTape>;
 /// What a tape is of.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Asked {
-    /// The pairs of an island, by its first body.
-    Island(usize),
+    /// The pairs of an island, by its bodies.
+    Island(Vec<usize>),
+    /// The gaps of all bodies that meet each other.
+    Gaps,
     /// These rows.
     Rows(Vec<RowOf>),
 }
@@ -84,7 +86,7 @@ impl Equations {
             let pairs: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
             return self.island_tape(twin.bodies(), &twin.mode(mode), &pairs);
         }
-        let asked = Asked::Island(island[0]);
+        let asked = Asked::Island(island.to_vec());
         self.instant_tape((asked, mode.without_support(self.pairs(), island)), |mode| {
             let mut instant = Instant::new(self, mode, island);
             let rough = pairs.iter().copied().enumerate();
@@ -96,6 +98,16 @@ impl Equations {
             let bodies = instant.outputs.len();
             instant.add_bodies(island, !rows.is_empty());
             Ok(InstantTape { tape: instant.tape()?, pairs, slips, rows, bodies })
+        })
+    }
+
+    /// That of the gaps of pairs of bodies: all there are among those of a mode.
+    pub(crate) fn gaps_tape(&self, mode: &Mode, pairs: &[usize]) -> Result<Arc<InstantTape>, Reason> {
+        let mode = mode.without_support(self.pairs(), &mode.bodies);
+        self.instant_tape((Asked::Gaps, mode), |mode| {
+            let mut instant = Instant::new(self, mode, &[]);
+            let pairs = pairs.iter().map(|pair| instant.row(RowOf::Pair(*pair))).collect();
+            Ok(InstantTape { tape: instant.tape()?, pairs, slips: vec![], rows: vec![], bodies: 0 })
         })
     }
 

@@ -79,11 +79,11 @@ impl Names {
         }
         for (index, pair) in equations.pairs().iter().enumerate() {
             let normal = names.add(pair.force_symbol(), Meaning::Normal { pair: index });
-            names.of_bodies[pair.body].forces.push(normal);
+            pair.bodies().for_each(|body| names.of_bodies[body].forces.push(normal));
             names.normals.push(normal);
             if pair.friction.is_some() {
                 let friction = names.add(pair.friction_symbol(), Meaning::Friction { pair: index });
-                names.of_bodies[pair.body].forces.push(friction);
+                pair.bodies().for_each(|body| names.of_bodies[body].forces.push(friction));
                 names.frictions.insert(index, friction);
             }
             names.add(pair.root_symbol(), Meaning::Leaf);

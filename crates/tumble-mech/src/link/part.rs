@@ -60,9 +60,10 @@ pub(crate) enum Part {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum TermOf {
     Load(usize),
-    Pair(usize),
+    /// By the pair, then by its body.
+    Pair(usize, usize),
     /// Friction of a pair.
-    Friction(usize),
+    Friction(usize, usize),
     Joint(usize, usize),
 }
 
@@ -189,10 +190,12 @@ impl Equations {
             let of = &self.pairs()[pair];
             let mut changed = Substitution::default();
             self.changes_by(changes).for_each(|(symbol, formula)| changed.insert(symbol, formula));
-            let gap = changed.apply(&self.in_coordinates(&of.gap()));
-            let body = self.body_equations(of.body);
-            let states = body.coordinates.states(&body.kinematics);
-            let states: Vec<Symbol> = states.into_iter().map(|state| state.symbol).collect();
+            let gap = changed.apply(&self.in_coordinates(&of.watched()));
+            let states = of.bodies().flat_map(|body| {
+                let body = self.body_equations(body);
+                body.coordinates.states(&body.kinematics)
+            });
+            let states: Vec<Symbol> = states.map(|state| state.symbol).collect();
             let inputs = self.model().parameters.symbols();
             Ok::<_, std::convert::Infallible>(Watched::new(gap, &states, &time_symbol(), &inputs))
         };
@@ -204,8 +207,8 @@ impl Equations {
     pub(crate) fn term(&self, of: TermOf) -> &Term {
         match of {
             TermOf::Load(index) => &self.loads()[index],
-            TermOf::Pair(pair) => &self.pair_list().terms[pair],
-            TermOf::Friction(pair) => &self.pair_list().frictions[&pair],
+            TermOf::Pair(pair, side) => &self.pair_list().terms[pair][side],
+            TermOf::Friction(pair, side) => &self.pair_list().frictions[&pair][side],
             TermOf::Joint(joint, index) => &self.joints()[joint].terms[index],
         }
     }
@@ -264,11 +267,16 @@ impl Equations {
         }
     }
 
-    /// How fast the gap of a pair can change with each coordinate of its body, where that is bounded.
+    /// How fast the gap of a pair can change with each coordinate of its bodies, where that is bounded.
     fn gap_slopes(&self, pair: usize) -> Option<Vec<Expr>> {
         let pair = &self.pairs()[pair];
-        let body = &self.model().bodies[pair.body];
-        pair.slopes(self.model().pivot_of(&body.name), body)
+        let model = self.model();
+        let of = |index: usize| {
+            let body = &model.bodies[index];
+            pair.slopes(index, model.pivot_of(&body.name), body)
+        };
+        let all: Option<Vec<Vec<Expr>>> = pair.bodies().map(of).collect();
+        all.map(|all| all.concat())
     }
 
     fn row_response(&self, i: &Row, j: &Row) -> Expr {

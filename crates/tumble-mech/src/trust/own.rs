@@ -92,7 +92,7 @@ impl Own {
                 self.equations.joints()[*joint].bodies.iter().any(|body| has(*body))
             }
             Happening::Impulse(impulse) => model.body_index(&model.impulses[*impulse].body).is_some_and(has),
-            Happening::Contact { pair, .. } => has(self.equations.pairs()[*pair].body),
+            Happening::Contact { pair, .. } => self.equations.pairs()[*pair].bodies().any(has),
             // They are told of with those that come to rest last.
             Happening::Rest => false,
             Happening::Singular => true,

@@ -1,10 +1,10 @@
 //! Curves, motion, balance, checks, findings.
 
-use super::animation::Animation;
 use super::picture::{Picture, Plot};
 use super::prose::Text;
 use super::table::Table;
-use crate::text::Label;
+use tumble_drawing::Animation;
+use tumble_drawing::text::Label;
 
 /// The fourth move: what the solution says.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use super::math::Math;
 use super::picture::Picture;
 use super::prose::Text;
-use crate::numeral::significant;
+use tumble_drawing::numeral::significant;
 
 /// Digits of numbers that are printed from a value.
 const DIGITS: usize = 6;
@@ -13,7 +13,7 @@ const DIGITS: usize = 6;
 pub struct Identify {
     /// Paragraphs.
     pub intro: Vec<Text>,
-    /// The scene at the start, see [`SceneDrawing`](crate::SceneDrawing).
+    /// The scene at the start, see [`SceneDrawing`](tumble_drawing::SceneDrawing).
     pub scene: Option<Picture>,
     /// The bodies.
     pub bodies: Vec<BodyRow>,

@@ -3,14 +3,14 @@
 use std::fmt::Write;
 
 /// A text in quotes. What could end a script element or a line of a script is escaped.
-pub(super) fn string(text: &str) -> String {
+pub fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {
             '"' => out.push_str("\\\""),
             '\\' => out.push_str("\\\\"),
             // A page would obey it, however it is written here.
-            c if crate::svg::turns(c) => out.push('\u{FFFD}'),
+            c if tumble_drawing::svg::turns(c) => out.push('\u{FFFD}'),
             '<' | '>' | '&' | '\'' | '\u{2028}' | '\u{2029}' | '\u{7f}'..='\u{9f}' | '\0'..='\u{1f}' => {
                 // Writing to a string cannot fail.
                 write!(out, "\\u{:04x}", u32::from(c)).unwrap_or_default();
@@ -23,17 +23,17 @@ pub(super) fn string(text: &str) -> String {
 }
 
 /// A number; what is none becomes `null`.
-pub(super) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     if value.is_finite() { format!("{value}") } else { "null".to_owned() }
 }
 
 /// A list of finished values.
-pub(super) fn list(values: impl IntoIterator<Item = String>) -> String {
+pub fn list(values: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", values.into_iter().collect::<Vec<_>>().join(","))
 }
 
 /// Finished values by name.
-pub(super) fn object<const N: usize>(fields: [(&str, String); N]) -> String {
+pub fn object<const N: usize>(fields: [(&str, String); N]) -> String {
     let fields = fields.map(|(name, value)| format!("{}:{value}", string(name)));
     format!("{{{}}}", fields.join(","))
 }
@@ -49,27 +49,36 @@ pub(super) struct Grid {
 impl Grid {
     /// A grid of `steps` steps over the finite values.
     pub(super) fn over(values: impl IntoIterator<Item = f64>, steps: f64) -> Self {
-        let range = crate::scale::Range::of(values).unwrap_or_default();
+        let range = tumble_drawing::scale::Range::of(values).unwrap_or_default();
         // One step of a constant is never used; it must only not be zero.
         let step = if range.span() > 0.0 { range.span() / steps } else { 1.0 };
         Self { origin: range.low, step }
     }
 
-    /// `[origin, step, [differences]]`.
+    /// `[origin, step, [differences]]`, where `[count, difference]` stands for several that are equal.
     pub(super) fn encode(&self, values: impl IntoIterator<Item = f64>) -> String {
         let mut last = 0i64;
-        let differences = values.into_iter().map(|value| {
+        let difference = |value: f64| {
             let n = (value - self.origin) / self.step;
             // Beyond this the difference of two numbers is no longer exact.
             if n.is_nan() || n.abs() > 1e15 {
-                return "null".to_owned();
+                return None;
             }
             let n = n.round() as i64;
-            (n - std::mem::replace(&mut last, n)).to_string()
-        });
-        let differences = list(differences);
-        list([number(self.origin), number(self.step), differences])
+            Some(n - std::mem::replace(&mut last, n))
+        };
+        let differences: Vec<Option<i64>> = values.into_iter().map(difference).collect();
+        let runs = differences.chunk_by(|a, b| a == b).flat_map(shortened);
+        list([number(self.origin), number(self.step), list(runs)])
     }
+}
+
+/// Equal differences, as one if that is shorter.
+fn shortened(run: &[Option<i64>]) -> Vec<String> {
+    let difference = run[0].map_or_else(|| "null".to_owned(), |difference| difference.to_string());
+    let whole = list([run.len().to_string(), difference.clone()]);
+    let single = run.len() * (difference.len() + 1) <= whole.len() + 1;
+    if single { vec![difference; run.len()] } else { vec![whole] }
 }
 
 #[cfg(test)]
@@ -93,5 +102,7 @@ mod tests {
         assert_eq!(Grid::over(values, 100.0).encode(values), "[0,0.01,[0,25,null,75,-50]]");
         assert_eq!(Grid::over([7.0, 7.0], 100.0).encode([7.0, 7.0]), "[7,1,[0,0]]");
         assert_eq!(Grid::over([], 100.0).encode([]), "[0,0.01,[]]");
+        let even = [0.0, 1.0, 2.0, 3.0, 4.0, f64::NAN, f64::NAN];
+        assert_eq!(Grid::over(even, 4.0).encode(even), "[0,1,[0,[4,1],[2,null]]]");
     }
 }

@@ -11,7 +11,7 @@ use super::rows;
 use super::solve::{Phase, Solve};
 use super::table::{Align, Table};
 use super::{LESSON, Report};
-use crate::page::url;
+use crate::gallery_page::url;
 
 /// Characters that Markdown or HTML inside of it would read as markup.
 const SPECIAL: &str = "\\`*_{}[]()#+-.!|<>&$~^=\"':";
@@ -20,6 +20,7 @@ pub(super) fn document(report: &Report) -> String {
     let meta: Vec<_> = report.meta.iter().map(|(k, v)| format!("- {}: {}", escape(k), escape(v))).collect();
     let parts = [
         format!("# {}", escape(&report.title)),
+        text(&report.lead),
         report.lesson.as_ref().map(|path| format!("[{LESSON}]({})", url(path))).unwrap_or_default(),
         paragraphs(&report.intro),
         identify(&report.identify),
@@ -42,7 +43,7 @@ fn escape(text: &str) -> String {
     for c in text.chars() {
         match c {
             c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => out.push(' '),
-            c if crate::svg::turns(c) => out.push('\u{FFFD}'),
+            c if tumble_drawing::svg::turns(c) => out.push('\u{FFFD}'),
             // Entities: many readers pass tags on whatever stands before them.
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
@@ -234,7 +235,7 @@ fn picture(picture: &Picture) -> String {
 fn plot(plot: &Plot) -> String {
     let title = plot.figure.title.to_plain();
     let alt = if plot.description.is_empty() { &title } else { &plot.description };
-    figure(&plot.file, alt, &plot.caption)
+    figure(&plot.file, alt, &plot.shown_caption())
 }
 
 /// A link to a picture with its caption below; the caption alone if there is no file.
@@ -247,7 +248,7 @@ fn figure(file: &str, alt: &str, caption: &Text) -> String {
 mod tests {
     use super::*;
     use crate::report::Column;
-    use crate::svg::Svg;
+    use tumble_drawing::svg::Svg;
 
     #[test]
     fn formulas_become_latex_and_figures_links() {

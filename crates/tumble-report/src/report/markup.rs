@@ -2,8 +2,8 @@
 
 use super::math::Math;
 use super::prose::{Piece, Text};
-use crate::font::Face;
-use crate::text::{Label, Level, Run};
+use tumble_drawing::font::Face;
+use tumble_drawing::text::{Label, Level, Run};
 
 /// A language in which running text is written.
 pub(super) trait Markup {

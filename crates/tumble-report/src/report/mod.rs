@@ -2,8 +2,7 @@
 //!
 //! A [`Report`] is plain data: words, mathematics that somebody else wrote,
 //! drawings, samples. [`Report::html`] is a page that needs nothing but a
-//! browser, [`Report::markdown`] the same as text with links to figures, and with
-//! the feature `pdf` there is `Report::pdf` for paper.
+//! browser, [`Report::markdown`] the same as text with links to figures.
 //! Every text is shown as it is; none is ever run.
 //!
 //! ```
@@ -17,28 +16,28 @@
 //! ```
 
 mod analyze;
-mod animation;
-mod font_css;
 mod html;
 mod identify;
-mod json;
+pub mod json;
+pub mod live;
 mod markdown;
 mod markup;
 mod math;
 mod mathml;
 mod model;
 mod picture;
+mod play;
 mod prose;
 mod rows;
 mod solve;
 mod table;
 
 pub use analyze::{Analyze, Balance, Case, Check};
-pub use animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
 pub use identify::{BodyRow, Identify, Quantity};
 pub use math::{Block, Definition, Math};
 pub use model::{BodyModel, ForceRow, Mode, Model};
 pub use picture::{Picture, Plot};
+pub use play::Lab;
 pub use prose::{Piece, Text};
 pub use solve::{Phase, Solve};
 pub use table::{Align, Column, Table};
@@ -52,13 +51,14 @@ pub struct Report {
     pub language: String,
     /// Path of the lesson that belongs to it, relative to the report; none where there is none.
     pub lesson: Option<String>,
-    /// Paragraphs below the title.
+    /// What was found, in a line below the title; may be empty.
+    pub lead: Text,
+    /// Paragraphs below it.
     pub intro: Vec<Text>,
     /// Where the numbers come from, as name and value: program, version, scene, hash.
     pub meta: Vec<(String, String)>,
-    /// A font for mathematics as CSS: a `@font-face` rule with a `data:` address, and the rule that gives
-    /// its family to `math`. CSS that reaches for anything outside the page is left out as a whole.
-    pub math_font_css: Option<String>,
+    /// What a page that plays runs; none where it does not play.
+    pub lab: Option<Lab>,
     /// What is given and what is sought.
     pub identify: Identify,
     /// Forces, laws, equations.

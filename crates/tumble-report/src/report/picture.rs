@@ -1,8 +1,8 @@
 //! Figures of a report.
 
 use super::prose::Text;
-use crate::curves::CurveFigure;
-use crate::svg::Svg;
+use tumble_drawing::curves::CurveFigure;
+use tumble_drawing::svg::Svg;
 
 /// A drawing that stands as it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +53,16 @@ impl Plot {
     /// Curves over anything else.
     pub fn new(figure: CurveFigure, caption: impl Into<Text>) -> Self {
         Self { figure, caption: caption.into(), ..Self::default() }
+    }
+
+    /// What stands below it: its own caption, or what is drawn over what.
+    pub(super) fn shown_caption(&self) -> Text {
+        let [x, y] = [&self.figure.x.label, &self.figure.y.label];
+        if !self.caption.is_empty() || x.is_empty() || y.is_empty() {
+            return self.caption.clone();
+        }
+        let marks = if self.figure.marks.is_empty() { "." } else { "; dashed lines are events." };
+        Text::from(y.clone()).and(" over ").and(x.clone()).and(marks).capitalised()
     }
 
     /// With the path of a file that holds the figure, relative to the report.

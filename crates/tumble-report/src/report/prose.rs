@@ -1,7 +1,8 @@
 //! Running text with symbols and formulas in it.
 
 use super::math::Math;
-use crate::text::Label;
+use tumble_drawing::font::Face;
+use tumble_drawing::text::Label;
 
 /// A piece of running text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,6 +36,23 @@ impl Text {
     /// The same text with more at its end: words, a [`Label`] or [`Math`].
     pub fn and(mut self, more: impl Into<Text>) -> Self {
         self.pieces.extend(more.into().pieces);
+        self
+    }
+
+    /// With a capital letter, if it begins with a word.
+    #[must_use]
+    pub fn capitalised(mut self) -> Self {
+        let first = match self.pieces.first_mut() {
+            Some(Piece::Words(words)) => Some(words),
+            Some(Piece::Label(label)) => {
+                label.runs.first_mut().filter(|run| run.face == Face::Regular).map(|run| &mut run.text)
+            }
+            _ => None,
+        };
+        if let Some(words) = first {
+            let mut letters = words.chars();
+            *words = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
+        }
         self
     }
 

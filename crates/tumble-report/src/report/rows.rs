@@ -6,23 +6,30 @@ use crate::report::math::Math;
 use crate::report::model::ForceRow;
 use crate::report::prose::Text;
 use crate::report::table::{Column, Table};
-use crate::text::Label;
+use tumble_drawing::text::Label;
 
-/// The bodies with their properties.
+/// The bodies with their properties, a row each.
 pub(super) fn bodies(bodies: &[BodyRow]) -> Table {
-    let columns = ["Body", "Property", "Symbol", "Value", "Computed by", "Remark"].map(Column::words);
-    bodies.iter().flat_map(body).fold(Table::new("Bodies", columns.into()), Table::row)
+    let most = bodies.iter().max_by_key(|body| body.properties.len());
+    let names = most.iter().flat_map(|body| &body.properties).map(|property| property.name.clone());
+    let columns = std::iter::once("Body".into()).chain(names).map(Column::words).collect();
+    bodies.iter().map(body).fold(Table { stacked: true, ..Table::new("Bodies", columns) }, Table::row)
 }
 
-/// A row for each property; the first of them names the body.
-fn body(body: &BodyRow) -> Vec<Vec<Text>> {
+fn body(body: &BodyRow) -> Vec<Text> {
     let shape =
         if body.shape.is_empty() { Text::default() } else { Text::from(", ").and(body.shape.clone()) };
-    let mut name = body.name.clone().and(shape);
-    let nothing = [Quantity::default()];
-    let properties = if body.properties.is_empty() { &nothing } else { &body.properties[..] };
-    let row = |property| std::iter::once(std::mem::take(&mut name)).chain(quantity(property)).collect();
-    properties.iter().map(row).collect()
+    std::iter::once(body.name.clone().and(shape)).chain(body.properties.iter().map(property)).collect()
+}
+
+/// `I = m L^2/12 = 0.08 kg m^2`, with a remark; the formula says its own left side.
+fn property(quantity: &Quantity) -> Text {
+    let left = quantity.formula.as_ref().map_or_else(|| quantity.symbol.clone(), shown);
+    let space = if quantity.formula.is_some() { " =\u{a0}" } else { "\u{a0}=\u{a0}" };
+    let left = if left.is_empty() { left } else { left.and(space) };
+    let note =
+        if quantity.note.is_empty() { Text::default() } else { Text::from(", ").and(quantity.note.clone()) };
+    left.and(value(quantity)).and(note)
 }
 
 /// Quantities with their values.
@@ -33,7 +40,7 @@ pub(super) fn quantities(caption: &str, quantities: &[Quantity]) -> Table {
 }
 
 /// Name, symbol, value, what it is computed by, remark.
-pub(super) fn quantity(quantity: &Quantity) -> [Text; 5] {
+fn quantity(quantity: &Quantity) -> [Text; 5] {
     [
         quantity.name.clone(),
         quantity.symbol.clone(),
@@ -53,9 +60,9 @@ fn shown(math: &Math) -> Text {
     math.clone().into()
 }
 
-/// A law with what its names stand for.
+/// A law with what its names stand for, each on a line of its own.
 fn stated(lines: &[Math]) -> Text {
-    let between = |index: usize| if index == 1 { " with " } else { ", " };
+    let between = |index: usize| if index == 1 { "\nwith " } else { "\n" };
     let add = |text: Text, (index, line): (usize, &Math)| match index {
         0 => text.and(line.clone()),
         _ => text.and(between(index)).and(line.clone()),
@@ -65,12 +72,14 @@ fn stated(lines: &[Math]) -> Text {
 
 /// The forces on a body.
 pub(super) fn forces(forces: &[ForceRow]) -> Table {
-    let columns = ["Force", "Symbol", "Law", "Acts at", "Torque about the centre of mass"].map(Column::words);
+    let columns = ["Force", "Law", "Torque about the centre of mass"].map(Column::words);
     let row = |force: &ForceRow| {
-        let symbol = shown(&force.symbol);
-        vec![force.name.clone(), symbol, stated(&force.law), force.point.clone(), stated(&force.torque)]
+        let name =
+            force.name.clone().and(" ").and(shown(&force.symbol)).and("\nat ").and(force.point.clone());
+        vec![name, stated(&force.law), stated(&force.torque)]
     };
-    forces.iter().map(row).fold(Table::new("Forces and couples", columns.into()), Table::row)
+    let table = Table { stacked: true, ..Table::new("Forces and couples", columns.into()) };
+    forces.iter().map(row).fold(table, Table::row)
 }
 
 /// Checks with their results.

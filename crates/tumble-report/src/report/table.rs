@@ -42,6 +42,8 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// Its rows; cells that lack are empty, cells beyond the columns are left out.
     pub rows: Vec<Vec<Text>>,
+    /// Whether its cells are long: where the page is narrow they stand below each other.
+    pub stacked: bool,
     /// Lines below it.
     pub notes: Vec<Text>,
 }

@@ -3,6 +3,7 @@
 mod balance;
 mod body;
 mod check;
+mod contact;
 mod damper;
 mod drag;
 mod equilibrium;
@@ -16,13 +17,14 @@ mod lift;
 mod output;
 mod parameters;
 mod pivot;
+mod play;
 mod plot;
 mod points;
 mod round;
 mod run;
 mod shape;
 mod spring;
-mod start;
+pub(crate) mod start;
 mod stroboscope;
 mod surface;
 mod sweep;
@@ -73,6 +75,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("pin", joint::read_pins),
     optional("weld", joint::read_welds),
     optional("surface", surface::read),
+    optional("contact", contact::read),
     optional("event", event::read),
     optional("force", force::read),
     optional("impulse", force::read_impulses),
@@ -90,6 +93,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     optional("free_body", free_body::read),
     optional("find", check::read_finds),
     optional("check", check::read),
+    optional("play", play::read),
     optional("symbols", symbols::read),
 ];
 
@@ -101,7 +105,8 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     draft.names.events = second_names(&top, "event");
     draft.names.joints =
         ["pivot", "pin", "weld"].iter().flat_map(|section| second_names(&top, section)).collect();
-    draft.names.surfaces = second_names(&top, "surface");
+    draft.names.surfaces =
+        ["surface", "contact"].iter().flat_map(|section| second_names(&top, section)).collect();
     for section in SECTIONS {
         if draft.is_full() {
             return;

@@ -24,6 +24,13 @@ struct Parameter {
     setting: Option<Text>,
 }
 
+impl Parameter {
+    /// Its name with the formula that it has.
+    fn written(&self) -> (String, String) {
+        (self.name.clone(), self.setting.as_ref().unwrap_or(&self.text).text.clone())
+    }
+}
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
     let mut parameters = vec![];
@@ -33,6 +40,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
             None => draft.names.break_name(field.key),
         }
     }
+    draft.parameter_texts = parameters.iter().map(Parameter::written).collect();
     for index in in_order(draft, &parameters) {
         if draft.is_full() {
             return;
@@ -46,8 +54,7 @@ fn parameter(draft: &mut Draft, field: &Field) -> Option<Parameter> {
     let (claimed, text) = (draft.noted(claimed), draft.text(field, Want::any()));
     let (_, text) = (claimed?, text?);
     draft.remember(format!("parameter `{}`", field.key), &field.span);
-    let setting = draft.settings.iter_mut().rev().find(|setting| setting.name == field.key);
-    let setting = setting.map(|setting| setting.text.clone());
+    let setting = draft.setting(field.key);
     let formula = parse(&text.text).ok();
     Some(Parameter { name: field.key.to_owned(), text, formula, setting })
 }

@@ -1,4 +1,4 @@
-//! `[surface.NAME]`: a floor, wall or slope, at rest or moving, and what it does to what touches it.
+//! `[surface.NAME]`: a floor, wall, slope, bowl or pole, at rest or moving, and what it does to what touches it.
 
 use tumble_expr::{Dimension, Exponent, Expr, Vector};
 use tumble_mech::{ContactLaw, Friction, Release, Restitution, Surface};
@@ -26,21 +26,21 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a surface", field);
     draft.remember(format!("surface `{name}`"), &field.key_span);
-    let through = draft
-        .required(table, "through", "[0, 0]")
-        .and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
-    let facing = facing(draft, &name, table);
+    let form = match table.take("circle") {
+        Some(field) => circle(draft, &name, table, &field),
+        None => plane(draft, &name, table),
+    };
     let law = law(draft, &name, table);
     let on = table.take("on").map(|field| met(draft, &field));
-    let (Some(through), Some(facing), Some((law, friction)), None | Some(Some(_))) =
-        (through, facing, law, &on)
-    else {
+    let (Some((place, facing)), Some((law, friction)), None | Some(Some(_))) = (form, law, &on) else {
         return draft.names.break_name(&name);
     };
-    let at = [through.x().clone(), through.y().clone()];
+    let at = [place.x().clone(), place.y().clone()];
     let surface = match facing {
         Facing::Normal(normal) => Surface::new(name, at, [normal.x().clone(), normal.y().clone()], law),
         Facing::Slope(angle) => Surface::sloping(name, at, &angle, law),
+        Facing::In(radius) => Surface::bowl(name, at, radius, law),
+        Facing::Out(radius) => Surface::circle(name, at, radius, law),
     };
     draft.model.surface(Surface { on: on.flatten(), friction, ..surface });
 }
@@ -48,6 +48,42 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
 enum Facing {
     Normal(Vector),
     Slope(Expr),
+    /// Into a circle of that radius.
+    In(Expr),
+    /// Out of one.
+    Out(Expr),
+}
+
+/// A plane: a point of it, and where it looks.
+fn plane(draft: &mut Draft, name: &str, table: &mut Table) -> Option<(Vector, Facing)> {
+    let through = draft
+        .required(table, "through", "[0, 0]")
+        .and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
+    let facing = facing(draft, name, table);
+    Some((through?, facing?))
+}
+
+/// A circle: its centre, and where it looks.
+fn circle(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+    for key in ["through", "normal", "slope"] {
+        if let Some(other) = table.take(key) {
+            let message = format!("`{}` is a `circle` and has a `{key}`, as a plane has", table.title);
+            let mistake = Diagnostic::new(Code::Exclusive, other.key_span, message);
+            draft.note(mistake.label("leave one of them out").also(field.key_span.clone(), "the circle"));
+        }
+    }
+    let mut inner = draft.table(field, field.key.to_owned())?;
+    inner.span = field.span.clone();
+    let centre = draft.required(&mut inner, "centre", "[0, 0]");
+    let centre =
+        centre.and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
+    let radius = draft.coefficient(&mut inner, name, "radius", "\"1 m\"", Dimension::LENGTH);
+    let inside = match inner.take("inside") {
+        Some(field) => draft.truth(&field),
+        None => Some(false),
+    };
+    draft.done(inner);
+    Some((centre?, if inside? { Facing::In(radius?) } else { Facing::Out(radius?) }))
 }
 
 /// Out of the solid: level and upwards where nothing is said.
@@ -106,9 +142,15 @@ fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
 
 fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
     let restitution = draft.coefficient(table, name, "restitution", "0.7", Dimension::NONE);
+    let friction = rubbing(draft, name, table);
+    Some((ContactLaw::Rigid { restitution: restitution? }, friction?))
+}
+
+/// Friction of a rigid contact, if it has any, and what its restitution is the ratio of.
+pub(super) fn rubbing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Friction>> {
     let meaning = table.take("law");
     let friction = table.take("friction").map(|field| friction(draft, name, &field));
-    let friction = match (friction, &meaning) {
+    Some(match (friction, &meaning) {
         (Some(friction), None) => Some(friction?),
         (Some(friction), Some(field)) => {
             let meaning = ratio(draft, field);
@@ -122,8 +164,7 @@ fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
             return None;
         }
         (None, None) => None,
-    };
-    Some((ContactLaw::Rigid { restitution: restitution? }, friction))
+    })
 }
 
 /// What the restitution is the ratio of.

@@ -83,8 +83,26 @@ pub(super) const KEYS: &[(&str, &[Row])] = &[
             (&["restitution", "bounce", "e", "elasticity"], "write `rigid = { restitution = 0.8 }`"),
             (&["stiffness", "k", "damping"], "write `spring = { stiffness = \"1e4 N/m\", damping = 0 }`"),
             (&["body", "bodie", "for"], "write `on = \"rod\"`, the bodies that it meets"),
+            (
+                &["bowl", "round", "radius", "arc"],
+                "write `circle = { centre = [0, 0], radius = \"1 m\", inside = true }`",
+            ),
         ],
     ),
+    (
+        "contact",
+        &[
+            (
+                &["bodie", "body", "on", "of", "pair", "with"],
+                "write `between = [\"red\", \"white\"]`, or `between = \"all\"`",
+            ),
+            (
+                &["restitution", "bounce", "e", "friction", "mu", "law"],
+                "write `rigid = { restitution = 0.9, friction = 0.2 }`",
+            ),
+        ],
+    ),
+    ("circle", &[(&["center", "at", "through", "position"], "write `centre = [0, 0]`")]),
     (
         "rigid",
         &[

@@ -5,14 +5,14 @@ use std::io;
 
 use serde::Serialize;
 use tumble_mech::{MultipleImpacts, Spread};
+use tumble_report::results::{BalanceSummary, EquilibriumSummary};
 use tumble_scene::Study;
 
 use super::{Said, said};
-use crate::checks::CheckResult;
-use crate::equilibrium;
-use crate::finished::{Finished, Happened};
-use crate::questions::FindResult;
-use crate::tables::{is_angle, unit};
+use tumble_report::results::CheckResult;
+use tumble_report::results::FindResult;
+use tumble_report::results::{Finished, Happened};
+use tumble_report::results::{is_angle, unit};
 
 /// A new line of a run in the list of all.
 const NEW_LINE: &str = "\n    ";
@@ -31,11 +31,11 @@ struct RunSummary<'a> {
     finds: Vec<Find<'a>>,
     checks: Vec<Check<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    equilibrium: Option<equilibrium::Summary<'a>>,
+    equilibrium: Option<EquilibriumSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<Said>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    balance: Option<&'a crate::balance::Summary>,
+    balance: Option<&'a BalanceSummary>,
 }
 
 #[derive(Serialize)]
@@ -167,7 +167,7 @@ fn summary<'a>(study: &Study, case: &'a Finished) -> RunSummary<'a> {
         events: case.events.iter().map(|Happened { time, what }| Event { time: *time, what }).collect(),
         finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
-        equilibrium: case.equilibrium.as_ref().map(equilibrium::Summary::of),
+        equilibrium: case.equilibrium.as_ref().map(EquilibriumSummary::of),
         warnings: said(&case.said),
         balance: case.balance.as_ref(),
     }

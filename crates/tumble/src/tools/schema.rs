@@ -62,6 +62,7 @@ fn sections() -> Vec<Key> {
         may("find", each(find()), "What is asked for: values at an instant, or the greatest and least."),
         may("free_body", each(free_body()), "Free-body diagrams of one body at some instants."),
         may("check", each(check()), "Claims; if one does not hold, the command ends with 1."),
+        may("play", play(), "What a reader of the report may change."),
         may("symbols", open(json!({ "type": ["string", "object"] })), "How names are written in figures."),
     ];
     top.into_iter().chain(bodies::sections()).chain(forces::sections()).chain(bottom).collect()
@@ -146,6 +147,28 @@ fn sweep() -> Value {
     );
     let list = json!({ "type": "array", "minItems": 1, "items": { "anyOf": [named("formula"), labelled] } });
     json!({ "anyOf": [list, range] })
+}
+
+fn play() -> Value {
+    let range = closed(
+        "range of a slider",
+        &[
+            must("from", named("formula"), "The least value."),
+            must("to", named("formula"), "The greatest value."),
+            may("spacing", choice(&["linear", "log"]), "Equal distances, or equal ratios."),
+        ],
+    );
+    // Starts have dots in their names, which TOML reads as tables.
+    let mut section = open(json!({ "anyOf": [parts::pair(named("formula")), range, { "type": "object" }] }));
+    let preset = closed(
+        "[play.presets.NAME]",
+        &[
+            may("label", named("text"), "What its button says."),
+            must("set", json!({ "type": "object" }), "Values by their names."),
+        ],
+    );
+    section["properties"] = json!({ "presets": each(preset) });
+    section
 }
 
 fn duration() -> Value {

@@ -7,13 +7,13 @@ use super::{BALANCED, Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::Watched;
+use crate::contact::pair::{Alike, Watched};
 use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::routh::{Refused, Strike};
 use crate::contact::slip::WEDGED;
 use crate::contact::touch::stacked_column;
 use crate::friction::Restitution;
-use crate::laws::impact::MultipleImpacts;
+use crate::laws::impact::{MultipleImpacts, fastest};
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
 
@@ -37,7 +37,7 @@ impl Settling<'_> {
     /// Impulses of the impacts of this instant.
     pub(super) fn rough_impulses(&mut self) -> Result<DVector<f64>, Reason> {
         let mut all = DVector::zeros(self.touch.response.nrows());
-        for group in self.coupled() {
+        for group in self.coupled(&self.part) {
             let closes = |position: &usize| self.touch.rate[*position] < -STANDS * self.speed[*position];
             if !group.iter().any(closes) {
                 continue;
@@ -46,16 +46,16 @@ impl Settling<'_> {
             all += match &group[..] {
                 [only] => self.routh(*only, &self.rates())?,
                 _ if rule == MultipleImpacts::Sequential => self.one_by_one(&group)?,
-                _ => self.at_once(&group)?,
+                _ => self.at_once(&group, &self.rates())?,
             };
         }
         Ok(all)
     }
 
-    /// Those that take part, parted where impulses at some do nothing to others.
-    fn coupled(&self) -> Vec<Vec<usize>> {
+    /// Some contacts, parted where impulses at some do nothing to others.
+    fn coupled(&self, some: &[usize]) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = vec![];
-        for &position in &self.part {
+        for &position in some {
             let (own, others): (Vec<_>, Vec<_>) = groups
                 .into_iter()
                 .partition(|group| group.iter().any(|other| self.are_coupled(position, *other)));
@@ -119,27 +119,34 @@ impl Settling<'_> {
         })
     }
 
-    /// The fastest approach first, then the next.
+    /// The fastest approach first, then the next; those that are equally fast together.
     fn one_by_one(&self, group: &[usize]) -> Result<DVector<f64>, Reason> {
         let mut rates = self.rates();
         let mut all = DVector::zeros(rates.len());
         for _ in 0..MOST_SEQUENTIAL {
-            let fastest = group.iter().copied().min_by(|i, j| rates[*i].total_cmp(&rates[*j]));
-            let Some(fastest) = fastest.filter(|position| rates[*position] < -STANDS * self.speed[*position])
-            else {
+            let closes = |position: &usize| rates[*position] < -STANDS * self.speed[*position];
+            let closing: Vec<usize> = group.iter().copied().filter(closes).collect();
+            let first = fastest(closing.iter().map(|position| rates[*position]));
+            let first: Vec<usize> = first.into_iter().map(|index| closing[index]).collect();
+            if first.is_empty() {
                 return Ok(all);
-            };
-            let impulse = self.routh(fastest, &rates)?;
-            rates += &self.touch.response * &impulse;
-            all += impulse;
+            }
+            let now = rates.clone();
+            for together in self.coupled(&first) {
+                let impulse = match &together[..] {
+                    [only] => self.routh(*only, &now)?,
+                    several => self.at_once(several, &now)?,
+                };
+                rates += &self.touch.response * &impulse;
+                all += impulse;
+            }
         }
-        Err(self.unsolved("impact"))
+        Err(self.endless())
     }
 
     /// Compression until nothing closes, then restitution gives back its part, and as much more as keeps the gaps from closing.
-    fn at_once(&self, group: &[usize]) -> Result<DVector<f64>, Reason> {
+    fn at_once(&self, group: &[usize], rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
         self.refuse_other_laws(group)?;
-        let rates = self.rates();
         let zero = STANDS * group.iter().map(|position| self.speed[*position]).fold(0.0, f64::max);
         let given = DVector::zeros(rates.len());
         let patches = self.patches(group);
@@ -172,11 +179,12 @@ impl Settling<'_> {
 
     /// What slips alike of some contacts; none of it is known to slip.
     fn patches(&self, some: &[usize]) -> Vec<Patch> {
-        let mut patches: Vec<((usize, usize), Patch)> = vec![];
+        let mut patches: Vec<(Alike, Patch)> = vec![];
         for &position in some {
             let Some(slip) = self.touch.slips.at(position) else { continue };
             let pair = &self.equations.pairs()[self.touch.pairs[position]];
-            let (of, contact) = ((pair.body, pair.surface), (position, self.touch.pairs.len() + slip));
+            let (of, contact) =
+                (pair.slips_with(self.touch.pairs[position]), (position, self.touch.pairs.len() + slip));
             match patches.iter_mut().find(|(known, _)| *known == of) {
                 Some((_, patch)) => patch.contacts.push(contact),
                 None => {
@@ -298,11 +306,11 @@ impl Settling<'_> {
         touched: &Touched,
         jump: &mut Jump<Mode>,
     ) -> Result<Lasting, Reason> {
-        let rubbing = match self.rub([some, all], touched, jump)? {
-            Some(rubbing) => rubbing,
-            None => self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?,
+        let (some, rubbing) = match self.rub([some, all], touched, jump)? {
+            Some(rubbing) => (some, rubbing),
+            None => (all, self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?),
         };
-        let modes = self.held_by_friction(all, &rubbing, jump)?;
+        let modes = self.held_by_friction(some, &rubbing, jump)?;
         Ok(Lasting { modes, rubbing: Some(rubbing) })
     }
 
@@ -330,10 +338,10 @@ impl Settling<'_> {
         }
     }
 
-    /// Contact modes of what was found; velocities are made to stand.
+    /// Contact modes of what was found for some contacts; velocities are made to stand.
     fn held_by_friction(
         &mut self,
-        all: &[usize],
+        some: &[usize],
         rubbing: &Rubbing,
         jump: &mut Jump<Mode>,
     ) -> Result<Vec<(usize, ContactMode)>, Reason> {
@@ -345,7 +353,7 @@ impl Settling<'_> {
             false if found.then[*position] <= zero => Some((*position, ContactMode::Idle)),
             false => None,
         };
-        let modes = all.iter().filter_map(contact_mode).collect();
+        let modes = some.iter().filter_map(contact_mode).collect();
         let stop = self.rough(&found.held, patches, self.rates());
         let stop = stop.stopped(&found.grips, &found.held).ok_or_else(|| self.unsolved("contact"))?;
         self.apply(&stop.pushes, jump)?;
@@ -357,7 +365,7 @@ impl Settling<'_> {
         let before = jump.mode.grips.clone();
         for &pair in &self.touch.pairs {
             jump.mode.set_grip(pair, None);
-            jump.mode.still.retain(|body| *body != self.equations.pairs()[pair].body);
+            jump.mode.still.retain(|body| !self.equations.pairs()[pair].has(*body));
         }
         let Some(Rubbing { patches, found }) = rubbing else { return };
         for (patch, grip) in patches.iter().zip(&found.grips) {
@@ -405,19 +413,20 @@ impl Settling<'_> {
         }
     }
 
-    /// A body that is held so that it cannot move is not integrated: it does not creep by what rounding leaves of its forces.
+    /// What is held so that it cannot move is not integrated: it does not creep by what rounding leaves of its forces.
     fn keep_still(&self, found: &Pushes, jump: &mut Jump<Mode>) {
-        let bodies = self.equations.island_of(&jump.mode, self.body);
         let held = [&found.held[..], &found.holding].concat();
         let pairs = self.touch.pairs.iter().enumerate().filter(|(position, _)| found.held.contains(position));
         let is_fixed = pairs.into_iter().all(|(_, pair)| self.equations.pairs()[*pair].is_fixed());
-        let velocities = self.equations.velocity_states(&jump.mode, bodies[0]);
-        let only = bodies.len() == 1 && self.equations.independent_rows_of(&jump.mode, &bodies).is_empty();
-        if !(only && is_fixed && held.len() == velocities.len() && !self.equations.is_carried(self.body)) {
+        let of = |body: &usize| self.equations.velocity_states(&jump.mode, *body);
+        let velocities: Vec<usize> = self.island.iter().flat_map(of).collect();
+        let is_free = self.equations.independent_rows_of(&jump.mode, &self.island).is_empty();
+        let is_carried = self.island.iter().any(|body| self.equations.is_carried(*body));
+        if !(is_free && is_fixed && held.len() == velocities.len() && !is_carried) {
             return;
         }
         velocities.into_iter().for_each(|state| jump.states[state] = 0.0);
-        jump.mode.still.push(bodies[0]);
+        jump.mode.still.extend(&self.island);
         jump.mode.still.sort_unstable();
     }
 }

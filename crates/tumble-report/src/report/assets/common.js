@@ -14,19 +14,18 @@ function make(name, attributes = {}, parent = null, svg = false) {
 
 const draw = (name, attributes, parent) => make(name, attributes, parent, true);
 
-/** Numbers from multiples of a step; gaps are NaN. */
+/** Numbers from multiples of a step; `[count, difference]` stands for several equal ones; gaps are NaN. */
 function decode([origin, step, differences]) {
-  const values = new Float64Array(differences.length);
+  const values = [];
   let sum = 0;
-  differences.forEach((difference, i) => {
-    if (difference === null) {
-      values[i] = NaN;
-    } else {
-      sum += difference;
-      values[i] = origin + step * sum;
+  for (const entry of differences) {
+    const [count, difference] = Array.isArray(entry) ? entry : [1, entry];
+    for (let i = 0; i < count; i++) {
+      sum += difference ?? 0;
+      values.push(difference === null ? NaN : origin + step * sum);
     }
-  });
-  return values;
+  }
+  return Float64Array.from(values);
 }
 
 /** Appends a label `[[text, face, level], ...]` to an element of the page. */
@@ -90,6 +89,11 @@ class Shared {
   /** Calls `listener(value)` whenever somebody else sets it. */
   listen(owner, listener) {
     this.listeners.push([owner, listener]);
+  }
+
+  /** Forgets those whose place in the page is gone. */
+  tidy() {
+    this.listeners = this.listeners.filter(([owner]) => (owner.figure ?? owner.panels?.[0])?.isConnected ?? true);
   }
 
   set(value, source) {

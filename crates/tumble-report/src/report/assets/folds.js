@@ -1,4 +1,4 @@
-// Long tables that fold, and cases as tabs.
+// Long tables that fold, cases as tabs, formulas that fit.
 
 function foldTable(box) {
   const rows = box.querySelectorAll("tbody tr").length;
@@ -64,3 +64,24 @@ class Tabs {
 }
 
 document.querySelectorAll(".cases").forEach((box) => new Tabs(box));
+
+// Formulas that no line can hold are set smaller where the page is narrow, as long as they can be read.
+
+const LEAST_SIZE = 11;
+
+function fitMath(math) {
+  math.style.fontSize = "";
+  const box = math.closest(".line, td, th, li, dd, p");
+  if (!box || math.getClientRects().length === 0) return;
+  const [inner, outer] = [math.getBoundingClientRect(), box.getBoundingClientRect()];
+  if (inner.right <= outer.right) return;
+  const size = (parseFloat(getComputedStyle(math).fontSize) * (outer.right - inner.left)) / inner.width;
+  math.style.fontSize = `${Math.max(size - 0.1, LEAST_SIZE)}px`;
+}
+
+function fitAll() {
+  document.querySelectorAll("main math").forEach(fitMath);
+}
+
+document.fonts.ready.then(fitAll);
+window.addEventListener("resize", fitAll);

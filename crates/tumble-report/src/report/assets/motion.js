@@ -122,9 +122,14 @@ class Player {
     this.seek(Math.min(Math.max(this.time, this.start), this.start + this.duration));
   }
 
+  /** What has to be in the picture. */
+  boxes() {
+    return this.cases.map((motion) => motion.box).filter((box) => box);
+  }
+
   /** Scales for the width at hand; the same for all cases. */
   layOut() {
-    const boxes = this.cases.map((motion) => motion.box).filter((box) => box);
+    const boxes = this.boxes();
     const bound = (k, pick, otherwise) => (boxes.length ? pick(...boxes.map((box) => box[k])) : otherwise);
     const low = [bound(0, Math.min, 0), bound(1, Math.min, 0)];
     const high = [bound(2, Math.max, 1), bound(3, Math.max, 1)];

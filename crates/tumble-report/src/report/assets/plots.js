@@ -59,6 +59,7 @@ class Plot {
   constructor(figure, data) {
     Object.assign(this, { figure, data });
     this.series = data.series.map((series) => this.readSeries(series));
+    this.bands = data.bands.map((band) => ({ ...band, x: decode(band.x), low: decode(band.low), high: decode(band.high) }));
     this.forward = this.series.every((series) => series.forward);
     this.xRange = this.forward || data.x.range ? 0 : 0.06;
     this.live = make("div", { class: "live" });
@@ -92,6 +93,7 @@ class Plot {
   addBar() {
     const bar = make("div", { class: "bar" }, this.live);
     if (this.data.title.length) addLabel(make("span", { class: "title" }, bar), this.data.title);
+    this.bands.forEach((band) => this.addBandKey(band, bar));
     this.series.forEach((series) => this.addKey(series, bar));
     this.at = make("span", { class: "at" }, bar);
     this.all = make("button", { type: "button", hidden: "" }, bar);
@@ -115,6 +117,25 @@ class Plot {
     series.value = make("span", { class: "value" }, key);
   }
 
+  addBandKey(band, bar) {
+    const key = make("span", { class: "key" }, bar);
+    const sample = draw("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, key);
+    draw("rect", { x: 0, y: 0, width: 28, height: 10, ...this.shade(band) }, sample);
+    addLabel(make("span", {}, key), band.label);
+  }
+
+  shade(band) {
+    return { fill: `var(--c${band.style})`, "fill-opacity": band.strength };
+  }
+
+  drawBand(band, parent) {
+    const there = Array.from(band.x.keys()).filter((i) => [band.x[i], band.low[i], band.high[i]].every(Number.isFinite));
+    const corner = (i, side) => this.pixel(band.x[i], side[i]).map((v) => Math.min(Math.max(v, -1e5), 1e5).toFixed(1)).join(" ");
+    const up = there.map((i) => corner(i, band.high));
+    const down = there.map((i) => corner(i, band.low)).reverse();
+    if (there.length > 1) draw("path", { ...this.shade(band), d: `M${[...up, ...down].join("L")}Z` }, parent);
+  }
+
   stroke(series) {
     const style = { class: "curve", stroke: `var(--c${series.style})` };
     return series.dashes ? { ...style, "stroke-dasharray": series.dashes } : style;
@@ -128,10 +149,15 @@ class Plot {
 
   reset() {
     const visible = this.series.filter((series) => series.visible);
-    const range = (axis, k, padding) => axis.range ?? opened(bounds(visible.map((s) => s[k])), padding);
+    const range = (axis, k, padding) => axis.range ?? opened(bounds([...visible.map((s) => s[k]), ...this.edges(k)]), padding);
     this.window = [range(this.data.x, "x", this.xRange), range(this.data.y, "y", 0.06)];
     this.all.hidden = true;
     this.draw();
+  }
+
+  /** Coordinates of the edges of all bands. */
+  edges(k) {
+    return this.bands.flatMap((band) => (k === "x" ? [band.x] : [band.low, band.high]));
   }
 
   zoom(window) {
@@ -194,6 +220,7 @@ class Plot {
       const [x] = this.pixel(at, 0);
       draw("line", { class: "mark", x1: x, x2: x, y1: TOP, y2: height - BELOW }, inside);
     }
+    for (const band of this.bands) this.drawBand(band, inside);
     for (const series of this.series) if (series.visible) this.drawCurve(series, inside);
     this.overlay = draw("g", {}, inside);
     draw("rect", { class: "frame", ...box }, this.svg);
@@ -234,6 +261,12 @@ class Plot {
       }
     }
     draw("path", { ...this.stroke(series), d: path }, parent);
+    if (series.dotted) series.x.forEach((x, i) => this.drawDot(series, x, series.y[i], parent));
+  }
+
+  drawDot(series, x, y, parent) {
+    const [cx, cy] = this.pixel(x, y);
+    if (Number.isFinite(cy)) draw("circle", { cx, cy, r: 2.4, fill: `var(--c${series.style})` }, parent);
   }
 
   place(event) {
@@ -245,7 +278,7 @@ class Plot {
   move(event) {
     const at = this.place(event);
     if (this.start) {
-      this.drawBand(this.start, at);
+      this.drawChoice(this.start, at);
     } else {
       this.hover(at);
     }
@@ -272,7 +305,7 @@ class Plot {
     this.band?.remove();
   }
 
-  drawBand([x0, y0], [x1, y1]) {
+  drawChoice([x0, y0], [x1, y1]) {
     this.band?.remove();
     const [width, height] = this.size;
     const [wide, tall] = [Math.abs(x1 - x0) > 9, Math.abs(y1 - y0) > 9];

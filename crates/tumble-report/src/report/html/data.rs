@@ -2,18 +2,18 @@
 
 use std::cmp::Ordering;
 
-use crate::axes::Axis;
-use crate::curves::{Mark, Series};
-use crate::font::Face;
 use crate::report::json::{Grid, list, number, object, string};
 use crate::report::picture::Plot;
-use crate::text::{Label, Level};
-use crate::theme::LineStyle;
-use crate::thin::{simplified, thinned};
-use crate::ticks::Ticking;
+use tumble_drawing::axes::Axis;
+use tumble_drawing::curves::{Band, Mark, Series};
+use tumble_drawing::font::Face;
+use tumble_drawing::text::{Label, Level};
+use tumble_drawing::theme::LineStyle;
+use tumble_drawing::thin::{simplified, thinned};
+use tumble_drawing::ticks::Ticking;
 
-/// Steps over the range of the data: values keep six digits of it.
-const STEPS: f64 = 2e6;
+/// Steps over the range of the data: values keep five digits of it, a hundred times what a screen shows.
+const STEPS: f64 = 1e5;
 /// Curves of fewer points are kept as they are, so that readers see true values.
 const MANY: usize = 3000;
 /// Curves of more points are judged on a page of this width and height in pixels, to one pixel. Those that
@@ -50,6 +50,7 @@ pub(super) fn plot_data(plot: &Plot, description: &str) -> String {
         ("time", plot.over_time.to_string()),
         ("x", axis(&figure.x)),
         ("y", axis(&figure.y)),
+        ("bands", list(figure.bands.iter().map(band))),
         ("series", list(series)),
         ("marks", list(figure.marks.iter().map(mark))),
     ])
@@ -78,10 +79,26 @@ fn series_data(index: usize, series: &Series) -> String {
     };
     object([
         ("label", label(&series.label)),
-        ("style", (index % crate::theme::PALETTE_SIZE).to_string()),
+        ("style", (index % tumble_drawing::theme::PALETTE_SIZE).to_string()),
         ("dashes", string(style.dashes)),
+        ("dotted", series.dotted.to_string()),
         ("x", column(0)),
         ("y", column(1)),
+    ])
+}
+
+fn band(band: &Band) -> String {
+    let column = |k: usize| {
+        let values = || band.points.iter().map(move |p| p[k]);
+        Grid::over(values(), STEPS).encode(values())
+    };
+    object([
+        ("label", label(&band.label)),
+        ("style", (band.series % tumble_drawing::theme::PALETTE_SIZE).to_string()),
+        ("strength", number(band.strength)),
+        ("x", column(0)),
+        ("low", column(1)),
+        ("high", column(2)),
     ])
 }
 
@@ -93,12 +110,12 @@ fn shortened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let forward = points.windows(2).all(|w| w[1][0].partial_cmp(&w[0][0]) != Some(Ordering::Less));
     let width = if forward { WIDE } else { SIDE };
     let pixels = |k: usize, side: f64| {
-        let grid = crate::scale::Range::of(points.iter().map(|p| p[k])).unwrap_or_default().opened();
+        let grid = tumble_drawing::scale::Range::of(points.iter().map(|p| p[k])).unwrap_or_default().opened();
         move |value: f64| (value - grid.low) / grid.span() * side
     };
     let (x, y) = (pixels(0, width), pixels(1, SIDE));
     let mut kept: Vec<[f64; 2]> = Vec::new();
-    for piece in crate::thin::pieces(points.iter().copied()) {
+    for piece in tumble_drawing::thin::pieces(points.iter().copied()) {
         let page: Vec<_> = piece.iter().map(|p| [x(p[0]), y(p[1])]).collect();
         let short = if forward { thinned(&page, WIDE / COLUMNS) } else { page.clone() };
         let short = simplified(&short, 1.0);

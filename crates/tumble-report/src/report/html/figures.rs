@@ -4,14 +4,14 @@ use super::data::plot_data;
 use super::inline::{tagged, text};
 use super::motion::{motion_data, still};
 use super::page::Page;
-use crate::curves::{CurveFigure, Series};
-use crate::numeral::significant;
-use crate::report::animation::Animation;
 use crate::report::picture::{Picture, Plot};
 use crate::report::prose::Text;
-use crate::scale::Range;
-use crate::svg::Svg;
-use crate::text::Label;
+use tumble_drawing::Animation;
+use tumble_drawing::curves::{CurveFigure, Series};
+use tumble_drawing::numeral::significant;
+use tumble_drawing::scale::Range;
+use tumble_drawing::svg::Svg;
+use tumble_drawing::text::Label;
 
 /// Digits of numbers in descriptions.
 const DIGITS: usize = 4;
@@ -44,8 +44,9 @@ impl Page {
         let (number, title) = (self.plots.len() - 1, plot.figure.title.to_plain());
         let content = format!("<div class=\"sheet still\">{drawing}</div>\n");
         let name = if title.is_empty() { "Curves".to_owned() } else { title };
-        let data = format!("plot\" data-plot=\"{number}\" data-name=\"{}", crate::svg::escape(&name));
-        self.figure(&data, &content, &plot.caption)
+        let data =
+            format!("plot\" data-plot=\"{number}\" data-name=\"{}", tumble_drawing::svg::escape(&name));
+        self.figure(&data, &content, &plot.shown_caption())
     }
 
     /// A motion: a stroboscopic picture until a script makes it move.

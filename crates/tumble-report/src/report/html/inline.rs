@@ -4,15 +4,15 @@ use crate::report::markup::Markup;
 use crate::report::math::{Block, Definition, Math};
 use crate::report::mathml;
 use crate::report::prose::Text;
-use crate::svg::escape;
-use crate::text::Label;
+use tumble_drawing::svg::escape;
+use tumble_drawing::text::Label;
 
 /// The language of pages.
 struct Html;
 
 impl Markup for Html {
     fn words(text: &str) -> String {
-        escape(text)
+        text.split('\n').map(escape).collect::<Vec<_>>().join("<br>")
     }
 
     fn math(formula: &Math) -> String {

@@ -3,6 +3,7 @@
 mod data;
 mod figures;
 mod inline;
+mod lab;
 mod motion;
 mod page;
 mod sections;
@@ -10,4 +11,5 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-pub(super) use page::page;
+pub(super) use motion::motion;
+pub(super) use page::{page, parts};

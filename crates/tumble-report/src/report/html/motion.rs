@@ -1,14 +1,14 @@
 //! The data of a motion for the page's scripts, and the picture that stands for it without them.
 
 use super::data::{label, mark};
-use crate::free_body::{NamedPoint, Surface};
-use crate::numeral::significant;
-use crate::outline::{Outline, Pose};
-use crate::report::animation::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
 use crate::report::json::{Grid, list, number, object, string};
-use crate::stroboscope::Stroboscope;
-use crate::svg::Svg;
-use crate::track::Track;
+use tumble_drawing::free_body::{NamedPoint, Surface};
+use tumble_drawing::numeral::significant;
+use tumble_drawing::outline::{Outline, Pose};
+use tumble_drawing::stroboscope::Stroboscope;
+use tumble_drawing::svg::Svg;
+use tumble_drawing::track::Track;
+use tumble_drawing::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
 
 /// Steps over the range of places and of forces: finer than a screen shows.
 const STEPS: f64 = 1e4;
@@ -65,6 +65,11 @@ fn ends(body: &MovingBody) -> Option<String> {
     let (first, last) = (body.poses.first()?, body.poses.last()?);
     let name = if body.name.is_empty() { "The body".to_owned() } else { body.name.to_plain() };
     Some(format!("{name} moves from {} to {}.", place(first), place(last)))
+}
+
+/// A motion for a page that is there already; who cannot see it is told with the sections.
+pub(in crate::report) fn motion(animation: &Animation) -> String {
+    motion_data(animation, "")
 }
 
 /// All cases of a motion.
@@ -174,7 +179,7 @@ fn point(point: &NamedPoint) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curves::Mark;
+    use tumble_drawing::curves::Mark;
 
     #[test]
     fn long_motions_keep_their_ends_and_events() {

@@ -1,11 +1,12 @@
 //! The frame of the page: head, title, contents, sections, data, scripts.
 
-use super::inline::{paragraphs, tagged};
-use crate::page::url;
-use crate::report::{LESSON, Report, font_css, json};
-use crate::svg::escape;
+use super::inline::{paragraphs, tagged, text};
+use super::lab;
+use crate::gallery_page::url;
+use crate::report::{LESSON, Report, json};
+use tumble_drawing::svg::escape;
 
-const STYLE: &str = include_str!("../assets/report.css");
+pub(crate) const STYLE: &str = include_str!("../assets/report.css");
 
 /// Scripts in the order in which they run.
 const SCRIPTS: [&str; 5] = [
@@ -34,29 +35,42 @@ pub(super) struct Page {
 /// The page.
 pub(crate) fn page(report: &Report) -> String {
     let mut page = Page::default();
-    let sections = [
-        page.identify(&report.identify),
-        page.model(&report.model),
-        page.solve(&report.solve),
-        page.analyze(&report.analyze),
-    ];
-    let sections: String =
-        MOVES.iter().zip(&sections).enumerate().map(|(i, (m, s))| section(i + 1, m, s)).collect();
+    let sections: String = page.sections(report).concat();
     let (head, header) = (head(report), header(report));
     let (data, scripts) = (page.data(), SCRIPTS.concat());
+    let lab = report.lab.as_ref().map_or("", |_| lab::PANEL);
     let language = if report.language.is_empty() {
         String::new()
     } else {
         format!(" lang=\"{}\"", escape(&report.language))
     };
     format!(
-        "<!doctype html>\n<html{language}>\n{head}<body>\n{header}<main>\n{sections}</main>\n{}\
-         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n</body>\n</html>\n",
-        footer(&report.meta)
+        "<!doctype html>\n<html{language}>\n{head}<body>\n{header}{lab}<main>\n{sections}</main>\n{}\
+         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n{}</body>\n</html>\n",
+        footer(&report.meta),
+        report.lab.as_ref().map(lab::scripts).unwrap_or_default()
     )
 }
 
+/// The sections with their data, for a page that is there already.
+pub(crate) fn parts(report: &Report) -> String {
+    let mut page = Page::default();
+    let sections = page.sections(report).map(|section| json::string(&section));
+    let (plots, motions) = (json::list(page.plots), json::list(page.motions));
+    json::object([("sections", json::list(sections)), ("plots", plots), ("motions", motions)])
+}
+
 impl Page {
+    fn sections(&mut self, report: &Report) -> [String; 4] {
+        let contents = [
+            self.identify(&report.identify),
+            self.model(&report.model),
+            self.solve(&report.solve),
+            self.analyze(&report.analyze),
+        ];
+        std::array::from_fn(|i| section(i + 1, &MOVES[i], &contents[i]))
+    }
+
     fn data(&self) -> String {
         let (plots, motions) = (json::list(self.plots.clone()), json::list(self.motions.clone()));
         json::object([("plots", plots), ("motions", motions)])
@@ -64,10 +78,11 @@ impl Page {
 }
 
 fn head(report: &Report) -> String {
-    let font = report.math_font_css.as_deref().and_then(font_css::harmless).unwrap_or_default();
+    let font = tumble_notation::page_font();
+    let lab = report.lab.as_ref().map_or("", |_| lab::STYLE);
     format!(
         "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{}</title>\n<style>\n{STYLE}{font}\n</style>\n</head>\n",
+         <title>{}</title>\n<style>\n{STYLE}{lab}{font}\n</style>\n</head>\n",
         escape(&report.title)
     )
 }
@@ -75,11 +90,14 @@ fn head(report: &Report) -> String {
 fn header(report: &Report) -> String {
     let links: String =
         MOVES.iter().map(|(id, name)| format!("<li><a href=\"#{id}\">{name}</a></li>")).collect();
-    let lesson =
-        report.lesson.as_ref().map(|path| format!("<p><a href=\"{}\">{LESSON}</a></p>\n", url(path)));
+    let lesson = report
+        .lesson
+        .as_ref()
+        .map(|path| format!("<p class=\"lesson\"><a href=\"{}\">{LESSON}</a></p>\n", url(path)));
     format!(
-        "<header>\n<h1>{}</h1>\n{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
+        "<header>\n<h1>{}</h1>\n{}{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
         escape(&report.title),
+        tagged("p", "lead", &text(&report.lead)),
         lesson.unwrap_or_default(),
         paragraphs(&report.intro)
     )

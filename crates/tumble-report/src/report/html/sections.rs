@@ -2,12 +2,12 @@
 
 use super::inline::{block, label, paragraphs, tagged, text};
 use super::page::Page;
-use super::tables::{bodies, checks, facts, table, titled_list};
+use super::tables::{checks, facts, table, titled_list};
 use crate::report::analyze::{Analyze, Balance, Case, Check};
 use crate::report::identify::Identify;
 use crate::report::math::Block;
 use crate::report::model::{BodyModel, Mode, Model};
-use crate::report::rows::{forces, quantities};
+use crate::report::rows::{bodies, forces, quantities};
 use crate::report::solve::{Phase, Solve};
 use crate::report::table::Table;
 
@@ -15,22 +15,18 @@ impl Page {
     /// What is given and what is sought.
     pub(super) fn identify(&mut self, identify: &Identify) -> String {
         let scene = identify.scene.as_ref().map(|picture| self.picture(picture)).unwrap_or_default();
-        [
-            paragraphs(&identify.intro),
-            scene,
-            bodies(&identify.bodies),
-            table(&quantities("Parameters", &identify.parameters)),
-            table(&quantities("At the start", &identify.initial)),
-            titled_list("Sought", &identify.sought),
-        ]
-        .concat()
+        let numbers =
+            [quantities("Parameters", &identify.parameters), quantities("At the start", &identify.initial)];
+        let given = [table(&bodies(&identify.bodies)), tagged("div", "beside", &tables(&numbers))].concat();
+        let sought = titled_list("Sought", &identify.sought);
+        pair([paragraphs(&identify.intro) + &scene, given + &sought])
     }
 
     /// Forces, laws, equations.
     pub(super) fn model(&mut self, model: &Model) -> String {
         let bodies: String = model.bodies.iter().map(|body| self.body_model(body)).collect();
         let heading = if model.modes.is_empty() { "" } else { "<h3>Equations of motion</h3>\n" };
-        let modes: String = model.modes.iter().map(mode).collect();
+        let modes = tagged("div", "modes", &model.modes.iter().map(mode).collect::<String>());
         let assumptions = titled_list("Assumptions", &model.assumptions);
         [paragraphs(&model.intro), assumptions, bodies, heading.to_owned(), modes].concat()
     }
@@ -38,7 +34,8 @@ impl Page {
     fn body_model(&mut self, body: &BodyModel) -> String {
         let diagrams: String = body.diagrams.iter().map(|picture| self.picture(picture)).collect();
         let forces = table(&forces(&body.forces));
-        format!("{}{diagrams}{forces}{}", tagged("h3", "", &text(&body.name)), blocks(&body.laws))
+        let laws = forces + &blocks(&body.laws);
+        tagged("h3", "", &text(&body.name)) + &pair([diagrams, laws])
     }
 
     /// The solution.
@@ -54,17 +51,9 @@ impl Page {
         let pictures = self.pictures(&analyze.pictures);
         let comparison = analyze.comparison.as_ref().map(table).unwrap_or_default();
         let cases = self.cases(&analyze.cases);
-        [
-            paragraphs(&analyze.intro),
-            titled_list("Findings", &analyze.findings),
-            animation,
-            plots,
-            pictures,
-            comparison,
-            cases,
-            titled_checks(&analyze.checks),
-        ]
-        .concat()
+        let findings = paragraphs(&analyze.intro) + &titled_list("Findings", &analyze.findings);
+        let checks = titled_checks(&analyze.checks);
+        [pair([findings, animation]), plots, pictures, comparison, cases, checks].concat()
     }
 
     /// Cases as panels; scripts turn them into tabs.
@@ -104,9 +93,17 @@ impl Page {
     }
 }
 
+/// Two things side by side, where there is room for both.
+fn pair(parts: [String; 2]) -> String {
+    match parts.each_ref().map(String::as_str) {
+        ["", only] | [only, ""] => only.to_owned(),
+        _ => tagged("div", "pair", &parts.map(|part| format!("<div>{part}</div>\n")).concat()),
+    }
+}
+
 fn mode(mode: &Mode) -> String {
     let name = tagged("h4", "", &text(&mode.name));
-    format!("{name}{}{}", tagged("p", "", &text(&mode.holds)), blocks(&mode.equations))
+    tagged("div", "", &[name, tagged("p", "", &text(&mode.holds)), blocks(&mode.equations)].concat())
 }
 
 fn phase(phase: &Phase) -> String {

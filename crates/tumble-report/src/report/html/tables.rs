@@ -2,26 +2,29 @@
 
 use super::inline::{list, tagged, text};
 use crate::report::analyze::Check;
-use crate::report::identify::BodyRow;
 use crate::report::prose::Text;
-use crate::report::rows::quantity;
 use crate::report::table::{Align, Column, Table};
+use tumble_drawing::svg::escape;
 
 /// Rows of a long table that are shown at first.
 const FOLD: usize = 20;
+
+/// Columns from which on the cells of a row stand below each other where the page is narrow, and on paper.
+const STACKED: usize = 3;
+const WIDE: usize = 8;
 
 /// A table of the report.
 pub(super) fn table(table: &Table) -> String {
     let cell = |row: &Vec<Text>, i: usize| row.get(i).map(text).unwrap_or_default();
     let cells = |row: &Vec<Text>| (0..table.columns.len()).map(|i| cell(row, i)).collect();
     let rows: Vec<Vec<String>> = table.rows.iter().map(cells).collect();
-    let grid = grid(&text(&table.caption), &table.columns, &rows);
+    let grid = grid(&text(&table.caption), &table.columns, &rows, table.stacked);
     let notes: String = table.notes.iter().map(|note| tagged("p", "note", &text(note))).collect();
     grid + &notes
 }
 
 /// A table from finished cells. Columns without any content are left out.
-fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>]) -> String {
+fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>], stacked: bool) -> String {
     if rows.is_empty() {
         return String::new();
     }
@@ -29,10 +32,17 @@ fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>]) -> String {
         .filter(|i| rows.iter().any(|row| row.get(*i).is_some_and(|c| !c.is_empty())))
         .collect();
     let head: String = kept.iter().map(|i| heading(&columns[*i])).collect();
-    let body: String = rows.iter().enumerate().map(|(n, row)| line(columns, &kept, row, n >= FOLD)).collect();
+    let names = stacked || kept.len() > STACKED;
+    let lines = rows.iter().enumerate();
+    let body: String = lines.map(|(n, row)| line(columns, &kept, row, (n >= FOLD, names))).collect();
     let long = if rows.len() > FOLD { " data-long" } else { "" };
+    let class = match kept.len() {
+        0..=STACKED if !stacked => "table",
+        ..=WIDE => "table stack",
+        _ => "table stack wide",
+    };
     format!(
-        "<div class=\"table\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
+        "<div class=\"{class}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
         tagged("caption", "", caption)
     )
 }
@@ -48,47 +58,19 @@ fn class(align: Align) -> &'static str {
     }
 }
 
-fn line(columns: &[Column], kept: &[usize], row: &[String], more: bool) -> String {
+fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool, bool)) -> String {
     let cell = |(n, i): (usize, &usize)| {
         let (content, class) = (&row[*i], class(columns[*i].align));
-        if n == 0 {
-            format!("<th scope=\"row\"{class}>{content}</th>")
-        } else {
-            format!("<td{class}>{content}</td>")
+        let heading = escape(&columns[*i].heading.to_plain());
+        let name = if names { format!(" data-name=\"{heading}\"") } else { String::new() };
+        match n {
+            0 => format!("<th scope=\"row\"{class}>{content}</th>"),
+            _ => format!("<td{class}{name}>{content}</td>"),
         }
     };
     let cells: String = kept.iter().enumerate().map(cell).collect();
     let class = if more { " class=\"more\"" } else { "" };
     format!("<tr{class}>{cells}</tr>\n")
-}
-
-/// The bodies with their properties.
-pub(super) fn bodies(rows: &[BodyRow]) -> String {
-    let columns = ["Body", "Property", "Symbol", "Value", "Computed by", "Remark"].map(Column::words);
-    let body = |row: &BodyRow| {
-        let shape = if row.shape.is_empty() {
-            String::new()
-        } else {
-            format!("<br><small>{}</small>", text(&row.shape))
-        };
-        let name = format!("{}{shape}", text(&row.name));
-        let lines = row.properties.iter().enumerate();
-        let mut lines: Vec<Vec<String>> = lines
-            .map(|(i, property)| {
-                let name = if i == 0 {
-                    name.clone()
-                } else {
-                    format!("<span class=\"again\">{}</span>", text(&row.name))
-                };
-                std::iter::once(name).chain(quantity(property).iter().map(text)).collect()
-            })
-            .collect();
-        if lines.is_empty() {
-            lines.push(vec![name, String::new(), String::new(), String::new(), String::new(), String::new()]);
-        }
-        lines
-    };
-    grid("Bodies", &columns, &rows.iter().flat_map(body).collect::<Vec<_>>())
 }
 
 /// Checks with their results, as signs and words.
@@ -114,7 +96,7 @@ pub(super) fn checks(checks: &[Check]) -> String {
             result.to_owned(),
         ]
     };
-    grid("Checks", &columns, &checks.iter().map(row).collect::<Vec<_>>())
+    grid("Checks", &columns, &checks.iter().map(row).collect::<Vec<_>>(), true)
 }
 
 /// Names and values.

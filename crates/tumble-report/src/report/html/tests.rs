@@ -1,9 +1,11 @@
-use crate::curves::{CurveFigure, Mark};
-use crate::free_body::{NamedPoint, Surface};
-use crate::outline::{Outline, Pose};
 use crate::report::*;
-use crate::svg::Svg;
-use crate::{Axis, Label};
+use tumble_drawing::curves::{CurveFigure, Mark};
+use tumble_drawing::free_body::{NamedPoint, Surface};
+use tumble_drawing::outline::{Outline, Pose};
+use tumble_drawing::svg::Svg;
+use tumble_drawing::{Animation, Motion, MovingBody, MovingForce, MovingLink};
+use tumble_drawing::{Axis, Label};
+use tumble_scene::Play;
 
 /// Ends every kind of context that it could stand in.
 const HOSTILE: &str = "</script></style></title></svg></math><script>alert(1)</script><img src=x onerror=alert(1)>\"'><!--\u{2028}]]>";
@@ -99,11 +101,19 @@ fn hostile() -> Report {
     };
     Report {
         title: HOSTILE.into(),
+        lead: words(),
         lesson: Some(HOSTILE.into()),
         language: HOSTILE.into(),
         intro: vec![words()],
         meta: vec![(HOSTILE.into(), HOSTILE.into())],
-        math_font_css: Some(HOSTILE.into()),
+        lab: Some(Lab {
+            engine: b"engine",
+            name: HOSTILE.into(),
+            scene: HOSTILE.into(),
+            files: vec![(HOSTILE.into(), HOSTILE.into())],
+            set: vec![(HOSTILE.into(), HOSTILE.into())],
+            play: Play::default(),
+        }),
         identify: Identify {
             intro: vec![words()],
             scene: Some(picture()),
@@ -152,10 +162,19 @@ fn hostile() -> Report {
     }
 }
 
-/// The page without what is ours: the two scripts' tags.
+/// The page without what is ours: the tags of scripts, of the engine and of their data.
 fn foreign(html: &str) -> String {
-    let html = html.replacen("<script type=\"application/json\"", "", 1).replacen("<script>\n", "", 1);
-    html.replacen("</script>\n//", "", 1).replacen("</script>\n</body>", "", 1)
+    const OURS: [&str; 6] = [
+        "<script type=\"application/json\" id=\"report-data\">",
+        "<script type=\"text/plain\" id=\"lab-engine\">",
+        "<script type=\"application/json\" id=\"lab-data\">",
+        "<script type=\"text/plain\" id=\"lab-worker\">",
+        "<script>\n",
+        "<script>\n",
+    ];
+    let html = OURS.iter().fold(html.to_owned(), |html, tag| html.replacen(tag, "", 1));
+    // What a scene says never ends a line in ours.
+    html.replacen("</script>\n", "", OURS.len())
 }
 
 #[test]
@@ -184,13 +203,15 @@ fn the_data_is_json_and_complete() {
     let start = html.find("id=\"report-data\">").expect("the data") + "id=\"report-data\">".len();
     let data = &html[start..start + html[start..].find("</script>").expect("its end")];
     assert!(!data.contains(['<', '>', '&', '\u{2028}']) && !data.contains("NaN"));
-    assert_eq!(data.matches("\"dashes\":\"\",\"x\":").count(), 5, "a curve for every plot");
+    assert_eq!(data.matches("\"dashes\":\"\",\"dotted\":").count(), 5, "a curve for every plot");
     assert_eq!(data.matches("\"times\":").count(), 2);
 }
 
 #[test]
 fn the_page_needs_no_network() {
     let html = Report::default().html().replace("http://www.w3.org/2000/svg", "");
+    // The font of formulas is in the page.
+    let html = html.replace("url(\"data:", "");
     for word in ["http:", "https:", "@import", "url(", "src=", "fetch(", "import("] {
         assert!(!html.contains(word), "{word}");
     }

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use tumble::pipeline::run_text;
-use tumble::{Case, PipelineError};
+use tumble::{Case, CaseError, PipelineError};
 
 use super::setup::{Asked, Place, Problem};
 
@@ -38,8 +38,10 @@ pub(crate) fn measure(problem: &Problem) -> Measured {
 fn run(problem: &Problem) -> Measured {
     let case = match run_text("problem", &problem.scene) {
         Ok(mut cases) => cases.swap_remove(0),
-        Err(PipelineError::Run(error)) => return Measured::Refused(error.to_string()),
-        Err(PipelineError::Scene(mistakes)) => return Measured::Broken(mistakes.to_string()),
+        Err(PipelineError::Case(CaseError::Run(error))) => return Measured::Refused(error.to_string()),
+        Err(PipelineError::Case(CaseError::Scene(mistakes))) => {
+            return Measured::Broken(mistakes.to_string());
+        }
         Err(error) => return Measured::Broken(error.to_string()),
     };
     if let Some(refusal) = case.refusal {

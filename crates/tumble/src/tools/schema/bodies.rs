@@ -4,10 +4,15 @@ use serde_json::{Value, json};
 
 use super::parts::{Key, choice, closed, each, may, must, named, open};
 
-/// `[surface.NAME]`, `[body.NAME]`, `[pivot.NAME]`, `[pin.NAME]` and `[weld.NAME]`.
+/// `[surface.NAME]`, `[contact.NAME]`, `[body.NAME]`, `[pivot.NAME]`, `[pin.NAME]` and `[weld.NAME]`.
 pub(super) fn sections() -> Vec<Key> {
     vec![
-        may("surface", each(surface()), "Floors, walls and slopes, and what they do to what touches them."),
+        may(
+            "surface",
+            each(surface()),
+            "Floors, walls, slopes and bowls, and what they do to what touches them.",
+        ),
+        may("contact", each(contact()), "Bodies that meet each other."),
         must("body", each(body()), "Bodies: a shape with its mass, parts, or stated mass properties."),
         may("pivot", each(pivot()), "Points of bodies that are held at a place in the world."),
         may("pin", each(joint("[pin.NAME]")), "Joints about which bodies turn, without friction."),
@@ -128,7 +133,12 @@ fn surface() -> Value {
     closed(
         "[surface.NAME]",
         &[
-            must("through", named("vector"), "A point of it; it may depend on the time."),
+            may(
+                "through",
+                named("vector"),
+                "A point of a plane; it may depend on the time; this or `circle`.",
+            ),
+            may("circle", circle(), "A circle instead of a plane."),
             may("normal", direction(), "Direction out of the solid; this or `slope`."),
             may("slope", named("quantity"), "Angle of the surface, counter-clockwise; level without it."),
             may(
@@ -139,6 +149,40 @@ fn surface() -> Value {
             may("rigid", rigid(), "Not compliant; this, `spring` or `hertz`."),
             may("spring", spring(), "Compliant, in proportion to the force."),
             may("hertz", hertz(), "Compliant, as one elastic body pressed against another."),
+        ],
+    )
+}
+
+fn circle() -> Value {
+    closed(
+        "circle",
+        &[
+            must("centre", named("vector"), "Its centre; it may depend on the time."),
+            must("radius", named("quantity"), "A length."),
+            may("inside", json!({ "type": "boolean" }), "Whether it is met from inside, as a bowl is."),
+        ],
+    )
+}
+
+fn contact() -> Value {
+    let names = json!({ "type": "array", "minItems": 2, "items": named("text") });
+    let own = |mut keys: Value| {
+        keys.as_object_mut().map(|keys| keys.remove("required"));
+        keys
+    };
+    closed(
+        "[contact.NAME]",
+        &[
+            must(
+                "between",
+                json!({ "anyOf": [choice(&["all"]), names] }),
+                "Bodies of which every two meet, or \"all\" that no joint connects.",
+            ),
+            may(
+                "rigid",
+                own(rigid()),
+                "What happens where they touch; the lesser of their own restitutions without one here.",
+            ),
         ],
     )
 }

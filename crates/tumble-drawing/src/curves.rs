@@ -1,0 +1,421 @@
+//! Curves over time, or of one quantity against another.
+
+use std::cmp::Ordering;
+
+use crate::axes::{Axes, Axis, clipped};
+use crate::ends::{self, End};
+use crate::heading::Heading;
+use crate::legend::{Legend, styled};
+use crate::place::Occupancy;
+use crate::rect::Rect;
+use crate::retrace::without_laps;
+use crate::scale::{Range, drawable};
+use crate::svg::{Element, PathData, Svg, circle, line};
+use crate::text::{Anchor, Label, PlacedText};
+use crate::theme::{GAP, GREY, HAIRLINE, LEADING, LineStyle, MARGIN, PAPER, SMALL};
+use crate::thin::{pieces, simplified, thinned};
+
+/// Width of the picture in pixels.
+const WIDTH: f64 = 600.0;
+/// Height of the plotting area in pixels.
+const HEIGHT: f64 = 300.0;
+/// Room above and below the data, as a part of their range.
+const PADDING: f64 = 0.06;
+/// Width of a column in which only the extremes of a curve are kept, in pixels.
+const COLUMN: f64 = 0.5;
+/// Curves of more points are reduced to their extremes first.
+const MANY: usize = 5000;
+/// How far a simplified curve may lie beside the true one, in pixels.
+const TOLERANCE: f64 = 0.04;
+/// Radius of a point that no line leads to.
+const LONE_POINT: f64 = 2.2;
+/// Rows of mark labels above the frame, at most.
+const MARK_ROWS: usize = 2;
+/// Distance between mark labels in one row.
+const MARK_SPACING: f64 = 8.0;
+/// Marks closer than this many pixels to the last are not drawn.
+const MARK_MERGE: f64 = 0.5;
+/// Dashes of the lines of marks.
+const MARK_DASHES: &str = "3 3";
+
+/// A curve with its label; an empty label keeps it out of the legend.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Series {
+    /// What the legend says.
+    pub label: Label,
+    /// Points `[x, y]` in the units of the axes; one that is not finite makes a gap.
+    pub points: Vec<[f64; 2]>,
+    /// Whether each point has a dot, because just these are known.
+    pub dotted: bool,
+}
+
+/// What lies between two curves, as that between the least and the greatest of many runs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Band {
+    /// What the legend says.
+    pub label: Label,
+    /// Points `[x, low, high]` in the units of the axes; one that is not finite makes a gap.
+    pub points: Vec<[f64; 3]>,
+    /// The series whose colour it has, by its place.
+    pub series: usize,
+    /// How strong that colour is, from 0 to 1.
+    pub strength: f64,
+}
+
+/// A vertical line at an event.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mark {
+    /// Where, in the unit of the horizontal axis.
+    pub at: f64,
+    /// What is written above the frame, where there is room; may be empty.
+    pub label: Label,
+}
+
+/// A diagram of curves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CurveFigure {
+    /// Title above the diagram; may be empty.
+    pub title: Label,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Bands behind the curves, in drawing order.
+    pub bands: Vec<Band>,
+    /// Curves in drawing order.
+    pub series: Vec<Series>,
+    /// Events.
+    pub marks: Vec<Mark>,
+}
+
+impl CurveFigure {
+    /// A diagram without curves.
+    pub fn new(title: Label, x: Axis, y: Axis) -> Self {
+        Self { title, x, y, ..Self::default() }
+    }
+
+    /// Adds a curve.
+    pub fn series(mut self, label: Label, points: Vec<[f64; 2]>) -> Self {
+        self.series.push(Series { label, points, dotted: false });
+        self
+    }
+
+    /// Adds a mark at `at`, in the unit of the horizontal axis.
+    pub fn mark(mut self, at: f64, label: Label) -> Self {
+        self.marks.push(Mark { at, label });
+        self
+    }
+
+    /// The drawing. Without data it is an empty frame that says so.
+    pub fn svg(&self) -> Svg {
+        Layout::new(self).draw()
+    }
+
+    fn points(&self) -> impl Iterator<Item = [f64; 2]> + Clone {
+        let edges = |p: &[f64; 3]| [[p[0], p[1]], [p[0], p[2]]];
+        let bands = self.bands.iter().flat_map(move |band| band.points.iter().flat_map(edges));
+        let points = self.series.iter().flat_map(|series| series.points.iter().copied()).chain(bands);
+        points.filter(|p| drawable(p[0]) && drawable(p[1]))
+    }
+
+    fn ranges(&self) -> [Range; 2] {
+        let range = |axis: &Axis, i: usize, tight: bool| {
+            let data = Range::of(self.points().map(|p| p[i]));
+            let padded = data.map(|r| if tight { r } else { r.padded(PADDING) });
+            axis.range.or(padded).unwrap_or_default().opened()
+        };
+        [range(&self.x, 0, self.runs_forward()), range(&self.y, 1, false)]
+    }
+
+    /// Whether x never decreases, as time does: then the frame ends with the data.
+    fn runs_forward(&self) -> bool {
+        let mut pairs = self.series.iter().flat_map(|series| series.points.windows(2));
+        pairs.all(|w| w[1][0].partial_cmp(&w[0][0]) != Some(Ordering::Less))
+    }
+
+    fn legend(&self) -> Option<Legend> {
+        let labelled = self.series.iter().enumerate().filter(|(_, series)| !series.label.is_empty());
+        let curves = labelled.map(|(i, series)| (series.label.clone(), LineStyle::of(i)));
+        let named = self.bands.iter().filter(|band| !band.label.is_empty());
+        let bands = named.map(|band| (band.label.clone(), LineStyle::of_band(band.series, band.strength)));
+        Legend::column(bands.chain(curves).collect())
+    }
+}
+
+/// A figure with everything in its place.
+struct Layout<'a> {
+    figure: &'a CurveFigure,
+    heading: Heading,
+    axes: Axes,
+    bands: Vec<Vec<Vec<[f64; 2]>>>,
+    curves: Vec<Vec<Vec<[f64; 2]>>>,
+    marks: MarkRows,
+    legend: Option<(Legend, [f64; 2])>,
+    /// Labels at the ends of the curves, instead of a legend.
+    ends: Option<Element>,
+}
+
+impl<'a> Layout<'a> {
+    fn new(figure: &'a CurveFigure) -> Self {
+        if let Some(direct) = Self::with_ends(figure) {
+            return direct;
+        }
+        let heading = Heading::new(&figure.title, WIDTH);
+        let mut layout = Self::with_header(figure, heading, 0.0);
+        let Some(legend) = figure.legend() else { return layout };
+        let inside = legend.free_place(&layout.axes.area, &layout.occupancy());
+        if let Some(place) = inside {
+            layout.legend = Some((legend, [place.x, place.y]));
+            return layout;
+        }
+        layout.with_legend_above(legend)
+    }
+
+    /// With labels at the ends of the curves, where all of them fit there.
+    fn with_ends(figure: &'a CurveFigure) -> Option<Self> {
+        let labels = figure.series.iter().map(|series| &series.label);
+        let all = figure.runs_forward() && labels.clone().all(|label| !label.is_empty());
+        let room = ends::room(labels.filter(|_| all))?;
+        let layout = Self::beside(figure, Heading::new(&figure.title, WIDTH), 0.0, room);
+        let end = |(i, series): (usize, &Series)| {
+            let last = series.points.iter().rfind(|p| drawable(p[0]) && drawable(p[1]))?;
+            Some(End { label: series.label.clone(), style: LineStyle::of(i), at: layout.axes.pixel(*last) })
+        };
+        let ends: Vec<End> = figure.series.iter().enumerate().map(end).collect::<Option<_>>()?;
+        let ends = ends::draw(&ends, &layout.axes.area)?;
+        Some(Self { ends: Some(ends), ..layout })
+    }
+
+    /// The layout with `extra` pixels between the title and the marks.
+    fn with_header(figure: &'a CurveFigure, heading: Heading, extra: f64) -> Self {
+        Self::beside(figure, heading, extra, 0.0)
+    }
+
+    /// The same with room to the right of the frame.
+    fn beside(figure: &'a CurveFigure, heading: Heading, extra: f64, room: f64) -> Self {
+        let axes = |top| Axes::fitted([&figure.x, &figure.y], figure.ranges(), WIDTH - room, top, HEIGHT);
+        let top = heading.bottom() + extra;
+        let marks = MarkRows::new(&figure.marks, &axes(top));
+        let axes = axes(top + marks.height());
+        let forward = figure.runs_forward();
+        let curve = |series: &Series| {
+            let pixels = pieces(series.points.iter().map(|p| axes.pixel(*p)));
+            pixels.iter().flat_map(|piece| shortened(piece, forward)).collect()
+        };
+        let curves = figure.series.iter().map(curve).collect();
+        let bands = figure.bands.iter().map(|band| outlines(&axes, band)).collect();
+        Self { figure, heading, axes, bands, curves, marks, legend: None, ends: None }
+    }
+
+    fn with_legend_above(self, legend: Legend) -> Self {
+        let legend = legend.spread(self.axes.area.width);
+        let [width, height] = legend.size();
+        let at = [self.axes.area.centre()[0] - width / 2.0, self.heading.bottom()];
+        let mut layout = Self::with_header(self.figure, self.heading, height + GAP);
+        layout.legend = Some((legend, at));
+        layout
+    }
+
+    fn occupancy(&self) -> Occupancy {
+        let mut drawn = Occupancy::new(self.axes.area);
+        self.curves.iter().flatten().for_each(|piece| drawn.add_line(piece.clone()));
+        self.bands.iter().flatten().for_each(|piece| drawn.add_line(piece.clone()));
+        let Rect { y, .. } = self.axes.area;
+        let bottom = self.axes.area.bottom();
+        self.marks.marks.iter().for_each(|mark| drawn.add_line(vec![[mark.x, y], [mark.x, bottom]]));
+        drawn
+    }
+
+    fn draw(&self) -> Svg {
+        let height = self.axes.area.bottom() + self.axes.margins().bottom;
+        let mut svg = Svg::new(WIDTH, height, self.figure.title.to_plain());
+        let page = Element::new("rect").attr("width", WIDTH).attr("height", height);
+        svg.push(page.attr("fill", PAPER));
+        svg.push(self.marks.draw(&self.axes.area));
+        svg.push(clipped(
+            self.axes.area,
+            self.draw_bands().chain(self.draw_curves()).chain(self.draw_dots()),
+        ));
+        svg.push(self.axes.draw());
+        svg.push(self.heading.draw(self.axes.area.centre()[0]));
+        svg.children.extend(self.legend.iter().map(|(legend, at)| legend.draw(*at)));
+        svg.children.extend(self.ends.clone());
+        svg.children.extend(self.no_data());
+        svg
+    }
+
+    fn draw_bands(&self) -> impl Iterator<Item = Element> {
+        let shown = self.figure.bands.iter().zip(&self.bands);
+        shown.flat_map(|(band, pieces)| {
+            let colour = LineStyle::of_band(band.series, band.strength).colour;
+            pieces.iter().map(move |piece| PathData::polygon(piece).fill(colour))
+        })
+    }
+
+    fn draw_dots(&self) -> impl Iterator<Item = Element> {
+        let dotted = self.figure.series.iter().enumerate().filter(|(_, series)| series.dotted);
+        dotted.flat_map(|(index, series)| {
+            let places = pieces(series.points.iter().map(|p| self.axes.pixel(*p))).into_iter().flatten();
+            places.map(move |place| circle(place, LONE_POINT).attr("fill", LineStyle::of(index).colour))
+        })
+    }
+
+    fn draw_curves(&self) -> impl Iterator<Item = Element> {
+        self.curves.iter().enumerate().flat_map(|(i, pieces)| draw_curve(pieces, LineStyle::of(i)))
+    }
+
+    fn no_data(&self) -> Option<Element> {
+        let empty = self.figure.points().next().is_none();
+        empty.then(|| no_data(&self.axes.area))
+    }
+}
+
+/// The pieces of a band as closed lines: along the upper edge, back along the lower.
+fn outlines(axes: &Axes, band: &Band) -> Vec<Vec<[f64; 2]>> {
+    let is_there = |p: &&[f64; 3]| p.iter().all(|value| drawable(*value));
+    let edge = |k: usize| {
+        let points = band.points.iter().map(move |p| match is_there(&p) {
+            true => axes.pixel([p[0], p[k]]),
+            false => [f64::NAN; 2],
+        });
+        pieces(points)
+    };
+    let back = |(mut upper, lower): (Vec<[f64; 2]>, Vec<[f64; 2]>)| {
+        upper.extend(lower.into_iter().rev());
+        upper
+    };
+    edge(2).into_iter().zip(edge(1)).map(back).collect()
+}
+
+/// The same line on the page from fewer points; laps over itself go if it does not run forward.
+fn shortened(piece: &[[f64; 2]], forward: bool) -> Vec<Vec<[f64; 2]>> {
+    if forward && piece.len() > MANY {
+        return vec![simplified(&thinned(piece, COLUMN), TOLERANCE)];
+    }
+    let simple = simplified(piece, TOLERANCE);
+    if forward { vec![simple] } else { without_laps(&simple) }
+}
+
+/// The words in the middle of a frame without data.
+pub(crate) fn no_data(area: &Rect) -> Element {
+    PlacedText::centred(&Label::plain("no data"), area, SMALL).colour(GREY).element()
+}
+
+/// One path for all pieces of a curve, and dots for its lone points.
+fn draw_curve(pieces: &[Vec<[f64; 2]>], style: LineStyle) -> Vec<Element> {
+    let mut path = PathData::default();
+    pieces.iter().filter(|piece| piece.len() > 1).for_each(|piece| path.add_polyline(piece));
+    let lone = pieces.iter().filter(|piece| piece.len() == 1);
+    let dots = lone.map(|piece| circle(piece[0], LONE_POINT).attr("fill", style.colour));
+    let line = (!path.is_empty()).then(|| styled(path.stroke(), style));
+    line.into_iter().chain(dots).collect()
+}
+
+/// Marks with the rows in which their labels stand.
+struct MarkRows {
+    marks: Vec<PlacedMark>,
+}
+
+struct PlacedMark {
+    x: f64,
+    label: Label,
+    row: Option<usize>,
+}
+
+impl MarkRows {
+    fn new(marks: &[Mark], axes: &Axes) -> Self {
+        let mut visible: Vec<_> = marks.iter().filter(|m| axes.x.range.contains(m.at)).collect();
+        visible.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let mut placed: Vec<PlacedMark> = Vec::new();
+        let mut row_ends = [f64::NEG_INFINITY; MARK_ROWS];
+        for mark in visible {
+            let x = axes.x.pixel(mark.at);
+            if placed.last().is_some_and(|last| x - last.x < MARK_MERGE) {
+                continue;
+            }
+            let row = row_for(&mut row_ends, x, mark.label.width(SMALL));
+            placed.push(PlacedMark { x, label: mark.label.clone(), row });
+        }
+        Self { marks: placed }
+    }
+
+    fn height(&self) -> f64 {
+        let labelled = self.marks.iter().filter(|mark| !mark.label.is_empty());
+        let rows = labelled.filter_map(|mark| mark.row).max().map_or(0, |row| row + 1);
+        rows as f64 * SMALL * LEADING
+    }
+
+    fn draw(&self, area: &Rect) -> Element {
+        let style = Element::new("g").attr("stroke", GREY).attr("stroke-width", HAIRLINE);
+        let style = style.attr("stroke-dasharray", MARK_DASHES);
+        let lines = self.marks.iter().map(|m| line([m.x, area.bottom()], [m.x, area.y]));
+        let labels = self.marks.iter().filter_map(|mark| mark.text(area.y));
+        Element::new("g").child(style.children(lines)).children(labels)
+    }
+}
+
+impl PlacedMark {
+    fn text(&self, top: f64) -> Option<Element> {
+        let baseline = top - GAP - self.row? as f64 * SMALL * LEADING;
+        let text = PlacedText::new(&self.label, [self.x, baseline], SMALL, Anchor::Middle);
+        (!self.label.is_empty()).then(|| text.element())
+    }
+}
+
+/// The first row with room for a label `width` pixels wide centred at `x`, which then takes it.
+fn row_for(row_ends: &mut [f64], x: f64, width: f64) -> Option<usize> {
+    let row = row_ends.iter().position(|end| x - width / 2.0 >= *end)?;
+    let fits = x - width / 2.0 >= MARGIN / 2.0 && x + width / 2.0 <= WIDTH - MARGIN / 2.0;
+    row_ends[row] = x + width / 2.0 + MARK_SPACING;
+    fits.then_some(row)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn figure(points: Vec<[f64; 2]>) -> CurveFigure {
+        let axis = |name| Axis::new(Label::symbol(name), "m");
+        CurveFigure::new(Label::plain("A <script>"), axis("t"), axis("theta"))
+            .series(Label::default(), points)
+    }
+
+    #[test]
+    fn equal_input_gives_equal_bytes() {
+        let points: Vec<_> = (0..500).map(|i| [f64::from(i), f64::from(i).sin()]).collect();
+        assert_eq!(figure(points.clone()).svg().to_string(), figure(points).svg().to_string());
+    }
+
+    #[test]
+    fn without_data_the_frame_says_so() {
+        for points in [vec![], vec![[f64::NAN, 1.0]], vec![[1.0, f64::INFINITY]]] {
+            let svg = figure(points).svg().to_string();
+            assert!(svg.contains("no data"));
+            assert!(!svg.contains("NaN") && !svg.contains("inf"));
+        }
+    }
+
+    #[test]
+    fn a_single_point_is_a_dot() {
+        let svg = figure(vec![[1.0, 2.0]]).svg().to_string();
+        assert!(svg.contains("<circle") && !svg.contains("no data"));
+    }
+
+    #[test]
+    fn a_million_points_give_a_small_file() {
+        let points = (0..1_000_000).map(|i| [f64::from(i) * 1e-5, (f64::from(i) * 0.01).sin()]).collect();
+        assert!(figure(points).svg().to_string().len() < 100_000);
+    }
+
+    #[test]
+    fn crowded_marks_keep_their_labels_apart() {
+        let mut ends = [f64::NEG_INFINITY; MARK_ROWS];
+        let rows: Vec<_> = (0..4).map(|i| row_for(&mut ends, 100.0 + f64::from(i), 30.0)).collect();
+        assert_eq!(rows, [Some(0), Some(1), None, None]);
+    }
+
+    #[test]
+    fn markup_in_titles_is_shown() {
+        assert!(!figure(vec![]).svg().to_string().contains("<script"));
+    }
+}

@@ -1,0 +1,198 @@
+//! Choosing places for all labels of a panel together.
+
+use crate::place::{CLEARANCE, Occupancy, lines_cross};
+use crate::rect::Rect;
+use crate::svg::Element;
+use crate::text::{Label, PlacedText};
+use crate::theme::{Rgb, SMALL};
+
+use super::candidates::{Candidate, anywhere};
+use super::geometry::{Point, gap, length, minus, plus, times};
+
+/// Labels farther than this from what they belong to get a leader, in pixels.
+const LEADER_FROM: f64 = 22.0;
+/// Distance of a leader from what it points at, and from the label, in pixels.
+const LEADER_GAP: f64 = 3.0;
+/// What a leader costs, and each pixel of distance, and each line it crosses.
+const LEADER_COST: f64 = 30.0;
+const DISTANCE_COST: f64 = 0.5;
+const CROSSING_COST: f64 = 45.0;
+/// What lines between a label and what it belongs to cost where there is no leader.
+const PARTED_COST: f64 = 15.0;
+/// What covering something drawn costs, compared with the page's own measure: it comes last.
+const COVER_WEIGHT: f64 = 3.0;
+/// What standing nearer to something else costs, or nearly so.
+const RIVAL_COST: f64 = 50.0;
+const NEARLY: f64 = 5.0;
+/// What two labels that overlap cost, and a leader under a label.
+const OVERLAP_COST: f64 = 600.0;
+const UNDER_COST: f64 = 200.0;
+/// What a place may cost that is taken for a label that can be spared.
+const MOST_COST: f64 = 60.0;
+/// Candidates kept for each label.
+const KEPT: usize = 500;
+/// Rounds in which every label may move again.
+const ROUNDS: usize = 6;
+
+/// A label that wants a place.
+#[derive(Clone, Debug)]
+pub(crate) struct Tag {
+    pub(crate) label: Label,
+    pub(crate) colour: Rgb,
+    /// Text size in pixels.
+    pub(crate) size: f64,
+    /// What it belongs to, as a line on the page: where a leader may point.
+    pub(crate) owner: Vec<Point>,
+    /// All of it, which other labels must not seem to belong to.
+    pub(crate) whole: Vec<Point>,
+    /// Places near the owner.
+    pub(crate) near: Vec<Candidate>,
+    /// Whether it may stand anywhere, with a leader.
+    pub(crate) far: bool,
+    /// Whether it is left out where it would cover something.
+    pub(crate) least: bool,
+}
+
+impl Tag {
+    /// A label that stands near what it belongs to.
+    pub(crate) fn new(label: Label, colour: Rgb, owner: Vec<Point>, near: Vec<Candidate>) -> Self {
+        let whole = owner.clone();
+        Self { label, colour, size: SMALL, owner, whole, near, far: false, least: false }
+    }
+
+    /// Width and height in pixels.
+    pub(crate) fn extent(label: &Label, size: f64) -> [f64; 2] {
+        [label.width(size), 1.15 * size]
+    }
+}
+
+/// A label at its place.
+#[derive(Clone, Debug)]
+pub(crate) struct Placed {
+    pub(crate) label: Label,
+    pub(crate) colour: Rgb,
+    pub(crate) size: f64,
+    pub(crate) place: Rect,
+    /// A thin line to what it belongs to.
+    pub(crate) leader: Option<[Point; 2]>,
+    /// Whether it stands on a line, from which a rim of paper parts it.
+    pub(crate) halo: bool,
+}
+
+/// Labels with their leaders.
+pub(crate) fn draw_placed(labels: &[Placed]) -> Vec<Element> {
+    let leaders = labels.iter().filter_map(|label| label.leader).map(super::draw::leader);
+    let text = |label: &Placed| {
+        let text = PlacedText::centred(&label.label, &label.place, label.size).colour(label.colour);
+        if label.halo { text.halo().element() } else { text.element() }
+    };
+    leaders.chain(labels.iter().map(text)).collect()
+}
+
+/// A place with all that it costs by itself.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    place: Rect,
+    leader: Option<[Point; 2]>,
+    cost: f64,
+}
+
+/// The places of all labels: each the best for itself, then moved while that helps.
+pub(crate) fn placed(tags: &[Tag], drawn: &Occupancy, area: &Rect) -> Vec<Placed> {
+    let spots: Vec<Vec<Spot>> = (0..tags.len()).map(|i| spots(tags, i, drawn, area)).collect();
+    let mut chosen: Vec<Option<Spot>> = vec![None; tags.len()];
+    for _ in 0..ROUNDS {
+        let before: Vec<_> = chosen.iter().map(|spot| spot.map(|spot| spot.place)).collect();
+        for i in 0..tags.len() {
+            chosen[i] = best(&spots[i], &chosen, i);
+        }
+        if chosen.iter().map(|spot| spot.map(|spot| spot.place)).eq(before) {
+            break;
+        }
+    }
+    let fits = |tag: &Tag, spot: &Spot| !tag.least || spot.cost < MOST_COST;
+    let free = |i: usize, spot: &Spot| {
+        let others = chosen.iter().enumerate().filter(|(j, _)| *j != i).filter_map(|(_, other)| *other);
+        others.map(|other| conflict(spot, &other)).sum::<f64>() < OVERLAP_COST
+    };
+    let kept = |(i, tag): (usize, &Tag)| {
+        let spot = chosen[i].filter(|spot| fits(tag, spot) && (!tag.least || free(i, spot)))?;
+        Some(finished(tag, spot, drawn))
+    };
+    tags.iter().enumerate().filter_map(kept).collect()
+}
+
+fn finished(tag: &Tag, spot: Spot, drawn: &Occupancy) -> Placed {
+    let Tag { label, colour, size, .. } = tag.clone();
+    let halo = drawn.is_crossed(&spot.place.grown(1.0));
+    Placed { label, colour, size, place: spot.place, leader: spot.leader, halo }
+}
+
+/// The best spot of label `i` beside the others' present ones.
+fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
+    let others: Vec<Spot> =
+        chosen.iter().enumerate().filter(|(j, _)| *j != i).filter_map(|(_, s)| *s).collect();
+    let mut best: Option<(f64, Spot)> = None;
+    for spot in spots {
+        let least = best.map_or(f64::INFINITY, |(cost, _)| cost);
+        // Spots come in order of their own cost.
+        if spot.cost >= least {
+            break;
+        }
+        let cost = spot.cost + others.iter().map(|other| conflict(spot, other)).sum::<f64>();
+        if cost < least {
+            best = Some((cost, *spot));
+        }
+    }
+    best.map(|(_, spot)| spot)
+}
+
+fn conflict(a: &Spot, b: &Spot) -> f64 {
+    let shared = a.place.grown(CLEARANCE).overlap(&b.place);
+    let overlap = if shared > 0.0 { OVERLAP_COST + shared } else { 0.0 };
+    let under =
+        |place: &Rect, leader: Option<[Point; 2]>| leader.is_some_and(|[p, q]| place.meets_line(p, q));
+    let hidden = [under(&a.place, b.leader), under(&b.place, a.leader)].iter().filter(|hit| **hit).count();
+    let crossing = a.leader.zip(b.leader).is_some_and(|(p, q)| lines_cross(p, q));
+    overlap + UNDER_COST * hidden as f64 + if crossing { CROSSING_COST } else { 0.0 }
+}
+
+/// The spots of label `i`, cheapest first.
+fn spots(tags: &[Tag], i: usize, drawn: &Occupancy, area: &Rect) -> Vec<Spot> {
+    let tag = &tags[i];
+    let size = Tag::extent(&tag.label, tag.size);
+    let far = if tag.far { anywhere(area, size) } else { Vec::new() };
+    let rivals: Vec<_> = tags.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, t)| &t.whole).collect();
+    let candidates = tag.near.iter().chain(&far);
+    let mut spots: Vec<Spot> = candidates.map(|c| spot(tag, *c, drawn, &rivals)).collect();
+    spots.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    spots.truncate(KEPT);
+    spots
+}
+
+fn spot(tag: &Tag, candidate: Candidate, drawn: &Occupancy, rivals: &[&Vec<Point>]) -> Spot {
+    let Candidate { place, cost } = candidate;
+    let (ends, own) = gap(&place, &tag.owner);
+    let leader = (tag.far && own > LEADER_FROM).then(|| shortened(ends));
+    let [from, to] = shortened(ends);
+    let crossings = drawn.crossed_by(from, to) as f64;
+    let parted = if leader.is_some() { CROSSING_COST * crossings } else { PARTED_COST * crossings.min(1.0) };
+    let led = if leader.is_some() { LEADER_COST } else { 0.0 };
+    let rivalry: f64 =
+        if leader.is_some() { 0.0 } else { rivals.iter().map(|r| rivalry(&place, r, own)).sum() };
+    let burden = COVER_WEIGHT * drawn.burden(&place.grown(CLEARANCE));
+    let away = DISTANCE_COST * own + led + parted;
+    Spot { place, leader, cost: cost + burden + rivalry + away }
+}
+
+fn rivalry(place: &Rect, rival: &[Point], own: f64) -> f64 {
+    let distance = gap(place, rival).1;
+    let part = ((own + NEARLY - distance) / NEARLY).clamp(0.0, 1.0);
+    RIVAL_COST * part
+}
+
+fn shortened([from, to]: [Point; 2]) -> [Point; 2] {
+    let distance = length(minus(to, from));
+    let step = times(minus(to, from), LEADER_GAP / distance.max(LEADER_GAP));
+    [plus(from, step), minus(to, step)]
+}

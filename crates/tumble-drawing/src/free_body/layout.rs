@@ -1,0 +1,143 @@
+//! Where the parts of a panel lie on the page.
+
+use crate::axes::Axes;
+use crate::outline::{Outline, Plane, rod_thickness};
+use crate::rect::Rect;
+
+use super::body::FreeBody;
+use super::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};
+use super::ring::rings;
+use super::strokes::{spreads, strokes};
+use super::surface::HATCH_DEPTH;
+
+/// A map from world coordinates to the page that keeps its digits far from the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct View {
+    /// The world point that is drawn at `at`, metres.
+    pub(crate) centre: Point,
+    /// Its place on the page, pixels.
+    pub(crate) at: Point,
+    /// Pixels per metre.
+    pub(crate) density: f64,
+}
+
+impl View {
+    /// The map of axes with the same scale in both directions.
+    pub(crate) fn of(axes: &Axes) -> Self {
+        let centre = [axes.x.range.middle(), axes.y.range.middle()];
+        Self { centre, at: axes.pixel(centre), density: axes.x.density() }
+    }
+
+    pub(crate) fn pixel(&self, [x, y]: Point) -> Point {
+        let [x, y] = [x - self.centre[0], y - self.centre[1]];
+        [self.at[0] + x * self.density, self.at[1] - y * self.density]
+    }
+
+    pub(crate) fn world(&self, [x, y]: Point) -> Point {
+        let [x, y] = [x - self.at[0], self.at[1] - y];
+        [self.centre[0] + x / self.density, self.centre[1] + y / self.density]
+    }
+}
+
+impl Plane for View {
+    fn pixel(&self, point: Point) -> Point {
+        View::pixel(self, point)
+    }
+
+    fn density(&self) -> f64 {
+        self.density
+    }
+}
+
+/// The scales of a panel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scales {
+    /// Pixels per metre.
+    pub(crate) density: f64,
+    /// Length of the longest arrow in pixels, and what it stands for.
+    pub(crate) arrow: f64,
+    pub(crate) largest: f64,
+    /// The speed whose arrow is longest, in m/s.
+    pub(crate) fastest: f64,
+}
+
+/// Length of the arms of a marked angle, and radius of its arc, in pixels.
+pub(crate) const ARM: f64 = 46.0;
+pub(crate) const ARC_RADIUS: f64 = 35.0;
+/// A surface nearer than this, in sizes of the body, belongs into the picture.
+const NEAR: f64 = 0.6;
+
+/// World points that bound the body itself, with its points of action.
+pub(crate) fn body_points(body: &FreeBody) -> Vec<Point> {
+    let outlines = body.outlines.iter().flat_map(|outline| outline.extent(&body.pose));
+    let forces = body.forces.iter().chain(&body.resultant).map(|force| force.point);
+    let named = body.points.iter().chain(&body.arms).map(|point| point.at);
+    outlines.chain(forces).chain(named).chain([body.pose.centre()]).collect()
+}
+
+/// Width and height of the body with its points of action, in metres.
+pub(crate) fn body_size(body: &FreeBody) -> [f64; 2] {
+    Rect::around(body_points(body)).map_or([0.0; 2], |r| [r.width, r.height])
+}
+
+/// The space on the page that everything drawn in a panel needs.
+pub(crate) fn bounds(body: &FreeBody, view: &View, scales: &Scales) -> Rect {
+    let mut points: Vec<_> = body_points(body).into_iter().map(|p| view.pixel(p)).collect();
+    let strokes = strokes(body, view, scales);
+    points.extend(strokes.iter().flat_map(|stroke| [stroke.tail, stroke.head]));
+    points.extend(spreads(body, view).into_iter().flat_map(|(_, arrows)| arrows).flatten());
+    points.extend(rings(body, view, &strokes).iter().flat_map(|ring| ring.points()));
+    points.extend(angle_arms(body, view).into_iter().flatten());
+    points.extend(near_surfaces(body, view));
+    Rect::around(points).unwrap_or(Rect::centred(view.at, 0.0, 0.0))
+}
+
+/// Pixels below the body where near surfaces end.
+fn near_surfaces(body: &FreeBody, view: &View) -> Vec<Point> {
+    let size = body_size(body);
+    let near = NEAR * size[0].hypot(size[1]);
+    let points = body_points(body);
+    let foot = |surface: &super::surface::Surface| {
+        let lowest = points.iter().min_by(|a, b| surface.height(**a).total_cmp(&surface.height(**b)))?;
+        let foot = view.pixel(surface.foot(*lowest));
+        let below = along(foot, surface.page_normal(), -HATCH_DEPTH);
+        (surface.height(*lowest) <= near).then_some([foot, below])
+    };
+    body.surfaces.iter().filter_map(foot).flatten().collect()
+}
+
+/// Vertex of the marked angle on the page.
+pub(crate) fn angle_vertex(body: &FreeBody, view: &View) -> Option<Point> {
+    body.angle.as_ref().map(|angle| view.pixel(angle.vertex.unwrap_or(body.pose.centre())))
+}
+
+/// The arms of the marked angle: the reference and the turned one.
+pub(crate) fn angle_arms(body: &FreeBody, view: &View) -> Vec<[Point; 2]> {
+    let (Some(angle), Some(vertex)) = (&body.angle, angle_vertex(body, view)) else { return Vec::new() };
+    let arm = |turn: f64| [vertex, along(vertex, direction(turn), ARM)];
+    vec![arm(angle.reference), arm(angle.reference + angle.value)]
+}
+
+/// Outlines of the body on the page, closed; rods with their thickness.
+pub(crate) fn faces(body: &FreeBody, view: &View) -> Vec<Vec<Point>> {
+    let face = |outline: &Outline| match outline {
+        Outline::Polygon(corners) => {
+            Some(corners.iter().map(|p| view.pixel(body.pose.world(*p))).collect::<Vec<_>>())
+        }
+        Outline::Circle { centre, radius } => {
+            let centre = view.pixel(body.pose.world(*centre));
+            Some(super::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
+        }
+        Outline::Segment { from, to } => Some(rod([*from, *to].map(|p| view.pixel(body.pose.world(p))))),
+        Outline::Point(_) => None,
+    };
+    body.outlines.iter().filter_map(face).collect()
+}
+
+/// The rectangle that a rod takes.
+fn rod([from, to]: [Point; 2]) -> Vec<Point> {
+    let axis = minus(to, from);
+    let half = rod_thickness(length(axis)) / 2.0;
+    let side = times(turned(unit(axis).unwrap_or_default()), half);
+    vec![plus(from, side), plus(to, side), minus(to, side), minus(from, side)]
+}

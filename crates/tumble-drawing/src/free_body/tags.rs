@@ -1,0 +1,187 @@
+//! Which labels a panel has, and what they must keep clear of.
+
+use crate::numeral::significant;
+use crate::outline::Outline;
+use crate::place::Occupancy;
+use crate::rect::Rect;
+use crate::text::Label;
+use crate::theme::{INK, Rgb};
+
+use super::body::FreeBody;
+use super::candidates::{about_arc, about_arrow, about_point};
+use super::draw::{CENTRE_RADIUS, HEAD_WIDTH};
+use super::geometry::{Point, along, arc, corners, minus, plus, times, unit};
+use super::labels::Tag;
+use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
+use super::ring::{Ring, ring_labels};
+use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
+use super::surface::HATCH_DEPTH;
+
+/// Distance of the name of a point from it, in pixels.
+const POINT_DISTANCE: f64 = 6.0;
+/// Leaders point at an arrow beyond this part of it: near tails many arrows may meet.
+const LEADER_PART: f64 = 0.4;
+/// Longest label as a part of the panel's width; longer ones are cut.
+const LONGEST: f64 = 0.9;
+
+/// What a panel shows, on the page.
+pub(super) struct Shown<'a> {
+    pub(super) body: &'a FreeBody,
+    pub(super) view: &'a View,
+    pub(super) area: &'a Rect,
+    pub(super) strokes: &'a [Stroke],
+    pub(super) rings: &'a [Ring],
+    /// Size of the labels in pixels.
+    pub(super) size: f64,
+    pub(super) digits: usize,
+}
+
+impl Shown<'_> {
+    /// All labels of the panel.
+    pub(super) fn tags(&self) -> Vec<Tag> {
+        let mut tags = self.arrow_tags();
+        tags.extend(self.ring_tags());
+        tags.extend(self.angle_tag());
+        tags.extend(self.point_tags());
+        tags.extend(self.arm_tags());
+        tags.extend(self.surface_tags());
+        tags.retain(|tag| !tag.label.is_empty());
+        tags
+    }
+
+    fn tag(&self, label: &Label, colour: Rgb, owner: Vec<Point>, far: bool) -> Tag {
+        let label = label.fitted(self.size, LONGEST * self.area.width);
+        Tag { size: self.size, far, ..Tag::new(label, colour, owner, Vec::new()) }
+    }
+
+    fn arrow_tags(&self) -> Vec<Tag> {
+        let labels = stroke_labels(self.body, self.digits);
+        let tag = |(stroke, label): (&Stroke, Label)| {
+            let ends = [stroke.tail, stroke.head];
+            let mut tag = self.tag(&label, stroke.style.colour, ends.to_vec(), true);
+            tag.owner[0] = plus(stroke.tail, times(minus(stroke.head, stroke.tail), LEADER_PART));
+            tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
+            tag
+        };
+        self.strokes.iter().zip(labels).map(tag).collect()
+    }
+
+    /// Symbols of arms, which are left out where there is no room.
+    fn arm_tags(&self) -> Vec<Tag> {
+        let tag = |(arm, label): (Stroke, Label)| {
+            let ends = [arm.tail, arm.head];
+            let mut tag = self.tag(&label, INK, ends.to_vec(), false);
+            tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
+            Tag { least: true, ..tag }
+        };
+        arms(self.body, self.view).into_iter().map(tag).collect()
+    }
+
+    fn ring_tags(&self) -> Vec<Tag> {
+        let labels = ring_labels(self.body, self.digits);
+        let tag = |(ring, label): (&Ring, Label)| {
+            let points = ring.points();
+            let mut tag = self.tag(&label, ring.style.colour, points.clone(), true);
+            tag.near = about_arc(ring.centre, &points, Tag::extent(&tag.label, self.size));
+            tag
+        };
+        self.rings.iter().zip(labels).map(tag).collect()
+    }
+
+    fn angle_tag(&self) -> Option<Tag> {
+        let angle = self.body.angle.as_ref()?;
+        let vertex = angle_vertex(self.body, self.view)?;
+        let points = self.angle_arc()?;
+        let label = equation(&angle.symbol, angle.value.to_degrees(), "deg", self.digits);
+        let mut tag = self.tag(&label, INK, points.clone(), true);
+        tag.near = about_arc(vertex, &points, Tag::extent(&tag.label, self.size));
+        Some(tag)
+    }
+
+    /// The arc of the marked angle.
+    pub(super) fn angle_arc(&self) -> Option<Vec<Point>> {
+        let angle = self.body.angle.as_ref()?;
+        let sweep = angle.value % std::f64::consts::TAU;
+        Some(arc(angle_vertex(self.body, self.view)?, ARC_RADIUS, angle.reference, sweep))
+    }
+
+    fn point_tags(&self) -> impl Iterator<Item = Tag> {
+        self.body.points.iter().map(|point| {
+            let at = self.view.pixel(point.at);
+            let mut tag = self.tag(&point.name, INK, vec![at], false);
+            tag.near = about_point(at, POINT_DISTANCE, Tag::extent(&tag.label, self.size));
+            tag
+        })
+    }
+
+    fn surface_tags(&self) -> impl Iterator<Item = Tag> {
+        self.body.surfaces.iter().filter_map(|surface| {
+            let line = surface.visible(self.view, self.area)?;
+            let mut tag = self.tag(&surface.name, INK, line.to_vec(), false);
+            let depth = times(surface.page_normal(), -HATCH_DEPTH);
+            let below = line.map(|p| along(p, depth, 1.0));
+            let size = Tag::extent(&tag.label, self.size);
+            tag.near = about_arrow(below, size);
+            tag.near.extend(about_arrow([below[1], below[0]], size));
+            tag.near.retain(|candidate| self.area.encloses(&candidate.place));
+            Some(tag)
+        })
+    }
+
+    /// What labels must keep clear of.
+    pub(super) fn occupancy(&self) -> Occupancy {
+        let mut drawn = Occupancy::new(*self.area);
+        self.add_body(&mut drawn);
+        for stroke in self.strokes {
+            drawn.add_line(vec![stroke.tail, stroke.head]);
+            drawn.add_line(head_outline(stroke));
+        }
+        for (arm, _) in arms(self.body, self.view) {
+            drawn.add_line(vec![arm.tail, arm.head]);
+        }
+        for (_, arrows) in spreads(self.body, self.view) {
+            drawn.add_line(arrows.iter().map(|[_, head]| *head).collect());
+            arrows.into_iter().for_each(|arrow| drawn.add_line(arrow.to_vec()));
+        }
+        for ring in self.rings {
+            drawn.add_line(ring.points());
+        }
+        for surface in &self.body.surfaces {
+            let strip = surface.strip(self.view, self.area);
+            strip.into_iter().for_each(|line| drawn.add_line(line.to_vec()));
+        }
+        angle_arms(self.body, self.view).into_iter().for_each(|arm| drawn.add_line(arm.to_vec()));
+        self.angle_arc().into_iter().for_each(|arc| drawn.add_line(arc));
+        drawn
+    }
+
+    fn add_body(&self, drawn: &mut Occupancy) {
+        for face in faces(self.body, self.view) {
+            let mut rim = face.clone();
+            rim.extend(face.first());
+            drawn.add_line(rim);
+            drawn.add_face(face);
+        }
+        for outline in &self.body.outlines {
+            if let Outline::Circle { centre: [x, y], radius } = *outline {
+                let spoke = [[x, y], [x + radius, y]];
+                drawn.add_line(spoke.map(|p| self.view.pixel(self.body.pose.world(p))).to_vec());
+            }
+        }
+        let mark = self.view.pixel(self.body.pose.centre());
+        let mark = Rect::centred(mark, 2.0 * CENTRE_RADIUS, 2.0 * CENTRE_RADIUS);
+        drawn.add_line(corners(&mark).to_vec());
+    }
+}
+
+/// Across the widest part of an arrowhead.
+fn head_outline(stroke: &Stroke) -> Vec<Point> {
+    let side = super::geometry::turned(unit(minus(stroke.head, stroke.tail)).unwrap_or([1.0, 0.0]));
+    let back = along(stroke.head, stroke.direction(), -super::draw::HEAD_LENGTH);
+    vec![along(back, side, HEAD_WIDTH), stroke.head, along(back, side, -HEAD_WIDTH)]
+}
+
+/// A number with the digits of the sheet, for descriptions.
+pub(super) fn plain(value: f64, digits: usize) -> String {
+    significant(value, digits).to_plain()
+}

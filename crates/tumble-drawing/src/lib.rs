@@ -1,0 +1,52 @@
+//! Figures of a mechanics laboratory, from plain data: curves, stroboscopic
+//! pictures and free-body diagrams.
+//!
+//! Nothing here integrates or knows a law. Drawings are SVG written by
+//! [`svg`]; [`png`](mod@png) turns them into pictures with embedded fonts.
+
+pub mod animation;
+pub mod axes;
+pub mod curves;
+mod ends;
+pub mod font;
+pub mod free_body;
+#[cfg(feature = "png")]
+pub mod gif;
+pub mod heading;
+pub mod legend;
+pub mod map;
+pub mod numeral;
+pub mod outline;
+pub mod place;
+#[cfg(feature = "png")]
+pub mod png;
+pub mod rect;
+pub mod retrace;
+pub mod scale;
+pub mod scale_bar;
+pub mod scene_drawing;
+pub mod stroboscope;
+pub mod svg;
+pub mod symbol;
+pub mod text;
+pub mod theme;
+pub mod thin;
+pub mod ticks;
+pub mod track;
+
+pub use animation::{Animation, Motion, MovingBody, MovingForce, MovingLink};
+pub use axes::Axis;
+pub use curves::{Band, CurveFigure, Mark, Series};
+#[cfg(feature = "png")]
+pub use gif::{ANIMATION_SEAL, GifError, animation_gif};
+pub use map::MapFigure;
+pub use outline::{Outline, Pose};
+#[cfg(feature = "png")]
+pub use png::{PngError, png};
+pub use scale::Range;
+pub use scene_drawing::{LinkKind, SceneBody, SceneDrawing, SceneLink};
+pub use stroboscope::{Reference, Stroboscope};
+pub use svg::Svg;
+pub use text::Label;
+pub use ticks::Ticking;
+pub use track::{Instants, Track};

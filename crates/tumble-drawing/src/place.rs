@@ -1,0 +1,127 @@
+//! Finding room for labels among things already drawn.
+
+use crate::rect::Rect;
+
+/// Room kept between a label and anything else, in pixels.
+pub const CLEARANCE: f64 = 3.0;
+
+/// What a line under a label costs, compared with a pixel of overlap with another label.
+const LINE_COST: f64 = 60.0;
+/// What lying on a face costs.
+const FACE_COST: f64 = 5.0;
+/// What leaving the area costs.
+const OUTSIDE_COST: f64 = 1e6;
+
+/// The occupied part of a page.
+#[derive(Clone, Debug)]
+pub struct Occupancy {
+    area: Rect,
+    boxes: Vec<Rect>,
+    lines: Vec<Vec<[f64; 2]>>,
+    faces: Vec<Vec<[f64; 2]>>,
+}
+
+impl Occupancy {
+    /// Nothing drawn yet; labels must stay in `area`.
+    pub fn new(area: Rect) -> Self {
+        Self { area, boxes: Vec::new(), lines: Vec::new(), faces: Vec::new() }
+    }
+
+    /// Marks a rectangle as taken.
+    pub fn add_box(&mut self, taken: Rect) {
+        self.boxes.push(taken);
+    }
+
+    /// Marks a polyline as taken.
+    pub fn add_line(&mut self, line: Vec<[f64; 2]>) {
+        self.lines.push(line);
+    }
+
+    /// Marks the inside of a closed outline as taken; its rim is a line of its own.
+    pub fn add_face(&mut self, corners: Vec<[f64; 2]>) {
+        self.faces.push(corners);
+    }
+
+    /// Whether nothing drawn so far touches the rectangle.
+    pub fn is_free(&self, place: &Rect) -> bool {
+        self.boxes.iter().all(|taken| taken.overlap(place) == 0.0) && self.crossings(place) == 0
+    }
+
+    /// Whether a line or a point runs through the rectangle.
+    pub fn is_crossed(&self, place: &Rect) -> bool {
+        self.crossings(place) > 0
+    }
+
+    /// Line pieces that the straight line from `a` to `b` crosses.
+    pub fn crossed_by(&self, a: [f64; 2], b: [f64; 2]) -> usize {
+        let pieces = self.lines.iter().flat_map(|line| line.windows(2));
+        pieces.filter(|w| lines_cross([a, b], [w[0], w[1]])).count()
+    }
+
+    /// What it costs to draw over the rectangle: pixels of overlap with
+    /// boxes, and as many as seem fair for lines, faces and leaving the area.
+    pub fn burden(&self, place: &Rect) -> f64 {
+        let overlap: f64 = self.boxes.iter().map(|taken| taken.overlap(place)).sum();
+        let outside = if self.area.encloses(place) { 0.0 } else { OUTSIDE_COST };
+        let faces = self.faces.iter().filter(|face| covers(face, place)).count();
+        outside + overlap + LINE_COST * self.crossings(place) as f64 + FACE_COST * faces as f64
+    }
+
+    /// Line pieces that meet the rectangle.
+    fn crossings(&self, place: &Rect) -> usize {
+        let pieces = self.lines.iter().flat_map(|line| line.windows(2));
+        let points = self.lines.iter().filter(|line| line.len() == 1).map(|line| line[0]);
+        pieces.filter(|w| place.meets_line(w[0], w[1])).count()
+            + points.filter(|p| place.contains(*p)).count()
+    }
+}
+
+/// Whether the middle or a corner of the rectangle lies in the closed outline.
+fn covers(face: &[[f64; 2]], place: &Rect) -> bool {
+    let [right, bottom] = [place.right(), place.bottom()];
+    let corners = [[place.x, place.y], [right, place.y], [place.x, bottom], [right, bottom], place.centre()];
+    corners.iter().any(|p| is_inside(face, *p))
+}
+
+/// Whether a point lies in a closed outline: a ray to the right leaves it an odd number of times.
+fn is_inside(face: &[[f64; 2]], p: [f64; 2]) -> bool {
+    let edges = face.iter().zip(face.iter().cycle().skip(1));
+    let crosses = |(a, b): &(&[f64; 2], &[f64; 2])| {
+        (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    };
+    edges.filter(crosses).count() % 2 == 1
+}
+
+/// Whether two pieces of straight lines cross.
+pub fn lines_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let side =
+        |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// A rectangle whose nearest point lies `reach` from the anchor in `direction`.
+pub fn beside(anchor: [f64; 2], direction: [f64; 2], reach: f64, width: f64, height: f64) -> Rect {
+    let reach = reach / direction[0].hypot(direction[1]);
+    let x = anchor[0] + direction[0] * (reach + width / 2.0);
+    let y = anchor[1] + direction[1] * (reach + height / 2.0);
+    Rect::centred([x, y], width, height)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn page() -> Occupancy {
+        Occupancy::new(Rect::new(0.0, 0.0, 200.0, 200.0))
+    }
+
+    #[test]
+    fn faces_cost_even_where_no_line_is_met() {
+        let mut page = page();
+        page.add_face(vec![[0.0, 0.0], [100.0, 0.0], [100.0, 100.0], [0.0, 100.0]]);
+        assert_eq!(page.burden(&Rect::new(40.0, 40.0, 10.0, 10.0)), FACE_COST);
+        assert_eq!(page.burden(&Rect::new(120.0, 40.0, 10.0, 10.0)), 0.0);
+        assert!(lines_cross([[0.0, 0.0], [2.0, 2.0]], [[0.0, 2.0], [2.0, 0.0]]));
+        assert!(!lines_cross([[0.0, 0.0], [1.0, 1.0]], [[3.0, 2.0], [2.0, 3.0]]));
+    }
+}

@@ -1,0 +1,68 @@
+//! A scene in words, for those who cannot see it.
+
+use super::{SceneBody, SceneDrawing};
+use crate::numeral::significant;
+use crate::scene_drawing::LinkKind;
+use crate::text::Label;
+
+/// Digits of numbers in words.
+const DIGITS: usize = 4;
+
+/// Everything in the scene, in the order in which it was given.
+pub(super) fn describe(scene: &SceneDrawing) -> String {
+    let mut parts: Vec<String> = scene.bodies.iter().map(body).collect();
+    parts.extend(scene.pivots.iter().map(|p| format!("Pivot {} at {}.", name(&p.name, ""), place(p.at))));
+    parts.extend(scene.points.iter().map(|p| format!("Point {} at {}.", name(&p.name, ""), place(p.at))));
+    parts.extend(scene.surfaces.iter().map(|surface| {
+        let (at, normal) = (place(surface.point), pair(surface.normal));
+        format!("Surface {} through {at}, its normal {normal}.", name(&surface.name, ""))
+    }));
+    parts.extend(scene.links.iter().map(|link| {
+        let kind = match link.kind {
+            LinkKind::Spring => "Spring",
+            LinkKind::Damper => "Damper",
+            LinkKind::Thread => "Thread",
+        };
+        format!("{kind} {} from {} to {}.", name(&link.name, ""), place(link.ends[0]), place(link.ends[1]))
+    }));
+    parts.extend(scene.angles.iter().map(|angle| {
+        format!("Angle {} of {} degrees.", name(&angle.symbol, ""), number(angle.value.to_degrees()))
+    }));
+    parts.extend(
+        scene.gravity.iter().map(|(g, label)| format!("Gravity {} {} m/s².", name(label, ""), pair(*g))),
+    );
+    parts.extend(scene.wind.iter().map(|(w, label)| format!("Wind {} {} m/s.", name(label, ""), pair(*w))));
+    parts.join(" ").replace("  ", " ").replace(" .", ".")
+}
+
+fn body(body: &SceneBody) -> String {
+    let mut words = format!(
+        "{} with its centre of mass at {}, turned by {} degrees",
+        name(&body.name, "A body"),
+        place(body.pose.centre()),
+        number(body.pose.angle.to_degrees())
+    );
+    if let Some((v, label)) = &body.velocity {
+        words += &format!(", velocity {} {} m/s", name(label, ""), pair(*v));
+    }
+    if let Some((rate, label)) = &body.rate {
+        words += &format!(", angular velocity {} {} rad/s", name(label, ""), number(*rate));
+    }
+    words + "."
+}
+
+fn name(label: &Label, otherwise: &str) -> String {
+    if label.is_empty() { otherwise.to_owned() } else { label.to_plain() }
+}
+
+fn number(value: f64) -> String {
+    significant(value, DIGITS).to_plain()
+}
+
+fn pair([x, y]: [f64; 2]) -> String {
+    format!("({}, {})", number(x), number(y))
+}
+
+fn place(at: [f64; 2]) -> String {
+    format!("{} m", pair(at))
+}

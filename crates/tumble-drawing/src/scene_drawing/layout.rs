@@ -1,0 +1,212 @@
+//! Where the parts of a scene lie on the page.
+
+use super::marks;
+use super::tags::tags;
+use super::{SceneBody, SceneDrawing};
+use crate::axes::{Axes, clipped};
+use crate::curves::no_data;
+use crate::free_body::geometry::{Point, along, arc, direction, unit};
+use crate::free_body::labels::{draw_placed, placed};
+use crate::free_body::layout::View;
+use crate::free_body::ring::Ring;
+use crate::free_body::strokes::{Form, Stroke};
+use crate::free_body::{AngleMark, draw};
+use crate::heading::Heading;
+use crate::outline::Pen;
+use crate::place::Occupancy;
+use crate::rect::Rect;
+use crate::scale::Range;
+use crate::stroboscope::{equal_axes, picture_width};
+use crate::svg::{Element, PathData, Svg, circle};
+use crate::theme::{BODY, INK, MOTION, PAPER};
+
+/// Room around everything, as a part of the larger side.
+const PADDING: f64 = 0.15;
+/// Greatest width of the picture in pixels: it stands beside what is given, and fits a narrow page.
+const WIDEST: f64 = 440.0;
+/// Length of the fastest velocity, and of the shortest, in pixels.
+const LONGEST: f64 = 64.0;
+const SHORTEST: f64 = 18.0;
+/// Radius, start and sweep of the arrow of an angular velocity.
+const RING: [f64; 3] = [24.0, 0.5, 3.6];
+/// Length of the arms of an angle, and radius of its arc, in pixels.
+pub(super) const ARM: f64 = 58.0;
+const ARC: f64 = 44.0;
+/// Radius of named points in pixels.
+const POINT: f64 = 2.6;
+
+/// A scene with its axes laid out.
+pub(super) struct Layout {
+    pub(super) scene: SceneDrawing,
+    heading: Heading,
+    pub(super) axes: Axes,
+    pub(super) view: View,
+    empty: bool,
+}
+
+impl Layout {
+    pub(super) fn new(scene: SceneDrawing) -> Self {
+        let ranges = ranges(&scene);
+        let wanted = ranges.unwrap_or_default();
+        let width = picture_width(wanted).min(WIDEST);
+        let heading = Heading::new(&scene.title, width);
+        let axes = equal_axes(wanted, width, heading.bottom());
+        let view = View::of(&axes);
+        Self { scene, heading, axes, view, empty: ranges.is_none() }
+    }
+
+    pub(super) fn svg(&self, description: String) -> Svg {
+        let margins = self.axes.margins();
+        let size = [self.axes.area.right() + margins.right, self.axes.area.bottom() + margins.bottom];
+        let title = self.scene.title.to_plain();
+        let title = if title.is_empty() { "The scene".to_owned() } else { title };
+        let mut svg = Svg::new(size[0], size[1], title).described(description);
+        let page = Element::new("rect").attr("width", size[0]).attr("height", size[1]);
+        svg.push(page.attr("fill", PAPER));
+        svg.push(self.heading.draw(self.axes.area.centre()[0]));
+        svg.push(clipped(self.axes.area, self.contents()));
+        svg.push(self.axes.draw());
+        svg.children.extend(self.empty.then(|| no_data(&self.axes.area)));
+        svg
+    }
+
+    fn contents(&self) -> Vec<Element> {
+        let (scene, view, area) = (&self.scene, &self.view, &self.axes.area);
+        let mut drawn = self.occupancy();
+        let fields = marks::fields(scene, area, &mut drawn);
+        let labels = placed(&tags(self), &drawn, area);
+        let mut parts: Vec<Element> = scene.surfaces.iter().filter_map(|s| s.draw(view, area)).collect();
+        parts.extend(scene.angles.iter().flat_map(|angle| self.draw_angle(angle)));
+        parts.extend(scene.links.iter().map(|link| marks::link(link.kind, link.ends.map(|p| view.pixel(p)))));
+        parts.extend(scene.bodies.iter().flat_map(|body| self.draw_body(body)));
+        parts.extend(scene.pivots.iter().map(|pivot| marks::pivot(view.pixel(pivot.at))));
+        parts.extend(scene.points.iter().map(|point| {
+            let dot = circle(view.pixel(point.at), POINT).attr("fill", PAPER);
+            dot.attr("stroke", INK).attr("stroke-width", 1.1)
+        }));
+        parts.extend(self.rings().iter().map(|(ring, _)| draw::ring(ring)));
+        parts.extend(self.strokes().iter().map(|(stroke, _)| draw::arrow(stroke)));
+        parts.extend(fields);
+        parts.extend(draw_placed(&labels));
+        parts
+    }
+
+    /// The labels at their places.
+    #[cfg(test)]
+    pub(super) fn labels(&self) -> Vec<crate::free_body::labels::Placed> {
+        let mut drawn = self.occupancy();
+        marks::fields(&self.scene, &self.axes.area, &mut drawn);
+        placed(&tags(self), &drawn, &self.axes.area)
+    }
+
+    fn draw_body(&self, body: &SceneBody) -> Vec<Element> {
+        let pen = Pen { colour: BODY, hollow: false };
+        let outlines = body.outlines.iter().flat_map(|shape| shape.draw(&body.pose, &self.axes, pen));
+        outlines.chain([draw::centre_mark(self.view.pixel(body.pose.centre()))]).collect()
+    }
+
+    fn draw_angle(&self, angle: &AngleMark) -> Vec<Element> {
+        let arms = self.arms(angle).map(|arm| draw::dashed(&arm));
+        let arc = PathData::polyline(&self.arc(angle)).stroke().attr("stroke", INK).attr("stroke-width", 1.0);
+        arms.into_iter().chain([arc]).collect()
+    }
+
+    fn vertex(&self, angle: &AngleMark) -> Point {
+        let first = self.scene.bodies.first().map(|body| body.pose.centre());
+        self.view.pixel(angle.vertex.or(first).unwrap_or_default())
+    }
+
+    pub(super) fn arms(&self, angle: &AngleMark) -> [[Point; 2]; 2] {
+        let vertex = self.vertex(angle);
+        [angle.reference, angle.reference + angle.value]
+            .map(|turn| [vertex, along(vertex, direction(turn), ARM)])
+    }
+
+    /// The arc of an angle on the page.
+    pub(super) fn arc(&self, angle: &AngleMark) -> Vec<Point> {
+        arc(self.vertex(angle), ARC, angle.reference, angle.value % std::f64::consts::TAU)
+    }
+
+    /// Where the label of an angle belongs.
+    pub(super) fn angle_centre(&self, angle: &AngleMark) -> Point {
+        self.vertex(angle)
+    }
+
+    /// Velocities with the bodies they belong to.
+    pub(super) fn strokes(&self) -> Vec<(Stroke, usize)> {
+        let speed = |v: &Point| v[0].hypot(v[1]);
+        let velocities = self.scene.bodies.iter().filter_map(|body| body.velocity.as_ref());
+        let fastest = velocities.map(|(v, _)| speed(v)).fold(0.0, f64::max);
+        let stroke = |(i, body): (usize, &SceneBody)| {
+            let (velocity, _) = body.velocity.as_ref()?;
+            let [x, y] = unit(*velocity)?;
+            let tail = self.view.pixel(body.pose.centre());
+            let length = (speed(velocity) / fastest * LONGEST).max(SHORTEST);
+            let (head, start) = (along(tail, [x, -y], length), along(tail, [x, -y], draw::CENTRE_RADIUS));
+            Some((
+                Stroke { tail, head, start, point: tail, broken: false, style: MOTION, form: Form::Thin },
+                i,
+            ))
+        };
+        self.scene.bodies.iter().enumerate().filter_map(stroke).collect()
+    }
+
+    /// Angular velocities with the bodies they belong to.
+    pub(super) fn rings(&self) -> Vec<(Ring, usize)> {
+        let ring = |(i, body): (usize, &SceneBody)| {
+            let (rate, _) = body.rate.as_ref()?;
+            let (centre, [radius, start, sweep]) = (self.view.pixel(body.pose.centre()), RING);
+            let (start, sweep) = (start * rate.signum(), sweep * rate.signum());
+            Some((Ring { centre, radius, start, sweep, style: MOTION, form: Form::Thin }, i))
+        };
+        self.scene.bodies.iter().enumerate().filter_map(ring).collect()
+    }
+
+    /// What labels must keep clear of.
+    fn occupancy(&self) -> Occupancy {
+        let mut drawn = Occupancy::new(self.axes.area);
+        let strips = self.scene.surfaces.iter().flat_map(|s| s.strip(&self.view, &self.axes.area));
+        strips.for_each(|line| drawn.add_line(line.to_vec()));
+        for body in &self.scene.bodies {
+            for outline in &body.outlines {
+                let rim = outline.spokes(&body.pose);
+                drawn.add_line(rim.into_iter().map(|p| self.view.pixel(p)).collect());
+            }
+            drawn.add_box(Rect::centred(self.view.pixel(body.pose.centre()), 11.0, 11.0));
+        }
+        for link in &self.scene.links {
+            let [a, b] = link.ends.map(|p| self.view.pixel(p));
+            marks::sides(a, b).into_iter().for_each(|line| drawn.add_line(line.to_vec()));
+        }
+        let pivots = self.scene.pivots.iter().map(|pivot| marks::pivot_box(self.view.pixel(pivot.at)));
+        pivots.for_each(|place| drawn.add_box(place));
+        for angle in &self.scene.angles {
+            self.arms(angle).into_iter().for_each(|arm| drawn.add_line(arm.to_vec()));
+            drawn.add_line(self.arc(angle));
+        }
+        self.strokes().iter().for_each(|(stroke, _)| drawn.add_line(vec![stroke.tail, stroke.head]));
+        self.rings().iter().for_each(|(ring, _)| drawn.add_line(ring.points()));
+        drawn
+    }
+}
+
+/// Ranges of x and y that hold everything with a place.
+fn ranges(scene: &SceneDrawing) -> Option<[Range; 2]> {
+    let bodies = scene.bodies.iter().flat_map(|body| {
+        body.outlines.iter().flat_map(|outline| outline.extent(&body.pose)).chain([body.pose.centre()])
+    });
+    let named = scene.pivots.iter().chain(&scene.points).map(|point| point.at);
+    let links = scene.links.iter().flat_map(|link| link.ends);
+    let mut points: Vec<Point> = bodies.chain(named).chain(links).collect();
+    if points.is_empty() {
+        points.extend(scene.surfaces.iter().map(|surface| surface.point));
+    }
+    let feet: Vec<Point> = scene.surfaces.iter().filter_map(|s| s.foot_of_lowest(&points)).collect();
+    points.extend(feet);
+    let x = Range::of(points.iter().map(|p| p[0]))?;
+    let y = Range::of(points.iter().map(|p| p[1]))?;
+    // A lone point is shown with a metre around it.
+    let size = x.span().max(y.span());
+    let room = if size > 0.0 { 2.0 * PADDING * size } else { 1.0 };
+    Some([x, y].map(|range| range.widened(range.span() + room).opened()))
+}

@@ -1,0 +1,391 @@
+//! Stroboscopic pictures: bodies at equal time steps, to scale, with the
+//! paths of their centres.
+
+use crate::axes::{Axes, Axis, clipped};
+use crate::curves::no_data;
+use crate::free_body::Surface;
+use crate::free_body::candidates::about_point;
+use crate::free_body::labels::{Tag, draw_placed, placed};
+use crate::free_body::layout::View;
+use crate::heading::Heading;
+use crate::legend::Legend;
+use crate::outline::{Pen, Pose};
+use crate::place::Occupancy;
+use crate::rect::Rect;
+use crate::scale::Range;
+use crate::scale_bar;
+use crate::svg::{Element, PathData, Svg, circle, line};
+use crate::text::Label;
+use crate::theme::{GAP, GREY, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
+use crate::thin::{pieces, simplified, thinned};
+use crate::track::{Instants, Track};
+
+/// Width of the picture in pixels, unless the motion is tall.
+const WIDTH: f64 = 680.0;
+/// Least width of the picture and bounds of the height of the plotting area.
+const LEAST_WIDTH: f64 = 400.0;
+const LEAST_HEIGHT: f64 = 120.0;
+const GREATEST_HEIGHT: f64 = 520.0;
+/// Room around the motion, as a part of the larger side, for the labels of instants.
+const PADDING: f64 = 0.06;
+/// Strength of the colour of the first instant, compared with the last.
+const FIRST_STRENGTH: f64 = 0.4;
+/// Dashes of the paths of centres, one after the other for overlaid runs.
+const TRACE_DASHES: [&str; 4] = ["1.6 2.8", "7 3", "7 2.5 1.6 2.5", "12 3"];
+/// Thickness of the paths of centres.
+const TRACE: f64 = 1.1;
+/// Columns of a path thinner than this hold only its extremes, in pixels.
+const COLUMN: f64 = 0.5;
+/// How far a simplified path may lie beside the true one, in pixels.
+const TOLERANCE: f64 = 0.04;
+/// Radius of the dot at each centre of mass.
+const CENTRE_DOT: f64 = 2.1;
+/// Distance of a label from its body.
+const LABEL_DISTANCE: f64 = 3.0;
+/// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
+const LABEL_REACH: f64 = 0.5;
+/// Height of a label in units of its text size.
+/// Distance of hatching strokes of the ground, and their height.
+const HATCH_STEP: f64 = 9.0;
+const HATCH_DEPTH: f64 = 7.0;
+
+/// How lengths can be read from the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reference {
+    /// Axes in metres.
+    #[default]
+    Axes,
+    /// A scale bar below the picture.
+    ScaleBar,
+}
+
+/// A stroboscopic picture with equal scales along both axes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stroboscope {
+    /// Title above the picture; may be empty.
+    pub title: Label,
+    /// Bodies and runs, drawn over each other in order.
+    pub tracks: Vec<Track>,
+    /// Height of level ground in metres, drawn hatched.
+    pub ground: Option<f64>,
+    /// Half-planes of material, drawn hatched below the bodies.
+    pub surfaces: Vec<Surface>,
+    /// Axes or scale bar.
+    pub reference: Reference,
+    /// Fading or numbers.
+    pub instants: Instants,
+}
+
+impl Stroboscope {
+    /// The drawing. Without poses and paths it is an empty frame that says so.
+    pub fn svg(&self) -> Svg {
+        let scene = Scene::new(self);
+        match self.reference {
+            Reference::Axes => scene.with_axes(),
+            Reference::ScaleBar => scene.with_scale_bar(),
+        }
+    }
+
+    /// Ranges of x and y that hold everything drawn.
+    fn ranges(&self) -> Option<[Range; 2]> {
+        let mut points: Vec<_> = self.tracks.iter().flat_map(Track::extent).collect();
+        let base = points.first().copied()?;
+        points.extend(self.ground.map(|y| [base[0], y]));
+        let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
+        let feet: Vec<_> = feet.collect();
+        points.extend(feet);
+        let x = Range::of(points.iter().map(|p| p[0]))?;
+        let y = Range::of(points.iter().map(|p| p[1]))?;
+        let room = 2.0 * PADDING * x.span().max(y.span());
+        Some([x, y].map(|r| r.widened(r.span() + room).opened()))
+    }
+}
+
+/// A picture with its axes laid out.
+struct Scene<'a> {
+    picture: &'a Stroboscope,
+    heading: Heading,
+    axes: Axes,
+    legend: Option<Legend>,
+    empty: bool,
+}
+
+impl<'a> Scene<'a> {
+    fn new(picture: &'a Stroboscope) -> Self {
+        let ranges = picture.ranges();
+        let wanted = ranges.unwrap_or_default();
+        let width = picture_width(wanted);
+        let heading = Heading::new(&picture.title, width);
+        let legend = legend(&picture.tracks).map(|legend| legend.spread(width - 2.0 * MARGIN));
+        let above = legend.as_ref().map_or(0.0, |legend| legend.size()[1] + GAP);
+        let axes = equal_axes(wanted, width, heading.bottom() + above);
+        Self { picture, heading, axes, legend, empty: ranges.is_none() }
+    }
+
+    fn width(&self) -> f64 {
+        self.axes.area.right() + self.axes.margins().right
+    }
+
+    fn with_axes(&self) -> Svg {
+        let mut svg = self.page(self.axes.area.bottom() + self.axes.margins().bottom);
+        svg.push(self.axes.draw());
+        svg
+    }
+
+    fn with_scale_bar(&self) -> Svg {
+        let mut svg = self.page(self.axes.area.bottom() + scale_bar::HEIGHT + MARGIN);
+        let right_end = [self.axes.area.right(), self.axes.area.bottom() + GAP];
+        svg.push(scale_bar::draw(right_end, self.axes.x.density(), "m"));
+        svg
+    }
+
+    /// Everything but the axes or the scale bar.
+    fn page(&self, height: f64) -> Svg {
+        let width = self.width();
+        let middle = self.axes.area.centre()[0];
+        let mut svg = Svg::new(width, height, self.picture.title.to_plain());
+        let page = Element::new("rect").attr("width", width).attr("height", height);
+        svg.push(page.attr("fill", PAPER));
+        svg.push(self.heading.draw(middle));
+        svg.children.extend(self.legend.iter().map(|legend| {
+            let left = (middle - legend.size()[0] / 2.0).max(MARGIN);
+            legend.draw([left, self.heading.bottom()])
+        }));
+        svg.push(clipped(self.axes.area, self.motion()));
+        svg.children.extend(self.empty.then(|| no_data(&self.axes.area)));
+        svg
+    }
+
+    fn motion(&self) -> Vec<Element> {
+        let ground = self.picture.ground.map(|y| self.draw_ground(self.axes.y.pixel(y)));
+        let tracks = || self.picture.tracks.iter().enumerate();
+        let bodies = tracks().map(|(i, track)| self.draw_bodies(i, track));
+        let traces = tracks().map(|(i, track)| self.draw_trace(i, track));
+        let view = View::of(&self.axes);
+        let surfaces = self.surfaces().filter_map(|surface| surface.draw(&view, &self.axes.area));
+        ground.into_iter().chain(surfaces).chain(bodies).chain(traces).chain([self.draw_labels()]).collect()
+    }
+
+    fn surfaces(&self) -> impl Iterator<Item = &Surface> {
+        self.picture.surfaces.iter().filter(|surface| surface.is_drawable())
+    }
+
+    fn draw_ground(&self, y: f64) -> Element {
+        let Rect { x: left, width, .. } = self.axes.area;
+        let right = left + width;
+        let strokes = (0..=(width / HATCH_STEP) as usize).map(|i| {
+            let x = left + i as f64 * HATCH_STEP;
+            line([x, y + HATCH_DEPTH], [x + HATCH_DEPTH, y]).attr("stroke", GREY)
+        });
+        let surface = line([left, y], [right, y]).attr("stroke", INK);
+        Element::new("g").attr("stroke-width", HAIRLINE).children(strokes).child(surface)
+    }
+
+    fn draw_bodies(&self, index: usize, track: &Track) -> Element {
+        let last = track.poses.len().saturating_sub(1).max(1) as f64;
+        let body = |(i, pose): (usize, &Pose)| {
+            let strength = match self.picture.instants {
+                Instants::Fading => FIRST_STRENGTH + (1.0 - FIRST_STRENGTH) * i as f64 / last,
+                Instants::Numbered => 1.0,
+            };
+            let pen = Pen { colour: style(index).colour.strength(strength), hollow: index % 2 == 1 };
+            track.shapes.iter().flat_map(|shape| shape.draw(pose, &self.axes, pen)).collect::<Vec<_>>()
+        };
+        Element::new("g").children(track.numbered().flat_map(body))
+    }
+
+    fn draw_trace(&self, index: usize, track: &Track) -> Element {
+        let mut path = PathData::default();
+        self.trace_pieces(track).iter().for_each(|piece| path.add_polyline(piece));
+        let style = style(index);
+        let line = (!path.is_empty()).then(|| {
+            let line = path.stroke().attr("stroke", self.colour(index)).attr("stroke-width", TRACE);
+            line.attr("stroke-dasharray", style.dashes)
+        });
+        let dots = track.poses().map(|pose| {
+            let dot = circle(self.axes.pixel(pose.centre()), CENTRE_DOT).attr("fill", INK);
+            dot.attr("stroke", PAPER).attr("stroke-width", HAIRLINE)
+        });
+        Element::new("g").children(line).children(dots)
+    }
+
+    /// Colour of the path and the labels of a track.
+    fn colour(&self, index: usize) -> Rgb {
+        if self.picture.tracks.len() > 1 { style(index).colour } else { INK }
+    }
+
+    fn trace_pieces(&self, track: &Track) -> Vec<Vec<[f64; 2]>> {
+        let pixels = pieces(track.trace.iter().map(|p| self.axes.pixel(*p)));
+        pixels.iter().map(|piece| simplified(&thinned(piece, COLUMN), TOLERANCE)).collect()
+    }
+
+    /// What labels must keep clear of.
+    fn occupancy(&self) -> Occupancy {
+        let area = self.axes.area;
+        let mut drawn = Occupancy::new(area);
+        if let Some(y) = self.picture.ground.map(|y| self.axes.y.pixel(y)) {
+            drawn.add_box(Rect::new(area.x, y, area.width, HATCH_DEPTH));
+        }
+        let view = View::of(&self.axes);
+        for strip in self.surfaces().flat_map(|surface| surface.strip(&view, &area)) {
+            drawn.add_line(strip.to_vec());
+        }
+        for track in &self.picture.tracks {
+            self.trace_pieces(track).into_iter().for_each(|piece| drawn.add_line(piece));
+            for pose in track.poses() {
+                let centre = self.axes.pixel(pose.centre());
+                drawn.add_line(vec![centre]);
+                for shape in &track.shapes {
+                    let outline = shape.spokes(pose).into_iter().map(|p| self.axes.pixel(p));
+                    drawn.add_line(outline.collect());
+                }
+            }
+        }
+        drawn
+    }
+
+    fn draw_labels(&self) -> Element {
+        let mut tags: Vec<Tag> = self.notes().iter().map(|note| self.tag(note)).collect();
+        tags.extend(self.surface_names());
+        Element::new("g").children(draw_placed(&placed(&tags, &self.occupancy(), &self.axes.area)))
+    }
+
+    fn surface_names(&self) -> impl Iterator<Item = Tag> {
+        let view = View::of(&self.axes);
+        let area = self.axes.area;
+        self.surfaces().filter_map(move |surface| {
+            let [a, b] = surface.visible(&view, &area)?;
+            let middle = [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])];
+            let near = about_point(middle, LABEL_DISTANCE, Tag::extent(&surface.name, SMALL));
+            (!surface.name.is_empty()).then(|| Tag::new(surface.name.clone(), INK, vec![a, b], near))
+        })
+    }
+
+    /// The labels of all tracks; one that runs share, as at a common start, stands once.
+    fn notes(&self) -> Vec<Note<'_>> {
+        let mut notes: Vec<Note<'_>> = Vec::new();
+        for (i, track) in self.picture.tracks.iter().enumerate() {
+            for (pose, label) in track.labels(self.picture.instants) {
+                let same = |note: &&mut Note<'_>| note.label == label && note.pose.centre() == pose.centre();
+                match notes.iter_mut().find(same) {
+                    Some(note) => note.colour = INK,
+                    None => notes.push(Note { track, pose, label, colour: self.colour(i) }),
+                }
+            }
+        }
+        notes
+    }
+
+    fn tag(&self, note: &Note<'_>) -> Tag {
+        let distance = note.track.reach() * self.axes.x.density() * LABEL_REACH + LABEL_DISTANCE;
+        let centre = self.axes.pixel(note.pose.centre());
+        let near = about_point(centre, distance, Tag::extent(&note.label, SMALL));
+        Tag::new(note.label.clone(), note.colour.for_text(), vec![centre], near)
+    }
+}
+
+/// A label of an instant.
+struct Note<'a> {
+    track: &'a Track,
+    pose: &'a Pose,
+    label: Label,
+    colour: Rgb,
+}
+
+fn style(index: usize) -> LineStyle {
+    LineStyle { dashes: TRACE_DASHES[index % TRACE_DASHES.len()], ..LineStyle::of(index) }
+}
+
+fn legend(tracks: &[Track]) -> Option<Legend> {
+    let labelled = tracks.iter().enumerate().filter(|(_, track)| !track.label.is_empty());
+    Legend::column(labelled.map(|(i, track)| (track.label.clone(), style(i))).collect())
+}
+
+/// Pictures of tall motions are narrow.
+pub(crate) fn picture_width([x, y]: [Range; 2]) -> f64 {
+    let width = x.span() / y.span() * GREATEST_HEIGHT;
+    (width + WIDTH / 8.0).clamp(LEAST_WIDTH, WIDTH)
+}
+
+/// Axes with the same scale in both directions; the shorter range is widened to fill the area.
+pub(crate) fn equal_axes(ranges: [Range; 2], width: f64, top: f64) -> Axes {
+    let (x, y) = (Axis::new(Label::symbol("x"), "m"), Axis::new(Label::symbol("y"), "m"));
+    let fitted = |height| Axes::fitted([&x, &y], ranges, width, top, height);
+    let height = fitted(LEAST_HEIGHT).area.width * ranges[1].span() / ranges[0].span();
+    let area = fitted(height.clamp(LEAST_HEIGHT, GREATEST_HEIGHT)).area;
+    let metres = (ranges[0].span() / area.width).max(ranges[1].span() / area.height);
+    let ranges = [ranges[0].widened(metres * area.width), ranges[1].widened(metres * area.height)];
+    Axes::new([&x, &y], ranges, area)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outline::Outline;
+
+    fn flight() -> Stroboscope {
+        let pose = |i: i32| {
+            let t = 0.1 * f64::from(i);
+            Pose { t, x: 8.0 * t, y: 2.0 + 4.0 * t - 4.9 * t * t, angle: 3.0 * t }
+        };
+        let poses: Vec<_> = (0..12).map(pose).collect();
+        let trace = poses.iter().map(Pose::centre).collect();
+        let rod = Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] };
+        let track = Track { label: Label::default(), shapes: vec![rod], poses, trace };
+        Stroboscope { tracks: vec![track], ..Stroboscope::default() }
+    }
+
+    #[test]
+    fn scales_are_equal() {
+        for ranges in [[(0.0, 12.0), (0.0, 3.0)], [(0.0, 4.0), (0.0, 0.2)], [(0.0, 1.0), (0.0, 50.0)]] {
+            let ranges = ranges.map(|(low, high)| Range::new(low, high));
+            let axes = equal_axes(ranges, picture_width(ranges), 40.0);
+            assert!((axes.x.density() / axes.y.density() - 1.0).abs() < 1e-9);
+            assert!(axes.x.range.contains(ranges[0].high) && axes.y.range.contains(ranges[1].high));
+        }
+    }
+
+    #[test]
+    fn equal_input_gives_equal_bytes() {
+        assert_eq!(flight().svg().to_string(), flight().svg().to_string());
+    }
+
+    #[test]
+    fn every_pose_has_a_dot_and_the_ends_have_times() {
+        let svg = flight().svg().to_string();
+        assert_eq!(svg.matches("<circle").count(), 12);
+        assert!(svg.contains("1.1\u{a0}s"));
+    }
+
+    #[test]
+    fn a_common_start_is_labelled_once() {
+        let mut picture = flight();
+        picture.tracks.push(picture.tracks[0].clone());
+        picture.tracks[1].poses.truncate(8);
+        assert_eq!(Scene::new(&picture).notes().len(), 3);
+    }
+
+    #[test]
+    fn surfaces_are_seen_below_the_bodies() {
+        let mut picture = flight();
+        let bare = picture.svg().to_string();
+        picture.surfaces = vec![
+            Surface::new([0.0, -3.0], [0.0, 2.0], Label::plain("floor")),
+            Surface::new([0.0, 0.0], [0.0, 0.0], Label::default()),
+        ];
+        let drawn = picture.svg().to_string();
+        let lowest = |picture: &Stroboscope| picture.ranges().expect("poses")[1].low;
+        assert!(lowest(&picture) < -3.0, "the floor is in the picture");
+        assert!(drawn.len() > bare.len() && drawn.contains("floor") && !drawn.contains("NaN"));
+        assert!(drawn.find("floor") > drawn.find("<circle"), "names stand over bodies");
+    }
+
+    #[test]
+    fn nothing_finite_is_an_empty_frame() {
+        let mut picture = flight();
+        picture.tracks[0].trace.clear();
+        picture.tracks[0].poses.iter_mut().for_each(|pose| pose.angle = f64::NAN);
+        let svg = picture.svg().to_string();
+        assert!(svg.contains("no data") && !svg.contains("NaN"));
+    }
+}

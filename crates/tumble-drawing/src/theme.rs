@@ -1,0 +1,179 @@
+//! Colours, line styles and sizes shared by all figures, in pixels at scale 1.
+
+/// A colour of the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rgb(pub u8, pub u8, pub u8);
+
+impl Rgb {
+    /// The colour as `#rrggbb`.
+    pub fn hex(self) -> String {
+        format!("#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
+    }
+
+    /// A paler colour: 1 keeps it, 0 gives white. Opaque, so that overlaps do not darken.
+    pub fn strength(self, strength: f64) -> Self {
+        let keep = strength.clamp(0.0, 1.0);
+        let mix = |c: u8| (255.0 - keep * (255.0 - f64::from(c))).round() as u8;
+        Self(mix(self.0), mix(self.1), mix(self.2))
+    }
+}
+
+impl Rgb {
+    /// A darker tone for text, which needs more contrast than lines.
+    pub fn for_text(self) -> Self {
+        let darker = |c: u8| (TEXT_TONE * f64::from(c)).round() as u8;
+        Self(darker(self.0), darker(self.1), darker(self.2))
+    }
+}
+
+impl From<Rgb> for crate::svg::Value {
+    fn from(colour: Rgb) -> Self {
+        colour.hex().into()
+    }
+}
+
+/// Part of a series' colour that its labels have: the palest ones come to a contrast of 4.5 on white.
+const TEXT_TONE: f64 = 0.64;
+
+/// Text and frames.
+pub const INK: Rgb = Rgb(0x1a, 0x1a, 0x1a);
+/// Secondary lines: event marks, ground hatching.
+pub const GREY: Rgb = Rgb(0x80, 0x80, 0x80);
+/// The page.
+pub const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
+
+/// Number of colours of series.
+pub const PALETTE_SIZE: usize = 7;
+
+/// Okabe and Ito's palette, told apart by colour-blind readers, without its
+/// yellow, which is too pale for thin lines on white.
+const PALETTE: [Rgb; PALETTE_SIZE] = [
+    Rgb(0x00, 0x72, 0xb2),
+    Rgb(0xd5, 0x5e, 0x00),
+    Rgb(0x00, 0x9e, 0x73),
+    Rgb(0xcc, 0x79, 0xa7),
+    Rgb(0x00, 0x00, 0x00),
+    Rgb(0xe6, 0x9f, 0x00),
+    Rgb(0x56, 0xb4, 0xe9),
+];
+
+/// Dash patterns in pixels; the first is a full line. Their number and the
+/// palette's have no common factor, so 42 series differ.
+const DASHES: [&str; 6] = ["", "7 3", "7 2.5 1.5 2.5", "2 2", "12 3", "7 2.5 1.5 2.5 1.5 2.5"];
+
+/// Colour, dashes and thickness of one series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineStyle {
+    /// Colour of the line.
+    pub colour: Rgb,
+    /// `stroke-dasharray`; empty for a full line.
+    pub dashes: &'static str,
+    /// Thickness in pixels.
+    pub thickness: f64,
+}
+
+impl LineStyle {
+    /// The style of series number `index`, counted from 0.
+    pub fn of(index: usize) -> Self {
+        let (colour, dashes) = (PALETTE[index % PALETTE.len()], DASHES[index % DASHES.len()]);
+        Self { colour, dashes, thickness: CURVE }
+    }
+
+    /// The sample of a band in the colour of series number `index`, so much paler.
+    pub fn of_band(index: usize, strength: f64) -> Self {
+        let colour = PALETTE[index % PALETTE.len()].strength(strength);
+        Self { colour, dashes: "", thickness: BAND_SAMPLE }
+    }
+}
+
+/// Colour, dashes and thickness of an arrow's shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArrowStyle {
+    /// Colour of shaft and head.
+    pub colour: Rgb,
+    /// `stroke-dasharray`; empty for a full line.
+    pub dashes: &'static str,
+    /// Thickness of the shaft in pixels.
+    pub thickness: f64,
+}
+
+impl ArrowStyle {
+    const fn new(colour: Rgb, dashes: &'static str, thickness: f64) -> Self {
+        Self { colour, dashes, thickness }
+    }
+}
+
+/// Weight. Arrows take Okabe and Ito's colours in darker tones, so that thin
+/// shafts and labels are legible on white; line styles differ as well.
+pub const WEIGHT: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x5f, 0x9e), "", 2.2);
+/// Forces of surfaces.
+pub const CONTACT: ArrowStyle = ArrowStyle::new(Rgb(0xc4, 0x4a, 0x00), "", 3.0);
+/// Forces of the air.
+pub const AIR: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x7d, 0x5b), "6 2.5", 2.2);
+/// Forces that somebody applies.
+pub const APPLIED: ArrowStyle = ArrowStyle::new(Rgb(0x9c, 0x3f, 0x78), "11 2.5", 2.6);
+/// Forces of springs.
+pub const SPRING: ArrowStyle = ArrowStyle::new(Rgb(0x8f, 0x62, 0x00), "2.5 2", 2.6);
+/// Forces of pivots and other supports.
+pub const REACTION: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 2.2);
+/// Sums of forces.
+pub const RESULTANT: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 1.3);
+/// Velocities.
+pub const MOTION: ArrowStyle = ArrowStyle::new(Rgb(0x5a, 0x5a, 0x5a), "", 1.2);
+/// Arms from a centre of mass.
+pub const ARM: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 0.9);
+/// Bodies under forces: paler than any arrow.
+pub const BODY: Rgb = Rgb(0x8d, 0x97, 0xa3);
+
+/// Size of tick labels and legends.
+pub const SMALL: f64 = 15.0;
+/// Size of axis labels.
+pub const NORMAL: f64 = 17.0;
+/// Size of titles.
+pub const LARGE: f64 = 18.0;
+
+/// Thickness of frames and ticks.
+pub const HAIRLINE: f64 = 0.8;
+/// Thickness of curves.
+pub const CURVE: f64 = 1.6;
+
+/// Thickness of the sample of a band in a legend.
+const BAND_SAMPLE: f64 = 10.0;
+
+/// Distance between a figure's content and the edge of the picture.
+pub const MARGIN: f64 = 12.0;
+/// Distance between neighbouring things, such as ticks and their labels.
+pub const GAP: f64 = 6.0;
+/// Baseline to baseline, in units of the text size.
+pub const LEADING: f64 = 1.3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn styles_of_twenty_series_differ() {
+        let styles: Vec<_> = (0..42).map(LineStyle::of).collect();
+        for (i, a) in styles.iter().enumerate() {
+            assert!(styles[..i].iter().all(|b| b != a));
+        }
+    }
+
+    #[test]
+    fn labels_of_series_stand_out_from_white() {
+        let linear = |c: u8| {
+            let part = f64::from(c) / 255.0;
+            if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+        };
+        for colour in PALETTE.map(Rgb::for_text) {
+            let light = 0.2126 * linear(colour.0) + 0.7152 * linear(colour.1) + 0.0722 * linear(colour.2);
+            assert!(1.05 / (light + 0.05) >= 4.5, "{colour:?}");
+        }
+    }
+
+    #[test]
+    fn strength_fades_to_white() {
+        assert_eq!(INK.strength(1.0), INK);
+        assert_eq!(INK.strength(0.0), PAPER);
+    }
+}

@@ -1,0 +1,185 @@
+//! A scene while it is run: stage after stage, each with what the page shows of it.
+
+use std::ops::ControlFlow;
+
+use tumble_report::report::json::{list, number, object, string};
+use tumble_report::report::live;
+use tumble_report::results::{Case, CaseBalance, CaseError, Combinations, Finished, Runs, Surveyor};
+use tumble_scene::{Diagnostics, Study, read_in};
+
+use crate::request::Request;
+
+/// A scene that is run, and how far it is.
+#[derive(Debug)]
+pub struct Session {
+    request: Request,
+    stage: Stage,
+    study: Option<Study>,
+    cases: Vec<Case>,
+    /// What was not taken yet, as JSON.
+    waiting: Vec<String>,
+}
+
+/// What comes next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    Read,
+    /// A run, counted from 0.
+    Run(usize),
+    Motion,
+    Report,
+    Done,
+}
+
+/// Rows of energies: a bar is redrawn no more often.
+const ENERGY_ROWS: usize = 200;
+
+/// Why there is nothing to show.
+type Refusal = Box<(&'static str, Diagnostics, String)>;
+
+impl Session {
+    /// Of a scene of which nothing was done yet.
+    pub fn new(request: Request) -> Self {
+        Self { request, stage: Stage::Read, study: None, cases: vec![], waiting: vec![] }
+    }
+
+    /// Does the next stage. `reached` is told which time of which, s, a run is at, and may end it there. Whether there is more to do.
+    pub fn advance(&mut self, reached: impl Fn(f64, f64) -> ControlFlow<()>) -> bool {
+        match self.stage(reached) {
+            Ok((next, said)) => {
+                self.stage = next;
+                self.waiting.extend(said);
+            }
+            Err(refusal) => {
+                self.stage = Stage::Done;
+                self.waiting.push(refused(&refusal));
+            }
+        }
+        self.stage != Stage::Done
+    }
+
+    /// What there is to show since this was last asked: a list of messages, as JSON.
+    pub fn take(&mut self) -> String {
+        list(self.waiting.drain(..))
+    }
+
+    fn stage(
+        &mut self,
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<(Stage, Option<String>), Refusal> {
+        let Some(study) = &self.study else { return self.read() };
+        match self.stage {
+            Stage::Run(index) => {
+                let (case, count) = one_run(study, index, reached).map_err(|error| why(error, study))?;
+                let told = told(&case);
+                self.cases.push(case);
+                let next = if index + 1 < count { Stage::Run(index + 1) } else { Stage::Motion };
+                Ok((next, Some(told)))
+            }
+            Stage::Motion => {
+                Ok((Stage::Report, Some(self.motion(study).map_err(|error| why(error, study))?)))
+            }
+            Stage::Report => Ok((Stage::Done, Some(self.report(study).map_err(|error| why(error, study))?))),
+            Stage::Read | Stage::Done => Ok((Stage::Done, None)),
+        }
+    }
+
+    fn read(&mut self) -> Result<(Stage, Option<String>), Refusal> {
+        let Request { name, scene, set, .. } = &self.request;
+        let mistaken = |mistakes| Box::new(("mistakes", mistakes, String::new()));
+        let mut study = read_in(name, scene, set, &self.request).map_err(mistaken)?;
+        if study.title.is_empty() {
+            study.title.clone_from(name);
+        }
+        let parts = [
+            ("kind", string("scene")),
+            ("title", string(&study.title)),
+            ("said", live::said(&study.warnings())),
+            ("play", live::play(&study.play)),
+        ];
+        self.study = Some(study);
+        Ok((Stage::Run(0), Some(object(parts))))
+    }
+
+    fn motion(&self, study: &Study) -> Result<String, CaseError> {
+        let motion = live::motion(&tumble_report::animation(study, &self.cases)?);
+        Ok(object([("kind", string("motion")), ("motion", motion)]))
+    }
+
+    fn report(&self, study: &Study) -> Result<String, CaseError> {
+        // Extremes are not located here: the reader moves a slider to where they are.
+        let mut surveyor = Surveyor::of(study, true)?;
+        self.cases.iter().for_each(|case| surveyor.add(&Finished::of(case)));
+        let survey = surveyor.end(vec![]);
+        let report = tumble_report::of(study, Runs { cases: &self.cases, missing: &[], survey: &survey })?;
+        Ok(object([("kind", string("report")), ("parts", live::parts(&report))]))
+    }
+}
+
+fn one_run(
+    study: &Study,
+    index: usize,
+    reached: impl Fn(f64, f64) -> ControlFlow<()>,
+) -> Result<(Case, usize), CaseError> {
+    let all = Combinations::of(study)?;
+    let mut case = Case::run(&all, index, reached)?;
+    case.balance = CaseBalance::of(&case)?;
+    Ok((case, all.count()))
+}
+
+/// What a run came to, in the words of the command, and the bits of its motion.
+fn told(case: &Case) -> String {
+    let finished = Finished::of(case);
+    let find = |find: &tumble_report::results::FindResult| {
+        list([string(&find.name), number(find.value), string(&find.unit), number(find.at)])
+    };
+    object([
+        ("kind", string("run")),
+        ("label", string(&finished.label)),
+        ("told", string(&finished.told())),
+        ("end", number(finished.end)),
+        ("finds", list(finished.finds.iter().map(find))),
+        ("energy", energy(case)),
+        ("success", finished.is_success().to_string()),
+        ("said", live::said(&finished.said)),
+        ("bits", string(&format!("{:016x}", bits(case)))),
+    ])
+}
+
+/// Rows of time (s), kinetic and potential energy (J); none where nothing moved.
+fn energy(case: &Case) -> String {
+    let rows = case.balance.as_ref().map_or(&[][..], |balance| &balance.rows);
+    let every = rows.len().div_ceil(ENERGY_ROWS).max(1);
+    list(rows.iter().step_by(every).map(|row| list(row.iter().take(3).map(|value| number(*value)))))
+}
+
+/// All numbers of a motion in one: equal motions have equal ones, and others do not but by a chance of 1 to 2^64.
+fn bits(case: &Case) -> u64 {
+    let each = case.run.tracks().flat_map(|motion| {
+        motion.pieces.iter().flat_map(|piece| {
+            let states = piece.states.all().iter().copied();
+            [piece.start, piece.left_out, piece.end, piece.length].into_iter().chain(states)
+        })
+    });
+    each.chain(case.run.events().map(|event| event.time)).fold(0xcbf2_9ce4_8422_2325, |hash, value| {
+        value
+            .to_bits()
+            .to_le_bytes()
+            .iter()
+            .fold(hash, |hash: u64, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
+    })
+}
+
+fn why(error: CaseError, study: &Study) -> Refusal {
+    match error.placed(study) {
+        CaseError::Scene(mistakes) => Box::new(("mistakes", *mistakes, String::new())),
+        CaseError::Refused(said) => Box::new(("refused", *said, String::new())),
+        CaseError::Interrupted => Box::new(("stopped", Diagnostics::default(), String::new())),
+        other => Box::new(("refused", Diagnostics::default(), other.to_string())),
+    }
+}
+
+fn refused(refusal: &Refusal) -> String {
+    let (kind, said, words) = &**refusal;
+    object([("kind", string(kind)), ("said", live::said(said)), ("words", string(words))])
+}

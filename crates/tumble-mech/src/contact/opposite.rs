@@ -1,0 +1,90 @@
+//! What a point of a body may touch: a plane, or a circle of the world or of another body, from outside or inside.
+
+use tumble_expr::{Expr, Vector};
+
+use crate::anchor::rate;
+use crate::contact::pair::Pair;
+use crate::kinematics::PointRef;
+
+/// The other one of a pair.
+#[derive(Clone, Debug)]
+pub(crate) enum Opposite {
+    Plane,
+    Circle(Circle),
+}
+
+/// A circle that a circle of a body may touch.
+#[derive(Clone, Debug)]
+pub(crate) struct Circle {
+    /// Its centre, where it is a point of a body.
+    pub(crate) centre: Option<PointRef>,
+    /// m
+    pub(crate) radius: Expr,
+    /// Whether it is touched from inside, as a bowl is.
+    pub(crate) inside: bool,
+    /// Distance of the centres while they touch, m.
+    pub(crate) reach: Expr,
+}
+
+impl Circle {
+    /// 1 where the gap grows with the distance of the centres.
+    pub(crate) fn sign(&self) -> i32 {
+        if self.inside { -1 } else { 1 }
+    }
+}
+
+impl Opposite {
+    /// A circle that one of radius `own`, m, touches.
+    pub(crate) fn circle(centre: Option<PointRef>, radius: Expr, inside: bool, own: &Expr) -> Self {
+        let reach = if inside { &radius - own } else { &radius + own };
+        Self::Circle(Circle { centre, radius, inside, reach })
+    }
+
+    /// Towards a body whose circle has this centre; `None` of a plane.
+    pub(crate) fn normal(&self, centre: &PointRef, through: &Vector) -> Option<Vector> {
+        let Self::Circle(circle) = self else { return None };
+        let apart = match &circle.centre {
+            None => centre.body.position() - through + centre.world_arm(),
+            Some(other) => {
+                centre.body.position() - other.body.position() + (centre.world_arm() - other.world_arm())
+            }
+        };
+        Some(apart.map(|part| circle.sign() * part / &circle.reach))
+    }
+
+    /// Its centre, where that is a point of a body.
+    pub(crate) fn point(&self) -> Option<&PointRef> {
+        match self {
+            Self::Plane => None,
+            Self::Circle(circle) => circle.centre.as_ref(),
+        }
+    }
+
+    /// Velocity of its point or centre, which is at `through` where it is none of a body's, m/s.
+    pub(crate) fn velocity(&self, through: &Vector) -> Vector {
+        self.point().map_or_else(|| rate(through), PointRef::velocity)
+    }
+
+    /// The same for the acceleration, m/s^2.
+    pub(crate) fn acceleration(&self, through: &Vector) -> Vector {
+        self.point().map_or_else(|| rate(&rate(through)), PointRef::acceleration)
+    }
+
+    /// Velocity of its material point where a pair touches, m/s.
+    pub(crate) fn material_velocity(&self, pair: &Pair) -> Vector {
+        match (self.point(), pair.other_arm()) {
+            (Some(point), Some(arm)) => point.body.velocity() + point.body.omega() * arm.perpendicular(),
+            _ => rate(&pair.through),
+        }
+    }
+
+    /// Derivative of that, m/s^2, while the normal turns so, 1/s.
+    pub(crate) fn material_acceleration(&self, pair: &Pair, turning: &Vector) -> Vector {
+        let (Self::Circle(circle), Some(point), Some(arm)) = (self, self.point(), pair.other_arm()) else {
+            return rate(&rate(&pair.through));
+        };
+        let omega = point.body.omega();
+        let moving = &omega * point.world_arm().perpendicular() + &(circle.sign() * &circle.radius) * turning;
+        point.body.acceleration() + point.body.alpha() * arm.perpendicular() + omega * moving.perpendicular()
+    }
+}

@@ -1,0 +1,379 @@
+//! Mathematics as MathML Core, presentation elements only.
+
+use crate::layout::{Mark, Math, Operator};
+use crate::symbol::{self, Identifier};
+
+/// The space between factors, as on paper.
+const THIN_SPACE: &str = "<mspace width=\"0.1667em\"/>";
+/// The sign of a function applied, which has no width.
+const APPLIED: &str = "<mo>\u{2061}</mo>";
+
+/// A `math` element that stands in a line of text.
+pub fn mathml(math: &Math) -> String {
+    format!("<math>{}</math>", element(math))
+}
+
+/// A formula in a line of text as `math` elements between which the line may be broken: before relations, and before the terms of the
+/// outermost sum, or of a long sum in brackets that ends a product.
+pub fn mathml_in_pieces(math: &Math) -> String {
+    let mut pieces: Vec<Vec<Math>> = vec![vec![]];
+    for part in outermost(math) {
+        let begins = matches!(
+            part,
+            Math::Operator(
+                Operator::Plus | Operator::Minus | Operator::Equals | Operator::Less | Operator::LessEqual
+            )
+        );
+        match pieces.last_mut() {
+            Some(last) if !begins || last.is_empty() => last.push(part),
+            _ => pieces.push(vec![part]),
+        }
+    }
+    let shown = pieces.into_iter().map(|mut piece| match piece.len() {
+        1 => mathml(&piece.remove(0)),
+        _ => mathml(&Math::Row(piece)),
+    });
+    // Behind a space, a sign has its own space on its right only.
+    let spaced = "<mo form=\"infix\" lspace=\"0\" rspace=\"0.25em\">";
+    shown
+        .map(|piece| piece.replacen(LEADING, &format!("<math><mrow>{spaced}"), 1))
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// How a piece begins that has a sign first.
+const LEADING: &str = "<math><mrow><mo form=\"infix\">";
+
+/// The parts of rows in rows.
+fn outermost(math: &Math) -> Vec<Math> {
+    match math {
+        Math::Row(parts) => parts.iter().flat_map(outermost).collect(),
+        Math::Product(factors) => opened(factors).unwrap_or_else(|| vec![math.clone()]),
+        other => vec![other.clone()],
+    }
+}
+
+/// A sum of more terms than this in brackets is long: it may be broken.
+const LONG: usize = 2;
+
+/// The parts of a product that ends in a long sum, whose brackets need not grow.
+fn opened(factors: &[Math]) -> Option<Vec<Math>> {
+    let (Math::Brackets(sum), before) = factors.split_last()? else { return None };
+    let parts = outermost(sum);
+    let signs = parts.iter().filter(|part| matches!(part, Math::Operator(Operator::Plus | Operator::Minus)));
+    if signs.count() < LONG || is_tall(sum) {
+        return None;
+    }
+    let bracket = |sign: &str| Math::Text(sign.to_owned());
+    let before = Math::Product(before.to_vec());
+    Some([before, bracket("(")].into_iter().chain(parts).chain([bracket(")")]).collect())
+}
+
+/// A `math` element on a line of its own.
+pub fn mathml_block(math: &Math) -> String {
+    format!("<math display=\"block\">{}</math>", element(math))
+}
+
+/// Several equations in one `math` element, one below another, their equals signs too. Each is left side and right side.
+pub fn mathml_aligned(lines: &[(Math, Math)]) -> String {
+    let cell = |side: &str, content: String| {
+        format!("<mtd style=\"text-align: {side}; padding: 0.35em 0\">{content}</mtd>")
+    };
+    let row = |(left, right): &(Math, Math)| {
+        let right = format!("<mrow><mo form=\"infix\">=</mo>{}</mrow>", element(right));
+        format!("<mtr>{}{}</mtr>", cell("-webkit-right", element(left)), cell("-webkit-left", right))
+    };
+    let rows: String = lines.iter().map(row).collect();
+    format!("<math display=\"block\"><mtable displaystyle=\"true\">{rows}</mtable></math>")
+}
+
+/// Text with the characters that HTML reads as markup escaped.
+pub(crate) fn escaped(text: &str) -> String {
+    let escape = |c: char| match c {
+        '&' => "&amp;".to_owned(),
+        '<' => "&lt;".to_owned(),
+        '>' => "&gt;".to_owned(),
+        '"' => "&quot;".to_owned(),
+        '\'' => "&#39;".to_owned(),
+        _ => c.to_string(),
+    };
+    text.chars().map(escape).collect()
+}
+
+/// One element.
+fn element(math: &Math) -> String {
+    match math {
+        Math::Row(parts) => mrow(parts.iter().map(element).collect()),
+        Math::Product(factors) => mrow(factors.iter().map(element).collect::<Vec<_>>().join(THIN_SPACE)),
+        Math::Number(digits) => format!("<mn>{}</mn>", escaped(digits)),
+        Math::Identifier(identifier) => name(identifier),
+        Math::Operator(operator) => sign(*operator),
+        Math::Text(words) => format!("<mtext>{}</mtext>", escaped(words)),
+        Math::Fraction(above, below) => format!("<mfrac>{}{}</mfrac>", element(above), element(below)),
+        Math::Power(of, exponent) => power(of, exponent),
+        Math::Root(inside) => format!("<msqrt>{}</msqrt>", element(inside)),
+        Math::Bars(inside) => fenced("|", "|", &element(inside), true),
+        Math::Brackets(inside) => fenced("(", ")", &element(inside), is_tall(inside)),
+        Math::Call { function, power, arguments, bare } => call(function, power.as_deref(), arguments, *bare),
+        Math::Cases(cases) => {
+            let rows: String = cases.iter().map(case).collect();
+            let table = format!("<mtable>{rows}</mtable>");
+            mrow(format!("<mo form=\"prefix\" stretchy=\"true\" fence=\"true\">{{</mo>{table}"))
+        }
+        Math::Derivative { of, order, mark } => derivative(of, *order, *mark),
+        Math::Matrix(rows) => {
+            let cell = |part: &Math| format!("<mtd>{}</mtd>", element(part));
+            let row = |row: &Vec<Math>| format!("<mtr>{}</mtr>", row.iter().map(cell).collect::<String>());
+            let rows: String = rows.iter().map(row).collect();
+            fenced("(", ")", &format!("<mtable>{rows}</mtable>"), true)
+        }
+        Math::Integral { of, over, limits } => {
+            let [from, to] = limits.each_ref().map(element);
+            let sign = format!("<msubsup><mo stretchy=\"false\">∫</mo>{from}{to}</msubsup>");
+            let variable = format!("{THIN_SPACE}<mi mathvariant=\"normal\">d</mi>{}", element(over));
+            mrow(format!("{sign}{}{variable}", element(of)))
+        }
+        Math::Component(of, index) => {
+            let of = fenced("(", ")", &element(of), true);
+            format!("<msub>{of}<mn>{index}</mn></msub>")
+        }
+    }
+}
+
+fn mrow(content: String) -> String {
+    format!("<mrow>{content}</mrow>")
+}
+
+/// Whether round brackets have to grow. Those that need not must not be allowed to: browsers keep the width of the
+/// tallest form free for any that may.
+fn is_tall(math: &Math) -> bool {
+    match math {
+        Math::Row(parts) | Math::Product(parts) => parts.iter().any(is_tall),
+        Math::Fraction(..)
+        | Math::Cases(_)
+        | Math::Matrix(_)
+        | Math::Component(..)
+        | Math::Integral { .. } => true,
+        Math::Power(inside, _) | Math::Root(inside) | Math::Bars(inside) | Math::Brackets(inside) => {
+            is_tall(inside)
+        }
+        Math::Call { arguments, .. } => arguments.iter().any(is_tall),
+        Math::Number(_)
+        | Math::Identifier(_)
+        | Math::Operator(_)
+        | Math::Text(_)
+        | Math::Derivative { .. } => false,
+    }
+}
+
+fn fenced(open: &str, close: &str, content: &str, grows: bool) -> String {
+    let fence = |form: &str, sign: &str| {
+        format!(
+            "<mo form=\"{form}\" fence=\"true\" stretchy=\"{grows}\" lspace=\"0.05em\" rspace=\"0.05em\">{sign}</mo>"
+        )
+    };
+    mrow(format!("{}{content}{}", fence("prefix", open), fence("postfix", close)))
+}
+
+fn sign(operator: Operator) -> String {
+    let (form, sign) = match operator {
+        Operator::Plus => ("infix", "+"),
+        Operator::Minus => ("infix", "−"),
+        Operator::Negative => ("prefix", "−"),
+        Operator::Equals => ("infix", "="),
+        Operator::Less => ("infix", "&lt;"),
+        Operator::LessEqual => ("infix", "≤"),
+        Operator::Times => ("infix", "·"),
+        Operator::Cross => ("infix", "×"),
+        Operator::Over => return "<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">/</mo>".to_owned(),
+    };
+    format!("<mo form=\"{form}\">{sign}</mo>")
+}
+
+fn power(of: &Math, exponent: &Math) -> String {
+    match of {
+        Math::Identifier(identifier) if !identifier.subscript.is_empty() => {
+            let (head, below) = (head(identifier), subscript(identifier));
+            format!("<msubsup>{head}{below}{}</msubsup>", element(exponent))
+        }
+        _ => format!("<msup>{}{}</msup>", element(of), element(exponent)),
+    }
+}
+
+fn name(identifier: &Identifier) -> String {
+    with_subscript(&head(identifier), identifier)
+}
+
+fn with_subscript(head: &str, identifier: &Identifier) -> String {
+    if identifier.subscript.is_empty() {
+        return head.to_owned();
+    }
+    format!("<msub>{head}{}</msub>", subscript(identifier))
+}
+
+/// One letter is set in italics by itself; more are not, so they are asked for by their characters.
+fn head(identifier: &Identifier) -> String {
+    letters(&identifier.head, identifier.is_italic())
+}
+
+fn letters(word: &str, is_italic: bool) -> String {
+    match (word.chars().count(), is_italic) {
+        (1, true) => format!("<mi>{}</mi>", escaped(word)),
+        (1, false) => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(word)),
+        (_, true) => format!("<mi>{}</mi>", word.chars().map(italic).collect::<String>()),
+        (_, false) => format!("<mi>{}</mi>", escaped(word)),
+    }
+}
+
+/// The italic letter of mathematics, where there is one.
+pub(crate) fn italic(letter: char) -> char {
+    let from = |first: char, base: u32| char::from_u32(base + (letter as u32 - first as u32));
+    let found = match letter {
+        // The italic h has been Planck's constant since before the others were added.
+        'h' => Some('\u{210e}'),
+        'A'..='Z' => from('A', 0x1d434),
+        'a'..='z' => from('a', 0x1d44e),
+        'Α'..='Ω' => from('Α', 0x1d6e2),
+        'α'..='ω' => from('α', 0x1d6fc),
+        _ => None,
+    };
+    found.unwrap_or(letter)
+}
+
+fn subscript(identifier: &Identifier) -> String {
+    let part = |part: &String| {
+        if part.chars().all(|c| c.is_ascii_digit()) {
+            format!("<mn>{}</mn>", escaped(part))
+        } else if symbol::is_quantity(part) && part.chars().count() == 1 {
+            letters(part, true)
+        } else {
+            format!("<mtext>{}</mtext>", escaped(part))
+        }
+    };
+    let parts: Vec<String> = identifier.subscript.iter().map(part).collect();
+    if parts.len() == 1 { parts.concat() } else { mrow(parts.join("<mo separator=\"true\">,</mo>")) }
+}
+
+fn call(function: &Identifier, power: Option<&Math>, arguments: &[Math], bare: bool) -> String {
+    let head = name(function);
+    let head = match power {
+        Some(power) => format!("<msup>{head}{}</msup>", element(power)),
+        None => head,
+    };
+    let comma = "<mo separator=\"true\">,</mo>";
+    let grows = arguments.iter().any(is_tall);
+    let arguments = arguments.iter().map(element).collect::<Vec<_>>().join(comma);
+    if bare {
+        mrow(format!("{head}{APPLIED}{THIN_SPACE}{arguments}"))
+    } else {
+        mrow(format!("{head}{APPLIED}{}", fenced("(", ")", &arguments, grows)))
+    }
+}
+
+fn case((value, condition): &(Math, Option<Math>)) -> String {
+    let condition = match condition {
+        Some(condition) => format!("<mtext>if\u{a0}</mtext>{}", element(condition)),
+        None => "<mtext>otherwise</mtext>".to_owned(),
+    };
+    let style = "text-align: -webkit-left; padding: 0.15em 0.5em";
+    format!(
+        "<mtr><mtd style=\"{style}\">{}</mtd><mtd style=\"{style}\"><mrow>{condition}</mrow></mtd></mtr>",
+        element(value)
+    )
+}
+
+fn derivative(of: &Identifier, order: u8, mark: Mark) -> String {
+    let plain = head(of);
+    let dots = ["", "˙", "¨"].get(usize::from(order));
+    match (mark, dots) {
+        (_, Some(&"")) => name(of),
+        (Mark::Dots, Some(dots)) => {
+            let dotted =
+                format!("<mover>{plain}<mo stretchy=\"false\" style=\"math-depth: 0\">{dots}</mo></mover>");
+            with_subscript(&dotted, of)
+        }
+        _ => primed(of, &plain, order),
+    }
+}
+
+fn primed(of: &Identifier, plain: &str, order: u8) -> String {
+    let primes = ["", "′", "″", "‴"].get(usize::from(order));
+    let primes = primes.map_or_else(|| "′".repeat(usize::from(order)), |sign| (*sign).to_owned());
+    let primes = format!("<mo lspace=\"0\" rspace=\"0\">{primes}</mo>");
+    // The sign has its size and height by itself.
+    with_subscript(&mrow(format!("{plain}{primes}")), of)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_cannot_become_markup() {
+        let hostile = Math::symbol("<script>alert('1')</script>&\"_<b>");
+        for text in [mathml(&hostile), mathml(&Math::Text("<b>&".to_owned())), mathml_block(&hostile)] {
+            assert!(!text.contains("<script") && !text.contains("<b>") && !text.contains("&\""), "{text}");
+        }
+    }
+
+    #[test]
+    fn lines_may_be_broken_before_relations_and_terms() {
+        let sum = Math::Row(vec![Math::symbol("a"), Math::Operator(Operator::Minus), Math::symbol("b")]);
+        let shown = mathml_in_pieces(&Math::equation(Math::symbol("x"), sum.clone()));
+        let minus =
+            "<math><mrow><mo form=\"infix\" lspace=\"0\" rspace=\"0.25em\">−</mo><mi>b</mi></mrow></math>";
+        assert!(
+            shown.starts_with("<math><mi>x</mi></math> <math><mrow><mo form=\"infix\" lspace"),
+            "{shown}"
+        );
+        assert!(shown.ends_with(minus), "{shown}");
+        assert_eq!(mathml_in_pieces(&sum.clone().bracketed()).matches("<math>").count(), 1);
+        // Brackets of a short sum stay whole, those of a long one do not.
+        let with = |sum: Math| Math::Product(vec![Math::symbol("c"), Math::Brackets(Box::new(sum))]);
+        assert_eq!(mathml_in_pieces(&with(sum.clone())).matches("<math>").count(), 1);
+        let long = Math::Row(vec![
+            sum.clone(),
+            Math::Operator(Operator::Plus),
+            sum.clone(),
+            Math::Operator(Operator::Minus),
+            sum,
+        ]);
+        assert_eq!(mathml_in_pieces(&with(long)).matches("<math>").count(), 6);
+    }
+
+    #[test]
+    fn letters_are_italic_and_words_upright() {
+        assert_eq!(mathml(&Math::symbol("theta")), "<math><mi>θ</mi></math>");
+        assert_eq!(mathml(&Math::symbol("dt")), "<math><mi>𝑑𝑡</mi></math>");
+        assert_eq!(mathml(&Math::symbol("mass")), "<math><mi>mass</mi></math>");
+        assert_eq!(mathml(&Math::symbol("w1")), "<math><msub><mi>w</mi><mn>1</mn></msub></math>");
+    }
+
+    #[test]
+    fn only_elements_of_mathml_core_are_used() {
+        let known = [
+            "math", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "msqrt", "mover", "mtable",
+            "mtr", "mtd", "mtext", "mspace",
+        ];
+        let x = || Math::symbol("x_1");
+        let all = Math::Row(vec![
+            x().over(Math::Root(Box::new(x().raised_to(Math::digits(2))))),
+            Math::Cases(vec![(x(), Some(x())), (x(), None)]),
+            Math::Matrix(vec![vec![x()]]),
+            Math::derivative("theta_1", 2, Mark::Dots),
+            Math::derivative("theta_1", 3, Mark::Primes),
+        ]);
+        for tag in mathml_aligned(&[(x(), all)]).split('<').skip(1) {
+            let name: String =
+                tag.trim_start_matches('/').chars().take_while(char::is_ascii_alphabetic).collect();
+            assert!(known.contains(&name.as_str()), "{name}");
+        }
+    }
+
+    #[test]
+    fn only_brackets_around_something_tall_grow() {
+        let grows = |inside: Math| mathml(&inside.bracketed()).contains("stretchy=\"true\"");
+        assert!(!grows(Math::symbol("x")));
+        assert!(grows(Math::symbol("x").over(Math::symbol("y")).raised_to(Math::digits(2))));
+    }
+}

@@ -1,0 +1,157 @@
+//! What a sweep answers: a curve over one parameter, a map over two.
+
+use tumble_drawing::{Axis, CurveFigure, Label, MapFigure, Mark, Series, Svg};
+use tumble_mech::Extreme;
+use tumble_scene::{Question, Study};
+
+use crate::figures;
+use crate::results::{Located, Sample, Survey, SweptAxis};
+
+/// Fewer runs make no curve, and fewer rows or columns no map.
+const LEAST: usize = 3;
+/// Curves of more runs have no dots.
+const MOST_DOTS: usize = 60;
+/// Values over more than this many times the least are shown by their powers of ten.
+const DECADES: f64 = 100.0;
+/// Digits of the place of an extreme in a figure.
+const DIGITS: usize = 4;
+
+/// Every answer as a figure with its name, where the sweep is one of one parameter or two.
+pub(super) fn all(study: &Study, survey: &Survey) -> Vec<(String, Svg)> {
+    let curves = curves(study, survey).into_iter().map(|(name, figure)| (name, figure.svg()));
+    curves.chain(maps(study, survey).into_iter().map(|(name, figure)| (name, figure.svg()))).collect()
+}
+
+/// The answers over one parameter.
+pub(crate) fn curves(study: &Study, survey: &Survey) -> Vec<(String, CurveFigure)> {
+    let [axis] = &survey.axes[..] else { return vec![] };
+    if axis.values.len() < LEAST || survey.answers.is_empty() {
+        return vec![];
+    }
+    let figure = |(index, question): (usize, &Question)| {
+        let points = points(axis, survey, index);
+        let mut figure = CurveFigure::new(title(study, question), shown(study, axis), asked(study, question));
+        let dotted = axis.values.len() <= MOST_DOTS;
+        figure.series.push(Series { label: Label::default(), points, dotted });
+        let own = survey.located.iter().filter(|located| located.index == index);
+        figure.marks.extend(own.filter(|located| located.is_asked).map(|located| mark(study, axis, located)));
+        (name(question), figure)
+    };
+    let is_seen = |(_, figure): &(String, CurveFigure)| {
+        figure
+            .series
+            .iter()
+            .any(|series| series.points.iter().filter(|point| point[1].is_finite()).count() >= LEAST)
+    };
+    study.finds.iter().enumerate().map(figure).filter(is_seen).collect()
+}
+
+fn points(axis: &SweptAxis, survey: &Survey, index: usize) -> Vec<[f64; 2]> {
+    let value =
+        |answers: &Vec<Option<Sample>>| answers.get(index).copied().flatten().map_or(f64::NAN, |s| s.value);
+    let mut points: Vec<[f64; 2]> = axis
+        .values
+        .iter()
+        .zip(&survey.answers)
+        .map(|(at, answers)| [on(axis, *at), value(answers)])
+        .collect();
+    points.extend(made(survey, index).map(|sample| [on(axis, sample.at), sample.value]));
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    points
+}
+
+/// The best of the runs that were made between those of the sweep.
+fn made(survey: &Survey, index: usize) -> impl Iterator<Item = Sample> {
+    let own = survey.located.iter().filter(move |located| located.index == index && located.place.made > 0);
+    own.map(|located| located.place.best)
+}
+
+/// Over decades by powers of ten.
+fn is_wide(axis: &SweptAxis) -> bool {
+    let least = axis.values.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = axis.values.iter().copied().fold(0.0, f64::max);
+    least > 0.0 && greatest > DECADES * least
+}
+
+fn on(axis: &SweptAxis, value: f64) -> f64 {
+    if is_wide(axis) { value.log10() } else { value }
+}
+
+fn mark(study: &Study, axis: &SweptAxis, located: &Located) -> Mark {
+    let at = located.place.best.at;
+    let number = tumble_drawing::numeral::significant(at, DIGITS).to_plain();
+    let symbols = symbols(study);
+    let value = Label::name(&axis.name, &symbols)
+        .then(Label::plain(" = "))
+        .then(Label::quantity(&number, &axis.unit));
+    if located.place.equal.is_some() {
+        return Mark { at: on(axis, at), label: Label::default() };
+    }
+    let what = if located.which == Extreme::Greatest { "greatest, " } else { "least, " };
+    Mark { at: on(axis, at), label: Label::plain(what).then(value) }
+}
+
+fn symbols(study: &Study) -> Vec<(&str, &str)> {
+    study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect()
+}
+
+/// What is swept, as an axis.
+fn shown(study: &Study, axis: &SweptAxis) -> Axis {
+    let name = Label::name(&axis.name, &symbols(study));
+    if !is_wide(axis) {
+        return Axis::new(name, &axis.unit);
+    }
+    let unit =
+        if axis.unit.is_empty() { Label::default() } else { Label::plain("/").then(Label::unit(&axis.unit)) };
+    Axis::new(Label::plain("lg ").then(name).then(unit), "")
+}
+
+/// What is asked for, as an axis.
+fn asked(study: &Study, question: &Question) -> Axis {
+    figures::axis(study, std::slice::from_ref(&question.that))
+}
+
+fn title(study: &Study, question: &Question) -> Label {
+    figures::heading(study, None, &question.name)
+}
+
+fn name(question: &Question) -> String {
+    format!("find.{}", question.name)
+}
+
+/// The answers over two parameters: the first upwards, the second to the right.
+pub(crate) fn maps(study: &Study, survey: &Survey) -> Vec<(String, MapFigure)> {
+    let [outer, inner] = &survey.axes[..] else { return vec![] };
+    let is_large = [outer, inner].iter().all(|axis| axis.values.len() >= LEAST && axis.is_ordered());
+    if !is_large || survey.answers.is_empty() {
+        return vec![];
+    }
+    let map = |(index, question): (usize, &Question)| {
+        let value = |answers: &Vec<Option<Sample>>| {
+            answers.get(index).copied().flatten().map_or(f64::NAN, |s| s.value)
+        };
+        let cells: Vec<f64> = survey.answers.iter().map(value).collect();
+        let place = |cell: usize| [cell % inner.values.len(), cell / inner.values.len()];
+        let figure = MapFigure {
+            title: title(study, question),
+            x: shown(study, inner),
+            y: shown(study, outer),
+            z: asked(study, question),
+            columns: inner.values.iter().map(|value| on(inner, *value)).collect(),
+            rows: outer.values.iter().map(|value| on(outer, *value)).collect(),
+            marked: best(question, &cells).map(place).into_iter().collect(),
+            cells,
+        };
+        (name(question), figure)
+    };
+    let is_seen = |(_, figure): &(String, MapFigure)| figure.cells.iter().any(|value| value.is_finite());
+    study.finds.iter().enumerate().map(map).filter(is_seen).collect()
+}
+
+/// The cell of the greatest value, or of the least where the least is asked for.
+pub(crate) fn best(question: &Question, cells: &[f64]) -> Option<usize> {
+    let least = matches!(&question.at, tumble_scene::When::Extreme { which: Extreme::Least, .. });
+    let sign = if least { -1.0 } else { 1.0 };
+    let known = cells.iter().enumerate().filter(|(_, value)| value.is_finite());
+    known.max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1))).map(|(cell, _)| cell)
+}

@@ -1,0 +1,295 @@
+//! Free-body diagrams: the forces that were integrated, at the instants the study asks for.
+
+use tumble_drawing::free_body::{
+    AngleMark, Arrow, Couple, FreeBody, Kind, Sheet, SideView, Surface, Velocity,
+};
+use tumble_drawing::{Label, Pose};
+use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, Source, joined};
+use tumble_ode::Side;
+use tumble_scene::{FreeBody as Asked, Study};
+
+use crate::figures::{
+    air, case_label, heading, instants, joined as with_label, outlines, poses, surfaces, symbols,
+};
+use crate::results::Case;
+use crate::results::CaseError;
+use crate::results::moments::Moments;
+
+/// Surfaces farther from the body than this many times its size are left out of its diagrams.
+const NEAR: f64 = 1.5;
+/// A force or torque below this part of the largest on a sheet is zero but for rounding, and so is an angle below it.
+const NOTHING: f64 = 1e-12;
+/// A torque below this part of the largest force times the size of the body is rounding of its arm.
+const NO_TORQUE: f64 = 1e-9;
+/// Speeds below this part of the body's size a second are those of a body at rest.
+const AT_REST: f64 = 1e-9;
+
+/// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
+pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, CaseError> {
+    let study = &study.with(&case.parameters);
+    let moments = Moments::of(study, case.solution());
+    let drawing = Drawing { study, run: &case.run, body: asked.body };
+    let title = heading(study, asked.title.as_deref(), &asked.name);
+    let mut sheet = Sheet { title: with_label(title, case_label(case)), ..Sheet::default() };
+    let end = case.run.end().unwrap_or(0.0);
+    let mut missing = vec![];
+    for (instant, label) in &asked.at {
+        match moments.time(instant)? {
+            Some((time, _)) if (0.0..=end).contains(&time) => {
+                sheet.panels.push(drawing.panel(label, time)?);
+                sheet.captions.extend(drawing.not_unique(time)?);
+            }
+            _ => missing.push(instant.text.as_str()),
+        }
+    }
+    without_rounding(&mut sheet);
+    if !missing.is_empty() {
+        sheet.captions.push(Label::plain(&format!("Not in this motion: {}.", missing.join(", "))));
+    }
+    Ok(sheet)
+}
+
+/// What a sheet shows, in words: whose forces, and what the letters mean that are not forces.
+pub(crate) fn caption(sheet: &Sheet, body: &str) -> Label {
+    let any = |has: &dyn Fn(&FreeBody) -> bool| sheet.panels.iter().any(has);
+    let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
+    let is_impulse = any(&|panel| panel.unit == tumble_drawing::free_body::Unit::impulse());
+    let letters = [
+        (any(&|panel| !panel.arms.is_empty()), "r", "arm from the centre of mass to where a force acts"),
+        (
+            any(&|panel| !panel.couples.is_empty()) && !is_impulse,
+            "tau",
+            "torque about the centre of mass, counter-clockwise positive",
+        ),
+        (is_impulse, "J", "impulse of an instant"),
+        (has("V"), "V", "velocity of the centre of mass"),
+        (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
+        (has("u"), "u", "velocity of the air past the point where it acts"),
+    ];
+    let shown: Vec<_> =
+        letters.iter().filter(|(shown, ..)| *shown).map(|(_, symbol, words)| (*symbol, *words)).collect();
+    Label::plain(&format!("Everything that acts on {}. ", symbols::the(body))).then(instants::meaning(&shown))
+}
+
+/// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.
+fn without_rounding(sheet: &mut Sheet) {
+    let sizes = sheet.panels.iter().flat_map(|panel| &panel.forces).map(|arrow| size(arrow.vector));
+    let largest = sizes.fold(0.0, f64::max);
+    let forces = sheet.panels.iter_mut().flat_map(|panel| &mut panel.forces);
+    for arrow in forces.filter(|arrow| size(arrow.vector) < NOTHING * largest) {
+        arrow.vector = [0.0; 2];
+    }
+}
+
+fn size([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+struct Drawing<'a> {
+    study: &'a Study,
+    run: &'a Run,
+    body: usize,
+}
+
+impl Drawing<'_> {
+    fn panel(&self, label: &str, time: f64) -> Result<FreeBody, CaseError> {
+        let body = &self.study.model.bodies[self.body];
+        let pose = poses(self.run, body, [time].into_iter())?.pop().unwrap_or_default();
+        let panel = FreeBody::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
+            .heading(Label::markup(label))
+            .heading(Label::equation("t", &shown(time), "s"));
+        let mut panel = match self.impulses(time).next() {
+            None => self.moving(self.with_forces(panel, time)?, time)?,
+            Some(_) => self.impulses(time).fold(panel.impulses(), |panel, one| self.with_impulse(panel, one)),
+        };
+        for surface in self.surfaces(body, pose, time)? {
+            panel = panel.surface(surface);
+        }
+        if let Some(reference) = self.direction(body)? {
+            let symbol = self.symbol(&format!("{}.angle", body.name));
+            let angle = if pose.angle.abs() < NOTHING { 0.0 } else { pose.angle };
+            panel = panel.angle(AngleMark { reference, ..AngleMark::horizontal(symbol, angle) });
+        }
+        Ok(panel)
+    }
+
+    fn with_impulse(&self, mut panel: FreeBody, impulse: &Impulse) -> FreeBody {
+        let (kind, name) = self.source_of(impulse);
+        let symbol = Label::symbol(&name);
+        if impulse.impulse != [0.0; 2] {
+            let point = [panel.pose.x + impulse.arm[0], panel.pose.y + impulse.arm[1]];
+            panel = panel.force(Arrow::new(kind, symbol.clone(), point, impulse.impulse));
+            panel = panel.arm(Label::symbol(&symbols::arm(&name)), point);
+        }
+        if impulse.couple != 0.0 {
+            panel = panel.couple(Couple::new(kind, symbol, impulse.couple));
+        }
+        panel
+    }
+
+    /// With the velocity of the centre and the angular velocity.
+    fn moving(&self, panel: FreeBody, time: f64) -> Result<FreeBody, CaseError> {
+        let body = &self.study.model.bodies[self.body];
+        let motion = body.kinematics();
+        let formulas = [motion.velocity().components(), &[motion.omega()]].concat();
+        let values = self.run.observe(&formulas)?.at(time, Side::After).unwrap_or(vec![0.0; 3]);
+        let least = AT_REST * self.study.number(&body.reach())?;
+        let velocity = Velocity::new("V", panel.pose.centre(), [values[0], values[1]]);
+        let panel = if size(velocity.vector) > least { panel.velocity(velocity) } else { panel };
+        Ok(FreeBody { rate: (values[2].abs() > AT_REST).then_some(values[2]), ..panel })
+    }
+
+    /// Which forces of a diagram may be others.
+    fn not_unique(&self, time: f64) -> Result<Option<Label>, CaseError> {
+        let open = self.run.open_forces(self.body, time, Side::After)?;
+        let known = symbols::all(self.study);
+        let name = |name: &String| {
+            let force = [format!("{name}.normal"), name.clone()]
+                .into_iter()
+                .find_map(|name| known.get(&name).cloned());
+            format!("${}$", force.unwrap_or_else(|| symbols::force(self.study, name, Law::Reaction)))
+        };
+        let names = open.iter().map(name).collect::<Vec<_>>().join(", ");
+        let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
+        let text = format!("Not unique at {} s, more bear than are needed: {names}.", shown(time));
+        Ok(has_forces.then(|| Label::markup(&text)))
+    }
+
+    /// Where a body points at angle zero, rad: along a rod, else to the right; `None` for one whose turning is not seen.
+    fn direction(&self, body: &Body) -> Result<Option<f64>, CaseError> {
+        let Some(part) = body.parts.iter().find(|part| !part.shape.edges().is_empty()) else {
+            return Ok(None);
+        };
+        let Shape::Rod { from, to, .. } = &part.shape else { return Ok(Some(0.0)) };
+        let along = to - from;
+        Ok(Some(self.study.number(along.y())?.atan2(self.study.number(along.x())?)))
+    }
+
+    fn with_forces(&self, mut panel: FreeBody, time: f64) -> Result<FreeBody, CaseError> {
+        let all = Forces::of(self.run).at(time, Side::After)?;
+        let own: Vec<Force> = joined(&all).into_iter().filter(|force| force.body == self.body).collect();
+        let reach = self.study.number(&self.study.model.bodies[self.body].reach())?;
+        let largest =
+            own.iter().map(|force| size(force.force) * reach + force.couple.abs()).fold(0.0, f64::max);
+        for force in &own {
+            panel = self.with_force(panel, force, time)?;
+            if force.torque().abs() > NO_TORQUE * largest {
+                let name = symbols::force(self.study, &force.load, force.law);
+                let name = if force.law.is_couple() { name } else { symbols::torque(&name) };
+                panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
+            }
+        }
+        panel.side = self.side_view()?;
+        Ok(panel)
+    }
+
+    /// With a force at its point, the arm to it, and the air that makes it.
+    fn with_force(&self, panel: FreeBody, force: &Force, time: f64) -> Result<FreeBody, CaseError> {
+        if force.law.is_couple() {
+            return Ok(panel);
+        }
+        let centre = panel.pose.centre();
+        let point = [centre[0] + force.arm[0], centre[1] + force.arm[1]];
+        let name = symbols::force(self.study, &force.load, force.law);
+        let mut panel = panel.force(Arrow::new(kind(force.law), Label::symbol(&name), point, force.force));
+        if matches!(force.law, Law::Drag | Law::Lift)
+            && let Some(stated) = air::stated(self.run, self.body, &force.load, time)
+        {
+            panel.velocities.extend(air::wind(self.run, &stated, point, time)?);
+            panel.spreads.extend(air::spreads(self.run, &stated, centre, time)?);
+            if stated.torque.is_some() {
+                return Ok(panel);
+            }
+        }
+        let is_there = size(force.force) > 0.0 && size(force.arm) > 0.0;
+        Ok(if is_there { panel.arm(Label::symbol(&symbols::arm(&name)), point) } else { panel })
+    }
+
+    /// Weight and support out of a horizontal plane.
+    fn side_view(&self) -> Result<Option<SideView>, CaseError> {
+        let Gravity::Horizontal(g) = &self.study.model.gravity else { return Ok(None) };
+        let body = &self.study.model.bodies[self.body];
+        let weight = self.study.number(&(body.mass_properties().mass * g))?;
+        let height = self.study.number(&body.reach())?;
+        let outlines = outlines(self.study, body)?;
+        let [down, up] = ["W", "N"].map(|symbol| (Label::symbol(symbol), weight));
+        Ok((weight > 0.0).then(|| SideView::resting(outlines, height, down, up)))
+    }
+
+    /// Impulses on the body of a rigid impact at just this time.
+    fn impulses(&self, time: f64) -> impl Iterator<Item = &Impulse> {
+        let events = self.run.events().filter(move |event| event.time == time);
+        let impulses = events.flat_map(|event| &event.record.impulses);
+        impulses.filter(|impulse| impulse.body == self.body)
+    }
+
+    fn source_of(&self, impulse: &Impulse) -> (Kind, String) {
+        let kind = match impulse.source {
+            Source::Pair(_) | Source::Friction(_) => Kind::Contact,
+            Source::Pivot(_) | Source::Joint(_) => Kind::Reaction,
+            Source::Applied(_) => Kind::Applied,
+        };
+        let name = self.run.equations.source_name(impulse.source);
+        let place = symbols::contact(self.study, symbols::rubbed(name));
+        let along = if matches!(impulse.source, Source::Friction(_)) { "_f" } else { "" };
+        (kind, format!("J_{place}{along}"))
+    }
+
+    fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {
+        let reach = self.study.number(&body.reach())?;
+        let all = surfaces(self.study, self.run, time)?;
+        let of_model = self.study.model.surfaces.iter().filter(|surface| surface.circle.is_none());
+        let met = all.into_iter().zip(of_model).filter(|(_, surface)| surface.meets(body));
+        let mut found: Vec<Surface> = vec![];
+        for Surface { point: [px, py], normal: [nx, ny], name } in met.map(|(drawn, _)| drawn) {
+            let distance = nx * (pose.x - px) + ny * (pose.y - py);
+            // The point of the surface that is nearest to the body.
+            let foot = [pose.x - distance * nx, pose.y - distance * ny];
+            if distance.abs() <= 2.0 * NEAR * reach.max(f64::MIN_POSITIVE) {
+                found.push(Surface::new(foot, [nx, ny], name));
+            }
+        }
+        found.extend(self.circles(body, reach, time)?);
+        Ok(found)
+    }
+
+    /// Circles that the body nearly touches, as their tangents there.
+    fn circles(&self, body: &Body, reach: f64, time: f64) -> Result<Vec<Surface>, CaseError> {
+        let model = &self.study.model;
+        let mut found: Vec<Surface> = vec![];
+        for pair in self.run.equations.pairs() {
+            let Rule::Surface(surface) = pair.rule else { continue };
+            let surface = &model.surfaces[surface];
+            if surface.circle.is_none() || model.bodies[pair.body].name != body.name {
+                continue;
+            }
+            let formulas = [pair.point().components(), pair.normal.components(), &[pair.gap()]].concat();
+            let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
+            if at[4].abs() <= NEAR * reach.max(f64::MIN_POSITIVE) {
+                found.push(Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name)));
+            }
+        }
+        Ok(found)
+    }
+
+    fn symbol(&self, name: &str) -> Label {
+        Label::symbol(self.study.symbols.get(name).map_or("theta", String::as_str))
+    }
+}
+
+pub(crate) fn kind(law: Law) -> Kind {
+    match law {
+        Law::Weight => Kind::Weight,
+        Law::Contact | Law::Friction => Kind::Contact,
+        Law::Drag | Law::Lift => Kind::Air,
+        Law::Spring | Law::Torsion => Kind::Spring,
+        Law::Reaction => Kind::Reaction,
+        Law::Force | Law::Torque => Kind::Applied,
+    }
+}
+
+/// A time with as many digits as a reader can use.
+fn shown(time: f64) -> String {
+    let text = format!("{time:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

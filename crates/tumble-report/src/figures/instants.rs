@@ -1,0 +1,136 @@
+//! Instants that tell something of the forces on a body, where the scene names none: each load at its largest, and whatever else
+//! acts together.
+
+use tumble_drawing::Label;
+use tumble_expr::units::S;
+use tumble_mech::{Force, Forces, Law, joined};
+use tumble_ode::Side;
+use tumble_scene::{Instant, Study};
+
+use super::symbols;
+use crate::results::{Case, CaseError, equal_times};
+
+/// Instants at which forces are looked at.
+const SAMPLES: usize = 400;
+/// Diagrams of a body in a scene of few bodies; of many each has one.
+const MOST: usize = 3;
+const FEW_BODIES: usize = 3;
+/// A force below this part of the largest, or one that varies by less, has no largest.
+const SMALL: f64 = 1e-6;
+
+/// A load by its name with its law.
+type Load = (String, Law);
+
+/// The forces on a body at an instant.
+struct Seen {
+    time: f64,
+    forces: Vec<Force>,
+}
+
+/// When, and what is seen there.
+pub(crate) fn of(study: &Study, case: &Case, body: usize) -> Result<Vec<(Instant, String)>, CaseError> {
+    let seen = seen(case, body)?;
+    let most = if study.model.bodies.len() > FEW_BODIES { 1 } else { MOST };
+    let mut found = largest(study, &seen);
+    found.truncate(most);
+    together(study, &seen, &mut found);
+    found.truncate(most);
+    found.sort_by_key(|(index, _)| *index);
+    let instant = |(index, label): (usize, String)| {
+        (Instant { text: String::new(), time: seen[index].time * S }, label)
+    };
+    Ok(found.into_iter().map(instant).collect())
+}
+
+/// How many loads there are on the bodies of a run: a run that has them all shows most.
+pub(crate) fn loads(case: &Case, bodies: usize) -> Result<usize, CaseError> {
+    let one = |body: usize| Ok(acting_ever(&seen(case, body)?).len());
+    (0..bodies).map(one).sum()
+}
+
+fn seen(case: &Case, body: usize) -> Result<Vec<Seen>, CaseError> {
+    let mut forces = Forces::of(&case.run);
+    let at = |time: f64| {
+        let all = joined(&forces.at(time, Side::After)?);
+        Ok(Seen { time, forces: all.into_iter().filter(|force| force.body == body).collect() })
+    };
+    equal_times(&case.run, SAMPLES).map(at).collect()
+}
+
+fn size(force: &Force) -> f64 {
+    if force.law.is_couple() { force.couple.abs() } else { force.force[0].hypot(force.force[1]) }
+}
+
+/// The loads that are more than rounding.
+fn acting(seen: &Seen) -> Vec<Load> {
+    let largest = seen.forces.iter().map(size).fold(0.0, f64::max);
+    let real = seen.forces.iter().filter(|force| size(force) > SMALL * largest);
+    real.map(|force| (force.load.clone(), force.law)).collect()
+}
+
+fn acting_ever(seen: &[Seen]) -> Vec<Load> {
+    let mut all: Vec<Load> = vec![];
+    for load in seen.iter().flat_map(acting) {
+        if !all.contains(&load) {
+            all.push(load);
+        }
+    }
+    all
+}
+
+/// Where each load is largest, that of contacts and of what is outside first; a constant one is so nowhere.
+fn largest(study: &Study, seen: &[Seen]) -> Vec<(usize, String)> {
+    let mut loads = acting_ever(seen);
+    loads.retain(|(_, law)| *law != Law::Weight);
+    loads.sort_by_key(|(_, law)| *law == Law::Reaction);
+    let mut found: Vec<(usize, String)> = vec![];
+    for (load, law) in &loads {
+        let sizes =
+            seen.iter().map(|seen| seen.forces.iter().find(|force| force.load == *load).map_or(0.0, size));
+        let sizes: Vec<f64> = sizes.collect();
+        let best =
+            (0..sizes.len()).fold(0, |best, index| if sizes[index] > sizes[best] { index } else { best });
+        let least = sizes.iter().copied().filter(|size| *size > 0.0).fold(sizes[best], f64::min);
+        if sizes[best] - least <= SMALL * sizes[best] {
+            continue;
+        }
+        let symbol = symbols::force(study, load, *law);
+        match found.iter_mut().find(|(index, _)| *index == best) {
+            Some((_, label)) => *label = format!("{label} and ${symbol}$"),
+            None => found.push((best, format!("largest ${symbol}$"))),
+        }
+    }
+    found
+}
+
+/// The middle of the first stretch of each set of loads that no diagram shows yet.
+fn together(study: &Study, seen: &[Seen], found: &mut Vec<(usize, String)>) {
+    let load = |force: &Force| (force.load.clone(), force.law);
+    let sets: Vec<Vec<Load>> = seen.iter().map(|seen| seen.forces.iter().map(load).collect()).collect();
+    for (first, set) in sets.iter().enumerate() {
+        let is_known = found.iter().any(|(index, _)| sets[*index] == *set);
+        if !is_known {
+            let length = sets[first..].iter().take_while(|other| *other == set).count();
+            found.push((first + length / 2, words(study, set)));
+        }
+    }
+}
+
+/// What acts, in words.
+fn words(study: &Study, set: &[Load]) -> String {
+    let names: Vec<String> =
+        set.iter().map(|(load, law)| format!("${}$", symbols::force(study, load, *law))).collect();
+    match &names[..] {
+        [] => "nothing acts".to_owned(),
+        [only] => format!("{only} alone"),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
+}
+
+/// Symbols with what they mean, as a caption says it.
+pub(crate) fn meaning(symbols: &[(&str, &str)]) -> Label {
+    let one =
+        |(symbol, words): &(&str, &str)| Label::symbol(symbol).then(Label::plain(&format!(": {words}")));
+    let all = symbols.iter().map(one).reduce(|all, next| all.then(Label::plain("; ")).then(next));
+    all.map_or_else(Label::default, |all| all.then(Label::plain(".")))
+}

@@ -1,0 +1,242 @@
+//! How forces and quantities are written in diagrams, tables, equations, curves and the animation: the same everywhere.
+
+use std::collections::BTreeMap;
+
+use tumble_drawing::Label;
+use tumble_expr::Symbol;
+use tumble_mech::{Gravity, Law};
+use tumble_scene::Study;
+
+/// Quantities by the end of their names, with the usual letter and in words.
+const QUANTITIES: [(&str, &str, &str); 18] = [
+    ("x", "x", "horizontal position"),
+    ("y", "y", "height"),
+    ("vx", "v_x", "horizontal velocity"),
+    ("vy", "v_y", "vertical velocity"),
+    ("ax", "A_x", "horizontal acceleration"),
+    ("ay", "A_y", "vertical acceleration"),
+    ("angle", "theta", "angle"),
+    ("omega", "omega", "angular velocity"),
+    ("alpha", "alpha", "angular acceleration"),
+    ("energy", "E", "energy"),
+    ("kinetic", "K", "kinetic energy"),
+    ("potential", "", "potential energy"),
+    ("force", "", "force"),
+    ("normal", "", "normal force"),
+    ("friction", "", "friction"),
+    ("slip", "", "speed of slip"),
+    ("gap", "", "gap"),
+    ("work", "", "work"),
+];
+/// Those that points have too.
+const PLACES: [(&str, &str, &str); 6] =
+    [QUANTITIES[0], QUANTITIES[1], QUANTITIES[2], QUANTITIES[3], QUANTITIES[4], QUANTITIES[5]];
+/// Words for coordinates of a plane that is seen from above.
+const FROM_ABOVE: [&str; 2] = ["position", "velocity"];
+
+/// What everything in a study is shown as: the user's own symbols, else the usual letters.
+pub(crate) fn all(study: &Study) -> BTreeMap<String, String> {
+    let mut symbols = usual(study);
+    symbols.extend(study.symbols.iter().map(|(name, symbol)| (name.clone(), symbol.clone())));
+    symbols
+}
+
+/// Pairs of different quantities that a reader could not tell apart, with what both are shown as: parameters, and what moves.
+pub(crate) fn clashes(study: &Study) -> Vec<(String, String, String)> {
+    const MOVES: [&str; 6] = ["x", "y", "vx", "vy", "angle", "omega"];
+    let all = all(study);
+    let parameters = study.model.parameters.symbols();
+    let parameters = parameters.iter().map(|parameter| parameter.name.to_string());
+    let moves = study.model.bodies.iter().flat_map(|body| {
+        let turns_only = study.model.pivot_of(&body.name).is_some();
+        MOVES[if turns_only { 4 } else { 0 }..].iter().map(|name| format!("{}.{name}", body.name))
+    });
+    let shown = |name: String| {
+        let symbol = all.get(&name).unwrap_or(&name).clone();
+        (name, symbol)
+    };
+    let weight = matches!(study.model.gravity, Gravity::Vertical(_))
+        .then(|| ("the weight".to_owned(), "W".to_owned()));
+    let shown: Vec<(String, String)> = weight.into_iter().chain(parameters.chain(moves).map(shown)).collect();
+    let alike = |(index, (name, symbol)): (usize, &(String, String))| {
+        let label = Label::symbol(symbol);
+        let others = shown[index + 1..].iter().filter(move |(_, other)| Label::symbol(other) == label);
+        others.map(|(other, _)| (name.clone(), other.clone(), symbol.clone())).collect::<Vec<_>>()
+    };
+    shown.iter().enumerate().flat_map(alike).collect()
+}
+
+/// A formula as it stands at a curve: what has a symbol by it, `rod.angle in deg` as well.
+pub(crate) fn label(symbols: &BTreeMap<String, String>, text: &str) -> Label {
+    let text = without_unit(text);
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    let mut label = Label::default();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c: char| is_part(c) != is_part(first)).unwrap_or(rest.len());
+        let (piece, after) = rest.split_at(end);
+        let is_name = first.is_alphabetic() && !after.starts_with('(');
+        label = label.then(match symbols.get(piece).filter(|_| is_name) {
+            Some(symbol) => Label::symbol(symbol),
+            None if is_name && !piece.contains('.') => Label::symbol(piece),
+            None => Label::plain(piece),
+        });
+        rest = after;
+    }
+    label
+}
+
+/// What a quantity is in words: `angle of the rod`, with the body's name where there are several; none of other formulas.
+pub(crate) fn words(study: &Study, text: &str) -> Option<String> {
+    let noun = noun(study, text)?;
+    let (owner, _) = without_unit(text).rsplit_once('.')?;
+    let is_one_of_many =
+        study.model.bodies.len() > 1 && study.model.bodies.iter().any(|body| body.name == owner);
+    Some(if is_one_of_many { format!("{noun} of {}", the(owner)) } else { noun.to_owned() })
+}
+
+/// The same without the body.
+pub(crate) fn noun(study: &Study, text: &str) -> Option<&'static str> {
+    let (owner, quantity) = without_unit(text).rsplit_once('.')?;
+    let known = QUANTITIES.into_iter().find(|(name, ..)| *name == quantity && !owner.contains(' '))?;
+    Some(match (&study.model.gravity, quantity) {
+        (Gravity::Horizontal(_), "x" | "y") => FROM_ABOVE[0],
+        (Gravity::Horizontal(_), "vx" | "vy") => FROM_ABOVE[1],
+        _ => known.2,
+    })
+}
+
+/// Without the unit that a value is asked for in.
+fn without_unit(text: &str) -> &str {
+    text.rsplit_once(" in ").map_or(text, |(formula, _)| formula)
+}
+
+/// A body in running text: `the rod`, but `link6`.
+pub(crate) fn the(body: &str) -> String {
+    let is_word = body.chars().all(char::is_lowercase) && body.chars().count() > 1;
+    if is_word { format!("the {body}") } else { body.to_owned() }
+}
+
+/// The user's own symbol for a load, or the usual letter with the load's name.
+pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
+    if let Some(own) = study.symbols.get(load) {
+        return own.clone();
+    }
+    let last = last(load);
+    match law {
+        Law::Weight => "W".to_owned(),
+        Law::Contact => format!("N_{}", contact(study, load)),
+        Law::Friction => format!("f_{}", contact(study, rubbed(load))),
+        Law::Reaction => format!("R_{last}"),
+        _ if law.is_couple() => format!("tau_{last}"),
+        _ => format!("F_{last}"),
+    }
+}
+
+/// The contact that friction of this name is of.
+pub(crate) fn rubbed(load: &str) -> &str {
+    load.strip_suffix(".friction").unwrap_or(load)
+}
+
+/// Where a body is touched: by the point, `tip` of `floor.rod.tip`, and where there are several surfaces by them too; where bodies meet
+/// each other, by both of them.
+pub(crate) fn contact(study: &Study, pair: &str) -> String {
+    match pair.split_once('.') {
+        Some((contact, bodies)) if study.model.contacts.iter().any(|known| known.name == contact) => {
+            bodies.replace('.', "_")
+        }
+        Some((surface, _)) if study.model.surfaces.len() > 1 => format!("{surface}_{}", last(pair)),
+        _ => last(pair).to_owned(),
+    }
+}
+
+/// A symbol with one more letter below it: `N_tip,y`, `W_y`.
+pub(crate) fn below(symbol: &str, letter: &str) -> String {
+    let separator = if symbol.contains('_') { ',' } else { '_' };
+    format!("{symbol}{separator}{letter}")
+}
+
+/// The torque of a force: `tau_air` of `F_air`, `tau_N,tip` of the contact's `N_tip`.
+pub(crate) fn torque(force: &str) -> String {
+    let below = force.strip_prefix("F_").or_else(|| force.strip_prefix("R_")).unwrap_or(force);
+    format!("tau_{}", below.replace('_', ","))
+}
+
+/// The arm of a force: `r_air` of `F_air`, `r_tip` of the contact's `N_tip`.
+pub(crate) fn arm(force: &str) -> String {
+    format!("r_{}", force.split_once('_').map_or(force, |(_, below)| below))
+}
+
+/// The last word of a name: `tip` of `floor.rod.tip`.
+pub(crate) fn last(name: &str) -> &str {
+    name.rsplit('.').next().unwrap_or(name)
+}
+
+/// The usual letters: those of the only body stand alone, those of several have its name.
+fn usual(study: &Study) -> BTreeMap<String, String> {
+    let bodies = &study.model.bodies;
+    let mut symbols = BTreeMap::new();
+    for body in bodies {
+        for (name, letter, _) in QUANTITIES.into_iter().filter(|(_, letter, _)| !letter.is_empty()) {
+            let shown = if bodies.len() == 1 { letter.to_owned() } else { below(letter, &body.name) };
+            symbols.insert(format!("{}.{name}", body.name), shown);
+        }
+        for ((point, _), (name, letter, _)) in
+            body.points.iter().flat_map(|point| PLACES.map(|of| (point, of)))
+        {
+            symbols.insert(format!("{}.{point}.{name}", body.name), below(letter, point));
+        }
+    }
+    for law in &study.model.interactions {
+        symbols.insert(format!("{}.s", law.name()), "s".to_owned());
+    }
+    for pair in study.model.pairs() {
+        let touched = contact(study, &pair.name);
+        symbols.insert(format!("{}.normal", pair.name), format!("N_{touched}"));
+        symbols.insert(format!("{}.friction", pair.name), format!("f_{touched}"));
+    }
+    for surface in &study.model.surfaces {
+        let letter = |letter: &str| {
+            if study.model.surfaces.len() > 1 { below(letter, &surface.name) } else { letter.to_owned() }
+        };
+        symbols.insert(format!("{}.normal", surface.name), letter("N"));
+        symbols.insert(format!("{}.friction", surface.name), letter("f"));
+    }
+    for (joint, multipliers) in joints(study) {
+        let force = force(study, &joint, Law::Reaction);
+        symbols.insert(format!("{joint}.force"), force.clone());
+        let letters = multipliers.iter().zip(["x", "y"]);
+        for (symbol, letter) in letters {
+            symbols.insert(symbol.name.to_string(), below(&force, letter));
+        }
+        if let Some(couple) = multipliers.get(2) {
+            symbols.insert(couple.name.to_string(), format!("tau_{}", last(&joint)));
+        }
+        for (seat, letter) in [("seat_x", "x"), ("seat_y", "y")] {
+            symbols.insert(format!("{joint}.{seat}"), format!("{letter}_{}", last(&joint)));
+        }
+    }
+    symbols
+}
+
+/// What keeps each pivot and joint, by its name: components of the force, and the couple of a weld.
+fn joints(study: &Study) -> Vec<(String, Vec<Symbol>)> {
+    let pivots = study.model.pivots.iter().map(|pivot| (pivot.name.clone(), pivot.force_symbols().into()));
+    let joints = study.model.joints.iter().map(|joint| (joint.name.clone(), joint.multipliers()));
+    pivots.chain(joints).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumble_drawing::text::Label;
+
+    #[test]
+    fn formulas_are_shown_by_their_symbols() {
+        let symbols = BTreeMap::from([("rod.angle".to_owned(), "theta".to_owned())]);
+        assert_eq!(label(&symbols, "rod.angle in deg"), Label::symbol("theta"));
+        assert_eq!(label(&symbols, "cos(rod.angle)").to_plain(), "cos(θ)");
+        assert_eq!(label(&symbols, "w1"), Label::symbol("w1"));
+        assert_eq!(label(&symbols, "rod.slip").to_plain(), "rod.slip");
+    }
+}

@@ -1,0 +1,177 @@
+//! What the motion says: curves, pictures, balance, checks, and what was found.
+
+use crate::report::{Analyze, Case as CaseShown, Check, Column, Picture, Plot, Table, Text};
+use tumble_drawing::numeral;
+use tumble_expr::Expr;
+use tumble_mech::Extreme;
+use tumble_ode::Side;
+use tumble_scene::{Instant, Study};
+
+use super::names::{Names, quantity};
+use super::{animation, balance, findings, sweep};
+use crate::figures;
+use crate::results::Case;
+use crate::results::CaseError;
+use crate::results::CheckResult;
+use crate::results::equilibrium;
+use crate::results::moments::Moments;
+use crate::results::{Runs, telling};
+
+/// Digits of an error: its size is what counts.
+const ERROR_DIGITS: usize = 1;
+
+pub(super) fn of(study: &Study, names: &Names, runs: Runs<'_>) -> Result<Analyze, CaseError> {
+    let told = telling(runs.cases);
+    let (mut plots, mut pictures) = (sweep::curves(study, runs.survey), sweep::maps(study, runs.survey));
+    plots.extend(self::plots(study, runs.cases, &told)?);
+    pictures.extend(self::pictures(study, &told)?);
+    Ok(Analyze {
+        intro: sweep::which_are_shown(runs.cases, &told).into_iter().collect(),
+        animation: Some(animation::of(study, &told)?),
+        plots,
+        pictures,
+        comparison: comparison(study, names, runs.cases, &told)?,
+        cases: told.iter().map(|case| one(case)).collect::<Result<_, _>>()?,
+        checks: vec![],
+        findings: findings::of(study, runs, &told)?,
+    })
+}
+
+fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Plot>, CaseError> {
+    let plot = |plot: &tumble_scene::Plot| {
+        let figure = figures::curves(study, cases, plot)?;
+        let caption = sweep::what_bands_are(&figure);
+        let shown = match plot.x {
+            None => Plot::over_time(figure, caption),
+            Some(_) => Plot::new(figure, caption),
+        };
+        Ok(shown.stored(format!("{}.svg", plot.name)))
+    };
+    let balances = study.balances.iter().map(|asked| {
+        let figure = figures::balance::of(study, told, asked);
+        Ok(Plot::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
+    });
+    study.plots.iter().map(plot).chain(balances).collect()
+}
+
+fn pictures(study: &Study, told: &[&Case]) -> Result<Vec<Picture>, CaseError> {
+    let picture = |asked: &tumble_scene::Stroboscope| {
+        let svg = figures::picture(study, told, asked)?.svg();
+        Ok(Picture::new(svg, Text::default()).stored(format!("{}.svg", asked.name)))
+    };
+    study.stroboscopes.iter().map(picture).collect()
+}
+
+/// The runs of a sweep side by side.
+fn comparison(
+    study: &Study,
+    names: &Names,
+    cases: &[Case],
+    told: &[&Case],
+) -> Result<Option<Table>, CaseError> {
+    if cases.len() < 2 {
+        return Ok(None);
+    }
+    let over_time = study.plots.iter().filter(|plot| plot.x.is_none());
+    let curves: Vec<_> =
+        over_time.flat_map(|plot| plot.y.iter().map(|curve| (curve, plot.during.as_ref()))).collect();
+    let mut columns = vec![Column::words("Run")];
+    columns.extend(study.finds.iter().map(sweep::find_column));
+    columns.push(Column::numbers("Events"));
+    for (curve, _) in &curves {
+        let unit = &curve.quantity.unit;
+        let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
+        let name = match &curve.label {
+            Some(label) => label.as_str().into(),
+            None => Text::from(names.label(&curve.text)),
+        };
+        let head = |what: &str| Text::from(format!("{what} ")).and(name.clone()).and(unit.clone());
+        columns.extend([
+            Column::numbers(head("least")),
+            Column::numbers(head("greatest")),
+            Column::numbers(head("last")),
+        ]);
+    }
+    let mut table = Table::new("The runs side by side", columns);
+    for case in told {
+        let study = study.with(&case.parameters);
+        let mut cells = vec![Text::from(figures::case_label(case))];
+        cells.extend(case.finds.iter().map(sweep::find_cell));
+        cells.push(case.run.events().count().to_string().into());
+        for (curve, during) in &curves {
+            let values = least_greatest_last(&study, case, &curve.quantity.formula, *during)?;
+            cells.extend(values.map(|value| quantity(value, "")));
+        }
+        table.rows.push(cells);
+    }
+    table.notes.extend(sweep::others_are_in_files(cases, told));
+    Ok(Some(table))
+}
+
+/// What a curve comes to in one run; no numbers where it is not there.
+fn least_greatest_last(
+    study: &Study,
+    case: &Case,
+    formula: &Expr,
+    during: Option<&[Instant; 2]>,
+) -> Result<[f64; 3], CaseError> {
+    let (run, moments) = (&case.run, Moments::of(study, case.solution()));
+    let (Some(formula), Some(window), Some(end)) =
+        (moments.known(formula).map(|timed| timed.formula), moments.window(during)?, run.end())
+    else {
+        return Ok([f64::NAN; 3]);
+    };
+    // A curve with so many corners that its extremes cannot be told has none here.
+    let extreme = |which| run.extreme(&formula, which, window).ok().flatten().map(|peak| peak.value);
+    let last = run.observe(std::slice::from_ref(&formula))?.at(window[1].min(end), Side::After);
+    let found = [extreme(Extreme::Least), extreme(Extreme::Greatest), last.map(|values| values[0])];
+    Ok(found.map(|value| value.unwrap_or(f64::NAN)))
+}
+
+fn one(case: &Case) -> Result<CaseShown, CaseError> {
+    let stopped =
+        case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
+    Ok(CaseShown {
+        name: figures::case_label(case),
+        intro: stopped.into_iter().collect(),
+        balance: balance::of(case),
+        tables: case.equilibrium.as_ref().map(equilibrium::tables).unwrap_or_default(),
+        checks: case.checks.iter().map(shown).collect(),
+        ..CaseShown::default()
+    })
+}
+
+fn shown(check: &CheckResult) -> Check {
+    let unit = check.unit.as_str();
+    let what = Text::from(format!("{}: {}", check.name, check.that));
+    let at =
+        if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
+    Check {
+        what: what.and(at),
+        expected: precise(check.expected, unit),
+        found: match check.open() {
+            _ if !check.is_reached() => check.status().into(),
+            Some(open) => open.into(),
+            None => precise(check.found, unit).and(error(check)),
+        },
+        within: precise(check.within, unit),
+        passed: check.holds,
+    }
+}
+
+/// By how much it may be off.
+fn error(check: &CheckResult) -> Text {
+    match check.error {
+        Some(error) => Text::from(" ± ").and(numeral::significant(error, ERROR_DIGITS)),
+        None => Text::default(),
+    }
+}
+
+/// Every digit: what was compared.
+fn precise(value: f64, unit: &str) -> Text {
+    if !value.is_finite() {
+        return "–".into();
+    }
+    let number = Text::from(format!("{value:?}").replace('-', "−"));
+    if unit.is_empty() { number } else { number.and("\u{a0}").and(tumble_drawing::Label::unit(unit)) }
+}

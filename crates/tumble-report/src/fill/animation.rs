@@ -1,0 +1,197 @@
+//! The motion as it plays in the page, and the picture of its start.
+
+use std::collections::BTreeMap;
+
+use crate::report::{Picture, Text};
+use tumble_drawing::curves::Mark;
+use tumble_drawing::free_body::NamedPoint;
+use tumble_drawing::{
+    Animation, Label, LinkKind, Motion, MovingBody, MovingForce, MovingLink, Pose, SceneBody, SceneDrawing,
+    SceneLink,
+};
+use tumble_expr::{Expr, Substitution};
+use tumble_mech::{Body, Forces, Gravity, Record, Run, joined, place_symbols};
+use tumble_ode::{Event, Side};
+use tumble_scene::Study;
+
+use super::names::Names;
+use crate::figures::free_bodies::kind;
+use crate::figures::symbols;
+use crate::figures::{case_label, outlines, poses, surfaces};
+use crate::results::Case;
+use crate::results::CaseError;
+use crate::results::equal_times;
+
+/// Frames of a run: smooth at the speed at which it first plays.
+const FRAMES: usize = 400;
+/// More marks than this cannot be told apart on a slider.
+const MOST_MARKS: usize = 40;
+
+pub(super) fn of(study: &Study, cases: &[&Case]) -> Result<Animation, CaseError> {
+    let motions = cases.iter().map(|case| motion(&study.with(&case.parameters), case));
+    Ok(Animation {
+        title: Label::markup(&study.title),
+        description: String::new(),
+        cases: motions.collect::<Result<_, _>>()?,
+        speed: 0.0,
+    })
+}
+
+fn motion(study: &Study, case: &Case) -> Result<Motion, CaseError> {
+    let run = &case.run;
+    let times: Vec<f64> = equal_times(run, FRAMES).collect();
+    let body = |body: &tumble_mech::Body| -> Result<MovingBody, CaseError> {
+        Ok(MovingBody {
+            name: Label::plain(&body.name),
+            outlines: outlines(study, body)?,
+            poses: poses(run, body, times.iter().copied())?,
+            trail: study.model.pivot_of(&body.name).is_none(),
+        })
+    };
+    let bodies = study.model.bodies.iter().map(body).collect::<Result<Vec<_>, _>>()?;
+    Ok(Motion {
+        name: case_label(case),
+        forces: forces(study, run, &times, &bodies)?,
+        surfaces: surfaces(study, run, 0.0)?,
+        points: points(study, run)?,
+        events: marks(run),
+        links: links(study, run, &times)?,
+        bodies,
+        times,
+    })
+}
+
+/// Every load that acts at any time, by body and name.
+fn forces(
+    study: &Study,
+    run: &Run,
+    times: &[f64],
+    bodies: &[MovingBody],
+) -> Result<Vec<MovingForce>, CaseError> {
+    let nothing = [[f64::NAN; 2]; 2];
+    let mut observer = Forces::of(run);
+    let mut found: BTreeMap<(usize, String), MovingForce> = BTreeMap::new();
+    for (frame, time) in times.iter().enumerate() {
+        for force in joined(&observer.at(*time, Side::After)?) {
+            let pose: Pose = bodies[force.body].poses.get(frame).copied().unwrap_or_default();
+            let entry = found.entry((force.body, force.load.clone())).or_insert_with(|| MovingForce {
+                kind: kind(force.law),
+                symbol: Label::symbol(&symbols::force(study, &force.load, force.law)),
+                samples: vec![nothing; times.len()],
+            });
+            let point = [pose.x + force.arm[0], pose.y + force.arm[1]];
+            entry.samples[frame] = [point, force.force];
+        }
+    }
+    Ok(found
+        .into_values()
+        .filter(|force| force.samples.iter().any(|[_, f]| f[0].hypot(f[1]) > 0.0))
+        .collect())
+}
+
+/// Pivots, where they are at the start.
+fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
+    let mut found = vec![];
+    for pivot in &study.model.pivots {
+        let Some(at) = run.observe(pivot.world.components())?.at(0.0, Side::After) else { continue };
+        found.push(NamedPoint { name: Label::plain(&pivot.name), at: [at[0], at[1]] });
+    }
+    Ok(found)
+}
+
+fn marks(run: &Run) -> Vec<Mark> {
+    let events: Vec<_> = run.events().collect();
+    if events.len() > MOST_MARKS {
+        return vec![];
+    }
+    let names = |event: &Event<Record>| run.equations.names_of(&event.record).join(", ");
+    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&names(event)) }).collect()
+}
+
+/// Springs and dampers with the places of their ends.
+fn links(study: &Study, run: &Run, times: &[f64]) -> Result<Vec<MovingLink>, CaseError> {
+    let mut found = vec![];
+    for interaction in &study.model.interactions {
+        let Some([a, b]) = interaction.ends() else { continue };
+        let formulas = [a.components(), b.components()].concat();
+        let mut observer = run.observe(&formulas)?;
+        let ends = times.iter().map(|time| match observer.at(*time, Side::After) {
+            Some(at) => [[at[0], at[1]], [at[2], at[3]]],
+            None => [[f64::NAN; 2]; 2],
+        });
+        found.push(MovingLink {
+            name: Label::plain(interaction.name()),
+            kind: LinkKind::Spring,
+            ends: ends.collect(),
+        });
+    }
+    Ok(found)
+}
+
+/// The scene at its start.
+pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Option<Picture>, CaseError> {
+    let run = &case.run;
+    let bodies = study.model.bodies.iter().map(|body| scene_body(study, names, run, body));
+    let links = links(study, run, &[0.0])?.into_iter().map(|link| SceneLink {
+        name: link.name,
+        kind: link.kind,
+        ends: link.ends.first().copied().unwrap_or_default(),
+    });
+    let drawing = SceneDrawing {
+        title: Label::default(),
+        bodies: bodies.collect::<Result<_, _>>()?,
+        surfaces: surfaces(study, run, 0.0)?,
+        pivots: points(study, run)?,
+        points: named_points(study, run)?,
+        links: links.collect(),
+        angles: vec![],
+        gravity: gravity(study)?,
+        wind: wind(study, run)?,
+    };
+    Ok(Some(Picture::new(drawing.svg(), Text::from("The start"))))
+}
+
+fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<SceneBody, CaseError> {
+    let motion = body.kinematics();
+    let v = motion.velocity();
+    let formulas = [v.x().clone(), v.y().clone(), motion.omega()];
+    let values = run.observe(&formulas)?.at(0.0, Side::After).unwrap_or(vec![0.0; 3]);
+    let moves = values[0].hypot(values[1]) > 0.0 && study.model.pivot_of(&body.name).is_none();
+    let rate = (values[2] != 0.0).then(|| (values[2], names.label(&motion.omega_symbol().name)));
+    Ok(SceneBody {
+        name: Label::plain(&body.name),
+        pose: poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default(),
+        outlines: outlines(study, body)?,
+        velocity: moves.then(|| ([values[0], values[1]], Label::symbol("v"))),
+        rate,
+    })
+}
+
+fn named_points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
+    let mut found = vec![];
+    for body in &study.model.bodies {
+        for (name, at) in &body.points {
+            let place = body.at(at).position();
+            let Some(at) = run.observe(place.components())?.at(0.0, Side::After) else { continue };
+            found.push(NamedPoint { name: Label::plain(name), at: [at[0], at[1]] });
+        }
+    }
+    Ok(found)
+}
+
+fn gravity(study: &Study) -> Result<Option<([f64; 2], Label)>, CaseError> {
+    let Gravity::Vertical(g) = &study.model.gravity else { return Ok(None) };
+    let value = study.number(g)?;
+    Ok((value != 0.0).then(|| ([0.0, -value], Label::symbol("g"))))
+}
+
+/// The air at the start, at the world's origin.
+fn wind(study: &Study, run: &Run) -> Result<Option<([f64; 2], Label)>, CaseError> {
+    let mut origin = Substitution::default();
+    for symbol in place_symbols() {
+        origin.insert(symbol, Expr::zero());
+    }
+    let air = study.model.wind.0.map(|component| origin.apply(component));
+    let at = run.observe(air.components())?.at(0.0, Side::After).unwrap_or(vec![0.0; 2]);
+    Ok((at[0].hypot(at[1]) > 0.0).then(|| ([at[0], at[1]], Label::symbol("w"))))
+}

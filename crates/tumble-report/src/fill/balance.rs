@@ -1,0 +1,82 @@
+//! Energy, momentum, and what changed them, as tables and a figure.
+
+use crate::report::{Balance as Shown, Column, Plot, Table, Text};
+use tumble_drawing::Label;
+use tumble_mech::Balance;
+use tumble_scene::Sheet;
+
+use super::names::quantity;
+use crate::figures::balance::sheet;
+use crate::results::Case;
+use crate::results::CaseBalance;
+
+const RESIDUAL: &str = "Residual of the energy";
+/// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
+const NOTHING: f64 = 1e-15;
+
+pub(super) fn of(case: &Case) -> Option<Shown> {
+    let balance = case.balance.as_ref()?;
+    Some(Shown {
+        intro: vec![
+            "The energy changes by the work of the loads that have no potential, momentum by their impulses. \
+             What is left is the residual: rounding, and what the integration left out."
+                .into(),
+        ],
+        tables: vec![balances(balance), contributions(balance)],
+        plots: vec![
+            Plot::over_time(sheet(balance, "Energies", Sheet::Energies), "Energies"),
+            Plot::over_time(sheet(balance, RESIDUAL, Sheet::Residual), RESIDUAL),
+        ],
+    })
+}
+
+fn balances(balance: &CaseBalance) -> Table {
+    let columns = vec![
+        Column::words("Balance"),
+        Column::numbers("At the start"),
+        Column::numbers("At the end"),
+        Column::numbers("Accounted for"),
+        Column::numbers("Residual"),
+    ];
+    let row = |name: &str, unit: &str, of: &Balance| {
+        let values = [of.start, of.end, of.change].map(|value| seen(value, of));
+        let name = Text::from(format!("{name} (")).and(Label::unit(unit)).and(")");
+        std::iter::once(name).chain(values).chain([quantity(of.residual, "")]).collect()
+    };
+    let [x, y] = &balance.total.momentum;
+    Table::new("Energy and momentum balance", columns)
+        .row(row("Energy", "J", &balance.energy))
+        .row(row("Momentum, x", "N*s", x))
+        .row(row("Momentum, y", "N*s", y))
+        .row(row("Angular momentum about the origin", "N*m*s", &balance.total.angular_momentum))
+}
+
+fn seen(value: f64, of: &Balance) -> Text {
+    quantity(if value.abs() < NOTHING * of.scale { 0.0 } else { value }, "")
+}
+
+fn contributions(balance: &CaseBalance) -> Table {
+    let with = |words: &str, unit: &str| Text::from(format!("{words} (")).and(Label::unit(unit)).and(")");
+    let columns = vec![
+        Column::words("Load"),
+        Column::numbers(with("Work", "J")),
+        Column::numbers(with("Impulse, x", "N*s")),
+        Column::numbers(with("Impulse, y", "N*s")),
+        Column::numbers(with("Angular impulse", "N*m*s")),
+    ];
+    let mut table = Table::new("What every load did", columns);
+    for (name, contribution) in &balance.contributions {
+        let ([x, y], angular) = (&balance.total.momentum, &balance.total.angular_momentum);
+        let cells = [
+            seen(contribution.work, &balance.energy),
+            seen(contribution.impulse[0], x),
+            seen(contribution.impulse[1], y),
+            seen(contribution.angular_impulse, angular),
+        ];
+        table.rows.push(std::iter::once(Text::from(name.as_str())).chain(cells).collect());
+    }
+    if balance.contributions.iter().any(|(_, contribution)| !contribution.counts()) {
+        table.notes.push("Work marked (potential) is already in the potential energy.".into());
+    }
+    table
+}

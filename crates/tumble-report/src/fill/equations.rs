@@ -1,0 +1,516 @@
+//! The equations of motion as they were integrated, in the symbols of the scene.
+
+use crate::report::{Block, Definition, Mode as ModeShown, Text};
+use tumble_expr::language::Value;
+use tumble_expr::{Expr, Substitution, Symbol, Vector, Written, is_identically_zero};
+use tumble_mech::{Anchor, ContactMode, Grip, Joint, Mode, Pivot, Term, rotated};
+use tumble_notation::{Left, Mark, Math as Formula, Notation, Shown};
+use tumble_scene::Study;
+
+use super::model::{MOST_OPERATIONS, operations};
+use super::names::{Names, math};
+use super::reduced::{self, Reduced, Solved};
+use crate::results::Case;
+
+/// Equations of more signs than these are not read by anybody: forces stand in them by name.
+const MOST_SIGNS: usize = 800;
+/// More modes than this are told of in the table of events only.
+const MOST_MODES: usize = 6;
+
+/// The equations of motion in each mode that the motion went through.
+pub(super) fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
+    let modes = &case.run.trajectory().modes;
+    let bodies = study.model.bodies.len();
+    let shown = modes.iter().take(MOST_MODES).map(|mode| {
+        let motions = motions(study, names, case, mode);
+        let blocks: Vec<Block> =
+            motions.iter().filter_map(|motion| equations_of(study, names, motion)).collect();
+        let told =
+            |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
+        let by_name = (0..bodies).filter(|body| !told(body)).count();
+        ModeShown {
+            name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
+            holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
+            equations: blocks,
+        }
+    });
+    shown.collect()
+}
+
+/// What is said of equations that Newton's laws state as shortly as can be.
+const BY_NAME: &str =
+    "Newton\u{2019}s laws above, with the forces of the table, are the equations of motion.";
+
+/// The equations of all bodies in a mode: reduced where joints and contacts allow, and then how their forces follow.
+fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion> {
+    let conditions: Vec<Expr> = (0..study.model.bodies.len())
+        .flat_map(|body| {
+            let constraints = case.run.equations.shown_constraints(mode, body);
+            constraints.into_iter().filter(move |constraint| last_of(study, constraint) == Some(body))
+        })
+        .collect();
+    let solved = reduced::of(study, case, mode, &conditions);
+    let of_body = |body: usize| match &solved {
+        Some(solved) if solved.motion.iter().any(|one| one.body == body) => {
+            let motion = Motion::reduced(study, names, case, mode, body, solved);
+            let follow = Motion::following(study, names, case, mode, body, solved);
+            std::iter::once(motion).chain(follow).collect()
+        }
+        Some(solved) if solved.follow.iter().any(|(other, ..)| *other == body) => {
+            Motion::following(study, names, case, mode, body, solved).into_iter().collect()
+        }
+        _ => vec![Motion::of(study, names, case, mode, body)],
+    };
+    let mut motions: Vec<Motion> = (0..study.model.bodies.len()).flat_map(of_body).collect();
+    add_ties(&mut motions, names, case, mode);
+    motions
+}
+
+/// Says of friction that slides what it is, where it is first read of.
+fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
+    for (symbol, force) in case.run.equations.shown_ties(mode) {
+        let reads =
+            |motion: &&mut Motion| motion.lines.iter().any(|line| line.right.symbols().contains(&symbol));
+        let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+        let line = Line::new(left, force, symbol.clone());
+        if let Some(motion) = motions.iter_mut().find(reads) {
+            motion.lines.push(line);
+        }
+    }
+}
+
+/// What touches and what acts: `floor.rod.tip pressed, kick acts`.
+pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
+    let equations = &case.run.equations;
+    let touching = mode.contacts.iter().map(|(pair, contact_mode)| {
+        let how = match contact_mode {
+            ContactMode::Pressed => "pressed",
+            ContactMode::Released => "released",
+            ContactMode::Resting => match mode.grip(*pair) {
+                Some(Grip::Sticks | Grip::Follows) => "sticks",
+                Some(Grip::Slides(_)) => "slides",
+                Some(Grip::Strains(_)) => "is on the point of sliding",
+                None => "in touch",
+            },
+            ContactMode::Settling => "settling",
+            ContactMode::Idle => "touching",
+        };
+        format!("{} {how}", equations.pairs()[*pair].name)
+    });
+    let windows = equations.windows().iter().zip(&mode.windows);
+    let acting = windows.map(|(window, acts)| match acts {
+        true => format!("{} acts", window.load),
+        false => format!("without {}", window.load),
+    });
+    let joints = study
+        .model
+        .joints
+        .iter()
+        .enumerate()
+        .filter(|(_, joint)| joint.from.is_some() || joint.until.is_some());
+    let joined = joints.map(|(index, joint)| match equations.holds(mode, index) {
+        true => format!("{} holds", joint.name),
+        false => format!("without {}", joint.name),
+    });
+    let changed = mode.changes.iter().map(|event| format!("after {}", study.model.events[*event].name));
+    let all: Vec<String> = touching.chain(joined).chain(acting).chain(changed).collect();
+    match (all.is_empty(), study.model.surfaces.is_empty()) {
+        (false, _) => all.join(", "),
+        (true, false) => "nothing touches".to_owned(),
+        (true, true) => "all the time".to_owned(),
+    }
+}
+
+fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
+    let shown = motion.shown().filter(|_| motion.is_short())?;
+    let body = &study.model.bodies[motion.body].name;
+    let title = match (study.model.bodies.len() > 1, motion.follows) {
+        (true, true) => format!("{body}, and the forces that hold it"),
+        (false, true) => "The forces that hold it follow from".to_owned(),
+        (true, false) => body.clone(),
+        (false, false) => String::new(),
+    };
+    let mut block = names.shown_block(title.into(), Ok(shown));
+    block.definitions.extend(seats(study, names, motion));
+    Some(block)
+}
+
+/// What the places in equations mean at which joints were made on the way.
+fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
+    let used = |symbol: &Symbol| motion.lines.iter().any(|line| line.right.symbols().contains(symbol));
+    let seated = study.model.joints.iter().filter(|joint| joint.is_seated);
+    let definition = |joint: &Joint| {
+        let Anchor::Material(point) = &joint.ends[1] else { return None };
+        let symbols = point.arm.components().iter().flat_map(Expr::symbols);
+        let mut own: Vec<Symbol> = symbols.filter(used).collect();
+        own.sort_by(|a, b| a.name.cmp(&b.name));
+        let parts = own.iter().map(|symbol| Formula::symbol(names.shown(&symbol.name)));
+        let parts: Vec<Vec<Formula>> = parts.map(|part| vec![part]).collect();
+        let body = &point.body.body;
+        let meaning = format!("where {} is on {body}, from its centre of mass, along its axes", joint.name);
+        (!parts.is_empty())
+            .then(|| Definition { symbol: math(&Formula::Matrix(parts)), meaning: meaning.into() })
+    };
+    seated.filter_map(definition).collect()
+}
+
+/// The equations of motion of one body in one mode, with the names they are shown by.
+///
+/// Forces of joints and of several lasting contacts stand in them by name, and what determines them below: solved for, they would
+/// be a matrix's inverse.
+struct Motion {
+    body: usize,
+    /// Ways to write them, of which the shortest is taken.
+    notations: Vec<Notation>,
+    lines: Vec<Line>,
+    /// Whether it says what follows from the motion.
+    follows: bool,
+}
+
+/// An equation, solved for what stands on its left side.
+struct Line {
+    left: Left,
+    right: Expr,
+    /// What the symbol on the left side is; 0 of a condition. The tests hold the right side against it.
+    #[cfg_attr(not(test), expect(dead_code))]
+    is: Expr,
+}
+
+impl Line {
+    fn new(left: Left, right: Expr, is: impl Into<Expr>) -> Self {
+        Self { left, right, is: is.into() }
+    }
+}
+
+impl Motion {
+    fn of(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize) -> Self {
+        let equations = &case.run.equations;
+        let model_body = &study.model.bodies[body];
+        let kinematics = model_body.kinematics();
+        let constraints = equations.shown_constraints(mode, body);
+        let is_joined = study.model.joints.iter().enumerate().any(|(index, joint)| {
+            equations.holds(mode, index) && joint.bodies().any(|name| name == model_body.name)
+        });
+        let is_solved = constraints.len() < 2 && !is_joined;
+        let pivot = study.model.pivot_of(&model_body.name);
+        let notation = names.of_body(body).notation().clone();
+        let (notation, mut lines) = match (pivot, is_solved) {
+            (Some(_), true) => {
+                let symbol = kinematics.alpha_symbol();
+                let alpha = equations.in_states(mode, &symbol.clone().into());
+                (notation, vec![Line::new(second(names, study, body), alpha, symbol)])
+            }
+            (Some(pivot), false) => {
+                let inertia = about_pivot(case, body, pivot);
+                let line = turned(names, case, mode, (body, pivot), &inertia);
+                (named_inertia(notation, study, body, &inertia), vec![line])
+            }
+            (None, _) => (notation, free(names, case, mode, body, is_solved)),
+        };
+        if !is_solved {
+            let of_pivots = of_pivots(study, case);
+            // What two bodies share stands with the later one.
+            let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
+            let conditions = own.map(|constraint| shortest(&notation, &of_pivots.apply(constraint)));
+            lines.extend(conditions.map(|condition| Line::new(nothing(), condition, Expr::zero())));
+        }
+        let notations = with_parts(case, mode, names, body, notation);
+        Self { body, notations, lines, follows: false }
+    }
+
+    /// Without the forces of joints and lasting contacts.
+    fn reduced(study: &Study, names: &Names, case: &Case, mode: &Mode, body: usize, solved: &Solved) -> Self {
+        let parameters = study.model.parameters.symbols();
+        let is_fixed = |formula: &Expr| formula.symbols().iter().all(|symbol| parameters.contains(symbol));
+        let is_turning = |symbol: &Symbol| *symbol == study.model.bodies[body].kinematics().alpha_symbol();
+        let line = |one: &Reduced| {
+            let shown = Formula::symbol(names.shown(&one.symbol.name));
+            let left = match is_fixed(&one.inertia) {
+                true if is_turning(&one.symbol) => second(names, study, body),
+                true => Left::symbol(shown),
+                false => Left::times(&one.inertia, shown),
+            };
+            Line::new(left, &one.right / &one.inertia, one.symbol.clone())
+        };
+        let lines = solved.motion.iter().filter(|one| one.body == body).map(line).collect();
+        // The moment of inertia becomes a number with those of the conditions.
+        let notation = names.written_notation().clone();
+        let notations = with_parts(case, mode, names, body, notation);
+        Self { body, notations, lines, follows: false }
+    }
+
+    /// The accelerations that follow from the motion, and the forces that they tell of.
+    fn following(
+        study: &Study,
+        names: &Names,
+        case: &Case,
+        mode: &Mode,
+        body: usize,
+        solved: &Solved,
+    ) -> Option<Self> {
+        let equations = &case.run.equations;
+        let own: Vec<_> = solved.follow.iter().filter(|(other, ..)| *other == body).collect();
+        let terms = equations.shown_terms(mode);
+        let axes = study.model.bodies[body].kinematics().acceleration_symbols();
+        let mass = &equations.mass_properties(body).mass;
+        let force = |axis: usize| {
+            let terms = terms.iter().filter(|term| term.body == body);
+            terms.fold(Expr::zero(), |sum, term| sum + &term.force[axis])
+        };
+        let lines = own.iter().flat_map(|(_, symbol, formula)| {
+            let shown = || Formula::symbol(names.shown(&symbol.name));
+            let axis = usize::from(*symbol == axes[1]);
+            let by_force = Line::new(Left::times(mass, shown()), force(axis) / mass, symbol.clone());
+            [by_force, Line::new(Left::symbol(shown()), formula.clone(), symbol.clone())]
+        });
+        let notations = vec![names.of_body(body).notation().clone()];
+        (!own.is_empty()).then(|| Self { body, notations, lines: lines.collect(), follows: true })
+    }
+
+    /// In the way that has the shortest equations; what laws have explained is not explained again.
+    fn shown(&self) -> Option<Shown> {
+        let sides: Vec<(Left, Expr)> =
+            self.lines.iter().map(|line| (line.left.clone(), line.right.clone())).collect();
+        let ways = self.notations.iter().filter_map(|notation| notation.equations(&sides).ok());
+        let signs = |shown: &Shown| Shown { definitions: vec![], ..shown.clone() }.text().chars().count();
+        let mut shown = ways.min_by_key(signs)?;
+        shown.definitions.retain(|line| !matches!(line.left, Some(Formula::Bars(_))));
+        Some(shown)
+    }
+
+    /// Whether it is shorter than anybody reads.
+    fn is_short(&self) -> bool {
+        operations(self.lines.iter().map(|line| &line.right)) <= MOST_OPERATIONS
+            && self.shown().is_some_and(|shown| shown.text().chars().count() <= MOST_SIGNS)
+    }
+}
+
+/// A notation, and the same with the lengths of vectors by their names, which laws explain: `|u|`.
+fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: Notation) -> Vec<Notation> {
+    let statements = case.run.equations.shown_statements(mode);
+    let own = statements.iter().filter(|stated| stated.body == body);
+    let mut parts = notation.clone();
+    for stated in own {
+        for named in stated.force.iter().flat_map(Written::names).filter(|named| named.of.is_none()) {
+            let name = names.of_law(&named.name, &stated.load);
+            if let (Written::Sum(_), Some(Value::Vector(vector))) = (&named.is, named.is.value(1)) {
+                parts = parts.define(format!("|{name}|"), &vector.norm());
+            }
+        }
+    }
+    vec![parts, notation]
+}
+
+/// `theta''`
+fn second(names: &Names, study: &Study, body: usize) -> Left {
+    let angle = study.model.bodies[body].kinematics().angle_symbol();
+    Left::symbol(Formula::derivative(names.shown(&angle.name), 2, Mark::Primes))
+}
+
+fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {
+    match inertia.symbols().is_empty() {
+        true => notation,
+        false => notation.define(inertia_name(study, &study.model.bodies[body].name), inertia),
+    }
+}
+
+/// `M A = sum F` and `I alpha = sum tau`, solved for where nothing stands by its name.
+fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -> Vec<Line> {
+    let equations = &case.run.equations;
+    let kinematics = equations.model().bodies[body].kinematics();
+    let mass = equations.mass_properties(body);
+    let terms = if is_solved { vec![] } else { equations.shown_terms(mode) };
+    let times = |factor: &Expr, symbol: &Symbol, part: fn(&Term) -> Expr| {
+        let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+        let own = terms.iter().filter(|term| term.body == body);
+        let right = match is_solved {
+            true => equations.in_states(mode, &symbol.clone().into()),
+            false => own.map(part).fold(Expr::zero(), |sum, part| sum + part) / factor,
+        };
+        Line::new(left, right, symbol.clone())
+    };
+    let [ax, ay] = kinematics.acceleration_symbols();
+    let mut lines = vec![
+        times(&mass.mass, &ax, |term| term.force.x().clone()),
+        times(&mass.mass, &ay, |term| term.force.y().clone()),
+    ];
+    let torque = own_torque(&terms, body);
+    if !is_identically_zero(&mass.inertia) {
+        lines.push(times(&mass.inertia, &kinematics.alpha_symbol(), Term::torque));
+    } else if !is_identically_zero(&torque) {
+        // A point mass on a massless rod.
+        lines.push(Line::new(nothing(), torque, Expr::zero()));
+    }
+    lines
+}
+
+/// About its centre of mass.
+fn own_torque(terms: &[Term], body: usize) -> Expr {
+    let own = terms.iter().filter(|term| term.body == body);
+    own.map(Term::torque).fold(Expr::zero(), |sum, torque| sum + torque)
+}
+
+/// The left side of what is zero.
+fn nothing() -> Left {
+    Left::symbol(Formula::Number("0".to_owned()))
+}
+
+/// `I_P alpha = sum tau` of a body about its pivot, with the forces of joints by their names; where the pivot moves, less
+/// `M r x A_P`.
+fn turned(names: &Names, case: &Case, mode: &Mode, (body, pivot): (usize, &Pivot), inertia: &Expr) -> Line {
+    let symbol = case.run.equations.model().bodies[body].kinematics().alpha_symbol();
+    let terms = case.run.equations.shown_terms(mode);
+    let own: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
+    let left = Left::times(inertia, Formula::symbol(names.shown(&symbol.name)));
+    Line::new(left, pivot_torque(case, (body, pivot), &own) / inertia, symbol)
+}
+
+/// Torque of terms on a body about its pivot, less `M r x A_P` where that is moved.
+pub(super) fn pivot_torque(case: &Case, (body, pivot): (usize, &Pivot), terms: &[Term]) -> Expr {
+    let equations = &case.run.equations;
+    let kinematics = equations.model().bodies[body].kinematics();
+    let mass = equations.mass_properties(body);
+    let arm = rotated(&(&mass.centre - &pivot.point), &kinematics.angle());
+    let own = terms.iter().filter(|term| term.load != pivot.name);
+    let torque =
+        own.map(|term| term.torque_about(&(&arm + &term.arm))).fold(Expr::zero(), |sum, torque| sum + torque);
+    torque - &mass.mass * arm.cross_planar(&acceleration(pivot))
+}
+
+/// Of the point that a pivot holds.
+fn acceleration(pivot: &Pivot) -> Vector {
+    let rate = |path: Vector| Anchor::World(path).velocity();
+    rate(rate(pivot.world.clone()))
+}
+
+/// Accelerations of the centres of bodies on pivots, by how the bodies turn.
+pub(super) fn of_pivots(study: &Study, case: &Case) -> Substitution {
+    let mut all = Substitution::default();
+    for (index, body) in study.model.bodies.iter().enumerate() {
+        let Some(pivot) = study.model.pivot_of(&body.name) else { continue };
+        let kinematics = body.kinematics();
+        let centre = &case.run.equations.mass_properties(index).centre;
+        let arm = rotated(&(centre - &pivot.point), &kinematics.angle());
+        let omega = kinematics.omega();
+        let turning = kinematics.alpha() * arm.perpendicular() - (&omega * &omega) * &arm;
+        let centre = acceleration(pivot) + turning;
+        for (symbol, component) in kinematics.acceleration_symbols().into_iter().zip(centre.components()) {
+            all.insert(symbol, component.clone());
+        }
+    }
+    all
+}
+
+/// The last body that a condition is about.
+fn last_of(study: &Study, condition: &Expr) -> Option<usize> {
+    let symbols = condition.symbols();
+    let is_of = |body: &str| {
+        symbols.iter().any(|symbol| symbol.name.split_once('.').is_some_and(|(stem, _)| stem == body))
+    };
+    study.model.bodies.iter().rposition(|body| is_of(&body.name))
+}
+
+/// Moment of inertia of a body about its pivot.
+pub(super) fn about_pivot(case: &Case, body: usize, pivot: &Pivot) -> Expr {
+    let mass = case.run.equations.mass_properties(body);
+    let away = &mass.centre - &pivot.point;
+    &mass.inertia + &mass.mass * away.components().iter().fold(Expr::zero(), |sum, part| sum + part * part)
+}
+
+/// `I_P`, with the body's name where there are several.
+fn inertia_name(study: &Study, body: &str) -> String {
+    if study.model.bodies.len() > 1 { format!("I_P,{body}") } else { "I_P".to_owned() }
+}
+
+/// A multiple of what is zero that is written with the fewest signs: without halves of lengths.
+fn shortest(notation: &Notation, condition: &Expr) -> Expr {
+    let written = |formula: &Expr| {
+        let shown = notation.clone().without_automatic_names().formula(formula);
+        shown.map_or(usize::MAX, |shown| shown.text().chars().count())
+    };
+    let multiples = [1, -1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * condition);
+    multiples.into_iter().min_by_key(written).unwrap_or_else(|| condition.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::{motions_in, motions_of};
+    use tumble_expr::Dimension;
+    use tumble_ode::Side;
+
+    /// Rounding of formulas in another order of operations.
+    const ROUNDING: f64 = 1e-9;
+
+    /// Two contacts that last.
+    const LADDER: &str = r#"version = 1
+        world.gravity = "9.81 m/s^2"
+        run.until = "1 s"
+        [body.ladder]
+        rod = { from = [0, "2 m"], to = [0, "-2 m"] }
+        mass = "12 kg"
+        start = { at = ["1 m", "sqrt(3)*(1 m)"], angle = "30 deg" }
+        [surface.floor]
+        through = [0, 0]
+        rigid = { restitution = 0 }
+        [surface.wall]
+        through = [0, 0]
+        normal = [1, 0]
+        rigid = { restitution = 0 }
+    "#;
+
+    /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
+    #[test]
+    fn printed_equations_are_those_that_were_integrated() {
+        let scenes = crate::scenes::all();
+        let mut compared = 0;
+        let ladder = motions_in("ladder", LADDER.as_bytes(), &tumble_scene::NoFiles);
+        for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder]) {
+            let case = &cases[0];
+            let study = study.with(&case.parameters);
+            let names = Names::of(&study).expect("names");
+            for mode in 0..case.run.trajectory().modes.len().min(MOST_MODES) {
+                for motion in motions(&study, &names, case, &case.run.trajectory().modes[mode]) {
+                    compared += compare(case, mode, &motion);
+                }
+            }
+        }
+        assert!(compared > 20, "{compared}");
+    }
+
+    fn compare(case: &Case, mode: usize, motion: &Motion) -> usize {
+        let trajectory = &case.run.trajectory();
+        let shown = motion.shown().expect("it can be shown");
+        let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
+        let seats = seats_of(case, mode, pieces.first().copied());
+        let mut compared = 0;
+        for (line, Line { left, is, .. }) in shown.lines.iter().zip(&motion.lines) {
+            let right = case.run.equations.in_states(&trajectory.modes[mode], is);
+            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * &right);
+            // Places of joints are states of this mode alone.
+            let both = [&line.formula, &integrated].map(|formula| seats.apply(formula));
+            let mut both = case.run.observe(&both).expect("formulas of the states");
+            for piece in &pieces {
+                let middle = 0.5 * (piece.start + piece.end);
+                let values = both.at(middle, Side::After).expect("within the run");
+                let scale = values[1].abs().max(1e-3);
+                assert!((values[0] - values[1]).abs() <= ROUNDING * scale, "{values:?}: {}", shown.text());
+                compared += 1;
+            }
+        }
+        compared
+    }
+
+    /// The numbers that the places of joints are in a mode.
+    fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Substitution {
+        let symbols = case.run.equations.states(&case.run.trajectory().modes[mode]);
+        let values = piece.map(|piece| piece.states_at(piece.end)).unwrap_or_default();
+        let mut seats = Substitution::default();
+        let places = symbols
+            .into_iter()
+            .zip(values)
+            .filter(|(symbol, _)| symbol.dimension == Dimension::LENGTH && symbol.name.contains(".seat_"));
+        places.for_each(|(symbol, value)| seats.insert(symbol, value * tumble_expr::units::M));
+        seats
+    }
+}

@@ -1,0 +1,146 @@
+//! Contacts: how many, what the first of them did, when one is lost.
+
+use tumble_mech::{Change, Contact, Happening};
+use tumble_ode::Side;
+
+use super::said::Said;
+use super::seen::Seen;
+use crate::fill::names::{quantity, quantity_to};
+use crate::report::Text;
+use crate::results::CaseError;
+
+/// Part of the run that a contact lasts which is told when it is lost: shorter ones are bounces.
+const LASTS: f64 = 0.02;
+/// Digits of speeds before and after.
+const DIGITS: usize = 4;
+/// Part of the larger by which two speeds have to differ.
+const CHANGES: f64 = 1e-6;
+/// Less than this part of a speed is none: a body that turns has it by rounding.
+const NOTHING: f64 = 1e-12;
+
+/// A body has touched a surface.
+pub(super) fn touched(seen: &Seen<'_>) -> Vec<Said> {
+    let surfaces = seen.study.model.surfaces.iter();
+    surfaces.filter_map(|surface| touched_by(seen, &surface.name)).collect()
+}
+
+/// Each point of the body that touches counts.
+fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
+    let pairs = seen.run.equations.pairs();
+    let place = format!("{surface}.{}.", seen.name());
+    let own = |contact: &Contact| pairs[contact.pair].name.starts_with(&place);
+    let contacts = joined(seen.run.contacts().into_iter().filter(own));
+    let first = contacts.first()?;
+    let by = |pair: usize| pairs[pair].name[place.len()..].to_owned();
+    let mut points: Vec<String> = contacts.iter().map(|contact| by(contact.pair)).collect();
+    points.sort();
+    points.dedup();
+    let by = points.join(", ");
+    let mut value = match contacts.len() {
+        1 => Text::from(format!("once, by {by}, at ")),
+        several => Text::from(format!("{several} times, by {by}, first at ")),
+    };
+    value = value.and(seen.event_time(first.start));
+    if let Some(last) = contacts.iter().rfind(|contact| contact.is_open) {
+        value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on");
+    }
+    Some(Said::new(format!("{} touches {surface} ", seen.name()), value))
+}
+
+/// What the first contact that ends did to the speed of the centre and to the spin.
+pub(super) fn first_effect(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
+    let contacts = seen.contacts();
+    let first = contacts.first().filter(|first| !first.is_open && first.start > 0.0);
+    let Some(first) = first else { return Ok(None) };
+    // Of several that touch at once, the instant is one.
+    let lasting = contacts.iter().filter(|other| other.start == first.start);
+    let end = lasting.map(|contact| contact.end).fold(first.end, f64::max);
+    if end - first.start > LASTS * seen.end() {
+        return Ok(None);
+    }
+    let surface = surface_of(seen, first);
+    let changes = changes(seen, (first.start, Side::Before), (end, Side::After))?;
+    let before = format!("The first contact of {} with {surface} changes ", seen.name());
+    Ok(changes.map(|value| Said::new(before, value)))
+}
+
+/// A round body that slides at the start of a contact comes to roll: what friction did until then.
+pub(super) fn rolls(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
+    let contacts = seen.contacts();
+    let is_rolling = |happening: &Happening, pair: usize| matches!(happening, Happening::Contact { pair: of, change: Change::Rolls } if *of == pair);
+    let begins = |contact: &Contact| {
+        let mut events = seen.run.events().filter(|event| event.time > contact.start);
+        let rolls =
+            events.find(|event| event.record.happened.iter().any(|one| is_rolling(one, contact.pair)))?;
+        (rolls.time <= contact.end).then_some(rolls.time)
+    };
+    let Some((contact, time)) = contacts.iter().find_map(|contact| Some((contact, begins(contact)?))) else {
+        return Ok(None);
+    };
+    let Some(changes) = changes(seen, (contact.start, Side::After), (time, Side::After))? else {
+        return Ok(None);
+    };
+    let before = format!("{} slides on {} and rolls from ", seen.name(), surface_of(seen, contact));
+    let value = seen.event_time(time).and(" on; until then friction changes ").and(changes);
+    Ok(Some(Said::new(before, value)))
+}
+
+fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {
+    seen.run.equations.pairs()[contact.pair].name.split('.').next().unwrap_or_default().to_owned()
+}
+
+/// Speed of the centre and spin at two instants, where they differ.
+fn changes(seen: &Seen<'_>, from: (f64, Side), to: (f64, Side)) -> Result<Option<Text>, CaseError> {
+    let motion = seen.body.kinematics();
+    let mut observer = seen.run.observe(&[motion.velocity().norm(), motion.omega()])?;
+    let (Some(before), Some(after)) = (observer.at(from.0, from.1), observer.at(to.0, to.1)) else {
+        return Ok(None);
+    };
+    let reach = seen.study.number(&seen.body.reach())?;
+    let rates = [(before[0], after[0], "m/s", 1.0), (before[1], after[1], "rad/s", reach)];
+    let fastest = rates.iter().map(|(a, b, _, size)| a.abs().max(b.abs()) * size).fold(0.0, f64::max);
+    let part = |(name, (a, b, unit, size)): (&str, (f64, f64, &str, f64))| {
+        let differ =
+            (a - b).abs() > CHANGES * a.abs().max(b.abs()) && (a - b).abs() * size > NOTHING * fastest;
+        let shown = |value: f64| if value.abs() * size < NOTHING * fastest { 0.0 } else { value };
+        let [from, to] = [quantity_to(shown(a), DIGITS, ""), quantity_to(shown(b), DIGITS, unit)];
+        differ.then(|| Text::from(format!("its {name} from ")).and(from).and(" to ").and(to))
+    };
+    let parts = ["speed", "spin"].into_iter().zip(rates).filter_map(part);
+    Ok(parts.reduce(|all, next| all.and(" and ").and(next)))
+}
+
+/// A contact that has lasted ends, and no other of that point begins at once.
+pub(super) fn lost(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
+    let mut found = vec![];
+    let (angle, pairs) = (seen.body.kinematics().angle(), seen.run.equations.pairs());
+    for contact in joined(seen.contacts().into_iter()) {
+        if contact.is_open || contact.end - contact.start < LASTS * seen.end() || contact.end >= seen.end() {
+            continue;
+        }
+        let mut names = pairs[contact.pair].name.split('.');
+        let (surface, _, point) = (names.next(), names.next(), names.next());
+        let [surface, point] = [surface, point].map(Option::unwrap_or_default);
+        let turned = seen.at(contact.end, &angle)?.to_degrees();
+        let value = seen.event_time(contact.end).and(", when it has turned to ").and(quantity(turned, "deg"));
+        let before = format!("{point} of {} leaves {surface}, which presses on it no more, at ", seen.name());
+        found.push(Said::new(before, value));
+    }
+    Ok(found)
+}
+
+/// Contacts of one point that follow on each other at once, such as an impact and the rest that it leads to, as one.
+fn joined(contacts: impl Iterator<Item = Contact>) -> Vec<Contact> {
+    let mut found: Vec<Contact> = vec![];
+    for contact in contacts {
+        let before = found.iter_mut().rfind(|before| before.pair == contact.pair);
+        match before.filter(|before| before.end >= contact.start) {
+            Some(before) => {
+                before.end = before.end.max(contact.end);
+                before.is_open |= contact.is_open;
+            }
+            None => found.push(contact),
+        }
+    }
+    found
+}

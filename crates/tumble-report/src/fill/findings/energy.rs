@@ -1,0 +1,102 @@
+//! Where the energy goes: what has taken out or put in much of it, and what joints pass on.
+
+use tumble_mech::{Contribution, Kind, Law};
+use tumble_scene::Study;
+
+use super::said::{Said, with_digits};
+use crate::fill::names::quantity_to;
+use crate::report::Text;
+use crate::results::{Case, CaseBalance};
+
+/// Part of the energies in a run from which on work is told.
+const MATTERS: f64 = 0.01;
+/// Part of what a joint does to a body that it may fail to do to the other: less is rounding.
+const PASSES: f64 = 1e-6;
+/// Digits of a share.
+const SHARE: usize = 2;
+
+/// What loads of one kind have done together: all points of a body that touch one surface, with friction apart.
+struct Done {
+    name: String,
+    work: f64,
+    error: Option<f64>,
+}
+
+pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
+    let Some(balance) = &case.balance else { return vec![] };
+    let matters = |work: f64| work.abs() > MATTERS * balance.energy.scale;
+    let (passed, all) = parted(study, balance);
+    let sum = |sign: f64| all.iter().map(|done| (sign * done.work).max(0.0)).sum::<f64>();
+    let (lost, gained) = (sum(-1.0), sum(1.0));
+    let said = |done: &Done| {
+        let (does, whole, what) = match done.work < 0.0 {
+            true => ("takes out", lost, "of all that is taken out"),
+            false => ("puts in", gained, "of all that is put in"),
+        };
+        let value = with_digits(done.work.abs(), done.error, "J");
+        let percent = quantity_to(100.0 * done.work.abs() / whole, SHARE, "");
+        let is_alone = done.work.abs() > (1.0 - MATTERS) * whole;
+        let share = Text::from(", ").and(percent).and(format!(" % {what}"));
+        Said::new(format!("{} {does} ", done.name), if is_alone { value } else { value.and(share) })
+    };
+    let pass = |done: &Done| Said::new(done.name.clone(), with_digits(done.work, done.error, "J"));
+    let told = all.iter().filter(|done| matters(done.work)).map(said);
+    told.chain(passed.iter().filter(|done| matters(done.work)).map(pass)).collect()
+}
+
+/// What joints pass from body to body, and what everything else has done.
+fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
+    let counted = balance.contributions.iter().enumerate().filter(|(_, (_, one))| one.counts());
+    let entries: Vec<(Done, &Contribution)> = counted
+        .map(|(index, (name, one))| {
+            let error = balance.work_errors.as_ref().map(|errors| errors[index]);
+            (Done { name: name_of(study, name, one), work: one.work, error }, one)
+        })
+        .collect();
+    let (mut passed, mut all): (Vec<Done>, Vec<Done>) = (vec![], vec![]);
+    for (index, (done, one)) in entries.iter().enumerate() {
+        let is_other = |(_, (other, two)): &(usize, &(Done, &Contribution))| {
+            two.load == one.load
+                && two.kind == one.kind
+                && two.body != one.body
+                && (other.work + done.work).abs() <= PASSES * done.work.abs()
+        };
+        match entries.iter().enumerate().find(|entry| entry.0 != index && is_other(entry)) {
+            Some((_, (_, two))) if done.work > 0.0 => passed.push(passing(study, (done, one), two)),
+            Some(_) => {}
+            None => add(&mut all, done),
+        }
+    }
+    (passed, all)
+}
+
+fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
+    let name = |one: &Contribution| one.body.map_or("", |body| study.model.bodies[body].name.as_str());
+    let how = if to.kind == Kind::Impact { " by impacts" } else { "" };
+    let words = format!("{} passes on from {} to {}{how} ", to.load, name(from), name(to));
+    Done { name: words, work: done.work, error: done.error }
+}
+
+/// Works of one name are one, and so are their errors.
+fn add(all: &mut Vec<Done>, done: &Done) {
+    match all.iter_mut().find(|same| same.name == done.name) {
+        Some(same) => {
+            same.work += done.work;
+            same.error = same.error.zip(done.error).map(|(a, b)| a + b);
+        }
+        None => all.push(Done { name: done.name.clone(), ..*done }),
+    }
+}
+
+/// `The normal force of floor in impacts of rod`, `Friction of floor on block`; other loads by their own name.
+fn name_of(study: &Study, name: &str, one: &Contribution) -> String {
+    let body = one.body.map_or("", |body| study.model.bodies[body].name.as_str());
+    let surface = one.load.split('.').next().unwrap_or_default();
+    match (one.law, one.kind) {
+        (Some(Law::Friction), Kind::Impact) => format!("Friction of {surface} in impacts of {body}"),
+        (Some(Law::Friction), _) => format!("Friction of {surface} on {body}"),
+        (Some(Law::Contact), Kind::Impact) => format!("The normal force of {surface} in impacts of {body}"),
+        (Some(Law::Contact), Kind::Work) => format!("{surface} on {body}"),
+        _ => name.to_owned(),
+    }
+}

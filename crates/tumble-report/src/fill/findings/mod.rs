@@ -1,0 +1,93 @@
+//! What was found, in words: each by a rule with its threshold, and nothing where the rule does not hold.
+//!
+//! | finding | rule |
+//! |---|---|
+//! | asked | each `[find.NAME]` of the scene, first |
+//! | [`throw`] | a free body's centre stops rising; how far it gets, if that is more than its own size; where it would be without air; whether air bears its weight |
+//! | [`turning`] | a body has turned by at least one full turn; a pivoted body turns back at intervals that agree; its small swings beside the gusts |
+//! | [`contacts`] | a body has touched a surface; what its first contact did to its speed and spin, and friction until it rolls; a lasting contact is lost |
+//! | [`rest`] | nothing moves faster than a small part of its greatest speed, up to the end |
+//! | [`energy`] | the work of loads of one kind that have no potential is more than a part of the energies in the run; what joints pass on |
+//! | [`resonance`] | nothing is asked for, and one run of a short sweep swings by much more than the median of all |
+//!
+//! A finding is a [`Said`]: what runs differ in stands apart, so that several runs are one sentence.
+
+mod contacts;
+mod energy;
+mod resonance;
+mod rest;
+mod said;
+mod seen;
+mod throw;
+mod turning;
+
+use tumble_mech::Gravity;
+use tumble_scene::Study;
+
+use super::names::quantity;
+use super::sweep;
+use crate::report::Text;
+use crate::results::{Case, CaseError, FindResult, Runs};
+
+use said::Said;
+pub(super) use said::with_digits;
+use seen::Seen;
+
+pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Text>, CaseError> {
+    let mut found: Vec<Text> = match runs.cases {
+        [only] => asked(only),
+        _ => sweep::findings(study, runs),
+    };
+    let own = told.iter().map(|case| Ok((*case, of_run(&study.with(&case.parameters), case)?)));
+    found.extend(said::together(&own.collect::<Result<Vec<_>, CaseError>>()?));
+    // What is asked for says where it swings farthest.
+    if !sweep::is_long(runs.cases) && study.finds.is_empty() {
+        found.extend(resonance::of(study, runs.cases)?);
+    }
+    Ok(found)
+}
+
+/// What the scene asks for.
+fn asked(case: &Case) -> Vec<Text> {
+    let text = |find: &FindResult| {
+        let words = Text::from(format!("{}: {}", find.name.replace(['-', '_'], " "), find.that));
+        let at = |words: Text| words.and(", at ").and(quantity(find.at, "s")).and(".");
+        match find.open() {
+            _ if !find.is_reached() => words.and(": not reached, its time does not come in this motion."),
+            Some(open) => at(words.and(format!(" {open}"))),
+            None => at(words.and(" = ").and(with_digits(find.value, find.error, &find.unit))),
+        }
+    };
+    case.finds.iter().map(text).collect()
+}
+
+/// What is striking in one run.
+fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
+    let mut found = vec![];
+    let falls = matches!(study.model.gravity, Gravity::Vertical(_));
+    for (index, body) in study.model.bodies.iter().enumerate() {
+        let is_free = study.model.pivot_of(&body.name).is_none();
+        let seen = Seen { study, case, run: &case.run, body, index };
+        if is_free && falls && !seen.is_jointed() {
+            found.extend(throw::apex(&seen)?);
+            found.extend(throw::range(&seen)?);
+            found.extend(throw::without_air(&seen)?);
+            found.extend(throw::terminal_speed(&seen)?);
+        }
+        found.extend(turning::rotations(&seen)?);
+        if !is_free {
+            found.extend(turning::small_swings(&seen)?);
+            found.extend(turning::period(&seen)?);
+        }
+        found.extend(contacts::touched(&seen));
+        found.extend(contacts::first_effect(&seen)?);
+        found.extend(contacts::rolls(&seen)?);
+        found.extend(contacts::lost(&seen)?);
+        found.extend(rest::of(&seen)?);
+    }
+    found.extend(energy::of(study, case));
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,80 @@
+//! Sentences of findings: several runs that differ in a value alone are one sentence.
+
+use crate::figures::case_label;
+use crate::fill::names::{quantity, quantity_to};
+use crate::report::Text;
+use crate::results::{Case, digits};
+
+/// Digits that are read; more are counted.
+const READ: usize = 6;
+
+/// A finding: words that runs have in common, and the value that they may differ in.
+pub(super) struct Said {
+    before: Text,
+    value: Text,
+}
+
+impl Said {
+    /// `before` ends with its space; a full stop follows.
+    pub(super) fn new(before: impl Into<Text>, value: Text) -> Self {
+        Self { before: before.into(), value }
+    }
+
+    fn has_words_of(&self, other: &Self) -> bool {
+        self.before.to_plain() == other.before.to_plain()
+    }
+}
+
+/// The findings of all runs, in the order of the first run that has each.
+pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
+    let mut found: Vec<Vec<(&Case, &Said)>> = vec![];
+    for (case, said) in runs.iter().flat_map(|(case, all)| all.iter().map(move |said| (*case, said))) {
+        let is_same = |same: &&mut Vec<(&Case, &Said)>| {
+            same[0].1.has_words_of(said) && same.iter().all(|(other, _)| other.number != case.number)
+        };
+        match found.iter_mut().find(is_same) {
+            Some(same) => same.push((case, said)),
+            None => found.push(vec![(case, said)]),
+        }
+    }
+    found.iter().map(|same| sentence(same, runs.len())).collect()
+}
+
+/// One sentence for all runs of one finding.
+fn sentence(same: &[(&Case, &Said)], runs: usize) -> Text {
+    let first = same[0].1;
+    let whole = |value: Text| first.before.clone().and(value);
+    let is_one = same.iter().all(|(_, said)| said.value.to_plain() == first.value.to_plain());
+    let said = match (is_one, same.len() == runs) {
+        (true, true) => whole(first.value.clone()),
+        (true, false) => {
+            whole(first.value.clone()).and(", ").and(listed(same.iter().map(|(case, _)| label(case)), "; "))
+        }
+        (false, _) => {
+            let value = |(case, said): &(&Case, &Said)| said.value.clone().and(", ").and(label(case));
+            whole(listed(same.iter().map(value), "; "))
+        }
+    };
+    said.and(".")
+}
+
+/// `with T = 2 s`; the scene's own words for a run as they are.
+fn label(case: &Case) -> Text {
+    let with = if case.label.contains(" = ") { "with " } else { "" };
+    Text::from(with).and(case_label(case))
+}
+
+fn listed(parts: impl Iterator<Item = Text>, between: &str) -> Text {
+    parts.reduce(|all, next| all.and(between).and(next)).unwrap_or_default()
+}
+
+/// A value to its verified digits, at most so many as are read, and how many those are.
+pub(in crate::fill) fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
+    let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
+    if error == 0.0 {
+        return quantity(value, unit);
+    }
+    let held = digits::digits(value, error);
+    let plural = if held == 1 { "" } else { "s" };
+    quantity_to(value, held.clamp(1, READ), unit).and(format!(" ({held} digit{plural})"))
+}

@@ -1,0 +1,116 @@
+//! What findings say is so.
+
+use std::path::Path;
+
+use tumble_scene::{Folder, Study};
+
+use super::of;
+use crate::results::{Case, CaseBalance, Runs, Surveyor, telling};
+use crate::scenes;
+
+/// What is found in a scene of the gallery.
+fn found_in(name: &str) -> Vec<String> {
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name).join("scene.toml");
+    let (study, cases) = scenes::motions_of(&scene);
+    plain(&study, cases)
+}
+
+/// What is found in a scene's text.
+fn found(text: &str) -> Vec<String> {
+    let (study, cases) = scenes::motions_in("scene", text.as_bytes(), &Folder::of(Path::new(".")));
+    plain(&study, cases)
+}
+
+fn plain(study: &Study, mut cases: Vec<Case>) -> Vec<String> {
+    for case in &mut cases {
+        case.balance = CaseBalance::of(case).expect("a balance");
+    }
+    let cases = &cases[..];
+    let survey = Surveyor::of(study, true).expect("a sweep").end(vec![]);
+    let runs = Runs { cases, missing: &[], survey: &survey };
+    let found = of(study, runs, &telling(cases)).expect("findings");
+    found.iter().map(|text| text.to_plain().replace('\u{a0}', " ")).collect()
+}
+
+fn has(found: &[String], words: &str) -> bool {
+    found.iter().any(|text| text.contains(words))
+}
+
+/// 2 pi sqrt(2 L/(3 g)) of a rod of a metre is 1.638 s.
+#[test]
+fn small_swings_stand_beside_the_gusts() {
+    let found = found_in("01-pendulum-in-the-wind");
+    assert!(
+        has(&found, "Small swings of rod would take 1.638 s without air; the wind repeats every 0.5 s"),
+        "{found:?}"
+    );
+    assert!(has(&found, "2 s, 1.22 times as long, with T = 2 s"), "{found:?}");
+    assert!(
+        !found_in("07-measured-gust").iter().any(|text| text.contains("repeats every")),
+        "a record has no period"
+    );
+}
+
+/// The run beside it has no air: 9.6 m of range.
+#[test]
+fn the_air_takes_what_the_throw_without_it_has_more() {
+    let found = found_in("02-thrown-rod");
+    assert!(has(&found, "9.6 m (14 digits), without air; 7.97437 m (12 digits), with air"), "{found:?}");
+    assert!(has(&found, "1.62563 m (12 digits) less far and 0.4563 m (12 digits) lower"), "{found:?}");
+    assert_eq!(found.iter().filter(|text| text.contains("Beside the same throw")).count(), 1);
+}
+
+/// 5/7 of its speed is left of a ball that slid; a hoop keeps (v - r omega)/2.
+#[test]
+fn friction_changes_speed_and_spin_until_a_ball_rolls() {
+    let found = found_in("19-bowling-ball");
+    assert!(
+        has(&found, "until then friction changes its speed from 8 to 5.714 m/s and its spin from 0 to"),
+        "{found:?}"
+    );
+    assert!(!has(&found_in("20-rolling-down"), "until then"), "it rolls from the start");
+}
+
+#[test]
+fn a_contact_that_is_lost_is_told_with_the_angle() {
+    assert!(has(
+        &found_in("14-sliding-ladder"),
+        "head of ladder leaves wall, which presses on it no more, at 0.845032 s"
+    ));
+}
+
+#[test]
+fn points_of_one_body_on_one_surface_are_one_work() {
+    let found = found_in("17-block-on-a-slope");
+    assert_eq!(found.iter().filter(|text| text.contains("takes out")).count(), 1, "{found:?}");
+    let found = found_in("11-double-pendulum");
+    assert!(
+        has(&found, "elbow passes on from lower to upper 1.96478 J") && !has(&found, "puts in"),
+        "{found:?}"
+    );
+}
+
+/// sqrt(m g/D) is 10 m/s.
+#[test]
+fn a_terminal_speed_is_told_once_it_is_reached() {
+    let fall = |until: &str| {
+        format!(
+            r#"version = 1
+            world.gravity = "10 m/s^2"
+            run.until = "{until}"
+            [body.stone]
+            point = {{}}
+            mass = "1 kg"
+            [drag.air]
+            at = "stone.cm"
+            quadratic = "0.1 kg/m"
+            "#
+        )
+    };
+    let found = found(&fall("20 s"));
+    assert!(
+        has(&found, "stone has come to its terminal speed, the air bears its weight: 10 m/s"),
+        "{found:?}"
+    );
+    assert!(!has(&self::found(&fall("1 s")), "terminal"));
+}

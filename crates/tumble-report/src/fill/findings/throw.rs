@@ -1,0 +1,106 @@
+//! Bodies that fly: how high, how far, what the air does to it.
+
+use tumble_expr::Expr;
+use tumble_mech::{Gravity, Law};
+use tumble_ode::Side;
+
+use super::said::{Said, with_digits};
+use super::seen::Seen;
+use crate::fill::names::quantity;
+use crate::report::Text;
+use crate::results::CaseError;
+
+/// More of one kind are counted, not listed.
+const MOST_LISTED: usize = 3;
+/// Part of the weight that is left over of it and the air at terminal speed.
+const BALANCED: f64 = 0.01;
+/// Part of the way from which on it matters what the air did to it.
+const MATTERS: f64 = 1e-3;
+
+/// `vy` passes zero downwards; the first [`MOST_LISTED`].
+pub(super) fn apex(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
+    let motion = seen.body.kinematics();
+    let tops = seen.falls_through_zero(motion.velocity().y())?;
+    let mut found = vec![];
+    for time in tops.iter().take(MOST_LISTED) {
+        let height = seen.known(*time, motion.position().y(), "m")?;
+        let when = seen.instant(*time, motion.velocity().y())?;
+        let before = format!("The centre of {} comes to a highest point, ", seen.name());
+        found.push(Said::new(before, height.and(", at ").and(when)));
+    }
+    if tops.len() > MOST_LISTED {
+        let more = (tops.len() - MOST_LISTED).to_string();
+        found.push(Said::new(format!("Highest points of {} after these: ", seen.name()), more.into()));
+    }
+    Ok(found)
+}
+
+/// It is farther from its start, to the side, than its own size.
+pub(super) fn range(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
+    let x = seen.body.kinematics().position().x().clone();
+    let distance = seen.at(seen.end(), &x)? - seen.at(0.0, &x)?;
+    let size = seen.study.number(&(seen.body.reach() * 2))?;
+    let side = if distance > 0.0 { "right" } else { "left" };
+    let value = with_digits(distance.abs(), seen.error(seen.end(), &x)?, "m");
+    let said = Said::new(format!("{} gets to the {side} of where it began by ", seen.name()), value);
+    Ok((distance.abs() > size.max(f64::MIN_POSITIVE)).then_some(said))
+}
+
+/// Nothing but weight and air acts from the start to the first contact: beside it the parabola of the same throw.
+pub(super) fn without_air(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
+    let Gravity::Vertical(g) = &seen.study.model.gravity else { return Ok(None) };
+    let (g, until) = (seen.study.number(g)?, seen.first_jump()?);
+    let laws = seen.laws(until)?;
+    if laws.len() != 2 || !laws.contains("air") || !laws.contains("weight") {
+        return Ok(None);
+    }
+    let motion = seen.body.kinematics();
+    let (place, velocity) = (motion.position(), motion.velocity());
+    let off = |at: &Expr, rate: &Expr, fallen: f64| -> Result<(f64, f64), CaseError> {
+        let free = seen.at(0.0, at)? + seen.at(0.0, rate)? * until - fallen;
+        Ok((seen.at(until, at)? - free, free - seen.at(0.0, at)?))
+    };
+    let (x, wide) = off(place.x(), velocity.x(), 0.0)?;
+    let (y, high) = off(place.y(), velocity.y(), 0.5 * g * until * until)?;
+    let way = wide.abs().max(high.abs());
+    let mut parts = vec![];
+    if x.abs() > MATTERS * way {
+        let side = if x * wide > 0.0 {
+            " farther"
+        } else if wide != 0.0 {
+            " less far"
+        } else {
+            " to the side"
+        };
+        parts.push(with_digits(x.abs(), seen.error(until, place.x())?, "m").and(side));
+    }
+    if y.abs() > MATTERS * way {
+        let side = if y > 0.0 { " higher" } else { " lower" };
+        parts.push(with_digits(y.abs(), seen.error(until, place.y())?, "m").and(side));
+    }
+    let said = parts.into_iter().reduce(|all, next| all.and(" and ").and(next));
+    let when = Text::from(" after ").and(quantity(until, "s"));
+    let before = format!("Beside the same throw without air {} is ", seen.name());
+    Ok(said.map(|value| Said::new(before, value.and(when))))
+}
+
+/// At the end of its flight the air bears its weight.
+pub(super) fn terminal_speed(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
+    let until = seen.first_jump()?;
+    let forces = seen.forces(until, Side::Before)?;
+    let of = |law: Law| forces.iter().filter(move |force| force.law == law).map(|force| force.force);
+    let is_flight = forces.iter().all(|force| matches!(force.law, Law::Weight | Law::Drag | Law::Lift));
+    let (Some(weight), Some(_), true) = (of(Law::Weight).next(), of(Law::Drag).next(), is_flight) else {
+        return Ok(None);
+    };
+    let sum = forces.iter().fold([0.0; 2], |sum, force| [sum[0] + force.force[0], sum[1] + force.force[1]]);
+    let (left, size) = (sum[0].hypot(sum[1]), weight[0].hypot(weight[1]));
+    if left.is_nan() || left > BALANCED * size {
+        return Ok(None);
+    }
+    let speed = seen.body.kinematics().velocity().norm();
+    let value = seen.known(until, &speed, "m/s")?.and(", after ").and(quantity(until, "s"));
+    let part = quantity(left / size * 100.0, "");
+    let before = format!("{} has come to its terminal speed, the air bears its weight: ", seen.name());
+    Ok(Some(Said::new(before, value.and("; ").and(part).and(" % of the weight are left"))))
+}

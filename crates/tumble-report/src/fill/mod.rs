@@ -1,0 +1,71 @@
+//! The report of a study: what it says of the model, the equations and the motion, as plain data for the page.
+//!
+//! Everything in it is read from what ran: equations from the graph that was integrated, forces from its terms, numbers
+//! from the trajectory. No file is read or written here, no thread begun and no time asked for: it is the same in a browser.
+
+mod analyze;
+mod animation;
+mod balance;
+mod equations;
+mod findings;
+mod identify;
+mod model;
+mod names;
+mod reduced;
+mod sizes;
+mod solve;
+mod sweep;
+mod texts;
+
+use crate::report::{Report, Text};
+use tumble_scene::Study;
+
+use crate::results::{CaseError, Runs};
+
+use names::Names;
+pub(crate) use names::quantity_to;
+
+/// Identify, model, solve, analyze.
+pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {
+    let cases = runs.cases;
+    let first = study.with(&cases[0].parameters);
+    let names = Names::of(&first)?;
+    let analyze = analyze::of(study, &names, runs)?;
+    let mut report = Report {
+        lead: lead(&analyze.findings, cases.len()),
+        title: study.title.clone(),
+        language: "en".to_owned(),
+        lesson: None,
+        intro: interrupted(runs).into_iter().collect(),
+        meta: vec![],
+        lab: None,
+        identify: identify::of(&first, &names, &cases[0])?,
+        model: model::of(&first, &names, cases)?,
+        solve: solve::of(&first, &names, cases)?,
+        analyze,
+    };
+    texts::into(&mut report, &study.texts);
+    Ok(report)
+}
+
+/// What was found, in a line: the first finding, in a sweep the last, which compares the runs where anything does.
+fn lead(findings: &[Text], runs: usize) -> Text {
+    let found = if runs > 1 { findings.last() } else { findings.first() };
+    found.cloned().unwrap_or_default().capitalised()
+}
+
+/// That runs are missing.
+fn interrupted(runs: Runs<'_>) -> Option<Text> {
+    let all = runs.cases.len() + runs.missing.len();
+    let words =
+        format!("Interrupted: {} of {all} runs were made, and this report has no others.", runs.cases.len());
+    (!runs.missing.is_empty()).then(|| words.into())
+}
+
+/// The motion of every run, to be drawn frame by frame.
+pub fn animation(
+    study: &Study,
+    cases: &[crate::results::Case],
+) -> Result<tumble_drawing::Animation, CaseError> {
+    animation::of(study, &cases.iter().collect::<Vec<_>>())
+}

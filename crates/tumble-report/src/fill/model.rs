@@ -1,0 +1,483 @@
+//! Forces, laws and equations of motion, as they were integrated.
+
+use crate::report::{Block, BodyModel, ForceRow, Math, Model, Picture, Text};
+use tumble_expr::{Expr, Graph, Symbol, Unary, Vector, Written, is_identically_zero};
+use tumble_mech::{Equations, Friction, Law, Pair, Statement, Term};
+use tumble_notation::{Left, Math as Formula, Operator};
+use tumble_scene::{FreeBody, Study};
+
+use super::equations;
+use super::names::{Names, math, words};
+use crate::figures::{air, free_bodies, instants, symbols};
+use crate::results::Case;
+use crate::results::CaseError;
+
+/// Runs of a sweep among which one is looked for whose diagrams show most.
+const MOST_LOOKED_AT: usize = 12;
+/// A torque of more signs than these is said by its arm and its force.
+const MOST_SIGNS_IN_TABLE: usize = 36;
+/// Formulas of more operations than this come to more signs than are read anywhere: they are not even brought into a short form,
+/// which takes long.
+pub(super) const MOST_OPERATIONS: usize = 300;
+
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Model, CaseError> {
+    let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
+    let bodies = (0..study.model.bodies.len()).map(|body| one(study, names, [case, drawn], body));
+    Ok(Model {
+        intro: vec![],
+        assumptions: assumptions(study),
+        bodies: bodies.collect::<Result<_, _>>()?,
+        modes: equations::modes(study, names, case),
+    })
+}
+
+/// What the laws in use take for granted.
+fn assumptions(study: &Study) -> Vec<Text> {
+    let model = &study.model;
+    let said = [
+        (true, "The bodies are rigid and move in one plane."),
+        (
+            matches!(model.gravity, tumble_mech::Gravity::Horizontal(_)),
+            "The plane is horizontal: weight and support cancel out of it.",
+        ),
+        (!model.pivots.is_empty() && model.joints.is_empty(), "Pivots have no friction."),
+        (!model.joints.is_empty(), "Pivots and joints have no friction, and do not give way."),
+        (
+            model.joints.iter().any(|joint| joint.from.is_some()),
+            "What joins bodies on the way does so in no time: an impact without rebound.",
+        ),
+        (
+            !model.surfaces.is_empty() && model.surfaces.iter().all(|surface| surface.friction.is_none()),
+            "Surfaces have no friction: they push along their normals only.",
+        ),
+        (
+            model.surfaces.iter().any(|surface| surface.friction.is_some()),
+            "Friction is dry: its coefficients do not depend on the speed, the pressure or the time at rest.",
+        ),
+        (model.surfaces.iter().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
+    ];
+    said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
+}
+
+fn one(study: &Study, names: &Names, [case, drawn]: [&Case; 2], body: usize) -> Result<BodyModel, CaseError> {
+    let names = &names.of_body(body);
+    Ok(BodyModel {
+        name: study.model.bodies[body].name.as_str().into(),
+        diagrams: diagrams(study, drawn, body)?,
+        forces: forces(study, names, case, body),
+        laws: vec![laws(study, names, case, body)],
+    })
+}
+
+/// Those that the scene asks for, else at instants that tell something.
+fn diagrams(study: &Study, case: &Case, body: usize) -> Result<Vec<Picture>, CaseError> {
+    let name = &study.model.bodies[body].name;
+    let asked: Vec<&FreeBody> = study.free_bodies.iter().filter(|sheet| sheet.body == body).collect();
+    let own = FreeBody {
+        name: String::new(),
+        title: Some(format!("Forces on {}", symbols::the(name))),
+        body,
+        at: if asked.is_empty() { instants::of(study, case, body)? } else { vec![] },
+    };
+    let sheets = if asked.is_empty() { vec![&own] } else { asked };
+    let picture = |asked: &FreeBody| -> Result<Picture, CaseError> {
+        let sheet = free_bodies::sheet(study, case, asked)?;
+        let picture = Picture::new(sheet.svg(), Text::from(free_bodies::caption(&sheet, name)));
+        Ok(if asked.name.is_empty() { picture } else { picture.stored(format!("{}.svg", asked.name)) })
+    };
+    sheets.into_iter().map(picture).collect()
+}
+
+/// The run for the diagrams: the first of those in which most loads are there.
+fn fullest<'a>(study: &Study, cases: &'a [Case]) -> Result<&'a Case, CaseError> {
+    let mut best = (0, &cases[0]);
+    for case in cases.iter().take(MOST_LOOKED_AT) {
+        let loads = instants::loads(case, study.model.bodies.len())?;
+        if loads > best.0 {
+            best = (loads, case);
+        }
+    }
+    Ok(best.1)
+}
+
+/// A row for each load on a body, in the first mode in which it acts.
+fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRow> {
+    let equations = &case.run.equations;
+    let mut seen: Vec<String> = vec![];
+    let mut rows = vec![];
+    for mode in &case.run.of_body(body).trajectory().modes {
+        let (terms, statements) = (equations.shown_terms(mode), equations.shown_statements(mode));
+        for load in loads_of(&terms, body) {
+            if !seen.contains(&load) {
+                let own: Vec<&Term> =
+                    terms.iter().filter(|term| term.body == body && term.load == load).collect();
+                let stated = statements.iter().find(|stated| stated.body == body && stated.load == load);
+                rows.push(row(study, names, equations, &own, stated));
+                seen.push(load);
+            }
+        }
+    }
+    rows
+}
+
+fn loads_of(terms: &[Term], body: usize) -> Vec<String> {
+    let mut loads: Vec<String> = vec![];
+    for term in terms.iter().filter(|term| term.body == body) {
+        if !loads.contains(&term.load) {
+            loads.push(term.load.clone());
+        }
+    }
+    loads
+}
+
+fn row(
+    study: &Study,
+    names: &Names,
+    equations: &Equations,
+    terms: &[&Term],
+    stated: Option<&Statement>,
+) -> ForceRow {
+    let term = terms[0];
+    let symbol = symbols::force(study, &term.load, term.law);
+    ForceRow {
+        name: name_of(term).into(),
+        symbol: math(&signed(&symbol, is_opposite(term) || is_on_other(equations, term))),
+        law: law(names, equations, term, stated, &symbol),
+        point: if terms.len() > 1 { "every point of it".into() } else { point(equations, term).into() },
+        torque: torque(names, terms, stated, &symbol),
+    }
+}
+
+/// What the law says; where it says nothing, the components.
+fn law(
+    names: &Names,
+    equations: &Equations,
+    term: &Term,
+    stated: Option<&Statement>,
+    symbol: &str,
+) -> Vec<Math> {
+    let said = stated.and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
+    let is_of = |pair: &&Pair| pair.name == symbols::rubbed(&term.load);
+    let touches = matches!(term.law, Law::Contact | Law::Friction);
+    if let Some(pair) = equations.pairs().iter().find(is_of).filter(|_| touches) {
+        return contact(names, pair, term, said, symbol);
+    }
+    let right = match (said, term.law) {
+        (None, Law::Reaction) => return vec![words("holds the point in its place")],
+        (None, law) if law.is_couple() => Written::Scalar(term.couple.clone()),
+        (None, _) => Written::Vector(term.force.clone()),
+        (Some(said), _) => said.clone(),
+    };
+    names.stated(Formula::symbol(symbol), &right, &term.load)
+}
+
+/// What a contact pushes with along the normal, or rubs with along the surface; nothing says how strongly a rigid one pushes.
+fn contact(names: &Names, pair: &Pair, term: &Term, said: Option<&Written>, symbol: &str) -> Vec<Math> {
+    let letter = if term.law == Law::Friction { "t" } else { "n" };
+    let acts = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol(letter)]);
+    let Some(said) = said else { return vec![math(&acts)] };
+    let mut lines = names.stated(acts.clone(), said, &term.load);
+    if pair.law.is_rigid() {
+        // It says that it is along a direction, and no more.
+        lines[0] = math(&acts);
+    }
+    let friction = pair.friction.as_ref().filter(|_| term.law == Law::Friction);
+    lines.extend(friction.into_iter().flat_map(|friction| coulomb(names, pair, friction, symbol)));
+    lines
+}
+
+/// Friction while it slips with the rate s, and its bound while it does not.
+fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec<Math> {
+    let slip = Symbol::new("s", tumble_expr::Dimension::SPEED);
+    let way = Expr::unary(Unary::Sign, slip.into());
+    let normal: Expr = pair.force_symbol().into();
+    let slips = names.equation(symbol, &-(&friction.kinetic * &normal * way));
+    let own = Formula::Bars(Box::new(Formula::symbol(symbol)));
+    let holds = names.relation(own, Operator::LessEqual, &(&friction.of_rest * &normal));
+    vec![slips, words("while it slips with s"), holds, words("while it does not")]
+}
+
+/// Whether it is the opposite of what a joint's symbol says: on the other of its bodies.
+fn is_opposite(term: &Term) -> bool {
+    let is_opposite = |component: &Expr| {
+        let symbols = component.symbols();
+        let multiplier = symbols.iter().next().filter(|_| symbols.len() == 1);
+        multiplier.is_some_and(|multiplier| is_identically_zero(&(component.derivative(multiplier) + 1)))
+    };
+    term.law == Law::Reaction && term.force.components().iter().any(is_opposite)
+}
+
+/// Whether it is what a contact does to the second of its bodies.
+fn is_on_other(equations: &Equations, term: &Term) -> bool {
+    let touches = matches!(term.law, Law::Contact | Law::Friction);
+    let mut pairs = equations.pairs().iter().filter(|pair| pair.name == symbols::rubbed(&term.load));
+    touches && pairs.any(|pair| pair.other == Some(term.body))
+}
+
+/// A symbol, or its opposite.
+fn signed(symbol: &str, is_opposite: bool) -> Formula {
+    let symbol = Formula::symbol(symbol);
+    match is_opposite {
+        true => Formula::Row(vec![Formula::Operator(Operator::Negative), symbol]),
+        false => symbol,
+    }
+}
+
+/// The torque about the centre of mass: as the law says it, by its formula if that is short, or as arm and force.
+fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &str) -> Vec<Math> {
+    let term = terms[0];
+    let own = Formula::symbol(&symbols::torque(symbol));
+    if let Some(Statement { force: Some(_), torque: Some(torque), .. }) = stated {
+        return names.stated(own, torque, &term.load).into_iter().take(1).collect();
+    }
+    if term.law.is_couple() {
+        return vec![math(&Formula::symbol(symbol))];
+    }
+    if term.law != Law::Reaction {
+        let formula = names.formula(&term.torque());
+        if formula.text.chars().count() <= MOST_SIGNS_IN_TABLE {
+            let is_zero = is_identically_zero(&term.torque());
+            return vec![if is_zero {
+                formula
+            } else {
+                names.equation(&symbols::torque(symbol), &term.torque())
+            }];
+        }
+    }
+    let arm = Written::named(&symbols::arm(symbol), Written::Vector(term.arm.clone()));
+    let force = Written::Scalar(Symbol::new(symbol, tumble_expr::Dimension::FORCE).into());
+    let force = if is_opposite(term) { force.negative() } else { force };
+    let force = match direction(term, stated) {
+        Some(direction) => Written::Product(vec![force, direction]),
+        None => force,
+    };
+    names.stated(own, &arm.cross(force), &term.load)
+}
+
+/// Along which unit vector a contact pushes or rubs: its symbol is a number.
+fn direction(term: &Term, stated: Option<&Statement>) -> Option<Written> {
+    let letter = match term.law {
+        Law::Contact => "n",
+        Law::Friction => "t",
+        _ => return None,
+    };
+    let unit = air::named(stated?.force.as_ref()?, letter)?;
+    Some(Written::named(letter, unit.clone()))
+}
+
+/// How many different operations, numbers and names formulas consist of.
+pub(super) fn operations<'a>(formulas: impl IntoIterator<Item = &'a Expr>) -> usize {
+    let formulas: Vec<Expr> = formulas.into_iter().cloned().collect();
+    let mut graph = Graph::default();
+    graph.import(&formulas);
+    graph.nodes().len()
+}
+
+fn name_of(term: &Term) -> String {
+    match term.law {
+        Law::Weight => "weight".to_owned(),
+        Law::Contact => format!("contact {}", term.load),
+        Law::Friction => format!("friction {}", symbols::rubbed(&term.load)),
+        Law::Reaction => format!("reaction of {}", term.load),
+        _ => term.load.clone(),
+    }
+}
+
+/// Where a force acts, in words.
+fn point(equations: &Equations, term: &Term) -> String {
+    if term.arm.components().iter().all(is_identically_zero) {
+        return "the centre of mass".to_owned();
+    }
+    let body = &equations.model().bodies[term.body];
+    let is_there = |(_, at): &&(String, Vector)| {
+        let arm = body.at(at).world_arm();
+        (&arm - &term.arm).components().iter().all(is_identically_zero)
+    };
+    match (term.law, body.points.iter().find(is_there)) {
+        (_, Some((name, _))) => format!("{}.{name}", body.name),
+        (Law::Contact | Law::Friction, None) => symbols::rubbed(&term.load).to_owned(),
+        (Law::Reaction, None) => term.load.clone(),
+        (law, None) if law.is_couple() => "no point of its own".to_owned(),
+        _ => "its point of action".to_owned(),
+    }
+}
+
+/// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
+fn laws(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
+    let run = case.run.of_body(body);
+    let modes = run.trajectory().modes.iter();
+    let terms = modes.flat_map(|mode| case.run.equations.shown_terms(mode));
+    let terms = distinct(terms.filter(|term| term.body == body).collect());
+    laws_of(study, names, case, (body, &terms), "Newton's laws")
+}
+
+fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[Term]), title: &str) -> Block {
+    let kinematics = study.model.bodies[body].kinematics();
+    let mass = case.run.equations.mass_properties(body);
+    let component = |axis: usize| {
+        let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
+        let letter = ["x", "y"][axis];
+        let symbol = |term: &Term| -> Expr {
+            // Components of joints and contacts have symbols, with the sign that they act with.
+            let own = term.force[axis].symbols();
+            if !own.is_empty() && own.iter().all(|symbol| is_multiplier(study, symbol)) {
+                return term.force[axis].clone();
+            }
+            Symbol::new(
+                symbols::below(&symbols::force(study, &term.load, term.law), letter),
+                tumble_expr::Dimension::FORCE,
+            )
+            .into()
+        };
+        parts.map(symbol).fold(Expr::zero(), |sum, force| sum + force)
+    };
+    let torque = terms.iter().filter(|term| !is_identically_zero(&term.torque()));
+    let torque = torque.map(|term| {
+        let force = symbols::force(study, &term.load, term.law);
+        let name = if term.law.is_couple() { force } else { symbols::torque(&force) };
+        Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
+    });
+    let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);
+    let m: Expr = Symbol::new("M", tumble_expr::Dimension::MASS).into();
+    let inertia: Expr = Symbol::new("I", tumble_expr::Dimension::INERTIA).into();
+    let [ax, ay] = kinematics.acceleration_symbols();
+    let left =
+        |factor: &Expr, symbol: &Symbol| Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+    // The right sides are accelerations: the factor of the left side is multiplied on.
+    let mut lines = vec![(left(&m, &ax), component(0) / &m), (left(&m, &ay), component(1) / &m)];
+    if !is_identically_zero(&mass.inertia) {
+        lines.push((left(&inertia, &kinematics.alpha_symbol()), torque / &inertia));
+    }
+    names.block(title, &lines)
+}
+
+/// Whether a symbol stands for a force that follows from conditions.
+fn is_multiplier(study: &Study, symbol: &Symbol) -> bool {
+    let contacts = study.model.pairs();
+    let joints = study.model.joints.iter().flat_map(tumble_mech::Joint::multipliers);
+    let pivots = study.model.pivots.iter().flat_map(tumble_mech::Pivot::force_symbols);
+    contacts.iter().any(|pair| pair.force_symbol() == *symbol)
+        || joints.chain(pivots).any(|known| known == *symbol)
+}
+
+/// The first term of each load.
+fn distinct(terms: Vec<Term>) -> Vec<Term> {
+    let mut found: Vec<Term> = vec![];
+    for term in terms {
+        if !found.iter().any(|known| known.load == term.load) {
+            found.push(term);
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::motions_of;
+    use tumble_expr::{Expr, Substitution, language::Value};
+    use tumble_mech::Mode;
+
+    /// Integrals of the board are summed over this many pieces by Simpson's rule, those of the program by its own: where the wind on
+    /// a line changes its sign, the first is off by about the cube of a piece.
+    const PIECES: u32 = 200;
+    const QUADRATURE: f64 = 1e-6;
+    /// States that are tried for each law.
+    const STATES: usize = 8;
+
+    /// Numbers between -1 and 1 in no order.
+    fn number(state: usize, index: usize) -> f64 {
+        let turned =
+            (state as f64 + 1.0) * 0.618_033_988_749_895 + (index as f64 + 1.0) * 0.754_877_666_246_693;
+        2.0 * (turned * 7.0).fract() - 1.0
+    }
+
+    /// Force and torque of a load, and the same as the board says them.
+    fn both(terms: &[&Term], stated: &Statement) -> Option<Vec<(Expr, Expr)>> {
+        let sum =
+            |part: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + part(term));
+        let mut found = vec![];
+        let force = match &stated.force {
+            Some(force) => match force.value(PIECES)? {
+                Value::Vector(force) => Some(force),
+                Value::Scalar(_) => return None,
+            },
+            None => None,
+        };
+        if let Some(force) = &force {
+            found.push((force.x().clone(), sum(&|term| term.force.x().clone())));
+            found.push((force.y().clone(), sum(&|term| term.force.y().clone())));
+        }
+        let torque = match (&stated.torque, force) {
+            (Some(torque), _) => match torque.value(PIECES)? {
+                Value::Scalar(torque) => torque,
+                Value::Vector(_) => return None,
+            },
+            (None, force) => terms[0].arm.cross_planar(&force?),
+        };
+        found.push((torque, sum(&Term::torque)));
+        Some(found)
+    }
+
+    /// In every scene and mode, what each law says has the value of the terms that are integrated, at states of all kinds.
+    #[test]
+    fn what_laws_say_is_what_is_integrated() {
+        let mut compared = 0;
+        for scene in crate::scenes::all() {
+            let (study, cases) = motions_of(&scene);
+            for case in &cases {
+                let study = study.with(&case.parameters);
+                for mode in &case.run.trajectory().modes {
+                    compared += compare(&study, case, mode);
+                }
+            }
+        }
+        assert!(compared > 500, "{compared}");
+    }
+
+    fn compare(study: &Study, case: &Case, mode: &Mode) -> usize {
+        let equations = &case.run.equations;
+        let terms = equations.shown_terms(mode);
+        let mut compared = 0;
+        for stated in equations.shown_statements(mode) {
+            let own: Vec<&Term> =
+                terms.iter().filter(|term| term.body == stated.body && term.load == stated.load).collect();
+            let pairs = both(&own, &stated).expect("vectors and numbers where they belong");
+            for state in 0..STATES {
+                let mut here = Substitution::default();
+                for (index, symbol) in equations.states(mode).into_iter().enumerate() {
+                    here.insert(symbol.clone(), number(state, index) * one(&symbol));
+                }
+                here.insert(
+                    Symbol::new("t", tumble_expr::Dimension::TIME),
+                    (1.0 + number(state, 99)) * tumble_expr::units::S,
+                );
+                for (said, integrated) in &pairs {
+                    let values =
+                        [said, integrated].map(|formula| here.apply(&equations.in_states(mode, formula)));
+                    let values = study.model.parameters.evaluate(&values).expect("numbers");
+                    // The ways between many bodies may be parallel at such a state: then the rows of their contacts depend on each
+                    // other, and what keeps them has no value, said or integrated.
+                    if values.iter().all(|value| value.is_nan()) && !study.model.contacts.is_empty() {
+                        continue;
+                    }
+                    let scale = values[1].abs().max(1e-3);
+                    assert!(
+                        (values[0] - values[1]).abs() <= QUADRATURE * scale,
+                        "{}: {values:?}",
+                        stated.load
+                    );
+                    compared += 1;
+                }
+            }
+        }
+        compared
+    }
+
+    /// One of its unit.
+    fn one(symbol: &Symbol) -> Expr {
+        use tumble_expr::units::{M, S};
+        let units = [1.0 * M, 1.0 * M / S, 1.0 / S];
+        units.into_iter().find(|unit| unit.dimension() == Ok(symbol.dimension)).unwrap_or_else(Expr::one)
+    }
+}

@@ -1,0 +1,383 @@
+//! Closed forms where there are any, and how the rest was integrated.
+
+use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
+use tumble_drawing::{Label, numeral};
+use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
+use tumble_mech::{Mode, Parameters, Record, Run};
+use tumble_notation::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
+use tumble_ode::{Cause, Event};
+use tumble_scene::Study;
+
+use super::equations::mode_name;
+use super::names::{Names, math, quantity};
+use super::sweep;
+use crate::results::Case;
+use crate::results::CaseError;
+use crate::results::digits::Held;
+use crate::results::telling;
+use crate::results::{is_angle, unit};
+
+/// Runs of a sweep beyond these have no closed forms of their own.
+const MOST_RUNS: usize = 6;
+/// Phases beyond these are told of by the table of events.
+const MOST_PHASES: usize = 4;
+/// Digits of numbers in closed forms.
+const DIGITS: usize = 6;
+
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, CaseError> {
+    let told = telling(cases);
+    let mut phases: Vec<Phase> = vec![];
+    for case in told.iter().take(MOST_RUNS) {
+        let study = study.with(&case.parameters);
+        let own = self::phases(&study, names, case)?;
+        let label = |phase: Phase| match case.label.as_str() {
+            "" => phase,
+            label => Phase { name: Text::from(format!("{label}: ")).and(phase.name.clone()), ..phase },
+        };
+        // What other runs have said in symbols they do not say again.
+        let told = |phase: Phase| match phases.iter().any(|known| known.symbols == phase.symbols) {
+            true => Phase { symbols: vec![], ..phase },
+            false => phase,
+        };
+        let own: Vec<Phase> = own.into_iter().map(told).map(label).collect();
+        phases.extend(own);
+    }
+    let is_exact = |case: &Case| case.run.work().exact_steps == case.run.work().steps;
+    let intro = match (phases.is_empty(), cases.iter().all(is_exact)) {
+        (false, true) => {
+            "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form."
+        }
+        (false, false) => "The following phases are known in closed form; the rest was integrated.",
+        (true, _) => "The equations have no closed form that the program knows: they were integrated.",
+    };
+    let mut how = how(&told);
+    how.notes.extend(sweep::others_are_in_files(cases, &told));
+    let how = std::iter::once(how);
+    Ok(Solve {
+        intro: vec![intro.into()],
+        phases,
+        method: method(&told),
+        tables: how
+            .chain(told.iter().filter(|case| case.run.events().next().is_some()).map(|case| events(case)))
+            .collect(),
+    })
+}
+
+/// What is not in the table of runs.
+fn method(cases: &[&Case]) -> Vec<(Text, Text)> {
+    let mut rows = vec![("Method".into(), "Taylor series, each step checked against the equations".into())];
+    for case in cases {
+        let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
+        let ends = |reason: String| (of_run("Verified digits end because", cases, case), reason.into());
+        rows.extend(horizon.map(|horizon| ends(horizon.reason.to_string())));
+        let stopped = |reason: String| (of_run("Stopped", cases, case), reason.into());
+        rows.extend(case.refusal.as_ref().map(|refusal| stopped(refusal.to_string())));
+    }
+    rows
+}
+
+/// How the runs were solved, a row each.
+fn how(cases: &[&Case]) -> Table {
+    let columns = [
+        Column::words("Run"),
+        Column::numbers("Accuracy asked"),
+        Column::numbers("Order"),
+        Column::numbers("Steps"),
+        Column::numbers("Exact ones"),
+        Column::numbers("Repeated"),
+        Column::numbers("Contact modes"),
+        Column::numbers("Points along lines"),
+        Column::words("Verified by a check run"),
+    ];
+    let row = |case: &&Case| {
+        let work = case.run.work();
+        let held = case.trust.as_ref().map(|trust| Held::of(trust).words());
+        let points = case.run.quadrature.as_ref().map(|found| found.nodes.to_string());
+        vec![
+            case.label.as_str().into(),
+            format!("{:e}", case.accuracy.value()).into(),
+            case.run.order().to_string().into(),
+            work.steps.to_string().into(),
+            work.exact_steps.to_string().into(),
+            work.rejected.to_string().into(),
+            work.modes.to_string().into(),
+            points.unwrap_or_default().into(),
+            held.unwrap_or_default().into(),
+        ]
+    };
+    cases.iter().map(row).fold(Table::new("How it was solved", columns.into()), Table::row)
+}
+
+/// What is told of one run, with its label where there are several.
+fn of_run(what: &str, cases: &[&Case], case: &Case) -> Text {
+    if cases.len() > 1 { format!("{what}, {}", case.label).into() } else { what.into() }
+}
+
+/// A row an event.
+fn events(case: &Case) -> Table {
+    let caption = if case.label.is_empty() { "Events".to_owned() } else { format!("Events, {}", case.label) };
+    let heading = Text::from(Label::symbol("t")).and(" (s)");
+    let columns = vec![Column::numbers(heading), Column::words("What happens")];
+    let row = |event: &Event<Record>| {
+        let names = case.run.equations.names_of(&event.record);
+        vec![quantity(event.time, ""), names.join(", ").into()]
+    };
+    let mut table = Table::new(caption, columns);
+    table.rows = case.run.events().map(row).collect();
+    table
+}
+
+/// A coordinate of a body with its velocity and acceleration.
+struct Coordinate {
+    body: usize,
+    position: Symbol,
+    velocity: Symbol,
+    acceleration: Symbol,
+    start: (Expr, Expr),
+}
+
+/// A stretch of time in which every acceleration is a polynomial in it, with what follows.
+struct Stretch<'r> {
+    mode: &'r Mode,
+    begins: Expr,
+    elapsed: Symbol,
+    coordinates: Vec<Coordinate>,
+    motions: Vec<Motion>,
+}
+
+/// The stretches from the start on in which the motion has a closed form.
+fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
+    let starts = || (0..study.model.bodies.len()).flat_map(|body| coordinates(study, body)).collect();
+    let (mut coordinates, mut begins): (Vec<Coordinate>, _) =
+        (starts(), Expr::zero() * tumble_expr::units::S);
+    let mut found: Vec<Stretch<'r>> = vec![];
+    for (number, (mode, ends)) in stretches(run).into_iter().take(MOST_PHASES).enumerate() {
+        let elapsed = Symbol::new(elapsed_since(number), Dimension::TIME);
+        let Some(motions) = motions(run, mode, &coordinates, &begins, &elapsed) else { break };
+        let mut next: Vec<Coordinate> = starts();
+        if let Some(end) = &ends {
+            let mut at_end = Substitution::default();
+            at_end.insert(elapsed.clone(), end - &begins);
+            for (coordinate, motion) in next.iter_mut().zip(&motions) {
+                coordinate.start = (at_end.apply(&motion.position), at_end.apply(&motion.velocity));
+            }
+        }
+        found.push(Stretch { mode, begins, elapsed, coordinates, motions });
+        // An end at a time that only the run knows has no formula: the closed forms end there.
+        let Some(end) = ends else { break };
+        (coordinates, begins) = (next, end);
+    }
+    found
+}
+
+/// The closed forms of a run as they are shown.
+fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, CaseError> {
+    let solved = solved(study, &case.run);
+    solved.iter().map(|stretch| phase(study, case, names, stretch)).collect()
+}
+
+/// The time since a phase began.
+fn elapsed_since(number: usize) -> String {
+    if number == 0 { "t".to_owned() } else { format!("t_{number}") }
+}
+
+/// The modes one after the other, each with the formula of the time at which it ends, where there is one.
+fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
+    let trajectory = &run.trajectory();
+    let end = |event: &Event<Record>| match &event.causes[..] {
+        [Cause::Scheduled(index), ..] => {
+            let times = run.equations.scheduled_times(&trajectory.modes[event.mode_before]);
+            times.get(*index).cloned()
+        }
+        _ => None,
+    };
+    let Some(first) = trajectory.pieces.first() else { return vec![] };
+    let changes: Vec<&Event<Record>> =
+        trajectory.events.iter().filter(|event| event.mode_before != event.mode_after).collect();
+    let mut found = vec![];
+    let mut mode = first.mode;
+    for event in changes {
+        found.push((&trajectory.modes[mode], end(event)));
+        mode = event.mode_after;
+    }
+    found.push((&trajectory.modes[mode], None));
+    found
+}
+
+fn coordinates(study: &Study, index: usize) -> Vec<Coordinate> {
+    let body = &study.model.bodies[index];
+    let start = study.model.start_of(&body.name);
+    let k = body.kinematics();
+    let centre = body.mass_properties().centre;
+    let at = start.at.unwrap_or(centre);
+    let value = |formula: Option<Expr>| formula.unwrap_or_else(Expr::zero);
+    let turning = Coordinate {
+        body: index,
+        position: k.angle_symbol(),
+        velocity: k.omega_symbol(),
+        acceleration: k.alpha_symbol(),
+        start: (value(start.angle), value(start.omega)),
+    };
+    if study.model.pivot_of(&body.name).is_some() {
+        return vec![turning];
+    }
+    let ([x, y], [vx, vy], [ax, ay]) = (k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols());
+    let speed = |axis: usize| start.velocity.as_ref().map_or_else(Expr::zero, |v| v[axis].clone());
+    vec![
+        Coordinate {
+            body: index,
+            position: x,
+            velocity: vx,
+            acceleration: ax,
+            start: (at[0].clone(), speed(0)),
+        },
+        Coordinate {
+            body: index,
+            position: y,
+            velocity: vy,
+            acceleration: ay,
+            start: (at[1].clone(), speed(1)),
+        },
+        turning,
+    ]
+}
+
+fn motions(
+    run: &Run,
+    mode: &Mode,
+    coordinates: &[Coordinate],
+    begins: &Expr,
+    elapsed: &Symbol,
+) -> Option<Vec<Motion>> {
+    let inputs = run.equations.model().parameters.symbols();
+    let time = Symbol::new("t", Dimension::TIME);
+    let without = zeros(&run.equations.model().parameters);
+    let one = |coordinate: &Coordinate| {
+        let acceleration = run.equations.in_states(mode, &coordinate.acceleration.clone().into());
+        let acceleration = without_states(run, mode, &without.apply(&acceleration))?;
+        let given = |symbol: &Symbol| *symbol == time || inputs.contains(symbol);
+        if !acceleration.symbols().iter().all(given) {
+            return None;
+        }
+        let (position, velocity) = &coordinate.start;
+        integrate_twice(&acceleration, (&time, begins), elapsed, (position, velocity))
+    };
+    coordinates.iter().map(one).collect()
+}
+
+/// Parameters that are zero in a run: without air there is none in the formulas.
+fn zeros(parameters: &Parameters) -> Substitution {
+    let mut none = Substitution::default();
+    for symbol in parameters.symbols() {
+        let value = parameters.evaluate(&[symbol.clone().into()]);
+        if value.is_ok_and(|value| value[0] == 0.0) {
+            none.insert(symbol, Expr::zero());
+        }
+    }
+    none
+}
+
+/// A formula that no state has a part in, without their symbols; `None` where one has.
+fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
+    let states = run.equations.states(mode);
+    let is_free = states.iter().all(|state| is_identically_zero(&formula.derivative(state)));
+    let mut none = Substitution::default();
+    states.into_iter().for_each(|state| none.insert(state, Expr::zero()));
+    is_free.then(|| none.apply(formula))
+}
+
+fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Result<Phase, CaseError> {
+    let Stretch { mode, begins, elapsed, coordinates, motions } = stretch;
+    let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
+    let mut numbers: Vec<Math> = vec![];
+    for (coordinate, motion) in coordinates.iter().zip(motions) {
+        for (symbol, formula) in
+            [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)]
+        {
+            let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+            lines[coordinate.body].push((left, formula.clone()));
+            numbers.push(with_numbers(study, names, symbol, formula, elapsed)?);
+        }
+    }
+    let of_body = |(body, lines): (usize, &Vec<_>)| names.of_body(body).block("", lines);
+    let mut symbols: Vec<Block> = lines.iter().enumerate().map(of_body).collect();
+    if *elapsed.name != *"t" {
+        let since: Expr = Expr::symbol("t", Dimension::TIME) - begins;
+        let symbol = names.equation(&elapsed.name, &since);
+        let definition = Definition { symbol, meaning: Text::default() };
+        if let Some(last) = symbols.last_mut() {
+            last.definitions.push(definition);
+        }
+    }
+    let from = study.number(begins)?;
+    Ok(Phase {
+        name: mode_name(study, case, mode).into(),
+        span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")),
+        symbols,
+        numbers: vec![Block { lines: numbers, ..Default::default() }],
+    })
+}
+
+/// The polynomial with its coefficients as numbers with their units.
+fn with_numbers(
+    study: &Study,
+    names: &Names,
+    symbol: &Symbol,
+    formula: &Expr,
+    elapsed: &Symbol,
+) -> Result<Math, CaseError> {
+    let coefficients = polynomial_in(formula, elapsed).unwrap_or_default();
+    let time = Formula::symbol(&elapsed.name);
+    let mut parts = vec![names.notation().symbol(&symbol.name), Formula::Operator(Operator::Equals)];
+    for (degree, coefficient) in coefficients.iter().enumerate() {
+        let value = study.number(coefficient)?;
+        if value == 0.0 {
+            continue;
+        }
+        let is_first = parts.len() == 2;
+        parts.extend(match (is_first, value < 0.0) {
+            (true, true) => Some(Formula::Operator(Operator::Negative)),
+            (true, false) => None,
+            (false, true) => Some(Formula::Operator(Operator::Minus)),
+            (false, false) => Some(Formula::Operator(Operator::Plus)),
+        });
+        let number = Formula::Number(numeral::significant(value.abs(), DIGITS).to_plain());
+        let unit = unit(coefficient.dimension().unwrap_or(symbol.dimension), is_angle(symbol));
+        let power = match degree {
+            0 => None,
+            1 => Some(time.clone()),
+            _ => Some(Formula::Power(Box::new(time.clone()), Box::new(Formula::Number(degree.to_string())))),
+        };
+        parts.push(Formula::Product([number].into_iter().chain(in_unit(&unit)).chain(power).collect()));
+    }
+    if parts.len() == 2 {
+        parts.push(Formula::Number("0".to_owned()));
+    }
+    Ok(math(&Formula::Row(parts)))
+}
+
+/// `m/s^2` as it is printed; nothing for a pure number.
+fn in_unit(unit: &str) -> Option<Formula> {
+    let (mut parts, mut text) = (vec![], String::new());
+    for (index, part) in unit.split('/').filter(|part| !part.is_empty()).enumerate() {
+        let over = if index > 0 { "/" } else { "" };
+        let (base, power) = part.split_once('^').unwrap_or((part, ""));
+        let base = base.replace('*', "\u{b7}");
+        if power.is_empty() {
+            text += &format!("{over}{base}");
+            continue;
+        }
+        let before = std::mem::take(&mut text) + over;
+        parts.extend((!before.is_empty()).then_some(Formula::Text(before)));
+        parts
+            .push(Formula::Power(Box::new(Formula::Text(base)), Box::new(Formula::Number(power.to_owned()))));
+    }
+    if !text.is_empty() {
+        parts.push(Formula::Text(text));
+    }
+    (!parts.is_empty()).then_some(Formula::Row(parts))
+}
+
+#[cfg(test)]
+#[path = "solve/tests.rs"]
+mod tests;

@@ -1,0 +1,66 @@
+//! Closed forms are what the motion does.
+
+use tumble_expr::{Expr, Substitution, units};
+use tumble_ode::Side;
+
+use super::solved;
+use crate::scenes;
+
+/// Instants of each stretch.
+const INSTANTS: usize = 7;
+/// Runs of a scene that are looked at.
+const RUNS: usize = 3;
+/// What rounding of a polynomial in time and of the steps may be off by, of a coordinate's size in the stretch.
+const ROUNDING: f64 = 1e-12;
+
+#[test]
+fn closed_forms_are_what_the_motion_does() {
+    let (mut runs, mut values) = (0, 0);
+    for scene in scenes::all() {
+        let (study, cases) = scenes::motions_of(&scene);
+        for case in cases.iter().take(RUNS) {
+            let study = study.with(&case.parameters);
+            let stretches = solved(&study, &case.run);
+            runs += usize::from(!stretches.is_empty());
+            for (index, stretch) in stretches.iter().enumerate() {
+                let begins = study.number(&stretch.begins).expect("a time");
+                let next = stretches.get(index + 1).map(|next| study.number(&next.begins).expect("a time"));
+                // The last one is left by an event, or goes on to the end.
+                let left = case.run.events().map(|event| event.time).find(|time| *time > begins);
+                let ends = next.or(left).unwrap_or_else(|| case.run.end().expect("an end"));
+                for (coordinate, motion) in stretch.coordinates.iter().zip(&stretch.motions) {
+                    let pairs =
+                        [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)];
+                    for (symbol, formula) in pairs {
+                        let state = Expr::from(symbol.clone());
+                        let mut observer = case.run.observe(std::slice::from_ref(&state)).expect("a state");
+                        let compared: Vec<[f64; 2]> = (1..INSTANTS)
+                            .map(|instant| {
+                                let elapsed = (ends - begins) * instant as f64 / INSTANTS as f64;
+                                let mut then = Substitution::default();
+                                then.insert(stretch.elapsed.clone(), Expr::from(elapsed) * units::S);
+                                let closed = study.number(&then.apply(formula)).expect("a number");
+                                [
+                                    observer.at(begins + elapsed, Side::After).expect("a time of the run")[0],
+                                    closed,
+                                ]
+                            })
+                            .collect();
+                        let size = compared.iter().map(|pair| pair[0].abs()).fold(1.0, f64::max);
+                        for [found, closed] in compared {
+                            let name = &symbol.name;
+                            assert!(
+                                (found - closed).abs() <= ROUNDING * size,
+                                "{}, {}: {name} is {found}, its closed form {closed}",
+                                scene.display(),
+                                case.label
+                            );
+                            values += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(runs >= 5 && values > 200, "{runs} runs have closed forms, {values} values");
+}

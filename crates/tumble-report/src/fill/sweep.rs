@@ -1,0 +1,170 @@
+//! What a report says of a sweep as a whole.
+
+use tumble_drawing::{CurveFigure, numeral};
+use tumble_mech::Extreme;
+use tumble_scene::{Question, Study};
+
+use super::findings::with_digits;
+use super::names::{quantity, quantity_to};
+use crate::figures::{case_label, finds};
+use crate::report::{Column, Picture, Plot, Text};
+use crate::results::{Case, Equal, FAMILY, FindResult, Located, Place, Runs, Survey, digits};
+
+/// Digits of numbers in tables and captions.
+const DIGITS: usize = 5;
+/// Digits that are read; more are not shown.
+const READ: usize = 6;
+
+/// Every answer over what is swept.
+pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Plot> {
+    let caption = |name: &str| {
+        let mut own = survey.located.iter().filter(|located| format!("find.{}", located.find) == name);
+        let made = own.any(|located| located.place.made > 0);
+        let more = if made { ", with the best of the runs that were made between them" } else { "" };
+        Text::from(format!("What each run of the sweep comes to{more}."))
+    };
+    let plot = |(name, figure): (String, CurveFigure)| {
+        Plot::new(figure, caption(&name)).stored(format!("{name}.svg"))
+    };
+    finds::curves(study, survey).into_iter().map(plot).collect()
+}
+
+/// Every answer over the two parameters that are swept.
+pub(super) fn maps(study: &Study, survey: &Survey) -> Vec<Picture> {
+    let picture = |(name, figure): (String, tumble_drawing::MapFigure)| {
+        let (least, greatest) = bounds(&figure.cells);
+        let [x, y, z] = [&figure.x, &figure.y, &figure.z].map(|axis| axis.title().to_plain());
+        let [least, greatest] = [least, greatest].map(|value| numeral::significant(value, DIGITS).to_plain());
+        let words = format!("{z} over {x} and {y}: from {least} to {greatest}.");
+        let caption = "A cell for each run; the ring is about the best.";
+        Picture::new(figure.svg().described(words), caption).stored(format!("{name}.svg"))
+    };
+    finds::maps(study, survey).into_iter().map(picture).collect()
+}
+
+fn bounds(values: &[f64]) -> (f64, f64) {
+    let finite = values.iter().copied().filter(|value| value.is_finite());
+    finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
+/// Where every answer is greatest and least.
+pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
+    let of = |(index, question): (usize, &Question)| {
+        let own = runs.survey.located.iter().filter(|located| located.index == index);
+        let parts: Vec<Text> = own.map(|located| located_words(study, located)).collect();
+        let parts = if parts.is_empty() { among(index, runs).into_iter().collect() } else { parts };
+        let head =
+            Text::from(format!("{}: {} is ", question.name.replace(['-', '_'], " "), question.that.text));
+        let joined = parts.into_iter().reduce(|all, part| all.and("; ").and(part));
+        joined.map(|parts| head.and(parts).and("."))
+    };
+    study.finds.iter().enumerate().filter_map(of).collect()
+}
+
+/// `greatest, 178.2° (6 digits), at T = 2.013 s (4 digits; 11 more runs were made to find it)`
+fn located_words(study: &Study, located: &Located) -> Text {
+    let Located { which, unit, parameter, parameter_unit, place, .. } = located;
+    let value = with_digits(place.best.value, Some(place.best.error).filter(|e| e.is_finite()), unit);
+    let symbols: Vec<(&str, &str)> =
+        study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
+    let name = tumble_drawing::Label::name(parameter, &symbols);
+    let words = Text::from(format!("{}, ", word(*which))).and(value);
+    if let Some(Equal { runs, first, last }) = place.equal {
+        let runs = words.and(format!(", in {runs} runs, the first with ")).and(name.clone()).and(" = ");
+        let first = runs.and(quantity(first, parameter_unit)).and(", the last with ");
+        return first.and(name).and(" = ").and(quantity(last, parameter_unit));
+    }
+    let words = words.and(", at ").and(name).and(" = ");
+    words.and(place_words(place, parameter_unit))
+}
+
+fn word(which: Extreme) -> &'static str {
+    if which == Extreme::Greatest { "greatest" } else { "least" }
+}
+
+fn place_words(place: &Place, unit: &str) -> Text {
+    let at = place.best.at;
+    let Some([low, high]) = place.between else {
+        return quantity(at, unit).and(", where the runs end");
+    };
+    if place.made == 0 {
+        let between = Text::from(", between its neighbours ").and(quantity(low, unit)).and(" and ");
+        return quantity(at, unit).and(between).and(quantity(high, unit));
+    }
+    let held = digits::digits(at, (at - low).max(high - at));
+    let plural = if place.made == 1 { " was" } else { "s were" };
+    let more =
+        format!("; {} more run{plural} made between the best of the sweep and its neighbours)", place.made);
+    let digits = format!(" ({held} digit{}", if held == 1 { "" } else { "s" });
+    quantity_to(at, held.clamp(1, READ), unit).and(digits).and(more)
+}
+
+/// The run of the greatest and that of the least answer, where the sweep has no neighbours to look between.
+fn among(index: usize, runs: Runs<'_>) -> Option<Text> {
+    let known = || {
+        let answers = runs.cases.iter().filter_map(|case| Some((case, case.finds.get(index)?)));
+        answers.filter(|(_, find)| find.open().is_none() && find.is_reached())
+    };
+    let by = |a: &(&Case, &FindResult), b: &(&Case, &FindResult)| a.1.value.total_cmp(&b.1.value);
+    let (least, greatest) = (known().min_by(by)?, known().max_by(by)?);
+    let error = |find: &FindResult| find.error.unwrap_or(f64::INFINITY);
+    if greatest.1.value - least.1.value <= error(greatest.1) + error(least.1) {
+        let value = with_digits(greatest.1.value, greatest.1.error, &greatest.1.unit);
+        return Some(value.and(" in all runs"));
+    }
+    let of = |what: &str, (case, find): (&Case, &FindResult)| {
+        let value = with_digits(find.value, find.error, &find.unit);
+        Text::from(what).and(value).and(" with ").and(case_label(case))
+    };
+    Some(of("greatest, ", greatest).and("; ").and(of("least, ", least)))
+}
+
+/// Which runs are shown, where they are not all.
+pub(super) fn which_are_shown(cases: &[Case], told: &[&Case]) -> Option<Text> {
+    let words = format!(
+        "This sweep has {} runs. Shown one by one are {}: the first and the last, and those in which an answer is greatest \
+         or least or something has failed.",
+        cases.len(),
+        told.len()
+    );
+    (told.len() < cases.len()).then(|| words.into())
+}
+
+/// Where the runs are that a table leaves out.
+pub(super) fn others_are_in_files(cases: &[Case], told: &[&Case]) -> Option<Text> {
+    let others = cases.len() - told.len();
+    (others > 0)
+        .then(|| format!("The other {others} runs stand in runs.csv, their events in events.csv.").into())
+}
+
+/// What the bands of a figure are, where it has any.
+pub(super) fn what_bands_are(figure: &CurveFigure) -> Text {
+    match figure.bands.is_empty() {
+        true => Text::default(),
+        false => "Pale: from the least to the greatest value over all runs that still go on; darker: the half of them in the \
+                  middle; the first line is their median. The others are single runs."
+            .into(),
+    }
+}
+
+/// The heading of an answer's column.
+pub(super) fn find_column(question: &Question) -> Column {
+    let unit = &question.that.quantity.unit;
+    let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
+    Column::numbers(format!("{}{unit}", question.name.replace(['-', '_'], " ")))
+}
+
+/// An answer to its verified digits.
+pub(super) fn find_cell(find: &FindResult) -> Text {
+    match (find.open(), find.error) {
+        _ if !find.is_reached() => find.status().into(),
+        (Some(open), _) => open.into(),
+        (None, None) => quantity(find.value, "").and(" (no digit is known)"),
+        (None, Some(error)) => quantity_to(find.value, digits::digits(find.value, error).clamp(1, READ), ""),
+    }
+}
+
+/// Whether a sweep is shown by bands.
+pub(super) fn is_long(cases: &[Case]) -> bool {
+    cases.len() > FAMILY
+}

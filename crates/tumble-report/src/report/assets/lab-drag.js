@@ -1,0 +1,233 @@
+// The motion beside the controls: it follows a run, shows the one before as a ghost, and its start can be dragged.
+
+/** Arrows of velocities are as long as what is passed in this part of the motion. */
+const ARROW_PART = 0.06;
+/** Part of a range for a key. */
+const KEY_STEP = 0.01;
+
+class LivePlayer extends Player {
+  constructor(figure, data, grips) {
+    super(figure, data);
+    Object.assign(this, { grips, ghosts: [], pins: [], held: this.boxes() });
+    const bar = this.live.querySelector(".bar");
+    this.speedsShown = this.check(bar, "Velocities", false);
+    this.energyBox = make("div", { class: "energy", role: "img", hidden: "" }, this.live);
+    this.layOut();
+  }
+
+  boxes() {
+    return [...super.boxes(), ...(this.held ?? [])];
+  }
+
+  /** Goes on with another motion; the last one stays as a ghost. */
+  update(data) {
+    this.ghosts = this.cases;
+    this.cases = data.cases.map(readMotion);
+    if (this.chooser) {
+      this.chooser.parentElement.hidden = this.cases.length < 2;
+      const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
+      this.chooser.replaceChildren(...this.cases.map((motion, i) => new Option(name(motion, i), i)));
+    }
+    this.choose(Math.min(this.index, this.cases.length - 1));
+  }
+
+  pin(label) {
+    this.pins.push({ label, motion: this.motion });
+    this.layOut();
+  }
+
+  reset() {
+    this.ghosts = [];
+    this.pins = [];
+    this.layOut();
+  }
+
+  setEnergy(energy) {
+    this.energy = energy;
+    this.draw();
+  }
+
+  build() {
+    super.build();
+    if (!this.grips) return;
+    this.ghostLayer = draw("g", { class: "ghosts" });
+    this.svg.prepend(this.ghostLayer);
+    this.speedLayer = draw("g", {}, this.svg);
+    this.gripLayer = draw("g", {}, this.svg);
+    this.ghostParts = [...this.pins, ...(this.ghosts.length ? [{ label: "", motion: this.ghosts[Math.min(this.index, this.ghosts.length - 1)] }] : [])].map((one) => this.buildGhost(one));
+    this.drawGrips();
+    this.draw();
+  }
+
+  buildGhost({ label, motion }) {
+    const layer = draw("g", { class: label ? "pinned" : "ghost" }, this.ghostLayer);
+    const parts = motion.bodies.map((body, i) => {
+      const style = `color:var(--c${i % 7})`;
+      const path = body.trail ? this.trailPoints(body).filter((point) => !point.includes("NaN")) : [];
+      if (path.length) draw("path", { class: "trail", style, d: `M${path.join("L")}` }, layer);
+      const group = draw("g", { class: "body", style }, layer);
+      for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+      const name = label ? drawLabel(layer, [[label, "", ""]], { class: "halo" }) : null;
+      return { body, group, name };
+    });
+    return { motion, parts };
+  }
+
+  draw() {
+    super.draw();
+    if (!this.ghostParts) return;
+    for (const { motion, parts } of this.ghostParts) for (const part of parts) this.drawGhost(motion, part);
+    this.drawSpeeds();
+    this.drawEnergy();
+  }
+
+  drawGhost({ times }, { body, group, name }) {
+    const at = Math.min(times.findIndex((time) => time >= this.time), times.length - 1);
+    const i = at < 0 ? times.length - 1 : at;
+    const [x, y] = this.pixel(body.x[i], body.y[i]);
+    if (!Number.isFinite(x + y)) return;
+    const turned = (-body.angle[i] * 180) / Math.PI;
+    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turned.toFixed(2)})`);
+    name?.setAttribute("transform", `translate(${x.toFixed(2)} ${(y - 8).toFixed(2)})`);
+  }
+
+  drawSpeeds() {
+    this.speedLayer.replaceChildren();
+    if (!this.speedsShown?.checked) return;
+    const [low, high] = this.frame();
+    const times = this.motion.times;
+    const span = times[high] - times[low];
+    if (!(span > 0)) return;
+    for (const [i, body] of this.motion.bodies.entries()) {
+      const from = this.pixel(body.x[low], body.y[low]);
+      const by = [body.x, body.y].map((values) => ((values[high] - values[low]) / span) * ARROW_PART * this.duration * this.scale);
+      const to = [from[0] + by[0], from[1] - by[1]];
+      if (![...from, ...to].every(Number.isFinite)) continue;
+      drawTip(this.speedLayer, from, to, `var(--c${i % 7})`);
+    }
+  }
+
+  /** Kinetic and potential energy now, as parts of a bar. */
+  drawEnergy() {
+    if (!this.energyBox) return;
+    const rows = this.energy?.rows ?? [];
+    this.energyBox.hidden = !rows.length;
+    if (!rows.length) return;
+    const row = rows.find(([time]) => time >= this.time) ?? rows[rows.length - 1];
+    const low = Math.min(0, ...rows.map((one) => one[2]));
+    const most = Math.max(...rows.map((one) => one[1] + one[2] - low)) || 1;
+    const part = (value) => `${((100 * value) / most).toFixed(2)}%`;
+    const [kinetic, potential] = [row[1], row[2] - low];
+    const bars = [["kinetic", kinetic, row[1]], ["potential", potential, row[2]]];
+    this.energyBox.replaceChildren();
+    for (const [name, size, value] of bars) {
+      const bar = make("span", { class: name, style: `width:${part(size)}` }, this.energyBox);
+      bar.textContent = `${name} ${shown(value, 3)}\u00a0J`;
+    }
+    this.energyBox.setAttribute("aria-label", bars.map(([name, , value]) => `${name} energy ${shown(value, 3)} J`).join(", "));
+  }
+
+  /** What can be dragged of the bodies' starts. */
+  drawGrips() {
+    this.gripLayer.replaceChildren();
+    for (const [index, body] of this.motion.bodies.entries()) {
+      const name = plain(body.name);
+      const centre = [body.x[0], body.y[0]];
+      if (!centre.every(Number.isFinite)) continue;
+      const [x, y, angle, vx, vy] = ["x", "y", "angle", "vx", "vy"].map((key) => this.grips.of(`${name}.start.${key}`));
+      if (x && y) this.grip(centre, `Start of ${name}`, [x, y], (at) => [[x, at[0]], [y, at[1]]]);
+      if (angle) this.turnGrip(body, name, centre, angle, !(x && y));
+      if (vx && vy) this.speedGrip(centre, name, [vx, vy], index);
+    }
+  }
+
+  /** A place that is dragged with a pointer or moved by keys; `set` makes values of where it is. */
+  grip(at, label, knobs, set) {
+    const [cx, cy] = this.pixel(...at);
+    const handle = draw("circle", { class: "grip", cx, cy, r: 8, tabindex: 0, role: "slider", "aria-label": label }, this.gripLayer);
+    handle.setAttribute("aria-valuetext", knobs.map((knob) => knob.text()).join(", "));
+    handle.setAttribute("aria-valuenow", knobs[0].value());
+    handle.addEventListener("pointerdown", (event) => this.drag(event, set));
+    handle.addEventListener("click", (event) => event.stopPropagation());
+    handle.addEventListener("keydown", (event) => this.nudge(event, knobs));
+  }
+
+  drag(event, set) {
+    event.preventDefault();
+    event.stopPropagation();
+    this.pause();
+    this.seek(this.start);
+    const move = (moved) => {
+      const box = this.svg.getBoundingClientRect();
+      const unit = this.size[0] / box.width;
+      const px = [(moved.clientX - box.left) * unit, (moved.clientY - box.top) * unit];
+      const at = [this.middle[0] + (px[0] - this.size[0] / 2) / this.scale, this.middle[1] - (px[1] - this.size[1] / 2) / this.scale];
+      this.grips.set(set(at));
+    };
+    const end = () => {
+      removeEventListener("pointermove", move);
+      removeEventListener("pointerup", end);
+      removeEventListener("pointercancel", end);
+    };
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", end);
+    addEventListener("pointercancel", end);
+  }
+
+  nudge(event, knobs) {
+    const by = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    const [first, second = first] = knobs;
+    const [knob, sign] = by[0] ? [first, by[0]] : [second, by[1]];
+    this.grips.set([[knob, knob.value() + sign * KEY_STEP * knob.span()]]);
+  }
+
+  /** Turns a body about its pivot, or about its centre. */
+  turnGrip(body, name, centre, angle, isHeld) {
+    const far = this.farthest(body);
+    const pivot = isHeld && this.motion.points.length ? this.motion.points[0].at : centre;
+    const before = Math.atan2(far[1] - pivot[1], far[0] - pivot[0]);
+    const start = angle.value();
+    this.grip(far, `Start angle of ${name}`, [angle], (at) => {
+      const turned = Math.atan2(at[1] - pivot[1], at[0] - pivot[0]) - before;
+      return [[angle, start + Math.atan2(Math.sin(turned), Math.cos(turned))]];
+    });
+  }
+
+  /** The point of a body at its start that is farthest from its centre. */
+  farthest(body) {
+    const points = body.outlines.flatMap(([kind, ...n]) => {
+      if (kind === "circle") return [[n[0] + n[2], n[1]]];
+      return Array.from({ length: n.length / 2 }, (_, i) => [n[2 * i], n[2 * i + 1]]);
+    });
+    const pivot = this.motion.points[0]?.at;
+    const place = ([px, py]) => {
+      const [c, s] = [Math.cos(body.angle[0]), Math.sin(body.angle[0])];
+      return [body.x[0] + c * px - s * py, body.y[0] + s * px + c * py];
+    };
+    const from = pivot ?? [body.x[0], body.y[0]];
+    const far = (point) => Math.hypot(point[0] - from[0], point[1] - from[1]);
+    return points.map(place).reduce((best, point) => (far(point) > far(best) ? point : best), [body.x[0], body.y[0]]);
+  }
+
+  speedGrip(centre, name, knobs, index) {
+    const long = ARROW_PART * this.duration || 1;
+    const tip = centre.map((at, k) => at + knobs[k].value() * long);
+    drawTip(this.gripLayer, this.pixel(...centre), this.pixel(...tip), `var(--c${index % 7})`);
+    this.grip(tip, `Start velocity of ${name}`, knobs, (at) => knobs.map((knob, k) => [knob, (at[k] - centre[k]) / long]));
+  }
+}
+
+/** A thin arrow between two places on the screen. */
+function drawTip(parent, from, to, colour) {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const length = Math.hypot(dx, dy);
+  if (length < 2) return;
+  const [ux, uy] = [dx / length, dy / length];
+  const head = Math.min(9, length);
+  const back = [to[0] - head * ux, to[1] - head * uy];
+  draw("line", { x1: from[0], y1: from[1], x2: back[0], y2: back[1], stroke: colour, "stroke-width": 1.6 }, parent);
+  const corners = [to, [back[0] + 0.4 * head * uy, back[1] - 0.4 * head * ux], [back[0] - 0.4 * head * uy, back[1] + 0.4 * head * ux]];
+  draw("polygon", { points: corners.join(" "), fill: colour }, parent);
+}

@@ -1,0 +1,279 @@
+// The panel: a slider and an exact field for each value, presets, ghosts, pins, and what the engine says.
+
+const SETTINGS = JSON.parse(document.getElementById("lab-data").textContent);
+/** Steps of a slider. */
+const KNOB_STEPS = 1000;
+/** Digits of a value that a slider or a drag sets. */
+const KNOB_DIGITS = 4;
+
+/** One value that may be changed: its slider, its field, and where it is. */
+class Control {
+  constructor(knob, parent, changed) {
+    Object.assign(this, { knob, changed, number: knob.value });
+    const row = make("div", { class: "knob" }, parent);
+    const id = `knob-${knob.name}`;
+    const label = make("label", { for: id }, row);
+    label.textContent = knob.name;
+    this.slider = make("input", { type: "range", min: 0, max: KNOB_STEPS, step: "any", "aria-label": knob.name }, row);
+    this.field = make("input", { type: "text", id, size: 10, spellcheck: "false", autocomplete: "off" }, row);
+    this.slider.addEventListener("input", () => this.slide());
+    this.field.addEventListener("change", () => this.changed(this, this.field.value.trim()));
+    this.take(knob);
+  }
+
+  /** Shows a value that the engine has read. */
+  take({ text, value, size }) {
+    this.number = (value * size) / this.knob.size;
+    this.field.value = text;
+    this.field.removeAttribute("aria-invalid");
+    this.place();
+  }
+
+  place() {
+    if (document.activeElement !== this.slider) this.slider.value = KNOB_STEPS * this.part(this.number);
+    this.slider.setAttribute("aria-valuetext", this.field.value);
+  }
+
+  part(number) {
+    const [low, high] = this.knob.range;
+    const part = this.knob.log ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
+    return Math.min(Math.max(part, 0), 1) || 0;
+  }
+
+  slide() {
+    const [low, high] = this.knob.range;
+    const part = this.slider.value / KNOB_STEPS;
+    this.put(this.knob.log ? low * (high / low) ** part : low + (high - low) * part);
+  }
+
+  /** Sets a number of its unit, as few digits of it as its range needs. */
+  put(number) {
+    const step = this.span() / 10 ** KNOB_DIGITS;
+    const places = Math.max(0, Math.ceil(-Math.log10(step)));
+    const rounded = this.knob.log ? number.toPrecision(KNOB_DIGITS) : number.toFixed(Math.min(places, 20));
+    this.number = Number(rounded);
+    this.field.value = this.knob.unit ? `${this.number} ${this.knob.unit}` : String(this.number);
+    this.slider.setAttribute("aria-valuetext", this.field.value);
+    this.changed(this, this.field.value);
+  }
+
+  span() {
+    return Math.abs(this.knob.range[1] - this.knob.range[0]);
+  }
+}
+
+/** A control as something that is dragged: in SI units. */
+class Grip {
+  constructor(control) {
+    this.control = control;
+  }
+
+  value() {
+    return this.control.number * this.control.knob.size;
+  }
+
+  span() {
+    return this.control.span() * this.control.knob.size;
+  }
+
+  text() {
+    return this.control.field.value;
+  }
+
+  put(value) {
+    this.control.put(value / this.control.knob.size);
+  }
+}
+
+class Lab {
+  constructor(box) {
+    Object.assign(this, { box, scene: SETTINGS.scene, set: new Map(SETTINGS.set), controls: new Map() });
+    this.sections = new Sections();
+    this.build();
+    this.runs = new Runs((kind, value) => this.hear(kind, value));
+    box.hidden = false;
+    if (this.fromAddress()) this.ask();
+  }
+
+  build() {
+    make("h2", { id: "play-heading" }, this.box).textContent = "Play";
+    const sides = make("div", { class: "sides" }, this.box);
+    const view = make("div", { class: "view" }, sides);
+    this.board = make("div", { class: "board" }, sides);
+    if (DATA.motions.length) this.buildPlayer(view);
+    this.status = make("p", { class: "status note", role: "status" }, view);
+    this.progress = make("progress", { max: 1, value: 0, hidden: "", "aria-label": "Progress of the run" }, view);
+    this.stop = this.button(view, "Stop", () => this.runs.stop());
+    this.stop.hidden = true;
+    this.said = make("div", { class: "said", role: "alert", hidden: "" }, view);
+    this.told = make("pre", { class: "told", hidden: "" }, view);
+    this.buildBoard();
+  }
+
+  buildPlayer(view) {
+    const figure = make("figure", { class: "motion" }, view);
+    const grips = { of: (name) => this.gripOf(name), set: (pairs) => this.drag(pairs) };
+    this.player = new LivePlayer(figure, DATA.motions[0], grips);
+  }
+
+  button(parent, text, act) {
+    const button = make("button", { type: "button" }, parent);
+    button.textContent = text;
+    button.addEventListener("click", act);
+    return button;
+  }
+
+  buildBoard() {
+    const { knobs, presets } = SETTINGS.play;
+    if (presets.length) {
+      const bar = make("div", { class: "bar", role: "group", "aria-label": "Presets" }, this.board);
+      for (const preset of presets) this.button(bar, preset.label, () => this.choose(preset)).title = preset.text;
+      this.words = make("p", { class: "note" }, this.board);
+    }
+    const first = make("div", { class: "knobs" }, this.board);
+    const rest = make("details", {}, this.board);
+    make("summary", {}, rest).textContent = "More values";
+    const changed = (control, text) => this.change(control.knob.name, text);
+    for (const knob of knobs) this.controls.set(knob.name, new Control(knob, knob.first ? first : rest, changed));
+    rest.hidden = knobs.every((knob) => knob.first);
+    const bar = make("div", { class: "bar" }, this.board);
+    this.button(bar, "Reset", () => this.reset());
+    this.button(bar, "Pin this run", () => this.pin());
+    this.button(bar, "Large type", () => document.documentElement.classList.toggle("projector"));
+  }
+
+  /** What a start is dragged by: itself, or the parameter that it is. */
+  gripOf(name) {
+    const control = this.controls.get(name);
+    if (!control) return null;
+    const parameter = this.set.has(name) ? null : this.controls.get(control.field.value);
+    return new Grip(parameter ?? control);
+  }
+
+  drag(pairs) {
+    for (const [grip, value] of pairs) grip.put(value);
+  }
+
+  change(name, text) {
+    this.set.delete(name);
+    this.set.set(name, text);
+    this.ask();
+  }
+
+  choose(preset) {
+    this.set = new Map([...SETTINGS.set, ...preset.set]);
+    this.words.textContent = preset.text;
+    this.ask();
+  }
+
+  reset() {
+    this.set = new Map(SETTINGS.set);
+    this.player?.reset();
+    this.sections.unpin();
+    if (this.words) this.words.textContent = "";
+    this.ask();
+  }
+
+  pin() {
+    const label = this.label();
+    this.player?.pin(label);
+    this.sections.pin(label);
+  }
+
+  /** What is different now: `T = 2 s, m = 3 kg`. */
+  label() {
+    return [...this.set].map(([name, text]) => `${name} = ${text}`).join(", ") || "as given";
+  }
+
+  ask() {
+    const { name, files } = SETTINGS;
+    this.asked = [...this.set];
+    this.runs.ask({ name, scene: this.scene, set: this.asked, files });
+    clearTimeout(this.linking);
+    this.linking = setTimeout(() => this.link(), 400);
+  }
+
+  /** The address holds what is set: `#T=2s&w1=15m/s`. */
+  link() {
+    const own = [...this.set].filter(([name, text]) => new Map(SETTINGS.set).get(name) !== text);
+    const words = own.map(([name, text]) => `${name}=${encodeURIComponent(text.replaceAll(" ", ""))}`);
+    history.replaceState(null, "", words.length ? `#${words.join("&")}` : location.pathname + location.search);
+  }
+
+  fromAddress() {
+    const given = location.hash.slice(1).split("&").filter((part) => part.includes("="));
+    for (const part of given) {
+      const at = part.indexOf("=");
+      this.set.set(decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1)));
+    }
+    return given.length > 0;
+  }
+
+  busy(is) {
+    this.stop.hidden = this.progress.hidden = true;
+    clearTimeout(this.patience);
+    if (is) this.patience = setTimeout(() => (this.stop.hidden = this.progress.hidden = false), 300);
+  }
+
+  /** What becomes of the newest request. */
+  hear(kind, value) {
+    const act = {
+      began: () => {
+        this.lines = [];
+        this.energies = [];
+        this.progress.removeAttribute("value");
+        this.busy(true);
+      },
+      scene: () => this.takeScene(value),
+      progress: () => (this.progress.value = value),
+      run: () => this.takeRun(value),
+      motion: () => this.takeMotion(value.motion),
+      report: () => this.sections.show(value.parts),
+      mistakes: () => this.refuse(value),
+      refused: () => this.refuse(value),
+      stopped: () => this.end("Stopped. The last run that ended is shown."),
+      broken: () => this.end(`The run has failed (${value}). The last run that ended is shown.`),
+      done: () => this.busy(false),
+    }[kind];
+    act?.();
+  }
+
+  takeScene({ said, play }) {
+    this.warnings = said.list;
+    for (const knob of play.knobs) this.controls.get(knob.name)?.take(knob);
+  }
+
+  takeRun({ told, said, energy }) {
+    this.lines.push(told);
+    this.energies.push({ rows: energy });
+    this.warnings.push(...said.list);
+  }
+
+  takeMotion(motion) {
+    showSaid(this.said, { list: this.warnings });
+    this.told.hidden = false;
+    this.told.textContent = this.lines.join("\n");
+    this.status.textContent = this.label();
+    this.player?.update(motion);
+    this.player?.setEnergy(this.energies[this.player.index]);
+    this.box.dataset.runs = Number(this.box.dataset.runs ?? 0) + 1;
+  }
+
+  /** What is wrong, at its field; the last good run stays. */
+  refuse({ said, words }) {
+    showSaid(this.said, said, words);
+    for (const { source } of said.list) {
+      const name = this.asked[source - 1]?.[0];
+      this.controls.get(name)?.field.setAttribute("aria-invalid", "true");
+    }
+    this.status.textContent = "The last run that ended is shown.";
+    this.busy(false);
+  }
+
+  end(words) {
+    this.busy(false);
+    this.status.textContent = words;
+  }
+}
+
+globalThis.lab = new Lab(document.getElementById("play"));

@@ -1,0 +1,48 @@
+//! The panel of a page that plays, the engine and its scripts.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::report::json::{list, object, string};
+use crate::report::{Lab, live};
+
+pub(super) const STYLE: &str = include_str!("../assets/lab.css");
+
+/// Scripts in the order in which they run.
+const SCRIPTS: [&str; 4] = [
+    include_str!("../assets/lab-runs.js"),
+    include_str!("../assets/lab-page.js"),
+    include_str!("../assets/lab-drag.js"),
+    include_str!("../assets/lab.js"),
+];
+
+/// What runs beside the page.
+const WORKER: [&str; 2] = [include_str!("../assets/lab-worker.js"), include_str!("../assets/lab-unpack.js")];
+
+/// Where the controls will be: what makes them is a script, and paper has none.
+pub(super) const PANEL: &str = "<section id=\"play\" aria-labelledby=\"play-heading\" hidden></section>\n";
+
+/// The engine, what it runs, and the scripts.
+pub(super) fn scripts(lab: &Lab) -> String {
+    let (data, scripts, worker) = (data(lab), SCRIPTS.concat(), WORKER.concat());
+    format!(
+        "<script type=\"text/plain\" id=\"lab-engine\">{}</script>\n\
+         <script type=\"application/json\" id=\"lab-data\">{data}</script>\n\
+         <script type=\"text/plain\" id=\"lab-worker\">\n{worker}</script>\n\
+         <script>\n{{\n{scripts}}}\n</script>\n",
+        STANDARD.encode(lab.engine)
+    )
+}
+
+fn data(lab: &Lab) -> String {
+    let set = lab.set.iter().map(|(name, text)| list([string(name), string(text)]));
+    let files =
+        lab.files.iter().map(|(name, bytes)| list([string(name), string(&String::from_utf8_lossy(bytes))]));
+    object([
+        ("name", string(&lab.name)),
+        ("scene", string(&lab.scene)),
+        ("files", list(files)),
+        ("set", list(set)),
+        ("play", live::play(&lab.play)),
+    ])
+}

@@ -1,0 +1,72 @@
+//! What a page is sent while it plays: the parts of a report as the page itself has them, and what is to be said, as JSON.
+
+use tumble_drawing::Animation;
+use tumble_scene::{Diagnostic, Diagnostics, Label, Play, Preset, Severity};
+
+use super::json::{list, number, object, string};
+use super::{Report, html};
+
+/// The sections of a report with the data of its curves and motions, as they stand in the page.
+pub fn parts(report: &Report) -> String {
+    html::parts(report)
+}
+
+/// A motion, as the data of a page has it.
+pub fn motion(animation: &Animation) -> String {
+    html::motion(animation)
+}
+
+/// What is to be said of a scene: each with its code, its place, its message and its cure, the words of the command.
+pub fn said(diagnostics: &Diagnostics) -> String {
+    let each = diagnostics.list.iter().map(|one| said_one(diagnostics, one));
+    object([("list", list(each))])
+}
+
+fn said_one(all: &Diagnostics, one: &Diagnostic) -> String {
+    let source = all.sources.get(one.source);
+    let text = source.map_or("", |source| source.text.as_str());
+    let (line, column) = all.position(one).unwrap_or((0, 0));
+    object([
+        ("code", string(one.code.as_str())),
+        ("severity", string(if one.severity == Severity::Error { "error" } else { "warning" })),
+        ("message", string(&one.message)),
+        ("source", one.source.to_string()),
+        ("name", string(source.map_or("", |source| &source.name))),
+        ("line", line.to_string()),
+        ("column", column.to_string()),
+        ("text", string(text.lines().nth(line.max(1) - 1).filter(|_| line > 0).unwrap_or_default())),
+        ("labels", list(one.labels.iter().map(|label| place(text, label)))),
+        ("help", string(one.help.as_deref().unwrap_or_default())),
+    ])
+}
+
+/// Where a label is, in the units that scripts count texts in.
+fn place(text: &str, label: &Label) -> String {
+    let units = |to: usize| text.get(..to).map_or(0, |before| before.encode_utf16().count());
+    object([
+        ("from", units(label.span.start).to_string()),
+        ("to", units(label.span.end).to_string()),
+        ("text", string(&label.text)),
+    ])
+}
+
+/// What may be changed.
+pub fn play(play: &Play) -> String {
+    let knob = |knob: &tumble_scene::Knob| {
+        object([
+            ("name", string(&knob.name)),
+            ("text", string(&knob.text)),
+            ("value", number(knob.value)),
+            ("unit", string(&knob.unit)),
+            ("size", number(knob.size)),
+            ("range", list(knob.range.map(number))),
+            ("log", knob.is_log.to_string()),
+            ("first", knob.is_first.to_string()),
+        ])
+    };
+    let preset = |preset: &Preset| {
+        let set = preset.set.iter().map(|(name, text)| list([string(name), string(text)]));
+        object([("label", string(&preset.label)), ("text", string(&preset.text)), ("set", list(set))])
+    };
+    object([("knobs", list(play.knobs.iter().map(knob))), ("presets", list(play.presets.iter().map(preset)))])
+}

@@ -1,0 +1,177 @@
+//! The runs of a study: one, or one for every combination of what is swept.
+
+use std::ops::ControlFlow;
+
+use tumble_mech::{Equilibrium, Parameters, Run, RunError, Trust};
+use tumble_ode::{Accuracy, Refusal};
+use tumble_scene::{Diagnostics, Study};
+
+use crate::results::CaseBalance;
+use crate::results::checks::{self, CheckResult};
+use crate::results::combinations::{Combinations, Values};
+use crate::results::error::CaseError;
+use crate::results::placed;
+use crate::results::questions::{self, FindResult};
+use crate::results::survey::Survey;
+use crate::results::swept::SweptAxis;
+
+/// One run of a study, with the values it was made with.
+#[derive(Debug)]
+pub struct Case {
+    /// Counts the runs from 1.
+    pub number: usize,
+    /// What is different about it, as legends say it: `T = 0.5 s`; empty where there is only one run.
+    pub label: String,
+    /// The parameters of this run.
+    pub parameters: Parameters,
+    /// What its motion was to be held to.
+    pub accuracy: Accuracy,
+    /// The motion, as far as it was found.
+    pub run: Run,
+    /// How far it can be trusted; nothing is known of a motion that stopped early.
+    pub trust: Option<Trust>,
+    /// Why it stopped early, if it did.
+    pub refusal: Option<Refusal>,
+    /// What the scene asks for.
+    pub finds: Vec<FindResult>,
+    /// The scene's claims, each with what was found.
+    pub checks: Vec<CheckResult>,
+    /// The pose of equilibrium near its start, where it is asked for and there is one.
+    pub equilibrium: Option<Equilibrium>,
+    /// What a user should know of it.
+    pub said: Diagnostics,
+    /// Energy, momentum and what changed them; `None` where only numbers were asked for.
+    pub balance: Option<CaseBalance>,
+}
+
+/// A motion, as one looks at it: that of a case, or a check run beside it.
+#[derive(Clone, Copy)]
+pub(crate) struct Solution<'a> {
+    pub(crate) run: &'a Run,
+    /// How far it can be trusted; nothing is known of a check run.
+    pub(crate) trust: Option<&'a Trust>,
+    /// Whether it has come to its end.
+    pub(crate) is_whole: bool,
+}
+
+impl Case {
+    /// The motion with what is known of its errors.
+    pub(crate) fn solution(&self) -> Solution<'_> {
+        Solution { run: &self.run, trust: self.trust.as_ref(), is_whole: self.refusal.is_none() }
+    }
+}
+
+/// A run that was not made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// Its number among all runs, counted from 1.
+    pub number: usize,
+    /// What is different about it, as legends say it.
+    pub label: String,
+}
+
+/// The runs whose motions are known, and those that were not made.
+#[derive(Clone, Copy, Debug)]
+pub struct Runs<'a> {
+    /// With their motions.
+    pub cases: &'a [Case],
+    /// Not made.
+    pub missing: &'a [Missing],
+    /// The sweep as a whole.
+    pub survey: &'a Survey,
+}
+
+impl Case {
+    /// Integrates one run of all and holds the scene's claims against it. `reached` is told how far the motion is found, s, of the
+    /// time that it lasts, s, and says whether it goes on.
+    ///
+    /// A motion that is refused on the way is no error: what was found before stands.
+    pub fn run(
+        all: &Combinations<'_>,
+        index: usize,
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<Self, CaseError> {
+        let study = all.study();
+        let values = all.values(index)?;
+        let label = values.label.clone();
+        let made = Self::made(study, (index + 1, values), reached);
+        made.map_err(|error| error.placed(study).in_run(&label))
+    }
+
+    /// The same for a run between those of a sweep, at a value of what is swept in the unit of its axis.
+    pub(crate) fn run_between(
+        all: &Combinations<'_>,
+        axis: &SweptAxis,
+        at: f64,
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<Self, CaseError> {
+        let study = all.study();
+        let values = all.between(axis, at)?;
+        let label = values.label.clone();
+        Self::made(study, (all.count() + 1, values), reached)
+            .map_err(|error| error.placed(study).in_run(&label))
+    }
+
+    fn made(
+        study: &Study,
+        (number, values): (usize, Values),
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<Self, CaseError> {
+        let Values { label, parameters, accuracy } = values;
+        let study = &study.with(&parameters);
+        let until = study.number(&study.until)?;
+        let reached = |time| reached(time, until);
+        let equations = study.equations().with(&parameters)?;
+        let found = Run::trusted_of(&equations, &parameters, until, accuracy, reached);
+        let (run, trust, refusal) = match found {
+            Ok((run, trust)) => (run, Some(trust), None),
+            Err(error) if error.is_interrupted() => return Err(CaseError::Interrupted),
+            Err(RunError::Refused { refusal, partial }) if !partial.is_empty() => {
+                (*partial, None, Some(refusal))
+            }
+            Err(error) => return Err(error.into()),
+        };
+        let mut case = Self {
+            number,
+            label,
+            parameters,
+            accuracy,
+            run,
+            trust,
+            refusal,
+            finds: vec![],
+            checks: vec![],
+            equilibrium: None,
+            said: Diagnostics::default(),
+            balance: None,
+        };
+        case.finds = questions::finds(study, &case)?;
+        case.checks = checks::evaluate(study, &case)?;
+        case.said = placed::said(study, &case)?;
+        if study.equilibrium {
+            case.find_equilibrium(study);
+        }
+        Ok(case)
+    }
+
+    fn find_equilibrium(&mut self, study: &Study) {
+        match self.run.equations.equilibrium(&self.parameters) {
+            Ok(found) => self.equilibrium = Some(found),
+            Err(reason) => {
+                let mut said = study.no_equilibrium(&reason.to_string());
+                placed::name_run(&mut said, &self.label);
+                self.said.extend(said);
+            }
+        }
+    }
+
+    /// The folder of its tables.
+    pub fn folder(&self) -> String {
+        folder(self.number)
+    }
+}
+
+/// The folder of the tables of a run.
+pub fn folder(number: usize) -> String {
+    format!("run-{number:03}")
+}

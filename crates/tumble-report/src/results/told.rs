@@ -1,0 +1,119 @@
+//! What a run came to, in lines for people: the command prints them, and the page shows them.
+
+use tumble_mech::Extreme;
+
+use crate::results::{CheckResult, FindResult, Finished, Located};
+
+/// Of a time that does not come.
+const NOT_REACHED: &str = "not reached: its event or its time does not come in this motion";
+/// Smaller numbers are written with a power of ten.
+const SMALL: f64 = 1e-5;
+
+impl Finished {
+    /// What it came to.
+    pub fn told(&self) -> String {
+        of_run(self)
+    }
+}
+
+impl Located {
+    /// Where an answer is greatest or least along a sweep.
+    pub fn told(&self) -> String {
+        of_located(self)
+    }
+}
+
+fn of_run(run: &Finished) -> String {
+    let Finished { end, work, .. } = run;
+    let label = if run.label.is_empty() { String::new() } else { format!("{}: ", run.label) };
+    let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
+    let (steps, events) = (count(work.steps, "step"), count(run.events.len() as u64, "event"));
+    let digits = run.held.as_ref().map_or_else(String::new, |held| format!(", {}", held.words()));
+    let mut lines = vec![format!("  {label}{end} s in {steps}{exact}, {events}{digits}")];
+    if let Some(found) = run.quadrature.filter(|found| !found.settled) {
+        let (nodes, change) = (found.nodes, found.change);
+        lines.push(format!("  the sum over {nodes} nodes along a line is only good to {change:.0e}"));
+    }
+    lines.extend(run.equilibrium_lines());
+    lines.extend(run.finds.iter().map(of_find));
+    lines.extend(run.checks.iter().map(of_check));
+    lines.extend(run.refusal.as_ref().map(|refusal| format!("  incomplete: {refusal}")));
+    lines.join("\n")
+}
+
+fn of_find(find: &FindResult) -> String {
+    let FindResult { name, that, unit, at, value, .. } = find;
+    if !find.is_reached() {
+        return format!("  find {name}: {NOT_REACHED}");
+    }
+    if let Some(open) = find.open() {
+        return format!("  find {name}: {that} {open}, at {at} s");
+    }
+    format!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty())
+}
+
+/// `  find far: greatest at T = 2.01 s, between 2.009 s and 2.011 s: 178.2 deg (10 more runs)`
+fn of_located(located: &Located) -> String {
+    let Located { find, unit, parameter, parameter_unit, place, .. } = located;
+    let which = if located.which == Extreme::Greatest { "greatest" } else { "least" };
+    let at = |value: f64| with_unit(rounded(value), parameter_unit);
+    let between = match (place.between, place.equal) {
+        (_, Some(equal)) => {
+            format!(" and in {} up to {}", count(equal.runs as u64 - 1, "other run"), at(equal.last))
+        }
+        (Some([low, high]), None) => format!(", between {} and {}", at(low), at(high)),
+        (None, None) => ", at an end of the sweep".to_owned(),
+    };
+    let made =
+        if place.made == 0 { String::new() } else { format!(" ({})", count(place.made as u64, "more run")) };
+    let value = with_unit(place.best.value, unit);
+    format!("  find {find}: {which} at {parameter} = {}{between}: {value}{made}", at(place.best.at))
+}
+
+fn of_check(check: &CheckResult) -> String {
+    let CheckResult { name, that, unit, at, .. } = check;
+    if !check.is_reached() {
+        return format!("  check {name}: FAILS, {NOT_REACHED}");
+    }
+    if let Some(open) = check.open() {
+        return format!("  check {name}: FAILS, {that} {open}, at {at} s");
+    }
+    let found = with_unit(check.found, unit);
+    let ending = match check.holds {
+        true => format!("holds{}", doubt(check)),
+        false => {
+            let [expected, within] = [check.expected, check.within].map(|value| with_unit(value, unit));
+            format!("FAILS, expected {expected} within {within}")
+        }
+    };
+    format!("  check {name}: {that} = {found} at {at} s {ending}")
+}
+
+/// To seven digits: a place that was looked for has no more.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.6e}").parse().unwrap_or(value)
+}
+
+/// That a claim which holds might as well not.
+fn doubt(check: &CheckResult) -> String {
+    match check.error {
+        _ if check.is_sure() => String::new(),
+        Some(error) => format!(", though it is only known to {error:.0e}"),
+        None => ", though no digit of it is known".to_owned(),
+    }
+}
+
+/// A value of a check, `9.6 m`.
+fn with_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() { short(value) } else { format!("{} {unit}", short(value)) }
+}
+
+/// All digits, and no row of zeros.
+fn short(value: f64) -> String {
+    if value != 0.0 && value.abs() < SMALL { format!("{value:e}") } else { value.to_string() }
+}
+
+/// `1 step`, `2 steps`
+pub fn count(number: u64, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+}

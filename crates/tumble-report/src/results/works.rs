@@ -1,0 +1,132 @@
+//! What only the run knows up to an instant, by the names in finds and checks: works of loads, `floor.work`, and what [`tallies`] has.
+
+use tumble_expr::{Expr, Substitution, Symbol, Unit};
+use tumble_mech::{At, Contribution, Kind, RunBalance, Trust};
+use tumble_ode::Side;
+
+use crate::results::ABOUT;
+use crate::results::CaseError;
+use crate::results::case::Solution;
+use crate::results::moments::is_part;
+use crate::results::tallies;
+
+/// How their names end.
+const WORK: &str = ".work";
+
+/// Works that some formulas name, up to an instant, J.
+pub(crate) struct Works {
+    known: Vec<(Symbol, Work)>,
+}
+
+struct Work {
+    done: f64,
+    /// `None` where nothing is known of it.
+    error: Option<f64>,
+    /// What rounding of the time of an event makes of it.
+    blur: f64,
+}
+
+impl Works {
+    /// `None` outside the motion.
+    pub(crate) fn of(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Option<Self>, CaseError> {
+        let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
+        if symbols.is_empty() {
+            return Ok(Some(Self { known: vec![] }));
+        }
+        let (works, tallied): (Vec<Symbol>, Vec<Symbol>) =
+            symbols.into_iter().partition(|symbol| symbol.name.ends_with(WORK));
+        let tallies = tallied.into_iter().map(|symbol| {
+            let tally = tallies::found(solution.run, &symbol.name, at)?;
+            // What is compared with the check runs says how far it is known.
+            let error = solution.trust.map(|_| 0.0);
+            Some((symbol, Work { done: tally.value, error, blur: tally.blur }))
+        });
+        let Some(mut known) = tallies.collect::<Option<Vec<_>>>() else { return Ok(None) };
+        if works.is_empty() {
+            return Ok(Some(Self { known }));
+        }
+        let mut balance = RunBalance::of(solution.run, ABOUT)?;
+        let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
+        let errors = match solution.trust {
+            Some(trust) => trust.work_errors(solution.run, &mut balance, at.time, at.side)?,
+            None => None,
+        };
+        let [here, before] = around(solution, &mut balance, at)?;
+        let whole = balance.contributions.iter().zip(&reading.work);
+        let rounding: Vec<f64> = whole.map(|(contribution, work)| contribution.rounding(*work)).collect();
+        let work = |symbol: Symbol| {
+            let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
+            let sum = |of: &[f64]| -> f64 {
+                let contributions = balance.contributions.iter().zip(of);
+                contributions
+                    .filter(|(contribution, _)| is_work_of(contribution, load))
+                    .map(|(_, amount)| amount)
+                    .sum()
+            };
+            let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
+            let (done, error) = (sum(&reading.work), errors.as_deref().map(sum));
+            (symbol.clone(), Work { done, error, blur: moved + sum(&rounding) })
+        };
+        known.extend(works.into_iter().map(work));
+        Ok(Some(Self { known }))
+    }
+
+    /// Whether all errors are known.
+    pub(crate) fn is_sure(&self) -> bool {
+        self.known.iter().all(|(_, work)| work.error.is_some())
+    }
+
+    /// A formula with the works that were found.
+    pub(crate) fn put_into(&self, formula: &Expr) -> Expr {
+        self.with(formula, |_| 0.0)
+    }
+
+    /// For each work, the formula with that one off by its error.
+    pub(crate) fn variants(&self, formula: &Expr) -> Vec<Expr> {
+        self.each(formula, |work| work.error.unwrap_or(0.0))
+    }
+
+    /// For each work, the formula with that one off by what it is known to at best.
+    pub(crate) fn blurred(&self, formula: &Expr) -> Vec<Expr> {
+        self.each(formula, |work| work.blur)
+    }
+
+    fn each(&self, formula: &Expr, by: impl Fn(&Work) -> f64) -> Vec<Expr> {
+        let off = |index: usize| {
+            self.with(formula, |other| if other == index { by(&self.known[index].1) } else { 0.0 })
+        };
+        (0..self.known.len()).map(off).collect()
+    }
+
+    fn with(&self, formula: &Expr, off: impl Fn(usize) -> f64) -> Expr {
+        let mut found = Substitution::default();
+        for (index, (symbol, work)) in self.known.iter().enumerate() {
+            found.insert(symbol.clone(), Expr::from(work.done + off(index)) * Unit(symbol.dimension));
+        }
+        found.apply(formula)
+    }
+}
+
+/// The works at an event and a little before it: as far as rounding may have moved its time.
+fn around(solution: Solution<'_>, balance: &mut RunBalance, at: At) -> Result<[Vec<f64>; 2], CaseError> {
+    let late = if at.off > 0.0 { Trust::instant_blur(solution.run, at.time) } else { 0.0 };
+    if late == 0.0 {
+        return Ok([vec![], vec![]]);
+    }
+    let mut works = |time: f64, side: Side| {
+        let reading = balance.at(time, side)?;
+        Ok::<_, CaseError>(reading.map_or(vec![], |reading| reading.work))
+    };
+    Ok([works(at.time, Side::Before)?, works(at.time - late, Side::After)?])
+}
+
+/// Whether a symbol is the work of a load, an impulse or a count.
+pub(crate) fn is_work(symbol: &Symbol) -> bool {
+    symbol.name.ends_with(WORK) || tallies::is_tally(&symbol.name)
+}
+
+/// Whether a contribution is what the force of a load, or a part of a load such as one contact of a surface, did to a body.
+fn is_work_of(contribution: &Contribution, load: &str) -> bool {
+    is_part(&contribution.load, load)
+        && matches!(contribution.kind, Kind::Conservative | Kind::Work | Kind::Impact)
+}

@@ -1,0 +1,73 @@
+//! `[contact.NAME]`: bodies that meet each other.
+
+use tumble_expr::{Dimension, Expr};
+use tumble_mech::{BodyContact, Friction};
+
+use super::{body, each, surface};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::document::{Field, Table};
+use crate::draft::Draft;
+use crate::formula::Want;
+use crate::quantities;
+
+pub(super) fn read(draft: &mut Draft, section: &Field) {
+    each(draft, section, contact);
+    quantities::define_meetings(&mut draft.names, &draft.model);
+}
+
+fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
+    let name = draft.own_name("a contact", field);
+    draft.remember(format!("contact `{name}`"), &field.key_span);
+    let between = draft.required(table, "between", "\"all\"");
+    let between = between.and_then(|field| between_of(draft, &name, &field));
+    let law = match table.take("rigid") {
+        Some(field) => rigid(draft, &name, &field),
+        None => Some((None, None)),
+    };
+    let (Some(between), Some((restitution, friction))) = (between, law) else {
+        return draft.names.break_name(&name);
+    };
+    draft.model.contact(BodyContact { name, between, restitution, friction });
+}
+
+/// Names of bodies of which every two meet; `None` is all.
+fn between_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Option<Vec<String>>> {
+    let Some(fields) = field.elements() else {
+        return draft.choice(field, &["all"]).map(|_| None);
+    };
+    let names: Vec<Option<String>> = fields.iter().map(|field| body(draft, field)).collect();
+    let names: Vec<String> = names.into_iter().collect::<Option<_>>()?;
+    let again = (1..names.len()).find(|place| names[..*place].contains(&names[*place]));
+    if let Some(place) = again {
+        let message = format!("`{name}` is of `{}` with itself", names[place]);
+        let mistake = Diagnostic::new(Code::Exclusive, fields[place].span.clone(), message);
+        draft.note(mistake.label("named again").help("a body meets others: name each of them once"));
+        return None;
+    }
+    if names.len() < 2 {
+        let message = format!("`{name}` needs two bodies, or more");
+        let mistake = Diagnostic::new(Code::Exclusive, field.span.clone(), message);
+        let help = "write `between = [\"red\", \"white\"]`, or `between = \"all\"` for all bodies";
+        draft.note(mistake.label("who meets?").help(help));
+        return None;
+    }
+    Some(Some(names))
+}
+
+/// Restitution, where it is not the bodies' own, and friction.
+fn rigid(draft: &mut Draft, name: &str, field: &Field) -> Option<(Option<Expr>, Option<Friction>)> {
+    let mut inner = draft.table(field, field.key.to_owned())?;
+    inner.span = field.span.clone();
+    let restitution = inner.take("restitution").map(|field| {
+        draft.remember(format!("restitution of `{name}`"), &field.span);
+        draft.number(&field, Want::constant(Dimension::NONE))
+    });
+    let friction = surface::rubbing(draft, name, &mut inner);
+    draft.done(inner);
+    match restitution {
+        Some(None) => None,
+        Some(own) => Some((own, friction?)),
+        None => Some((None, friction?)),
+    }
+}
