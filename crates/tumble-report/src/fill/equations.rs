@@ -7,6 +7,7 @@ use tumble_mech::{Anchor, ContactMode, Grip, Joint, Mode, Pivot, Term, rotated};
 use tumble_notation::{Left, Mark, Math as Formula, Notation, Shown};
 use tumble_scene::Study;
 
+use super::alike::Kind;
 use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, math};
 use super::reduced::{self, Reduced, Solved};
@@ -18,16 +19,17 @@ const MOST_SIGNS: usize = 800;
 const MOST_MODES: usize = 6;
 
 /// The equations of motion in each mode that the motion went through.
-pub(super) fn modes(study: &Study, names: &Names, case: &Case) -> Vec<ModeShown> {
+pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeShown> {
     let modes = &case.run.trajectory().modes;
-    let bodies = study.model.bodies.len();
+    let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
-        let motions = motions(study, names, case, mode);
+        let mut motions = motions(study, names, case, mode);
+        motions.retain(|motion| is_shown(motion.body));
         let blocks: Vec<Block> =
             motions.iter().filter_map(|motion| equations_of(study, names, motion)).collect();
         let told =
             |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
-        let by_name = (0..bodies).filter(|body| !told(body)).count();
+        let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
         ModeShown {
             name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
             holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },

@@ -6,6 +6,7 @@ use tumble_mech::{Body, Extreme, Shape};
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, When};
 
+use super::alike;
 use super::names::{Names, quantity};
 use super::sizes;
 use crate::figures::symbols;
@@ -14,15 +15,33 @@ use crate::results::CaseError;
 use crate::results::{is_angle, unit};
 
 pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Identify, CaseError> {
-    let bodies = study.model.bodies.iter().map(|body| row(study, names, body));
     Ok(Identify {
         intro: vec![],
         scene: super::animation::drawing(study, names, case)?,
-        bodies: bodies.collect::<Result<_, _>>()?,
+        bodies: bodies(study, names)?,
         parameters: parameters(study, names)?,
         initial: initial(study, names, case),
         sought: sought(study, names),
     })
+}
+
+/// A row for each body, one for all that differ by name alone.
+fn bodies(study: &Study, names: &Names) -> Result<Vec<BodyRow>, CaseError> {
+    let mut rows: Vec<(BodyRow, Vec<String>)> = vec![];
+    for body in &study.model.bodies {
+        let row = row(study, names, body)?;
+        let is_like = |other: &BodyRow| other.shape == row.shape && other.properties == row.properties;
+        match rows.iter_mut().find(|(other, _)| is_like(other)) {
+            Some((_, names)) => names.push(body.name.clone()),
+            None => rows.push((row, vec![body.name.clone()])),
+        }
+    }
+    let named = |(row, names): (BodyRow, Vec<String>)| BodyRow {
+        name: alike::listed(&names).into(),
+        shape: if names.len() > 1 { Text::from("each ").and(row.shape) } else { row.shape },
+        properties: row.properties,
+    };
+    Ok(rows.into_iter().map(named).collect())
 }
 
 fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> {

@@ -3,6 +3,7 @@
 //! Everything in it is read from what ran: equations from the graph that was integrated, forces from its terms, numbers
 //! from the trajectory. No file is read or written here, no thread begun and no time asked for: it is the same in a browser.
 
+mod alike;
 mod analyze;
 mod animation;
 mod balance;

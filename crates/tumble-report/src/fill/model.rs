@@ -6,6 +6,7 @@ use tumble_mech::{Equations, Friction, Law, Pair, Statement, Term};
 use tumble_notation::{Left, Math as Formula, Operator};
 use tumble_scene::{FreeBody, Study};
 
+use super::alike::{self, Kind};
 use super::equations;
 use super::names::{Names, math, words};
 use crate::figures::{air, free_bodies, instants, symbols};
@@ -22,12 +23,13 @@ pub(super) const MOST_OPERATIONS: usize = 300;
 
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Model, CaseError> {
     let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
-    let bodies = (0..study.model.bodies.len()).map(|body| one(study, names, [case, drawn], body));
+    let kinds = alike::kinds(study, case);
+    let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind));
     Ok(Model {
         intro: vec![],
         assumptions: assumptions(study),
         bodies: bodies.collect::<Result<_, _>>()?,
-        modes: equations::modes(study, names, case),
+        modes: equations::modes(study, names, case, &kinds),
     })
 }
 
@@ -59,10 +61,11 @@ fn assumptions(study: &Study) -> Vec<Text> {
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }
 
-fn one(study: &Study, names: &Names, [case, drawn]: [&Case; 2], body: usize) -> Result<BodyModel, CaseError> {
+fn one(study: &Study, names: &Names, [case, drawn]: [&Case; 2], kind: &Kind) -> Result<BodyModel, CaseError> {
+    let body = kind.shown;
     let names = &names.of_body(body);
     Ok(BodyModel {
-        name: study.model.bodies[body].name.as_str().into(),
+        name: kind.name(study).into(),
         diagrams: diagrams(study, drawn, body)?,
         forces: forces(study, names, case, body),
         laws: vec![laws(study, names, case, body)],

@@ -1,0 +1,159 @@
+//! Bodies that are alike: of many, one is shown in full, and the others are named with it.
+
+use tumble_mech::Law;
+use tumble_scene::Study;
+
+use crate::figures::symbols;
+use crate::results::Case;
+
+/// So many like bodies are each shown; of more than these, one.
+const MOST_SHOWN: usize = 5;
+/// So many names are all said; of more than these, the first two and the last.
+const MOST_NAMED: usize = 4;
+
+/// Bodies of one kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Kind {
+    /// The one that is shown: that on which most acts.
+    pub shown: usize,
+    /// All of them, in order.
+    pub bodies: Vec<usize>,
+}
+
+impl Kind {
+    /// `b1`, or `b5, and likewise b1, b2, ..., b15`.
+    pub(super) fn name(&self, study: &Study) -> String {
+        let name = |body: &usize| study.model.bodies[*body].name.clone();
+        let others: Vec<String> = self.bodies.iter().filter(|body| **body != self.shown).map(name).collect();
+        let own = name(&self.shown);
+        if others.is_empty() { own } else { format!("{own}, and likewise {}", listed(&others)) }
+    }
+}
+
+/// The bodies by kind, a kind where its first body stands.
+pub(super) fn kinds(study: &Study, case: &Case) -> Vec<Kind> {
+    let mut found: Vec<(Likeness, Kind, usize)> = vec![];
+    for body in 0..study.model.bodies.len() {
+        let (likeness, loads) = likeness(study, case, body);
+        let same = found.iter_mut().find(|(other, ..)| *other == likeness);
+        match same.filter(|_| !likeness.is_joined) {
+            Some((_, kind, most)) => {
+                kind.bodies.push(body);
+                if loads > *most {
+                    (kind.shown, *most) = (body, loads);
+                }
+            }
+            None => found.push((likeness, Kind { shown: body, bodies: vec![body] }, loads)),
+        }
+    }
+    let mut kinds: Vec<Kind> = found.into_iter().flat_map(|(_, kind, _)| parted(kind)).collect();
+    kinds.sort_by_key(|kind| kind.bodies[0]);
+    kinds
+}
+
+/// Few are shown one by one.
+fn parted(kind: Kind) -> Vec<Kind> {
+    if kind.bodies.len() > MOST_SHOWN {
+        return vec![kind];
+    }
+    kind.bodies.into_iter().map(|body| Kind { shown: body, bodies: vec![body] }).collect()
+}
+
+/// What bodies share that are alike.
+#[derive(PartialEq)]
+struct Likeness {
+    /// Shapes, mass and moment of inertia, as formulas are written.
+    properties: String,
+    /// The loads on it; of contacts, what stands in the scene.
+    loads: Vec<String>,
+    /// A body in a linkage is like no other.
+    is_joined: bool,
+    /// The scene asks for its diagram.
+    is_asked: bool,
+}
+
+/// Of a body, and how many loads there are on it.
+fn likeness(study: &Study, case: &Case, body: usize) -> (Likeness, usize) {
+    let own = &study.model.bodies[body];
+    let properties = own.mass_properties();
+    let run = case.run.of_body(body);
+    let modes = &run.trajectory().modes;
+    let terms = modes.iter().flat_map(|mode| case.run.equations.shown_terms(mode));
+    let mut all: Vec<(String, Law)> =
+        terms.filter(|term| term.body == body).map(|term| (term.load, term.law)).collect();
+    all.sort_by(|one, other| one.0.cmp(&other.0));
+    all.dedup_by(|one, other| one.0 == other.0);
+    let count = all.len();
+    let mut loads: Vec<String> = all.iter().map(|(load, law)| stated_as(load, *law)).collect();
+    loads.dedup();
+    let joints = &study.model.joints;
+    let likeness = Likeness {
+        properties: format!("{:?} {:?} {:?}", own.parts, properties.mass, properties.inertia),
+        loads,
+        is_joined: study.model.pivot_of(&own.name).is_some()
+            || joints.iter().any(|joint| joint.bodies().any(|name| name == own.name)),
+        is_asked: study.free_bodies.iter().any(|sheet| sheet.body == body),
+    };
+    (likeness, count)
+}
+
+/// The section of the scene that a load comes from.
+fn stated_as(load: &str, law: Law) -> String {
+    let pair = symbols::rubbed(load);
+    match law {
+        Law::Contact | Law::Friction => pair.split('.').next().unwrap_or(pair).to_owned(),
+        _ => load.to_owned(),
+    }
+}
+
+/// Names in a row; of many, the first two and the last.
+pub(super) fn listed(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first, second, .., last] if names.len() > MOST_NAMED => format!("{first}, {second}, …, {last}"),
+        [before @ .., last] => format!("{} and {last}", before.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::motions_in;
+
+    /// Balls side by side, some of them pushed.
+    fn kinds_of(count: usize, pushed: &[usize]) -> Vec<Kind> {
+        let ball = |index: usize| {
+            format!(
+                "[body.b{index}]\nball = {{ radius = \"1 cm\" }}\nmass = \"1 kg\"\nstart.at = [\"{index} m\", 0]\n"
+            )
+        };
+        let push = |index: &usize| format!("[force.push{index}]\non = \"b{index}\"\nforce = [\"1 N\", 0]\n");
+        let head = "version = 1\nworld.gravity = \"9.81 m/s^2\"\nrun.until = \"0.1 s\"\n".to_owned();
+        let scene =
+            (1..=count).map(ball).chain(pushed.iter().map(push)).fold(head, |scene, part| scene + &part);
+        let (study, cases) = motions_in("balls", scene.as_bytes(), &tumble_scene::NoFiles);
+        kinds(&study, &cases[0])
+    }
+
+    #[test]
+    fn of_many_that_are_alike_one_is_shown() {
+        assert_eq!(kinds_of(7, &[]), [Kind { shown: 0, bodies: (0..7).collect() }]);
+        assert_eq!(kinds_of(3, &[]).len(), 3);
+    }
+
+    #[test]
+    fn what_acts_makes_a_difference() {
+        let kinds = kinds_of(8, &[2]);
+        assert_eq!(kinds[0].bodies, [0, 2, 3, 4, 5, 6, 7]);
+        assert_eq!(kinds[1], Kind { shown: 1, bodies: vec![1] });
+    }
+
+    #[test]
+    fn many_names_are_said_by_the_first_and_the_last() {
+        let names = |count: usize| (1..=count).map(|index| format!("b{index}")).collect::<Vec<_>>();
+        assert_eq!(listed(&names(1)), "b1");
+        assert_eq!(listed(&names(3)), "b1, b2 and b3");
+        assert_eq!(listed(&names(15)), "b1, b2, …, b15");
+    }
+}
