@@ -128,7 +128,9 @@ mod tests {
                 "[body.b{index}]\nball = {{ radius = \"1 cm\" }}\nmass = \"1 kg\"\nstart.at = [\"{index} m\", 0]\n"
             )
         };
-        let push = |index: &usize| format!("[force.push{index}]\non = \"b{index}\"\nforce = [\"1 N\", 0]\n");
+        let push = |index: &usize| {
+            format!("[force.push{index}]\non = \"b{index}\"\nat = \"b{index}.cm\"\nforce = [\"1 N\", 0]\n")
+        };
         let head = "version = 1\nworld.gravity = \"9.81 m/s^2\"\nrun.until = \"0.1 s\"\n".to_owned();
         let scene =
             (1..=count).map(ball).chain(pushed.iter().map(push)).fold(head, |scene, part| scene + &part);
