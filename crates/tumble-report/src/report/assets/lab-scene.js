@@ -83,7 +83,6 @@ class SceneEditor {
     [...this.said.querySelectorAll(":scope > div")].forEach((item, i) => this.goTo(item, own[i]));
     const isWrong = own.some(({ severity }) => severity === "error");
     this.area.setAttribute("aria-invalid", isWrong);
-    if (isWrong) this.box.open = true;
     if (this.area.value !== scene) return;
     this.marks = own.flatMap(({ labels, severity }) => labels.slice(0, 1).map(({ from, to }) => ({ from, to: Math.max(to, from + 1), severity })));
     this.paint();

@@ -324,7 +324,10 @@ class Lab {
   refuse({ said, words }) {
     const gone = said.list.length && this.edited && said.list.every(({ source }) => source > 0);
     if (gone) return this.forget(said.list.map(({ source }) => this.asked[source - 1]?.[0]));
-    showSaid(this.said, said, words);
+    // What is wrong with a text that was typed is told once, under it.
+    const isTyped = this.edited && said.list.length > 0 && said.list.every(({ source }) => source === 0);
+    showSaid(this.said, isTyped ? { list: [] } : said, isTyped ? "" : words);
+    if (isTyped) this.editor.box.open = true;
     this.editor.tell(said, this.scene, words);
     for (const { source } of said.list) {
       const name = this.asked[source - 1]?.[0];
