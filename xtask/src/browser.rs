@@ -14,8 +14,8 @@ use crate::debian;
 use crate::workspace::{Workspace, copy, read};
 
 /// Copied next to the installed packages, so that the script finds them and the repository stays clean.
-const SCRIPT_FILES: [&str; 6] =
-    ["check.mjs", "engine.mjs", "play.mjs", "package.json", "package-lock.json", ".npmrc"];
+const SCRIPT_FILES: [&str; 7] =
+    ["check.mjs", "engine.mjs", "play.mjs", "scene.mjs", "package.json", "package-lock.json", ".npmrc"];
 
 /// The status of `check.mjs` for pages with faults; any other failure is the tool's own.
 const FAULTY: i32 = 1;

@@ -13,17 +13,21 @@ use crate::workspace::Workspace;
 const ENGINE: &str = "engine.mjs";
 /// How a page unpacks the engine.
 const UNPACK: &str = "crates/tumble-report/src/report/assets/lab-unpack.js";
-const PLAY: &str = "play.mjs";
+/// Moves sliders, and edits scenes, in a browser.
+const PAGES: [&str; 2] = ["play.mjs", "scene.mjs"];
 
-/// Runs both.
+/// Runs all of them.
 pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     lab::refuse_stale(workspace)?;
     let checker = Checker::prepare(workspace)?;
     engines(workspace, &checker)?;
     workspace.cargo(["build", "--quiet", "--locked", "--package", "tumble"]).run()?;
     let (tumble, scenes) = (workspace.target().join("debug/tumble"), workspace.path("scenes"));
-    let folder = workspace.empty_scratch("play")?;
-    checker.node(PLAY).arg(checker.chromium()).args([&tumble, &folder, &scenes]).run()
+    for page in PAGES {
+        let folder = workspace.empty_scratch("play")?;
+        checker.node(page).arg(checker.chromium()).args([&tumble, &folder, &scenes]).run()?;
+    }
+    Ok(())
 }
 
 /// Every number of every scene is the same natively, in the engine of the repository, and in one of today.

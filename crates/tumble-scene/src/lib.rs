@@ -63,6 +63,11 @@ pub use study::{
 };
 pub use sweep::{SweepAxis, SweepValue, SweepValues, Swept};
 
+/// What the sections of a scene, and the keys before them, are called.
+pub fn section_words() -> impl Iterator<Item = &'static str> {
+    sections::SECTIONS.iter().map(|section| section.key)
+}
+
 /// A scene may have this many bytes.
 pub const MAX_BYTES: usize = 16 << 20;
 

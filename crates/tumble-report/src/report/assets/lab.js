@@ -92,7 +92,7 @@ class Lab {
     this.build();
     this.runs = new Runs((kind, value) => this.hear(kind, value));
     box.hidden = false;
-    if (this.fromAddress()) this.ask();
+    this.fromAddress();
   }
 
   build() {
@@ -124,22 +124,59 @@ class Lab {
   }
 
   buildBoard() {
-    const { knobs, presets } = SETTINGS.play;
+    const { presets } = SETTINGS.play;
     if (presets.length) {
       const bar = make("div", { class: "bar", role: "group", "aria-label": "Presets" }, this.board);
       for (const preset of presets) this.button(bar, preset.label, () => this.choose(preset)).title = preset.text;
       this.words = make("p", { class: "note" }, this.board);
     }
-    const first = make("div", { class: "knobs" }, this.board);
-    const rest = make("details", {}, this.board);
-    make("summary", {}, rest).textContent = "More values";
-    const changed = (control, text) => this.change(control.knob.name, text);
-    for (const knob of knobs) this.controls.set(knob.name, new Control(knob, knob.first ? first : rest, changed));
-    rest.hidden = knobs.every((knob) => knob.first);
+    this.knobs = make("div", {}, this.board);
+    this.buildKnobs(SETTINGS.play.knobs);
     const bar = make("div", { class: "bar" }, this.board);
     this.button(bar, "Reset", () => this.reset());
     this.button(bar, "Pin this run", () => this.pin());
     this.button(bar, "Large type", () => document.documentElement.classList.toggle("projector"));
+    this.editor = new SceneEditor(this.box, this.scene, (text) => this.edit(text));
+    this.buildSaves(this.editor.bar);
+  }
+
+  /** The sliders of a scene, in the place of those before. */
+  buildKnobs(knobs) {
+    this.controls.clear();
+    this.knobs.replaceChildren();
+    const first = make("div", { class: "knobs" }, this.knobs);
+    const rest = make("details", {}, this.knobs);
+    make("summary", {}, rest).textContent = "More values";
+    const changed = (control, text) => this.change(control.knob.name, text);
+    for (const knob of knobs) this.controls.set(knob.name, new Control(knob, knob.first ? first : rest, changed));
+    rest.hidden = knobs.every((knob) => knob.first);
+  }
+
+  buildSaves(bar) {
+    this.button(bar, "The scene as it was", () => {
+      this.editor.show(SETTINGS.scene);
+      this.edit(SETTINGS.scene);
+    });
+    this.button(bar, "Save scene.toml", () => this.saveScene());
+    this.button(bar, "Save tables (CSV)", () => save("tables.csv", "text/csv", tablesAsText()));
+    if (!this.player) return;
+    this.button(bar, "Save picture (SVG)", () => save("picture.svg", "image/svg+xml", pictureOf(this.player.svg).text));
+    this.button(bar, "Save picture (PNG)", async () => save("picture.png", "image/png", await dotsOf(pictureOf(this.player.svg))));
+  }
+
+  /** The scene as it is written, with the values of the sliders; what has no plain place in it is told. */
+  saveScene() {
+    const { scene, left } = written(this.scene, this.set);
+    const settings = left.map(([name, text]) => `--set "${name}=${text}"`).join(" ");
+    this.editor.state.textContent = left.length ? `Not in the text, because its place there is no plain value: run it with ${settings}.` : "";
+    save("scene.toml", "application/toml", scene);
+  }
+
+  /** Another scene: it runs, and what it does not have is no longer set. */
+  edit(scene) {
+    this.scene = scene;
+    this.edited = true;
+    this.ask();
   }
 
   /** What a start is dragged by: itself, or the parameter that it is. */
@@ -197,16 +234,35 @@ class Lab {
   link() {
     const own = [...this.set].filter(([name, text]) => new Map(SETTINGS.set).get(name) !== text);
     const words = own.map(([name, text]) => `${name}=${encodeURIComponent(text.replaceAll(" ", ""))}`);
+    this.linkTo(words);
+  }
+
+  /** An edited scene is in the address too. */
+  async linkTo(words) {
+    const { scene } = this;
+    if (scene !== SETTINGS.scene) words.push(`scene=${await packedText(scene)}`);
+    if (scene !== this.scene) return;
     history.replaceState(null, "", words.length ? `#${words.join("&")}` : location.pathname + location.search);
   }
 
-  fromAddress() {
+  /** Takes what the address holds, and runs it. */
+  async fromAddress() {
     const given = location.hash.slice(1).split("&").filter((part) => part.includes("="));
     for (const part of given) {
-      const at = part.indexOf("=");
-      this.set.set(decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1)));
+      const [name, text] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)].map(decodeURIComponent);
+      if (name === "scene") await this.takePacked(text);
+      else this.set.set(name, text);
     }
-    return given.length > 0;
+    if (given.length) this.ask();
+  }
+
+  async takePacked(text) {
+    try {
+      this.scene = await unpackedText(text);
+      this.editor.show(this.scene);
+    } catch {
+      this.status.textContent = "The scene in the address cannot be read: the link is not whole. The scene of this page is shown.";
+    }
   }
 
   busy(is) {
@@ -240,6 +296,8 @@ class Lab {
 
   takeScene({ said, play }) {
     this.warnings = said.list;
+    const isOther = play.knobs.map((knob) => knob.name).join() !== [...this.controls.keys()].join();
+    if (isOther) this.buildKnobs(play.knobs);
     for (const knob of play.knobs) this.controls.get(knob.name)?.take(knob);
   }
 
@@ -251,6 +309,9 @@ class Lab {
 
   takeMotion(motion) {
     showSaid(this.said, { list: this.warnings });
+    this.editor.tell({ list: this.warnings }, this.scene);
+    if (this.edited) this.editor.state.textContent = "The scene is right: what is shown is its run.";
+    this.edited = false;
     this.told.hidden = false;
     this.told.textContent = this.lines.join("\n");
     this.status.textContent = this.label();
@@ -261,13 +322,26 @@ class Lab {
 
   /** What is wrong, at its field; the last good run stays. */
   refuse({ said, words }) {
-    showSaid(this.said, said, words);
+    const gone = said.list.length && this.edited && said.list.every(({ source }) => source > 0);
+    if (gone) return this.forget(said.list.map(({ source }) => this.asked[source - 1]?.[0]));
+    // What is wrong with a text that was typed is told once, under it.
+    const isTyped = this.edited && said.list.length > 0 && said.list.every(({ source }) => source === 0);
+    showSaid(this.said, isTyped ? { list: [] } : said, isTyped ? "" : words);
+    if (isTyped) this.editor.box.open = true;
+    this.editor.tell(said, this.scene, words);
     for (const { source } of said.list) {
       const name = this.asked[source - 1]?.[0];
       this.controls.get(name)?.field.setAttribute("aria-invalid", "true");
     }
     this.status.textContent = "The last run that ended is shown.";
     this.busy(false);
+  }
+
+  /** An edited scene may not have what was set before: it runs without it. */
+  forget(names) {
+    this.edited = false;
+    for (const name of names) this.set.delete(name);
+    this.ask();
   }
 
   end(words) {

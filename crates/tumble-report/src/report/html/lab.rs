@@ -2,6 +2,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use tumble_expr::language::{BUILTINS, UNITS};
 
 use crate::report::json::{list, object, string};
 use crate::report::{Lab, live};
@@ -9,10 +10,12 @@ use crate::report::{Lab, live};
 pub(super) const STYLE: &str = include_str!("../assets/lab.css");
 
 /// Scripts in the order in which they run.
-const SCRIPTS: [&str; 4] = [
+const SCRIPTS: [&str; 6] = [
     include_str!("../assets/lab-runs.js"),
     include_str!("../assets/lab-page.js"),
     include_str!("../assets/lab-drag.js"),
+    include_str!("../assets/lab-complete.js"),
+    include_str!("../assets/lab-scene.js"),
     include_str!("../assets/lab.js"),
 ];
 
@@ -44,5 +47,16 @@ fn data(lab: &Lab) -> String {
         ("files", list(files)),
         ("set", list(set)),
         ("play", live::play(&lab.play)),
+        ("words", words()),
+    ])
+}
+
+/// What the text of a scene is completed to: the program's own lists.
+fn words() -> String {
+    let units = UNITS.iter().map(|unit| string(unit.symbol));
+    object([
+        ("sections", list(tumble_scene::section_words().map(string))),
+        ("units", list(units)),
+        ("functions", list(BUILTINS.iter().map(|function| string(function.name)))),
     ])
 }
