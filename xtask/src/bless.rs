@@ -14,6 +14,8 @@ pub(crate) enum Part {
     Snapshots,
     /// The figures in docs/images.
     Figures,
+    /// The equations of the gallery in docs/equations.md.
+    Equations,
     /// The reference numbers of the scripts in references/.
     References,
 }
@@ -57,6 +59,7 @@ fn step(part: Part) -> Step {
     match part {
         Part::Snapshots => Step { name: "snapshots", run: snapshots },
         Part::Figures => Step { name: "figures", run: figures },
+        Part::Equations => Step { name: "equations", run: equations },
         Part::References => Step { name: "references", run: references::write },
     }
 }
@@ -75,13 +78,18 @@ fn figures(workspace: &Workspace) -> Result<()> {
         .try_for_each(|(from, to)| copy(&gallery.join(from), &workspace.path("docs/images").join(to)))
 }
 
+fn equations(workspace: &Workspace) -> Result<()> {
+    let example = ["run", "--release", "--locked", "--package", "tumble-report", "--example", "equations"];
+    workspace.cargo(example).run()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn everything_when_nothing_is_named() {
-        assert_eq!(steps(&[]).len(), 3);
+        assert_eq!(steps(&[]).len(), 4);
         assert_eq!(steps(&[Part::Figures])[0].name, "figures");
     }
 }

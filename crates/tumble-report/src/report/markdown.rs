@@ -32,6 +32,21 @@ pub(super) fn document(report: &Report) -> String {
     joined(parts) + "\n"
 }
 
+/// The forces, laws, equations of motion and closed forms alone, as a part of a document of many scenes.
+pub(super) fn equations(report: &Report) -> String {
+    let body = |body: &BodyModel| {
+        let forces = Table { caption: Text::default(), ..rows::forces(&body.forces) };
+        titled(&heading(3, &body.name), joined([table(&forces), blocks(&body.laws)]))
+    };
+    let Report { model, solve, .. } = report;
+    joined([
+        format!("## {}", escape(&report.title)),
+        joined(model.bodies.iter().map(body)),
+        titled("### Equations of motion", joined(model.modes.iter().map(mode))),
+        titled("### In closed form", joined(solve.phases.iter().map(phase))),
+    ]) + "\n"
+}
+
 /// Parts with an empty line between them; empty ones are left out.
 fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n\n")

@@ -82,4 +82,9 @@ impl Report {
     pub fn markdown(&self) -> String {
         markdown::document(self)
     }
+
+    /// What [`Report::markdown`] says in formulas: forces, laws, equations of motion and closed forms.
+    pub fn equations(&self) -> String {
+        markdown::equations(self)
+    }
 }
