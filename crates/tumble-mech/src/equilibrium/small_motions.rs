@@ -1,6 +1,6 @@
 //! Small motions about a pose of equilibrium: whether they stay small, and how fast they are.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 use super::Linearised;
 
@@ -89,12 +89,12 @@ impl SmallMotions {
     /// A motion as exp(i w t), by w^2.
     fn sort_in(&mut self, square: Complex<f64>, size: f64) {
         let none = NEUTRAL * size;
-        if square.norm() <= none {
+        if ComplexField::modulus(square) <= none {
             self.neutral += 1;
         } else if square.im.abs() <= none && square.re > 0.0 {
             self.frequencies.push(libm::sqrt(square.re));
         } else {
-            let root = square.sqrt();
+            let root = ComplexField::sqrt(square);
             self.growing.push(Growth {
                 rate: root.im.abs(),
                 frequency: if square.im.abs() > none { root.re } else { 0.0 },
