@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 const ZERO: f64 = 1e-11;
 /// Contacts whose responses are dependent to this relative size of a pivot are not told apart.
 pub(crate) const DEPENDENT: f64 = 1e-9;
-/// Rounding leaves this much of a pivot that is zero, relative to its size before, times the inverse of the least pivot before it.
+/// Rounding leaves no more than this part of the numbers that a pivot is the difference of: each has passed through some tens of operations.
 const PIVOT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// What closes slower than the fastest by less than this part closes as fast: which of two feet enters is not left to rounding.
 const AS_FAST: f64 = 1e-6;
@@ -130,17 +130,29 @@ pub(crate) fn standing(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Opt
         return unsymmetric(part, right).map(|pushes| spread(b.len(), set, &pushes));
     }
     let factors = part.clone().cholesky()?;
-    // What rounding leaves of a pivot that is none grows as those before it are smaller.
-    let mut least = 1.0_f64;
-    for i in 0..set.len() {
-        let pivot = factors.l_dirty()[(i, i)];
-        let share = pivot * pivot / part[(i, i)];
-        if share.is_nan() || share <= DEPENDENT.max(PIVOT_ROUNDING / least) {
-            return None;
-        }
-        least = least.min(share);
+    let lower = factors.l_dirty();
+    let is_independent = |i: usize| {
+        let pivot = lower[(i, i)] * lower[(i, i)];
+        pivot > (DEPENDENT * part[(i, i)]).max(rounding_of_pivot(&part, lower, i))
+    };
+    if !(0..set.len()).all(is_independent) {
+        return None;
     }
     Some(spread(b.len(), set, &factors.solve(&right)))
+}
+
+/// What rounding may leave of a pivot that is none. The pivot is `a_ii - a^T A^-1 a` of the row against those before it; with
+/// `c = A^-1 a`, rounding of the entries is carried into it by `1`, `2 |c|` and `|c| |c|`, and c is large where those before nearly
+/// depend on each other.
+fn rounding_of_pivot(part: &DMatrix<f64>, lower: &DMatrix<f64>, i: usize) -> f64 {
+    let mut c = vec![0.0; i];
+    for j in (0..i).rev() {
+        let known: f64 = (j + 1..i).map(|l| lower[(l, j)] * c[l]).sum();
+        c[j] = (lower[(i, j)] - known) / lower[(j, j)];
+    }
+    let of_row = |j: usize| -> f64 { (0..i).map(|l| (part[(j, l)] * c[l]).abs()).sum() };
+    let others: f64 = (0..i).map(|j| c[j].abs() * (2.0 * part[(i, j)].abs() + of_row(j))).sum();
+    PIVOT_ROUNDING * (part[(i, i)] + others)
 }
 
 /// The same where friction is tied to pushes. Elimination without exchanges: the pivots are those of one contact after the other, and
