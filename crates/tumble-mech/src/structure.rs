@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::{Vector, is_identically_zero};
 
 use crate::body::Body;
-use crate::contact::BodyContact;
+use crate::contact::{BodyContact, Feature, moves};
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
@@ -17,6 +17,7 @@ use crate::model::Model;
 use crate::parameters::time_symbol;
 use crate::start::Start;
 use crate::stated::Stated;
+use crate::shape::Shape;
 use crate::surface::{ContactLaw, Surface, is_at};
 
 impl Model {
@@ -159,20 +160,22 @@ impl<'m> Structure<'m> {
             .then(|| ModelError::CompliantFriction { surface: surface.name.clone() });
         let met = surface.on.iter().flatten().filter(|name| !self.can_touch(name));
         let met = met.filter_map(|name| self.unknown_body(name));
-        cornered.into_iter().chain(compliant).chain(met).chain(self.of_circle(surface)).collect()
+        cornered.into_iter().chain(compliant).chain(met).chain(self.of_outline(surface)).collect()
     }
 
-    /// What circles are not there for.
-    fn of_circle(&self, surface: &Surface) -> Vec<ModelError> {
-        let Some(circle) = &surface.circle else { return vec![] };
-        let wrong = |problem: String| ModelError::Contact { contact: surface.name.clone(), problem };
-        let compliant = (!surface.law.is_rigid()).then(|| wrong("is a circle, and circles are rigid".into()));
-        let met = self.model.bodies.iter().filter(|body| surface.meets(body));
-        let angular = met.filter(|body| !circle.inside && !body.is_round());
-        let angular = angular.map(|body| {
-            wrong(format!("is round, and `{}` would meet it by its edges: {ROUND_ONLY}", body.name))
-        });
-        compliant.into_iter().chain(angular).collect()
+    /// What circles and polygons are not there for.
+    fn of_outline(&self, surface: &Surface) -> Vec<ModelError> {
+        let wrong = |problem: &str| ModelError::Contact { contact: surface.name.clone(), problem: problem.into() };
+        let what = match (&surface.circle, &surface.polygon) {
+            (Some(_), _) => "is a circle, and circles are rigid",
+            (None, Some(_)) => "is a polygon, and polygons are rigid",
+            (None, None) => return vec![],
+        };
+        let compliant = (!surface.law.is_rigid()).then(|| wrong(what));
+        let corners = surface.polygon.iter();
+        let moves = corners.clone().flatten().any(moves).then(|| wrong("is a polygon, and polygons do not move"));
+        let few = corners.into_iter().any(|corners| corners.len() < 3).then(|| wrong("has fewer than three corners"));
+        compliant.into_iter().chain(moves).chain(few).collect()
     }
 
     fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
@@ -186,13 +189,6 @@ impl<'m> Structure<'m> {
             mistakes.push(wrong("needs two bodies, or more".into()));
         }
         let couples = contact.couples(self.model);
-        let mut bodies: Vec<usize> = couples.concat();
-        bodies.sort_unstable();
-        bodies.dedup();
-        let bodies = bodies.into_iter().map(|body| &self.model.bodies[body]);
-        mistakes.extend(bodies.filter(|body| !body.is_round()).map(|body| {
-            wrong(format!("is of `{}`, which would meet others by its edges: {ROUND_ONLY}", body.name))
-        }));
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
         let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
@@ -202,6 +198,18 @@ impl<'m> Structure<'m> {
         let points = couples.iter().find(are_points).map(of);
         mistakes.extend(points.map(|[a, b]| {
             wrong(format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name))
+        }));
+        let are_thin = |couple: &&[usize; 2]| {
+            let [a, b] = of(couple);
+            has_thin_side(a) && has_thin_end(b) || has_thin_side(b) && has_thin_end(a)
+        };
+        let thin = couples.iter().find(are_thin).map(of);
+        mistakes.extend(thin.map(|[a, b]| {
+            wrong(format!(
+                "is of `{}` and `{}`, which have no thickness: a point could pass from one side of a rod to the other unseen. Give a rod a \
+                 `radius`",
+                a.name, b.name
+            ))
         }));
         mistakes
     }
@@ -226,7 +234,7 @@ impl<'m> Structure<'m> {
 
     /// Whether this is the name of a body, or of a body's point by which it touches.
     fn can_touch(&self, name: &str) -> bool {
-        let by = |body: &Body| body.features().iter().any(|feature| is_at(name, body, feature));
+        let by = |body: &Body| body.features().iter().any(|feature| is_at(name, body, &feature.name));
         self.bodies.contains(name) || self.model.bodies.iter().filter(|body| is_of(name, body)).any(by)
     }
 
@@ -245,11 +253,21 @@ impl<'m> Structure<'m> {
     }
 }
 
-/// What can meet more than planes.
-const ROUND_ONLY: &str = "so far disks, rings, balls, shells and points do";
+/// Whether a body has a side without thickness, as a rod without radius has.
+fn has_thin_side(body: &Body) -> bool {
+    let is_thin = |shape: &Shape| matches!(shape, Shape::Rod { end_radius, .. } if is_identically_zero(end_radius));
+    body.parts.iter().any(|part| is_thin(&part.shape))
+}
+
+/// Whether a body has a point of no width: it says nothing of the side on which a rod without thickness is.
+fn has_thin_end(body: &Body) -> bool {
+    let is_thin = |feature: &Feature| is_identically_zero(&feature.radius) && feature.neighbours.len() < 2;
+    body.features().iter().any(is_thin)
+}
 
 fn is_point(body: &Body) -> bool {
-    body.features().iter().all(|feature| is_identically_zero(&feature.radius))
+    let is_sharp = |feature: &Feature| is_identically_zero(&feature.radius) && feature.neighbours.is_empty();
+    body.features().iter().all(is_sharp)
 }
 
 fn is_of(name: &str, body: &Body) -> bool {

@@ -35,6 +35,8 @@ const LEFT: f64 = 1e-3;
 
 /// Impulses whose sum is this part of their sizes balance each other.
 const BALANCES: f64 = 64.0 * f64::EPSILON;
+/// What is beyond an edge by more than this part of the extent of a body is not in touch with it, but behind it.
+const BEHIND: f64 = 1e-9;
 /// Gaps of one body that are zero within so many times their rounding error close at one instant.
 const ONE_INSTANT: f64 = 16.0;
 
@@ -44,7 +46,7 @@ pub(crate) struct Touch {
     pub(crate) size: f64,
     /// Index of each among all pairs.
     pub(crate) pairs: Vec<usize>,
-    /// m
+    /// m; infinite where they cannot touch.
     pub(crate) gap: DVector<f64>,
     /// Gaps below this are zero but for rounding, m.
     pub(crate) blur: DVector<f64>,
@@ -86,6 +88,15 @@ impl Touch {
         for (index, (change, size)) in changes.0.iter().zip(&changes.1).enumerate() {
             if change.abs() > BALANCES * size {
                 states[self.velocities[index]] += change;
+            }
+        }
+    }
+
+    /// What is behind an edge does not touch it.
+    fn pass_over(&mut self, has_edge: impl Fn(usize) -> bool) {
+        for (position, pair) in self.pairs.iter().enumerate() {
+            if self.gap[position] < -BEHIND * self.size && has_edge(*pair) {
+                self.gap[position] = f64::INFINITY;
             }
         }
     }
@@ -146,9 +157,10 @@ impl Equations {
         };
         let (rate, free) = (read.column(&Measured::rate), read.column(&Measured::end));
         let accelerations = stacked_column(&free, &slips.free).abs();
+        let limits = pairs.iter().map(|pair| self.pairs()[*pair].limits.len());
         let mut touch = Touch {
             size: read.size(),
-            gap: read.gaps(),
+            gap: read.gaps(limits),
             blur: blur(&tape, (states, now)),
             speed: speeds(0, &rate),
             rate,
@@ -162,6 +174,7 @@ impl Equations {
             velocities,
             joints,
         };
+        touch.pass_over(|pair| self.pairs()[pair].has_edge());
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
         if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(island)) }
     }
@@ -230,10 +243,12 @@ impl Numbers<'_> {
         DVector::from_iterator(self.tape.pairs.len(), values)
     }
 
-    fn gaps(&self) -> DVector<f64> {
-        let gaps = self.tape.pairs.iter().map(|pair| {
+    /// `limits` is how many each of them has.
+    fn gaps(&self, limits: impl Iterator<Item = usize>) -> DVector<f64> {
+        let gaps = self.tape.pairs.iter().zip(limits).map(|(pair, limits)| {
             let series = self.jets.output(pair.position);
-            series[0] + series[1]
+            let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 2 + limit));
+            if limits.all(|limit| limit >= 0.0) { series[0] + series[1] } else { f64::INFINITY }
         });
         DVector::from_iterator(self.tape.pairs.len(), gaps)
     }

@@ -115,6 +115,7 @@ impl<A: Algebra> Linking<'_, A> {
                 self.formula(&left)
             }
             Watched::Wedge => self.wedge(index),
+            Watched::Limit(limit) => self.part(Part::Leaving(index)).swap_remove(limit),
         };
         let at_zero = match watched {
             // A surface does not pull, not for a moment.
@@ -122,7 +123,7 @@ impl<A: Algebra> Linking<'_, A> {
                 AtZero::EndsIfItMoves { response: self.lightness(pair), group: Measure::Length as usize }
             }
             Watched::Gap | Watched::Force | Watched::Slip => AtZero::Begins,
-            Watched::Wedge => AtZero::Ends,
+            Watched::Wedge | Watched::Limit(_) => AtZero::Ends,
         };
         Guard { name: pair.guard_name(watched), formula, direction, at_zero }
     }
@@ -156,6 +157,8 @@ impl<A: Algebra> Linking<'_, A> {
             let slopes = self.part(Part::Slopes(index));
             let coordinates = pair.bodies().flat_map(|body| equations.coordinate_states(mode, body));
             let by_state = coordinates.zip(slopes.iter().cloned());
+            let reach = pair.slopes_reach().filter(|_| !slopes.is_empty());
+            let reach = reach.map(|reach| self.formula(reach));
             guards.push(LazyGuard {
                 name: pair.guard_name(Watched::Gap),
                 of: equations.watched_gap(index, &mode.changes),
@@ -163,6 +166,7 @@ impl<A: Algebra> Linking<'_, A> {
                 at_zero: AtZero::Ends,
                 group: Measure::Length as usize,
                 slopes: (!slopes.is_empty()).then(|| by_state.collect()),
+                reach,
             });
         }
         guards

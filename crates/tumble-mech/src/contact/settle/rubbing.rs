@@ -79,7 +79,7 @@ impl Settling<'_> {
     }
 
     /// Rates of all gaps and slips.
-    fn rates(&self) -> DVector<f64> {
+    pub(super) fn rates(&self) -> DVector<f64> {
         stacked_column(&self.touch.rate, &self.touch.slips.rate)
     }
 
