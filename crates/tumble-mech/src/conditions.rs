@@ -334,21 +334,26 @@ fn of_body(body: &Body, pivot: Option<&Pivot>) -> Vec<Condition> {
 
 /// What polygons that are met by their edges must be.
 fn of_polygons(model: &Model) -> Vec<Condition> {
-    let of_surface = |surface: &Surface| Some((surface.name.clone(), surface.polygon.clone()?));
-    let surfaces = model.surfaces.iter().filter_map(of_surface);
+    let of_surface = |surface: &Surface| {
+        let corners = surface.polygon.iter();
+        let name = format!("`{}`", surface.name);
+        corners.flat_map(|corners| of_polygon([&surface.name, &name], corners)).collect::<Vec<_>>()
+    };
+    let surfaces = model.surfaces.iter().flat_map(of_surface);
     let bodies = (0..model.bodies.len()).filter(|body| model.meets_by_edges(*body)).flat_map(|body| {
         let body = &model.bodies[body];
-        let corners = |part: &Part| match &part.shape {
-            Shape::Polygon { corners } => Some((body.name.clone(), corners.clone())),
-            _ => None,
+        let part = |(index, part): (usize, &Part)| match &part.shape {
+            Shape::Polygon { corners } => of_polygon([&body.name, &body.part_name(index)], corners),
+            _ => vec![],
         };
-        body.parts.iter().filter_map(corners)
+        body.parts.iter().enumerate().flat_map(part).collect::<Vec<_>>()
     });
-    surfaces.chain(bodies).flat_map(|(name, corners)| of_polygon(&name, &corners)).collect()
+    surfaces.chain(bodies).collect()
 }
 
-fn of_polygon(name: &str, corners: &[Vector]) -> Vec<Condition> {
-    let of = |formula, must| own(name, format!("polygon of `{name}`"), formula, must);
+/// `name` is the owner, and what messages call what the polygon is of.
+fn of_polygon([owner, name]: [&str; 2], corners: &[Vector]) -> Vec<Condition> {
+    let of = |formula, must| own(owner, format!("polygon of {name}"), formula, must);
     let count = corners.len();
     let area = |a: usize, b: usize, c: usize| {
         let [a, b, c] = [a, b, c].map(|corner| &corners[corner % count]);

@@ -257,6 +257,8 @@ pub enum ModelError {
         contact: String,
         /// What is wrong.
         problem: String,
+        /// A way out.
+        cure: &'static str,
     },
     /// A body without start, or a start that does not fit the body.
     #[error("start of `{body}`: {problem}")]

@@ -165,39 +165,41 @@ impl<'m> Structure<'m> {
 
     /// What circles and polygons are not there for.
     fn of_outline(&self, surface: &Surface) -> Vec<ModelError> {
-        let wrong = |problem: &str| ModelError::Contact { contact: surface.name.clone(), problem: problem.into() };
+        let wrong = |problem: &str, cure| of_rule(&surface.name, problem.to_owned(), cure);
         let what = match (&surface.circle, &surface.polygon) {
             (Some(_), _) => "is a circle, and circles are rigid",
             (None, Some(_)) => "is a polygon, and polygons are rigid",
             (None, None) => return vec![],
         };
-        let compliant = (!surface.law.is_rigid()).then(|| wrong(what));
+        let compliant = (!surface.law.is_rigid()).then(|| wrong(what, "write `rigid = { restitution = 0.8 }`"));
         let corners = surface.polygon.iter();
-        let moves = corners.clone().flatten().any(moves).then(|| wrong("is a polygon, and polygons do not move"));
-        let few = corners.into_iter().any(|corners| corners.len() < 3).then(|| wrong("has fewer than three corners"));
+        let moves = corners.clone().flatten().any(moves).then(|| wrong("is a polygon, and polygons do not move", "leave the time out of its corners"));
+        let few = corners.into_iter().any(|corners| corners.len() < 3).then(|| wrong("has fewer than three corners", "list three corners or more, counter-clockwise"));
         compliant.into_iter().chain(moves).chain(few).collect()
     }
 
     fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
-        let wrong = |problem: String| ModelError::Contact { contact: contact.name.clone(), problem };
+        let wrong = |problem: String, cure| of_rule(&contact.name, problem, cure);
         let names = contact.between.as_deref().unwrap_or_default();
         let mut mistakes: Vec<ModelError> = names.iter().filter_map(|name| self.unknown_body(name)).collect();
         let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
         let twice = names.iter().enumerate().filter(is_again);
-        mistakes.extend(twice.map(|(_, name)| wrong(format!("is of `{name}` with itself"))));
+        mistakes.extend(twice.map(|(_, name)| wrong(format!("is of `{name}` with itself"), "a body meets others: name each of them once")));
         if contact.between.is_some() && names.len() < 2 {
-            mistakes.push(wrong("needs two bodies, or more".into()));
+            mistakes.push(wrong("needs two bodies, or more".into(), "name two bodies, or write `between = \"all\"`"));
         }
         let couples = contact.couples(self.model);
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
         let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
-            wrong(format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name))
+            let problem = format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
+            wrong(problem, "write `rigid = { restitution = 0.8 }`, or give one of the bodies a `restitution`")
         }));
         let are_points = |couple: &&[usize; 2]| of(couple).iter().all(|body| is_point(body));
         let points = couples.iter().find(are_points).map(of);
         mistakes.extend(points.map(|[a, b]| {
-            wrong(format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name))
+            let problem = format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name);
+            wrong(problem, "make one of them a `disk` or a `ball`")
         }));
         let are_thin = |couple: &&[usize; 2]| {
             let [a, b] = of(couple);
@@ -205,11 +207,9 @@ impl<'m> Structure<'m> {
         };
         let thin = couples.iter().find(are_thin).map(of);
         mistakes.extend(thin.map(|[a, b]| {
-            wrong(format!(
-                "is of `{}` and `{}`, which have no thickness: a point could pass from one side of a rod to the other unseen. Give a rod a \
-                 `radius`",
-                a.name, b.name
-            ))
+            let problem =
+                format!("is of `{}` and `{}`, a rod without thickness and an end or a point: nothing says on which side it is", a.name, b.name);
+            wrong(problem, "give one of them an extent: a rod has an `end_radius`, a point may be a small `disk`")
         }));
         mistakes
     }
@@ -224,7 +224,7 @@ impl<'m> Structure<'m> {
             mistakes.extend(first.map(|(couple, first)| {
                 let [a, b] = couple.map(|body| self.model.bodies[body].name.as_str());
                 let problem = format!("is a second rule for `{a}` and `{b}`, which `{first}` lets meet");
-                ModelError::Contact { contact: contact.name.clone(), problem }
+                of_rule(&contact.name, problem, "leave one of the two out, or name fewer bodies in `between`")
             }));
             let own = contact.couples(self.model).into_iter();
             rules.extend(own.map(|[a, b]| ([a.min(b), a.max(b)], contact.name.as_str())));
@@ -251,6 +251,11 @@ impl<'m> Structure<'m> {
         let unknown = || ModelError::Unknown { kind: "body", name: name.to_owned() };
         (!self.bodies.contains(name)).then(unknown)
     }
+}
+
+/// A surface or a contact that cannot be.
+fn of_rule(name: &str, problem: String, cure: &'static str) -> ModelError {
+    ModelError::Contact { contact: name.to_owned(), problem, cure }
 }
 
 /// Whether a body has a side without thickness, as a rod without radius has.

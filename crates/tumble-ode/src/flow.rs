@@ -62,6 +62,11 @@ pub enum AtZero<F = Expr> {
         /// Index of the [`ScaleGroup`] of what it moves.
         group: usize,
     },
+    /// The same, if it goes beyond zero by more than a rounding error of the group's scale; so do zeros on the way.
+    EndsBeyond {
+        /// Index of the [`ScaleGroup`] that it is measured against.
+        group: usize,
+    },
 }
 
 /// A guard outside the tape of the field: of many of them, only those near zero cost more than a comparison.
@@ -175,6 +180,7 @@ impl<F> AtZero<F> {
         match self {
             Self::Begins => AtZero::Begins,
             Self::Ends => AtZero::Ends,
+            Self::EndsBeyond { group } => AtZero::EndsBeyond { group: *group },
             Self::EndsIfItMoves { response, group } => {
                 AtZero::EndsIfItMoves { response: of(response), group: *group }
             }

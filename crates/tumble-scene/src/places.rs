@@ -65,7 +65,9 @@ impl Places {
             ModelError::InEachOther { first, depth, .. } => about(Code::Inside, &format!("start of `{first}`"))
                 .label("inside the other")
                 .help(format!("start them {depth} m farther apart, or a little more")),
-            ModelError::Contact { contact, .. } => about(Code::Model, &format!("`{contact}`")).label("cannot be"),
+            ModelError::Contact { contact, cure, .. } => {
+                about(Code::Model, &format!("`{contact}`")).label("cannot be").help(*cure)
+            }
             ModelError::NoForce { load, .. } => about(Code::NoForce, &format!("`{load}`"))
                 .label("has no value at the start")
                 .help("look for a division by what is zero at the start, a root of what is negative, or a table outside its range"),

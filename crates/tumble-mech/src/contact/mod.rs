@@ -40,4 +40,3 @@ pub use pair::{Pair, Rule};
 pub(crate) use pair::{Watched, moves};
 pub(crate) use pairs::Pairs;
 pub(crate) use slip::WEDGED;
-pub(crate) use straight::Limit;

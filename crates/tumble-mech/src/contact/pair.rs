@@ -157,6 +157,11 @@ impl Pair {
         self.limits.iter().map(Limit::entered).cloned().chain(is_near).collect()
     }
 
+    /// What is not negative where they may touch, m; nothing where they may everywhere.
+    pub fn within(&self) -> Vec<Expr> {
+        self.limits.iter().map(Limit::holding).collect()
+    }
+
     /// What becomes negative where a contact that lasts ends by leaving where there may be one.
     pub(crate) fn leaving(&self) -> Vec<Expr> {
         self.limits.iter().filter_map(Limit::left).collect()

@@ -8,7 +8,6 @@ use tumble_ode::{Cause, Reason};
 use crate::body::Body;
 use crate::contact::depth::{Hull, depth};
 use crate::contact::pair::{Pair, Rule};
-use crate::contact::straight::Limit;
 use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::kinematics::PointRef;
@@ -36,7 +35,7 @@ impl Equations {
             .iter()
             .flat_map(|pair| {
                 let size = &extents[pair.body] + pair.through.norm() + &pair.radius + pair.extent();
-                [pair.gap(), size].into_iter().chain(pair.limits.iter().map(Limit::holding))
+                [pair.gap(), size].into_iter().chain(pair.within())
             })
             .collect();
         let values = self.values(&formulas, mode, 0.0, states, inputs).map_err(|reason| match reason {

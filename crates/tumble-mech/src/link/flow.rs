@@ -123,7 +123,8 @@ impl<A: Algebra> Linking<'_, A> {
                 AtZero::EndsIfItMoves { response: self.lightness(pair), group: Measure::Length as usize }
             }
             Watched::Gap | Watched::Force | Watched::Slip => AtZero::Begins,
-            Watched::Wedge | Watched::Limit(_) => AtZero::Ends,
+            Watched::Wedge => AtZero::Ends,
+            Watched::Limit(_) => AtZero::EndsBeyond { group: Measure::Length as usize },
         };
         Guard { name: pair.guard_name(watched), formula, direction, at_zero }
     }
@@ -163,7 +164,10 @@ impl<A: Algebra> Linking<'_, A> {
                 name: pair.guard_name(Watched::Gap),
                 of: equations.watched_gap(index, &mode.changes),
                 direction: Direction::Falling,
-                at_zero: AtZero::Ends,
+                at_zero: match pair.has_edge() || !pair.limits.is_empty() {
+                    true => AtZero::EndsBeyond { group: Measure::Length as usize },
+                    false => AtZero::Ends,
+                },
                 group: Measure::Length as usize,
                 slopes: (!slopes.is_empty()).then(|| by_state.collect()),
                 reach,

@@ -10,7 +10,6 @@ use tumble_ode::Watched;
 
 use super::names::{Name, Names, totals};
 use crate::cache::Cache;
-use crate::contact::Limit;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::laws::compliant;
@@ -255,7 +254,7 @@ impl Equations {
             }
             Part::Gap(pair) => vec![self.pairs()[pair].gap()],
             Part::Leaving(pair) => self.pairs()[pair].leaving(),
-            Part::Holding(pair) => self.pairs()[pair].limits.iter().map(Limit::holding).collect(),
+            Part::Holding(pair) => self.pairs()[pair].within(),
             Part::Slip(pair) => vec![self.pairs()[pair].slip_rate()],
             Part::Slopes(pair) => self.gap_slopes(pair).unwrap_or_default(),
             Part::Lightness(body) => vec![1 / &self.mass_properties(body).mass],

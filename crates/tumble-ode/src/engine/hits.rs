@@ -3,10 +3,11 @@
 use smallvec::{SmallVec, smallvec};
 use tumble_expr::{Branches, Row};
 
+use super::beyond::Passing;
 use super::{BranchSigns, Engine, SIMULTANEOUS_PART, ahead};
 use crate::Cause;
 use crate::compiled::Limit;
-use crate::expansion::{Expansion, Near, Turn};
+use crate::expansion::{Expansion, Turn};
 use crate::hybrid::Direction;
 use crate::polynomial;
 use crate::roots::roots;
@@ -20,14 +21,6 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A value that is more than this part of what it is made of, where a mode begins, has jumped there and not come to zero.
 const JUMPED: f64 = 1e-10;
-/// A guard with conditions crosses where it goes beyond zero by more than this part of the scale: what slides along a face it touches has
-/// a gap that is zero but for rounding.
-const DEEP: f64 = 64.0 * f64::EPSILON;
-
-/// A condition that is negative by less than this part of the scale holds if it is about to: of two faces that meet at a corner one is to
-/// count.
-const NEARLY: f64 = 1e-11;
-
 /// What a jump takes away from zero was this part of it before, or less: rounding.
 const CARRIED: f64 = 1e-12;
 
@@ -114,6 +107,11 @@ impl Engine {
         for (guard, series) in expansion.guards.iter().enumerate() {
             let (direction, zeros) =
                 (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
+            if let Limit::IfBeyond(group) = self.system.guard_limits[guard] {
+                let passing = Passing { series, conditions: &[], direction, zeros, length };
+                hits.extend(passing.first(scales.of(group)).map(|at| (at, Hit::Guard(guard))));
+                continue;
+            }
             if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
@@ -135,10 +133,9 @@ impl Engine {
             let (guard, series) = (self.system.guards + near.index, &near.series);
             let direction = self.system.guard_directions[guard];
             let zeros = self.branch_signs.zero_guards[guard];
-            if !near.conditions.is_empty() {
-                let scale = scales.of(self.lazy_guards.group(near.index));
-                let found = near.first_counted((direction, zeros), length, scale);
-                hits.extend(found.map(|at| (at, Hit::Guard(guard))));
+            if let Limit::IfBeyond(group) = self.system.guard_limits[guard] {
+                let passing = Passing { series, conditions: &near.conditions, direction, zeros, length };
+                hits.extend(passing.first(scales.of(group)).map(|at| (at, Hit::Guard(guard))));
                 continue;
             }
             if self.is_limit(guard, series, (expansion, length), scales) {
@@ -233,7 +230,7 @@ impl Engine {
     ) -> bool {
         let (direction, zeros) = (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
         match self.system.guard_limits[guard] {
-            Limit::None => false,
+            Limit::None | Limit::IfBeyond(_) => false,
             Limit::Always => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
@@ -249,40 +246,6 @@ impl Engine {
             }
         }
     }
-}
-
-impl Near {
-    /// When a guard with conditions first goes beyond zero where they hold. Where they do not, it may be beyond zero for long; with `zeros`
-    /// it is known to be zero now, and to be left.
-    fn first_counted(
-        &self,
-        (direction, zeros): (Direction, usize),
-        length: f64,
-        scale: f64,
-    ) -> Option<f64> {
-        let (series, least) = (&self.series[..], DEEP * scale);
-        let from_zero = if zeros > 1 { zeros } else { 0 };
-        let found: SmallVec<[_; 4]> = roots(ahead(series, from_zero), length).into_iter().collect();
-        let ends = found.iter().map(|root| root.at).chain([length]);
-        let begins_beyond = zeros == 0 && direction.allows(series[0]) && series[0].abs() <= least;
-        let now = (begins_beyond || (zeros == 0 && series[0] == 0.0)).then_some(0.0);
-        let crossings = found.iter().filter(|root| root.crosses_to.is_some_and(|to| direction.allows(to)));
-        let counts = |at: &f64| {
-            let next = ends.clone().find(|end| end > at).unwrap_or(length);
-            let goes_beyond = [0.5 * (at + next), next].into_iter().any(|s| {
-                let value = polynomial::value(series, s);
-                direction.allows(value) && value.abs() > least
-            });
-            goes_beyond && self.conditions.iter().all(|series| holds(series, *at, scale))
-        };
-        now.into_iter().chain(crossings.map(|root| root.at)).find(counts)
-    }
-}
-
-/// Whether a condition holds at s; what is about to break does not, within rounding.
-fn holds(series: &[f64], s: f64, scale: f64) -> bool {
-    let value = polynomial::value(series, s);
-    value > DEEP * scale || (value >= -NEARLY * scale && polynomial::slope(series, s) >= 0.0)
 }
 
 /// Whether a guard that should be on one side is found on, or beyond, zero and goes on beyond: it crosses now, or
