@@ -21,8 +21,6 @@ mod rough;
 mod routh;
 mod settle;
 mod slip;
-#[cfg(test)]
-mod random;
 mod start;
 mod straight;
 mod switch;

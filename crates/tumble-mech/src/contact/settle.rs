@@ -1,5 +1,6 @@
 //! What an instant changes for an island that touches rigid surfaces: impacts, then which contacts last.
 
+mod corners;
 mod rubbing;
 
 use std::collections::BTreeSet;
@@ -101,6 +102,7 @@ impl Equations {
     ) -> Result<Sizes, Reason> {
         self.leave(&touched.left, jump);
         let mut settling = Settling::new(self, island, touched, now, jump)?;
+        settling.pass_corners(jump)?;
         settling.impact(jump)?;
         let zeno = settling.zeno();
         let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;

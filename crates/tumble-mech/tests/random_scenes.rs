@@ -4,13 +4,13 @@ use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_ode::{Accuracy, Side};
 
-use crate::contact::depth::{Hull, depth};
-use crate::contact::start::{Outlines, Whose};
-use crate::{Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Run, Shape, Start, Surface};
+use tumble_mech::{Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Run, Shape, Start, Surface};
 
 const G: f64 = 9.81;
-/// m
+/// Half the width of the room, m.
 const ROOM: f64 = 1.0;
+/// Corners of a block on its floor, m.
+const BLOCK: [[f64; 2]; 4] = [[-0.3, 0.0], [0.2, 0.0], [0.1, 0.25], [-0.3, 0.2]];
 
 /// Numbers from 0 to 1 in an order of their own (Knuth's linear congruential generator).
 struct Draw(u64);
@@ -45,7 +45,7 @@ fn shape(draw: &mut Draw) -> Shape {
             let count = 3 + (draw.next() * 4.0) as usize;
             let corner = |index: usize| {
                 let angle = std::f64::consts::TAU * index as f64 / count as f64;
-                place(size * libm::cos(angle), size * libm::sin(angle))
+                place(size * angle.cos(), size * angle.sin())
             };
             Shape::Polygon { corners: (0..count).map(corner).collect() }
         }
@@ -59,12 +59,11 @@ fn scene(draw: &mut Draw, bodies: usize) -> Model {
     let e = if draw.next() < 0.3 { 0.0 } else { draw.between(0.1, 1.0) };
     let friction = (draw.next() < 0.5).then(|| Friction::new(Expr::from(draw.between(0.05, 0.6))));
     let rigid = || ContactLaw::Rigid { restitution: Expr::from(e) };
-    let number = |x: f64| Expr::from(x);
     let walls = [([0.0, 0.0], [0.0, 1.0]), ([-ROOM, 0.0], [1.0, 0.0]), ([ROOM, 0.0], [-1.0, 0.0])];
     let planes = walls.iter().enumerate().map(|(index, (through, normal))| {
-        Surface::new(format!("wall{index}"), through.map(|x| x * M), normal.map(number), rigid())
+        Surface::new(format!("wall{index}"), through.map(|x| x * M), normal.map(|x: f64| Expr::from(x)), rigid())
     });
-    let block = [[-0.3, 0.0], [0.2, 0.0], [0.1, 0.25], [-0.3, 0.2]].map(|[x, y]| place(x, y));
+    let block = BLOCK.map(|[x, y]| place(x, y));
     let block = Surface::polygon("block", block.to_vec(), rigid());
     for surface in planes.chain([block]) {
         model.surface(Surface { friction: friction.clone(), ..surface });
@@ -84,33 +83,92 @@ fn scene(draw: &mut Draw, bodies: usize) -> Model {
     model
 }
 
+/// A convex figure in its body's axes: the hull of some corners, thickened by a radius, m.
+struct Figure {
+    corners: Vec<[f64; 2]>,
+    radius: f64,
+}
+
+fn number(formula: &Expr) -> f64 {
+    Parameters::default().evaluate(std::slice::from_ref(formula)).expect("a number")[0]
+}
+
+fn figure(body: &Body) -> Figure {
+    let centre = body.mass_properties().centre;
+    let corner = |at: &Vector| [0, 1].map(|axis| number(&(&at[axis] - &centre[axis])));
+    let figure = |corners: Vec<Vector>, radius: f64| Figure { corners: corners.iter().map(corner).collect(), radius };
+    match &body.parts[0].shape {
+        Shape::Disk { centre, radius } => figure(vec![centre.clone()], number(radius)),
+        Shape::Rod { from, to, end_radius } => figure(vec![from.clone(), to.clone()], number(end_radius)),
+        shape => figure(shape.edges().into_iter().map(|[corner, _]| corner).collect(), 0.0),
+    }
+}
+
+impl Figure {
+    fn at(&self, [x, y, angle]: [f64; 3]) -> Self {
+        let (c, s) = (angle.cos(), angle.sin());
+        let corners = self.corners.iter().map(|[a, b]| [x + c * a - s * b, y + s * a + c * b]).collect();
+        Self { corners, radius: self.radius }
+    }
+
+    /// How deep it is in another, m: the least over all directions of how far one has to go along it to be clear (separating axes). Directions
+    /// are the normals of edges, and those from corner to corner.
+    fn depth_in(&self, other: &Self) -> f64 {
+        let edges = |corners: &[[f64; 2]]| {
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).map(|(a, b)| [b[1] - a[1], a[0] - b[0]]).collect::<Vec<_>>()
+        };
+        let between = self.corners.iter().flat_map(|a| other.corners.iter().map(move |b| [b[0] - a[0], b[1] - a[1]]));
+        let all = edges(&self.corners).into_iter().chain(edges(&other.corners)).chain(between);
+        let gap = all.filter(|[x, y]| x.hypot(*y) > 0.0).flat_map(|[x, y]| {
+            let size = x.hypot(y);
+            [[x / size, y / size], [-x / size, -y / size]]
+        });
+        let gap = gap.map(|axis| {
+            let along = |corner: &[f64; 2]| axis[0] * corner[0] + axis[1] * corner[1];
+            let far = self.corners.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+            other.corners.iter().map(along).fold(f64::INFINITY, f64::min) - far
+        });
+        self.radius + other.radius - gap.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// How deep it is below the floor or behind the walls of the room, m.
+    fn depth_in_room(&self) -> f64 {
+        let depth = |[x, y]: &[f64; 2]| (-y).max(-ROOM - x).max(x - ROOM) + self.radius;
+        self.corners.iter().map(depth).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
 /// What is looked at of a motion.
 struct Look {
     observer: Observer,
-    outlines: Outlines,
-    of: Vec<Whose>,
+    figures: Vec<Figure>,
 }
 
 impl Look {
     fn new(run: &Run) -> Self {
-        let model = run.equations.model();
-        let mut outlines = Outlines::default();
-        // The block is the last surface.
-        let block = Whose::Surface(model.surfaces.len() - 1);
-        let of: Vec<Whose> = (0..model.bodies.len()).map(Whose::Body).chain([block]).collect();
-        of.iter().for_each(|whose| outlines.add(*whose, model));
-        let formulas = [&outlines.formulas[..], &[energy(run)]].concat();
+        let bodies = &run.equations.model().bodies;
+        let pose = |body: &Body| {
+            let motion = body.kinematics();
+            [motion.position().x().clone(), motion.position().y().clone(), motion.angle()]
+        };
+        let mut formulas: Vec<Expr> = bodies.iter().flat_map(pose).collect();
+        formulas.push(energy(run));
         let observer = run.observe(&formulas).map_err(|error| error.to_string()).expect("formulas of the motion");
-        Self { observer, outlines, of }
+        Self { observer, figures: bodies.iter().map(figure).collect() }
     }
 
     /// The deepest that two are in each other, m, and the energy, J.
     fn at(&mut self, time: f64) -> [f64; 2] {
         let values = self.observer.at(time, Side::After).expect("within the run");
-        let hulls: Vec<Vec<Hull>> = self.of.iter().map(|whose| self.outlines.hulls(*whose, &values)).collect();
-        let couples = hulls.iter().enumerate().flat_map(|(index, one)| hulls[index + 1..].iter().map(move |other| (one, other)));
-        let depths = couples.flat_map(|(one, other)| one.iter().flat_map(|a| other.iter().map(|b| depth(a, b))));
-        [depths.fold(f64::NEG_INFINITY, f64::max), values[values.len() - 1]]
+        let poses = values.chunks_exact(3).map(|pose| [pose[0], pose[1], pose[2]]);
+        let mut placed: Vec<Figure> = self.figures.iter().zip(poses).map(|(figure, pose)| figure.at(pose)).collect();
+        let in_room = placed.iter().map(Figure::depth_in_room).fold(f64::NEG_INFINITY, f64::max);
+        placed.push(Figure { corners: BLOCK.to_vec(), radius: 0.0 });
+        let each = placed.iter().enumerate();
+        let couples = each.flat_map(|(index, one)| placed[index + 1..].iter().map(move |other| (one, other)));
+        let deepest = couples.map(|(one, other)| one.depth_in(other)).fold(in_room, f64::max);
+        [deepest, values[values.len() - 1]]
     }
 }
 
@@ -137,33 +195,7 @@ fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
     times.extend(run.events().map(|event| event.time));
     times.sort_by(f64::total_cmp);
     let mut look = Look::new(&run);
-    let found: Vec<[f64; 2]> = times.iter().map(|time| look.at(*time)).collect();
-    let all = times;
-    if std::env::var("TELL").is_ok() {
-        let mut first = true;
-        for (pair, t) in found.windows(2).zip(all.windows(2)) {
-            if pair[1][0] > 1e-12 && first {
-                first = false;
-                println!("deep {:e} {:e} between {:e} and {:e}", pair[0][0], pair[1][0], t[0], t[1]);
-                let mut hulls = |t: f64| { let values = look.observer.at(t, Side::After).unwrap(); look.of.iter().map(|whose| look.outlines.hulls(*whose, &values)).collect::<Vec<_>>() };
-                for t in t { for h in hulls(*t) { println!("   {h:?}") } }
-                for event in run.events().filter(|event| (event.time - t[1]).abs() < 2e-2) {
-                    let told: Vec<_> = event.record.happened.iter().map(|h| match h { crate::Happening::Contact { pair, change } => format!("{} {change:?}", run.equations.pairs()[*pair].name), o => format!("{o:?}") }).collect();
-                    println!("  {:e} {told:?}", event.time);
-                }
-            }
-        }
-        let scale = found[0][1];
-        for (pair, t) in found.windows(2).zip(all.windows(2)) {
-            if pair[1][1] - pair[0][1] > 1e-11 * scale {
-                println!("grows {:e} between {:e} and {:e}", (pair[1][1] - pair[0][1])/scale, t[0], t[1]);
-                for event in run.events().filter(|event| (event.time - t[1]).abs() < 1e-3) {
-                    let told: Vec<_> = event.record.happened.iter().map(|h| match h { crate::Happening::Contact { pair, change } => format!("{} {change:?}", run.equations.pairs()[*pair].name), o => format!("{o:?}") }).collect();
-                    println!("  {:e} {told:?} {:?}", event.time, event.record.impulses);
-                }
-            }
-        }
-    }
+    let found: Vec<[f64; 2]> = times.into_iter().map(|time| look.at(time)).collect();
     let deep = found.iter().map(|[deep, _]| *deep).fold(f64::NEG_INFINITY, f64::max);
     let growth = found.windows(2).map(|pair| pair[1][1] - pair[0][1]).fold(0.0, f64::max);
     Ok([deep / ROOM, growth / found[0][1]])
