@@ -5,7 +5,9 @@ mod common;
 use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, BodyContact, Change, Friction, Gravity, Happening, Model, Run, RunBalance, Shape, Start, Surface};
+use tumble_mech::{
+    Body, BodyContact, Change, Friction, Gravity, Happening, Model, Run, RunBalance, Shape, Start, Surface,
+};
 
 const G: f64 = 9.81;
 
@@ -239,7 +241,8 @@ fn a_box_slides_across_two_boards() {
     let run = run(boards([0.2, 0.2]), 0.3, 1e-12);
     close(motion(&run, 0, 0.25)[3], 1.0 - 0.2 * G * 0.25, 1e-13);
     let accuracy = tumble_ode::Accuracy::new(1e-9).expect("an accuracy");
-    let refused = boards([0.1, 0.3]).simulate_to(&[], 0.3 * S, accuracy).map(|_| ()).expect_err("not determined");
+    let refused =
+        boards([0.1, 0.3]).simulate_to(&[], 0.3 * S, accuracy).map(|_| ()).expect_err("not determined");
     assert!(refused.to_string().contains("slide with different friction"), "{refused}");
 }
 

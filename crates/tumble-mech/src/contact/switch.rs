@@ -4,9 +4,9 @@ use tumble_ode::{Cause, Crossing, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::pair::Watched;
 use crate::contact::settle::{STANDS, Touched};
 use crate::contact::touch::Now;
+use crate::contact::watched::Watched;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
 use crate::mode::Mode;

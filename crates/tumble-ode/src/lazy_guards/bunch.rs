@@ -62,7 +62,8 @@ impl Bunch {
     /// They have been looked at.
     pub(super) fn learn(&mut self, members: &[Watch]) {
         // NaN is no clearance.
-        let least = |least: f64, watch: &Watch| if watch.clearance >= least { least } else { watch.clearance };
+        let least =
+            |least: f64, watch: &Watch| if watch.clearance >= least { least } else { watch.clearance };
         self.clearance = members.iter().fold(f64::INFINITY, least);
     }
 

@@ -24,6 +24,8 @@ use crate::results::{FAMILY, Row, Runs, sample, sample_between, telling};
 
 /// Points of a drawn path: more than a screen has pixels across.
 const TRACE_POINTS: usize = 2000;
+/// Corners of what is drawn in the place of a circle.
+const CORNERS: usize = 64;
 /// More event marks than this cannot be told apart in one figure.
 const MOST_MARKS: usize = 12;
 /// More instants than this are a smear, and a mistake in the interval.
@@ -309,9 +311,12 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surfac
         let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
         let name = Label::plain(&surface.name);
         match (&surface.circle, &surface.polygon) {
-            (Some(circle), _) => found.extend(Surface::around(&round([at[0], at[1]], at[4], circle.inside), name)),
+            (Some(circle), _) => {
+                found.extend(Surface::around(&round([at[0], at[1]], at[4], circle.inside), name))
+            }
             (None, Some(_)) => {
-                let corners: Vec<[f64; 2]> = at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
+                let corners: Vec<[f64; 2]> =
+                    at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
                 found.extend(Surface::around(&corners, name));
             }
             (None, None) => found.push(Surface::new([at[0], at[1]], [at[2], at[3]], name)),

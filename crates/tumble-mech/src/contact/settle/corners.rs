@@ -36,7 +36,11 @@ impl Settling<'_> {
     /// Contacts of the same two at one point with two normals.
     fn on_corners(&self, jump: &Jump<Mode>) -> Result<Vec<[usize; 2]>, Reason> {
         let pair = |position: &usize| &self.equations.pairs()[self.touch.pairs[*position]];
-        let sharp = self.part.iter().copied().filter(|position| pair(position).has_edge() && !pair(position).is_round());
+        let sharp = self
+            .part
+            .iter()
+            .copied()
+            .filter(|position| pair(position).has_edge() && !pair(position).is_round());
         let sharp: Vec<usize> = sharp.collect();
         let couples = (0..sharp.len()).flat_map(|i| (0..i).map(move |j| [j, i]));
         let are_of_two = |couple: &[usize; 2]| {
@@ -47,9 +51,12 @@ impl Settling<'_> {
         if couples.is_empty() {
             return Ok(vec![]);
         }
-        let of = |position: &usize| [pair(position).point().components(), pair(position).normal.components()].concat();
+        let of = |position: &usize| {
+            [pair(position).point().components(), pair(position).normal.components()].concat()
+        };
         let formulas: Vec<Expr> = sharp.iter().flat_map(of).collect();
-        let values = self.equations.values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)?;
+        let values =
+            self.equations.values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)?;
         let is_one = |couple: &[usize; 2]| {
             let [a, b] = couple.map(|index| &values[4 * index..4 * index + 4]);
             let apart = libm::hypot(a[0] - b[0], a[1] - b[1]);
@@ -59,7 +66,8 @@ impl Settling<'_> {
     }
 
     fn corner_on_corner(&self, one: usize, other: usize) -> Reason {
-        let [one, other] = [one, other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
+        let [one, other] =
+            [one, other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
         Reason::Model(format!(
             "`{one}` and `{other}` strike at one point, a corner on a corner: which way they push there is not determined. Let the corners \
              miss each other by a little"

@@ -7,11 +7,12 @@ use super::{BALANCED, Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::{Alike, Watched};
+use crate::contact::pair::Alike;
 use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::routh::{Refused, Strike};
 use crate::contact::slip::WEDGED;
 use crate::contact::touch::stacked_column;
+use crate::contact::watched::Watched;
 use crate::friction::Restitution;
 use crate::laws::impact::{MultipleImpacts, fastest};
 use crate::mode::Mode;
@@ -326,11 +327,16 @@ impl Settling<'_> {
 
     /// Refuses what slides with different friction along one edge, or on several feet, where more contacts bear it than are needed: what each of
     /// them bears is open, and with it the motion.
-    fn refuse_undetermined(&self, some: &[usize], Rubbing { patches, found }: &Rubbing) -> Result<(), Reason> {
+    fn refuse_undetermined(
+        &self,
+        some: &[usize],
+        Rubbing { patches, found }: &Rubbing,
+    ) -> Result<(), Reason> {
         let zero = BALANCED * self.touch.strength;
         let tie = |position: usize| {
             let mut own = patches.iter().zip(&found.grips);
-            let (patch, grip) = own.find(|(patch, _)| patch.contacts.iter().any(|(known, _)| *known == position))?;
+            let (patch, grip) =
+                own.find(|(patch, _)| patch.contacts.iter().any(|(known, _)| *known == position))?;
             match grip {
                 Grip::Slides(way) => Some(f64::from(way.sign()) * patch.friction[1]),
                 _ => None,
@@ -342,12 +348,15 @@ impl Settling<'_> {
         for &idle in idle {
             let Some(own) = tie(idle) else { continue };
             let among = DMatrix::from_fn(held.len(), held.len(), |i, j| response(held[i], held[j]));
-            let Some(shares) = among.lu().solve(&DVector::from_fn(held.len(), |i, _| response(held[i], idle))) else {
+            let Some(shares) =
+                among.lu().solve(&DVector::from_fn(held.len(), |i, _| response(held[i], idle)))
+            else {
                 continue;
             };
             let mut bearing = held.iter().zip(&shares).filter(|(_, share)| share.abs() > FOLLOWS);
             if let Some((other, _)) = bearing.find(|(other, _)| tie(**other).is_some_and(|tie| tie != own)) {
-                let [one, other] = [idle, *other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
+                let [one, other] =
+                    [idle, *other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
                 return Err(Reason::Model(format!(
                     "`{one}` and `{other}` slide with different friction, and more places bear the load than are needed: how much each of them \
                      bears is not determined, and the motion depends on it. Take one friction for both, or let one place less touch"
@@ -365,7 +374,9 @@ impl Settling<'_> {
             _ => false,
         };
         let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
-        turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(position, _)| self.touch.pairs[*position])).collect()
+        turned
+            .flat_map(|(patch, _)| patch.contacts.iter().map(|(position, _)| self.touch.pairs[*position]))
+            .collect()
     }
 
     /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.
