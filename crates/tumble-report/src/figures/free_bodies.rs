@@ -232,7 +232,7 @@ impl Drawing<'_> {
         let name = self.run.equations.source_name(impulse.source);
         let place = symbols::contact(self.study, symbols::rubbed(name));
         let along = if matches!(impulse.source, Source::Friction(_)) { "_f" } else { "" };
-        (kind, format!("J_{place}{along}"))
+        (kind, symbols::impulse(&format!("{place}{along}")))
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {

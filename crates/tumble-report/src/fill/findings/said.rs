@@ -55,7 +55,7 @@ fn sentence(same: &[(&Case, &Said)], runs: usize) -> Text {
             whole(listed(same.iter().map(value), "; "))
         }
     };
-    said.and(".")
+    said.and(".").capitalised()
 }
 
 /// `with T = 2 s`; the scene's own words for a run as they are.
