@@ -238,10 +238,10 @@ impl Drawing<'_> {
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
-        let of_model = self.study.model.surfaces.iter().filter(|surface| surface.circle.is_none());
-        let met = all.into_iter().zip(of_model).filter(|(_, surface)| surface.meets(body));
+        let flat = all.into_iter().zip(&self.study.model.surfaces).filter(|(drawn, _)| drawn.round.is_none());
+        let met = flat.filter(|(_, surface)| surface.meets(body));
         let mut found: Vec<Surface> = vec![];
-        for Surface { point: [px, py], normal: [nx, ny], name } in met.map(|(drawn, _)| drawn) {
+        for Surface { point: [px, py], normal: [nx, ny], name, .. } in met.map(|(drawn, _)| drawn) {
             let distance = nx * (pose.x - px) + ny * (pose.y - py);
             // The point of the surface that is nearest to the body.
             let foot = [pose.x - distance * nx, pose.y - distance * ny];

@@ -8,7 +8,7 @@ pub(crate) mod free_bodies;
 pub(crate) mod instants;
 pub(crate) mod symbols;
 
-use tumble_drawing::free_body::Surface;
+use tumble_drawing::free_body::{Round, Surface};
 use tumble_drawing::{
     Axis, CurveFigure, Label, Mark, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
 };
@@ -301,10 +301,17 @@ pub(crate) fn poses(
 /// The planes that bodies meet, where they are at a time, s.
 pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surface>, CaseError> {
     let mut found = vec![];
-    for surface in study.model.surfaces.iter().filter(|surface| surface.circle.is_none()) {
+    for surface in &study.model.surfaces {
         let formulas = [surface.through.components(), surface.normal.components()].concat();
         let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
-        found.push(Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name)));
+        let (point, name) = ([at[0], at[1]], Label::plain(&surface.name));
+        found.push(match &surface.circle {
+            Some(circle) => {
+                let round = Round { radius: study.number(&circle.radius)?, hollow: circle.inside };
+                Surface::round(point, round, name)
+            }
+            None => Surface::new(point, [at[2], at[3]], name),
+        });
     }
     Ok(found)
 }

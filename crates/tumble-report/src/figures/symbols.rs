@@ -250,7 +250,7 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
             symbols.insert(symbol.name.to_string(), below(&force, letter));
         }
         if let Some(couple) = multipliers.get(2) {
-            symbols.insert(couple.name.to_string(), format!("tau_{}", last(&joint)));
+            symbols.insert(couple.name.to_string(), format!("C_{}", last(&joint)));
         }
         for (seat, letter) in [("seat_x", "x"), ("seat_y", "y")] {
             symbols.insert(format!("{joint}.{seat}"), format!("{letter}_{}", last(&joint)));

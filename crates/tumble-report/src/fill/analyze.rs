@@ -31,10 +31,17 @@ pub(super) fn of(study: &Study, names: &Names, runs: Runs<'_>) -> Result<Analyze
         plots,
         pictures,
         comparison: comparison(study, names, runs.cases, &told)?,
-        cases: told.iter().map(|case| one(case)).collect::<Result<_, _>>()?,
+        cases: cases(&told)?,
         checks: vec![],
         findings: findings::of(study, runs, &told)?,
     })
+}
+
+/// What belongs to single runs; what a balance is, the first says.
+fn cases(told: &[&Case]) -> Result<Vec<CaseShown>, CaseError> {
+    let mut cases: Vec<CaseShown> = told.iter().map(|case| one(case)).collect::<Result<_, _>>()?;
+    cases.iter_mut().skip(1).flat_map(|case| &mut case.balance).for_each(|balance| balance.intro.clear());
+    Ok(cases)
 }
 
 fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Plot>, CaseError> {

@@ -86,7 +86,8 @@ fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion
 
 /// An angular acceleration that others read is called the same where it is stated.
 fn name_alike(motions: &mut [Motion], names: &Names) {
-    let rights = motions.iter().flat_map(|motion| &motion.lines).map(|line| line.right.symbols());
+    let equations = motions.iter().filter(|motion| !motion.follows);
+    let rights = equations.flat_map(|motion| &motion.lines).map(|line| line.right.symbols());
     let read: HashSet<Symbol> = rights.flatten().collect();
     for line in motions.iter_mut().flat_map(|motion| &mut motion.lines) {
         if let Node::Symbol(symbol) = line.is.node()
@@ -122,7 +123,18 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
     };
     let mut block = names.shown_block(title.into(), Ok(shown));
     block.definitions.extend(seats(study, names, motion));
+    block.definitions.extend(second_rate(study, names, motion));
     Some(block)
+}
+
+/// What `alpha` is where the equation of motion above says `theta''`.
+fn second_rate(study: &Study, names: &Names, motion: &Motion) -> Option<Definition> {
+    let alpha = study.model.bodies[motion.body].kinematics().alpha_symbol();
+    let is_read = motion.lines.iter().any(|line| line.right.symbols().contains(&alpha));
+    let is_told = motion.follows && is_read && study.model.bodies.len() == 1;
+    let symbol = Formula::symbol(names.shown(&alpha.name));
+    let equation = Formula::equation(symbol, second(names, study, motion.body).symbol);
+    is_told.then(|| Definition { symbol: math(&equation), meaning: Text::default() })
 }
 
 /// What the places in equations mean at which joints were made on the way.
@@ -469,7 +481,7 @@ mod tests {
         let scenes = crate::scenes::all();
         let mut compared = 0;
         let ladder = motions_in("ladder", LADDER.as_bytes(), &tumble_scene::NoFiles);
-        for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder]) {
+        for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder, crate::scenes::laws()]) {
             let case = &cases[0];
             let study = study.with(&case.parameters);
             let names = Names::of(&study).expect("names");

@@ -6,7 +6,7 @@ use crate::report::{BodyRow, Identify, Quantity, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
 use tumble_mech::{Body, Extreme, Shape};
 use tumble_ode::Side;
-use tumble_scene::{Question, Study, When};
+use tumble_scene::{Question, Study, SweepAxis, Swept, When};
 
 use super::alike;
 use super::names::{Names, quantity};
@@ -18,6 +18,8 @@ use crate::results::{is_angle, unit};
 
 /// States that are the components of one vector.
 const VECTORS: [(&str, &str, &str); 2] = [(".x", ".y", "centre of mass"), (".vx", ".vy", "velocity")];
+/// So many values of a swept parameter are all said.
+const MOST_VALUES: usize = 5;
 /// In a scene of more bodies, what is zero at the start is not listed.
 const FEW_BODIES: usize = 2;
 
@@ -123,21 +125,34 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, CaseError> 
     all.map(|(symbol, formula)| {
         let value = study.number(&symbol.clone().into())?;
         let found = Quantity {
-            name: own_name(study, symbol),
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
             unit: unit_of(study, symbol),
             ..Quantity::default()
         };
-        Ok(if formula.symbols().is_empty() { found } else { found.by(names.written(formula)) })
+        Ok(match swept(study, &symbol.name) {
+            Some(values) => Quantity { value: values, unit: String::new(), ..found },
+            None if formula.symbols().is_empty() => found,
+            None => found.by(names.written(formula)),
+        })
     })
     .collect()
 }
 
-/// The name of a parameter that is shown by another symbol; its own says all.
-fn own_name(study: &Study, parameter: &Symbol) -> Text {
-    let other = study.symbols.contains_key(&*parameter.name);
-    if other { parameter.name.to_string().into() } else { Text::default() }
+/// The values that a swept parameter takes, as legends call them; of many, the first, the last and their number.
+fn swept(study: &Study, parameter: &str) -> Option<Text> {
+    let is_own = |axis: &&SweepAxis| axis.of == Swept::Parameter(parameter.to_owned());
+    let values = &study.sweep.iter().find(is_own)?.values;
+    let label = |index: usize| {
+        let label = values.at(index).label;
+        label.split_once(" = ").map_or(label.clone(), |(_, value)| value.to_owned())
+    };
+    let count = values.count();
+    let all: Vec<String> = match count {
+        0..=MOST_VALUES => (0..count).map(label).collect(),
+        _ => vec![label(0), "…".to_owned(), format!("{} ({count} values)", label(count - 1))],
+    };
+    Some(all.join(", ").into())
 }
 
 /// Nothing for a pure number.

@@ -220,6 +220,8 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
     let number = numeral::significant(value, digits);
     match unit.is_empty() {
         true => number.into(),
+        // The sign of degrees stands at the number.
+        false if unit == "deg" => number.then(Label::unit(unit)).into(),
         false => number.then(Label::plain("\u{a0}")).then(Label::unit(unit)).into(),
     }
 }

@@ -124,6 +124,16 @@ fn against(study: &Study, pair: &Pair) -> String {
     }
 }
 
+/// What a contact is called in the table of a body's forces.
+pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
+    let other = if pair.other == Some(body) {
+        symbols::the(&study.model.bodies[pair.body].name)
+    } else {
+        against(study, pair)
+    };
+    format!("contact with {other}")
+}
+
 /// All that happens at an instant.
 pub(super) fn event(study: &Study, equations: &Equations, record: &Record) -> String {
     let all: Vec<String> = record.happened.iter().map(|one| happening(study, equations, one)).collect();

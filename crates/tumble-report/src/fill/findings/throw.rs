@@ -21,18 +21,29 @@ const MATTERS: f64 = 1e-3;
 pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let motion = seen.body.kinematics();
     let tops = seen.falls_through_zero(motion.velocity().y())?;
-    let listed = tops.iter().take(MOST_LISTED).map(|time| {
+    let place = |time: &f64| {
         let height = seen.known(*time, motion.position().y(), "m")?;
-        Ok(height.and(" at ").and(seen.instant(*time, motion.velocity().y())?))
-    });
-    let listed: Vec<Text> = listed.collect::<Result<_, CaseError>>()?;
-    let points = if tops.len() == 1 { "a highest point" } else { "highest points" };
-    let before = format!("The centre of {} comes to {points}, ", seen.called());
+        Ok((height, seen.instant(*time, motion.velocity().y())?))
+    };
+    let listed: Vec<(Text, Text)> =
+        tops.iter().take(MOST_LISTED).map(place).collect::<Result<_, CaseError>>()?;
+    let Some(((first, _), others)) = listed.split_first() else { return Ok(None) };
+    let are_alike = others.iter().all(|(height, _)| height.to_plain() == first.to_plain());
+    let words = match (others.is_empty(), are_alike) {
+        (true, _) => "a highest point, ",
+        (false, true) => "its highest point, ",
+        (false, false) => "highest points, ",
+    };
+    let one = |(index, (height, time)): (usize, &(Text, Text))| match are_alike && index > 0 {
+        true => time.clone(),
+        false => height.clone().and(" at ").and(time.clone()),
+    };
+    let value = listed.iter().enumerate().map(one).reduce(|all, next| all.and(", ").and(next));
     let more = match tops.len().saturating_sub(MOST_LISTED) {
         0 => Text::default(),
-        more => format!(", and to {more} more").into(),
+        more => format!(", and {more} more").into(),
     };
-    let value = listed.into_iter().reduce(|all, next| all.and(", ").and(next));
+    let before = format!("The centre of {} comes to {words}", seen.called());
     Ok(value.map(|value| Said::new(before, value.and(more))))
 }
 
