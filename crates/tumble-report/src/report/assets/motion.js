@@ -91,7 +91,7 @@ class Player {
     this.slider.addEventListener("input", () => {
       this.pause();
       this.seek(this.start + (this.duration * this.slider.value) / SLIDER);
-      clock.set(this.time, this);
+      this.tell();
     });
     this.svg.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
     let width = 0;
@@ -101,14 +101,24 @@ class Player {
         this.layOut();
       }
     }).observe(this.live);
+    this.agree();
+    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
+    this.pause();
+  }
+
+  /** Goes with the rest of the page in time and case. */
+  agree() {
     clock.listen(this, (time) => {
       if (!this.playing && time !== null) this.seek(time);
     });
     chosenCase.listen(this, (index) => {
       if (index < this.cases.length) this.choose(index);
     });
-    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
-    this.pause();
+  }
+
+  /** Has the rest of the page come along. */
+  tell() {
+    clock.set(this.time, this);
   }
 
   choose(index) {
@@ -323,7 +333,7 @@ class Player {
     if (this.last === null || !calm.matches || passed >= CALM) {
       this.last = now;
       this.seek(this.time + passed * this.speeds[this.speed.selectedIndex]);
-      clock.set(this.time, this);
+      this.tell();
     }
     if (this.time >= this.start + this.duration - 1e-12) this.pause();
     else requestAnimationFrame((next) => this.tick(next));
