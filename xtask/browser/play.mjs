@@ -15,6 +15,8 @@ const [tumble, gallery, scenes, ...programs] = process.argv.slice(2);
 const NARROW = 400;
 /** Where on a slider it is moved to: neither end nor middle. */
 const PLACE = 430;
+/** Sliders that are moved until the picture changes. */
+const MOST_MOVED = 4;
 /** The scene in which everything is looked at beside numbers. */
 const FIRST = "01-pendulum-in-the-wind";
 const ENDLESS = `version = 1
@@ -33,9 +35,9 @@ point = [0, 0]
 world = [0, 0]
 `;
 
-/** Moves the first slider; which one, its value as the field has it, and how the run ended. */
-async function moved(page) {
-  const knob = await page.evaluate(() => [...lab.controls.keys()][0]);
+/** Moves a slider; which one, its value as the field has it, and how the run ended. */
+async function moved(page, index = 0) {
+  const knob = await page.evaluate((index) => [...lab.controls.keys()][index], index);
   const how = await after(page, () =>
     page.evaluate(([name, place]) => {
       const { slider } = lab.controls.get(name);
@@ -46,16 +48,22 @@ async function moved(page) {
   return { knob, value: await page.inputValue(`[id="knob-${knob}"]`), how };
 }
 
-/** The places of the first body, as the page has them. */
-const picture = (page) => page.evaluate(() => [...lab.player.motion.bodies[0].x, ...lab.player.motion.bodies[0].y, ...lab.player.motion.bodies[0].angle].join());
+/** The places of all bodies, as the page has them. */
+const picture = (page) => page.evaluate(() => lab.player.motion.bodies.flatMap(({ x, y, angle }) => [...x, ...y, ...angle]).join());
 
 async function play(browser, name) {
   const page = await opened(browser, report(gallery, name));
   const where = `${browser.name}, ${name}`;
   const before = await picture(page);
-  const { knob, value, how } = await moved(page);
-  check(`${where}: ${knob} = ${value} runs`, how === "done", how);
-  const [shown, expected] = [await numbers(page), said(tumble, join(scenes, name, "scene.toml"), [[knob, value]])];
+  const set = [];
+  // A mass alone often changes no motion.
+  for (let index = 0; index < MOST_MOVED && (index === 0 || (await picture(page)) === before); index += 1) {
+    const { knob, value, how } = await moved(page, index);
+    set.push([knob, value]);
+    check(`${where}: ${knob} = ${value} runs`, how === "done", how);
+  }
+  const [[knob, value]] = set;
+  const [shown, expected] = [await numbers(page), said(tumble, join(scenes, name, "scene.toml"), set)];
   check(`${where}: numbers are those of the command`, shown === expected && shown !== "", `${shown}\n-- the command:\n${expected}`);
   check(`${where}: the picture has changed`, (await picture(page)) !== before);
   if (name === FIRST) await look(browser, page, { knob, value, shown });
@@ -67,7 +75,8 @@ async function look(browser, page, { knob, value, shown }) {
   await page.waitForFunction(() => location.hash.length > 1);
   const link = await opened(browser, report(gallery, FIRST), new URL(page.url()).hash);
   await link.waitForFunction(() => document.querySelector("#play .told")?.textContent.length > 0);
-  check(is("a link holds the state"), (await numbers(link)) === shown && (await link.inputValue(`[id="knob-${knob}"]`)) === value);
+  const field = await link.inputValue(`[id="knob-${knob}"]`);
+  check(is("a link holds the state"), (await numbers(link)) === shown && field === value, `${field} for ${value}`);
   await link.close();
   const kind = await typed(page, knob, "3 parsecs");
   const words = await page.textContent("#play .said");
@@ -118,9 +127,7 @@ async function broken(browser) {
   const is = (what) => `${browser.name}: ${what}`;
   await moved(page);
   const before = await numbers(page);
-  // Files of the scene that need more memory than an instance can have.
-  await page.evaluate(() => { globalThis.kept = SETTINGS.files; });
-  const how = await after(page, () => page.evaluate(() => { SETTINGS.files = [["huge", { length: 0, toString() { throw 0; } }]]; lab.runs.worker.postMessage({ module: "none" }); SETTINGS.files = globalThis.kept; lab.runs.hear(lab.runs.worker, { id: lab.runs.wanted.id, broken: "out of memory" }); }));
+  const how = await after(page, () => page.evaluate(() => lab.runs.ask({ name: "none", scene: "", set: [], files: [], shown: "none" })));
   check(is("what breaks is told, and the last run stays"), how === "broken" && (await numbers(page)) === before, how);
   check(is("and the next one runs"), (await moved(page)).how === "done");
   await page.close();
@@ -129,7 +136,7 @@ async function broken(browser) {
 /** That requests would be seen, if there were any. */
 async function sees(browser) {
   const page = await opened(browser, report(gallery, FIRST));
-  await page.evaluate(() => fetch("http://127.0.0.1:9/").catch(() => {}));
+  await page.evaluate(() => fetch("http://127.0.0.1:45991/").catch(() => {}));
   check(`${browser.name}: requests to a network would be seen`, browser.requests.length > 0);
   browser.requests.length = 0;
   await page.close();

@@ -19,6 +19,11 @@ class LivePlayer extends Player {
     return [...super.boxes(), ...(this.held ?? [])];
   }
 
+  /** What comes next is of another scene: nothing of this one is compared with it. */
+  forget() {
+    Object.assign(this, { cases: [], settled: [], pins: [], held: [], energies: null });
+  }
+
   /** Shows one case of a run whose others are not known yet. */
   sketch(data, index) {
     const cases = [...this.cases];
@@ -132,10 +137,9 @@ class LivePlayer extends Player {
     const [kinetic, potential] = [row[1], row[2] - low];
     const bars = [["kinetic", kinetic, row[1]], ["potential", potential, row[2]]];
     this.energyBox.replaceChildren();
-    for (const [name, size, value] of bars) {
-      const bar = make("span", { class: name, style: `width:${part(size)}` }, this.energyBox);
-      bar.textContent = `${name} ${shown(value, 3)}\u00a0J`;
-    }
+    for (const [name, size] of bars) make("span", { class: `part ${name}`, style: `width:${part(size)}` }, this.energyBox);
+    const words = make("span", { class: "words" }, this.energyBox);
+    for (const [name, , value] of bars) make("span", { class: name }, words).textContent = `${name} ${shown(value, 3)}\u00a0J`;
     this.energyBox.setAttribute("aria-label", bars.map(([name, , value]) => `${name} energy ${shown(value, 3)} J`).join(", "));
   }
 

@@ -49,10 +49,21 @@ function taken() {
   return JSON.parse(new TextDecoder().decode(new Uint8Array(engine.memory.buffer, from, engine.taken())));
 }
 
-/** Does a stage, and leaves room for what somebody wants instead. */
-function stage(request) {
+/** Does something with the engine. What goes wrong may leave anything behind: this instance is not used again. */
+function attempt(request, act) {
   if (request !== wanted) return;
   try {
+    act();
+  } catch (error) {
+    wanted = null;
+    postMessage({ id: request.id, broken: String(error.message ?? error) });
+    close();
+  }
+}
+
+/** Does a stage, and leaves room for what somebody wants instead. */
+function stage(request) {
+  attempt(request, () => {
     told = performance.now();
     const more = engine.advance() === 1;
     const messages = taken();
@@ -60,14 +71,10 @@ function stage(request) {
     const has = (wanted) => messages.some(({ kind }) => kind === wanted);
     // A page that shows no report needs none.
     const isEnough = request.brief && has("energy");
-    if (more && has("sketch")) return void setTimeout(() => stage(request), REST);
-    if (more && !isEnough) return void next.port2.postMessage(request.id);
-    postMessage({ id: request.id, done: true });
-  } catch (error) {
-    // What went wrong may have left anything behind: this instance is not used again.
-    postMessage({ id: request.id, broken: String(error.message ?? error) });
-    close();
-  }
+    if (more && has("sketch")) setTimeout(() => stage(request), REST);
+    else if (more && !isEnough) next.port2.postMessage(request.id);
+    else postMessage({ id: request.id, done: true });
+  });
 }
 
 /** Between two stages, what somebody wants instead is heard; of several requests that wait, the last one is begun. */
@@ -116,6 +123,8 @@ onmessage = async ({ data }) => {
 function start(request) {
   request.isBegun = true;
   postMessage({ id: request.id, begun: true });
-  begin(request);
+  attempt(request, () => {
+    if (!begin(request)) throw new Error("the engine does not understand what it is asked");
+  });
   stage(request);
 }

@@ -88,6 +88,9 @@ class Grip {
 /** Whether the panel stands alone in a frame of another page, which makes it as high as it wants to be. */
 const EMBEDDED = location.hash.startsWith("#embed");
 
+/** A quantity as scenes have it, of one from an address, which has no spaces. */
+const spaced = (text) => text.replace(/^([-+]?\d[\d.]*(?:e[-+]?\d+)?)(?=[\p{L}%°])/u, "$1 ");
+
 class Lab {
   constructor(box) {
     Object.assign(this, { box, scene: SETTINGS.scene, set: new Map(SETTINGS.set), controls: new Map() });
@@ -148,19 +151,20 @@ class Lab {
     this.button(bar, "Pin this run", () => this.pin());
     this.button(bar, "Large type", () => document.documentElement.classList.toggle("projector"));
     this.editor = new SceneEditor(this.box, this.scene, (text) => this.edit(text));
-    this.editor.box.open = SETTINGS.templates.length > 0;
+    this.editor.box.open = SETTINGS.templates.length > 0 && !EMBEDDED;
     this.buildSaves(this.editor.bar);
   }
 
   /** Scenes to begin with. */
   buildTemplates(templates) {
-    if (!templates.length) return;
+    if (!templates.length || EMBEDDED) return;
     const label = make("label", { class: "templates" }, this.board);
     label.append("Begin with ");
     const select = make("select", {}, label);
     for (const [name] of templates) select.append(new Option(name));
     select.addEventListener("change", () => {
       this.set.clear();
+      this.isOther = true;
       const scene = templates[select.selectedIndex][1];
       this.editor.box.open = true;
       this.editor.show(scene);
@@ -279,7 +283,7 @@ class Lab {
     for (const part of given) {
       const [name, text] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)].map(decodeURIComponent);
       if (name === "scene") await this.takePacked(text);
-      else this.set.set(name, text);
+      else this.set.set(name, spaced(text));
     }
     if (given.length) this.ask();
   }
@@ -287,6 +291,7 @@ class Lab {
   async takePacked(text) {
     try {
       this.scene = await unpackedText(text);
+      this.isOther = SETTINGS.templates.length > 0;
       this.editor.show(this.scene);
     } catch {
       this.status.textContent = "The scene in the address cannot be read: the link is not whole. The scene of this page is shown.";
@@ -310,7 +315,7 @@ class Lab {
       scene: () => this.takeScene(value),
       progress: () => (this.progress.value = value),
       run: () => this.takeRun(value),
-      sketch: () => this.player?.sketch(value.motion, value.case),
+      sketch: () => this.takeSketch(value),
       motion: () => this.takeMotion(value.motion),
       energy: () => this.takeEnergy(value.cases),
       report: () => this.sections.show(value.parts),
@@ -346,6 +351,12 @@ class Lab {
     this.status.textContent = this.label();
     this.player?.update(motion);
     this.box.dataset.runs = Number(this.box.dataset.runs ?? 0) + 1;
+  }
+
+  takeSketch(sketch) {
+    if (this.isOther) this.player?.forget();
+    this.isOther = false;
+    this.player?.sketch(sketch.motion, sketch.case);
   }
 
   takeEnergy(cases) {
