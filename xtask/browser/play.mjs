@@ -136,7 +136,11 @@ async function broken(browser) {
 /** That requests would be seen, if there were any. */
 async function sees(browser) {
   const page = await opened(browser, report(gallery, FIRST));
-  await page.evaluate(() => fetch("http://127.0.0.1:45991/").catch(() => {}));
+  await page.evaluate(() => new Promise((resolve) => {
+    const image = new Image();
+    image.onerror = resolve;
+    image.src = "http://127.0.0.1:45991/none.png";
+  }));
   check(`${browser.name}: requests to a network would be seen`, browser.requests.length > 0);
   browser.requests.length = 0;
   await page.close();
