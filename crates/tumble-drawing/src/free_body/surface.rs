@@ -23,6 +23,8 @@ pub struct Surface {
     pub point: [f64; 2],
     /// Its normal, out of the material; of any length but zero.
     pub normal: [f64; 2],
+    /// How far it goes from the point to the left and to the right, seen along the normal, metres; without end where nothing is said.
+    pub reach: Option<f64>,
     /// Its name; may be empty.
     pub name: Label,
 }
@@ -30,7 +32,21 @@ pub struct Surface {
 impl Surface {
     /// A surface through a point (world, metres) with its outward normal.
     pub fn new(point: [f64; 2], normal: [f64; 2], name: Label) -> Self {
-        Self { point, normal, name }
+        Self { point, normal, reach: None, name }
+    }
+
+    /// The edge of a piece of material, which is on the left on the way from one end to the other (world, metres).
+    pub fn between(from: [f64; 2], to: [f64; 2], name: Label) -> Self {
+        let [dx, dy] = minus(to, from);
+        let middle = times(plus(from, to), 0.5);
+        Self { reach: Some(0.5 * dx.hypot(dy)), ..Self::new(middle, [dy, -dx], name) }
+    }
+
+    /// The edges of a polygon of material with these corners (world, metres), counter-clockwise. The first has its name.
+    pub fn around(corners: &[[f64; 2]], name: Label) -> Vec<Self> {
+        let next = corners.iter().cycle().skip(1);
+        let names = std::iter::once(name).chain(std::iter::repeat(Label::default()));
+        corners.iter().zip(next).zip(names).map(|((from, to), name)| Self::between(*from, *to, name)).collect()
     }
 
     /// Whether it has a place and a direction.
@@ -47,7 +63,11 @@ impl Surface {
 
     /// The point of the surface nearest to a world point.
     pub(crate) fn foot(&self, point: Point) -> Point {
-        along(point, unit(self.normal).unwrap_or_default(), -self.height(point))
+        let foot = along(point, unit(self.normal).unwrap_or_default(), -self.height(point));
+        let Some(reach) = self.reach else { return foot };
+        let [x, y] = minus(foot, self.point);
+        let away = x.hypot(y);
+        if away > reach { along(self.point, [x / away, y / away], reach) } else { foot }
     }
 
     /// Where the surface is nearest to the lowest of some points, if anything there can be drawn.
@@ -72,6 +92,11 @@ impl Surface {
     /// The visible part of the surface in `area`, on the page.
     pub(crate) fn visible(&self, view: &View, area: &Rect) -> Option<[Point; 2]> {
         let [nx, ny] = self.page_normal();
+        if let Some(reach) = self.reach {
+            let reach = times(unit([-self.normal[1], self.normal[0]])?, reach);
+            let ends = [minus(self.point, reach), plus(self.point, reach)].map(|end| view.pixel(end));
+            return area.clipped_line(ends[0], ends[1]);
+        }
         let foot = view.pixel(self.foot(view.world(area.centre())));
         let reach = times([-ny, nx], area.width.hypot(area.height));
         let line = area.clipped_line(minus(foot, reach), plus(foot, reach))?;

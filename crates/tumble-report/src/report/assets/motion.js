@@ -175,14 +175,15 @@ class Player {
     this.draw();
   }
 
-  drawSurface({ at: [x, y, nx, ny], name }) {
+  // With a reach it ends there to both sides, as the edge of a polygon does.
+  drawSurface({ at: [x, y, nx, ny, ends], name }) {
     const size = Math.hypot(nx, ny);
     const [ux, uy] = [nx / size, -ny / size];
     const [px, py] = this.pixel(x, y);
     const middle = [this.size[0] / 2 - px, this.size[1] / 2 - py];
-    const along = -uy * middle[0] + ux * middle[1];
+    const along = ends === undefined ? -uy * middle[0] + ux * middle[1] : 0;
     const foot = [px - uy * along, py + ux * along];
-    const reach = Math.hypot(...this.size);
+    const reach = ends === undefined ? Math.hypot(...this.size) : ends * this.scale;
     const at = (s, depth) => [foot[0] - uy * s - ux * depth, foot[1] + ux * s - uy * depth];
     let strokes = "";
     for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;

@@ -182,7 +182,7 @@ fn force(force: &MovingForce, frames: &[usize]) -> String {
 }
 
 fn surface(surface: &Surface) -> String {
-    let numbers = surface.point.into_iter().chain(surface.normal).map(number);
+    let numbers = surface.point.into_iter().chain(surface.normal).chain(surface.reach).map(number);
     object([("at", list(numbers)), ("name", label(&surface.name))])
 }
 
