@@ -126,8 +126,12 @@ impl Shape {
         match self {
             Self::Point { at } => (vec![at.clone()], Expr::zero()),
             Self::Rod { from, to, end_radius } => (vec![from.clone(), to.clone()], end_radius.clone()),
-            Self::Disk { centre, radius } | Self::Ring { centre, radius } => (vec![centre.clone()], radius.clone()),
-            Self::Ball { centre, radius } | Self::Shell { centre, radius } => (vec![centre.clone()], radius.clone()),
+            Self::Disk { centre, radius } | Self::Ring { centre, radius } => {
+                (vec![centre.clone()], radius.clone())
+            }
+            Self::Ball { centre, radius } | Self::Shell { centre, radius } => {
+                (vec![centre.clone()], radius.clone())
+            }
             Self::Box { .. } | Self::Polygon { .. } => {
                 (self.edges().into_iter().map(|[corner, _]| corner).collect(), Expr::zero())
             }

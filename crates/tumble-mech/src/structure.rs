@@ -15,9 +15,9 @@ use crate::joint::Joint;
 use crate::load::{Load, Moment};
 use crate::model::Model;
 use crate::parameters::time_symbol;
+use crate::shape::Shape;
 use crate::start::Start;
 use crate::stated::Stated;
-use crate::shape::Shape;
 use crate::surface::{ContactLaw, Surface, is_at};
 
 impl Model {
@@ -171,10 +171,17 @@ impl<'m> Structure<'m> {
             (None, Some(_)) => "is a polygon, and polygons are rigid",
             (None, None) => return vec![],
         };
-        let compliant = (!surface.law.is_rigid()).then(|| wrong(what, "write `rigid = { restitution = 0.8 }`"));
+        let compliant =
+            (!surface.law.is_rigid()).then(|| wrong(what, "write `rigid = { restitution = 0.8 }`"));
         let corners = surface.polygon.iter();
-        let moves = corners.clone().flatten().any(moves).then(|| wrong("is a polygon, and polygons do not move", "leave the time out of its corners"));
-        let few = corners.into_iter().any(|corners| corners.len() < 3).then(|| wrong("has fewer than three corners", "list three corners or more, counter-clockwise"));
+        let moves =
+            corners.clone().flatten().any(moves).then(|| {
+                wrong("is a polygon, and polygons do not move", "leave the time out of its corners")
+            });
+        let few = corners
+            .into_iter()
+            .any(|corners| corners.len() < 3)
+            .then(|| wrong("has fewer than three corners", "list three corners or more, counter-clockwise"));
         compliant.into_iter().chain(moves).chain(few).collect()
     }
 
@@ -184,21 +191,28 @@ impl<'m> Structure<'m> {
         let mut mistakes: Vec<ModelError> = names.iter().filter_map(|name| self.unknown_body(name)).collect();
         let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
         let twice = names.iter().enumerate().filter(is_again);
-        mistakes.extend(twice.map(|(_, name)| wrong(format!("is of `{name}` with itself"), "a body meets others: name each of them once")));
+        mistakes.extend(twice.map(|(_, name)| {
+            wrong(format!("is of `{name}` with itself"), "a body meets others: name each of them once")
+        }));
         if contact.between.is_some() && names.len() < 2 {
-            mistakes.push(wrong("needs two bodies, or more".into(), "name two bodies, or write `between = \"all\"`"));
+            mistakes.push(wrong(
+                "needs two bodies, or more".into(),
+                "name two bodies, or write `between = \"all\"`",
+            ));
         }
         let couples = contact.couples(self.model);
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
         let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
-            let problem = format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
+            let problem =
+                format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
             wrong(problem, "write `rigid = { restitution = 0.8 }`, or give one of the bodies a `restitution`")
         }));
         let are_points = |couple: &&[usize; 2]| of(couple).iter().all(|body| is_point(body));
         let points = couples.iter().find(are_points).map(of);
         mistakes.extend(points.map(|[a, b]| {
-            let problem = format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name);
+            let problem =
+                format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name);
             wrong(problem, "make one of them a `disk` or a `ball`")
         }));
         let are_thin = |couple: &&[usize; 2]| {
@@ -260,7 +274,8 @@ fn of_rule(name: &str, problem: String, cure: &'static str) -> ModelError {
 
 /// Whether a body has a side without thickness, as a rod without radius has.
 fn has_thin_side(body: &Body) -> bool {
-    let is_thin = |shape: &Shape| matches!(shape, Shape::Rod { end_radius, .. } if is_identically_zero(end_radius));
+    let is_thin =
+        |shape: &Shape| matches!(shape, Shape::Rod { end_radius, .. } if is_identically_zero(end_radius));
     body.parts.iter().any(|part| is_thin(&part.shape))
 }
 

@@ -104,7 +104,8 @@ impl Surface {
     /// A convex polygon at rest with these corners, m, counter-clockwise: a step, a rail.
     pub fn polygon(name: impl Into<String>, corners: Vec<Vector>, law: ContactLaw) -> Self {
         let nowhere = || Vector::planar(Expr::zero(), Expr::zero());
-        let [x, y] = [0, 1].map(|axis| corners.first().map_or_else(|| nowhere()[axis].clone(), |first| first[axis].clone()));
+        let [x, y] = [0, 1]
+            .map(|axis| corners.first().map_or_else(|| nowhere()[axis].clone(), |first| first[axis].clone()));
         Self { polygon: Some(corners), ..Self::new(name, [x, y], [Expr::zero(), Expr::one()], law) }
     }
 

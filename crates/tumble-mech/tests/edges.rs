@@ -5,7 +5,9 @@ mod common;
 use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, BodyContact, Change, Friction, Gravity, Happening, Model, Run, RunBalance, Shape, Start, Surface};
+use tumble_mech::{
+    Body, BodyContact, Change, Friction, Gravity, Happening, Model, Run, RunBalance, Shape, Start, Surface,
+};
 
 const G: f64 = 9.81;
 

@@ -115,9 +115,9 @@ impl Places {
             ModelError::NotConvex { .. } => about(Code::Value)
                 .label("not convex")
                 .help("make it of convex parts: `parts = [..]` of a body, a surface each of what is fixed"),
-            ModelError::Clockwise { .. } => about(Code::Value)
-                .label("clockwise")
-                .help("list the corners the other way round"),
+            ModelError::Clockwise { .. } => {
+                about(Code::Value).label("clockwise").help("list the corners the other way round")
+            }
             ModelError::NoInertia { .. } => about(Code::NoInertia)
                 .label("about its own centre")
                 .help("hold the body at another point, or give it an extent, such as `ball`"),

@@ -96,7 +96,12 @@ const MISTAKES: &[Row] = &[
         "E0514 [[\"-1 m\", 0], [\"1 m\", 0]]",
         "3 corners or more",
     ),
-    ("polygon = [[\"-1 m\", 0]", "through = [0, 0]\npolygon = [[\"-1 m\", 0]", "E0519 through | polygon", "leave one"),
+    (
+        "polygon = [[\"-1 m\", 0]",
+        "through = [0, 0]\npolygon = [[\"-1 m\", 0]",
+        "E0519 through | polygon",
+        "leave one",
+    ),
     ("start = { at = [0, \"0.6 m\"] }", "start = { at = [0, \"0.59 m\"] }", "E0539 start", "m farther out"),
     ("start = { at = [0, \"1 m\"] }", "start = { at = [0, \"0.7 m\"] }", "E0539 start", "m farther apart"),
     ("radius = \"9 m\"", "radius = \"4 cm\"", "E0530 \"4 cm\"", "less that of `ball`"),

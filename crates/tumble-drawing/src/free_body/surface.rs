@@ -46,7 +46,12 @@ impl Surface {
     pub fn around(corners: &[[f64; 2]], name: Label) -> Vec<Self> {
         let next = corners.iter().cycle().skip(1);
         let names = std::iter::once(name).chain(std::iter::repeat(Label::default()));
-        corners.iter().zip(next).zip(names).map(|((from, to), name)| Self::between(*from, *to, name)).collect()
+        corners
+            .iter()
+            .zip(next)
+            .zip(names)
+            .map(|((from, to), name)| Self::between(*from, *to, name))
+            .collect()
     }
 
     /// Whether it has a place and a direction.

@@ -29,20 +29,34 @@ impl Between {
         let are_one = self.other.is_some() && is_one(first) && is_one(second);
         let named = |one: &str, other: &str| match are_one {
             true => self.name.clone(),
-            false => [&self.name, one, other].iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join("."),
+            false => [&self.name, one, other]
+                .iter()
+                .filter(|part| !part.is_empty())
+                .copied()
+                .collect::<Vec<_>>()
+                .join("."),
         };
         let mut pairs = vec![];
         for one in &first.rims {
-            let met = second.rims.iter().filter_map(|other| self.circles(named(&one.name, &other.name), one, other));
+            let met = second
+                .rims
+                .iter()
+                .filter_map(|other| self.circles(named(&one.name, &other.name), one, other));
             pairs.extend(met);
         }
         for (line, edge) in second.edges.iter().enumerate() {
-            let met = first.rims.iter().filter_map(|rim| self.on_edge(named(&rim.name, &edge.name), rim, edge, line));
+            let met = first
+                .rims
+                .iter()
+                .filter_map(|rim| self.on_edge(named(&rim.name, &edge.name), rim, edge, line));
             pairs.extend(met);
         }
         for (line, edge) in first.edges.iter().enumerate() {
             let line = second.edges.len() + line;
-            let met = second.rims.iter().filter_map(|rim| self.under_edge(named(&edge.name, &rim.name), edge, rim, line));
+            let met = second
+                .rims
+                .iter()
+                .filter_map(|rim| self.under_edge(named(&edge.name, &rim.name), edge, rim, line));
             pairs.extend(met);
         }
         pairs

@@ -1,6 +1,5 @@
 //! What bodies and fixed polygons touch by: circles about ends, corners and centres, and straight edges.
 
-
 use tumble_expr::{Expr, Vector};
 
 use crate::anchor::Anchor;
@@ -40,7 +39,8 @@ impl Border {
     pub(crate) fn of_body(body: &Body) -> Self {
         let (features, sides) = (body.features(), body.sides());
         let of_feature = |feature: &Feature| 1 + feature.neighbours.len();
-        let locals = features.iter().flat_map(|feature| std::iter::once(&feature.centre).chain(&feature.neighbours));
+        let locals =
+            features.iter().flat_map(|feature| std::iter::once(&feature.centre).chain(&feature.neighbours));
         let mut places = body.points_at(locals.chain(sides.iter().flat_map(|side| &side.ends))).into_iter();
         let mut next = || Anchor::Material(places.next().expect("a place of each"));
         let rim = |feature: Feature| {

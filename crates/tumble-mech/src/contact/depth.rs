@@ -29,7 +29,9 @@ fn axes(one: &Hull, other: &Hull) -> Vec<Point> {
             [(b[1] - a[1]) / length, (a[0] - b[0]) / length]
         });
         let is_line = hull.places.len() == 2;
-        let all = edges.flat_map(|[x, y]| [Some([x, y]), Some([-x, -y]), is_line.then_some([-y, x]), is_line.then_some([y, -x])]);
+        let all = edges.flat_map(|[x, y]| {
+            [Some([x, y]), Some([-x, -y]), is_line.then_some([-y, x]), is_line.then_some([y, -x])]
+        });
         all.flatten().collect::<Vec<_>>()
     };
     [of(one), of(other)].concat()

@@ -17,12 +17,12 @@ mod meeting;
 mod opposite;
 mod pair;
 mod pairs;
+#[cfg(test)]
+mod random;
 mod rough;
 mod routh;
 mod settle;
 mod slip;
-#[cfg(test)]
-mod random;
 mod start;
 mod straight;
 mod switch;

@@ -148,8 +148,13 @@ impl Pair {
     pub(crate) fn conditions(&self) -> Vec<Expr> {
         let is_near = match &self.opposite {
             Opposite::Edge(edge) => edge.around.as_ref().map(|around| {
-                let rim = if edge.is_first { self.opposite.position(&self.through) } else { self.centre.position() };
-                let away = rim - edge.owner.as_ref().map_or_else(|| self.through.clone(), Kinematics::position);
+                let rim = if edge.is_first {
+                    self.opposite.position(&self.through)
+                } else {
+                    self.centre.position()
+                };
+                let away =
+                    rim - edge.owner.as_ref().map_or_else(|| self.through.clone(), Kinematics::position);
                 (around * around - dot(&away, &away)) / (2 * around)
             }),
             _ => None,
@@ -195,7 +200,9 @@ impl Pair {
         if let Opposite::Edge(edge) = &self.opposite {
             let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
             let coriolis = 2 * dot(&self.turning(), &velocity);
-            return dot(&self.normal, &relative) + coriolis + dot(&edge.turning_rate(&self.normal), &self.apart());
+            return dot(&self.normal, &relative)
+                + coriolis
+                + dot(&edge.turning_rate(&self.normal), &self.apart());
         }
         let turning = rate(&self.normal);
         let coriolis = 2 * dot(&turning, &(self.centre.velocity() - rate(&self.through)));

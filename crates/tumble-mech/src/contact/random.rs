@@ -40,7 +40,11 @@ fn shape(draw: &mut Draw) -> Shape {
             width: 2.0 * size * M,
             height: draw.between(0.02, 0.1) * 2.0 * M,
         },
-        2 => Shape::Rod { from: place(-size, 0.0), to: place(size, 0.0), end_radius: draw.between(0.005, 0.03) * M },
+        2 => Shape::Rod {
+            from: place(-size, 0.0),
+            to: place(size, 0.0),
+            end_radius: draw.between(0.005, 0.03) * M,
+        },
         _ => {
             let count = 3 + (draw.next() * 4.0) as usize;
             let corner = |index: usize| {
@@ -100,16 +104,22 @@ impl Look {
         let of: Vec<Whose> = (0..model.bodies.len()).map(Whose::Body).chain([block]).collect();
         of.iter().for_each(|whose| outlines.add(*whose, model));
         let formulas = [&outlines.formulas[..], &[energy(run)]].concat();
-        let observer = run.observe(&formulas).map_err(|error| error.to_string()).expect("formulas of the motion");
+        let observer =
+            run.observe(&formulas).map_err(|error| error.to_string()).expect("formulas of the motion");
         Self { observer, outlines, of }
     }
 
     /// The deepest that two are in each other, m, and the energy, J.
     fn at(&mut self, time: f64) -> [f64; 2] {
         let values = self.observer.at(time, Side::After).expect("within the run");
-        let hulls: Vec<Vec<Hull>> = self.of.iter().map(|whose| self.outlines.hulls(*whose, &values)).collect();
-        let couples = hulls.iter().enumerate().flat_map(|(index, one)| hulls[index + 1..].iter().map(move |other| (one, other)));
-        let depths = couples.flat_map(|(one, other)| one.iter().flat_map(|a| other.iter().map(|b| depth(a, b))));
+        let hulls: Vec<Vec<Hull>> =
+            self.of.iter().map(|whose| self.outlines.hulls(*whose, &values)).collect();
+        let couples = hulls
+            .iter()
+            .enumerate()
+            .flat_map(|(index, one)| hulls[index + 1..].iter().map(move |other| (one, other)));
+        let depths =
+            couples.flat_map(|(one, other)| one.iter().flat_map(|a| other.iter().map(|b| depth(a, b))));
         [depths.fold(f64::NEG_INFINITY, f64::max), values[values.len() - 1]]
     }
 }
@@ -145,10 +155,27 @@ fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
             if pair[1][0] > 1e-12 && first {
                 first = false;
                 println!("deep {:e} {:e} between {:e} and {:e}", pair[0][0], pair[1][0], t[0], t[1]);
-                let mut hulls = |t: f64| { let values = look.observer.at(t, Side::After).unwrap(); look.of.iter().map(|whose| look.outlines.hulls(*whose, &values)).collect::<Vec<_>>() };
-                for t in t { for h in hulls(*t) { println!("   {h:?}") } }
+                let mut hulls = |t: f64| {
+                    let values = look.observer.at(t, Side::After).unwrap();
+                    look.of.iter().map(|whose| look.outlines.hulls(*whose, &values)).collect::<Vec<_>>()
+                };
+                for t in t {
+                    for h in hulls(*t) {
+                        println!("   {h:?}")
+                    }
+                }
                 for event in run.events().filter(|event| (event.time - t[1]).abs() < 2e-2) {
-                    let told: Vec<_> = event.record.happened.iter().map(|h| match h { crate::Happening::Contact { pair, change } => format!("{} {change:?}", run.equations.pairs()[*pair].name), o => format!("{o:?}") }).collect();
+                    let told: Vec<_> = event
+                        .record
+                        .happened
+                        .iter()
+                        .map(|h| match h {
+                            crate::Happening::Contact { pair, change } => {
+                                format!("{} {change:?}", run.equations.pairs()[*pair].name)
+                            }
+                            o => format!("{o:?}"),
+                        })
+                        .collect();
                     println!("  {:e} {told:?}", event.time);
                 }
             }
@@ -156,9 +183,19 @@ fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
         let scale = found[0][1];
         for (pair, t) in found.windows(2).zip(all.windows(2)) {
             if pair[1][1] - pair[0][1] > 1e-11 * scale {
-                println!("grows {:e} between {:e} and {:e}", (pair[1][1] - pair[0][1])/scale, t[0], t[1]);
+                println!("grows {:e} between {:e} and {:e}", (pair[1][1] - pair[0][1]) / scale, t[0], t[1]);
                 for event in run.events().filter(|event| (event.time - t[1]).abs() < 1e-3) {
-                    let told: Vec<_> = event.record.happened.iter().map(|h| match h { crate::Happening::Contact { pair, change } => format!("{} {change:?}", run.equations.pairs()[*pair].name), o => format!("{o:?}") }).collect();
+                    let told: Vec<_> = event
+                        .record
+                        .happened
+                        .iter()
+                        .map(|h| match h {
+                            crate::Happening::Contact { pair, change } => {
+                                format!("{} {change:?}", run.equations.pairs()[*pair].name)
+                            }
+                            o => format!("{o:?}"),
+                        })
+                        .collect();
                     println!("  {:e} {told:?} {:?}", event.time, event.record.impulses);
                 }
             }
@@ -183,7 +220,10 @@ fn nothing_gets_into_each_other_or_gains_energy() {
                 assert!(deep < 1e-12, "scene {seed}: {deep:e} deep");
                 assert!(growth < 1e-10, "scene {seed}: energy grows by {growth:e}");
             }
-            Err(reason) => { println!("{seed} {reason} {:?}", start.elapsed()); refused.push((seed, reason)) }
+            Err(reason) => {
+                println!("{seed} {reason} {:?}", start.elapsed());
+                refused.push((seed, reason))
+            }
         }
     }
     assert!(refused.is_empty(), "{refused:#?}");

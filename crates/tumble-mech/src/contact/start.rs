@@ -83,7 +83,8 @@ impl Equations {
             outlines.add(second(*rule, *other), self.model());
         }
         let values = self.values(&outlines.formulas, mode, 0.0, states, inputs);
-        let values = values.map_err(|reason| ModelError::Start { body: "surfaces".into(), problem: reason.to_string() })?;
+        let values = values
+            .map_err(|reason| ModelError::Start { body: "surfaces".into(), problem: reason.to_string() })?;
         let deepest = |(rule, body, other): &(Rule, usize, Option<usize>)| {
             let own = outlines.hulls(Whose::Body(*body), &values);
             let others = outlines.hulls(second(*rule, *other), &values);

@@ -143,7 +143,8 @@ impl Equations {
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let tape = self.island_tape(island, mode, &all)?;
         let jets = to_first_order(&tape, states, now);
-        let (pairs, tape) = self.near(mode, &all, &Numbers { tape: &tape, jets: &jets, dofs: velocities.len() });
+        let (pairs, tape) =
+            self.near(mode, &all, &Numbers { tape: &tape, jets: &jets, dofs: velocities.len() });
         let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
         let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
         let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
@@ -196,7 +197,8 @@ impl Equations {
         let near: Vec<usize> = (0..all.len()).filter(is_near).collect();
         let tape = read.tape;
         let places: HashMap<usize, usize> = near.iter().copied().zip(0..).collect();
-        let slips = tape.slips.iter().filter_map(|(position, slip)| Some((*places.get(position)?, slip.clone())));
+        let slips =
+            tape.slips.iter().filter_map(|(position, slip)| Some((*places.get(position)?, slip.clone())));
         let slips = slips.collect();
         let pairs = near.iter().map(|position| tape.pairs[*position].clone()).collect();
         let near = near.into_iter().map(|position| all[position]).collect();

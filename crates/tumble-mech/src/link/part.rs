@@ -202,7 +202,12 @@ impl Equations {
             });
             let states: Vec<Symbol> = states.map(|state| state.symbol).collect();
             let inputs = self.model().parameters.symbols();
-            Ok::<_, std::convert::Infallible>(Watched::where_positive(formulas, &states, &time_symbol(), &inputs))
+            Ok::<_, std::convert::Infallible>(Watched::where_positive(
+                formulas,
+                &states,
+                &time_symbol(),
+                &inputs,
+            ))
         };
         let found = self.library().watched.get(&(pair, changes.to_vec()), build);
         let found = found.unwrap_or_else(|never| match never {});

@@ -239,8 +239,11 @@ impl Drawing<'_> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
         let planes = all.into_iter().filter(|surface| surface.reach.is_none());
-        let is_plane = |surface: &&tumble_mech::Surface| surface.circle.is_none() && surface.polygon.is_none();
-        let met = planes.zip(self.study.model.surfaces.iter().filter(is_plane)).filter(|(_, surface)| surface.meets(body));
+        let is_plane =
+            |surface: &&tumble_mech::Surface| surface.circle.is_none() && surface.polygon.is_none();
+        let met = planes
+            .zip(self.study.model.surfaces.iter().filter(is_plane))
+            .filter(|(_, surface)| surface.meets(body));
         let mut found: Vec<Surface> = vec![];
         for Surface { point: [px, py], normal: [nx, ny], name, .. } in met.map(|(drawn, _)| drawn) {
             let distance = nx * (pose.x - px) + ny * (pose.y - py);
@@ -265,10 +268,12 @@ impl Drawing<'_> {
             if is_plane || model.bodies[pair.body].name != body.name {
                 continue;
             }
-            let formulas = [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
+            let formulas =
+                [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
             let tangent = Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
-            let is_met = at[4].abs() <= NEAR * reach.max(f64::MIN_POSITIVE) && at[5..].iter().all(|limit| *limit >= 0.0);
+            let is_met = at[4].abs() <= NEAR * reach.max(f64::MIN_POSITIVE)
+                && at[5..].iter().all(|limit| *limit >= 0.0);
             // Two corners on one edge have one tangent.
             let is_new = |known: &Surface| known.name != tangent.name || known.normal != tangent.normal;
             if is_met && found.iter().all(is_new) {

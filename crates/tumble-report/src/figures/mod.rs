@@ -309,9 +309,12 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surfac
         let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
         let name = Label::plain(&surface.name);
         match (&surface.circle, &surface.polygon) {
-            (Some(circle), _) => found.extend(Surface::around(&round([at[0], at[1]], at[4], circle.inside), name)),
+            (Some(circle), _) => {
+                found.extend(Surface::around(&round([at[0], at[1]], at[4], circle.inside), name))
+            }
             (None, Some(_)) => {
-                let corners: Vec<[f64; 2]> = at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
+                let corners: Vec<[f64; 2]> =
+                    at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
                 found.extend(Surface::around(&corners, name));
             }
             (None, None) => found.push(Surface::new([at[0], at[1]], [at[2], at[3]], name)),

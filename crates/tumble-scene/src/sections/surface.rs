@@ -80,7 +80,9 @@ fn refuse_plane(draft: &mut Draft, table: &mut Table, field: &Field) {
             let what = field.key;
             let message = format!("`{}` is a `{what}` and has a `{key}`, as a plane has", table.title);
             let mistake = Diagnostic::new(Code::Exclusive, other.key_span, message);
-            draft.note(mistake.label("leave one of them out").also(field.key_span.clone(), format!("the {what}")));
+            draft.note(
+                mistake.label("leave one of them out").also(field.key_span.clone(), format!("the {what}")),
+            );
         }
     }
 }

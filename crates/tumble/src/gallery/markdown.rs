@@ -132,7 +132,11 @@ impl<'a> Writer<'a> {
                 (vec![html_of(self.image(dest_url, &alt))], end + 1)
             }
             Event::InlineMath(latex) => one(html_of(self.formula(latex, DisplayMode::Inline))),
-            Event::DisplayMath(latex) => one(html_of(self.formula(latex, DisplayMode::Block))),
+            Event::DisplayMath(latex) => {
+                // What is too long for a page is scrolled, which no paragraph can be.
+                let formula = self.formula(latex, DisplayMode::Block);
+                one(html_of(format!("<div class=\"formula\">{formula}</div>")))
+            }
             Event::Html(tag) | Event::InlineHtml(tag) => one(html_of(harmless(tag))),
             other => one(other.clone()),
         }

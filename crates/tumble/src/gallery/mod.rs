@@ -63,7 +63,7 @@ pub struct Shown {
     pub result: Result<Outcome, PipelineError>,
 }
 
-/// The results of the scene that one begins with.
+/// The results of the scene that one begins with; if a scene is called so, with a sign more.
 const START: &str = "start";
 const LANGUAGE: &str = "en";
 
@@ -97,17 +97,23 @@ pub fn run(scenes: &Path, options: &Options, mut seen: impl FnMut(&Shown)) -> Re
 struct Site {
     documents: Documents,
     ways: Ways,
+    /// The results of the scene that one begins with.
+    start: String,
 }
 
 impl Site {
     fn of(folder: &Path, scenes: &[PathBuf]) -> Self {
         let names: Vec<String> = scenes.iter().map(|scene| name_of(scene)).collect();
+        let mut start = START.to_owned();
+        while names.contains(&start) {
+            start.push('_');
+        }
         let documents = Documents::beside(folder, &names);
         let place = |path: &str, text: &str| Link { path: path.to_owned(), text: text.to_owned() };
         let mut places =
-            vec![place("index.html", "Gallery"), place(&report_page(START), "Start from nothing")];
+            vec![place("index.html", "Gallery"), place(&report_page(&start), "Start from nothing")];
         places.extend(documents.has_book().then(|| place(BOOK_PAGE, "The book")));
-        Self { documents, ways: Ways { root: String::new(), places } }
+        Self { documents, ways: Ways { root: String::new(), places }, start }
     }
 
     /// How a scene is run whose report stands in the site.
@@ -121,7 +127,7 @@ impl Site {
     fn start(&self, options: &Options) -> Result<(), GalleryError> {
         let site = InSite { ways: self.ways.below(), lesson: None, templates: TEMPLATES.to_vec() };
         let options = Options { site: Some(site), ..options.clone() };
-        pipeline::run_scene(START, TEMPLATES[0].1, &options).map_err(Box::new)?;
+        pipeline::run_scene(&self.start, TEMPLATES[0].1, &options).map_err(Box::new)?;
         Ok(())
     }
 
@@ -149,7 +155,7 @@ impl Site {
             has_formulas: text.has_formulas,
             scripts: String::new(),
         };
-        page.playing(&url(&format!("../{}", report_page(START))))
+        page.playing(&url(&format!("../{}", report_page(&self.start))))
     }
 
     fn index(&self, shown: &[Shown]) -> Index {

@@ -329,7 +329,9 @@ impl Settling<'_> {
             _ => false,
         };
         let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
-        turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(position, _)| self.touch.pairs[*position])).collect()
+        turned
+            .flat_map(|(patch, _)| patch.contacts.iter().map(|(position, _)| self.touch.pairs[*position]))
+            .collect()
     }
 
     /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.

@@ -149,10 +149,18 @@ class Lab {
     const bar = make("div", { class: "bar" }, this.board);
     this.button(bar, "Reset", () => this.reset());
     this.button(bar, "Pin this run", () => this.pin());
-    this.button(bar, "Large type", () => document.documentElement.classList.toggle("projector"));
+    const large = this.button(bar, "Large type", () => this.enlarge(large));
+    large.setAttribute("aria-pressed", false);
     this.editor = new SceneEditor(this.box, this.scene, (text) => this.edit(text));
     this.editor.box.open = SETTINGS.templates.length > 0 && !EMBEDDED;
     this.buildSaves(this.editor.bar);
+  }
+
+  /** For a class that looks at it from afar, and back. */
+  enlarge(button) {
+    button.setAttribute("aria-pressed", document.documentElement.classList.toggle("projector"));
+    this.player?.layOut();
+    this.box.scrollIntoView();
   }
 
   /** Scenes to begin with. */

@@ -13,6 +13,9 @@ const HATCH = 8;
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** Pixels that a picture may be high; before a class it has most of the screen. */
+const tallest = () => (document.documentElement.classList.contains("projector") ? Math.max(0.68 * innerHeight, 300) : 460);
+
 /** A case with its columns as numbers. */
 function readMotion(data) {
   const bodies = data.bodies.map((body) => ({ ...body, x: decode(body.x), y: decode(body.y), angle: decode(body.angle) }));
@@ -148,7 +151,7 @@ class Player {
     const width = Math.max(this.live.clientWidth, 240);
     const wide = size[0] + 2 * room;
     const tall = size[1] + 2 * room;
-    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, 460);
+    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, tallest());
     this.scale = Math.min(width / wide, height / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
