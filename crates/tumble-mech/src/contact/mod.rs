@@ -17,6 +17,8 @@ mod meeting;
 mod opposite;
 mod pair;
 mod pairs;
+#[cfg(test)]
+mod random;
 mod rough;
 mod routh;
 mod settle;
