@@ -17,8 +17,6 @@ mod meeting;
 mod opposite;
 mod pair;
 mod pairs;
-#[cfg(test)]
-mod random;
 mod rough;
 mod routh;
 mod settle;
