@@ -232,7 +232,8 @@ fn check(seeds: impl Iterator<Item = u64>) {
 
 #[test]
 fn nothing_gets_into_each_other_or_gains_energy() {
-    check([1, 2, 5, 7, 10, 12, 15, 20, 21].into_iter());
+    // 9 gained energy once, 14 switched without end, 17 went through the block.
+    check([1, 2, 5, 7, 9, 10, 12, 14, 15, 17, 20, 21].into_iter());
 }
 
 /// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100`.

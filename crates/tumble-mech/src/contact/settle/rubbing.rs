@@ -344,6 +344,9 @@ impl Settling<'_> {
         };
         let response = |row: usize, column: usize| self.touch.response[(row, column)];
         let held = &found.held;
+        if held.is_empty() {
+            return Ok(());
+        }
         let idle = some.iter().filter(|position| !held.contains(position) && found.then[**position] <= zero);
         for &idle in idle {
             let Some(own) = tie(idle) else { continue };
