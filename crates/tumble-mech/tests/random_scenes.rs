@@ -248,7 +248,7 @@ fn nothing_gets_into_each_other_or_gains_energy() {
 
 /// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100`.
 #[test]
-#[ignore = "takes minutes, and finds some that switch without end as they come to rest"]
+#[ignore = "takes minutes; some switch without end as they come to rest, such as 59, and in 69 a contact is lost then"]
 fn many_scenes() {
     let first: u64 = std::env::var("SEED").map_or(1, |seed| seed.parse().expect("a number"));
     let refused = refused(first..first + 100);
