@@ -47,6 +47,7 @@ const FIGURES: &[(&str, &str)] = &[
     ("24-glancing-disks/path.svg", "glancing-disks.svg"),
     ("25-pool-break/corners.svg", "pool-break.svg"),
     ("26-ball-in-a-bowl/ball.svg", "ball-in-a-bowl.svg"),
+    ("27-rocking-block/block.svg", "rocking-block.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.

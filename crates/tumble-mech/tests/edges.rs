@@ -91,6 +91,54 @@ fn a_ball_against_the_face_of_a_box() {
     close(plate[5], -h * push / inertia, 1e-13);
 }
 
+/// The corner of a free box, turned by 45 degrees, strikes the side of another off its centre: the impulse is across the side, and each is
+/// turned by its lever, `1/m_eff = 1/m + a^2/I + 1/M + h^2/J`.
+#[test]
+fn a_corner_against_a_face() {
+    let (e, h, m, mass) = (0.3, 0.12, 0.5, 2.0);
+    let tilt = std::f64::consts::FRAC_PI_4 + 0.2;
+    // From the centre of the small box to its right-most corner.
+    let reach = 0.1 * 2.0_f64.sqrt();
+    let arm = [reach * 0.2_f64.cos(), reach * 0.2_f64.sin()];
+    let place = [-0.2 - 0.5 - arm[0], h - arm[1]];
+    let bodies = vec![
+        (plate("small", [0.2, 0.2], m), start(place, tilt, [2.0, 0.0], 0.0)),
+        (plate("large", [0.4, 0.6], mass), start([0.0; 2], 0.0, [0.0; 2], 0.0)),
+    ];
+    let mut model = model(0.0, bodies);
+    model.contact(BodyContact::of_all("hit", Expr::from(e)));
+    let run = run(model, 0.3, 1e-12);
+    let hits = happened(&run);
+    assert_eq!(hits.len(), 1, "{hits:?}");
+    close(hits[0].1, 0.25, 1e-13);
+    let [own, other] = [m * 0.08 / 12.0, mass * 0.52 / 12.0];
+    let push = (1.0 + e) * 2.0 / (1.0 / m + arm[1] * arm[1] / own + 1.0 / mass + h * h / other);
+    let [small, large] = [0, 1].map(|body| motion(&run, body, 0.28));
+    close(small[3], 2.0 - push / m, 1e-13);
+    close(small[5], arm[1] * push / own, 1e-12);
+    close(large[3], push / mass, 1e-13);
+    close(large[5], -h * push / other, 1e-13);
+}
+
+/// Which way a corner on a corner pushes is not determined; a little beside it one edge's normal counts, or the other's.
+#[test]
+fn a_corner_on_a_corner_is_refused() {
+    let falls = |offset: f64| {
+        let tilt = std::f64::consts::FRAC_PI_4;
+        let bodies = vec![(plate("box", [0.2, 0.2], 1.0), start([offset, 0.5], tilt, [0.0; 2], 0.0))];
+        let mut model = model(G, bodies);
+        model.surface(step("step", &[[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]], 0.5, 0.0));
+        let accuracy = tumble_ode::Accuracy::new(1e-10).expect("an accuracy");
+        model.simulate_to(&[], 0.4 * S, accuracy).map_err(|error| error.to_string())
+    };
+    let refused = falls(0.0).map(|_| ()).expect_err("a corner on a corner");
+    assert!(refused.contains("a corner on a corner"), "{refused}");
+    // On the top it is thrown up and not along it; on the slanting side it is thrown to the right.
+    let [top, side] = [-1e-6, 1e-6].map(|offset| motion(&falls(offset).expect("a motion"), 0, 0.35));
+    close(top[3], 0.0, 1e-15);
+    assert!(side[3] > 0.1, "{}", side[3]);
+}
+
 /// A ball flies against the corner of a free box: the impulse goes through the ball's centre.
 #[test]
 fn a_ball_against_the_corner_of_a_box() {
@@ -177,6 +225,25 @@ fn small_swings_of_a_rod_on_a_drum() {
     for time in [0.5, 1.0, 2.5] {
         assert!((motion(&run, 0, time)[2] / first - (rate * time).cos()).abs() < 1e-7);
     }
+}
+
+/// A box slides over the joint of two boards: on boards of one friction it is slowed down by `mu g`; with different friction what each of
+/// them bears would matter, and is not determined.
+#[test]
+fn a_box_slides_across_two_boards() {
+    let boards = |frictions: [f64; 2]| {
+        let bodies = vec![(plate("box", [0.4, 0.2], 1.0), start([0.0, 0.1], 0.0, [1.0, 0.0], 0.0))];
+        let mut model = model(G, bodies);
+        model.surface(step("left", &[[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]], 0.0, frictions[0]));
+        model.surface(step("right", &[[0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [0.0, 0.0]], 0.0, frictions[1]));
+        model
+    };
+    let run = run(boards([0.2, 0.2]), 0.3, 1e-12);
+    close(motion(&run, 0, 0.25)[3], 1.0 - 0.2 * G * 0.25, 1e-13);
+    let accuracy = tumble_ode::Accuracy::new(1e-9).expect("an accuracy");
+    let refused =
+        boards([0.1, 0.3]).simulate_to(&[], 0.3 * S, accuracy).map(|_| ()).expect_err("not determined");
+    assert!(refused.to_string().contains("slide with different friction"), "{refused}");
 }
 
 /// A disk rolls to the edge of a step, then about its corner: it goes on at r from it, and while it does not slip

@@ -2,8 +2,10 @@
 //!
 //! A lazy_guard g with slopes L changes along a step by at most `sum L_i |x_i(s) - x_i(0)|`, and a state by at most
 //! `sum |c_k| s^k`. What it last was, less what it may have changed since, is its clearance: while the next step cannot
-//! use that up, it is not evaluated at all.
+//! use that up, it is not evaluated at all. Those that depend on the same states, as all places do by which two bodies may meet, are a
+//! bunch, which is looked at as a whole first.
 
+mod bunch;
 mod plan;
 
 use std::sync::Arc;
@@ -18,6 +20,7 @@ use crate::program::{Program, values};
 use crate::radius::of_own_size;
 use crate::scale::Scales;
 use crate::{Coefficients, Reason};
+use bunch::Bunch;
 pub use plan::Watched;
 pub(crate) use plan::{WatchPlan, WatchTape};
 
@@ -36,6 +39,7 @@ const NUMBERS: u64 = u64::MAX - 1;
 
 pub(crate) struct LazyGuards {
     all: Vec<Watch>,
+    bunches: Vec<Bunch>,
     order: usize,
     /// The states that the clearances hold for.
     known_at: Vec<f64>,
@@ -67,7 +71,8 @@ impl LazyGuards {
     pub(crate) fn new(program: &Program, inputs: &[f64], order: usize) -> Self {
         let mut slopes = values(&program.slopes, inputs).into_iter();
         let watch = |of: &Arc<WatchTape>| Watch::new(of, program.rounding, inputs, &mut slopes);
-        Self { all: program.watches.iter().map(watch).collect(), order, known_at: vec![] }
+        let all: Vec<Watch> = program.watches.iter().map(watch).collect();
+        Self { bunches: Bunch::all(&all), all, order, known_at: vec![] }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -77,12 +82,7 @@ impl LazyGuards {
     /// The motion comes to these states, perhaps from far away.
     pub(crate) fn enter(&mut self, states: &[f64]) {
         let same = |index: usize| self.known_at.get(index) == Some(&states[index]);
-        for watch in &mut self.all {
-            let stayed = watch.slopes.as_ref().is_some_and(|slopes| slopes.iter().all(|(i, _)| same(*i)));
-            if !stayed {
-                watch.clearance = 0.0;
-            }
-        }
+        self.bunches.iter_mut().filter(|bunch| !bunch.stays(same)).for_each(Bunch::forget);
         self.known_at.clear();
         self.known_at.extend_from_slice(states);
     }
@@ -97,20 +97,16 @@ impl LazyGuards {
     ) -> Result<(), Reason> {
         let travel = travel(expansion, length);
         expansion.near.clear();
-        for (index, watch) in self.all.iter_mut().enumerate() {
-            let needed = watch.change(&travel);
-            if watch.clearance > needed {
+        for bunch in &mut self.bunches {
+            if bunch.is_clear(&travel) {
                 continue;
             }
-            let order = self.order;
-            watch.set_off(expansion, order)?;
-            let here = watch.start(expansion, compensation, order)?;
-            watch.clearance = watch.clear_of(here);
-            // NaN counts as near: the expansion then says what is wrong.
-            if watch.clearance <= needed || watch.clearance.is_nan() {
-                let near = watch.expand(index, expansion, here, order)?;
-                expansion.near.push(near);
+            let own = bunch.members.clone();
+            bunch.settle(&mut self.all[own.clone()]);
+            for index in own.clone() {
+                self.all[index].approach(index, expansion, &travel, compensation, self.order)?;
             }
+            bunch.learn(&self.all[own]);
         }
         Ok(())
     }
@@ -121,9 +117,7 @@ impl LazyGuards {
             return;
         }
         let travel = travel(expansion, length);
-        for watch in &mut self.all {
-            watch.clearance -= watch.change(&travel);
-        }
+        self.bunches.iter_mut().for_each(|bunch| bunch.moved(&travel));
         self.known_at.clear();
         self.known_at.extend_from_slice(states);
     }
@@ -256,6 +250,30 @@ impl Watch {
         let jets = self.jets.as_ref().expect("it was just evaluated");
         let broken = (1..=conditions).map(|condition| -jets.value_of(condition));
         broken.fold(here.abs(), f64::max).min(self.reach)
+    }
+
+    /// Evaluates it if a step in which the states travel so far might bring it to zero, and expands it if it still might.
+    fn approach(
+        &mut self,
+        index: usize,
+        expansion: &mut Expansion,
+        travel: &[f64],
+        compensation: &[f64],
+        order: usize,
+    ) -> Result<(), Reason> {
+        let needed = self.change(travel);
+        if self.clearance > needed {
+            return Ok(());
+        }
+        self.set_off(expansion, order)?;
+        let here = self.start(expansion, compensation, order)?;
+        self.clearance = self.clear_of(here);
+        // NaN counts as near: the expansion then says what is wrong.
+        if self.clearance <= needed || self.clearance.is_nan() {
+            let near = self.expand(index, expansion, here, order)?;
+            expansion.near.push(near);
+        }
+        Ok(())
     }
 
     /// By how much it can change while the states travel so far.

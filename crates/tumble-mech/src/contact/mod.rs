@@ -17,8 +17,6 @@ mod meeting;
 mod opposite;
 mod pair;
 mod pairs;
-#[cfg(test)]
-mod random;
 mod rough;
 mod routh;
 mod settle;
@@ -27,6 +25,7 @@ mod start;
 mod straight;
 mod switch;
 mod touch;
+mod watched;
 mod zeno;
 
 pub(crate) use border::{Border, Rim};
@@ -36,7 +35,8 @@ pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};
 pub use interval::Contact;
 pub use meeting::BodyContact;
+pub(crate) use pair::moves;
 pub use pair::{Pair, Rule};
-pub(crate) use pair::{Watched, moves};
 pub(crate) use pairs::Pairs;
 pub(crate) use slip::WEDGED;
+pub(crate) use watched::Watched;

@@ -1,5 +1,6 @@
 //! What an instant changes for an island that touches rigid surfaces: impacts, then which contacts last.
 
+mod corners;
 mod rubbing;
 
 use std::collections::BTreeSet;
@@ -11,8 +12,8 @@ use crate::contact::change::Change;
 use crate::contact::complementarity::{pushing, standing};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
-use crate::contact::pair::Watched;
 use crate::contact::touch::{Now, Touch};
+use crate::contact::watched::Watched;
 use crate::contact::zeno::{LOWEST, ZenoSequence};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
@@ -101,6 +102,7 @@ impl Equations {
     ) -> Result<Sizes, Reason> {
         self.leave(&touched.left, jump);
         let mut settling = Settling::new(self, island, touched, now, jump)?;
+        settling.pass_corners(jump)?;
         settling.impact(jump)?;
         let zeno = settling.zeno();
         let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;

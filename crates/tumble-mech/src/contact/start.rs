@@ -120,7 +120,7 @@ impl Equations {
 
 /// Whose outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Whose {
+enum Whose {
     Body(usize),
     Surface(usize),
 }
@@ -136,14 +136,14 @@ fn second(rule: Rule, other: Option<usize>) -> Whose {
 
 /// Formulas of the convex figures of which bodies and surfaces are made.
 #[derive(Default)]
-pub(super) struct Outlines {
-    pub(super) formulas: Vec<Expr>,
+struct Outlines {
+    formulas: Vec<Expr>,
     /// By owner, of each figure where its formulas begin, the radius last, and how many places it has.
     of: HashMap<Whose, Vec<(usize, usize)>>,
 }
 
 impl Outlines {
-    pub(super) fn add(&mut self, whose: Whose, model: &Model) {
+    fn add(&mut self, whose: Whose, model: &Model) {
         if self.of.contains_key(&whose) {
             return;
         }
@@ -160,7 +160,7 @@ impl Outlines {
         self.of.insert(whose, figures);
     }
 
-    pub(super) fn hulls(&self, whose: Whose, values: &[f64]) -> Vec<Hull> {
+    fn hulls(&self, whose: Whose, values: &[f64]) -> Vec<Hull> {
         let hull = |(first, count): &(usize, usize)| {
             let places = values[*first..first + 2 * count].chunks_exact(2).map(|place| [place[0], place[1]]);
             Hull { places: places.collect(), radius: values[first + 2 * count] }

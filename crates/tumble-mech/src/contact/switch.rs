@@ -4,9 +4,9 @@ use tumble_ode::{Cause, Crossing, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::pair::Watched;
 use crate::contact::settle::{STANDS, Touched};
 use crate::contact::touch::Now;
+use crate::contact::watched::Watched;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
 use crate::mode::Mode;
@@ -55,17 +55,6 @@ impl Equations {
             return Ok(Sizes::default());
         }
         let causes = Causes::of(self, at);
-        if std::env::var("DBG").is_ok() {
-            let seen: Vec<_> =
-                causes.seen.iter().map(|(p, w, l)| (self.pairs()[*p].name.clone(), *w, *l)).collect();
-            eprintln!(
-                "t {:e} {:?} mode {:?} grips {:?}",
-                at.time,
-                seen,
-                at.mode.contacts.iter().map(|(p, m)| (self.pairs()[*p].name.clone(), *m)).collect::<Vec<_>>(),
-                at.mode.grips.iter().map(|(p, m)| (self.pairs()[*p].name.clone(), *m)).collect::<Vec<_>>()
-            );
-        }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         if causes.wakes {
             self.wake(jump);

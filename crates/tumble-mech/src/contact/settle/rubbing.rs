@@ -7,11 +7,12 @@ use super::{BALANCED, Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::{Alike, Watched};
+use crate::contact::pair::Alike;
 use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::routh::{Refused, Strike};
 use crate::contact::slip::WEDGED;
 use crate::contact::touch::stacked_column;
+use crate::contact::watched::Watched;
 use crate::friction::Restitution;
 use crate::laws::impact::{MultipleImpacts, fastest};
 use crate::mode::Mode;
@@ -19,6 +20,8 @@ use crate::record::{Happening, Jump};
 
 /// Contacts that change each other's rates by less than this part of their own by an impulse do not influence each other.
 const COUPLED: f64 = 1e-12;
+/// A contact follows from others that bear more than this part of what it would.
+const FOLLOWS: f64 = 1e-6;
 /// Impacts one after the other at one instant that have not come to an end by then are refused.
 const MOST_SEQUENTIAL: usize = 10_000;
 
@@ -310,6 +313,7 @@ impl Settling<'_> {
             Some(rubbing) => (some, rubbing),
             None => (all, self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?),
         };
+        self.refuse_undetermined(some, &rubbing)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;
         // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
         let turned = self.turned(&rubbing);
@@ -319,6 +323,47 @@ impl Settling<'_> {
         let mut touched = touched.clone();
         touched.stopped.extend(turned);
         self.lasting_with_friction([some, all], &touched, jump)
+    }
+
+    /// Refuses what slides with different friction along one edge, or on several feet, where more contacts bear it than are needed: what each of
+    /// them bears is open, and with it the motion.
+    fn refuse_undetermined(
+        &self,
+        some: &[usize],
+        Rubbing { patches, found }: &Rubbing,
+    ) -> Result<(), Reason> {
+        let zero = BALANCED * self.touch.strength;
+        let tie = |position: usize| {
+            let mut own = patches.iter().zip(&found.grips);
+            let (patch, grip) =
+                own.find(|(patch, _)| patch.contacts.iter().any(|(known, _)| *known == position))?;
+            match grip {
+                Grip::Slides(way) => Some(f64::from(way.sign()) * patch.friction[1]),
+                _ => None,
+            }
+        };
+        let response = |row: usize, column: usize| self.touch.response[(row, column)];
+        let held = &found.held;
+        let idle = some.iter().filter(|position| !held.contains(position) && found.then[**position] <= zero);
+        for &idle in idle {
+            let Some(own) = tie(idle) else { continue };
+            let among = DMatrix::from_fn(held.len(), held.len(), |i, j| response(held[i], held[j]));
+            let Some(shares) =
+                among.lu().solve(&DVector::from_fn(held.len(), |i, _| response(held[i], idle)))
+            else {
+                continue;
+            };
+            let mut bearing = held.iter().zip(&shares).filter(|(_, share)| share.abs() > FOLLOWS);
+            if let Some((other, _)) = bearing.find(|(other, _)| tie(**other).is_some_and(|tie| tie != own)) {
+                let [one, other] =
+                    [idle, *other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
+                return Err(Reason::Model(format!(
+                    "`{one}` and `{other}` slide with different friction, and more places bear the load than are needed: how much each of them \
+                     bears is not determined, and the motion depends on it. Take one friction for both, or let one place less touch"
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// Pairs that slip against the way in which they were found to slide.

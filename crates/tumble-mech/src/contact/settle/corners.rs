@@ -1,0 +1,76 @@
+//! A corner on a corner: a little to one side one edge's normal counts, to the other another's.
+
+use tumble_expr::Expr;
+use tumble_ode::Reason;
+
+use super::{STANDS, Settling};
+use crate::mode::Mode;
+use crate::record::Jump;
+
+/// Two contacts are at one point if they are nearer than this part of the extent of a body.
+const ONE_POINT: f64 = 1e-9;
+/// Sine of the angle from which on two normals are two.
+const TWO_WAYS: f64 = 1e-6;
+
+impl Settling<'_> {
+    /// A corner that slides along an edge passes over the end at which the next edge begins; refused is one that strikes a corner: nothing
+    /// says which way they push.
+    pub(super) fn pass_corners(&mut self, jump: &Jump<Mode>) -> Result<(), Reason> {
+        let closes = |position: &usize| self.touch.rate[*position] < -STANDS * self.speed[*position];
+        if !self.part.iter().any(closes) {
+            return Ok(());
+        }
+        let mut passed = vec![];
+        for [one, other] in self.on_corners(jump)? {
+            match [one, other].map(|position| closes(&position)) {
+                [true, true] => return Err(self.corner_on_corner(one, other)),
+                [true, false] => passed.push(one),
+                [false, true] => passed.push(other),
+                [false, false] => {}
+            }
+        }
+        self.part.retain(|position| !passed.contains(position));
+        Ok(())
+    }
+
+    /// Contacts of the same two at one point with two normals.
+    fn on_corners(&self, jump: &Jump<Mode>) -> Result<Vec<[usize; 2]>, Reason> {
+        let pair = |position: &usize| &self.equations.pairs()[self.touch.pairs[*position]];
+        let sharp = self
+            .part
+            .iter()
+            .copied()
+            .filter(|position| pair(position).has_edge() && !pair(position).is_round());
+        let sharp: Vec<usize> = sharp.collect();
+        let couples = (0..sharp.len()).flat_map(|i| (0..i).map(move |j| [j, i]));
+        let are_of_two = |couple: &[usize; 2]| {
+            let [a, b] = couple.map(|index| pair(&sharp[index]));
+            (a.rule, a.body, a.other) == (b.rule, b.body, b.other)
+        };
+        let couples: Vec<[usize; 2]> = couples.filter(are_of_two).collect();
+        if couples.is_empty() {
+            return Ok(vec![]);
+        }
+        let of = |position: &usize| {
+            [pair(position).point().components(), pair(position).normal.components()].concat()
+        };
+        let formulas: Vec<Expr> = sharp.iter().flat_map(of).collect();
+        let values =
+            self.equations.values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)?;
+        let is_one = |couple: &[usize; 2]| {
+            let [a, b] = couple.map(|index| &values[4 * index..4 * index + 4]);
+            let apart = libm::hypot(a[0] - b[0], a[1] - b[1]);
+            apart <= ONE_POINT * self.touch.size && (a[2] * b[3] - a[3] * b[2]).abs() > TWO_WAYS
+        };
+        Ok(couples.into_iter().filter(is_one).map(|couple| couple.map(|index| sharp[index])).collect())
+    }
+
+    fn corner_on_corner(&self, one: usize, other: usize) -> Reason {
+        let [one, other] =
+            [one, other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
+        Reason::Model(format!(
+            "`{one}` and `{other}` strike at one point, a corner on a corner: which way they push there is not determined. Let the corners \
+             miss each other by a little"
+        ))
+    }
+}

@@ -1,0 +1,244 @@
+//! Bodies at random that meet each other, a polygon and walls: they do not get into each other, and their energy does not grow.
+
+use tumble_expr::units::{KG, M, S};
+use tumble_expr::{Expr, Vector};
+use tumble_ode::{Accuracy, Side};
+
+use tumble_mech::{
+    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Run, Shape, Start, Surface,
+};
+
+const G: f64 = 9.81;
+/// Asked for.
+const ACCURACY: f64 = 1e-10;
+/// Half the width of the room, m.
+const ROOM: f64 = 1.0;
+/// Corners of a block on its floor, m.
+const BLOCK: [[f64; 2]; 4] = [[-0.3, 0.0], [0.2, 0.0], [0.1, 0.25], [-0.3, 0.2]];
+
+/// Numbers from 0 to 1 in an order of their own (Knuth's linear congruential generator).
+struct Draw(u64);
+
+impl Draw {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+fn place(x: f64, y: f64) -> Vector {
+    Vector::planar(x * M, y * M)
+}
+
+/// A figure within 15 cm of its middle.
+fn shape(draw: &mut Draw) -> Shape {
+    let size = draw.between(0.05, 0.1);
+    match (draw.next() * 4.0) as usize {
+        0 => Shape::Disk { centre: place(0.0, 0.0), radius: size * M },
+        1 => Shape::Box {
+            centre: place(0.0, 0.0),
+            width: 2.0 * size * M,
+            height: draw.between(0.02, 0.1) * 2.0 * M,
+        },
+        2 => Shape::Rod {
+            from: place(-size, 0.0),
+            to: place(size, 0.0),
+            end_radius: draw.between(0.005, 0.03) * M,
+        },
+        _ => {
+            let count = 3 + (draw.next() * 4.0) as usize;
+            let corner = |index: usize| {
+                let angle = std::f64::consts::TAU * index as f64 / count as f64;
+                place(size * angle.cos(), size * angle.sin())
+            };
+            Shape::Polygon { corners: (0..count).map(corner).collect() }
+        }
+    }
+}
+
+/// A room with a block on its floor, and bodies above each other in columns.
+fn scene(draw: &mut Draw, bodies: usize) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(G * M / (S * S));
+    let e = if draw.next() < 0.3 { 0.0 } else { draw.between(0.1, 1.0) };
+    let friction = (draw.next() < 0.5).then(|| Friction::new(Expr::from(draw.between(0.05, 0.6))));
+    let rigid = || ContactLaw::Rigid { restitution: Expr::from(e) };
+    let walls = [([0.0, 0.0], [0.0, 1.0]), ([-ROOM, 0.0], [1.0, 0.0]), ([ROOM, 0.0], [-1.0, 0.0])];
+    let planes = walls.iter().enumerate().map(|(index, (through, normal))| {
+        Surface::new(
+            format!("wall{index}"),
+            through.map(|x| x * M),
+            normal.map(|x: f64| Expr::from(x)),
+            rigid(),
+        )
+    });
+    let block = BLOCK.map(|[x, y]| place(x, y));
+    let block = Surface::polygon("block", block.to_vec(), rigid());
+    for surface in planes.chain([block]) {
+        model.surface(Surface { friction: friction.clone(), ..surface });
+    }
+    for index in 0..bodies {
+        let (column, row) = (index % 4, index / 4);
+        let name = format!("b{index}");
+        let at = [-0.6 + 0.4 * column as f64 + draw.between(-0.03, 0.03), 0.5 + 0.35 * row as f64];
+        let start = Start::default().at(at.map(|x| x * M)).angle(Expr::from(draw.between(0.0, 6.0)));
+        let velocity = [draw.between(-2.0, 2.0), draw.between(-2.0, 0.0)];
+        let start = start.velocity(velocity.map(|v| v * M / S)).omega(draw.between(-8.0, 8.0) / S);
+        model.starts.push((name.clone(), start));
+        model.add(Body::of_shape(name, shape(draw)).mass(draw.between(0.2, 2.0) * KG));
+    }
+    let contact = BodyContact::of_all("hit", Expr::from(e));
+    model.contact(BodyContact { friction, ..contact });
+    model
+}
+
+/// A convex figure in its body's axes: the hull of some corners, thickened by a radius, m.
+struct Figure {
+    corners: Vec<[f64; 2]>,
+    radius: f64,
+}
+
+fn number(formula: &Expr) -> f64 {
+    Parameters::default().evaluate(std::slice::from_ref(formula)).expect("a number")[0]
+}
+
+fn figure(body: &Body) -> Figure {
+    let centre = body.mass_properties().centre;
+    let corner = |at: &Vector| [0, 1].map(|axis| number(&(&at[axis] - &centre[axis])));
+    let figure =
+        |corners: Vec<Vector>, radius: f64| Figure { corners: corners.iter().map(corner).collect(), radius };
+    match &body.parts[0].shape {
+        Shape::Disk { centre, radius } => figure(vec![centre.clone()], number(radius)),
+        Shape::Rod { from, to, end_radius } => figure(vec![from.clone(), to.clone()], number(end_radius)),
+        shape => figure(shape.edges().into_iter().map(|[corner, _]| corner).collect(), 0.0),
+    }
+}
+
+impl Figure {
+    fn at(&self, [x, y, angle]: [f64; 3]) -> Self {
+        let (c, s) = (angle.cos(), angle.sin());
+        let corners = self.corners.iter().map(|[a, b]| [x + c * a - s * b, y + s * a + c * b]).collect();
+        Self { corners, radius: self.radius }
+    }
+
+    /// How deep it is in another, m: the least over all directions of how far one has to go along it to be clear (separating axes). Directions
+    /// are the normals of edges, and those from corner to corner.
+    fn depth_in(&self, other: &Self) -> f64 {
+        let edges = |corners: &[[f64; 2]]| {
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).map(|(a, b)| [b[1] - a[1], a[0] - b[0]]).collect::<Vec<_>>()
+        };
+        let between =
+            self.corners.iter().flat_map(|a| other.corners.iter().map(move |b| [b[0] - a[0], b[1] - a[1]]));
+        let all = edges(&self.corners).into_iter().chain(edges(&other.corners)).chain(between);
+        let gap = all.filter(|[x, y]| x.hypot(*y) > 0.0).flat_map(|[x, y]| {
+            let size = x.hypot(y);
+            [[x / size, y / size], [-x / size, -y / size]]
+        });
+        let gap = gap.map(|axis| {
+            let along = |corner: &[f64; 2]| axis[0] * corner[0] + axis[1] * corner[1];
+            let far = self.corners.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+            other.corners.iter().map(along).fold(f64::INFINITY, f64::min) - far
+        });
+        self.radius + other.radius - gap.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// How deep it is below the floor or behind the walls of the room, m.
+    fn depth_in_room(&self) -> f64 {
+        let depth = |[x, y]: &[f64; 2]| (-y).max(-ROOM - x).max(x - ROOM) + self.radius;
+        self.corners.iter().map(depth).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// What is looked at of a motion.
+struct Look {
+    observer: Observer,
+    figures: Vec<Figure>,
+}
+
+impl Look {
+    fn new(run: &Run) -> Self {
+        let bodies = &run.equations.model().bodies;
+        let pose = |body: &Body| {
+            let motion = body.kinematics();
+            [motion.position().x().clone(), motion.position().y().clone(), motion.angle()]
+        };
+        let mut formulas: Vec<Expr> = bodies.iter().flat_map(pose).collect();
+        formulas.push(energy(run));
+        let observer =
+            run.observe(&formulas).map_err(|error| error.to_string()).expect("formulas of the motion");
+        Self { observer, figures: bodies.iter().map(figure).collect() }
+    }
+
+    /// The deepest that two are in each other, m, and the energy, J.
+    fn at(&mut self, time: f64) -> [f64; 2] {
+        let values = self.observer.at(time, Side::After).expect("within the run");
+        let poses = values.chunks_exact(3).map(|pose| [pose[0], pose[1], pose[2]]);
+        let mut placed: Vec<Figure> =
+            self.figures.iter().zip(poses).map(|(figure, pose)| figure.at(pose)).collect();
+        let in_room = placed.iter().map(Figure::depth_in_room).fold(f64::NEG_INFINITY, f64::max);
+        placed.push(Figure { corners: BLOCK.to_vec(), radius: 0.0 });
+        let each = placed.iter().enumerate();
+        let couples = each.flat_map(|(index, one)| placed[index + 1..].iter().map(move |other| (one, other)));
+        let deepest = couples.map(|(one, other)| one.depth_in(other)).fold(in_room, f64::max);
+        [deepest, values[values.len() - 1]]
+    }
+}
+
+fn energy(run: &Run) -> Expr {
+    let of = |(index, body): (usize, &Body)| {
+        let mass = run.equations.mass_properties(index);
+        let motion = body.kinematics();
+        let (v, omega) = (motion.velocity(), motion.omega());
+        let kinetic = 0.5 * (&mass.mass * (v.x() * v.x() + v.y() * v.y()) + &mass.inertia * &omega * &omega);
+        kinetic + &mass.mass * (G * M / (S * S)) * motion.position().y()
+    };
+    let all = run.equations.model().bodies.iter().enumerate().map(of);
+    all.reduce(|sum, next| sum + next).expect("bodies")
+}
+
+/// Depth and growth of energy of a scene, in parts of the room and of the energy; or why it was refused.
+fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
+    let mut draw = Draw(seed);
+    (0..4).for_each(|_| _ = draw.next());
+    let model = scene(&mut draw, bodies);
+    let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
+    let run = model.simulate_to(&[], until * S, accuracy).map_err(|error| error.to_string())?;
+    let mut times: Vec<f64> = (0..=200).map(|index| until * f64::from(index) / 200.0).collect();
+    times.extend(run.events().map(|event| event.time));
+    times.sort_by(f64::total_cmp);
+    let mut look = Look::new(&run);
+    let found: Vec<[f64; 2]> = times.into_iter().map(|time| look.at(time)).collect();
+    let deep = found.iter().map(|[deep, _]| *deep).fold(f64::NEG_INFINITY, f64::max);
+    let growth = found.windows(2).map(|pair| pair[1][1] - pair[0][1]).fold(0.0, f64::max);
+    Ok([deep / ROOM, growth / found[0][1]])
+}
+
+/// A sum of rounding errors, and what the accuracy asked for allows of a motion with friction.
+const GROWTH: f64 = 10.0 * ACCURACY;
+
+fn check(seeds: impl Iterator<Item = u64>) {
+    for seed in seeds {
+        let [deep, growth] = outcome(seed, 2 + (seed as usize % 5), 1.0).expect("a motion");
+        println!("scene {seed}: {deep:e} deep, energy grows by {growth:e}");
+        assert!(deep < 1e-12, "scene {seed}: {deep:e} deep");
+        assert!(growth < GROWTH, "scene {seed}: energy grows by {growth:e}");
+    }
+}
+
+#[test]
+fn nothing_gets_into_each_other_or_gains_energy() {
+    check([1, 2, 5, 7, 10, 12, 15, 20, 21].into_iter());
+}
+
+/// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100`.
+#[test]
+#[ignore = "takes minutes"]
+fn many_scenes() {
+    let first: u64 = std::env::var("SEED").map_or(1, |seed| seed.parse().expect("a number"));
+    check(first..first + 100);
+}
