@@ -1,7 +1,7 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
 use crate::report::{Block, BodyModel, Definition, ForceRow, Math, Model, Picture, Text};
-use tumble_expr::{Expr, Graph, Symbol, Unary, Vector, Written, is_identically_zero};
+use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
     Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
 };
@@ -342,7 +342,12 @@ fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &s
     let moment = arm.cross(force);
     let whole = match is_identically_zero(&term.couple) {
         true => moment,
-        false => Written::Sum(vec![(false, moment), (false, Written::Scalar(term.couple.clone()))]),
+        false => {
+            // The couple on the second body is the opposite of the symbol.
+            let is_minus = matches!(term.couple.node(), Node::Unary(Unary::Neg, _));
+            let couple = if is_minus { -&term.couple } else { term.couple.clone() };
+            Written::Sum(vec![(false, moment), (is_minus, Written::Scalar(couple))])
+        }
     };
     names.stated(own, &whole, &term.load)
 }
@@ -393,7 +398,7 @@ fn point(equations: &Equations, term: &Term) -> String {
         (_, Some((name, _))) => format!("{} of {}", symbols::the(name), symbols::the(&body.name)),
         (Law::Contact | Law::Friction, None) => "the point of contact".to_owned(),
         (Law::Reaction, None) => term.load.clone(),
-        (law, None) if law.is_couple() => "no point of its own".to_owned(),
+        (law, None) if law.is_couple() => String::new(),
         _ => "its point of action".to_owned(),
     }
 }
