@@ -238,7 +238,7 @@ impl Drawing<'_> {
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
-        let planes = all.into_iter().filter(|surface| surface.reach.is_none());
+        let planes = all.into_iter().filter(|surface| surface.reach.is_none() && surface.round.is_none());
         let is_plane =
             |surface: &&tumble_mech::Surface| surface.circle.is_none() && surface.polygon.is_none();
         let met = planes
