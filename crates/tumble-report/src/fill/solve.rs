@@ -31,8 +31,11 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
         let study = study.with(&case.parameters);
         let own = self::phases(&study, names, case)?;
         let label = |phase: Phase| match case.label.as_str() {
-            "" => phase,
-            label => Phase { name: Text::from(format!("{label}: ")).and(phase.name.clone()), ..phase },
+            "" => Phase { name: phase.name.capitalised(), ..phase },
+            label => Phase {
+                name: Text::from(format!("{label}: ")).capitalised().and(phase.name.clone()),
+                ..phase
+            },
         };
         // What other runs have said in symbols they do not say again.
         let told = |phase: Phase| match phases.iter().any(|known| known.symbols == phase.symbols) {

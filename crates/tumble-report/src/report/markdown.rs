@@ -206,7 +206,7 @@ fn solve(solve: &Solve) -> String {
 
 fn phase(phase: &Phase) -> String {
     let numbers = titled("With numbers:", blocks(&phase.numbers));
-    joined([heading(3, &phase.name), text(&phase.span), blocks(&phase.symbols), numbers])
+    joined([heading(4, &phase.name), text(&phase.span), blocks(&phase.symbols), numbers])
 }
 
 fn analyze(analyze: &Analyze) -> String {

@@ -113,7 +113,9 @@ fn hostile() -> Report {
             files: vec![(HOSTILE.into(), HOSTILE.into())],
             set: vec![(HOSTILE.into(), HOSTILE.into())],
             play: Play::default(),
+            templates: vec![(HOSTILE, HOSTILE)],
         }),
+        ways: None,
         identify: Identify {
             intro: vec![words()],
             scene: Some(picture()),
