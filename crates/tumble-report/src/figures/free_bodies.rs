@@ -232,13 +232,13 @@ impl Drawing<'_> {
         let name = self.run.equations.source_name(impulse.source);
         let place = symbols::contact(self.study, symbols::rubbed(name));
         let along = if matches!(impulse.source, Source::Friction(_)) { "_f" } else { "" };
-        (kind, format!("J_{place}{along}"))
+        (kind, symbols::impulse(&format!("{place}{along}")))
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
-        let planes = all.into_iter().filter(|surface| surface.reach.is_none());
+        let planes = all.into_iter().filter(|surface| surface.reach.is_none() && surface.round.is_none());
         let is_plane =
             |surface: &&tumble_mech::Surface| surface.circle.is_none() && surface.polygon.is_none();
         let met = planes

@@ -8,7 +8,7 @@ pub(crate) mod free_bodies;
 pub(crate) mod instants;
 pub(crate) mod symbols;
 
-use tumble_drawing::free_body::Surface;
+use tumble_drawing::free_body::{Round, Surface};
 use tumble_drawing::{
     Axis, CurveFigure, Label, Mark, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
 };
@@ -307,30 +307,20 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surfac
         let formulas = [surface.through.components(), surface.normal.components()].concat();
         let formulas: Vec<Expr> = formulas.into_iter().chain(radius).chain(corners).collect();
         let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
-        let name = Label::plain(&surface.name);
+        let (point, name) = ([at[0], at[1]], Label::plain(&surface.name));
         match (&surface.circle, &surface.polygon) {
             (Some(circle), _) => {
-                found.extend(Surface::around(&round([at[0], at[1]], at[4], circle.inside), name))
+                found.push(Surface::round(point, Round { radius: at[4], hollow: circle.inside }, name));
             }
             (None, Some(_)) => {
                 let corners: Vec<[f64; 2]> =
                     at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
                 found.extend(Surface::around(&corners, name));
             }
-            (None, None) => found.push(Surface::new([at[0], at[1]], [at[2], at[3]], name)),
+            (None, None) => found.push(Surface::new(point, [at[2], at[3]], name)),
         }
     }
     Ok(found)
-}
-
-/// Corners of a polygon that is drawn in the place of a circle: a hollow one has its material outside.
-fn round([x, y]: [f64; 2], radius: f64, is_hollow: bool) -> Vec<[f64; 2]> {
-    let turn = if is_hollow { -std::f64::consts::TAU } else { std::f64::consts::TAU };
-    let corner = |index: usize| {
-        let angle = turn * index as f64 / CORNERS as f64;
-        [x + radius * angle.cos(), y + radius * angle.sin()]
-    };
-    (0..CORNERS).map(corner).collect()
 }
 
 /// Shapes of a body with its centre of mass at the origin.

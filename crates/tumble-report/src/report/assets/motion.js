@@ -178,8 +178,27 @@ class Player {
     this.draw();
   }
 
-  // With a reach it ends there to both sides, as the edge of a polygon does.
-  drawSurface({ at: [x, y, nx, ny, ends], name }) {
+  /** A circle of material, or a hollow in it. */
+  drawCircle([x, y], name, [radius, hollow]) {
+    const [px, py] = this.pixel(x, y);
+    const size = radius * this.scale;
+    const [depth, count] = [hollow ? HATCH : -HATCH, Math.max(12, Math.round((2 * Math.PI * size) / HATCH))];
+    const at = (turn, r) => [px + r * Math.cos(turn), py + r * Math.sin(turn)];
+    const step = (2 * Math.PI) / count;
+    let strokes = "";
+    for (let i = 0; i < count; i += 1) strokes += `M${at(i * step, size)}L${at((i - 1) * step, size + depth)}`;
+    draw("path", { class: "hatch", d: strokes, fill: "none" }, this.svg);
+    draw("circle", { class: "ground", cx: px, cy: py, r: size, fill: "none" }, this.svg);
+    const below = hollow ? py + size + 22 : py - size + 22;
+    drawLabel(this.svg, name, { x: px, y: Math.min(below, this.size[1] - 8), "text-anchor": "middle", class: "halo" });
+  }
+
+  /** With a reach it ends there to both sides, as the edge of a polygon does. */
+  drawSurface({ at: [x, y, nx, ny, ends], name, round }) {
+    if (round) {
+      this.drawCircle([x, y], name, round);
+      return;
+    }
     const size = Math.hypot(nx, ny);
     const [ux, uy] = [nx / size, -ny / size];
     const [px, py] = this.pixel(x, y);
