@@ -28,7 +28,7 @@ start = { at = ["-1 m", "1 m"] }
 rod = { from = [0, 0], to = ["1 m", 0], end_radius = "1 cm" }
 mass = "0.2 kg"
 start = { at = [0, "2 m"] }
-[surface.step]
+[surface.ledge]
 polygon = [["-1 m", 0], ["1 m", 0], ["1 m", "0.5 m"], ["-1 m", "0.5 m"]]
 rigid = { restitution = 0.5, friction = { static = 0.4, kinetic = 0.3 } }
 on = ["crate", "wedge", "ball"]
@@ -54,14 +54,14 @@ fn everything_is_read() {
     let names: Vec<String> = study.model.pairs().into_iter().map(|pair| pair.name).collect();
     let of = |start: &str| names.iter().filter(|name| name.starts_with(start)).count();
     // Corners on sides and sides on corners; the ball's rim on sides and corners.
-    assert_eq!(of("step.crate."), 4 * 4 + 4 * 4);
-    assert_eq!(of("step.ball."), 4 + 4);
+    assert_eq!(of("ledge.crate."), 4 * 4 + 4 * 4);
+    assert_eq!(of("ledge.ball."), 4 + 4);
     assert_eq!(of("drum.bar."), 2 + 2);
     assert_eq!(of("heap.crate.wedge."), 4 * 3 + 3 * 4);
     // Two ends and two sides, four corners and four sides.
     assert_eq!(of("heap.crate.bar."), 2 * 4 + 2 * 4 + 2 * 4);
     assert_eq!(of("hits.ball.crate."), 4 + 4);
-    assert!(names.contains(&"step.crate.corner1.side3".to_owned()));
+    assert!(names.contains(&"ledge.crate.corner1.side3".to_owned()));
     assert!(names.contains(&"drum.bar.side2".to_owned()));
 }
 
