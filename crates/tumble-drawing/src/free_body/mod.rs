@@ -47,4 +47,4 @@ pub use arrow::{Arrow, Couple, Kind, Spread, Unit, Velocity};
 pub use body::{AngleMark, FreeBody, NamedPoint};
 pub use sheet::{KeyChoice, Scaling, Sheet};
 pub use side::SideView;
-pub use surface::Surface;
+pub use surface::{Round, Surface};

@@ -5,7 +5,7 @@ use tumble_mech::Shape;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::document::Table;
+use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
 use crate::suggest;
@@ -117,8 +117,14 @@ fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
     draft.remember(format!("area of {name}"), &table.span);
     let example = "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]";
     let field = draft.required(table, "corners", example)?;
+    Some(Shape::Polygon { corners: corners(draft, name, &field)? })
+}
+
+/// The corners of a polygon; `name` is what messages call what it is of.
+pub(super) fn corners(draft: &mut Draft, name: &str, field: &Field) -> Option<Vec<Vector>> {
+    draft.remember(format!("polygon of {name}"), &field.span);
     let Some(corners) = field.elements() else {
-        draft.wrong_type(&field, "a list of places, [[x, y], [x, y], ...]");
+        draft.wrong_type(field, "a list of places, [[x, y], [x, y], ...]");
         return None;
     };
     if corners.len() < 3 {
@@ -127,5 +133,5 @@ fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
         return None;
     }
     let places: Vec<_> = corners.iter().map(|corner| draft.place(corner)).collect();
-    Some(Shape::Polygon { corners: places.into_iter().collect::<Option<_>>()? })
+    places.into_iter().collect()
 }

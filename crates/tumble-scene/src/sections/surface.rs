@@ -3,7 +3,7 @@
 use tumble_expr::{Dimension, Exponent, Expr, Vector};
 use tumble_mech::{ContactLaw, Friction, Release, Restitution, Surface};
 
-use super::{body, each};
+use super::{body, each, shape};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
@@ -26,9 +26,16 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a surface", field);
     draft.remember(format!("surface `{name}`"), &field.key_span);
-    let form = match table.take("circle") {
-        Some(field) => circle(draft, &name, table, &field),
-        None => plane(draft, &name, table),
+    let form = match (table.take("circle"), table.take("polygon")) {
+        (Some(circle), Some(polygon)) => {
+            let message = format!("`{}` is a `circle` and a `polygon`", table.title);
+            let mistake = Diagnostic::new(Code::Exclusive, polygon.key_span, message);
+            draft.note(mistake.label("leave one of them out").also(circle.key_span, "the circle"));
+            None
+        }
+        (Some(field), None) => circle(draft, &name, table, &field),
+        (None, Some(field)) => polygon(draft, &name, table, &field),
+        (None, None) => plane(draft, &name, table),
     };
     let law = law(draft, &name, table);
     let on = table.take("on").map(|field| met(draft, &field));
@@ -41,6 +48,7 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
         Facing::Slope(angle) => Surface::sloping(name, at, &angle, law),
         Facing::In(radius) => Surface::bowl(name, at, radius, law),
         Facing::Out(radius) => Surface::circle(name, at, radius, law),
+        Facing::OutOf(corners) => Surface::polygon(name, corners, law),
     };
     draft.model.surface(Surface { on: on.flatten(), friction, ..surface });
 }
@@ -52,6 +60,8 @@ enum Facing {
     In(Expr),
     /// Out of one.
     Out(Expr),
+    /// Out of a polygon with these corners.
+    OutOf(Vec<Vector>),
 }
 
 /// A plane: a point of it, and where it looks.
@@ -63,15 +73,30 @@ fn plane(draft: &mut Draft, name: &str, table: &mut Table) -> Option<(Vector, Fa
     Some((through?, facing?))
 }
 
-/// A circle: its centre, and where it looks.
-fn circle(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+/// What a plane has and a circle or a polygon has not.
+fn refuse_plane(draft: &mut Draft, table: &mut Table, field: &Field) {
     for key in ["through", "normal", "slope"] {
         if let Some(other) = table.take(key) {
-            let message = format!("`{}` is a `circle` and has a `{key}`, as a plane has", table.title);
+            let what = field.key;
+            let message = format!("`{}` is a `{what}` and has a `{key}`, as a plane has", table.title);
             let mistake = Diagnostic::new(Code::Exclusive, other.key_span, message);
-            draft.note(mistake.label("leave one of them out").also(field.key_span.clone(), "the circle"));
+            draft.note(
+                mistake.label("leave one of them out").also(field.key_span.clone(), format!("the {what}")),
+            );
         }
     }
+}
+
+/// A polygon: its first corner, and all of them.
+fn polygon(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+    refuse_plane(draft, table, field);
+    let corners = shape::corners(draft, &format!("`{name}`"), field)?;
+    Some((corners[0].clone(), Facing::OutOf(corners)))
+}
+
+/// A circle: its centre, and where it looks.
+fn circle(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+    refuse_plane(draft, table, field);
     let mut inner = draft.table(field, field.key.to_owned())?;
     inner.span = field.span.clone();
     let centre = draft.required(&mut inner, "centre", "[0, 0]");

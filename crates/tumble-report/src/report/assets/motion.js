@@ -13,6 +13,9 @@ const HATCH = 8;
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** Pixels that a picture may be high; before a class it has most of the screen. */
+const tallest = () => (document.documentElement.classList.contains("projector") ? Math.max(0.68 * innerHeight, 300) : 460);
+
 /** A case with its columns as numbers. */
 function readMotion(data) {
   const bodies = data.bodies.map((body) => ({ ...body, x: decode(body.x), y: decode(body.y), angle: decode(body.angle) }));
@@ -91,7 +94,7 @@ class Player {
     this.slider.addEventListener("input", () => {
       this.pause();
       this.seek(this.start + (this.duration * this.slider.value) / SLIDER);
-      clock.set(this.time, this);
+      this.tell();
     });
     this.svg.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
     let width = 0;
@@ -101,14 +104,24 @@ class Player {
         this.layOut();
       }
     }).observe(this.live);
+    this.agree();
+    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
+    this.pause();
+  }
+
+  /** Goes with the rest of the page in time and case. */
+  agree() {
     clock.listen(this, (time) => {
       if (!this.playing && time !== null) this.seek(time);
     });
     chosenCase.listen(this, (index) => {
       if (index < this.cases.length) this.choose(index);
     });
-    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
-    this.pause();
+  }
+
+  /** Has the rest of the page come along. */
+  tell() {
+    clock.set(this.time, this);
   }
 
   choose(index) {
@@ -138,7 +151,7 @@ class Player {
     const width = Math.max(this.live.clientWidth, 240);
     const wide = size[0] + 2 * room;
     const tall = size[1] + 2 * room;
-    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, 460);
+    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, tallest());
     this.scale = Math.min(width / wide, height / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
@@ -165,14 +178,34 @@ class Player {
     this.draw();
   }
 
-  drawSurface({ at: [x, y, nx, ny], name }) {
+  /** A circle of material, or a hollow in it. */
+  drawCircle([x, y], name, [radius, hollow]) {
+    const [px, py] = this.pixel(x, y);
+    const size = radius * this.scale;
+    const [depth, count] = [hollow ? HATCH : -HATCH, Math.max(12, Math.round((2 * Math.PI * size) / HATCH))];
+    const at = (turn, r) => [px + r * Math.cos(turn), py + r * Math.sin(turn)];
+    const step = (2 * Math.PI) / count;
+    let strokes = "";
+    for (let i = 0; i < count; i += 1) strokes += `M${at(i * step, size)}L${at((i - 1) * step, size + depth)}`;
+    draw("path", { class: "hatch", d: strokes, fill: "none" }, this.svg);
+    draw("circle", { class: "ground", cx: px, cy: py, r: size, fill: "none" }, this.svg);
+    const below = hollow ? py + size + 22 : py - size + 22;
+    drawLabel(this.svg, name, { x: px, y: Math.min(below, this.size[1] - 8), "text-anchor": "middle", class: "halo" });
+  }
+
+  /** With a reach it ends there to both sides, as the edge of a polygon does. */
+  drawSurface({ at: [x, y, nx, ny, ends], name, round }) {
+    if (round) {
+      this.drawCircle([x, y], name, round);
+      return;
+    }
     const size = Math.hypot(nx, ny);
     const [ux, uy] = [nx / size, -ny / size];
     const [px, py] = this.pixel(x, y);
     const middle = [this.size[0] / 2 - px, this.size[1] / 2 - py];
-    const along = -uy * middle[0] + ux * middle[1];
+    const along = ends === undefined ? -uy * middle[0] + ux * middle[1] : 0;
     const foot = [px - uy * along, py + ux * along];
-    const reach = Math.hypot(...this.size);
+    const reach = ends === undefined ? Math.hypot(...this.size) : ends * this.scale;
     const at = (s, depth) => [foot[0] - uy * s - ux * depth, foot[1] + ux * s - uy * depth];
     let strokes = "";
     for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;
@@ -323,7 +356,7 @@ class Player {
     if (this.last === null || !calm.matches || passed >= CALM) {
       this.last = now;
       this.seek(this.time + passed * this.speeds[this.speed.selectedIndex]);
-      clock.set(this.time, this);
+      this.tell();
     }
     if (this.time >= this.start + this.duration - 1e-12) this.pause();
     else requestAnimationFrame((next) => this.tick(next));

@@ -136,9 +136,14 @@ fn surface() -> Value {
             may(
                 "through",
                 named("vector"),
-                "A point of a plane; it may depend on the time; this or `circle`.",
+                "A point of a plane; it may depend on the time; this, `circle` or `polygon`.",
             ),
             may("circle", circle(), "A circle instead of a plane."),
+            may(
+                "polygon",
+                json!({ "type": "array", "minItems": 3, "items": named("vector") }),
+                "Corners of a convex polygon instead of a plane, counter-clockwise.",
+            ),
             may("normal", direction(), "Direction out of the solid; this or `slope`."),
             may("slope", named("quantity"), "Angle of the surface, counter-clockwise; level without it."),
             may(
