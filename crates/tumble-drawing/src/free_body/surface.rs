@@ -6,8 +6,8 @@ use crate::svg::{Element, PathData};
 use crate::text::Label;
 use crate::theme::{GREY, HAIRLINE, INK};
 
-use super::geometry::{Point, along, minus, plus, times, unit};
 use super::layout::View;
+use crate::geometry::{Point, along, minus, plus, times, unit};
 
 /// Distance of hatching strokes along the surface, in pixels.
 const HATCH_STEP: f64 = 8.0;
@@ -98,7 +98,7 @@ impl Surface {
             area.clipped_line(top, plus(along(top, forward, -HATCH_DEPTH), down))
         };
         // Strokes cut short by the edge of the panel look like slips of the pen.
-        let long = |[a, b]: &[Point; 2]| super::geometry::length(minus(*a, *b)) > HATCH_DEPTH / 2.0;
+        let long = |[a, b]: &[Point; 2]| crate::geometry::length(minus(*a, *b)) > HATCH_DEPTH / 2.0;
         (0..=(length / HATCH_STEP) as usize + 1).filter_map(stroke).filter(long).collect()
     }
 }

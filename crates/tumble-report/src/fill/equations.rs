@@ -1,6 +1,6 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
-use crate::report::{Block, Definition, Mode as ModeShown, Text};
+use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, ContactMode, Grip, Joint, Mode, Pivot, Term, rotated};
@@ -19,7 +19,7 @@ const MOST_SIGNS: usize = 800;
 const MOST_MODES: usize = 6;
 
 /// The equations of motion in each mode that the motion went through.
-pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeShown> {
+pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
     let modes = &case.run.trajectory().modes;
     let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
@@ -30,7 +30,7 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
         let told =
             |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
         let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
-        ModeShown {
+        ModeEquations {
             name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
             holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
             equations: blocks,

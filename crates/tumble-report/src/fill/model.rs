@@ -1,6 +1,6 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use crate::report::{Block, BodyModel, ForceRow, Math, Model, Picture, Text};
+use crate::report::{Block, BodyModel, ForceRow, Math, ModelPart, Picture, Text};
 use tumble_expr::{Expr, Graph, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{Equations, Friction, Law, Pair, Statement, Term};
 use tumble_notation::{Left, Math as Formula, Operator};
@@ -21,11 +21,11 @@ const MOST_SIGNS_IN_TABLE: usize = 36;
 /// which takes long.
 pub(super) const MOST_OPERATIONS: usize = 300;
 
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Model, CaseError> {
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPart, CaseError> {
     let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
     let kinds = alike::kinds(study, case);
     let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind));
-    Ok(Model {
+    Ok(ModelPart {
         intro: vec![],
         assumptions: assumptions(study),
         bodies: bodies.collect::<Result<_, _>>()?,
