@@ -141,6 +141,9 @@ impl<S: Kernels> Jets<S> {
             let (slot, kernel) = self.tape.resolved().kernels[index].clone();
             let value = match kernel {
                 Kernel::Abs { of, branch } => self.value(Op::Abs { of, branch }, free),
+                Kernel::Directed { of, branch } => {
+                    self.value(Op::Abs { of, branch }, free) * self.arena.at(of, 0)
+                }
                 Kernel::Other(op) | Kernel::Along { op, .. } => self.value(op, free),
                 kernel => self.first(&kernel),
             };
@@ -163,24 +166,28 @@ impl<S: Kernels> Jets<S> {
     pub fn extend(&mut self, k: usize) {
         let Self { tape, arena, multipliers, signs, vanishing, factors, bench, elapsed, time_is_parameter } =
             self;
-        let Resolved { kernels, terms, .. } = tape.resolved();
-        for (slot, kernel) in kernels {
+        let Resolved { kernels, terms, linear, .. } = tape.resolved();
+        // Beyond order 1 what is linear in the parameter stays zero.
+        let first = if *time_is_parameter && k > 1 { *linear } else { 0 };
+        for (slot, kernel) in &kernels[first..] {
             let value = match kernel {
-                Kernel::Sum(range) => {
-                    let range = range.start as usize..range.end as usize;
-                    arena.sum(&terms[range.clone()], &multipliers[range], k)
+                Kernel::Sum(sum) => {
+                    let range = sum.change.start as usize..sum.change.end as usize;
+                    let value = arena.sum(&terms[range.clone()], &multipliers[range], k);
+                    arena.scaled(value, sum.then)
                 }
                 Kernel::Product(a, b) => arena.product(*a, *b, k),
                 Kernel::Square(a) => arena.square(*a, k),
+                Kernel::Directed { of, branch } => arena.directed_square(*of, signs[*branch as usize], k),
                 Kernel::Slope(a) => S::splat(k as f64) * arena.at(*a, k),
                 Kernel::Abs { of, branch } => signs[*branch as usize] * arena.at(*of, k),
-                Kernel::Wave { slope, cos, is_linear, .. } => {
+                Kernel::Wave { of, slope, cos, is_linear } => {
                     let one_term = *is_linear && *time_is_parameter;
-                    let [sin_k, cos_k] = arena.wave(*slope, (*slot, *cos), k, one_term);
+                    let [sin_k, cos_k] = arena.wave((*of, *slope), (*slot, *cos), k, one_term);
                     arena.put(*cos, k, cos_k);
                     sin_k
                 }
-                Kernel::Along { slope, factor, .. } => arena.along(*slope, *factor, k),
+                Kernel::Along { of, slope, factor, .. } => arena.along((*of, *slope), *factor, k),
                 Kernel::Quotient(a, b) => arena.quotient(*a, *b, *slot, k),
                 Kernel::Root(a) => arena.root(*a, *slot, k),
                 Kernel::Norm { parts, square } => {
@@ -282,9 +289,9 @@ impl<S: Kernels> Jets<S> {
     fn first(&mut self, kernel: &Kernel) -> S {
         let at = |slot: Slot| self.arena.at(slot, 0);
         match *kernel {
-            Kernel::Sum(ref range) => {
-                let terms = &self.tape.resolved().terms;
-                self.arena.first_sum(&terms[range.start as usize..range.end as usize])
+            Kernel::Sum(ref sum) => {
+                let terms = &self.tape.resolved().terms[sum.value.start as usize..sum.value.end as usize];
+                self.arena.scaled(self.arena.first_sum(terms), sum.then)
             }
             Kernel::Product(a, b) => at(a) * at(b),
             Kernel::Square(a) => at(a).square(),
@@ -307,7 +314,7 @@ impl<S: Kernels> Jets<S> {
                 self.solve(system);
                 S::zero()
             }
-            Kernel::Along { .. } | Kernel::Abs { .. } | Kernel::Other(_) => {
+            Kernel::Along { .. } | Kernel::Abs { .. } | Kernel::Directed { .. } | Kernel::Other(_) => {
                 unreachable!("these are found by their operation")
             }
         }

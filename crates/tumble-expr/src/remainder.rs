@@ -170,12 +170,13 @@ impl Along<'_> {
 
     fn find(&mut self, slot: Slot, kernel: &Kernel) {
         let rest = match *kernel {
-            Kernel::Sum(ref range) => {
-                let terms = &self.jets.tape().resolved().terms[range.start as usize..range.end as usize];
-                terms.iter().map(|term| self.multiple(term)).sum::<f64>()
+            Kernel::Sum(ref sum) => {
+                let terms =
+                    &self.jets.tape().resolved().terms[sum.value.start as usize..sum.value.end as usize];
+                self.scaled(terms.iter().map(|term| self.multiple(term)).sum(), sum.then)
             }
             Kernel::Product(a, b) => self.product(a, b),
-            Kernel::Square(a) => self.product(a, a),
+            Kernel::Square(a) | Kernel::Directed { of: a, .. } => self.product(a, a),
             // A row of slopes is read by its coefficients alone.
             Kernel::Slope(_) => 0.0,
             Kernel::Wave { of, slope, cos, .. } => {
@@ -185,8 +186,8 @@ impl Along<'_> {
                 self.found.rests[cos as usize] = rest;
                 rest
             }
-            Kernel::Along { op: Op::Exp(of), slope, .. } => self.exponential(slot, of, slope),
-            Kernel::Along { op: Op::Tanh { of, .. }, slope, factor } => {
+            Kernel::Along { op: Op::Exp(_), of, slope, .. } => self.exponential(slot, of, slope),
+            Kernel::Along { op: Op::Tanh { .. }, of, slope, factor } => {
                 self.tangent(slot, of, (slope, factor))
             }
             Kernel::Along { .. } => f64::INFINITY,
@@ -212,8 +213,11 @@ impl Along<'_> {
     }
 
     fn multiple(&self, term: &Term) -> f64 {
-        let rest = self.rest(term.of) + self.rounding * self.arena().at(term.of, 0).abs();
-        match term.by {
+        self.scaled(self.rest(term.of) + self.rounding * self.arena().at(term.of, 0).abs(), term.by)
+    }
+
+    fn scaled(&self, rest: f64, by: By) -> f64 {
+        match by {
             By::One => rest,
             By::Times(by) => rest * self.arena().at(by, 0).abs(),
             By::Over(by) => rest / self.arena().at(by, 0).abs(),

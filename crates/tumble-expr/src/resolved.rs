@@ -1,8 +1,9 @@
 //! A tape resolved for running: kernels that work on whole series, in the order in which they are run.
 //!
-//! Sums of multiples are one kernel, in the order in which the tape has them, so that every scalar finds the same bits as operation
-//! by operation; sine and cosine are found in one pass; `k a_k`, which the functions known by their derivative need, is kept in a row
-//! of its own, and so is the square of a length. All else is a kernel of one operation.
+//! Sums of multiples, and multiples of sums, are one kernel, in the order in which the tape has them, so that every scalar finds the
+//! same bits as operation by operation; `a |a|` is a square with the sign of its branch; sine and cosine are found in one pass; `k a_k`,
+//! which the functions known by their derivative need, is kept in a row of its own, and so is the square of a length. All else is a kernel
+//! of one operation. A step waits for one coefficient after the other, so what counts is how many kernels stand in a row.
 
 use std::ops::Range;
 
@@ -13,10 +14,15 @@ use crate::{Stage, Tape};
 /// What is run at once. Rows are slots of the tape, or come after them.
 #[derive(Clone, Debug)]
 pub(crate) enum Kernel {
-    /// A sum of multiples, by a range of the terms.
-    Sum(Range<u32>),
+    /// A sum of multiples.
+    Sum(Sum),
     Product(Slot, Slot),
     Square(Slot),
+    /// `a |a|`.
+    Directed {
+        of: Slot,
+        branch: u32,
+    },
     /// `k a_k`.
     Slope(Slot),
     /// Sine, and cosine in the other row, of what has that slope.
@@ -27,9 +33,10 @@ pub(crate) enum Kernel {
         /// Whether its argument is a multiple of the time.
         is_linear: bool,
     },
-    /// `c' = a' g` with the slope of a.
+    /// `c' = a' g`, with the slope of a.
     Along {
         op: Op,
+        of: Slot,
         slope: Slot,
         factor: Slot,
     },
@@ -49,6 +56,17 @@ pub(crate) enum Kernel {
     System(u32),
     /// Any other operation.
     Other(Op),
+}
+
+/// A sum of multiples, by ranges of the terms.
+#[derive(Clone, Debug)]
+pub(crate) struct Sum {
+    /// Its value.
+    pub(crate) value: Range<u32>,
+    /// Its coefficients of other orders, to which constants add nothing.
+    pub(crate) change: Range<u32>,
+    /// What all of it is multiplied with or divided by.
+    pub(crate) then: By,
 }
 
 /// One term of a sum.
@@ -71,6 +89,8 @@ pub(crate) enum By {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Resolved {
     pub(crate) kernels: Vec<(Slot, Kernel)>,
+    /// How many of them, the first ones, are linear in the time.
+    pub(crate) linear: usize,
     pub(crate) terms: Vec<Term>,
     /// How many rows there are: slots, and what is kept besides.
     pub(crate) rows: usize,
@@ -87,8 +107,10 @@ impl Resolved {
 struct Resolving<'a> {
     tape: &'a Tape,
     resolved: Resolved,
-    /// Slots that are terms of one sum and nothing else.
+    /// Slots that are part of one other kernel and nothing else.
     is_merged: Vec<bool>,
+    /// Slots that are linear in the time.
+    is_linear: Vec<bool>,
     /// Slots that are found together with another.
     is_done: Vec<bool>,
     /// Rows of slopes by slot.
@@ -104,6 +126,7 @@ impl<'a> Resolving<'a> {
             tape,
             resolved,
             is_merged: merged(tape),
+            is_linear: linear_in_time(tape),
             is_done: vec![false; slots],
             slopes: vec![None; slots],
         }
@@ -116,23 +139,37 @@ impl<'a> Resolving<'a> {
                 self.resolved.kernels.push((slot, kernel));
             }
         }
+        self.linear_first();
         self.resolved
+    }
+
+    /// They depend on nothing but each other.
+    fn linear_first(&mut self) {
+        let is_linear = |(slot, kernel): &(Slot, Kernel)| match kernel {
+            Kernel::Slope(of) => self.is_linear[*of as usize],
+            _ => self.is_linear.get(*slot as usize).is_some_and(|is_linear| *is_linear),
+        };
+        let kernels = std::mem::take(&mut self.resolved.kernels);
+        let (mut linear, others): (Vec<_>, Vec<_>) = kernels.into_iter().partition(is_linear);
+        self.resolved.linear = linear.len();
+        linear.extend(others);
+        self.resolved.kernels = linear;
     }
 
     fn kernel(&mut self, slot: Slot, op: Op) -> Kernel {
         match op {
             op if is_linear(op) => self.sum(slot),
-            Op::Mul(a, b) => Kernel::Product(a, b),
+            Op::Mul(a, b) => self.directed(a, b).unwrap_or(Kernel::Product(a, b)),
             Op::Square(a) => Kernel::Square(a),
             Op::Sin { of, cos } => {
                 self.is_done[cos as usize] = true;
-                Kernel::Wave { of, slope: self.slope(of), cos, is_linear: is_linear_in_time(self.tape, of) }
+                Kernel::Wave { of, slope: self.slope(of), cos, is_linear: self.is_linear[of as usize] }
             }
-            Op::Exp(of) => Kernel::Along { op, slope: self.slope(of), factor: slot },
-            Op::Sinh { of, cosh } => Kernel::Along { op, slope: self.slope(of), factor: cosh },
-            Op::Cosh { of, sinh } => Kernel::Along { op, slope: self.slope(of), factor: sinh },
+            Op::Exp(of) => Kernel::Along { op, of, slope: self.slope(of), factor: slot },
+            Op::Sinh { of, cosh } => Kernel::Along { op, of, slope: self.slope(of), factor: cosh },
+            Op::Cosh { of, sinh } => Kernel::Along { op, of, slope: self.slope(of), factor: sinh },
             Op::Tan { of, slope } | Op::Tanh { of, slope } => {
-                Kernel::Along { op, slope: self.slope(of), factor: slope }
+                Kernel::Along { op, of, slope: self.slope(of), factor: slope }
             }
             Op::Div(a, b) => Kernel::Quotient(a, b),
             Op::Sqrt(a) => Kernel::Root(a),
@@ -173,9 +210,37 @@ impl<'a> Resolving<'a> {
         row
     }
 
-    /// The terms of a slot in the order in which the tape adds them: what is merged on the left comes first.
+    fn directed(&self, a: Slot, b: Slot) -> Option<Kernel> {
+        let abs = [a, b].into_iter().find(|part| self.is_merged[*part as usize])?;
+        match self.tape.ops()[abs as usize] {
+            Op::Abs { of, branch } => Some(Kernel::Directed { of, branch }),
+            _ => None,
+        }
+    }
+
     fn sum(&mut self, slot: Slot) -> Kernel {
-        let first = self.resolved.terms.len();
+        let (of, then) = match self.tape.ops()[slot as usize] {
+            Op::Scale { of, by } if self.is_merged[of as usize] => (of, By::Times(by)),
+            Op::Shrink { of, by } if self.is_merged[of as usize] => (of, By::Over(by)),
+            _ => (slot, By::One),
+        };
+        let all = self.terms(of);
+        let changing: Vec<Term> =
+            all.iter().filter(|term| self.tape.stage(term.of) == Stage::Varying).copied().collect();
+        let is_same = changing.len() == all.len();
+        let value = self.keep(all);
+        let change = if is_same { value.clone() } else { self.keep(changing) };
+        Kernel::Sum(Sum { value, change, then })
+    }
+
+    fn keep(&mut self, terms: Vec<Term>) -> Range<u32> {
+        let first = self.resolved.terms.len() as u32;
+        self.resolved.terms.extend(terms);
+        first..self.resolved.terms.len() as u32
+    }
+
+    /// The terms of a slot in the order in which the tape adds them: what is merged on the left comes first.
+    fn terms(&self, slot: Slot) -> Vec<Term> {
         let mut next = slot;
         let mut last_first = vec![];
         loop {
@@ -193,8 +258,8 @@ impl<'a> Resolving<'a> {
             }
             next = left;
         }
-        self.resolved.terms.extend(last_first.into_iter().rev());
-        Kernel::Sum(first as u32..self.resolved.terms.len() as u32)
+        last_first.reverse();
+        last_first
     }
 
     /// A slot that is a multiple of another, as a term.
@@ -213,56 +278,119 @@ fn is_multiple(op: Op) -> bool {
     matches!(op, Op::Neg(_) | Op::Scale { .. } | Op::Shrink { .. })
 }
 
-fn is_linear(op: Op) -> bool {
-    is_multiple(op) || matches!(op, Op::Add(..) | Op::Sub(..))
+fn is_addition(op: Op) -> bool {
+    matches!(op, Op::Add(..) | Op::Sub(..))
 }
 
-/// Which operations become terms of what reads them.
+fn is_linear(op: Op) -> bool {
+    is_multiple(op) || is_addition(op)
+}
+
+/// Which operations become part of what reads them.
 type Merges = fn(Op) -> bool;
 
-/// Which slots are nothing but terms of the sum after them: multiples, and sums on its left; or multiples that change their sign.
+/// Which slots are nothing but part of one other: multiples, and sums on its left, of a sum; the absolute value of the other factor; and
+/// sums of a multiple that is not itself part of a sum.
 fn merged(tape: &Tape) -> Vec<bool> {
     let uses = uses(tape);
+    let is_single = |slot: Slot| tape.stage(slot) == Stage::Varying && uses[slot as usize] == 1;
     let mut merged = vec![false; tape.len()];
     for (_, op) in tape.varying() {
         let parts: &[(Slot, Merges)] = match op {
             Op::Add(left, right) | Op::Sub(left, right) => &[(left, is_linear), (right, is_multiple)],
             Op::Neg(of) => &[(of, is_multiple)],
+            Op::Mul(a, b) => {
+                let is_size = |part: Slot, other: Slot| matches!(tape.ops()[part as usize], Op::Abs { of, .. } if of == other);
+                for part in [(a, b), (b, a)].into_iter().filter(|(part, other)| is_size(*part, *other)) {
+                    merged[part.0 as usize] = is_single(part.0);
+                }
+                continue;
+            }
             _ => continue,
         };
         for &(part, merges) in parts {
-            let op = tape.ops()[part as usize];
-            let is_varying = tape.stage(part) == Stage::Varying;
-            merged[part as usize] = is_varying && uses[part as usize] == 1 && merges(op);
+            merged[part as usize] = is_single(part) && merges(tape.ops()[part as usize]);
+        }
+    }
+    for (slot, op) in tape.varying() {
+        if let (Op::Scale { of, .. } | Op::Shrink { of, .. }, false) = (op, merged[slot as usize]) {
+            merged[of as usize] = is_single(of) && is_addition(tape.ops()[of as usize]);
         }
     }
     merged
 }
 
-/// How often each slot is used, what is read of the tape from outside included.
+/// How often each slot is used, by a function that is known by it and by what reads the tape from outside included.
 fn uses(tape: &Tape) -> Vec<u32> {
     let mut uses = vec![0; tape.len()];
     let parts = tape.varying().flat_map(|(_, op)| op.parts(tape));
+    let slopes = tape.varying().filter_map(|(_, op)| match op {
+        Op::Tan { slope, .. } | Op::Tanh { slope, .. } => Some(slope),
+        _ => None,
+    });
     let read = tape.outputs().iter().chain(tape.guards()).copied();
-    for slot in parts.chain(read).chain(tape.tables().iter().map(|lookup| lookup.of)) {
+    for slot in parts.chain(slopes).chain(read).chain(tape.tables().iter().map(|lookup| lookup.of)) {
         uses[slot as usize] += 1;
     }
     uses
 }
 
-/// Whether a slot is a multiple of the time and what does not change with it.
-fn is_linear_in_time(tape: &Tape, slot: Slot) -> bool {
-    let (mut pending, mut seen) = (vec![slot], vec![false; tape.len()]);
-    while let Some(slot) = pending.pop() {
-        if std::mem::replace(&mut seen[slot as usize], true) || tape.stage(slot) != Stage::Varying {
-            continue;
-        }
-        match tape.ops()[slot as usize] {
-            Op::Time => {}
-            Op::Neg(a) | Op::Scale { of: a, .. } | Op::Shrink { of: a, .. } => pending.push(a),
-            Op::Add(a, b) | Op::Sub(a, b) => pending.extend([a, b]),
-            _ => return false,
+/// Which slots are a multiple of the time and what does not change with it.
+fn linear_in_time(tape: &Tape) -> Vec<bool> {
+    let mut linear = vec![false; tape.len()];
+    for slot in 0..tape.len() {
+        linear[slot] = tape.stage(slot as Slot) != Stage::Varying
+            || match tape.ops()[slot] {
+                Op::Time => true,
+                Op::Neg(a) | Op::Scale { of: a, .. } | Op::Shrink { of: a, .. } => linear[a as usize],
+                Op::Add(a, b) | Op::Sub(a, b) => linear[a as usize] && linear[b as usize],
+                _ => false,
+            };
+    }
+    linear
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use crate::{Branches, Dimension, Expr, Jets, Layout, Symbol, Tape, Unary};
+
+    /// Coefficients of order 0 to 2 of formulas of the time about 0.4, of which only the first is read.
+    fn series(formulas: &[Expr], t: Symbol) -> Vec<f64> {
+        let tape = Tape::compile(&Layout::new(vec![], t, vec![]), formulas).expect("typed");
+        let mut jets = Jets::new(Arc::new(tape), 2, &[]);
+        jets.set_time_is_parameter(true);
+        jets.start(0.4, &[], Branches::Free);
+        jets.set(0, 1, 1.0);
+        jets.extend(1);
+        jets.set(0, 2, 0.0);
+        jets.extend(2);
+        jets.output(0).to_vec()
+    }
+
+    #[test]
+    fn what_a_function_is_known_by_stays_beside_a_sum_that_reads_it() {
+        let time = Symbol::new("t", Dimension::NONE);
+        let t = Expr::from(time.clone());
+        let tanh = Expr::unary(Unary::Tanh, &t * 3);
+        let slope = 1 - &tanh * &tanh;
+        let alone = series(std::slice::from_ref(&tanh), time.clone());
+        for other in [&slope * 2, &slope + &t, &slope - 5] {
+            assert_eq!(series(&[tanh.clone(), other], time.clone()), alone);
         }
     }
-    true
+
+    #[test]
+    fn a_square_with_a_sign_is_a_product() {
+        let time = Symbol::new("t", Dimension::NONE);
+        let t = Expr::from(time.clone());
+        for side in [-1, 1] {
+            let u = (side * &t).sin();
+            let own = series(&[u.abs() * &u], time.clone());
+            let product = series(&[&u * &u], time.clone());
+            let signed: Vec<f64> = product.iter().map(|c| f64::from(side) * c).collect();
+            assert_eq!(own, signed);
+        }
+    }
 }

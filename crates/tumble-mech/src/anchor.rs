@@ -31,6 +31,14 @@ impl Anchor {
         }
     }
 
+    /// The point of a body that it is.
+    pub(crate) fn material(&self) -> Option<&PointRef> {
+        match self {
+            Self::Material(point) => Some(point),
+            Self::World(_) => None,
+        }
+    }
+
     /// The body it belongs to.
     pub fn body(&self) -> Option<&str> {
         match self {

@@ -145,6 +145,7 @@ impl Signature {
             self.symbols.extend([pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()]);
             self.shape.push(usize::from(pair.friction.is_some()));
             self.formulas.extend([pair.gap(), pair.radius.clone()]);
+            self.formulas.extend(pair.conditions());
             self.formulas.extend(pair.centre.arm.components().iter().cloned());
             // What is not the surface's own is the body's.
             self.formulas.extend(pair.law.restitution().cloned());

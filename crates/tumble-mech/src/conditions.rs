@@ -4,10 +4,10 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::convert::Infallible;
 use std::sync::Arc;
 
-use tumble_expr::{Expr, Vector, is_identically_zero};
+use tumble_expr::{Binary, Expr, Vector, is_identically_zero};
 use tumble_ode::Reason;
 
-use crate::body::Body;
+use crate::body::{Body, Part};
 use crate::contact::BodyContact;
 use crate::coordinates::{Coordinates, Pivot};
 use crate::equations::Equations;
@@ -18,13 +18,16 @@ use crate::friction::Friction;
 use crate::interaction::Interaction;
 use crate::model::Model;
 use crate::parameters::{Known, Parameters};
-use crate::shape::square;
+use crate::shape::{Shape, square};
 use crate::stated::Stated;
 use crate::surface::Surface;
 
 /// A moment of inertia about a pivot is nothing if it is this part of what the same mass has at the distances that its lever
 /// is the difference of: so much is left by rounding of a lever that is none.
 const NO_LEVER: f64 = 1e-30;
+
+/// A corner of a polygon that turns back by less than this part of the polygon's area is straight.
+const STRAIGHT: f64 = 1e-12;
 
 /// What a value must be.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +46,10 @@ enum Must {
     BeAnAngle,
     /// What remains of a moment of inertia about a pivot.
     Turn,
+    /// Twice the area of a polygon that goes round counter-clockwise.
+    GoRoundLeft,
+    /// The least area of the triangles by which a polygon is told to be convex.
+    BeConvex,
 }
 
 /// A value that something has to have.
@@ -251,6 +258,8 @@ impl Condition {
                 Some(ModelError::NoDirection { what: what() })
             }
             _ if !value.is_finite() => Some(ModelError::NotFinite { what: what(), value }),
+            Must::GoRoundLeft if value < 0.0 => Some(ModelError::Clockwise { what: what() }),
+            Must::BeConvex if value < 0.0 => Some(ModelError::NotConvex { what: what() }),
             Must::Turn if value <= 0.0 => Some(ModelError::NoInertia { what: what() }),
             Must::BePositive(_) if value <= 0.0 => {
                 Some(ModelError::NotPositive { what: what(), value, unit })
@@ -283,7 +292,7 @@ fn conditions(model: &Model) -> Vec<Condition> {
         let what = format!("start of `{body}`");
         start.angle.iter().map(move |angle| own(body, what.clone(), angle.clone(), Must::BeAnAngle))
     });
-    let contacts = model.contacts.iter().flat_map(of_contact);
+    let contacts = model.contacts.iter().flat_map(of_contact).chain(of_polygons(model));
     bodies.chain(interactions).chain(surfaces).chain(of_bowls(model)).chain(contacts).chain(starts).collect()
 }
 
@@ -321,6 +330,43 @@ fn of_body(body: &Body, pivot: Option<&Pivot>) -> Vec<Condition> {
     let derived = std::iter::once(inertia).chain(about_pivot);
     all.extend(derived.map(|condition| Condition { follows: true, ..condition }));
     all
+}
+
+/// What polygons that are met by their edges must be.
+fn of_polygons(model: &Model) -> Vec<Condition> {
+    let of_surface = |surface: &Surface| {
+        let corners = surface.polygon.iter();
+        let name = format!("`{}`", surface.name);
+        corners.flat_map(|corners| of_polygon([&surface.name, &name], corners)).collect::<Vec<_>>()
+    };
+    let surfaces = model.surfaces.iter().flat_map(of_surface);
+    let bodies = (0..model.bodies.len()).filter(|body| model.meets_by_edges(*body)).flat_map(|body| {
+        let body = &model.bodies[body];
+        let part = |(index, part): (usize, &Part)| match &part.shape {
+            Shape::Polygon { corners } => of_polygon([&body.name, &body.part_name(index)], corners),
+            _ => vec![],
+        };
+        body.parts.iter().enumerate().flat_map(part).collect::<Vec<_>>()
+    });
+    surfaces.chain(bodies).collect()
+}
+
+/// `name` is the owner, and what messages call what the polygon is of.
+fn of_polygon([owner, name]: [&str; 2], corners: &[Vector]) -> Vec<Condition> {
+    let of = |formula, must| own(owner, format!("polygon of {name}"), formula, must);
+    let count = corners.len();
+    let area = |a: usize, b: usize, c: usize| {
+        let [a, b, c] = [a, b, c].map(|corner| &corners[corner % count]);
+        (b - a).cross_planar(&(c - b))
+    };
+    let fan: Vec<Expr> = (1..count.saturating_sub(1)).map(|corner| area(0, corner, corner + 1)).collect();
+    let Some(whole) = fan.iter().cloned().reduce(|sum, next| sum + next) else { return vec![] };
+    // It turns left at every corner, and goes round once: all corners are seen one after the other from the first.
+    let turns = (0..count).map(|corner| area(corner, corner + 1, corner + 2));
+    let least = fan.into_iter().chain(turns).reduce(|a, b| Expr::binary(Binary::Min, a, b));
+    let convex = least.map(|least| of(least + STRAIGHT * whole.abs(), Must::BeConvex));
+    let convex = convex.map(|condition| Condition { follows: true, ..condition });
+    [of(whole, Must::GoRoundLeft)].into_iter().chain(convex).collect()
 }
 
 fn of_interaction(interaction: &dyn Interaction) -> Vec<Condition> {

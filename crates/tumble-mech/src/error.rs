@@ -257,6 +257,8 @@ pub enum ModelError {
         contact: String,
         /// What is wrong.
         problem: String,
+        /// A way out.
+        cure: &'static str,
     },
     /// A body without start, or a start that does not fit the body.
     #[error("start of `{body}`: {problem}")]
@@ -266,13 +268,17 @@ pub enum ModelError {
         /// What is wrong.
         problem: String,
     },
-    /// A polygon with fewer than three corners, without area, or that crosses itself.
-    #[error("the polygon of `{body}` {problem}")]
-    Polygon {
-        /// Name of the body.
-        body: String,
-        /// What is wrong.
-        problem: String,
+    /// A polygon that others meet by its edges and that is not convex, or crosses itself.
+    #[error("the {what} is not convex, and others meet it by its edges")]
+    NotConvex {
+        /// Whose it is.
+        what: String,
+    },
+    /// The same with its corners clockwise.
+    #[error("the corners of the {what} go round clockwise, and others meet it by its edges")]
+    Clockwise {
+        /// Whose it is.
+        what: String,
     },
     /// Nothing to move.
     #[error("there is no body")]
@@ -307,6 +313,8 @@ impl ModelError {
             | Self::Angle { what, .. }
             | Self::NoDirection { what }
             | Self::NoInertia { what }
+            | Self::NotConvex { what }
+            | Self::Clockwise { what }
             | Self::CorneredPath { what }
             | Self::StaticBelowKinetic { what, .. }
             | Self::Restitution { what, .. } => Some(what),

@@ -163,6 +163,20 @@ impl Model {
         Pairs::of(self).all
     }
 
+    /// Whether a body, by its index, may be met by its edges: by other bodies, circles from outside and polygons.
+    pub(crate) fn meets_by_edges(&self, body: usize) -> bool {
+        let own = &self.bodies[body];
+        let is_outline = |surface: &&Surface| {
+            surface.polygon.is_some() || surface.circle.as_ref().is_some_and(|circle| !circle.inside)
+        };
+        let surfaces = self.surfaces.iter().filter(is_outline).any(|surface| surface.meets_all_of(own));
+        surfaces
+            || self
+                .contacts
+                .iter()
+                .any(|contact| contact.couples(self).iter().any(|couple| couple.contains(&body)))
+    }
+
     /// Whether any term is a sum over Gauss nodes.
     pub fn has_quadrature(&self) -> bool {
         self.interactions.iter().any(|interaction| interaction.is_quadrature(&self.wind))

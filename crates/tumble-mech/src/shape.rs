@@ -121,6 +121,23 @@ impl Shape {
         }
     }
 
+    /// Places of which it is the hull, thickened by a radius, m, body axes; corners in order.
+    pub(crate) fn hull(&self) -> (Vec<Vector>, Expr) {
+        match self {
+            Self::Point { at } => (vec![at.clone()], Expr::zero()),
+            Self::Rod { from, to, end_radius } => (vec![from.clone(), to.clone()], end_radius.clone()),
+            Self::Disk { centre, radius } | Self::Ring { centre, radius } => {
+                (vec![centre.clone()], radius.clone())
+            }
+            Self::Ball { centre, radius } | Self::Shell { centre, radius } => {
+                (vec![centre.clone()], radius.clone())
+            }
+            Self::Box { .. } | Self::Polygon { .. } => {
+                (self.edges().into_iter().map(|[corner, _]| corner).collect(), Expr::zero())
+            }
+        }
+    }
+
     /// Lengths that must be positive, with their names.
     pub(crate) fn sizes(&self) -> Vec<(&'static str, Expr)> {
         match self {

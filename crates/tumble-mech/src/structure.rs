@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::{Vector, is_identically_zero};
 
 use crate::body::Body;
-use crate::contact::BodyContact;
+use crate::contact::{BodyContact, Feature, moves};
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
@@ -15,6 +15,7 @@ use crate::joint::Joint;
 use crate::load::{Load, Moment};
 use crate::model::Model;
 use crate::parameters::time_symbol;
+use crate::shape::Shape;
 use crate::start::Start;
 use crate::stated::Stated;
 use crate::surface::{ContactLaw, Surface, is_at};
@@ -159,49 +160,70 @@ impl<'m> Structure<'m> {
             .then(|| ModelError::CompliantFriction { surface: surface.name.clone() });
         let met = surface.on.iter().flatten().filter(|name| !self.can_touch(name));
         let met = met.filter_map(|name| self.unknown_body(name));
-        cornered.into_iter().chain(compliant).chain(met).chain(self.of_circle(surface)).collect()
+        cornered.into_iter().chain(compliant).chain(met).chain(self.of_outline(surface)).collect()
     }
 
-    /// What circles are not there for.
-    fn of_circle(&self, surface: &Surface) -> Vec<ModelError> {
-        let Some(circle) = &surface.circle else { return vec![] };
-        let wrong = |problem: String| ModelError::Contact { contact: surface.name.clone(), problem };
-        let compliant = (!surface.law.is_rigid()).then(|| wrong("is a circle, and circles are rigid".into()));
-        let met = self.model.bodies.iter().filter(|body| surface.meets(body));
-        let angular = met.filter(|body| !circle.inside && !body.is_round());
-        let angular = angular.map(|body| {
-            wrong(format!("is round, and `{}` would meet it by its edges: {ROUND_ONLY}", body.name))
-        });
-        compliant.into_iter().chain(angular).collect()
+    /// What circles and polygons are not there for.
+    fn of_outline(&self, surface: &Surface) -> Vec<ModelError> {
+        let wrong = |problem: &str, cure| of_rule(&surface.name, problem.to_owned(), cure);
+        let what = match (&surface.circle, &surface.polygon) {
+            (Some(_), _) => "is a circle, and circles are rigid",
+            (None, Some(_)) => "is a polygon, and polygons are rigid",
+            (None, None) => return vec![],
+        };
+        let compliant =
+            (!surface.law.is_rigid()).then(|| wrong(what, "write `rigid = { restitution = 0.8 }`"));
+        let corners = surface.polygon.iter();
+        let moves =
+            corners.clone().flatten().any(moves).then(|| {
+                wrong("is a polygon, and polygons do not move", "leave the time out of its corners")
+            });
+        let few = corners
+            .into_iter()
+            .any(|corners| corners.len() < 3)
+            .then(|| wrong("has fewer than three corners", "list three corners or more, counter-clockwise"));
+        compliant.into_iter().chain(moves).chain(few).collect()
     }
 
     fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
-        let wrong = |problem: String| ModelError::Contact { contact: contact.name.clone(), problem };
+        let wrong = |problem: String, cure| of_rule(&contact.name, problem, cure);
         let names = contact.between.as_deref().unwrap_or_default();
         let mut mistakes: Vec<ModelError> = names.iter().filter_map(|name| self.unknown_body(name)).collect();
         let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
         let twice = names.iter().enumerate().filter(is_again);
-        mistakes.extend(twice.map(|(_, name)| wrong(format!("is of `{name}` with itself"))));
+        mistakes.extend(twice.map(|(_, name)| {
+            wrong(format!("is of `{name}` with itself"), "a body meets others: name each of them once")
+        }));
         if contact.between.is_some() && names.len() < 2 {
-            mistakes.push(wrong("needs two bodies, or more".into()));
+            mistakes.push(wrong(
+                "needs two bodies, or more".into(),
+                "name two bodies, or write `between = \"all\"`",
+            ));
         }
         let couples = contact.couples(self.model);
-        let mut bodies: Vec<usize> = couples.concat();
-        bodies.sort_unstable();
-        bodies.dedup();
-        let bodies = bodies.into_iter().map(|body| &self.model.bodies[body]);
-        mistakes.extend(bodies.filter(|body| !body.is_round()).map(|body| {
-            wrong(format!("is of `{}`, which would meet others by its edges: {ROUND_ONLY}", body.name))
-        }));
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
         let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
-            wrong(format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name))
+            let problem =
+                format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
+            wrong(problem, "write `rigid = { restitution = 0.8 }`, or give one of the bodies a `restitution`")
         }));
         let are_points = |couple: &&[usize; 2]| of(couple).iter().all(|body| is_point(body));
         let points = couples.iter().find(are_points).map(of);
         mistakes.extend(points.map(|[a, b]| {
-            wrong(format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name))
+            let problem =
+                format!("is of `{}` and `{}`, two points: they have no size to meet by", a.name, b.name);
+            wrong(problem, "make one of them a `disk` or a `ball`")
+        }));
+        let are_thin = |couple: &&[usize; 2]| {
+            let [a, b] = of(couple);
+            has_thin_side(a) && has_thin_end(b) || has_thin_side(b) && has_thin_end(a)
+        };
+        let thin = couples.iter().find(are_thin).map(of);
+        mistakes.extend(thin.map(|[a, b]| {
+            let problem =
+                format!("is of `{}` and `{}`, a rod without thickness and an end or a point: nothing says on which side it is", a.name, b.name);
+            wrong(problem, "give one of them an extent: a rod has an `end_radius`, a point may be a small `disk`")
         }));
         mistakes
     }
@@ -216,7 +238,7 @@ impl<'m> Structure<'m> {
             mistakes.extend(first.map(|(couple, first)| {
                 let [a, b] = couple.map(|body| self.model.bodies[body].name.as_str());
                 let problem = format!("is a second rule for `{a}` and `{b}`, which `{first}` lets meet");
-                ModelError::Contact { contact: contact.name.clone(), problem }
+                of_rule(&contact.name, problem, "leave one of the two out, or name fewer bodies in `between`")
             }));
             let own = contact.couples(self.model).into_iter();
             rules.extend(own.map(|[a, b]| ([a.min(b), a.max(b)], contact.name.as_str())));
@@ -226,7 +248,7 @@ impl<'m> Structure<'m> {
 
     /// Whether this is the name of a body, or of a body's point by which it touches.
     fn can_touch(&self, name: &str) -> bool {
-        let by = |body: &Body| body.features().iter().any(|feature| is_at(name, body, feature));
+        let by = |body: &Body| body.features().iter().any(|feature| is_at(name, body, &feature.name));
         self.bodies.contains(name) || self.model.bodies.iter().filter(|body| is_of(name, body)).any(by)
     }
 
@@ -245,11 +267,27 @@ impl<'m> Structure<'m> {
     }
 }
 
-/// What can meet more than planes.
-const ROUND_ONLY: &str = "so far disks, rings, balls, shells and points do";
+/// A surface or a contact that cannot be.
+fn of_rule(name: &str, problem: String, cure: &'static str) -> ModelError {
+    ModelError::Contact { contact: name.to_owned(), problem, cure }
+}
+
+/// Whether a body has a side without thickness, as a rod without radius has.
+fn has_thin_side(body: &Body) -> bool {
+    let is_thin =
+        |shape: &Shape| matches!(shape, Shape::Rod { end_radius, .. } if is_identically_zero(end_radius));
+    body.parts.iter().any(|part| is_thin(&part.shape))
+}
+
+/// Whether a body has a point of no width: it says nothing of the side on which a rod without thickness is.
+fn has_thin_end(body: &Body) -> bool {
+    let is_thin = |feature: &Feature| is_identically_zero(&feature.radius) && feature.neighbours.len() < 2;
+    body.features().iter().any(is_thin)
+}
 
 fn is_point(body: &Body) -> bool {
-    body.features().iter().all(|feature| is_identically_zero(&feature.radius))
+    let is_sharp = |feature: &Feature| is_identically_zero(&feature.radius) && feature.neighbours.is_empty();
+    body.features().iter().all(is_sharp)
 }
 
 fn is_of(name: &str, body: &Body) -> bool {

@@ -3,7 +3,7 @@
 use tumble_expr::{Dimension, Expr, Vector, is_identically_zero};
 
 use crate::body::Body;
-use crate::contact::Feature;
+use crate::contact::{Border, Feature, Rim};
 use crate::friction::Friction;
 
 /// A half-plane that is solid behind its surface, or a circle that is solid inside or outside.
@@ -17,6 +17,8 @@ pub struct Surface {
     pub normal: Vector,
     /// Set where it is a circle.
     pub circle: Option<Round>,
+    /// Corners of a convex polygon that is solid inside, counter-clockwise, m, where it is one: a step, a rail.
+    pub polygon: Option<Vec<Vector>>,
     /// What happens where a body touches it.
     pub law: ContactLaw,
     /// Dry friction along it; none where nothing is said. Only a rigid surface has it.
@@ -80,6 +82,7 @@ impl Surface {
             through: Vector::planar(px, py),
             normal: normal.map(|component| component / &length),
             circle: None,
+            polygon: None,
             law,
             friction: None,
             on: None,
@@ -98,6 +101,14 @@ impl Surface {
         Self { circle, ..Self::circle(name, centre, radius, law) }
     }
 
+    /// A convex polygon at rest with these corners, m, counter-clockwise: a step, a rail.
+    pub fn polygon(name: impl Into<String>, corners: Vec<Vector>, law: ContactLaw) -> Self {
+        let nowhere = || Vector::planar(Expr::zero(), Expr::zero());
+        let [x, y] = [0, 1]
+            .map(|axis| corners.first().map_or_else(|| nowhere()[axis].clone(), |first| first[axis].clone()));
+        Self { polygon: Some(corners), ..Self::new(name, [x, y], [Expr::zero(), Expr::one()], law) }
+    }
+
     /// A surface through a point, m, that rises to the right by `angle`; at zero it is a floor.
     pub fn sloping(name: impl Into<String>, through: [Expr; 2], angle: &Expr, law: ContactLaw) -> Self {
         let [px, py] = through;
@@ -106,6 +117,7 @@ impl Surface {
             through: Vector::planar(px, py),
             normal: Vector::planar(-angle.sin(), angle.cos()),
             circle: None,
+            polygon: None,
             law,
             friction: None,
             on: None,
@@ -122,6 +134,25 @@ impl Surface {
         Self { friction: Some(friction), ..self }
     }
 
+    /// What of a body meets it: all of it, or the points that are named.
+    pub(crate) fn met_of(&self, body: &Body, border: &Border) -> Border {
+        if self.meets_all_of(body) {
+            return border.clone();
+        }
+        let is_met = |rim: &&Rim| self.meets_by(body, &rim.name);
+        Border { rims: border.rims.iter().filter(is_met).cloned().collect(), edges: vec![] }
+    }
+
+    /// Whether all of a body meets it.
+    pub(crate) fn meets_all_of(&self, body: &Body) -> bool {
+        self.on.as_ref().is_none_or(|names| names.contains(&body.name))
+    }
+
+    fn meets_by(&self, body: &Body, point: &str) -> bool {
+        let is_meant = |name: &String| *name == body.name || is_at(name, body, point);
+        self.on.as_ref().is_none_or(|names| names.iter().any(is_meant))
+    }
+
     /// Whether a body meets it, by any of its points.
     pub fn meets(&self, body: &Body) -> bool {
         body.features().iter().any(|feature| self.meets_at(body, feature))
@@ -129,15 +160,14 @@ impl Surface {
 
     /// Whether a body meets it by this point.
     pub fn meets_at(&self, body: &Body, feature: &Feature) -> bool {
-        let is_meant = |name: &String| *name == body.name || is_at(name, body, feature);
-        self.on.as_ref().is_none_or(|names| names.iter().any(is_meant))
+        self.meets_by(body, &feature.name)
     }
 }
 
 /// Whether a name, such as `rod.tip`, is that of a point by which a body touches.
-pub(crate) fn is_at(name: &str, body: &Body, feature: &Feature) -> bool {
+pub(crate) fn is_at(name: &str, body: &Body, point: &str) -> bool {
     let rest = name.strip_prefix(&body.name).and_then(|rest| rest.strip_prefix('.'));
-    rest == Some(&feature.name)
+    rest == Some(point)
 }
 
 impl ContactLaw {

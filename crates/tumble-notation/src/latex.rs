@@ -15,7 +15,7 @@ pub fn latex(math: &Math) -> String {
         Math::Number(digits) => digits.replace('…', "\\ldots "),
         Math::Identifier(identifier) => name(identifier, &head(identifier)),
         Math::Operator(operator) => sign(*operator).to_owned(),
-        Math::Text(words) => format!("\\text{{{}}}", escaped(words)),
+        Math::Text(words) => format!("\\text{{{}}}", escaped(words)).replace("\\text{}", ""),
         Math::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", latex(above), latex(below)),
         Math::Power(of, exponent) => format!("{}^{{{}}}", base(of), latex(exponent)),
         Math::Root(inside) => format!("\\sqrt{{{}}}", latex(inside)),

@@ -160,9 +160,22 @@ impl<'a> Printer<'a> {
         }
         if !roots.is_empty() {
             layers.long = true;
-            layers.behind.push(Math::Root(Box::new(self.product(&Rational::one(), &roots, None))));
+            let (by, roots) = self.numbers_of(&roots);
+            layers.behind.push(Math::Root(Box::new(self.product(&by, &roots, None))));
         }
         layers.joined()
+    }
+
+    /// The product of the numbers among factors, and the others.
+    fn numbers_of(&self, factors: &[Factor]) -> (Rational, Vec<Factor>) {
+        let (mut by, mut others) = (Rational::one(), vec![]);
+        for (id, exponent) in factors {
+            match self.algebra.form(*id) {
+                Form::Number(value) if exponent.is_one() => by *= value.clone(),
+                _ => others.push((*id, *exponent)),
+            }
+        }
+        (by, others)
     }
 
     /// What stands under one root sign where several square roots are multiplied; nothing where there is at most one.

@@ -79,6 +79,8 @@ pub(crate) enum Limit {
     Always,
     /// Acceleration for each unit of the guard, and the group of what it moves.
     IfItMoves(f64, usize),
+    /// The group that it is measured against.
+    IfBeyond(usize),
 }
 
 fn limits(program: &Program, inputs: &[f64]) -> Vec<Limit> {
@@ -86,6 +88,7 @@ fn limits(program: &Program, inputs: &[f64]) -> Vec<Limit> {
         (AtZero::EndsIfItMoves { group, .. }, Some(response)) => {
             Limit::IfItMoves(values(response, inputs)[0], *group)
         }
+        (AtZero::EndsBeyond { group }, _) => Limit::IfBeyond(*group),
         (AtZero::Begins, _) => Limit::None,
         (AtZero::Ends | AtZero::EndsIfItMoves { .. }, _) => Limit::Always,
     };

@@ -1,5 +1,6 @@
 //! One mode's equations with their evaluators, and the signs of its branches.
 
+mod beyond;
 mod hits;
 
 use smallvec::{SmallVec, smallvec};

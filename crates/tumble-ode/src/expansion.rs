@@ -23,8 +23,19 @@ pub(crate) struct Expansion {
     pub(crate) arguments: Coefficients,
     /// Guards of the model.
     pub(crate) guards: Coefficients,
-    /// Lazily evaluated guards that may be reached, each by its index.
-    pub(crate) near: Vec<(usize, Row)>,
+    /// Lazily evaluated guards that may be reached.
+    pub(crate) near: Vec<Near>,
+}
+
+/// A lazily evaluated guard that may be reached.
+#[derive(Clone, Debug)]
+pub(crate) struct Near {
+    /// Among all of them.
+    pub(crate) index: usize,
+    /// Its series.
+    pub(crate) series: Row,
+    /// Those of what must not be negative for its zeros to count.
+    pub(crate) conditions: Vec<Row>,
 }
 
 /// A length, root or power along a step.

@@ -62,6 +62,11 @@ pub enum AtZero<F = Expr> {
         /// Index of the [`ScaleGroup`] of what it moves.
         group: usize,
     },
+    /// The same, if it goes beyond zero by more than a rounding error of the group's scale; so do zeros on the way.
+    EndsBeyond {
+        /// Index of the [`ScaleGroup`] that it is measured against.
+        group: usize,
+    },
 }
 
 /// A guard outside the tape of the field: of many of them, only those near zero cost more than a comparison.
@@ -80,6 +85,8 @@ pub struct LazyGuard<F = Expr> {
     /// How fast it can change: `|g(a) - g(b)| <= sum slope_i |a_i - b_i|` over all states it depends on, each by its
     /// index with a formula of the inputs. `None` where there is no such bound: it is then always evaluated.
     pub slopes: Option<Vec<(usize, F)>>,
+    /// How large the function and its conditions may be for that bound to hold, a formula of the inputs; `None` where it always does.
+    pub reach: Option<F>,
 }
 
 /// A function that is zero along a flow, such as the distance of bodies that stay in touch.
@@ -173,6 +180,7 @@ impl<F> AtZero<F> {
         match self {
             Self::Begins => AtZero::Begins,
             Self::Ends => AtZero::Ends,
+            Self::EndsBeyond { group } => AtZero::EndsBeyond { group: *group },
             Self::EndsIfItMoves { response, group } => {
                 AtZero::EndsIfItMoves { response: of(response), group: *group }
             }
@@ -183,7 +191,8 @@ impl<F> AtZero<F> {
 impl<F> LazyGuard<F> {
     fn map<G>(&self, mut of: impl FnMut(&F) -> G) -> LazyGuard<G> {
         let at_zero = self.at_zero.map(&mut of);
-        let slopes = self.slopes.as_ref().map(|slopes| by_state(slopes, of));
+        let slopes = self.slopes.as_ref().map(|slopes| by_state(slopes, &mut of));
+        let reach = self.reach.as_ref().map(of);
         LazyGuard {
             name: self.name.clone(),
             of: Arc::clone(&self.of),
@@ -191,6 +200,7 @@ impl<F> LazyGuard<F> {
             at_zero,
             group: self.group,
             slopes,
+            reach,
         }
     }
 }

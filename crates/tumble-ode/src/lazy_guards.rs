@@ -11,7 +11,7 @@ use std::sync::Arc;
 use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Row, Scalar};
 
 use crate::enclosure::{Enclosure, Path};
-use crate::expansion::Expansion;
+use crate::expansion::{Expansion, Near};
 use crate::hybrid::Direction;
 use crate::polynomial::{self, slope, value};
 use crate::program::{Program, values};
@@ -47,6 +47,8 @@ struct Watch {
     /// Index of each state in the layout.
     states: Vec<usize>,
     slopes: Option<Vec<(usize, f64)>>,
+    /// Up to which size they hold.
+    reach: f64,
     group: usize,
     direction: Direction,
     rounding: Rounding,
@@ -103,13 +105,11 @@ impl LazyGuards {
             let order = self.order;
             watch.set_off(expansion, order)?;
             let here = watch.start(expansion, compensation, order)?;
-            // Found beyond zero, by rounding, it is near however short the step.
-            let is_beyond = watch.direction != Direction::Both && watch.direction.allows(here);
-            watch.clearance = if is_beyond { 0.0 } else { here.abs() };
+            watch.clearance = watch.clear_of(here);
             // NaN counts as near: the expansion then says what is wrong.
             if watch.clearance <= needed || watch.clearance.is_nan() {
-                let series = watch.expand(expansion, here, order)?;
-                expansion.near.push((index, series));
+                let near = watch.expand(index, expansion, here, order)?;
+                expansion.near.push(near);
             }
         }
         Ok(())
@@ -137,7 +137,7 @@ impl LazyGuards {
         tolerance: f64,
     ) -> f64 {
         let mut worst: f64 = 0.0;
-        for (index, series) in &expansion.near {
+        for Near { index, series, .. } in &expansion.near {
             let watch = &mut self.all[*index];
             let scale = scales.of(watch.group);
             for s in PLACES.map(|place| place * length) {
@@ -191,7 +191,7 @@ impl LazyGuards {
         s: f64,
         scales: &Scales,
     ) -> Option<f64> {
-        let (_, series) = expansion.near.iter().find(|(near, _)| *near == index)?;
+        let Near { series, .. } = expansion.near.iter().find(|near| near.index == index)?;
         let watch = &mut self.all[index];
         let rounding = VALUE_ROUNDING * scales.of(watch.group);
         delay(series, s, rounding, |s| watch.value(expansion, s))
@@ -207,7 +207,7 @@ pub(crate) fn delay(series: &[f64], s: f64, rounding: f64, mut at: impl FnMut(f6
 
 /// Reach of the near ones' expansions.
 pub(crate) fn radius(expansion: &Expansion) -> f64 {
-    expansion.near.iter().fold(f64::INFINITY, |radius, (_, series)| of_own_size(series, radius))
+    expansion.near.iter().fold(f64::INFINITY, |radius, near| of_own_size(&near.series, radius))
 }
 
 /// By how much each state can change within a step.
@@ -225,14 +225,16 @@ impl Watch {
     ) -> Self {
         let plan = &of.plan;
         let slopes = plan.slopes.as_ref().map(|slopes| {
-            let with_value = slopes.iter().zip(values).map(|(state, value)| (*state, value.abs()));
+            let with_value = slopes.iter().zip(values.by_ref()).map(|(state, value)| (*state, value.abs()));
             with_value.collect()
         });
+        let reach = if plan.has_reach { values.next() } else { None };
         Self {
             of: Arc::clone(of),
             inputs: plan.inputs.iter().map(|index| inputs[*index]).collect(),
             states: plan.states.clone(),
             slopes,
+            reach: reach.unwrap_or(f64::INFINITY),
             group: plan.group,
             direction: plan.direction,
             rounding,
@@ -241,6 +243,19 @@ impl Watch {
             jets: None,
             enclosure: None,
         }
+    }
+
+    /// How far it is at least from a zero that counts, where it was just evaluated to `here`.
+    fn clear_of(&self, here: f64) -> f64 {
+        let conditions = self.of.plan.of.conditions();
+        if conditions == 0 {
+            // Found beyond zero, by rounding, it is near however short the step.
+            let is_beyond = self.direction != Direction::Both && self.direction.allows(here);
+            return if is_beyond { 0.0 } else { here.abs() };
+        }
+        let jets = self.jets.as_ref().expect("it was just evaluated");
+        let broken = (1..=conditions).map(|condition| -jets.value_of(condition));
+        broken.fold(here.abs(), f64::max).min(self.reach)
     }
 
     /// By how much it can change while the states travel so far.
@@ -304,7 +319,13 @@ impl Watch {
     }
 
     /// Its series along an expansion whose start it was just evaluated at.
-    fn expand(&mut self, expansion: &Expansion, here: f64, order: usize) -> Result<Row, Reason> {
+    fn expand(
+        &mut self,
+        index: usize,
+        expansion: &Expansion,
+        here: f64,
+        order: usize,
+    ) -> Result<Near, Reason> {
         self.jets(order)?;
         let Self { jets: Some(jets), states, .. } = self else { unreachable!("just built") };
         let coefficient = |series: &[f64], k: usize| series.get(k).copied().unwrap_or(0.0);
@@ -319,7 +340,9 @@ impl Watch {
         }
         let mut series = Row::from_slice(jets.output(0));
         series[0] = here;
-        Ok(series)
+        let conditions = 1..=self.of.plan.of.conditions();
+        let conditions = conditions.map(|condition| Row::from_slice(jets.output(condition))).collect();
+        Ok(Near { index, series, conditions })
     }
 
     fn value(&mut self, expansion: &Expansion, s: f64) -> f64 {

@@ -6,7 +6,7 @@ use tumble_expr::{
     Binary, Branches, CompileError, Degree, Expr, Jets, Layout, Linker, NodeId, Rounding, Tape,
 };
 
-use crate::flow::{AtZero, StateVariable};
+use crate::flow::{AtZero, LazyGuard, StateVariable};
 use crate::hybrid::Direction;
 use crate::invariants::Rows;
 use crate::lazy_guards::{WatchPlan, WatchTape};
@@ -81,8 +81,11 @@ impl Program {
         let watches = watches.map(|plan| Arc::new(WatchTape::new(plan))).collect();
         let fixed = Fixed { linker, layout: Layout { states: vec![], ..layout.clone() } };
         let floors: Vec<NodeId> = flow.groups.iter().map(|group| group.floor).collect();
-        let slopes = flow.lazy_guards.iter().flat_map(|lazy_guard| lazy_guard.slopes.iter().flatten());
-        let slopes: Vec<NodeId> = slopes.map(|(_, slope)| *slope).collect();
+        let bounds = |lazy_guard: &LazyGuard<NodeId>| -> Vec<NodeId> {
+            let slopes = lazy_guard.slopes.iter().flatten().map(|(_, slope)| *slope);
+            slopes.chain(lazy_guard.reach).collect()
+        };
+        let slopes: Vec<NodeId> = flow.lazy_guards.iter().flat_map(bounds).collect();
         let responses = at_zero(flow).map(|at_zero| fixed.response(at_zero));
         let nearest = Self {
             rounding: Rounding::NEAREST,
@@ -176,7 +179,7 @@ impl Fixed<'_> {
     fn response(&self, at_zero: &AtZero<NodeId>) -> Result<Option<Arc<Tape>>, CompileError> {
         match at_zero {
             AtZero::EndsIfItMoves { response, .. } => self.tape(&[*response]).map(Some),
-            AtZero::Begins | AtZero::Ends => Ok(None),
+            AtZero::Begins | AtZero::Ends | AtZero::EndsBeyond { .. } => Ok(None),
         }
     }
 }

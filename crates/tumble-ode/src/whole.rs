@@ -21,7 +21,7 @@ use clear::Clear;
 use crate::Reason;
 use crate::enclosure::{Bounds, Enclosure, Path, Vanishing};
 use crate::engine::{Engine, Hit, ahead};
-use crate::expansion::Expansion;
+use crate::expansion::{Expansion, Near};
 use crate::polynomial;
 use crate::roots::roots;
 use crate::scale::Scales;
@@ -239,8 +239,8 @@ impl Engine {
             let (noise, series) = match guard.checked_sub(self.system.guards) {
                 None => (self.rounded.value_of(first + guard).noise(), expansion.guards.get(guard)),
                 Some(lazy) => {
-                    let near = expansion.near.iter().find(|(index, _)| *index == lazy);
-                    (self.lazy_guards.noise(lazy, time, states)?, near.map(|(_, series)| &series[..]))
+                    let near = expansion.near.iter().find(|near| near.index == lazy);
+                    (self.lazy_guards.noise(lazy, time, states)?, near.map(|near| &near.series[..]))
                 }
             };
             let Some(series) = series else { continue };
@@ -436,7 +436,7 @@ impl Engine {
     ) -> Result<Option<Unknown>, Reason> {
         let Stretch { expansion, mut length, .. } = step;
         let mut shortest = None;
-        for (index, series) in &expansion.near {
+        for Near { index, series, .. } in &expansion.near {
             if !is_proved && !self.lazy_guards.may_be_narrow(*index)? {
                 continue;
             }

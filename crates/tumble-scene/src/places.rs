@@ -65,7 +65,9 @@ impl Places {
             ModelError::InEachOther { first, depth, .. } => about(Code::Inside, &format!("start of `{first}`"))
                 .label("inside the other")
                 .help(format!("start them {depth} m farther apart, or a little more")),
-            ModelError::Contact { contact, .. } => about(Code::Model, &format!("`{contact}`")).label("cannot be"),
+            ModelError::Contact { contact, cure, .. } => {
+                about(Code::Model, &format!("`{contact}`")).label("cannot be").help(*cure)
+            }
             ModelError::NoForce { load, .. } => about(Code::NoForce, &format!("`{load}`"))
                 .label("has no value at the start")
                 .help("look for a division by what is zero at the start, a root of what is negative, or a table outside its range"),
@@ -109,6 +111,12 @@ impl Places {
                 .help("look for a division by zero, a root of a negative number, or a number beyond 1.8e308"),
             ModelError::NoDirection { .. } => {
                 about(Code::NoDirection).label("points nowhere").help("write a vector of any length but zero")
+            }
+            ModelError::NotConvex { .. } => about(Code::Value)
+                .label("not convex")
+                .help("make it of convex parts: `parts = [..]` of a body, a surface each of what is fixed"),
+            ModelError::Clockwise { .. } => {
+                about(Code::Value).label("clockwise").help("list the corners the other way round")
             }
             ModelError::NoInertia { .. } => about(Code::NoInertia)
                 .label("about its own centre")

@@ -44,4 +44,4 @@ pub use arrow::{Arrow, Couple, Kind, Spread, Unit, Velocity};
 pub use body::{AngleMark, FreeBodyDiagram, NamedPoint};
 pub use sheet::{KeyChoice, Scaling, Sheet};
 pub use side::SideView;
-pub use surface::Surface;
+pub use surface::{Round, Surface};

@@ -15,6 +15,10 @@ pub(super) fn describe(scene: &SceneDrawing) -> String {
     parts.extend(scene.points.iter().map(|p| format!("Point {} at {}.", name(&p.name, ""), place(p.at))));
     parts.extend(scene.surfaces.iter().map(|surface| {
         let (at, normal) = (place(surface.point), pair(surface.normal));
+        if let Some(round) = surface.round {
+            let what = if round.hollow { "Round hollow" } else { "Circle" };
+            return format!("{what} {} about {at}, radius {} m.", name(&surface.name, ""), round.radius);
+        }
         format!("Surface {} through {at}, its normal {normal}.", name(&surface.name, ""))
     }));
     parts.extend(scene.links.iter().map(|link| {

@@ -1,7 +1,8 @@
 //! Kernels: coefficients of order `k >= 1` of sums, products, quotients, roots and functions known by their derivative.
 //!
 //! `c = a b`: Cauchy's product. `c = a / b`, from `c b = a`: `c_k b_0 = a_k - sum over i < k of c_i b_(k-i)`. `c = sqrt(a)`, from
-//! `c^2 = a`. `c' = a' g` with a companion series g: comparing orders, `k c_k = sum over i from 1 to k of i a_i g_(k-i)`. So are exp (g = c), sin
+//! `c^2 = a`. `c' = a' g` with a companion series g: comparing orders, `k c_k = sum over i from 1 to k of i a_i g_(k-i)`, of which the last
+//! term, divided, is `a_k g_0`. What holds a new coefficient is added last, so that all else is done before that is known. So are exp (g = c), sin
 //! (g = cos), cos (g = -sin), sinh, cosh, tan (g = 1 + c^2), tanh (g = 1 - c^2).
 
 use super::Slot;
@@ -21,8 +22,13 @@ impl<S: Scalar> Arena<S> {
     }
 
     fn first_term(&self, term: &Term) -> S {
-        let value = self.at(term.of, 0);
-        match term.by {
+        self.scaled(self.at(term.of, 0), term.by)
+    }
+
+    /// Multiplied with or divided by what does not change with time.
+    #[inline(always)]
+    pub(crate) fn scaled(&self, value: S, by: By) -> S {
+        match by {
             By::One => value,
             By::Times(by) => value * self.at(by, 0),
             By::Over(by) => value / self.at(by, 0),
@@ -54,7 +60,12 @@ impl<S: Scalar> Arena<S> {
     #[inline(always)]
     fn term(&self, term: &Term, by: S, k: usize) -> S {
         let value = self.at(term.of, k);
-        if matches!(term.by, By::Over(_)) { value / by } else { value * by }
+        match term.by {
+            By::One if term.is_taken => -value,
+            By::One => value,
+            By::Times(_) => value * by,
+            By::Over(_) => value / by,
+        }
     }
 
     #[inline(always)]
@@ -64,7 +75,13 @@ impl<S: Scalar> Arena<S> {
 
     #[inline(always)]
     pub(crate) fn square(&self, a: Slot, k: usize) -> S {
-        self.inner_square(a, k) + S::splat(2.0) * (self.at(a, 0) * self.at(a, k))
+        self.inner_square(a, k) + S::splat(2.0) * self.at(a, 0) * self.at(a, k)
+    }
+
+    /// Of `a |a|`, with the sign of a.
+    #[inline(always)]
+    pub(crate) fn directed_square(&self, a: Slot, sign: S, k: usize) -> S {
+        sign * self.inner_square(a, k) + sign * S::splat(2.0) * self.at(a, 0) * self.at(a, k)
     }
 
     /// Of the sum of squares of some rows.
@@ -84,18 +101,25 @@ impl<S: Scalar> Arena<S> {
         (self.at(a, k) - self.inner_square(c, k)) / (S::splat(2.0) * self.at(c, 0))
     }
 
+    /// Of `c' = a' g`, with the slope of a.
     #[inline(always)]
-    pub(crate) fn along(&self, slope: Slot, factor: Slot, k: usize) -> S {
-        (self.inner(slope, factor, k) + self.at(slope, k) * self.at(factor, 0)) / S::splat(k as f64)
+    pub(crate) fn along(&self, (of, slope): (Slot, Slot), factor: Slot, k: usize) -> S {
+        self.inner(slope, factor, k) / S::splat(k as f64) + self.at(of, k) * self.at(factor, 0)
     }
 
     /// Sine and cosine; of an argument that is linear in the parameter one term is left.
     #[inline(always)]
-    pub(crate) fn wave(&self, slope: Slot, (sin, cos): (Slot, Slot), k: usize, is_linear: bool) -> [S; 2] {
+    pub(crate) fn wave(
+        &self,
+        of: (Slot, Slot),
+        (sin, cos): (Slot, Slot),
+        k: usize,
+        is_linear: bool,
+    ) -> [S; 2] {
         if is_linear {
-            let rate = self.at(slope, 1) / S::splat(k as f64);
+            let rate = self.at(of.0, 1) / S::splat(k as f64);
             return [rate * self.at(cos, k - 1), -(rate * self.at(sin, k - 1))];
         }
-        [self.along(slope, cos, k), -self.along(slope, sin, k)]
+        [self.along(of, cos, k), -self.along(of, sin, k)]
     }
 }

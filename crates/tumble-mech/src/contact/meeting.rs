@@ -2,19 +2,17 @@
 
 use std::collections::HashSet;
 
-use tumble_expr::{Binary, Expr, Vector};
+use tumble_expr::{Binary, Expr};
 
 use crate::body::Body;
-use crate::contact::feature::Feature;
-use crate::contact::opposite::Opposite;
+use crate::contact::between::Between;
+use crate::contact::border::Border;
 use crate::contact::pair::{Pair, Rule};
 use crate::friction::Friction;
-use crate::kinematics::PointRef;
 use crate::model::Model;
-use crate::shape::Shape;
 use crate::surface::ContactLaw;
 
-/// Rigid contacts of bodies with each other, by their round rims and points.
+/// Rigid contacts of bodies with each other.
 #[derive(Clone, Debug)]
 pub struct BodyContact {
     /// Its name.
@@ -65,60 +63,22 @@ impl BodyContact {
         Some(ContactLaw::Rigid { restitution: self.restitution.clone().or(own)? })
     }
 
-    /// Its pairs; `features` are those of all bodies, with where they are.
-    pub(crate) fn pairs(
-        &self,
-        index: usize,
-        model: &Model,
-        features: &[Vec<(Feature, PointRef)>],
-    ) -> Vec<Pair> {
-        let mut pairs = vec![];
-        for [one, other] in self.couples(model) {
+    /// Its pairs; `borders` are those of all bodies.
+    pub(crate) fn pairs(&self, index: usize, model: &Model, borders: &[Border]) -> Vec<Pair> {
+        let pairs = self.couples(model).into_iter().filter_map(|[one, other]| {
             let bodies = [one, other].map(|body| &model.bodies[body]);
-            // The model was checked: somebody says how they rebound.
-            let Some(law) = self.law(bodies) else { continue };
-            let name = format!("{}.{}.{}", self.name, bodies[0].name, bodies[1].name);
-            let is_one = features[one].len() == 1 && features[other].len() == 1;
-            for first in &features[one] {
-                for second in &features[other] {
-                    let places = format!("{name}.{}.{}", first.0.name, second.0.name);
-                    let opposite = Opposite::circle(
-                        Some(second.1.clone()),
-                        second.0.radius.clone(),
-                        false,
-                        &first.0.radius,
-                    );
-                    let through = second.1.position();
-                    let nowhere = || Vector::planar(Expr::zero(), Expr::zero());
-                    pairs.push(Pair {
-                        name: if is_one { name.clone() } else { places },
-                        rule: Rule::Bodies(index),
-                        body: one,
-                        other: Some(other),
-                        centre: first.1.clone(),
-                        radius: first.0.radius.clone(),
-                        normal: opposite.normal(&first.1, &through).unwrap_or_else(nowhere),
-                        through,
-                        law: law.clone(),
-                        friction: self.friction.clone(),
-                        opposite,
-                    });
-                }
-            }
-        }
-        pairs
-    }
-}
-
-impl Body {
-    /// Whether it has rims and points only, by which it can meet other bodies and circles from outside.
-    pub fn is_round(&self) -> bool {
-        let is_round = |shape: &Shape| match shape {
-            Shape::Rod { .. } | Shape::Box { .. } | Shape::Polygon { .. } => false,
-            Shape::Point { .. } | Shape::Disk { .. } | Shape::Ring { .. } => true,
-            Shape::Ball { .. } | Shape::Shell { .. } => true,
-        };
-        !self.parts.is_empty() && self.parts.iter().all(|part| is_round(&part.shape))
+            let between = Between {
+                name: format!("{}.{}.{}", self.name, bodies[0].name, bodies[1].name),
+                rule: Rule::Bodies(index),
+                body: one,
+                other: Some(other),
+                // The model was checked: somebody says how they rebound.
+                law: self.law(bodies)?,
+                friction: self.friction.clone(),
+            };
+            Some(between.pairs(&borders[one], &borders[other]))
+        });
+        pairs.flatten().collect()
     }
 }
 

@@ -4,9 +4,12 @@
 //! numbers of one body's pairs at an instant; `settle` finds what an instant changes; `zeno` ends impacts that
 //! accumulate.
 
+mod between;
+mod border;
 mod change;
 pub(crate) mod complementarity;
 mod contact_mode;
+mod depth;
 mod feature;
 mod grip;
 mod interval;
@@ -14,18 +17,22 @@ mod meeting;
 mod opposite;
 mod pair;
 mod pairs;
+#[cfg(test)]
+mod random;
 mod rough;
 mod routh;
 mod settle;
 mod slip;
 mod start;
+mod straight;
 mod switch;
 mod touch;
 mod zeno;
 
+pub(crate) use border::{Border, Rim};
 pub use change::Change;
 pub use contact_mode::ContactMode;
-pub use feature::Feature;
+pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};
 pub use interval::Contact;
 pub use meeting::BodyContact;

@@ -1,9 +1,10 @@
-//! What a point of a body may touch: a plane, or a circle of the world or of another body, from outside or inside.
+//! What a point of a body may touch: a plane, a circle of the world or of another body, from outside or inside, or an edge.
 
 use tumble_expr::{Expr, Vector};
 
 use crate::anchor::rate;
 use crate::contact::pair::Pair;
+use crate::contact::straight::Straight;
 use crate::kinematics::PointRef;
 
 /// The other one of a pair.
@@ -11,6 +12,7 @@ use crate::kinematics::PointRef;
 pub(crate) enum Opposite {
     Plane,
     Circle(Circle),
+    Edge(Straight),
 }
 
 /// A circle that a circle of a body may touch.
@@ -40,24 +42,34 @@ impl Opposite {
         Self::Circle(Circle { centre, radius, inside, reach })
     }
 
-    /// Towards a body whose circle has this centre; `None` of a plane.
+    /// Towards a body whose circle has this centre; `None` of what is no circle.
     pub(crate) fn normal(&self, centre: &PointRef, through: &Vector) -> Option<Vector> {
         let Self::Circle(circle) = self else { return None };
-        let apart = match &circle.centre {
-            None => centre.body.position() - through + centre.world_arm(),
-            Some(other) => {
-                centre.body.position() - other.body.position() + (centre.world_arm() - other.world_arm())
-            }
-        };
-        Some(apart.map(|part| circle.sign() * part / &circle.reach))
+        Some(self.apart(centre, through).map(|part| circle.sign() * part / &circle.reach))
     }
 
-    /// Its centre, where that is a point of a body.
+    /// From its point, or from `through` where that is none of a body's, to a body's, m.
+    pub(crate) fn apart(&self, centre: &PointRef, through: &Vector) -> Vector {
+        // Far from the origin the difference of the places is exact; what the arm is added to before would be rounded.
+        let place = centre.body.position();
+        match self.point() {
+            None => place - through + centre.world_arm(),
+            Some(other) => place - other.body.position() + (centre.world_arm() - other.world_arm()),
+        }
+    }
+
+    /// Its centre or the point that it is given by, where that is a point of a body.
     pub(crate) fn point(&self) -> Option<&PointRef> {
         match self {
             Self::Plane => None,
             Self::Circle(circle) => circle.centre.as_ref(),
+            Self::Edge(edge) => edge.other.as_ref(),
         }
+    }
+
+    /// Its point or centre, which is at `through` where it is none of a body's, m.
+    pub(crate) fn position(&self, through: &Vector) -> Vector {
+        self.point().map_or_else(|| through.clone(), PointRef::position)
     }
 
     /// Velocity of its point or centre, which is at `through` where it is none of a body's, m/s.
@@ -80,11 +92,16 @@ impl Opposite {
 
     /// Derivative of that, m/s^2, while the normal turns so, 1/s.
     pub(crate) fn material_acceleration(&self, pair: &Pair, turning: &Vector) -> Vector {
-        let (Self::Circle(circle), Some(point), Some(arm)) = (self, self.point(), pair.other_arm()) else {
+        let (Some(point), Some(arm)) = (self.point(), pair.other_arm()) else {
             return rate(&rate(&pair.through));
         };
         let omega = point.body.omega();
-        let moving = &omega * point.world_arm().perpendicular() + &(circle.sign() * &circle.radius) * turning;
+        let own = || &omega * point.world_arm().perpendicular();
+        let moving = match self {
+            Self::Circle(circle) => own() + &(circle.sign() * &circle.radius) * turning,
+            Self::Edge(edge) if edge.is_first => own() + &edge.radius * turning,
+            _ => pair.centre.velocity() - point.body.velocity() - &pair.radius * turning,
+        };
         point.body.acceleration() + point.body.alpha() * arm.perpendicular() + omega * moving.perpendicular()
     }
 }

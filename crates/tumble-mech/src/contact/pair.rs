@@ -25,12 +25,13 @@ use tumble_expr::{Dimension, Expr, Symbol, Vector, Written, is_identically_zero}
 
 use crate::anchor::rate;
 use crate::body::Body;
-use crate::contact::feature::Feature;
+use crate::contact::border::Rim;
 use crate::contact::grip::Way;
 use crate::contact::opposite::Opposite;
+use crate::contact::straight::Limit;
 use crate::coordinates::{Measure, Pivot};
 use crate::friction::Friction;
-use crate::kinematics::PointRef;
+use crate::kinematics::{Kinematics, PointRef};
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
 use crate::statement::Statement;
@@ -38,7 +39,7 @@ use crate::surface::{ContactLaw, Surface};
 use crate::term::{Law, Term};
 
 /// Where in a model it is said that the two of a pair meet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Rule {
     /// A surface, by its index.
     Surface(usize),
@@ -46,8 +47,18 @@ pub enum Rule {
     Bodies(usize),
 }
 
-/// A body, what it meets, and where that is no plane the pair: pairs with one of these slip alike.
-pub(crate) type Alike = (usize, Rule, Option<usize>);
+/// A body, what it meets, and along what: pairs with one of these slip alike.
+pub(crate) type Alike = (usize, Rule, Line);
+
+/// What pairs slip along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Line {
+    Plane,
+    /// An edge, with the other body of the pair.
+    Edge(Option<usize>, usize),
+    /// None: each of these pairs slips on its own.
+    None(usize),
+}
 
 /// A point of a body and what it may touch: a surface, or a point of another body.
 #[derive(Clone, Debug)]
@@ -74,29 +85,32 @@ pub struct Pair {
     pub friction: Option<Friction>,
     /// What of the surface is not said by a point and the normal.
     pub(crate) opposite: Opposite,
+    /// Where they may touch, if not everywhere.
+    pub(crate) limits: Vec<Limit>,
 }
 
 impl Pair {
     pub(crate) fn new(
         (surface_index, surface): (usize, &Surface),
         (body_index, body): (usize, &Body),
-        (feature, centre): (&Feature, &PointRef),
+        (rim, centre): (&Rim, &PointRef),
     ) -> Self {
         let opposite = surface.circle.as_ref().map_or(Opposite::Plane, |circle| {
-            Opposite::circle(None, circle.radius.clone(), circle.inside, &feature.radius)
+            Opposite::circle(None, circle.radius.clone(), circle.inside, &rim.radius)
         });
         Self {
-            name: format!("{}.{}.{}", surface.name, body.name, feature.name),
+            name: format!("{}.{}.{}", surface.name, body.name, rim.name),
             rule: Rule::Surface(surface_index),
             body: body_index,
             other: None,
             centre: centre.clone(),
-            radius: feature.radius.clone(),
+            radius: rim.radius.clone(),
             through: surface.through.clone(),
             normal: opposite.normal(centre, &surface.through).unwrap_or_else(|| surface.normal.clone()),
             law: surface.law.of_body(body.restitution.as_ref()),
             friction: surface.friction.clone(),
             opposite,
+            limits: vec![],
         }
     }
 
@@ -104,14 +118,15 @@ impl Pair {
     pub fn gap(&self) -> Expr {
         match &self.opposite {
             Opposite::Plane => dot(&self.normal, &self.apart()) - &self.radius,
+            Opposite::Edge(edge) => dot(&self.normal, &self.apart()) - &edge.reach,
             Opposite::Circle(circle) => circle.sign() * (self.apart().norm() - &circle.reach),
         }
     }
 
-    /// What is zero with the gap and has as simple a formula as there is: it is the gap itself of a plane.
+    /// What is zero with the gap and has as simple a formula as there is: it is the gap itself of a plane or an edge.
     pub(crate) fn closing(&self) -> Expr {
         match &self.opposite {
-            Opposite::Plane => self.gap(),
+            Opposite::Plane | Opposite::Edge(_) => self.gap(),
             Opposite::Circle(circle) => {
                 let apart = self.apart();
                 let beyond = dot(&apart, &apart) - &circle.reach * &circle.reach;
@@ -129,14 +144,37 @@ impl Pair {
         }
     }
 
+    /// What must not be negative for what is watched to be a contact.
+    pub(crate) fn conditions(&self) -> Vec<Expr> {
+        let is_near = match &self.opposite {
+            Opposite::Edge(edge) => edge.around.as_ref().map(|around| {
+                let rim = if edge.is_first {
+                    self.opposite.position(&self.through)
+                } else {
+                    self.centre.position()
+                };
+                let away =
+                    rim - edge.owner.as_ref().map_or_else(|| self.through.clone(), Kinematics::position);
+                (around * around - dot(&away, &away)) / (2 * around)
+            }),
+            _ => None,
+        };
+        self.limits.iter().map(Limit::entered).cloned().chain(is_near).collect()
+    }
+
+    /// What is not negative where they may touch, m; nothing where they may everywhere.
+    pub fn within(&self) -> Vec<Expr> {
+        self.limits.iter().map(Limit::holding).collect()
+    }
+
+    /// What becomes negative where a contact that lasts ends by leaving where there may be one.
+    pub(crate) fn leaving(&self) -> Vec<Expr> {
+        self.limits.iter().filter_map(Limit::left).collect()
+    }
+
     /// From the point of the surface, or the other centre, to the centre, m.
     fn apart(&self) -> Vector {
-        // Far from the origin the difference of the places is exact; what the arm is added to before would be rounded.
-        let place = self.centre.body.position();
-        match self.opposite.point() {
-            None => place - &self.through + self.centre.world_arm(),
-            Some(other) => place - other.body.position() + (self.centre.world_arm() - other.world_arm()),
-        }
+        self.opposite.apart(&self.centre, &self.through)
     }
 
     /// Rate of the gap, m/s.
@@ -144,6 +182,7 @@ impl Pair {
         let relative = self.centre.velocity() - self.opposite.velocity(&self.through);
         match self.opposite {
             Opposite::Circle(_) => dot(&self.normal, &relative),
+            Opposite::Edge(_) => dot(&self.normal, &relative) + dot(&self.turning(), &self.apart()),
             Opposite::Plane => {
                 let tilting = dot(&rate(&self.normal), &(self.centre.position() - &self.through));
                 dot(&self.normal, &relative) + tilting
@@ -158,6 +197,13 @@ impl Pair {
             let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
             return dot(&self.normal, &relative) + circle.sign() * dot(&velocity, &velocity) / &circle.reach;
         }
+        if let Opposite::Edge(edge) = &self.opposite {
+            let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
+            let coriolis = 2 * dot(&self.turning(), &velocity);
+            return dot(&self.normal, &relative)
+                + coriolis
+                + dot(&edge.turning_rate(&self.normal), &self.apart());
+        }
         let turning = rate(&self.normal);
         let coriolis = 2 * dot(&turning, &(self.centre.velocity() - rate(&self.through)));
         let tilting = dot(&rate(&turning), &(self.centre.position() - &self.through));
@@ -168,6 +214,7 @@ impl Pair {
     fn turning(&self) -> Vector {
         match &self.opposite {
             Opposite::Plane => rate(&self.normal),
+            Opposite::Edge(edge) => edge.turning(&self.normal),
             Opposite::Circle(circle) => {
                 let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
                 velocity.map(|part| circle.sign() * part / &circle.reach)
@@ -177,15 +224,30 @@ impl Pair {
 
     /// From the body's centre of mass to the point that touches, m, world axes.
     pub fn arm(&self) -> Vector {
-        self.centre.world_arm() - &self.radius * &self.normal
+        match &self.opposite {
+            Opposite::Edge(edge) if edge.is_first => {
+                let own = self.centre.body.position();
+                let centre = match &edge.other {
+                    Some(other) => other.body.position() - own + other.world_arm(),
+                    None => &self.through - own,
+                };
+                centre + &edge.radius * &self.normal
+            }
+            _ => self.centre.world_arm() - &self.radius * &self.normal,
+        }
     }
 
     /// The same of the other body.
     pub fn other_arm(&self) -> Option<Vector> {
-        let (Opposite::Circle(circle), Some(other)) = (&self.opposite, self.opposite.point()) else {
-            return None;
-        };
-        Some(other.world_arm() + &(circle.sign() * &circle.radius) * &self.normal)
+        let other = self.opposite.point()?;
+        match &self.opposite {
+            Opposite::Plane => None,
+            Opposite::Circle(circle) => {
+                Some(other.world_arm() + &(circle.sign() * &circle.radius) * &self.normal)
+            }
+            Opposite::Edge(edge) if edge.is_first => Some(other.world_arm() + &edge.radius * &self.normal),
+            Opposite::Edge(_) => Some(self.centre.body.position() - other.body.position() + self.arm()),
+        }
     }
 
     /// The arm of one of its bodies.
@@ -213,8 +275,12 @@ impl Pair {
 
     /// What it has in common with those that slip alike: all points of a body on one plane do; `own` is its index.
     pub(crate) fn slips_with(&self, own: usize) -> Alike {
-        let is_plane = matches!(self.opposite, Opposite::Plane);
-        (self.body, self.rule, (!is_plane).then_some(own))
+        let line = match &self.opposite {
+            Opposite::Plane => Line::Plane,
+            Opposite::Edge(edge) => Line::Edge(self.other, edge.line),
+            Opposite::Circle(_) => Line::None(own),
+        };
+        (self.body, self.rule, line)
     }
 
     /// Each body with the sign of the forces on it.
@@ -232,6 +298,7 @@ impl Pair {
         match &self.opposite {
             Opposite::Plane => Expr::zero(),
             Opposite::Circle(circle) => circle.radius.clone(),
+            Opposite::Edge(edge) => edge.reach.clone(),
         }
     }
 
@@ -250,7 +317,12 @@ impl Pair {
         let motion = &self.centre.body;
         let (omega, arm) = (motion.omega(), self.arm());
         let normal_turns = self.turning();
-        let turning = &omega * self.centre.world_arm().perpendicular() - &self.radius * &normal_turns;
+        let turning = match &self.opposite {
+            Opposite::Edge(edge) if edge.is_first => {
+                self.opposite.velocity(&self.through) - motion.velocity() + &edge.radius * &normal_turns
+            }
+            _ => &omega * self.centre.world_arm().perpendicular() - &self.radius * &normal_turns,
+        };
         let own =
             motion.acceleration() + motion.alpha() * arm.perpendicular() + &omega * turning.perpendicular();
         let tilting = dot(&turned(&normal_turns), &self.slipping());
@@ -373,10 +445,15 @@ impl Pair {
     /// How fast what is watched can change with each coordinate of one of its bodies: of x, of y and of the angle for a free body,
     /// of the angle for a pivoted one. `None` where the surface or the pivot moves.
     pub(crate) fn slopes(&self, index: usize, pivot: Option<&Pivot>, body: &Body) -> Option<Vec<Expr>> {
+        if let Opposite::Edge(edge) = &self.opposite
+            && let Some(around) = &edge.around
+        {
+            return self.slopes_near(index, pivot, body, edge.is_first == (index == self.body), around);
+        }
         let point = self.opposite.point().filter(|_| self.other == Some(index)).unwrap_or(&self.centre);
         let along = match &self.opposite {
             Opposite::Plane => [self.normal.x().clone(), self.normal.y().clone()],
-            Opposite::Circle(_) => [Expr::one(), Expr::one()],
+            Opposite::Circle(_) | Opposite::Edge(_) => [Expr::one(), Expr::one()],
         };
         match pivot {
             _ if !self.is_fixed() => None,
@@ -386,14 +463,56 @@ impl Pair {
         }
     }
 
+    /// The same of a pair with an edge that turns, as long as the circle is within the edge's reach of its body: what is watched is then at
+    /// most twice as fast as it.
+    fn slopes_near(
+        &self,
+        index: usize,
+        pivot: Option<&Pivot>,
+        body: &Body,
+        is_edge: bool,
+        around: &Expr,
+    ) -> Option<Vec<Expr>> {
+        let point = self.opposite.point().filter(|_| self.other == Some(index)).unwrap_or(&self.centre);
+        let lever = |from: Option<&Vector>| match (is_edge, from) {
+            (true, None) => 2 * around,
+            (true, Some(from)) => 2 * around + 2 * from.norm(),
+            (false, None) => 2 * point.arm.norm(),
+            (false, Some(from)) => 2 * (&point.arm - from).norm(),
+        };
+        match pivot {
+            _ if !self.is_fixed() => None,
+            None => Some(vec![Expr::from(2), Expr::from(2), lever(None)]),
+            Some(pivot) if moves(&pivot.world) => None,
+            Some(pivot) => Some(vec![lever(Some(&body.at(&pivot.point).arm))]),
+        }
+    }
+
+    /// Up to which size what is watched changes no faster than [`Self::slopes`], where there is a bound to that.
+    pub(crate) fn slopes_reach(&self) -> Option<&Expr> {
+        match &self.opposite {
+            Opposite::Edge(edge) => edge.around.as_ref(),
+            _ => None,
+        }
+    }
+
     /// Whether the surface is at rest for good.
     pub(crate) fn is_fixed(&self) -> bool {
         !(moves(&self.through) || moves(&self.normal))
     }
 
+    /// Whether one of the two is an edge.
+    pub(crate) fn has_edge(&self) -> bool {
+        matches!(self.opposite, Opposite::Edge(_))
+    }
+
     /// Whether it touches by a round rim, which rolls where it does not slip.
     pub fn is_round(&self) -> bool {
-        !is_identically_zero(&self.radius) || self.other.is_some()
+        match &self.opposite {
+            Opposite::Edge(edge) if edge.is_first => !is_identically_zero(&edge.radius),
+            Opposite::Edge(_) => !is_identically_zero(&self.radius),
+            _ => !is_identically_zero(&self.radius) || self.other.is_some(),
+        }
     }
 
     /// Whether the surface is rigid.
@@ -420,6 +539,7 @@ impl Pair {
             Watched::Cone(Way::Forward) => "cone forward",
             Watched::Cone(Way::Backward) => "cone backward",
             Watched::Wedge => "wedge",
+            Watched::Limit(limit) => return format!("{}.limit{limit}", self.name),
         };
         format!("{}.{what}", self.name)
     }
@@ -440,6 +560,8 @@ pub(crate) enum Watched {
     Cone(Way),
     /// How a push moves the contact while it slips.
     Wedge,
+    /// How far it is from leaving where there may be a contact, by one of its limits.
+    Limit(usize),
 }
 
 /// Whether a place or a direction is a formula of the time.
@@ -449,7 +571,7 @@ pub(crate) fn moves(v: &Vector) -> bool {
 }
 
 /// A vector turned clockwise by a right angle.
-fn turned(v: &Vector) -> Vector {
+pub(super) fn turned(v: &Vector) -> Vector {
     Vector::planar(v.y().clone(), -v.x())
 }
 

@@ -6,14 +6,15 @@ use tumble_expr::{Expr, Symbol};
 use tumble_ode::Direction;
 
 use crate::body::Body;
+use crate::contact::between::{Between, circle_of_world};
+use crate::contact::border::{Border, Rim};
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::feature::Feature;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::{Pair, Watched};
+use crate::contact::pair::{Pair, Rule, Watched};
 use crate::equations::Equations;
-use crate::kinematics::PointRef;
 use crate::mode::Mode;
 use crate::model::Model;
+use crate::surface::Surface;
 use crate::term::Term;
 
 /// Every pair, in the order of surfaces, bodies and features, then of contacts of bodies, with the forces it exerts when it touches.
@@ -29,20 +30,18 @@ pub(crate) struct Pairs {
 
 impl Pairs {
     pub(crate) fn of(model: &Model) -> Self {
-        let features: Vec<Vec<(Feature, PointRef)>> =
-            match model.surfaces.is_empty() && model.contacts.is_empty() {
-                true => vec![vec![]; model.bodies.len()],
-                false => model.bodies.iter().map(placed).collect(),
-            };
+        let borders: Vec<Border> = match model.surfaces.is_empty() && model.contacts.is_empty() {
+            true => vec![Border::default(); model.bodies.len()],
+            false => model.bodies.iter().map(Border::of_body).collect(),
+        };
         let mut all = vec![];
         for surface in model.surfaces.iter().enumerate() {
             for body in model.bodies.iter().enumerate() {
-                let met = features[body.0].iter().filter(|(feature, _)| surface.1.meets_at(body.1, feature));
-                all.extend(met.map(|(feature, centre)| Pair::new(surface, body, (feature, centre))));
+                all.extend(of_surface(surface, body, &borders[body.0]));
             }
         }
         let contacts = model.contacts.iter().enumerate();
-        all.extend(contacts.flat_map(|(index, contact)| contact.pairs(index, model, &features)));
+        all.extend(contacts.flat_map(|(index, contact)| contact.pairs(index, model, &borders)));
         let terms = all.iter().map(Pair::terms).collect();
         let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
         let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
@@ -69,11 +68,31 @@ impl Pairs {
     }
 }
 
-/// The points by which a body may touch, with where they are.
-fn placed(body: &Body) -> Vec<(Feature, PointRef)> {
-    let features = body.features();
-    let places = body.points_at(features.iter().map(|feature| &feature.centre));
-    features.into_iter().zip(places).collect()
+/// All pairs of a body and a surface: planes and bowls are met by circles, others by edges too.
+fn of_surface(
+    (index, surface): (usize, &Surface),
+    (body_index, body): (usize, &Body),
+    border: &Border,
+) -> Vec<Pair> {
+    let own = surface.met_of(body, border);
+    let between = || Between {
+        name: format!("{}.{}", surface.name, body.name),
+        rule: Rule::Surface(index),
+        body: body_index,
+        other: None,
+        law: surface.law.of_body(body.restitution.as_ref()),
+        friction: surface.friction.clone(),
+    };
+    match (&surface.polygon, &surface.circle) {
+        (Some(corners), _) => between().pairs(&own, &Border::of_polygon(corners)),
+        (None, Some(circle)) if !circle.inside => {
+            between().pairs(&own, &circle_of_world(&surface.through, &circle.radius))
+        }
+        _ => {
+            let pair = |rim: &Rim| Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?)));
+            own.rims.iter().filter_map(pair).collect()
+        }
+    }
 }
 
 impl Equations {
@@ -104,7 +123,12 @@ impl Equations {
                 ContactMode::Idle => vec![],
             }
         };
-        let contacts = mode.contacts.iter().flat_map(watched);
+        let limits = |(pair, _): &(usize, ContactMode)| {
+            let pair = *pair;
+            let limits = 0..self.pairs()[pair].leaving().len();
+            limits.map(move |limit| (pair, Watched::Limit(limit), Direction::Falling)).collect::<Vec<_>>()
+        };
+        let contacts = mode.contacts.iter().flat_map(watched).chain(mode.contacts.iter().flat_map(limits));
         contacts.chain(self.watched_grips(mode)).collect()
     }
 

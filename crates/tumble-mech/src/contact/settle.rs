@@ -45,6 +45,8 @@ pub(crate) struct Touched {
     pub(crate) broken: BTreeSet<(usize, Way)>,
     /// Pairs at which friction takes all that a push would move.
     pub(crate) wedged: BTreeSet<usize>,
+    /// Pairs that have just left where they may touch.
+    pub(crate) left: BTreeSet<usize>,
 }
 
 impl Touched {
@@ -55,6 +57,7 @@ impl Touched {
             Watched::Slip => _ = self.stopped.insert(pair),
             Watched::Cone(way) => _ = self.broken.insert((pair, way)),
             Watched::Wedge => _ = self.wedged.insert(pair),
+            Watched::Limit(_) => _ = self.left.insert(pair),
             Watched::Gap | Watched::Force => _ = self.closed.insert(pair),
         }
     }
@@ -96,12 +99,24 @@ impl Equations {
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<Sizes, Reason> {
+        self.leave(&touched.left, jump);
         let mut settling = Settling::new(self, island, touched, now, jump)?;
         settling.impact(jump)?;
         let zeno = settling.zeno();
         let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;
         settling.arrange(lasting, zeno, jump);
         Ok(settling.found())
+    }
+}
+
+impl Equations {
+    /// Ends contacts that leave where there may be one; others take their places.
+    fn leave(&self, left: &BTreeSet<usize>, jump: &mut Jump<Mode>) {
+        for &pair in left {
+            jump.mode.set_contact_mode(pair, None);
+            jump.mode.set_grip(pair, None);
+            jump.record.happened.push(Happening::Contact { pair, change: Change::End });
+        }
     }
 }
 
@@ -120,7 +135,7 @@ impl<'a> Settling<'a> {
             // What touches and does not part has a part too: else rounding would say whether it closes next.
             let stays = touch.rate[*position] <= STANDS * touch.speed[*position];
             let touches = touch.gap[*position] <= touch.blur[*position] && stays;
-            let is_there = touches && equations.pairs()[pair].is_rigid();
+            let is_there = touches && equations.pairs()[pair].is_rigid() && !touched.left.contains(&pair);
             touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || is_there
         };
         let part: Vec<usize> = (0..touch.pairs.len()).filter(takes_part).collect();
@@ -250,7 +265,7 @@ impl<'a> Settling<'a> {
             .filter(|(_, contact_mode)| contact_mode.is_held())
             .map(|(position, _)| *position)
             .collect();
-        let stop = standing(&self.touch.response, &self.touch.rate, &held);
+        let stop = standing(&self.touch.response, &self.rates(), &held);
         self.apply(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
         Ok(Lasting { modes: found, rubbing: None })
     }

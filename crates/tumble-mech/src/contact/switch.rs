@@ -55,6 +55,17 @@ impl Equations {
             return Ok(Sizes::default());
         }
         let causes = Causes::of(self, at);
+        if std::env::var("DBG").is_ok() {
+            let seen: Vec<_> =
+                causes.seen.iter().map(|(p, w, l)| (self.pairs()[*p].name.clone(), *w, *l)).collect();
+            eprintln!(
+                "t {:e} {:?} mode {:?} grips {:?}",
+                at.time,
+                seen,
+                at.mode.contacts.iter().map(|(p, m)| (self.pairs()[*p].name.clone(), *m)).collect::<Vec<_>>(),
+                at.mode.grips.iter().map(|(p, m)| (self.pairs()[*p].name.clone(), *m)).collect::<Vec<_>>()
+            );
+        }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         if causes.wakes {
             self.wake(jump);

@@ -3,6 +3,7 @@
 //! With M the masses, J the gradients of the gaps' rates and B those of the joints' rows, impulses P at the pairs change velocities by
 //! `M^-1 (J^T P + B^T Q)`, with `Q = -(B M^-1 B^T)^-1 B M^-1 J^T P` so that the joints hold.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
@@ -35,6 +36,11 @@ const LEFT: f64 = 1e-3;
 
 /// Impulses whose sum is this part of their sizes balance each other.
 const BALANCES: f64 = 64.0 * f64::EPSILON;
+/// Pairs whose gap is larger than this part of the extent of a body have no part in what happens at an instant: what is too short to be
+/// followed does not go as far.
+const NEAR: f64 = 1e-2;
+/// What is beyond an edge by more than this part of the extent of a body is not in touch with it, but behind it.
+const BEHIND: f64 = 1e-9;
 /// Gaps of one body that are zero within so many times their rounding error close at one instant.
 const ONE_INSTANT: f64 = 16.0;
 
@@ -44,7 +50,7 @@ pub(crate) struct Touch {
     pub(crate) size: f64,
     /// Index of each among all pairs.
     pub(crate) pairs: Vec<usize>,
-    /// m
+    /// m; infinite where they cannot touch.
     pub(crate) gap: DVector<f64>,
     /// Gaps below this are zero but for rounding, m.
     pub(crate) blur: DVector<f64>,
@@ -90,6 +96,15 @@ impl Touch {
         }
     }
 
+    /// What is behind an edge does not touch it.
+    fn pass_over(&mut self, has_edge: impl Fn(usize) -> bool) {
+        for (position, pair) in self.pairs.iter().enumerate() {
+            if self.gap[position] < -BEHIND * self.size && has_edge(*pair) {
+                self.gap[position] = f64::INFINITY;
+            }
+        }
+    }
+
     /// Takes rounding out of what joints keep where it is: no push moves it. `free` is the response without joints.
     fn clear(&mut self, free: &DMatrix<f64>) {
         let zero = BALANCED * self.strength;
@@ -115,7 +130,7 @@ impl Touch {
 }
 
 impl Equations {
-    /// The numbers of the pairs among the bodies of an island.
+    /// The numbers of the pairs among the bodies of an island that touch or nearly do.
     pub(crate) fn touch(
         &self,
         island: &[usize],
@@ -123,11 +138,13 @@ impl Equations {
         states: &[f64],
         now: Now<'_>,
     ) -> Result<Touch, Reason> {
-        let pairs = self.pair_list().among(island);
+        let all = self.pair_list().among(island);
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
-        let tape = self.island_tape(island, mode, &pairs)?;
+        let tape = self.island_tape(island, mode, &all)?;
         let jets = to_first_order(&tape, states, now);
+        let (pairs, tape) =
+            self.near(mode, &all, &Numbers { tape: &tape, jets: &jets, dofs: velocities.len() });
         let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
         let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
         let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
@@ -146,9 +163,10 @@ impl Equations {
         };
         let (rate, free) = (read.column(&Measured::rate), read.column(&Measured::end));
         let accelerations = stacked_column(&free, &slips.free).abs();
+        let limits = pairs.iter().map(|pair| self.pairs()[*pair].limits.len());
         let mut touch = Touch {
             size: read.size(),
-            gap: read.gaps(),
+            gap: read.gaps(limits),
             blur: blur(&tape, (states, now)),
             speed: speeds(0, &rate),
             rate,
@@ -162,8 +180,30 @@ impl Equations {
             velocities,
             joints,
         };
+        touch.pass_over(|pair| self.pairs()[pair].has_edge());
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
         if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(island)) }
+    }
+
+    /// Those of some pairs that matter at an instant, with where their numbers stand: of many bodies most are far from each other.
+    fn near(&self, mode: &Mode, all: &[usize], read: &Numbers<'_>) -> (Vec<usize>, InstantTape) {
+        let limits = all.iter().map(|pair| self.pairs()[*pair].limits.len());
+        let (gaps, most) = (read.gaps(limits), NEAR * read.size());
+        let is_near = |position: &usize| {
+            let (pair, gap) = (all[*position], gaps[*position]);
+            let may_touch = most == 0.0 || (gap <= most && !(gap < -most && self.pairs()[pair].has_edge()));
+            may_touch || gap.is_nan() || mode.contact_mode(pair).is_some()
+        };
+        let near: Vec<usize> = (0..all.len()).filter(is_near).collect();
+        let tape = read.tape;
+        let places: HashMap<usize, usize> = near.iter().copied().zip(0..).collect();
+        let slips =
+            tape.slips.iter().filter_map(|(position, slip)| Some((*places.get(position)?, slip.clone())));
+        let slips = slips.collect();
+        let pairs = near.iter().map(|position| tape.pairs[*position].clone()).collect();
+        let near = near.into_iter().map(|position| all[position]).collect();
+        let (rows, bodies) = (tape.rows.clone(), tape.bodies);
+        (near, InstantTape { tape: Arc::clone(&tape.tape), pairs, slips, rows, bodies })
     }
 
     /// Pairs of bodies that touch or nearly do, whether or not they last.
@@ -230,10 +270,12 @@ impl Numbers<'_> {
         DVector::from_iterator(self.tape.pairs.len(), values)
     }
 
-    fn gaps(&self) -> DVector<f64> {
-        let gaps = self.tape.pairs.iter().map(|pair| {
+    /// `limits` is how many each of them has.
+    fn gaps(&self, limits: impl Iterator<Item = usize>) -> DVector<f64> {
+        let gaps = self.tape.pairs.iter().zip(limits).map(|(pair, limits)| {
             let series = self.jets.output(pair.position);
-            series[0] + series[1]
+            let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 2 + limit));
+            if limits.all(|limit| limit >= 0.0) { series[0] + series[1] } else { f64::INFINITY }
         });
         DVector::from_iterator(self.tape.pairs.len(), gaps)
     }

@@ -115,6 +115,7 @@ impl<A: Algebra> Linking<'_, A> {
                 self.formula(&left)
             }
             Watched::Wedge => self.wedge(index),
+            Watched::Limit(limit) => self.part(Part::Leaving(index)).swap_remove(limit),
         };
         let at_zero = match watched {
             // A surface does not pull, not for a moment.
@@ -123,6 +124,7 @@ impl<A: Algebra> Linking<'_, A> {
             }
             Watched::Gap | Watched::Force | Watched::Slip => AtZero::Begins,
             Watched::Wedge => AtZero::Ends,
+            Watched::Limit(_) => AtZero::EndsBeyond { group: Measure::Length as usize },
         };
         Guard { name: pair.guard_name(watched), formula, direction, at_zero }
     }
@@ -156,13 +158,19 @@ impl<A: Algebra> Linking<'_, A> {
             let slopes = self.part(Part::Slopes(index));
             let coordinates = pair.bodies().flat_map(|body| equations.coordinate_states(mode, body));
             let by_state = coordinates.zip(slopes.iter().cloned());
+            let reach = pair.slopes_reach().filter(|_| !slopes.is_empty());
+            let reach = reach.map(|reach| self.formula(reach));
             guards.push(LazyGuard {
                 name: pair.guard_name(Watched::Gap),
                 of: equations.watched_gap(index, &mode.changes),
                 direction: Direction::Falling,
-                at_zero: AtZero::Ends,
+                at_zero: match pair.has_edge() || !pair.limits.is_empty() {
+                    true => AtZero::EndsBeyond { group: Measure::Length as usize },
+                    false => AtZero::Ends,
+                },
                 group: Measure::Length as usize,
                 slopes: (!slopes.is_empty()).then(|| by_state.collect()),
+                reach,
             });
         }
         guards

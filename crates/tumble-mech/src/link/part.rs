@@ -36,6 +36,10 @@ pub(crate) enum Part {
     Pressed(usize),
     /// The gap of a pair.
     Gap(usize),
+    /// How far it is from leaving where there may be a contact, by each of its limits.
+    Leaving(usize),
+    /// The same with the tolerance of what touches, by limits of any kind.
+    Holding(usize),
     /// The rate at which it slips.
     Slip(usize),
     /// How fast it can change with each coordinate; nothing where there is no bound.
@@ -190,14 +194,20 @@ impl Equations {
             let of = &self.pairs()[pair];
             let mut changed = Substitution::default();
             self.changes_by(changes).for_each(|(symbol, formula)| changed.insert(symbol, formula));
-            let gap = changed.apply(&self.in_coordinates(&of.watched()));
+            let formulas = std::iter::once(of.watched()).chain(of.conditions());
+            let formulas = formulas.map(|formula| changed.apply(&self.in_coordinates(&formula))).collect();
             let states = of.bodies().flat_map(|body| {
                 let body = self.body_equations(body);
                 body.coordinates.states(&body.kinematics)
             });
             let states: Vec<Symbol> = states.map(|state| state.symbol).collect();
             let inputs = self.model().parameters.symbols();
-            Ok::<_, std::convert::Infallible>(Watched::new(gap, &states, &time_symbol(), &inputs))
+            Ok::<_, std::convert::Infallible>(Watched::where_positive(
+                formulas,
+                &states,
+                &time_symbol(),
+                &inputs,
+            ))
         };
         let found = self.library().watched.get(&(pair, changes.to_vec()), build);
         let found = found.unwrap_or_else(|never| match never {});
@@ -248,6 +258,8 @@ impl Equations {
                 vec![compliant::normal_force(&self.pairs()[pair]).unwrap_or_else(Expr::zero)]
             }
             Part::Gap(pair) => vec![self.pairs()[pair].gap()],
+            Part::Leaving(pair) => self.pairs()[pair].leaving(),
+            Part::Holding(pair) => self.pairs()[pair].within(),
             Part::Slip(pair) => vec![self.pairs()[pair].slip_rate()],
             Part::Slopes(pair) => self.gap_slopes(pair).unwrap_or_default(),
             Part::Lightness(body) => vec![1 / &self.mass_properties(body).mass],

@@ -3,6 +3,7 @@
 use smallvec::{SmallVec, smallvec};
 use tumble_expr::{Branches, Row};
 
+use super::beyond::Passing;
 use super::{BranchSigns, Engine, SIMULTANEOUS_PART, ahead};
 use crate::Cause;
 use crate::compiled::Limit;
@@ -106,6 +107,11 @@ impl Engine {
         for (guard, series) in expansion.guards.iter().enumerate() {
             let (direction, zeros) =
                 (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
+            if let Limit::IfBeyond(group) = self.system.guard_limits[guard] {
+                let passing = Passing { series, conditions: &[], direction, zeros, length };
+                hits.extend(passing.first(scales.of(group)).map(|at| (at, Hit::Guard(guard))));
+                continue;
+            }
             if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
@@ -123,10 +129,15 @@ impl Engine {
             let found = crossings(series, zeros).filter(|(at, to)| *at > now && direction.allows(*to));
             hits.extend(found.take(1).map(|(at, _)| (at, Hit::Guard(guard))));
         }
-        for (lazy_guard, series) in &expansion.near {
-            let guard = self.system.guards + lazy_guard;
+        for near in &expansion.near {
+            let (guard, series) = (self.system.guards + near.index, &near.series);
             let direction = self.system.guard_directions[guard];
             let zeros = self.branch_signs.zero_guards[guard];
+            if let Limit::IfBeyond(group) = self.system.guard_limits[guard] {
+                let passing = Passing { series, conditions: &near.conditions, direction, zeros, length };
+                hits.extend(passing.first(scales.of(group)).map(|at| (at, Hit::Guard(guard))));
+                continue;
+            }
             if self.is_limit(guard, series, (expansion, length), scales) {
                 hits.push((0.0, Hit::Guard(guard)));
                 continue;
@@ -219,7 +230,7 @@ impl Engine {
     ) -> bool {
         let (direction, zeros) = (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
         match self.system.guard_limits[guard] {
-            Limit::None => false,
+            Limit::None | Limit::IfBeyond(_) => false,
             Limit::Always => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
                 let is_beyond = zeros == 0 && direction.allows(series[0]);

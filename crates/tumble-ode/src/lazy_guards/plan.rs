@@ -1,6 +1,6 @@
 //! What is known of lazily evaluated guards by their formulas.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
 
 use tumble_expr::{CompileError, Expr, Layout, Rounding, Symbol, Tape};
@@ -11,7 +11,8 @@ use crate::hybrid::Direction;
 /// A function with the states and inputs that it depends on, compiled when it is first asked for. Flows may share it.
 #[derive(Debug)]
 pub struct Watched {
-    formula: Expr,
+    /// The function, then what must not be negative for its zeros to count.
+    formulas: Vec<Expr>,
     /// Numbers to the nearest.
     layout: Layout,
     tape: OnceLock<Arc<Tape>>,
@@ -20,23 +21,38 @@ pub struct Watched {
 impl Watched {
     /// A function of these states, the time and these inputs, or some of them.
     pub fn new(formula: Expr, states: &[Symbol], time: &Symbol, inputs: &[Symbol]) -> Arc<Self> {
-        let used = formula.symbols();
+        Self::where_positive(vec![formula], states, time, inputs)
+    }
+
+    /// A function, and others that must not be negative for its zeros to count.
+    pub fn where_positive(
+        formulas: Vec<Expr>,
+        states: &[Symbol],
+        time: &Symbol,
+        inputs: &[Symbol],
+    ) -> Arc<Self> {
+        let used: HashSet<Symbol> = formulas.iter().flat_map(Expr::symbols).collect();
         let own =
             |symbols: &[Symbol]| symbols.iter().filter(|symbol| used.contains(*symbol)).cloned().collect();
         let layout = Layout::new(own(states), time.clone(), own(inputs));
-        Arc::new(Self { formula, layout, tape: OnceLock::new() })
+        Arc::new(Self { formulas, layout, tape: OnceLock::new() })
     }
 
     /// The function.
     pub fn formula(&self) -> &Expr {
-        &self.formula
+        &self.formulas[0]
+    }
+
+    /// How many conditions its zeros have.
+    pub(super) fn conditions(&self) -> usize {
+        self.formulas.len() - 1
     }
 
     fn tape(&self) -> Result<Arc<Tape>, CompileError> {
         if let Some(known) = self.tape.get() {
             return Ok(Arc::clone(known));
         }
-        let tape = Arc::new(Tape::compile(&self.layout, std::slice::from_ref(&self.formula))?);
+        let tape = Arc::new(Tape::compile(&self.layout, &self.formulas)?);
         Ok(Arc::clone(self.tape.get_or_init(|| tape)))
     }
 }
@@ -44,12 +60,14 @@ impl Watched {
 /// What is known of a lazily evaluated guard by its formula.
 #[derive(Debug)]
 pub(crate) struct WatchPlan {
-    of: Arc<Watched>,
+    pub(super) of: Arc<Watched>,
     /// Index of each of its states and inputs among all.
     pub(super) states: Vec<usize>,
     pub(super) inputs: Vec<usize>,
     /// The states that it has a bound for its change by.
     pub(super) slopes: Option<Vec<usize>>,
+    /// Whether that holds up to a certain size only.
+    pub(super) has_reach: bool,
     pub(super) group: usize,
     pub(super) direction: Direction,
 }
@@ -71,6 +89,7 @@ impl WatchPlan {
                 states: found(&states, &own.states)?,
                 inputs: found(&inputs, &own.inputs)?,
                 slopes: slopes.map(|slopes| slopes.iter().map(|(state, _)| *state).collect()),
+                has_reach: lazy_guard.reach.is_some(),
                 group: lazy_guard.group,
                 direction: lazy_guard.direction,
             })

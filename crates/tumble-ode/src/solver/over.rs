@@ -214,7 +214,10 @@ impl Expansion {
             turn.square = shifted(&turn.square, by).into_vec();
             turn.components.iter_mut().for_each(|series| series.copy_from_slice(&shifted(series, by)));
         }
-        self.near.iter_mut().for_each(|(_, series)| *series = shifted(series, by));
+        for near in &mut self.near {
+            let all = std::iter::once(&mut near.series).chain(&mut near.conditions);
+            all.for_each(|series| *series = shifted(series, by));
+        }
         debug_assert!(self.states.iter().all(|series| value(series, 0.0).is_finite()));
         self
     }

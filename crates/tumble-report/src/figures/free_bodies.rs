@@ -237,16 +237,20 @@ impl Drawing<'_> {
         let name = self.run.equations.source_name(impulse.source);
         let place = symbols::contact(self.study, symbols::rubbed(name));
         let along = if matches!(impulse.source, Source::Friction(_)) { "_f" } else { "" };
-        (kind, format!("J_{place}{along}"))
+        (kind, symbols::impulse(&format!("{place}{along}")))
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
-        let of_model = self.study.model.surfaces.iter().filter(|surface| surface.circle.is_none());
-        let met = all.into_iter().zip(of_model).filter(|(_, surface)| surface.meets(body));
+        let planes = all.into_iter().filter(|surface| surface.reach.is_none() && surface.round.is_none());
+        let is_plane =
+            |surface: &&tumble_mech::Surface| surface.circle.is_none() && surface.polygon.is_none();
+        let met = planes
+            .zip(self.study.model.surfaces.iter().filter(is_plane))
+            .filter(|(_, surface)| surface.meets(body));
         let mut found: Vec<Surface> = vec![];
-        for Surface { point: [px, py], normal: [nx, ny], name } in met.map(|(drawn, _)| drawn) {
+        for Surface { point: [px, py], normal: [nx, ny], name, .. } in met.map(|(drawn, _)| drawn) {
             let distance = nx * (pose.x - px) + ny * (pose.y - py);
             // The point of the surface that is nearest to the body.
             let foot = [pose.x - distance * nx, pose.y - distance * ny];
@@ -254,24 +258,31 @@ impl Drawing<'_> {
                 found.push(Surface::new(foot, [nx, ny], name));
             }
         }
-        found.extend(self.circles(body, reach, time)?);
+        found.extend(self.tangents(body, reach, time)?);
         Ok(found)
     }
 
-    /// Circles that the body nearly touches, as their tangents there.
-    fn circles(&self, body: &Body, reach: f64, time: f64) -> Result<Vec<Surface>, CaseError> {
+    /// Circles and polygons that the body nearly touches, as their tangents there.
+    fn tangents(&self, body: &Body, reach: f64, time: f64) -> Result<Vec<Surface>, CaseError> {
         let model = &self.study.model;
         let mut found: Vec<Surface> = vec![];
         for pair in self.run.equations.pairs() {
             let Rule::Surface(surface) = pair.rule else { continue };
             let surface = &model.surfaces[surface];
-            if surface.circle.is_none() || model.bodies[pair.body].name != body.name {
+            let is_plane = surface.circle.is_none() && surface.polygon.is_none();
+            if is_plane || model.bodies[pair.body].name != body.name {
                 continue;
             }
-            let formulas = [pair.point().components(), pair.normal.components(), &[pair.gap()]].concat();
+            let formulas =
+                [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
-            if at[4].abs() <= NEAR * reach.max(f64::MIN_POSITIVE) {
-                found.push(Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name)));
+            let tangent = Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
+            let is_met = at[4].abs() <= NEAR * reach.max(f64::MIN_POSITIVE)
+                && at[5..].iter().all(|limit| *limit >= 0.0);
+            // Two corners on one edge have one tangent.
+            let is_new = |known: &Surface| known.name != tangent.name || known.normal != tangent.normal;
+            if is_met && found.iter().all(is_new) {
+                found.push(tangent);
             }
         }
         Ok(found)

@@ -8,7 +8,7 @@ pub(crate) mod free_bodies;
 pub(crate) mod instants;
 pub(crate) mod symbols;
 
-use tumble_drawing::free_body::Surface;
+use tumble_drawing::free_body::{Round, Surface};
 use tumble_drawing::{
     Axis, BodyPath, CurveFigure, Label, Mark, Outline, Pose, Series, StroboscopicPicture, Svg,
 };
@@ -298,13 +298,27 @@ pub(crate) fn poses(
     Ok(times.filter_map(pose).collect())
 }
 
-/// The planes that bodies meet, where they are at a time, s.
+/// What bodies meet, where it is at a time, s: planes, and the edges of polygons and circles.
 pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surface>, CaseError> {
     let mut found = vec![];
-    for surface in study.model.surfaces.iter().filter(|surface| surface.circle.is_none()) {
+    for surface in &study.model.surfaces {
+        let radius = surface.circle.iter().map(|circle| circle.radius.clone());
+        let corners = surface.polygon.iter().flatten().flat_map(|corner| corner.components().to_vec());
         let formulas = [surface.through.components(), surface.normal.components()].concat();
+        let formulas: Vec<Expr> = formulas.into_iter().chain(radius).chain(corners).collect();
         let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
-        found.push(Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name)));
+        let (point, name) = ([at[0], at[1]], Label::plain(&surface.name));
+        match (&surface.circle, &surface.polygon) {
+            (Some(circle), _) => {
+                found.push(Surface::round(point, Round { radius: at[4], hollow: circle.inside }, name));
+            }
+            (None, Some(_)) => {
+                let corners: Vec<[f64; 2]> =
+                    at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
+                found.extend(Surface::around(&corners, name));
+            }
+            (None, None) => found.push(Surface::new(point, [at[2], at[3]], name)),
+        }
     }
     Ok(found)
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use tumble_drawing::Label;
-use tumble_expr::Symbol;
-use tumble_mech::{Gravity, Law};
+use tumble_expr::{Node, Symbol, Unary, is_identically_zero};
+use tumble_mech::{Application, Frame, Gravity, Law};
 use tumble_scene::Study;
 
 /// Quantities by the end of their names, with the usual letter and in words.
@@ -95,6 +95,15 @@ pub(crate) fn words(study: &Study, text: &str) -> Option<String> {
     Some(if is_one_of_many { format!("{noun} of {}", the(owner)) } else { noun.to_owned() })
 }
 
+/// What a quantity is called in a sentence: words and symbol where it has them, `angle θ`.
+pub(crate) fn called(study: &Study, symbols: &BTreeMap<String, String>, text: &str) -> Label {
+    let label = label(symbols, text);
+    match words(study, text) {
+        Some(words) => Label::plain(&format!("{words} ")).then(label),
+        None => label,
+    }
+}
+
 /// The same without the body.
 pub(crate) fn noun(study: &Study, text: &str) -> Option<&'static str> {
     let (owner, quantity) = without_unit(text).rsplit_once('.')?;
@@ -122,6 +131,9 @@ pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
     if let Some(own) = study.symbols.get(load) {
         return own.clone();
     }
+    if let Some(named) = named(study, load) {
+        return study.symbols.get(&named).cloned().unwrap_or(named);
+    }
     let last = last(load);
     match law {
         Law::Weight => "W".to_owned(),
@@ -131,6 +143,29 @@ pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
         _ if law.is_couple() => format!("tau_{last}"),
         _ => format!("F_{last}"),
     }
+}
+
+/// The parameter that an applied force or torque is, along an axis: the `F` of `(F, 0)`, which is its symbol then. None where others
+/// are that parameter too.
+pub(crate) fn named(study: &Study, load: &str) -> Option<String> {
+    let own = only_symbol(&study.model.loads.iter().find(|known| known.name == load)?.application)?;
+    let parameters = study.model.parameters.symbols();
+    let shared =
+        study.model.loads.iter().filter(|other| only_symbol(&other.application).as_ref() == Some(&own));
+    (parameters.contains(&own) && shared.count() == 1).then(|| own.name.to_string())
+}
+
+/// The symbol that an application is, or the opposite of.
+fn only_symbol(application: &Application) -> Option<Symbol> {
+    let components = match application {
+        Application::Torque(torque) => std::slice::from_ref(torque),
+        Application::Force { frame: Frame::Body, .. } => return None,
+        Application::Force { force, .. } => force.components(),
+    };
+    let mut parts = components.iter().filter(|part| !is_identically_zero(part));
+    let part = parts.next().filter(|_| parts.next().is_none())?;
+    let part = if let Node::Unary(Unary::Neg, of) = part.node() { of } else { part };
+    if let Node::Symbol(symbol) = part.node() { Some(symbol.clone()) } else { None }
 }
 
 /// The contact that friction of this name is of.
@@ -160,6 +195,11 @@ pub(crate) fn below(symbol: &str, letter: &str) -> String {
 pub(crate) fn torque(force: &str) -> String {
     let below = force.strip_prefix("F_").or_else(|| force.strip_prefix("R_")).unwrap_or(force);
     format!("tau_{}", below.replace('_', ","))
+}
+
+/// An impulse at a place, or by its name: `J_tip`.
+pub(crate) fn impulse(place: &str) -> String {
+    format!("J_{place}")
 }
 
 /// The arm of a force: `r_air` of `F_air`, `r_tip` of the contact's `N_tip`.
@@ -210,7 +250,7 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
             symbols.insert(symbol.name.to_string(), below(&force, letter));
         }
         if let Some(couple) = multipliers.get(2) {
-            symbols.insert(couple.name.to_string(), format!("tau_{}", last(&joint)));
+            symbols.insert(couple.name.to_string(), format!("C_{}", last(&joint)));
         }
         for (seat, letter) in [("seat_x", "x"), ("seat_y", "y")] {
             symbols.insert(format!("{joint}.{seat}"), format!("{letter}_{}", last(&joint)));

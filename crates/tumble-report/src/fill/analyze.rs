@@ -8,8 +8,8 @@ use tumble_ode::Side;
 use tumble_scene::{Instant, Study};
 
 use super::names::{Names, quantity};
-use super::{animation, balance, findings, sweep};
-use crate::figures;
+use super::{alike, animation, balance, findings, sweep};
+use crate::figures::{self, symbols};
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::CheckResult;
@@ -31,10 +31,17 @@ pub(super) fn of(study: &Study, names: &Names, runs: Runs<'_>) -> Result<Analyze
         plots,
         pictures,
         comparison: comparison(study, names, runs.cases, &told)?,
-        cases: told.iter().map(|case| one(case)).collect::<Result<_, _>>()?,
+        cases: cases(&told)?,
         checks: vec![],
         findings: findings::of(study, runs, &told)?,
     })
+}
+
+/// What belongs to single runs; what a balance is, the first says.
+fn cases(told: &[&Case]) -> Result<Vec<RunAnalysis>, CaseError> {
+    let mut cases: Vec<RunAnalysis> = told.iter().map(|case| one(case)).collect::<Result<_, _>>()?;
+    cases.iter_mut().skip(1).flat_map(|case| &mut case.balance).for_each(|balance| balance.intro.clear());
+    Ok(cases)
 }
 
 fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, CaseError> {
@@ -57,9 +64,18 @@ fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, Ca
 fn pictures(study: &Study, told: &[&Case]) -> Result<Vec<Picture>, CaseError> {
     let picture = |asked: &tumble_scene::Stroboscope| {
         let svg = figures::picture(study, told, asked)?.svg();
-        Ok(Picture::new(svg, Text::default()).stored(format!("{}.svg", asked.name)))
+        Ok(Picture::new(svg, at_equal_times(study, asked)?).stored(format!("{}.svg", asked.name)))
     };
     study.stroboscopes.iter().map(picture).collect()
+}
+
+/// What a stroboscopic picture shows.
+fn at_equal_times(study: &Study, asked: &tumble_scene::Stroboscope) -> Result<Text, CaseError> {
+    let names: Vec<String> =
+        asked.bodies.iter().map(|body| symbols::the(&study.model.bodies[*body].name)).collect();
+    let every = quantity(study.number(&asked.every)?, "s");
+    let dotted = if asked.trace { "; dotted: the path of the centre of mass" } else { "" };
+    Ok(Text::from(alike::listed(&names)).capitalised().and(" every ").and(every).and(dotted).and("."))
 }
 
 /// The runs of a sweep side by side.

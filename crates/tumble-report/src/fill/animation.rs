@@ -15,6 +15,7 @@ use tumble_ode::{Event, Side};
 use tumble_scene::Study;
 
 use super::names::Names;
+use super::words;
 use crate::figures::free_bodies::kind;
 use crate::figures::symbols;
 use crate::figures::{case_label, outlines, poses, surfaces};
@@ -54,7 +55,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
         forces: forces(study, run, &times, &bodies)?,
         surfaces: surfaces(study, run, 0.0)?,
         points: points(study, run)?,
-        events: marks(run),
+        events: marks(study, run),
         links: links(study, run, &times)?,
         bodies,
         times,
@@ -99,13 +100,13 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
     Ok(found)
 }
 
-fn marks(run: &Run) -> Vec<Mark> {
+fn marks(study: &Study, run: &Run) -> Vec<Mark> {
     let events: Vec<_> = run.events().collect();
     if events.len() > MOST_MARKS {
         return vec![];
     }
-    let names = |event: &Event<Record>| run.equations.names_of(&event.record).join(", ");
-    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&names(event)) }).collect()
+    let what = |event: &Event<Record>| words::event(study, &run.equations, &event.record);
+    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect()
 }
 
 /// Springs and dampers with the places of their ends.

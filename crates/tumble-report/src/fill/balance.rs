@@ -44,7 +44,7 @@ fn balances(balance: &CaseBalance) -> Table {
         std::iter::once(name).chain(values).chain([quantity(of.residual, "")]).collect()
     };
     let [x, y] = &balance.total.momentum;
-    Table::new("Energy and momentum balance", columns)
+    Table::new("", columns)
         .row(row("Energy", "J", &balance.energy))
         .row(row("Momentum, x", "N*s", x))
         .row(row("Momentum, y", "N*s", y))
@@ -73,7 +73,10 @@ fn contributions(balance: &CaseBalance) -> Table {
             seen(contribution.impulse[1], y),
             seen(contribution.angular_impulse, angular),
         ];
-        table.rows.push(std::iter::once(Text::from(name.as_str())).chain(cells).collect());
+        // What has done nothing is not told, such as a floor that does not move.
+        if cells.iter().any(|cell| cell.to_plain() != "0") {
+            table.rows.push(std::iter::once(Text::from(name.as_str())).chain(cells).collect());
+        }
     }
     if balance.contributions.iter().any(|(_, contribution)| !contribution.counts()) {
         table.notes.push("Work marked (potential) is already in the potential energy.".into());

@@ -1,9 +1,11 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
+use std::collections::HashSet;
+
 use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
-use tumble_expr::{Expr, Substitution, Symbol, Vector, Written, is_identically_zero};
-use tumble_mech::{Anchor, ContactMode, Grip, Joint, Mode, Pivot, Term, rotated};
+use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
+use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
 use tumble_notation::{Left, Mark, Math as Formula, Notation, Shown};
 use tumble_scene::Study;
 
@@ -11,6 +13,7 @@ use super::alike::Kind;
 use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, math};
 use super::reduced::{self, Reduced, Solved};
+use super::words;
 use crate::results::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -20,7 +23,7 @@ const MOST_MODES: usize = 6;
 
 /// The equations of motion in each mode that the motion went through.
 pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
-    let modes = &case.run.trajectory().modes;
+    let modes = lasting(case);
     let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
         let mut motions = motions(study, names, case, mode);
@@ -31,12 +34,24 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
             |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
         let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
         ModeEquations {
-            name: if modes.len() > 1 { mode_name(study, case, mode).into() } else { Text::default() },
+            name: match modes.len() {
+                1 => Text::default(),
+                _ => Text::from(words::mode(study, &case.run.equations, mode)).capitalised(),
+            },
             holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
             equations: blocks,
         }
     });
     shown.collect()
+}
+
+/// The modes in which the motion has stayed: at the instant of the start there may be another one.
+fn lasting(case: &Case) -> Vec<&Mode> {
+    let trajectory = case.run.trajectory();
+    let lasts = |number: &usize| {
+        trajectory.pieces.iter().any(|piece| piece.mode == *number && piece.end > piece.start)
+    };
+    (0..trajectory.modes.len()).filter(lasts).map(|number| &trajectory.modes[number]).collect()
 }
 
 /// What is said of equations that Newton's laws state as shortly as can be.
@@ -65,7 +80,23 @@ fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion
     };
     let mut motions: Vec<Motion> = (0..study.model.bodies.len()).flat_map(of_body).collect();
     add_ties(&mut motions, names, case, mode);
+    name_alike(&mut motions, names);
     motions
+}
+
+/// An angular acceleration that others read is called the same where it is stated.
+fn name_alike(motions: &mut [Motion], names: &Names) {
+    let equations = motions.iter().filter(|motion| !motion.follows);
+    let rights = equations.flat_map(|motion| &motion.lines).map(|line| line.right.symbols());
+    let read: HashSet<Symbol> = rights.flatten().collect();
+    for line in motions.iter_mut().flat_map(|motion| &mut motion.lines) {
+        if let Node::Symbol(symbol) = line.is.node()
+            && line.left.factor.is_none()
+            && read.contains(symbol)
+        {
+            line.left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+        }
+    }
 }
 
 /// Says of friction that slides what it is, where it is first read of.
@@ -81,48 +112,6 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
     }
 }
 
-/// What touches and what acts: `floor.rod.tip pressed, kick acts`.
-pub(super) fn mode_name(study: &Study, case: &Case, mode: &Mode) -> String {
-    let equations = &case.run.equations;
-    let touching = mode.contacts.iter().map(|(pair, contact_mode)| {
-        let how = match contact_mode {
-            ContactMode::Pressed => "pressed",
-            ContactMode::Released => "released",
-            ContactMode::Resting => match mode.grip(*pair) {
-                Some(Grip::Sticks | Grip::Follows) => "sticks",
-                Some(Grip::Slides(_)) => "slides",
-                Some(Grip::Strains(_)) => "is on the point of sliding",
-                None => "in touch",
-            },
-            ContactMode::Settling => "settling",
-            ContactMode::Idle => "touching",
-        };
-        format!("{} {how}", equations.pairs()[*pair].name)
-    });
-    let windows = equations.windows().iter().zip(&mode.windows);
-    let acting = windows.map(|(window, acts)| match acts {
-        true => format!("{} acts", window.load),
-        false => format!("without {}", window.load),
-    });
-    let joints = study
-        .model
-        .joints
-        .iter()
-        .enumerate()
-        .filter(|(_, joint)| joint.from.is_some() || joint.until.is_some());
-    let joined = joints.map(|(index, joint)| match equations.holds(mode, index) {
-        true => format!("{} holds", joint.name),
-        false => format!("without {}", joint.name),
-    });
-    let changed = mode.changes.iter().map(|event| format!("after {}", study.model.events[*event].name));
-    let all: Vec<String> = touching.chain(joined).chain(acting).chain(changed).collect();
-    match (all.is_empty(), study.model.surfaces.is_empty()) {
-        (false, _) => all.join(", "),
-        (true, false) => "nothing touches".to_owned(),
-        (true, true) => "all the time".to_owned(),
-    }
-}
-
 fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
     let shown = motion.shown().filter(|_| motion.is_short())?;
     let body = &study.model.bodies[motion.body].name;
@@ -134,7 +123,18 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
     };
     let mut block = names.shown_block(title.into(), Ok(shown));
     block.definitions.extend(seats(study, names, motion));
+    block.definitions.extend(second_rate(study, names, motion));
     Some(block)
+}
+
+/// What `alpha` is where the equation of motion above says `theta''`.
+fn second_rate(study: &Study, names: &Names, motion: &Motion) -> Option<Definition> {
+    let alpha = study.model.bodies[motion.body].kinematics().alpha_symbol();
+    let is_read = motion.lines.iter().any(|line| line.right.symbols().contains(&alpha));
+    let is_told = motion.follows && is_read && study.model.bodies.len() == 1;
+    let symbol = Formula::symbol(names.shown(&alpha.name));
+    let equation = Formula::equation(symbol, second(names, study, motion.body).symbol);
+    is_told.then(|| Definition { symbol: math(&equation), meaning: Text::default() })
 }
 
 /// What the places in equations mean at which joints were made on the way.
@@ -174,7 +174,6 @@ struct Line {
     left: Left,
     right: Expr,
     /// What the symbol on the left side is; 0 of a condition. The tests hold the right side against it.
-    #[cfg_attr(not(test), expect(dead_code))]
     is: Expr,
 }
 
@@ -213,7 +212,7 @@ impl Motion {
             let of_pivots = of_pivots(study, case);
             // What two bodies share stands with the later one.
             let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
-            let conditions = own.map(|constraint| shortest(&notation, &of_pivots.apply(constraint)));
+            let conditions = own.map(|constraint| shortest(study, &notation, &of_pivots.apply(constraint)));
             lines.extend(conditions.map(|condition| Line::new(nothing(), condition, Expr::zero())));
         }
         let notations = with_parts(case, mode, names, body, notation);
@@ -227,9 +226,8 @@ impl Motion {
         let is_turning = |symbol: &Symbol| *symbol == study.model.bodies[body].kinematics().alpha_symbol();
         let line = |one: &Reduced| {
             let shown = Formula::symbol(names.shown(&one.symbol.name));
-            let left = match is_fixed(&one.inertia) {
-                true if is_turning(&one.symbol) => second(names, study, body),
-                true => Left::symbol(shown),
+            let left = match is_fixed(&one.inertia) && is_turning(&one.symbol) {
+                true => second(names, study, body),
                 false => Left::times(&one.inertia, shown),
             };
             Line::new(left, &one.right / &one.inertia, one.symbol.clone())
@@ -424,14 +422,30 @@ fn inertia_name(study: &Study, body: &str) -> String {
     if study.model.bodies.len() > 1 { format!("I_P,{body}") } else { "I_P".to_owned() }
 }
 
-/// A multiple of what is zero that is written with the fewest signs: without halves of lengths.
-fn shortest(notation: &Notation, condition: &Expr) -> Expr {
-    let written = |formula: &Expr| {
-        let shown = notation.clone().without_automatic_names().formula(formula);
-        shown.map_or(usize::MAX, |shown| shown.text().chars().count())
-    };
-    let multiples = [1, -1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * condition);
-    multiples.into_iter().min_by_key(written).unwrap_or_else(|| condition.clone())
+/// A multiple of what is zero that is written with the fewest signs: without halves, and without lengths that are in all of it.
+fn shortest(study: &Study, notation: &Notation, condition: &Expr) -> Expr {
+    let notation = notation.clone().without_automatic_names();
+    let written =
+        |formula: &Expr| notation.formula(formula).map_or(usize::MAX, |shown| shown.text().chars().count());
+    let sizes: Vec<Expr> = study
+        .model
+        .parameters
+        .symbols()
+        .into_iter()
+        .filter(|one| condition.symbols().contains(one) && one.dimension == tumble_expr::Dimension::LENGTH)
+        .map(Expr::from)
+        .collect();
+    let mut best = (written(condition), condition.clone());
+    let mut multiples: Vec<Expr> = [-1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * condition).to_vec();
+    loop {
+        let shorter =
+            multiples.into_iter().map(|formula| (written(&formula), formula)).min_by_key(|(signs, _)| *signs);
+        match shorter.filter(|(signs, _)| *signs < best.0) {
+            Some(shorter) => best = shorter,
+            None => return best.1,
+        }
+        multiples = sizes.iter().flat_map(|size| [&best.1 * size, &best.1 / size]).collect();
+    }
 }
 
 #[cfg(test)]
@@ -467,7 +481,7 @@ mod tests {
         let scenes = crate::scenes::all();
         let mut compared = 0;
         let ladder = motions_in("ladder", LADDER.as_bytes(), &tumble_scene::NoFiles);
-        for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder]) {
+        for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder, crate::scenes::laws()]) {
             let case = &cases[0];
             let study = study.with(&case.parameters);
             let names = Names::of(&study).expect("names");

@@ -1,10 +1,12 @@
 //! What is given and what is sought.
 
+use std::collections::BTreeMap;
+
 use crate::report::{BodyRow, Identify, Quantity, Text};
-use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
+use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
 use tumble_mech::{Body, Extreme, Shape};
 use tumble_ode::Side;
-use tumble_scene::{Question, Study, When};
+use tumble_scene::{Question, Study, SweepAxis, Swept, When};
 
 use super::alike;
 use super::names::{Names, quantity};
@@ -13,6 +15,13 @@ use crate::figures::symbols;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::{is_angle, unit};
+
+/// States that are the components of one vector.
+const VECTORS: [(&str, &str, &str); 2] = [(".x", ".y", "centre of mass"), (".vx", ".vy", "velocity")];
+/// So many values of a swept parameter are all said.
+const MOST_VALUES: usize = 5;
+/// In a scene of more bodies, what is zero at the start is not listed.
+const FEW_BODIES: usize = 2;
 
 pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Identify, CaseError> {
     Ok(Identify {
@@ -35,6 +44,13 @@ fn bodies(study: &Study, names: &Names) -> Result<Vec<BodyRow>, CaseError> {
             Some((_, names)) => names.push(body.name.clone()),
             None => rows.push((row, vec![body.name.clone()])),
         }
+    }
+    // In axes from the centre the place of the centre says nothing.
+    let is_zero = |(row, _): &(BodyRow, Vec<String>)| {
+        row.properties[1..3].iter().all(|one| one.value.to_plain() == "0")
+    };
+    if rows.iter().all(is_zero) {
+        rows.iter_mut().for_each(|(row, _)| drop(row.properties.drain(1..3)));
     }
     let named = |(row, names): (BodyRow, Vec<String>)| BodyRow {
         name: alike::listed(&names).into(),
@@ -63,12 +79,20 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
         name: body.name.as_str().into(),
         shape: shape(body).into(),
         properties: vec![
-            given("mass", "M", &mass.mass, "kg")?,
+            given("mass", mass_symbol(names, &mass.mass), &mass.mass, "kg")?,
             given("centre of mass, x", "x_c", mass.centre.x(), "m")?,
             given("centre of mass, y", "y_c", mass.centre.y(), "m")?,
             inertia(study, names, body, given("moment of inertia about it", "I", &mass.inertia, "kg*m^2")?)?,
         ],
     })
+}
+
+/// The parameter that a mass is, else M.
+fn mass_symbol<'n>(names: &'n Names, mass: &'n Expr) -> &'n str {
+    match mass.node() {
+        Node::Symbol(parameter) => names.shown(&parameter.name),
+        _ => "M",
+    }
 }
 
 /// By the formula of the shape, where the scene has numbers for its sizes.
@@ -101,21 +125,34 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, CaseError> 
     all.map(|(symbol, formula)| {
         let value = study.number(&symbol.clone().into())?;
         let found = Quantity {
-            name: own_name(study, symbol),
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
             unit: unit_of(study, symbol),
             ..Quantity::default()
         };
-        Ok(if formula.symbols().is_empty() { found } else { found.by(names.written(formula)) })
+        Ok(match swept(study, &symbol.name) {
+            Some(values) => Quantity { value: values, unit: String::new(), ..found },
+            None if formula.symbols().is_empty() => found,
+            None => found.by(names.written(formula)),
+        })
     })
     .collect()
 }
 
-/// The name of a parameter that is shown by another symbol; its own says all.
-fn own_name(study: &Study, parameter: &Symbol) -> Text {
-    let other = study.symbols.contains_key(&*parameter.name);
-    if other { parameter.name.to_string().into() } else { Text::default() }
+/// The values that a swept parameter takes, as legends call them; of many, the first, the last and their number.
+fn swept(study: &Study, parameter: &str) -> Option<Text> {
+    let is_own = |axis: &&SweepAxis| axis.of == Swept::Parameter(parameter.to_owned());
+    let values = &study.sweep.iter().find(is_own)?.values;
+    let label = |index: usize| {
+        let label = values.at(index).label;
+        label.split_once(" = ").map_or(label.clone(), |(_, value)| value.to_owned())
+    };
+    let count = values.count();
+    let all: Vec<String> = match count {
+        0..=MOST_VALUES => (0..count).map(label).collect(),
+        _ => vec![label(0), "…".to_owned(), format!("{} ({count} values)", label(count - 1))],
+    };
+    Some(all.join(", ").into())
 }
 
 /// Nothing for a pure number.
@@ -127,21 +164,56 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
     unit(parameter.dimension, is_angle)
 }
 
-/// The states just before anything happens.
+/// The states just before anything happens: positions and velocities as vectors, and of many bodies what is not zero.
 fn initial(study: &Study, names: &Names, case: &Case) -> Vec<Quantity> {
     let run = &case.run;
     let states = run.equations.states(&run.equations.idle_mode());
     let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
     let values = run.observe(&formulas).ok().and_then(|mut observer| observer.at(0.0, Side::Before));
-    let values = values.unwrap_or_default();
-    let row = |(symbol, value): (Symbol, f64)| Quantity {
-        name: symbols::words(study, &symbol.name).unwrap_or_else(|| symbol.name.to_string()).into(),
-        symbol: names.label(&symbol.name).into(),
-        value: quantity(value, ""),
-        unit: unit(symbol.dimension, is_angle(&symbol)),
-        ..Quantity::default()
+    let values: BTreeMap<&str, f64> =
+        states.iter().map(|state| &*state.name).zip(values.unwrap_or_default()).collect();
+    let rows = states.iter().filter_map(|state| start(study, names, state, &values));
+    let (told, zero): (Vec<_>, Vec<_>) =
+        rows.partition(|(_, is_zero)| !is_zero || study.model.bodies.len() <= FEW_BODIES);
+    let others = Quantity { name: "all others".into(), value: "0".into(), ..Quantity::default() };
+    told.into_iter().map(|(row, _)| row).chain((!zero.is_empty()).then_some(others)).collect()
+}
+
+/// A row for a state, or for both components of a vector, and whether it is zero; none for a second component.
+fn start(
+    study: &Study,
+    names: &Names,
+    state: &Symbol,
+    values: &BTreeMap<&str, f64>,
+) -> Option<(Quantity, bool)> {
+    let vector = VECTORS.iter().find_map(|(x, y, words)| {
+        let owner = state.name.strip_suffix(x).or_else(|| state.name.strip_suffix(y))?;
+        let other = format!("{owner}{y}");
+        values.contains_key(&*other).then_some((owner, other, *words))
+    });
+    let value = |name: &str| values.get(name).copied().unwrap_or(f64::NAN);
+    let found = match vector {
+        Some((_, other, _)) if *other == *state.name => return None,
+        Some((owner, other, words)) => {
+            let of = if study.model.bodies.len() > 1 {
+                format!(" of {}", symbols::the(owner))
+            } else {
+                String::new()
+            };
+            let pair = |x: Text, y: Text| Text::from("(").and(x).and(", ").and(y).and(")");
+            let [x, y] = [value(&state.name), value(&other)];
+            let symbol = pair(names.label(&state.name).into(), names.label(&other).into());
+            (format!("{words}{of}"), symbol, pair(quantity(x, ""), quantity(y, "")), x == 0.0 && y == 0.0)
+        }
+        None => {
+            let words = symbols::words(study, &state.name).unwrap_or_else(|| state.name.to_string());
+            let own = value(&state.name);
+            (words, names.label(&state.name).into(), quantity(own, ""), own == 0.0)
+        }
     };
-    states.into_iter().zip(values).map(row).collect()
+    let (name, symbol, value, is_zero) = found;
+    let unit = unit(state.dimension, is_angle(state));
+    Some((Quantity { name: name.into(), symbol, value, unit, ..Quantity::default() }, is_zero))
 }
 
 /// What the scene and its figures ask for.

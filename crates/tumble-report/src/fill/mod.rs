@@ -17,6 +17,7 @@ mod sizes;
 mod solve;
 mod sweep;
 mod texts;
+mod words;
 
 use crate::report::{Report, Text};
 use tumble_scene::Study;
@@ -33,7 +34,7 @@ pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {
     let names = Names::of(&first)?;
     let analyze = analyze::of(study, &names, runs)?;
     let mut report = Report {
-        lead: lead(&analyze.findings, cases.len()),
+        lead: lead(&analyze.findings),
         title: study.title.clone(),
         language: "en".to_owned(),
         lesson: None,
@@ -49,10 +50,9 @@ pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {
     Ok(report)
 }
 
-/// What was found, in a line: the first finding, in a sweep the last, which compares the runs where anything does.
-fn lead(findings: &[Text], runs: usize) -> Text {
-    let found = if runs > 1 { findings.last() } else { findings.first() };
-    found.cloned().unwrap_or_default().capitalised()
+/// What was found, in a line: the first finding.
+fn lead(findings: &[Text]) -> Text {
+    findings.first().cloned().unwrap_or_default()
 }
 
 /// That runs are missing.

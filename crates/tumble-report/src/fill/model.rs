@@ -2,13 +2,16 @@
 
 use crate::report::{Block, BodyModel, ForceRow, Math, ModelPart, Picture, Text};
 use tumble_expr::{Expr, Graph, Symbol, Unary, Vector, Written, is_identically_zero};
-use tumble_mech::{Equations, Friction, Law, Pair, Statement, Term};
+use tumble_mech::{
+    Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
+};
 use tumble_notation::{Left, Math as Formula, Operator};
 use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
 use super::equations;
 use super::names::{Names, math, words};
+use super::words::spoken;
 use crate::figures::{air, free_bodies, instants, symbols};
 use crate::results::Case;
 use crate::results::CaseError;
@@ -120,7 +123,45 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
             }
         }
     }
+    rows.extend(
+        study
+            .model
+            .impulses
+            .iter()
+            .filter(|one| one.body == study.model.bodies[body].name)
+            .map(|one| impulse(study, names, one)),
+    );
     rows
+}
+
+/// A row for an impulse that an event applies.
+fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
+    let kinematics =
+        study.model.bodies[study.model.body_index(&applied.body).unwrap_or_default()].kinematics();
+    let name = format!("impulse {}, when “{}” happens", spoken(&applied.name), spoken(&applied.when));
+    let symbol = symbols::impulse(symbols::last(&applied.name));
+    let stated = |left: &str, right: Written| names.stated(Formula::symbol(left), &right, &applied.name);
+    let (law, point, torque) = match &applied.application {
+        Application::Torque(couple) => (
+            stated(&symbol, Written::Scalar(couple.clone())),
+            "no point of its own",
+            vec![math(&Formula::symbol(&symbol))],
+        ),
+        Application::Force { at, force, frame } => {
+            let turned =
+                if *frame == Frame::Body { rotated(force, &kinematics.angle()) } else { force.clone() };
+            let arm = Written::named(&symbols::arm(&symbol), Written::Vector(at.arm(&kinematics)));
+            let acts = Written::named(&symbol, Written::Vector(turned.clone()));
+            let torque =
+                names.stated(Formula::symbol(&symbols::torque(&symbol)), &arm.cross(acts), &applied.name);
+            (
+                stated(&symbol, Written::Vector(turned)),
+                "its point of action",
+                torque.into_iter().take(2).collect(),
+            )
+        }
+    };
+    ForceRow { name: name.into(), symbol: math(&Formula::symbol(&symbol)), law, point: point.into(), torque }
 }
 
 fn loads_of(terms: &[Term], body: usize) -> Vec<String> {
@@ -143,16 +184,34 @@ fn row(
     let term = terms[0];
     let symbol = symbols::force(study, &term.load, term.law);
     ForceRow {
-        name: name_of(term).into(),
+        name: name_of(study, equations, term).into(),
         symbol: math(&signed(&symbol, is_opposite(term) || is_on_other(equations, term))),
-        law: law(names, equations, term, stated, &symbol),
-        point: if terms.len() > 1 { "every point of it".into() } else { point(equations, term).into() },
+        law: law(study, names, equations, term, stated, &symbol),
+        point: if terms.len() > 1 || stated.is_some_and(is_spread) {
+            "every point of it".into()
+        } else {
+            point(equations, term).into()
+        },
         torque: torque(names, terms, stated, &symbol),
     }
 }
 
+/// Whether a law is a sum along lines.
+fn is_spread(stated: &Statement) -> bool {
+    fn has_integral(written: &Written) -> bool {
+        match written {
+            Written::Integral { .. } => true,
+            Written::Sum(terms) => terms.iter().any(|(_, term)| has_integral(term)),
+            Written::Product(factors) => factors.iter().any(has_integral),
+            _ => false,
+        }
+    }
+    stated.force.as_ref().is_some_and(has_integral)
+}
+
 /// What the law says; where it says nothing, the components.
 fn law(
+    study: &Study,
     names: &Names,
     equations: &Equations,
     term: &Term,
@@ -163,22 +222,44 @@ fn law(
     let is_of = |pair: &&Pair| pair.name == symbols::rubbed(&term.load);
     let touches = matches!(term.law, Law::Contact | Law::Friction);
     if let Some(pair) = equations.pairs().iter().find(is_of).filter(|_| touches) {
-        return contact(names, pair, term, said, symbol);
+        return contact(names, pair, term, said, (symbol, is_on_other(equations, term)));
     }
     let right = match (said, term.law) {
-        (None, Law::Reaction) => return vec![words("holds the point in its place")],
+        (None, Law::Reaction) if is_identically_zero(&term.couple) => {
+            return vec![words("holds the point in its place")];
+        }
+        (None, Law::Reaction) => {
+            return vec![words("holds the point in its place, and the body at its angle")];
+        }
         (None, law) if law.is_couple() => Written::Scalar(term.couple.clone()),
         (None, _) => Written::Vector(term.force.clone()),
         (Some(said), _) => said.clone(),
     };
+    if let (Some(_), Written::Vector(vector)) = (symbols::named(study, &term.load), &right) {
+        // Its symbol is in it: an equation would say it twice.
+        return vec![math(&names.vector(vector))];
+    }
     names.stated(Formula::symbol(symbol), &right, &term.load)
 }
 
 /// What a contact pushes with along the normal, or rubs with along the surface; nothing says how strongly a rigid one pushes.
-fn contact(names: &Names, pair: &Pair, term: &Term, said: Option<&Written>, symbol: &str) -> Vec<Math> {
+fn contact(
+    names: &Names,
+    pair: &Pair,
+    term: &Term,
+    said: Option<&Written>,
+    (symbol, is_on_other): (&str, bool),
+) -> Vec<Math> {
     let letter = if term.law == Law::Friction { "t" } else { "n" };
     let acts = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol(letter)]);
-    let Some(said) = said else { return vec![math(&acts)] };
+    let acts =
+        if is_on_other { Formula::Row(vec![Formula::Operator(Operator::Negative), acts]) } else { acts };
+    let Some(said) = said else {
+        // The law is stated for the other body.
+        let normal = Written::named("n", Written::Vector(pair.normal.clone()));
+        let explained = names.stated(acts.clone(), &normal, &term.load).into_iter().skip(1);
+        return std::iter::once(math(&acts)).chain(explained.filter(|_| letter == "n")).collect();
+    };
     let mut lines = names.stated(acts.clone(), said, &term.load);
     if pair.law.is_rigid() {
         // It says that it is along a direction, and no more.
@@ -236,15 +317,20 @@ fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &s
     if term.law.is_couple() {
         return vec![math(&Formula::symbol(symbol))];
     }
+    let has_arm = !term.arm.components().iter().all(is_identically_zero);
+    if !has_arm {
+        return vec![names.formula(&term.couple)];
+    }
     if term.law != Law::Reaction {
         let formula = names.formula(&term.torque());
         if formula.text.chars().count() <= MOST_SIGNS_IN_TABLE {
             let is_zero = is_identically_zero(&term.torque());
-            return vec![if is_zero {
-                formula
-            } else {
-                names.equation(&symbols::torque(symbol), &term.torque())
-            }];
+            if is_zero || formula.text == "0" {
+                return vec![formula];
+            }
+            let arm = Written::Vector(term.arm.clone());
+            let arm = names.stated(Formula::symbol(&symbols::arm(symbol)), &arm, &term.load);
+            return [vec![names.equation(&symbols::torque(symbol), &term.torque())], arm].concat();
         }
     }
     let arm = Written::named(&symbols::arm(symbol), Written::Vector(term.arm.clone()));
@@ -254,7 +340,12 @@ fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &s
         Some(direction) => Written::Product(vec![force, direction]),
         None => force,
     };
-    names.stated(own, &arm.cross(force), &term.load)
+    let moment = arm.cross(force);
+    let whole = match is_identically_zero(&term.couple) {
+        true => moment,
+        false => Written::Sum(vec![(false, moment), (false, Written::Scalar(term.couple.clone()))]),
+    };
+    names.stated(own, &whole, &term.load)
 }
 
 /// Along which unit vector a contact pushes or rubs: its symbol is a number.
@@ -276,13 +367,15 @@ pub(super) fn operations<'a>(formulas: impl IntoIterator<Item = &'a Expr>) -> us
     graph.nodes().len()
 }
 
-fn name_of(term: &Term) -> String {
-    match term.law {
-        Law::Weight => "weight".to_owned(),
-        Law::Contact => format!("contact {}", term.load),
-        Law::Friction => format!("friction {}", symbols::rubbed(&term.load)),
-        Law::Reaction => format!("reaction of {}", term.load),
-        _ => term.load.clone(),
+fn name_of(study: &Study, equations: &Equations, term: &Term) -> String {
+    let mut pairs = equations.pairs().iter();
+    let pair = pairs.find(|pair| pair.name == symbols::rubbed(&term.load));
+    match (term.law, pair) {
+        (Law::Weight, _) => "weight".to_owned(),
+        (Law::Contact, Some(pair)) => super::words::contact(study, pair, term.body),
+        (Law::Friction, Some(_)) => "friction".to_owned(),
+        (Law::Reaction, _) => format!("reaction of {}", term.load),
+        _ => spoken(&term.load),
     }
 }
 
@@ -297,8 +390,9 @@ fn point(equations: &Equations, term: &Term) -> String {
         (&arm - &term.arm).components().iter().all(is_identically_zero)
     };
     match (term.law, body.points.iter().find(is_there)) {
-        (_, Some((name, _))) => format!("{}.{name}", body.name),
-        (Law::Contact | Law::Friction, None) => symbols::rubbed(&term.load).to_owned(),
+        (_, Some((name, _))) if equations.model().bodies.len() == 1 => symbols::the(name),
+        (_, Some((name, _))) => format!("{} of {}", symbols::the(name), symbols::the(&body.name)),
+        (Law::Contact | Law::Friction, None) => "the point of contact".to_owned(),
         (Law::Reaction, None) => term.load.clone(),
         (law, None) if law.is_couple() => "no point of its own".to_owned(),
         _ => "its point of action".to_owned(),
@@ -319,39 +413,44 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     let mass = case.run.equations.mass_properties(body);
     let component = |axis: usize| {
         let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
-        let letter = ["x", "y"][axis];
-        let symbol = |term: &Term| -> Expr {
-            // Components of joints and contacts have symbols, with the sign that they act with.
-            let own = term.force[axis].symbols();
-            if !own.is_empty() && own.iter().all(|symbol| is_multiplier(study, symbol)) {
-                return term.force[axis].clone();
-            }
-            Symbol::new(
-                symbols::below(&symbols::force(study, &term.load, term.law), letter),
-                tumble_expr::Dimension::FORCE,
-            )
-            .into()
+        let signed = |term| {
+            let component = component(study, names, term, axis);
+            let is_opposite = is_on_other(&case.run.equations, term) && term.force[axis].symbols().len() > 1;
+            if is_opposite { -component } else { component }
         };
-        parts.map(symbol).fold(Expr::zero(), |sum, force| sum + force)
+        parts.map(signed).fold(Expr::zero(), |sum, force| sum + force)
     };
-    let torque = terms.iter().filter(|term| !is_identically_zero(&term.torque()));
+    let turns =
+        |term: &&Term| !is_identically_zero(&term.torque()) && names.formula(&term.torque()).text != "0";
+    let torque = terms.iter().filter(turns);
     let torque = torque.map(|term| {
         let force = symbols::force(study, &term.load, term.law);
         let name = if term.law.is_couple() { force } else { symbols::torque(&force) };
         Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
     });
     let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);
-    let m: Expr = Symbol::new("M", tumble_expr::Dimension::MASS).into();
-    let inertia: Expr = Symbol::new("I", tumble_expr::Dimension::INERTIA).into();
     let [ax, ay] = kinematics.acceleration_symbols();
     let left =
         |factor: &Expr, symbol: &Symbol| Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+    let (m, inertia) = (&mass.mass, &mass.inertia);
     // The right sides are accelerations: the factor of the left side is multiplied on.
-    let mut lines = vec![(left(&m, &ax), component(0) / &m), (left(&m, &ay), component(1) / &m)];
-    if !is_identically_zero(&mass.inertia) {
-        lines.push((left(&inertia, &kinematics.alpha_symbol()), torque / &inertia));
+    let mut lines = vec![(left(m, &ax), component(0) / m), (left(m, &ay), component(1) / m)];
+    if !is_identically_zero(inertia) {
+        lines.push((left(inertia, &kinematics.alpha_symbol()), torque / inertia));
     }
-    names.block(title, &lines)
+    names.with_inertia(study, body, inertia).block(title, &lines)
+}
+
+/// A component of a force by its symbol.
+fn component(study: &Study, names: &Names, term: &Term, axis: usize) -> Expr {
+    let force = symbols::force(study, &term.load, term.law);
+    // What is along an axis has its symbol, with the sign that it acts with.
+    let own = term.force[axis].symbols();
+    let is_own = |symbol: &Symbol| is_multiplier(study, symbol) || names.shown(&symbol.name) == force;
+    if !own.is_empty() && own.iter().all(is_own) {
+        return term.force[axis].clone();
+    }
+    Symbol::new(symbols::below(&force, ["x", "y"][axis]), tumble_expr::Dimension::FORCE).into()
 }
 
 /// Whether a symbol stands for a force that follows from conditions.
@@ -426,8 +525,9 @@ mod tests {
     #[test]
     fn what_laws_say_is_what_is_integrated() {
         let mut compared = 0;
-        for scene in crate::scenes::all() {
-            let (study, cases) = motions_of(&scene);
+        for (study, cases) in
+            crate::scenes::all().map(|scene| motions_of(&scene)).chain([crate::scenes::laws()])
+        {
             for case in &cases {
                 let study = study.with(&case.parameters);
                 for mode in &case.run.trajectory().modes {

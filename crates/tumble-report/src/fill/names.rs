@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::report::{Block, Definition, Math, Text};
 use tumble_drawing::{Label, numeral};
-use tumble_expr::{Dimension, Expr, Symbol, Written};
+use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
 use tumble_mech::Gravity;
 use tumble_notation::{Left, Notation, Operator, Shown, latex, mathml_in_pieces, text};
 use tumble_scene::Study;
@@ -78,6 +78,15 @@ impl Names {
         Self { plain, notation, ..self.clone() }
     }
 
+    /// The same with a name for the moment of inertia about the centre, which equations about a pivot do not need.
+    pub(crate) fn with_inertia(&self, study: &Study, body: usize, inertia: &Expr) -> Self {
+        let own = own_name(study, &study.model.bodies[body].name);
+        match own.filter(|_| self.inertias[body].is_none() && !inertia.symbols().is_empty()) {
+            Some(name) => Self { notation: self.notation.clone().define(name, inertia), ..self.clone() },
+            None => self.clone(),
+        }
+    }
+
     /// What a name is shown as: `theta` for `rod.angle`.
     pub(crate) fn shown<'n>(&'n self, name: &'n str) -> &'n str {
         self.symbols.get(name).map_or(name, String::as_str)
@@ -127,6 +136,17 @@ impl Names {
             Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
             Err(error) => words(&error.to_string()),
         }
+    }
+
+    /// A column of components.
+    pub(crate) fn vector(&self, vector: &Vector) -> tumble_notation::Math {
+        let notation = self.plain.clone().without_automatic_names();
+        let row = |component: &Expr| {
+            let shown =
+                notation.formula(component).map(|shown| shown.lines.into_iter().map(|line| line.right));
+            shown.map_or_else(|_| vec![], |mut sides| sides.next().into_iter().collect())
+        };
+        tumble_notation::Math::Matrix(vector.components().iter().map(row).collect())
     }
 
     /// A relation of something to a formula, on one line as it was written.
@@ -200,6 +220,8 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
     let number = numeral::significant(value, digits);
     match unit.is_empty() {
         true => number.into(),
+        // The sign of degrees stands at the number.
+        false if unit == "deg" => number.then(Label::unit(unit)).into(),
         false => number.then(Label::plain("\u{a0}")).then(Label::unit(unit)).into(),
     }
 }

@@ -39,7 +39,7 @@ pub(super) struct Reduced {
 pub(super) struct Solved {
     /// Equations of motion, one for each independent acceleration.
     pub(super) motion: Vec<Reduced>,
-    /// The other accelerations by these: body, symbol, formula.
+    /// The other accelerations, each by one condition: body, symbol, formula.
     pub(super) follow: Vec<(usize, Symbol, Expr)>,
 }
 
@@ -52,11 +52,11 @@ pub(super) fn of(study: &Study, case: &Case, mode: &Mode, conditions: &[Expr]) -
         bodies.iter().flat_map(|body| directions(study, case, mode, *body)).collect();
     let pivots = of_pivots(study, case);
     let conditions: Vec<Expr> = conditions.iter().map(|condition| pivots.apply(condition)).collect();
-    let given = eliminated(study, &directions, conditions)?;
+    let (given, by_one) = eliminated(study, &directions, conditions)?;
     let solved = |symbol: &Symbol| given.iter().any(|(known, _)| known == symbol);
     let free: Vec<&Direction> = directions.iter().filter(|one| !solved(&one.symbol)).collect();
     let motion = free.iter().map(|along| projected(&directions, &given, along));
-    let follow = given.iter().map(|(symbol, formula)| {
+    let follow = by_one.iter().map(|(symbol, formula)| {
         let body = directions.iter().find(|one| one.symbol == *symbol).map_or(0, |one| one.body);
         (body, symbol.clone(), formula.clone())
     });
@@ -99,39 +99,53 @@ fn applied(equations: &Equations, mode: &Mode, body: usize) -> Vec<Term> {
     terms.filter(|term| term.body == body && !is_held(term)).collect()
 }
 
-/// Conditions solved for one acceleration each, all of them by the independent ones.
+/// An acceleration with its formula.
+type Known = (Symbol, Expr);
+
+/// Conditions solved for one acceleration each: by the independent ones, and as each condition says it, where in a chain the next link
+/// follows from the one before.
 fn eliminated(
     study: &Study,
     directions: &[Direction],
-    mut conditions: Vec<Expr>,
-) -> Option<Vec<(Symbol, Expr)>> {
-    let mut given: Vec<(Symbol, Expr)> = vec![];
-    while let Some((row, symbol, factor)) = pivot(study, directions, &conditions, &given) {
-        let condition = conditions.swap_remove(row);
-        let formula = -(without(&condition, std::slice::from_ref(&symbol)) / factor);
+    conditions: Vec<Expr>,
+) -> Option<(Vec<Known>, Vec<Known>)> {
+    let mut given: Vec<Known> = vec![];
+    let mut by_one: Vec<Known> = vec![];
+    let mut left: Vec<(Expr, Expr)> =
+        conditions.into_iter().map(|condition| (condition.clone(), condition)).collect();
+    while let Some((row, symbol, factor)) = pivot(study, directions, &left, &given) {
+        let (written, condition) = left.swap_remove(row);
+        let formula = solved_for(&condition, &symbol, &factor);
         let mut known = Substitution::default();
         known.insert(symbol.clone(), formula.clone());
-        conditions = conditions.iter().map(|other| known.apply(other)).collect();
+        left = left.into_iter().map(|(written, other)| (written, known.apply(&other))).collect();
         given = given.iter().map(|(other, formula)| (other.clone(), known.apply(formula))).collect();
+        let is_alike = is_identically_zero(&simple(&(written.derivative(&symbol) - &factor)));
+        by_one.push((
+            symbol.clone(),
+            if is_alike { solved_for(&written, &symbol, &factor) } else { formula.clone() },
+        ));
         given.push((symbol, formula));
     }
-    conditions
-        .iter()
-        .all(|condition| is_identically_zero(&simple(condition)))
-        .then_some(given)
-        .filter(|given| !given.is_empty())
+    let are_met = left.iter().all(|(_, condition)| is_identically_zero(&simple(condition)));
+    (are_met && !given.is_empty()).then_some((given, by_one))
+}
+
+/// A linear condition solved for a symbol, which has this factor in it.
+fn solved_for(condition: &Expr, symbol: &Symbol, factor: &Expr) -> Expr {
+    -(without(condition, std::slice::from_ref(symbol)) / factor)
 }
 
 /// A condition, an acceleration of a centre in it, and its factor, which does not change; turning is kept.
 fn pivot(
     study: &Study,
     directions: &[Direction],
-    conditions: &[Expr],
-    given: &[(Symbol, Expr)],
+    conditions: &[(Expr, Expr)],
+    given: &[Known],
 ) -> Option<(usize, Symbol, Expr)> {
     let is_free = |symbol: &Symbol| given.iter().all(|(known, _)| known != symbol);
     let is_of_centre = |symbol: &Symbol| symbol.dimension == tumble_expr::Dimension::ACCELERATION;
-    conditions.iter().enumerate().find_map(|(row, condition)| {
+    conditions.iter().enumerate().find_map(|(row, (_, condition))| {
         let candidates = directions.iter().map(|one| &one.symbol);
         candidates.filter(|symbol| is_of_centre(symbol) && is_free(symbol)).find_map(|symbol| {
             let factor = simple(&condition.derivative(symbol));

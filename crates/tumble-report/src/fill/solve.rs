@@ -8,9 +8,9 @@ use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twi
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
 
-use super::equations::mode_name;
 use super::names::{Names, math, quantity};
 use super::sweep;
+use super::words;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::digits::Held;
@@ -58,7 +58,9 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
         phases,
         method: method(&told),
         tables: how
-            .chain(told.iter().filter(|case| case.run.events().next().is_some()).map(|case| events(case)))
+            .chain(
+                told.iter().filter(|case| case.run.events().next().is_some()).map(|case| events(study, case)),
+            )
             .collect(),
     })
 }
@@ -114,13 +116,13 @@ fn of_run(what: &str, cases: &[&Case], case: &Case) -> Text {
 }
 
 /// A row an event.
-fn events(case: &Case) -> Table {
+fn events(study: &Study, case: &Case) -> Table {
     let caption = if case.label.is_empty() { "Events".to_owned() } else { format!("Events, {}", case.label) };
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
     let row = |event: &Event<Record>| {
-        let names = case.run.equations.names_of(&event.record);
-        vec![quantity(event.time, ""), names.join(", ").into()]
+        let what = words::event(study, &case.run.equations, &event.record);
+        vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
     let mut table = Table::new(caption, columns);
     table.rows = case.run.events().map(row).collect();
@@ -311,7 +313,7 @@ fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Re
     }
     let from = study.number(begins)?;
     Ok(Phase {
-        name: mode_name(study, case, mode).into(),
+        name: Text::from(words::mode(study, &case.run.equations, mode)),
         span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")),
         symbols,
         numbers: vec![Block { lines: numbers, ..Default::default() }],
@@ -356,26 +358,9 @@ fn with_numbers(
     Ok(math(&Formula::Row(parts)))
 }
 
-/// `m/s^2` as it is printed; nothing for a pure number.
+/// `m/s²` as it is printed; nothing for a pure number.
 fn in_unit(unit: &str) -> Option<Formula> {
-    let (mut parts, mut text) = (vec![], String::new());
-    for (index, part) in unit.split('/').filter(|part| !part.is_empty()).enumerate() {
-        let over = if index > 0 { "/" } else { "" };
-        let (base, power) = part.split_once('^').unwrap_or((part, ""));
-        let base = base.replace('*', "\u{b7}");
-        if power.is_empty() {
-            text += &format!("{over}{base}");
-            continue;
-        }
-        let before = std::mem::take(&mut text) + over;
-        parts.extend((!before.is_empty()).then_some(Formula::Text(before)));
-        parts
-            .push(Formula::Power(Box::new(Formula::Text(base)), Box::new(Formula::Number(power.to_owned()))));
-    }
-    if !text.is_empty() {
-        parts.push(Formula::Text(text));
-    }
-    (!parts.is_empty()).then_some(Formula::Row(parts))
+    (!unit.is_empty()).then(|| Formula::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")))
 }
 
 #[cfg(test)]

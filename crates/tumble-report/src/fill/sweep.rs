@@ -6,7 +6,8 @@ use tumble_scene::{Question, Study};
 
 use super::findings::with_digits;
 use super::names::{quantity, quantity_to};
-use crate::figures::{case_label, finds};
+use super::words::spoken;
+use crate::figures::{case_label, finds, symbols};
 use crate::report::{Chart, Column, Picture, Text};
 use crate::results::{Case, Equal, FAMILY, FindResult, Located, Place, Runs, Survey, digits};
 
@@ -49,12 +50,13 @@ fn bounds(values: &[f64]) -> (f64, f64) {
 
 /// Where every answer is greatest and least.
 pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
+    let symbols = symbols::all(study);
     let of = |(index, question): (usize, &Question)| {
         let own = runs.survey.located.iter().filter(|located| located.index == index);
         let parts: Vec<Text> = own.map(|located| located_words(study, located)).collect();
         let parts = if parts.is_empty() { among(index, runs).into_iter().collect() } else { parts };
-        let head =
-            Text::from(format!("{}: {} is ", question.name.replace(['-', '_'], " "), question.that.text));
+        let head = Text::from(format!("{}: ", spoken(&question.name))).capitalised();
+        let head = head.and(symbols::called(study, &symbols, &question.that.text)).and(" is ");
         let joined = parts.into_iter().reduce(|all, part| all.and("; ").and(part));
         joined.map(|parts| head.and(parts).and("."))
     };
@@ -151,7 +153,7 @@ pub(super) fn what_bands_are(figure: &CurveFigure) -> Text {
 pub(super) fn find_column(question: &Question) -> Column {
     let unit = &question.that.quantity.unit;
     let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
-    Column::numbers(format!("{}{unit}", question.name.replace(['-', '_'], " ")))
+    Column::numbers(format!("{}{unit}", spoken(&question.name)))
 }
 
 /// An answer to its verified digits.

@@ -4,6 +4,8 @@ use crate::report::{Report, Text};
 use tumble_drawing::Label;
 use tumble_scene::Commentary;
 
+use super::words::spoken;
+
 /// Puts each commentary where its section is told of; the problem itself comes first.
 pub(super) fn into(report: &mut Report, texts: &[Commentary]) {
     for commentary in texts {
@@ -26,7 +28,7 @@ fn paragraphs(commentary: &Commentary) -> impl Iterator<Item = Text> {
     commentary.paragraphs.iter().enumerate().map(|(index, words)| {
         let said = Text::from(Label::markup(words));
         match (index, commentary.name.is_empty()) {
-            (0, false) => Text::from(format!("{}: ", commentary.name)).and(said),
+            (0, false) => Text::from(format!("{}: ", spoken(&commentary.name))).capitalised().and(said),
             _ => said,
         }
     })

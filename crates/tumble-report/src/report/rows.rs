@@ -34,18 +34,18 @@ fn property(quantity: &Quantity) -> Text {
 
 /// Quantities with their values.
 pub(super) fn quantities(caption: &str, quantities: &[Quantity]) -> Table {
-    let columns = ["Quantity", "Symbol", "Value", "Computed by", "Remark"].map(Column::words);
+    let columns = ["Quantity", "Symbol", "Value", "Remark"].map(Column::words);
     let rows = quantities.iter().map(|one| quantity(one).into());
     rows.fold(Table::new(caption, columns.into()), Table::row)
 }
 
-/// Name, symbol, value, what it is computed by, remark.
-fn quantity(quantity: &Quantity) -> [Text; 5] {
+/// Name, symbol, value after what it is computed by, remark.
+fn quantity(quantity: &Quantity) -> [Text; 4] {
+    let formula = quantity.formula.as_ref().map(|formula| shown(formula).and(" = "));
     [
         quantity.name.clone(),
         quantity.symbol.clone(),
-        value(quantity),
-        quantity.formula.as_ref().map(shown).unwrap_or_default(),
+        formula.unwrap_or_default().and(value(quantity)),
         quantity.note.clone(),
     ]
 }

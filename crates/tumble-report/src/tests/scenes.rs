@@ -27,3 +27,8 @@ pub(crate) fn motions_in(name: &str, text: &[u8], beside: &dyn Files) -> (Study,
     let cases = (0..runs.count()).map(|index| run(index).expect("a scene that runs")).collect();
     (study, cases)
 }
+
+/// A scene with every law that no scene of the gallery has.
+pub(crate) fn laws() -> (Study, Vec<Case>) {
+    motions_in("laws", include_bytes!("laws.toml"), &tumble_scene::NoFiles)
+}

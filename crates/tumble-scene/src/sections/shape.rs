@@ -5,7 +5,7 @@ use tumble_mech::Shape;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::document::Table;
+use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
 use crate::keys::{Declared, Keys, Takes, may, must};
@@ -54,9 +54,12 @@ const ROD: Keys = Keys::of("rod", &[&[
     may("end_radius", Takes::LENGTH, "0", "\"1 cm\"", "of its ends, which are rounded where they touch surfaces"),
 ]]);
 
+/// Of a polygon, counter-clockwise.
+pub(super) const CORNERS: Takes = Takes::List(3, Takes::MOST, &Takes::PLACE);
+
 #[rustfmt::skip]
 const POLYGON: Keys = Keys::of("polygon", &[&[
-    must("corners", Takes::List(3, Takes::MOST, &Takes::PLACE), "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]", "three or more, in order"),
+    must("corners", CORNERS, "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]", "three or more, in order"),
 ]]);
 
 /// A shape and the key it was given by.
@@ -171,8 +174,14 @@ fn rectangle(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> 
 fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
     draft.remember(format!("area of {name}"), &table.span);
     let field = draft.required(table, "corners")?;
+    Some(Shape::Polygon { corners: corners(draft, name, &field)? })
+}
+
+/// The corners of a polygon; `name` is what messages call what it is of.
+pub(super) fn corners(draft: &mut Draft, name: &str, field: &Field) -> Option<Vec<Vector>> {
+    draft.remember(format!("polygon of {name}"), &field.span);
     let Some(corners) = field.elements() else {
-        draft.wrong_type(&field, "a list of places, [[x, y], [x, y], ...]");
+        draft.wrong_type(field, "a list of places, [[x, y], [x, y], ...]");
         return None;
     };
     if corners.len() < 3 {
@@ -181,5 +190,5 @@ fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
         return None;
     }
     let places: Vec<_> = corners.iter().map(|corner| draft.place(corner)).collect();
-    Some(Shape::Polygon { corners: places.into_iter().collect::<Option<_>>()? })
+    places.into_iter().collect()
 }

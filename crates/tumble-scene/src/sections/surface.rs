@@ -4,7 +4,7 @@ use tumble_expr::{Dimension, Exponent, Expr, Vector};
 use tumble_mech::{ContactLaw, Friction, Release, Restitution, Surface};
 
 use super::spring::{DAMPING, STIFFNESS};
-use super::{body, each};
+use super::{body, each, shape};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
@@ -22,9 +22,12 @@ pub(super) const SAYS: &str = "floors, walls, slopes and bowls, and what they do
 
 #[rustfmt::skip]
 pub(super) const KEYS: Keys = Keys::of("[surface.NAME]", &[&[
-    may("through", Takes::PLACE, "this or `circle`", "[0, 0]",
+    may("through", Takes::PLACE, "this, `circle` or `polygon`", "[0, 0]",
         "a point of a plane, `[x, y]`; it may depend on the time"),
-    may("circle", Takes::Table(&CIRCLE), "this or `through`", "{ centre = [0, 0], radius = \"1 m\", inside = true }",
+    may("polygon", shape::CORNERS, "this, `through` or `circle`", "[[0, 0], [\"1 m\", 0], [\"1 m\", \"0.5 m\"]]",
+        "corners of a convex polygon that is solid inside, counter-clockwise: `[[x, y], [x, y], [x, y]]`, or more. It is at \
+         rest and rigid"),
+    may("circle", Takes::Table(&CIRCLE), "this, `through` or `polygon`", "{ centre = [0, 0], radius = \"1 m\", inside = true }",
         "`{ centre = [x, y], radius = \"1 m\", inside = true }`: met from inside, as a bowl is, or from outside \
          without `inside`; the centre may depend on the time. It is rigid"),
     may("normal", Takes::Vector(Dimension::NONE), "this or `slope`", "[0, 1]",
@@ -39,7 +42,7 @@ pub(super) const KEYS: Keys = Keys::of("[surface.NAME]", &[&[
         "compliant, as one elastic body pressed against another"),
     may("on", Takes::Either(&[MET, Takes::List(0, Takes::MOST, &MET)]), "all", "\"ball\"",
         "what meets it: a body, `\"ball\"`, a single point of one, `\"rod.tip\"`, or a list of such"),
-]]).one_of(&[&["through", "circle"], &["rigid", "spring", "hertz"]]);
+]]).one_of(&[&["through", "circle", "polygon"], &["rigid", "spring", "hertz"]]);
 
 const MET: Takes = Takes::Either(&[Takes::BODY, Takes::POINT]);
 
@@ -97,9 +100,16 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a surface", field);
     draft.remember(format!("surface `{name}`"), &field.key_span);
-    let form = match table.take("circle") {
-        Some(field) => circle(draft, &name, table, &field),
-        None => plane(draft, &name, table),
+    let form = match (table.take("circle"), table.take("polygon")) {
+        (Some(circle), Some(polygon)) => {
+            let message = format!("`{}` is a `circle` and a `polygon`", table.title);
+            let mistake = Diagnostic::new(Code::Exclusive, polygon.key_span, message);
+            draft.note(mistake.label("leave one of them out").also(circle.key_span, "the circle"));
+            None
+        }
+        (Some(field), None) => circle(draft, &name, table, &field),
+        (None, Some(field)) => polygon(draft, &name, table, &field),
+        (None, None) => plane(draft, &name, table),
     };
     let law = law(draft, &name, table);
     let on = table.take("on").map(|field| met(draft, &field));
@@ -112,6 +122,7 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
         Facing::Slope(angle) => Surface::sloping(name, at, &angle, law),
         Facing::In(radius) => Surface::bowl(name, at, radius, law),
         Facing::Out(radius) => Surface::circle(name, at, radius, law),
+        Facing::OutOf(corners) => Surface::polygon(name, corners, law),
     };
     draft.model.surface(Surface { on: on.flatten(), friction, ..surface });
 }
@@ -123,6 +134,8 @@ enum Facing {
     In(Expr),
     /// Out of one.
     Out(Expr),
+    /// Out of a polygon with these corners.
+    OutOf(Vec<Vector>),
 }
 
 /// A plane: a point of it, and where it looks.
@@ -134,15 +147,30 @@ fn plane(draft: &mut Draft, name: &str, table: &mut Table) -> Option<(Vector, Fa
     Some((through?, facing?))
 }
 
-/// A circle: its centre, and where it looks.
-fn circle(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+/// What a plane has and a circle or a polygon has not.
+fn refuse_plane(draft: &mut Draft, table: &mut Table, field: &Field) {
     for key in ["through", "normal", "slope"] {
         if let Some(other) = table.take(key) {
-            let message = format!("`{}` is a `circle` and has a `{key}`, as a plane has", table.title);
+            let what = field.key;
+            let message = format!("`{}` is a `{what}` and has a `{key}`, as a plane has", table.title);
             let mistake = Diagnostic::new(Code::Exclusive, other.key_span, message);
-            draft.note(mistake.label("leave one of them out").also(field.key_span.clone(), "the circle"));
+            draft.note(
+                mistake.label("leave one of them out").also(field.key_span.clone(), format!("the {what}")),
+            );
         }
     }
+}
+
+/// A polygon: its first corner, and all of them.
+fn polygon(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+    refuse_plane(draft, table, field);
+    let corners = shape::corners(draft, &format!("`{name}`"), field)?;
+    Some((corners[0].clone(), Facing::OutOf(corners)))
+}
+
+/// A circle: its centre, and where it looks.
+fn circle(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
+    refuse_plane(draft, table, field);
     let mut inner = draft.inline(field, &CIRCLE)?;
     let centre = draft.required(&mut inner, "centre");
     let centre =

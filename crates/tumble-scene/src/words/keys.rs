@@ -87,6 +87,10 @@ pub(super) const KEYS: &[(&str, &[Row])] = &[
                 &["bowl", "round", "radius", "arc"],
                 "write `circle = { centre = [0, 0], radius = \"1 m\", inside = true }`",
             ),
+            (
+                &["corners", "points", "box", "step", "rail"],
+                "write `polygon = [[0, 0], [\"1 m\", 0], [\"1 m\", \"0.5 m\"]]`, corners counter-clockwise",
+            ),
         ],
     ),
     (

@@ -79,7 +79,7 @@ impl Settling<'_> {
     }
 
     /// Rates of all gaps and slips.
-    fn rates(&self) -> DVector<f64> {
+    pub(super) fn rates(&self) -> DVector<f64> {
         stacked_column(&self.touch.rate, &self.touch.slips.rate)
     }
 
@@ -311,7 +311,27 @@ impl Settling<'_> {
             None => (all, self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?),
         };
         let modes = self.held_by_friction(some, &rubbing, jump)?;
-        Ok(Lasting { modes, rubbing: Some(rubbing) })
+        // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
+        let turned = self.turned(&rubbing);
+        if turned.iter().all(|pair| touched.stopped.contains(pair)) {
+            return Ok(Lasting { modes, rubbing: Some(rubbing) });
+        }
+        let mut touched = touched.clone();
+        touched.stopped.extend(turned);
+        self.lasting_with_friction([some, all], &touched, jump)
+    }
+
+    /// Pairs that slip against the way in which they were found to slide.
+    fn turned(&self, Rubbing { patches, found }: &Rubbing) -> Vec<usize> {
+        let count = self.touch.pairs.len();
+        let is_turned = |patch: &Patch, grip: &Grip| match grip {
+            Grip::Slides(way) => f64::from(way.sign()) * self.touch.slips.rate[patch.row() - count] < 0.0,
+            _ => false,
+        };
+        let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
+        turned
+            .flat_map(|(patch, _)| patch.contacts.iter().map(|(position, _)| self.touch.pairs[*position]))
+            .collect()
     }
 
     /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.

@@ -5,6 +5,8 @@ use tumble_ode::Side;
 
 use super::said::Said;
 use super::seen::Seen;
+use crate::figures::symbols;
+use crate::fill::alike;
 use crate::fill::names::{quantity, quantity_to};
 use crate::report::Text;
 use crate::results::CaseError;
@@ -35,16 +37,19 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let mut points: Vec<String> = contacts.iter().map(|contact| by(contact.pair)).collect();
     points.sort();
     points.dedup();
-    let by = points.join(", ");
+    // A round body touches by its rim, which says nothing.
+    let by: Vec<String> =
+        points.iter().filter(|point| *point != "rim").map(|point| symbols::the(point)).collect();
+    let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
     let mut value = match contacts.len() {
-        1 => Text::from(format!("once, by {by}, at ")),
-        several => Text::from(format!("{several} times, by {by}, first at ")),
+        1 => Text::from(format!("once, {by}at ")),
+        several => Text::from(format!("{several} times, {by}first at ")),
     };
     value = value.and(seen.event_time(first.start));
     if let Some(last) = contacts.iter().rfind(|contact| contact.is_open) {
         value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on");
     }
-    Some(Said::new(format!("{} touches {surface} ", seen.name()), value))
+    Some(Said::new(format!("{} touches {} ", seen.called(), symbols::the(surface)), value))
 }
 
 /// What the first contact that ends did to the speed of the centre and to the spin.
@@ -60,7 +65,7 @@ pub(super) fn first_effect(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     }
     let surface = surface_of(seen, first);
     let changes = changes(seen, (first.start, Side::Before), (end, Side::After))?;
-    let before = format!("The first contact of {} with {surface} changes ", seen.name());
+    let before = format!("The first contact of {} with {surface} changes ", seen.called());
     Ok(changes.map(|value| Said::new(before, value)))
 }
 
@@ -80,13 +85,20 @@ pub(super) fn rolls(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let Some(changes) = changes(seen, (contact.start, Side::After), (time, Side::After))? else {
         return Ok(None);
     };
-    let before = format!("{} slides on {} and rolls from ", seen.name(), surface_of(seen, contact));
+    let before = format!("{} slides on {} and rolls from ", seen.called(), surface_of(seen, contact));
     let value = seen.event_time(time).and(" on; until then friction changes ").and(changes);
     Ok(Some(Said::new(before, value)))
 }
 
+/// What it touches: a surface, or the other body.
 fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {
-    seen.run.equations.pairs()[contact.pair].name.split('.').next().unwrap_or_default().to_owned()
+    let pair = &seen.run.equations.pairs()[contact.pair];
+    let others = [Some(pair.body), pair.other];
+    let other = others.into_iter().flatten().find(|body| pair.other.is_some() && *body != seen.index);
+    match other {
+        Some(body) => symbols::the(&seen.study.model.bodies[body].name),
+        None => symbols::the(pair.name.split('.').next().unwrap_or_default()),
+    }
 }
 
 /// Speed of the centre and spin at two instants, where they differ.
@@ -123,7 +135,9 @@ pub(super) fn lost(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
         let [surface, point] = [surface, point].map(Option::unwrap_or_default);
         let turned = seen.at(contact.end, &angle)?.to_degrees();
         let value = seen.event_time(contact.end).and(", when it has turned to ").and(quantity(turned, "deg"));
-        let before = format!("{point} of {} leaves {surface}, which presses on it no more, at ", seen.name());
+        let (point, surface) = (symbols::the(point), symbols::the(surface));
+        let before =
+            format!("{point} of {} leaves {surface}, which presses on it no more, at ", seen.called());
         found.push(Said::new(before, value));
     }
     Ok(found)

@@ -4,6 +4,7 @@ use tumble_mech::{Contribution, Kind, Law};
 use tumble_scene::Study;
 
 use super::said::{Said, with_digits};
+use crate::figures::symbols;
 use crate::fill::names::quantity_to;
 use crate::report::Text;
 use crate::results::{Case, CaseBalance};
@@ -71,9 +72,11 @@ fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
 }
 
 fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
-    let name = |one: &Contribution| one.body.map_or("", |body| study.model.bodies[body].name.as_str());
+    let name = |one: &Contribution| {
+        one.body.map_or_else(String::new, |body| symbols::the(&study.model.bodies[body].name))
+    };
     let how = if to.kind == Kind::Impact { " by impacts" } else { "" };
-    let words = format!("{} passes on from {} to {}{how} ", to.load, name(from), name(to));
+    let words = format!("{} passes on from {} to {}{how} ", symbols::the(&to.load), name(from), name(to));
     Done { name: words, work: done.work, error: done.error }
 }
 

@@ -26,6 +26,8 @@ use tumble_scene::Study;
 
 use super::names::quantity;
 use super::sweep;
+use super::words::spoken;
+use crate::figures::symbols;
 use crate::report::Text;
 use crate::results::{Case, CaseError, FindResult, Runs};
 
@@ -35,22 +37,24 @@ use seen::Seen;
 
 pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Text>, CaseError> {
     let mut found: Vec<Text> = match runs.cases {
-        [only] => asked(only),
+        [only] => asked(study, only),
         _ => sweep::findings(study, runs),
     };
     let own = told.iter().map(|case| Ok((*case, of_run(&study.with(&case.parameters), case)?)));
     found.extend(said::together(&own.collect::<Result<Vec<_>, CaseError>>()?));
     // What is asked for says where it swings farthest.
     if !sweep::is_long(runs.cases) && study.finds.is_empty() {
-        found.extend(resonance::of(study, runs.cases)?);
+        found.splice(0..0, resonance::of(study, runs.cases)?);
     }
     Ok(found)
 }
 
 /// What the scene asks for.
-fn asked(case: &Case) -> Vec<Text> {
+fn asked(study: &Study, case: &Case) -> Vec<Text> {
+    let symbols = symbols::all(study);
     let text = |find: &FindResult| {
-        let words = Text::from(format!("{}: {}", find.name.replace(['-', '_'], " "), find.that));
+        let words = Text::from(format!("{}: ", spoken(&find.name))).capitalised();
+        let words = words.and(symbols::called(study, &symbols, &find.that));
         let at = |words: Text| words.and(", at ").and(quantity(find.at, "s")).and(".");
         match find.open() {
             _ if !find.is_reached() => words.and(": not reached, its time does not come in this motion."),
@@ -69,9 +73,9 @@ fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
         let is_free = study.model.pivot_of(&body.name).is_none();
         let seen = Seen { study, case, run: &case.run, body, index };
         if is_free && falls && !seen.is_jointed() {
+            found.extend(throw::without_air(&seen)?);
             found.extend(throw::apex(&seen)?);
             found.extend(throw::range(&seen)?);
-            found.extend(throw::without_air(&seen)?);
             found.extend(throw::terminal_speed(&seen)?);
         }
         found.extend(turning::rotations(&seen)?);

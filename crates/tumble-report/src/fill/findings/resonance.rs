@@ -5,7 +5,7 @@ use tumble_scene::Study;
 
 use super::said::with_digits;
 use super::seen::Seen;
-use crate::figures::case_label;
+use crate::figures::{case_label, symbols};
 use crate::report::Text;
 use crate::results::{Case, CaseError};
 
@@ -30,9 +30,11 @@ pub(super) fn of(study: &Study, cases: &[Case]) -> Result<Option<Text>, CaseErro
     let median = sorted[sorted.len() / 2];
     let (farthest, widest) =
         swings.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).expect("there are runs");
-    let words = Text::from(format!("{} swings farthest with ", body.name)).and(case_label(&cases[farthest]));
+    let words = Text::from(format!("{} swings farthest with ", symbols::the(&body.name)))
+        .and(case_label(&cases[farthest]));
     let words = words.and(": through ").and(with_digits(*widest, errors[farthest], "rad"));
     let found = words.and(format!(", {:.1} times the median of the runs.", widest / median));
+    let found = found.capitalised();
     Ok((*widest > STANDS_OUT * median).then_some(found))
 }
 

@@ -26,7 +26,7 @@ pub(super) fn of(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
                 None => (after, Some(after - before)),
             };
             Some(Said::new(
-                format!("{} rests up to the end from ", seen.name()),
+                format!("{} rests up to the end from ", seen.called()),
                 with_digits(time, error, "s"),
             ))
         }

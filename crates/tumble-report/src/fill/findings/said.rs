@@ -25,7 +25,7 @@ impl Said {
     }
 }
 
-/// The findings of all runs, in the order of the first run that has each.
+/// The findings of all runs: those that only some of them have, then the others, in the order of the first run that has each.
 pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
     let mut found: Vec<Vec<(&Case, &Said)>> = vec![];
     for (case, said) in runs.iter().flat_map(|(case, all)| all.iter().map(move |said| (*case, said))) {
@@ -37,6 +37,8 @@ pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
             None => found.push(vec![(case, said)]),
         }
     }
+    // What runs differ in comes first: a sweep is made for it.
+    found.sort_by_key(|same| same.len() == runs.len());
     found.iter().map(|same| sentence(same, runs.len())).collect()
 }
 
@@ -55,7 +57,7 @@ fn sentence(same: &[(&Case, &Said)], runs: usize) -> Text {
             whole(listed(same.iter().map(value), "; "))
         }
     };
-    said.and(".")
+    said.and(".").capitalised()
 }
 
 /// `with T = 2 s`; the scene's own words for a run as they are.

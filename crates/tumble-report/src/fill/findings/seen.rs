@@ -8,6 +8,7 @@ use tumble_ode::Side;
 use tumble_scene::Study;
 
 use super::said::with_digits;
+use crate::figures::symbols;
 use crate::report::Text;
 use crate::results::{Case, CaseError, digits, equal_times};
 
@@ -104,6 +105,11 @@ impl Seen<'_> {
 
     pub(super) fn name(&self) -> &str {
         &self.body.name
+    }
+
+    /// Its name in a sentence.
+    pub(super) fn called(&self) -> String {
+        symbols::the(self.name())
     }
 
     /// The time of an event, s, with its digits.

@@ -41,7 +41,7 @@ fn has(found: &[String], words: &str) -> bool {
 fn small_swings_stand_beside_the_gusts() {
     let found = found_in("01-pendulum-in-the-wind");
     assert!(
-        has(&found, "Small swings of rod would take 1.638 s without air; the wind repeats every 0.5 s"),
+        has(&found, "Small swings of the rod would take 1.638 s without air; the wind repeats every 0.5 s"),
         "{found:?}"
     );
     assert!(has(&found, "2 s, 1.22 times as long, with T = 2 s"), "{found:?}");
@@ -75,7 +75,7 @@ fn friction_changes_speed_and_spin_until_a_ball_rolls() {
 fn a_contact_that_is_lost_is_told_with_the_angle() {
     assert!(has(
         &found_in("14-sliding-ladder"),
-        "head of ladder leaves wall, which presses on it no more, at 0.845032 s"
+        "The head of the ladder leaves the wall, which presses on it no more, at 0.845032 s"
     ));
 }
 
@@ -85,7 +85,7 @@ fn points_of_one_body_on_one_surface_are_one_work() {
     assert_eq!(found.iter().filter(|text| text.contains("takes out")).count(), 1, "{found:?}");
     let found = found_in("11-double-pendulum");
     assert!(
-        has(&found, "elbow passes on from lower to upper 1.96478 J") && !has(&found, "puts in"),
+        has(&found, "The elbow passes on from the lower to the upper 1.96478 J") && !has(&found, "puts in"),
         "{found:?}"
     );
 }

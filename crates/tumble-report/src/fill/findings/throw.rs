@@ -17,22 +17,34 @@ const BALANCED: f64 = 0.01;
 /// Part of the way from which on it matters what the air did to it.
 const MATTERS: f64 = 1e-3;
 
-/// `vy` passes zero downwards; the first [`MOST_LISTED`].
-pub(super) fn apex(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
+/// `vy` passes zero downwards; the first [`MOST_LISTED`] times.
+pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let motion = seen.body.kinematics();
     let tops = seen.falls_through_zero(motion.velocity().y())?;
-    let mut found = vec![];
-    for time in tops.iter().take(MOST_LISTED) {
+    let place = |time: &f64| {
         let height = seen.known(*time, motion.position().y(), "m")?;
-        let when = seen.instant(*time, motion.velocity().y())?;
-        let before = format!("The centre of {} comes to a highest point, ", seen.name());
-        found.push(Said::new(before, height.and(", at ").and(when)));
-    }
-    if tops.len() > MOST_LISTED {
-        let more = (tops.len() - MOST_LISTED).to_string();
-        found.push(Said::new(format!("Highest points of {} after these: ", seen.name()), more.into()));
-    }
-    Ok(found)
+        Ok((height, seen.instant(*time, motion.velocity().y())?))
+    };
+    let listed: Vec<(Text, Text)> =
+        tops.iter().take(MOST_LISTED).map(place).collect::<Result<_, CaseError>>()?;
+    let Some(((first, _), others)) = listed.split_first() else { return Ok(None) };
+    let are_alike = others.iter().all(|(height, _)| height.to_plain() == first.to_plain());
+    let words = match (others.is_empty(), are_alike) {
+        (true, _) => "a highest point, ",
+        (false, true) => "its highest point, ",
+        (false, false) => "highest points, ",
+    };
+    let one = |(index, (height, time)): (usize, &(Text, Text))| match are_alike && index > 0 {
+        true => time.clone(),
+        false => height.clone().and(" at ").and(time.clone()),
+    };
+    let value = listed.iter().enumerate().map(one).reduce(|all, next| all.and(", ").and(next));
+    let more = match tops.len().saturating_sub(MOST_LISTED) {
+        0 => Text::default(),
+        more => format!(", and {more} more").into(),
+    };
+    let before = format!("The centre of {} comes to {words}", seen.called());
+    Ok(value.map(|value| Said::new(before, value.and(more))))
 }
 
 /// It is farther from its start, to the side, than its own size.
@@ -42,7 +54,7 @@ pub(super) fn range(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let size = seen.study.number(&(seen.body.reach() * 2))?;
     let side = if distance > 0.0 { "right" } else { "left" };
     let value = with_digits(distance.abs(), seen.error(seen.end(), &x)?, "m");
-    let said = Said::new(format!("{} gets to the {side} of where it began by ", seen.name()), value);
+    let said = Said::new(format!("{} gets to the {side} of where it began by ", seen.called()), value);
     Ok((distance.abs() > size.max(f64::MIN_POSITIVE)).then_some(said))
 }
 
@@ -80,7 +92,7 @@ pub(super) fn without_air(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     }
     let said = parts.into_iter().reduce(|all, next| all.and(" and ").and(next));
     let when = Text::from(" after ").and(quantity(until, "s"));
-    let before = format!("Beside the same throw without air {} is ", seen.name());
+    let before = format!("Beside the same throw without air, {} is ", seen.called());
     Ok(said.map(|value| Said::new(before, value.and(when))))
 }
 
@@ -101,6 +113,6 @@ pub(super) fn terminal_speed(seen: &Seen<'_>) -> Result<Option<Said>, CaseError>
     let speed = seen.body.kinematics().velocity().norm();
     let value = seen.known(until, &speed, "m/s")?.and(", after ").and(quantity(until, "s"));
     let part = quantity(left / size * 100.0, "");
-    let before = format!("{} has come to its terminal speed, the air bears its weight: ", seen.name());
+    let before = format!("{} has come to its terminal speed, the air bears its weight: ", seen.called());
     Ok(Some(Said::new(before, value.and("; ").and(part).and(" % of the weight are left"))))
 }

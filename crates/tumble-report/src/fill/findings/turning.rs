@@ -24,7 +24,8 @@ pub(super) fn rotations(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let turns = (seen.at(seen.end(), &angle)? - seen.at(0.0, &angle)?) / TAU;
     let way = if turns > 0.0 { "counter-clockwise" } else { "clockwise" };
     let error = seen.error(seen.end(), &angle)?.map(|error| error / TAU);
-    let said = Said::new(format!("{} turns {way} by ", seen.name()), with_digits(turns.abs(), error, "rev"));
+    let said =
+        Said::new(format!("{} turns {way} by ", seen.called()), with_digits(turns.abs(), error, "rev"));
     Ok((turns.abs() >= 1.0).then_some(said))
 }
 
@@ -39,7 +40,8 @@ pub(super) fn period(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let last = seen.error_of_instant(*turns.last().unwrap_or(&0.0), &omega)?;
     // Of the first and the last turn, each may be off.
     let error = last.map(|error| 2.0 * error / intervals.len() as f64);
-    let said = Said::new(format!("{} repeats its motion every ", seen.name()), with_digits(mean, error, "s"));
+    let said =
+        Said::new(format!("{} repeats its motion every ", seen.called()), with_digits(mean, error, "s"));
     Ok(repeats.then_some(said))
 }
 
@@ -47,7 +49,7 @@ pub(super) fn period(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
 pub(super) fn small_swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let Some(swing) = swing(seen)? else { return Ok(None) };
     let shown = |period: f64| quantity_to(period, DIGITS, "s");
-    let before = format!("Small swings of {} would take ", seen.name());
+    let before = format!("Small swings of {} would take ", seen.called());
     let before = crate::report::Text::from(before).and(shown(swing)).and(" without air");
     Ok(match gusts(seen)? {
         Some(gusts) => {

@@ -165,14 +165,34 @@ class Player {
     this.draw();
   }
 
-  drawSurface({ at: [x, y, nx, ny], name }) {
+  /** A circle of material, or a hollow in it. */
+  drawCircle([x, y], name, [radius, hollow]) {
+    const [px, py] = this.pixel(x, y);
+    const size = radius * this.scale;
+    const [depth, count] = [hollow ? HATCH : -HATCH, Math.max(12, Math.round((2 * Math.PI * size) / HATCH))];
+    const at = (turn, r) => [px + r * Math.cos(turn), py + r * Math.sin(turn)];
+    const step = (2 * Math.PI) / count;
+    let strokes = "";
+    for (let i = 0; i < count; i += 1) strokes += `M${at(i * step, size)}L${at((i - 1) * step, size + depth)}`;
+    draw("path", { class: "hatch", d: strokes, fill: "none" }, this.svg);
+    draw("circle", { class: "ground", cx: px, cy: py, r: size, fill: "none" }, this.svg);
+    const below = hollow ? py + size + 22 : py - size + 22;
+    drawLabel(this.svg, name, { x: px, y: Math.min(below, this.size[1] - 8), "text-anchor": "middle", class: "halo" });
+  }
+
+  /** With a reach it ends there to both sides, as the edge of a polygon does. */
+  drawSurface({ at: [x, y, nx, ny, ends], name, round }) {
+    if (round) {
+      this.drawCircle([x, y], name, round);
+      return;
+    }
     const size = Math.hypot(nx, ny);
     const [ux, uy] = [nx / size, -ny / size];
     const [px, py] = this.pixel(x, y);
     const middle = [this.size[0] / 2 - px, this.size[1] / 2 - py];
-    const along = -uy * middle[0] + ux * middle[1];
+    const along = ends === undefined ? -uy * middle[0] + ux * middle[1] : 0;
     const foot = [px - uy * along, py + ux * along];
-    const reach = Math.hypot(...this.size);
+    const reach = ends === undefined ? Math.hypot(...this.size) : ends * this.scale;
     const at = (s, depth) => [foot[0] - uy * s - ux * depth, foot[1] + ux * s - uy * depth];
     let strokes = "";
     for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;

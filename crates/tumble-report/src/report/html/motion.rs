@@ -2,7 +2,7 @@
 
 use super::data::{label, mark};
 use crate::report::json::{Grid, list, number, object, string};
-use tumble_drawing::free_body::{NamedPoint, Surface};
+use tumble_drawing::free_body::{NamedPoint, Round, Surface};
 use tumble_drawing::numeral::significant;
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
@@ -172,8 +172,10 @@ fn force(force: &MovingForce, frames: &[usize]) -> String {
 }
 
 fn surface(surface: &Surface) -> String {
-    let numbers = surface.point.into_iter().chain(surface.normal).map(number);
-    object([("at", list(numbers)), ("name", label(&surface.name))])
+    let numbers = surface.point.into_iter().chain(surface.normal).chain(surface.reach).map(number);
+    let round = |round: Round| list([number(round.radius), u8::from(round.hollow).to_string()]);
+    let round = surface.round.map_or_else(|| "null".to_owned(), round);
+    object([("at", list(numbers)), ("name", label(&surface.name)), ("round", round)])
 }
 
 fn point(point: &NamedPoint) -> String {

@@ -110,7 +110,9 @@ fn phase(phase: &Phase) -> String {
     let (name, span) = (tagged("h3", "", &text(&phase.name)), tagged("p", "", &text(&phase.span)));
     let numbers = blocks(&phase.numbers);
     let numbers = if numbers.is_empty() { numbers } else { format!("<p>With numbers:</p>\n{numbers}") };
-    format!("{name}{span}{}{numbers}", blocks(&phase.symbols))
+    let symbols = blocks(&phase.symbols);
+    let symbols = if symbols.is_empty() { symbols } else { format!("<p>In symbols:</p>\n{symbols}") };
+    format!("{name}{span}{}", tagged("div", "phase", &pair([symbols, numbers])))
 }
 
 fn blocks(blocks: &[Block]) -> String {

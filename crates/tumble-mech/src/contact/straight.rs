@@ -1,0 +1,134 @@
+//! # Law
+//! A circle of radius r about p and a straight edge of another body or of the world, thick by R to each side, from P along the unit
+//! vector u over the length L, with the outward normal m: the gap is `m . (p - P) - (r + R)`. The edge turns with its body,
+//! `m' = omega x m` and `m'' = alpha x m - omega^2 m`, so `g' = m . (p' - P') + m' . (p - P)` and
+//! `g'' = m . (p'' - P'') + 2 m' . (p' - P') + m'' . (p - P)`. Both bodies are pushed at one point, `p - r m`, along m.
+//!
+//! They meet there only where `0 <= u . (p - P) <= L`; beyond its ends the edge's corners do. A corner of a polygon in the place of the
+//! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it. A circle meets a
+//! corner C where it is beyond the ends of both edges, `(p - C) . (q - C) <= 0`.
+//! # Symbols and units
+//! p, P, C, q, r, R, L (m), g (m), m, u (1), omega (1/s), alpha (1/s^2).
+//! # Sign and frame
+//! World axes. m points from the edge to the circle; the pair's normal points to its first body, so it is -m where the edge is that one's.
+//! # Validity
+//! Convex polygons, boxes and rods; a rod has an edge on each side.
+//! # Source
+//! Feature pairs of convex bodies by their Voronoi regions; differentiation in a turning frame.
+//! # Checked by
+//! `tests/edges.rs`.
+
+use tumble_expr::{Expr, Vector};
+
+use crate::anchor::rate;
+use crate::contact::border::{Edge, Rim};
+use crate::contact::pair::{dot, turned};
+use crate::kinematics::{Kinematics, PointRef};
+
+/// Where a contact with an edge ends or begins may be off by this part of the edge's length: what stands flush with an end stays there,
+/// and where one contact gives way to the next neither is missed.
+const FITS: f64 = 1e-11;
+
+/// An edge and a circle: one of them is the first body's.
+#[derive(Clone, Debug)]
+pub(crate) struct Straight {
+    /// Motion of the body whose edge it is; `None` of the world.
+    pub(crate) owner: Option<Kinematics>,
+    /// Whether the edge is the first body's.
+    pub(crate) is_first: bool,
+    /// The second body's point: the centre of its circle, or the first end of its edge.
+    pub(crate) other: Option<PointRef>,
+    /// Radius of the second, m.
+    pub(crate) radius: Expr,
+    /// Distance of the centre from the edge while they touch, m.
+    pub(crate) reach: Expr,
+    /// Radius of a circle about the centre of the edge's body that holds all places of contact, m; `None` of the world.
+    pub(crate) around: Option<Expr>,
+    /// What is the same for all circles that meet this edge.
+    pub(crate) line: usize,
+}
+
+/// What must not be negative while two touch.
+#[derive(Clone, Debug)]
+pub(crate) struct Limit {
+    value: Expr,
+    /// A length that it is small against, m.
+    size: Expr,
+    /// Whether contact ends where it becomes negative, and does not only begin where it is not.
+    ends: bool,
+}
+
+impl Limit {
+    /// Not negative where contact may begin, but for rounding.
+    pub(crate) fn entered(&self) -> &Expr {
+        &self.value
+    }
+
+    /// Not negative where there may be contact, rounding included.
+    pub(crate) fn holding(&self) -> Expr {
+        &self.value + FITS * &self.size
+    }
+
+    /// Negative from where on there is none, if contact ends here at all: the next begins at the very place.
+    pub(crate) fn left(&self) -> Option<Expr> {
+        self.ends.then(|| self.value.clone())
+    }
+}
+
+impl Straight {
+    /// How the edge's normal turns, 1/s.
+    pub(crate) fn turning(&self, normal: &Vector) -> Vector {
+        match &self.owner {
+            Some(motion) => motion.omega() * normal.perpendicular(),
+            None => rate(normal),
+        }
+    }
+
+    /// The derivative of that, 1/s^2.
+    pub(crate) fn turning_rate(&self, normal: &Vector) -> Vector {
+        match &self.owner {
+            Some(motion) => {
+                let omega = motion.omega();
+                motion.alpha() * normal.perpendicular() - (&omega * &omega) * normal
+            }
+            None => rate(&rate(normal)),
+        }
+    }
+}
+
+/// The normal of an edge, out of what it bounds.
+pub(crate) fn outward(edge: &Edge) -> Vector {
+    turned(&edge.along().0)
+}
+
+/// Where a circle may touch an edge; `apart` is from the first end to its centre.
+pub(crate) fn along_edge(edge: &Edge, rim: &Rim, apart: &Vector) -> Vec<Limit> {
+    let (along, length) = edge.along();
+    let place = dot(&along, apart);
+    let within = |value: Expr| Limit { value, size: length.clone(), ends: true };
+    let ends = [within(place.clone()), within(&length - place)];
+    let normal = turned(&along);
+    let cone = rim.neighbours.iter().map(|next| {
+        let way = between(&rim.centre, next);
+        Limit { value: dot(&normal, &way), size: way.norm(), ends: false }
+    });
+    ends.into_iter().chain(cone).collect()
+}
+
+/// Where a circle may touch one about a corner or an end; `apart` is from there to its centre.
+pub(crate) fn beyond_ends(corner: &Rim, apart: &Vector, reach: &Expr) -> Vec<Limit> {
+    let of = |next| {
+        let way = between(&corner.centre, next);
+        let length = way.norm();
+        Limit { value: -dot(&way, apart) / length, size: reach.clone(), ends: true }
+    };
+    corner.neighbours.iter().map(of).collect()
+}
+
+/// From one place of a body, or of the world, to another.
+fn between(from: &crate::anchor::Anchor, to: &crate::anchor::Anchor) -> Vector {
+    match (from.material(), to.material()) {
+        (Some(from), Some(to)) => crate::kinematics::rotated(&(&to.arm - &from.arm), &from.body.angle()),
+        _ => to.position() - from.position(),
+    }
+}

@@ -1,0 +1,239 @@
+//! Rods, boxes, polygons and disks that meet by edges and corners, against closed forms.
+
+mod common;
+
+use common::{at, close, rigid, run};
+use tumble_expr::units::{KG, M, S};
+use tumble_expr::{Expr, Vector};
+use tumble_mech::{
+    Body, BodyContact, Change, Friction, Gravity, Happening, Model, Run, RunBalance, Shape, Start, Surface,
+};
+
+const G: f64 = 9.81;
+
+fn disk(name: &str, radius: f64, mass: f64) -> Body {
+    Body::of_shape(name, Shape::Disk { centre: place([0.0, 0.0]), radius: radius * M }).mass(mass * KG)
+}
+
+fn plate(name: &str, [width, height]: [f64; 2], mass: f64) -> Body {
+    let shape = Shape::Box { centre: place([0.0, 0.0]), width: width * M, height: height * M };
+    Body::of_shape(name, shape).mass(mass * KG)
+}
+
+fn rod(name: &str, length: f64, end_radius: f64, mass: f64) -> Body {
+    let [from, to] = [-0.5, 0.5].map(|end| place([end * length, 0.0]));
+    Body::of_shape(name, Shape::Rod { from, to, end_radius: end_radius * M }).mass(mass * KG)
+}
+
+fn place([x, y]: [f64; 2]) -> Vector {
+    Vector::planar(x * M, y * M)
+}
+
+fn start(place: [f64; 2], angle: f64, velocity: [f64; 2], omega: f64) -> Start {
+    let start = Start::default().at(place.map(|x| x * M)).velocity(velocity.map(|v| v * M / S));
+    start.angle(Expr::from(angle)).omega(omega / S)
+}
+
+fn model(gravity: f64, bodies: Vec<(Body, Start)>) -> Model {
+    let mut model = Model::new();
+    if gravity > 0.0 {
+        model.gravity = Gravity::Vertical(gravity * M / (S * S));
+    }
+    for (body, start) in bodies {
+        model.starts.push((body.name.clone(), start));
+        model.add(body);
+    }
+    model
+}
+
+fn step(name: &str, corners: &[[f64; 2]], e: f64, friction: f64) -> Surface {
+    let corners = corners.iter().map(|corner| place(*corner)).collect();
+    let step = Surface::polygon(name, corners, rigid(e));
+    if friction > 0.0 { step.with_friction(Friction::new(Expr::from(friction))) } else { step }
+}
+
+/// x, y, angle, vx, vy, omega
+fn motion(run: &Run, body: usize, time: f64) -> [f64; 6] {
+    let body = run.equations.model().bodies[body].kinematics();
+    let (p, v) = (body.position(), body.velocity());
+    at(run, time, [p[0].clone(), p[1].clone(), body.angle(), v[0].clone(), v[1].clone(), body.omega()])
+}
+
+fn slides(happening: &Happening) -> bool {
+    matches!(happening, Happening::Contact { change: Change::Slides, .. })
+}
+
+fn happened(run: &Run) -> Vec<(String, f64, bool)> {
+    let contacts = run.contacts();
+    contacts.iter().map(|c| (run.equations.pairs()[c.pair].name.clone(), c.start, c.is_impact)).collect()
+}
+
+/// A ball flies against the side of a free box, above its centre: 1/m_eff = 1/m + 1/M + h^2/I.
+#[test]
+fn a_ball_against_the_face_of_a_box() {
+    let (e, h, m, mass) = (0.6, 0.15, 0.5, 2.0);
+    let bodies = vec![
+        (disk("ball", 0.1, m), start([-1.0, h], 0.0, [2.0, 0.0], 0.0)),
+        (plate("box", [0.4, 0.6], mass), start([0.0; 2], 0.0, [0.0; 2], 0.0)),
+    ];
+    let mut model = model(0.0, bodies);
+    model.contact(BodyContact::of_all("hit", Expr::from(e)));
+    let run = run(model, 1.0, 1e-12);
+    let hits = happened(&run);
+    assert_eq!(hits.len(), 1, "{hits:?}");
+    close(hits[0].1, 0.35, 1e-14);
+    let inertia = mass * (0.16 + 0.36) / 12.0;
+    let push = (1.0 + e) * 2.0 / (1.0 / m + 1.0 / mass + h * h / inertia);
+    let [ball, plate] = [0, 1].map(|body| motion(&run, body, 0.9));
+    close(ball[3], 2.0 - push / m, 1e-13);
+    close(ball[4], 0.0, 1e-15);
+    close(plate[3], push / mass, 1e-13);
+    close(plate[5], -h * push / inertia, 1e-13);
+}
+
+/// A ball flies against the corner of a free box: the impulse goes through the ball's centre.
+#[test]
+fn a_ball_against_the_corner_of_a_box() {
+    let (e, m, mass, r) = (1.0, 0.5, 2.0, 0.1);
+    // The ball's centre is 6 cm above the box's top, 8 cm left of its corner when they touch.
+    let bodies = vec![
+        (disk("ball", r, m), start([-1.0, 0.36], 0.0, [2.0, 0.0], 0.0)),
+        (plate("box", [0.4, 0.6], mass), start([0.0; 2], 0.0, [0.0; 2], 0.0)),
+    ];
+    let mut model = model(0.0, bodies);
+    model.contact(BodyContact::of_all("hit", Expr::from(e)));
+    let run = run(model, 1.0, 1e-12);
+    let hits = happened(&run);
+    assert_eq!(hits.len(), 1, "{hits:?}");
+    close(hits[0].1, (1.0 - 0.28) / 2.0, 1e-14);
+    let n = [-0.8, 0.6];
+    let inertia = mass * (0.16 + 0.36) / 12.0;
+    // From the box's centre to its upper left corner.
+    let arm = [-0.2, 0.3];
+    let lever = arm[0] * n[1] - arm[1] * n[0];
+    let push = (1.0 + e) * 2.0 * 0.8 / (1.0 / m + 1.0 / mass + lever * lever / inertia);
+    let [ball, plate] = [0, 1].map(|body| motion(&run, body, 0.9));
+    close(ball[3], 2.0 + push * n[0] / m, 1e-13);
+    close(ball[4], push * n[1] / m, 1e-13);
+    close(plate[3], -push * n[0] / mass, 1e-13);
+    close(plate[5], -lever * push / inertia, 1e-13);
+    close(ball[5], 0.0, 1e-15);
+}
+
+/// Two boxes stand on a floor, one on the other, and do not move.
+#[test]
+fn a_stack_stays() {
+    for (width, offset) in [(0.4, 0.0), (0.3, 0.02), (0.4, 0.1), (0.6, 0.0)] {
+        let bodies = vec![
+            (plate("lower", [0.4, 0.2], 1.0), start([0.0, 0.1], 0.0, [0.0; 2], 0.0)),
+            (plate("upper", [width, 0.2], 1.0), start([offset, 0.3], 0.0, [0.0; 2], 0.0)),
+        ];
+        let mut model = model(G, bodies);
+        let friction = || Friction::new(Expr::from(0.5));
+        model.contact(BodyContact::of_all("hit", Expr::from(0.5)).with_friction(friction()));
+        model.surface(Surface::floor("floor", 0 * M, rigid(0.5)).with_friction(friction()));
+        let run = run(model, 2.0, 1e-12);
+        for body in 0..2 {
+            let moved = motion(&run, body, 1.9);
+            assert_eq!([moved[3], moved[4], moved[5]], [0.0; 3], "{width} {offset} {body}");
+        }
+    }
+}
+
+/// A thin rod rocks on a drum without slipping. At the angle a the contact is R a off its middle, so the middle is at
+/// `R (cos a, ..)`; energy: `(L^2/12 + R^2 a^2) a'^2/2 + g R (cos a + a sin a)` is kept.
+#[test]
+fn a_rod_rocks_on_a_drum() {
+    let (length, radius, first) = (1.0, 0.2, 0.3);
+    let at_angle = |a: f64| [radius * (-a.sin() + a * a.cos()), radius * (a.cos() + a * a.sin())];
+    let bodies = vec![(rod("rod", length, 0.0, 1.0), start(at_angle(first), first, [0.0; 2], 0.0))];
+    let mut model = model(G, bodies);
+    let drum = Surface::circle("drum", [0 * M, 0 * M], radius * M, rigid(0.0));
+    model.surface(drum.with_friction(Friction::new(Expr::from(5))));
+    let run = run(model, 3.0, 1e-12);
+    let inertia = length * length / 12.0;
+    let height = |a: f64| G * radius * (a.cos() + a * a.sin());
+    for time in [0.1, 0.5, 1.0, 2.0, 2.9] {
+        let [x, y, a, _, _, omega] = motion(&run, 0, time);
+        let expected = at_angle(a);
+        close(x, expected[0], 1e-11);
+        close(y, expected[1], 1e-11);
+        let energy = 0.5 * (inertia + radius * radius * a * a) * omega * omega + height(a);
+        close(energy, height(first), 1e-11);
+    }
+}
+
+/// Small swings of it: omega^2 = g R/(L^2/12).
+#[test]
+fn small_swings_of_a_rod_on_a_drum() {
+    let (length, radius, first): (f64, f64, f64) = (1.0, 0.2, 1e-4);
+    let place = [radius * (-first.sin() + first * first.cos()), radius * (first.cos() + first * first.sin())];
+    let bodies = vec![(rod("rod", length, 0.0, 1.0), start(place, first, [0.0; 2], 0.0))];
+    let mut model = model(G, bodies);
+    let drum = Surface::circle("drum", [0 * M, 0 * M], radius * M, rigid(0.0));
+    model.surface(drum.with_friction(Friction::new(Expr::one())));
+    let run = run(model, 3.0, 1e-12);
+    let rate = (12.0 * G * radius).sqrt() / length;
+    for time in [0.5, 1.0, 2.5] {
+        assert!((motion(&run, 0, time)[2] / first - (rate * time).cos()).abs() < 1e-7);
+    }
+}
+
+/// A disk rolls to the edge of a step, then about its corner: it goes on at r from it, and while it does not slip
+/// `3/4 r^2 w^2 + g r cos(phi)` is kept.
+#[test]
+fn a_disk_rolls_over_the_corner_of_a_step() {
+    let (r, v) = (0.1, 0.3);
+    let bodies = vec![(disk("disk", r, 1.0), start([-0.3, r], 0.0, [v, 0.0], -v / r))];
+    let mut model = model(G, bodies);
+    model.surface(step("step", &[[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]], 0.0, 2.0));
+    let run = run(model, 1.3, 1e-12);
+    let told = happened(&run);
+    assert_eq!(told.len(), 2, "{told:?}");
+    close(told[1].1, 1.0, 1e-10);
+    for time in [1.05, 1.1, 1.15, 1.19] {
+        let [x, y, _, _, _, omega] = motion(&run, 0, time);
+        close(x.hypot(y), r, 1e-13);
+        let phi = x.atan2(y);
+        let kept = |omega: f64, phi: f64| 0.75 * r * r * omega * omega + G * r * phi.cos();
+        close(kept(omega, phi), kept(v / r, 0.0), 1e-11);
+    }
+    // It breaks away where sin(phi)/3 is as much as friction can be, 2 (cos(phi) - r w^2/g).
+    let slides = run.events().find(|event| event.record.happened.iter().any(slides)).expect("it slips");
+    let [x, y, _, _, _, omega] = motion(&run, 0, slides.time);
+    close((x / r) / 3.0, 2.0 * (y / r - r * omega * omega / G), 1e-11);
+}
+
+/// Faster than sqrt(g r) it flies off at the corner.
+#[test]
+fn a_fast_disk_flies_off_a_step() {
+    let (r, v) = (0.1, 1.2);
+    let bodies = vec![(disk("disk", r, 1.0), start([-0.3, r], 0.0, [v, 0.0], -v / r))];
+    let mut model = model(G, bodies);
+    model.surface(step("step", &[[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]], 0.0, 2.0));
+    let run = run(model, 0.5, 1e-12);
+    let [x, y, _, vx, _, omega] = motion(&run, 0, 0.45);
+    close(x, -0.3 + v * 0.45, 1e-12);
+    close(y, r - 0.5 * G * 0.2 * 0.2, 1e-10);
+    close(vx, v, 1e-13);
+    close(omega, -v / r, 1e-13);
+}
+
+/// A block slides off a step without friction: until its middle is over the corner it goes on, then it tips.
+#[test]
+fn a_block_slides_off_a_step() {
+    let (v, half) = (0.5, 0.1);
+    let bodies = vec![(plate("block", [2.0 * half, 0.1], 1.0), start([-0.25, 0.05], 0.0, [v, 0.0], 0.0))];
+    let mut model = model(G, bodies);
+    model.surface(step("step", &[[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]], 0.0, 0.0));
+    let run = run(model, 0.8, 1e-12);
+    let [x, y, angle, vx, ..] = motion(&run, 0, 0.4999);
+    close(x, -0.25 + v * 0.4999, 1e-13);
+    close(y, 0.05, 1e-15);
+    close(angle, 0.0, 1e-15);
+    close(vx, v, 1e-15);
+    let [_, y, angle, ..] = motion(&run, 0, 0.6);
+    assert!(angle < 0.0 && y < 0.05, "{angle} {y}");
+    let balance = RunBalance::of(&run, [0.0; 2]).expect("finite");
+    assert!(balance.relative() < 1e-11, "{:e}", balance.relative());
+}

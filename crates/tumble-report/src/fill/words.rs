@@ -1,0 +1,180 @@
+//! What touches, what acts and what happens, in words: `the tail presses on the floor`.
+
+use tumble_expr::is_identically_zero;
+use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Pair, Record};
+use tumble_scene::Study;
+
+use crate::figures::symbols;
+
+/// More groups of contacts than these are counted.
+const MOST_GROUPS: usize = 3;
+/// More contacts of one group than these are counted.
+const MOST_NAMED: usize = 4;
+
+/// What a contact does, of one point and of several.
+type Verb = [&'static str; 2];
+
+/// What touches and what acts while a mode lasts.
+pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String {
+    let windows = equations.windows().iter().zip(&mode.windows);
+    let acting = windows.map(|(window, acts)| match acts {
+        true => format!("{} acts", symbols::the(&window.load)),
+        false => format!("without {}", symbols::the(&window.load)),
+    });
+    let joints = study.model.joints.iter().enumerate();
+    let changing = joints.filter(|(_, joint)| joint.from.is_some() || joint.until.is_some());
+    let joined = changing.map(|(index, joint)| match equations.holds(mode, index) {
+        true => format!("{} holds", symbols::the(&joint.name)),
+        false => format!("without {}", symbols::the(&joint.name)),
+    });
+    let changed =
+        mode.changes.iter().map(|event| format!("after {}", spoken(&study.model.events[*event].name)));
+    let all: Vec<String> =
+        contacts(study, equations, mode).into_iter().chain(joined).chain(acting).chain(changed).collect();
+    match (all.is_empty(), equations.pairs().is_empty()) {
+        (false, _) => all.join(", "),
+        (true, false) => "nothing touches".to_owned(),
+        (true, true) => "all the time".to_owned(),
+    }
+}
+
+/// Contacts by what they do and to what; of many groups, how many do what.
+fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
+    let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
+    for (index, contact_mode) in &mode.contacts {
+        let pair = &equations.pairs()[*index];
+        let (verb, to, point) =
+            (verb(*contact_mode, mode.grip(*index), pair), against(study, pair), point(study, pair));
+        match groups.iter_mut().find(|(known, other, _)| *known == verb && *other == to) {
+            Some((.., points)) => points.push(point),
+            None => groups.push((verb, to, vec![point])),
+        }
+    }
+    if groups.len() > MOST_GROUPS {
+        return counted(&groups);
+    }
+    groups.iter().map(|(verb, to, points)| group(*verb, to, points)).collect()
+}
+
+/// `the tail and the tip press on the floor`
+fn group(verb: Verb, to: &str, points: &[String]) -> String {
+    match points {
+        [only] => format!("{only} {} {to}", verb[0]),
+        many if many.len() > MOST_NAMED => format!("{} points {} {to}", many.len(), verb[1]),
+        [before @ .., last] => format!("{} and {last} {} {to}", before.join(", "), verb[1]),
+        [] => String::new(),
+    }
+}
+
+/// `12 contacts: 9 touch, 3 roll on`
+fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
+    let mut counts: Vec<(&str, usize)> = vec![];
+    for ([_, several], _, points) in groups {
+        let word = several.split(' ').next().unwrap_or(several);
+        match counts.iter_mut().find(|(known, _)| *known == word) {
+            Some((_, count)) => *count += points.len(),
+            None => counts.push((word, points.len())),
+        }
+    }
+    let all: usize = counts.iter().map(|(_, count)| count).sum();
+    let each: Vec<String> = counts.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    vec![match &counts[..] {
+        [(word, _)] => format!("{all} contacts {word}"),
+        _ => format!("{all} contacts: {}", each.join(", ")),
+    }]
+}
+
+fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
+    match (contact_mode, grip) {
+        (ContactMode::Pressed, _) => ["presses on", "press on"],
+        (ContactMode::Released, _) => ["is let go by", "are let go by"],
+        (ContactMode::Settling, _) => ["settles on", "settle on"],
+        (ContactMode::Resting, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => {
+            ["rolls on", "roll on"]
+        }
+        (ContactMode::Resting, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
+        (ContactMode::Resting, Some(Grip::Slides(_))) => ["slides on", "slide on"],
+        (ContactMode::Resting, Some(Grip::Strains(_))) => {
+            ["is on the point of sliding on", "are on the point of sliding on"]
+        }
+        (ContactMode::Resting | ContactMode::Idle, _) => ["touches", "touch"],
+    }
+}
+
+fn is_round(pair: &Pair) -> bool {
+    !is_identically_zero(&pair.radius)
+}
+
+/// What touches: a round body, or a point of one, with its body where there are several.
+fn point(study: &Study, pair: &Pair) -> String {
+    let body = symbols::the(&study.model.bodies[pair.body].name);
+    let point = symbols::last(&pair.name);
+    match (is_round(pair) || pair.other.is_some(), study.model.bodies.len()) {
+        (true, _) => body,
+        (false, 1) => symbols::the(point),
+        (false, _) => format!("{} of {body}", symbols::the(point)),
+    }
+}
+
+/// What it touches.
+fn against(study: &Study, pair: &Pair) -> String {
+    match pair.other {
+        Some(other) => symbols::the(&study.model.bodies[other].name),
+        None => symbols::the(pair.name.split('.').next().unwrap_or(&pair.name)),
+    }
+}
+
+/// What a contact is called in the table of a body's forces.
+pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
+    let other = if pair.other == Some(body) {
+        symbols::the(&study.model.bodies[pair.body].name)
+    } else {
+        against(study, pair)
+    };
+    format!("contact with {other}")
+}
+
+/// All that happens at an instant.
+pub(super) fn event(study: &Study, equations: &Equations, record: &Record) -> String {
+    let all: Vec<String> = record.happened.iter().map(|one| happening(study, equations, one)).collect();
+    all.join(", ")
+}
+
+fn happening(study: &Study, equations: &Equations, happening: &Happening) -> String {
+    match *happening {
+        Happening::Event(event) => spoken(&study.model.events[event].name),
+        Happening::Window { window, ends } => {
+            let load = symbols::the(&equations.windows()[window].load);
+            format!("{load} {}", if ends { "ends" } else { "begins" })
+        }
+        Happening::Joint { joint, holds } => {
+            let joint = symbols::the(&study.model.joints[joint].name);
+            format!("{joint} {}", if holds { "begins to hold" } else { "lets go" })
+        }
+        Happening::Impulse(impulse) => format!("impulse {}", spoken(&study.model.impulses[impulse].name)),
+        Happening::Contact { pair, change } => {
+            let pair = &equations.pairs()[pair];
+            format!("{} {} {}", point(study, pair), changes(change), against(study, pair))
+        }
+        Happening::Rest => "all is at rest".to_owned(),
+        Happening::Singular => "the joints pass a singular configuration".to_owned(),
+    }
+}
+
+fn changes(change: Change) -> &'static str {
+    match change {
+        Change::Impact => "strikes",
+        Change::Zeno => "bounces no higher than can be followed on",
+        Change::Start => "begins to touch",
+        Change::End => "leaves",
+        Change::Slides => "begins to slide on",
+        Change::Sticks => "sticks to",
+        Change::Rolls => "begins to roll on",
+        Change::Clear => "is out of",
+    }
+}
+
+/// A name of the scene as it is spoken.
+pub(super) fn spoken(name: &str) -> String {
+    name.replace(['-', '_'], " ")
+}

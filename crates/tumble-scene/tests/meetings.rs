@@ -1,0 +1,114 @@
+//! Bodies that meet each other and polygons, in scenes: what is read, and what is a mistake.
+
+#[path = "common/beside.rs"]
+mod beside;
+#[path = "common/rows.rs"]
+mod rows;
+
+use rows::{Row, table};
+use tumble_scene::read;
+
+const SCENE: &str = r#"version = 1
+[world]
+gravity = "9.81 m/s^2"
+[body.crate]
+box = { width = "0.4 m", height = "0.2 m" }
+mass = "1 kg"
+start = { at = [0, "0.6 m"] }
+[body.wedge]
+polygon = { corners = [[0, 0], ["0.3 m", 0], [0, "0.3 m"]] }
+mass = "2 kg"
+start = { at = [0, "1 m"] }
+[body.ball]
+ball = { radius = "5 cm" }
+mass = "0.3 kg"
+restitution = 0.9
+start = { at = ["-1 m", "1 m"] }
+[body.bar]
+rod = { from = [0, 0], to = ["1 m", 0], end_radius = "1 cm" }
+mass = "0.2 kg"
+start = { at = [0, "2 m"] }
+[surface.step]
+polygon = [["-1 m", 0], ["1 m", 0], ["1 m", "0.5 m"], ["-1 m", "0.5 m"]]
+rigid = { restitution = 0.5, friction = { static = 0.4, kinetic = 0.3 } }
+on = ["crate", "wedge", "ball"]
+[surface.drum]
+circle = { centre = ["5 m", 0], radius = "0.3 m" }
+rigid = { restitution = 0 }
+[surface.bowl]
+circle = { centre = [0, 0], radius = "9 m", inside = true }
+rigid = { restitution = 0 }
+on = "ball"
+[contact.heap]
+between = ["crate", "wedge", "bar"]
+rigid = { restitution = 0.2, friction = 0.6 }
+[contact.hits]
+between = ["ball", "crate"]
+[run]
+until = "1 s"
+"#;
+
+#[test]
+fn everything_is_read() {
+    let study = read("scene.toml", SCENE, &[]).map_err(|mistakes| mistakes.to_string()).expect("a study");
+    let names: Vec<String> = study.model.pairs().into_iter().map(|pair| pair.name).collect();
+    let of = |start: &str| names.iter().filter(|name| name.starts_with(start)).count();
+    // Corners on sides and sides on corners; the ball's rim on sides and corners.
+    assert_eq!(of("step.crate."), 4 * 4 + 4 * 4);
+    assert_eq!(of("step.ball."), 4 + 4);
+    assert_eq!(of("drum.bar."), 2 + 2);
+    assert_eq!(of("heap.crate.wedge."), 4 * 3 + 3 * 4);
+    // Two ends and two sides, four corners and four sides.
+    assert_eq!(of("heap.crate.bar."), 2 * 4 + 2 * 4 + 2 * 4);
+    assert_eq!(of("hits.ball.crate."), 4 + 4);
+    assert!(names.contains(&"step.crate.corner1.side3".to_owned()));
+    assert!(names.contains(&"drum.bar.side2".to_owned()));
+}
+
+const MISTAKES: &[Row] = &[
+    ("friction = 0.6", "friction = -0.6", "E0530 -0.6", "must not be negative"),
+    ("kinetic = 0.3", "kinetic = 0.5", "E0530 { static = 0.4, kinetic = 0.5 }", "one number for both"),
+    ("restitution = 0.2", "restitution = 1.2", "E0530 1.2", "between 0 and 1"),
+    ("[\"ball\", \"crate\"]", "[\"ball\", \"crater\"]", "E0520 \"crater\"", "crate"),
+    ("[\"ball\", \"crate\"]", "[\"ball\", \"ball\"]", "E0519 \"ball\"", "name each of them once"),
+    ("[\"ball\", \"crate\"]", "[\"ball\", \"crate\", \"bar\"]", "E0590 hits", "leave one of the two out"),
+    (
+        "[[0, 0], [\"0.3 m\", 0], [0, \"0.3 m\"]]",
+        "[[0, 0], [\"0.3 m\", 0], [\"0.1 m\", \"0.1 m\"], [0, \"0.3 m\"]]",
+        "E0530 [[0, 0], [\"0.3 m\", 0], [\"0.1 m\", \"0.1 m\"], [0, \"0.3 m\"]]",
+        "convex parts",
+    ),
+    (
+        "[[0, 0], [\"0.3 m\", 0], [0, \"0.3 m\"]]",
+        "[[0, 0], [0, \"0.3 m\"], [\"0.3 m\", 0]]",
+        "E0530 [[0, 0], [0, \"0.3 m\"], [\"0.3 m\", 0]]",
+        "the other way round",
+    ),
+    (
+        "[[\"-1 m\", 0], [\"1 m\", 0], [\"1 m\", \"0.5 m\"], [\"-1 m\", \"0.5 m\"]]",
+        "[[\"-1 m\", 0], [\"-1 m\", \"0.5 m\"], [\"1 m\", \"0.5 m\"], [\"1 m\", 0]]",
+        "E0530 [[\"-1 m\", 0], [\"-1 m\", \"0.5 m\"], [\"1 m\", \"0.5 m\"], [\"1 m\", 0]]",
+        "the other way round",
+    ),
+    (
+        "[[\"-1 m\", 0], [\"1 m\", 0], [\"1 m\", \"0.5 m\"], [\"-1 m\", \"0.5 m\"]]",
+        "[[\"-1 m\", 0], [\"1 m\", 0]]",
+        "E0514 [[\"-1 m\", 0], [\"1 m\", 0]]",
+        "3 corners or more",
+    ),
+    (
+        "polygon = [[\"-1 m\", 0]",
+        "through = [0, 0]\npolygon = [[\"-1 m\", 0]",
+        "E0519 through | polygon",
+        "leave one",
+    ),
+    ("start = { at = [0, \"0.6 m\"] }", "start = { at = [0, \"0.59 m\"] }", "E0539 start", "m farther out"),
+    ("start = { at = [0, \"1 m\"] }", "start = { at = [0, \"0.7 m\"] }", "E0539 start", "m farther apart"),
+    ("radius = \"9 m\"", "radius = \"4 cm\"", "E0530 \"4 cm\"", "less that of `ball`"),
+    (", end_radius = \"1 cm\"", "", "E0590 heap", "end_radius"),
+];
+
+#[test]
+fn mistakes() {
+    table(SCENE, MISTAKES);
+}
