@@ -1,5 +1,7 @@
 //! The word that was probably meant.
 
+use strsim::damerau_levenshtein;
+
 /// The word that differs in upper and lower case only.
 pub(super) fn same_letters<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
     let lower = word.to_lowercase();
@@ -64,18 +66,18 @@ pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Opti
         known.len() <= 2 * LONGEST && begins_like(word, known) && letters.slips_to(known) <= allowed
     };
     let near = words.into_iter().take(MOST_WORDS).filter(fits).take(MOST_COMPARED);
-    let scored = near.map(|known| (slips(word, known), known));
-    let (least, best) = scored.min_by_key(|(slips, _)| *slips)?;
+    let folded = word.to_lowercase();
+    // Of words as near the one is meant that has more capitals in common.
+    let scored = near.map(|known| {
+        (damerau_levenshtein(&folded, &known.to_lowercase()), damerau_levenshtein(word, known), known)
+    });
+    let (least, _, best) = scored.min_by_key(|(least, exact, _)| (*least, *exact))?;
     (least <= allowed).then_some(best)
 }
 
 fn begins_like(word: &str, known: &str) -> bool {
     let first = |word: &str| word.chars().next().map(|letter| letter.to_lowercase().to_string());
     first(word) == first(known)
-}
-
-fn slips(word: &str, known: &str) -> usize {
-    strsim::damerau_levenshtein(&word.to_lowercase(), &known.to_lowercase())
 }
 
 #[cfg(test)]
@@ -87,7 +89,7 @@ mod tests {
         let words =
             ["gravity", "gravty", "GRAVITY", "rod.angle", "rod.anlge", "m", "L", "球", "", "Länge", "laenge"];
         for (a, b) in words.iter().flat_map(|a| words.map(|b| (*a, b))) {
-            let slips = strsim::damerau_levenshtein(&a.to_lowercase(), &b.to_lowercase());
+            let slips = damerau_levenshtein(&a.to_lowercase(), &b.to_lowercase());
             assert!(Letters::of(a).slips_to(b) <= slips, "{a} {b}");
         }
         assert_eq!(Letters::of("knowm7x").slips_to("unknown1"), 4);
@@ -100,6 +102,7 @@ mod tests {
         assert_eq!(nearest("gravty"), Some("gravity"));
         assert_eq!(nearest("rod.anlge"), Some("rod.angle"));
         assert_eq!(nearest("M"), Some("m"));
+        assert_eq!(super::nearest("TT", ["t", "T"]), Some("T"));
         assert_eq!(nearest("x"), None);
         assert_eq!(nearest("trod.angle"), None, "the first letter is rarely a slip");
         assert_eq!(nearest("temperature"), None);
