@@ -1,27 +1,24 @@
-// Plays with generated reports in headless Chromium, from files, and says what is wrong with them.
+// Plays with the reports of a gallery in headless browsers, from files, and says what is wrong with them.
 //
-//     node play.mjs CHROMIUM TUMBLE FOLDER SCENES
+//     node play.mjs TUMBLE GALLERY SCENES BROWSER...
 //
-// Numbers that a page shows must be those of the command `TUMBLE` for the same settings, to the last digit; a mistake has its code
-// and its place and leaves the last run; a long run is stopped; nothing is asked of a network; paper has no controls.
-// FOLDER is where reports are written. The times are those of a slider until the picture has moved, and until all numbers are there.
+// Of every scene a slider is moved: its picture changes, and its numbers are those of the command TUMBLE for the same value, to the last
+// digit. A mistake has its code, its place and its cure and leaves the last run; a link holds the state; a long run is stopped, and what
+// is broken costs the run alone; nothing is asked of a network; a page fits a phone, and paper has no controls.
 
-import { execFileSync, spawnSync } from "node:child_process";
-import { statSync, writeFileSync, mkdirSync } from "node:fs";
+import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import process from "node:process";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { after, both, check, end, launched, numbers, onPaper, opened, report, said, typed } from "./common.mjs";
 
-const [program, tumble, folder, scenes] = process.argv.slice(2);
+const [tumble, gallery, scenes, ...programs] = process.argv.slice(2);
 const NARROW = 400;
-/** Scenes, and a value that is moved in each. */
-const MOVED = [
-  ["01-pendulum-in-the-wind", "T", "1.37 s"],
-  ["02-thrown-rod", "c", "0.013 kg/m^2"],
-  ["03-bouncing-rod", null, null],
-  ["04-kicked-ball", "F", "150 N"],
-];
+/** Where on a slider it is moved to: neither end nor middle. */
+const PLACE = 430;
+/** Sliders that are moved until the picture changes. */
+const MOST_MOVED = 4;
+/** The scene in which everything is looked at beside numbers. */
+const FIRST = "01-pendulum-in-the-wind";
 const ENDLESS = `version = 1
 title = "Endless"
 world.gravity = "9.81 m/s^2"
@@ -38,123 +35,125 @@ point = [0, 0]
 world = [0, 0]
 `;
 
-let failed = 0;
-let passed = 0;
-function check(name, holds, detail = "") {
-  if (holds) passed += 1;
-  else failed += 1;
-  console.log(`${holds ? "ok    " : "FAILED"} ${name}${holds ? "" : `: ${detail}`}`);
-}
-
-/** What the command says of its runs, without the heading and the files. */
-function told(scene, set) {
-  const settings = set.flatMap(([name, text]) => ["--set", `${name}=${text}`]);
-  // A claim that does not hold ends the command with 1, and is told like the others.
-  const command = ["run", scene, "--no-figures", "--out", join(folder, "told"), ...settings];
-  return spawnSync(tumble, command, { encoding: "utf8" }).stdout.split("\n").slice(1).filter((line) => !/^ {2}(figures|results|note):/.test(line)).join("\n").trim();
-}
-
-async function opened(browser, name, requests) {
-  const page = await browser.newPage();
-  page.on("request", (request) => /^(file|data|blob|about):/.test(request.url()) || requests.push(request.url()));
-  page.on("pageerror", (error) => check(`${name} throws nothing`, false, error.message));
-  await page.goto(pathToFileURL(join(folder, name, "report.html")).href);
-  return page;
-}
-
-/** Types a value, and waits until the run of it is over. */
-async function typed(page, knob, text) {
-  await page.evaluate(() => {
-    globalThis.settled = new Promise((resolve) => {
-      const hear = lab.hear;
-      lab.hear = (kind, value) => {
-        hear.call(lab, kind, value);
-        if (["done", "mistakes", "refused", "broken", "stopped"].includes(kind)) resolve(kind);
-      };
-    });
-  });
-  await page.fill(`[id="knob-${knob}"]`, text);
-  await page.press(`[id="knob-${knob}"]`, "Enter");
-  return page.evaluate(() => globalThis.settled);
-}
-
-/** Milliseconds from a slider to the picture and to the end of the run, warm. */
-async function timed(page, knob) {
-  return page.evaluate(async (name) => {
-    const slider = lab.controls.get(name).slider;
-    const times = [];
-    for (const value of [300, 420, 510]) {
-      const start = performance.now();
-      const marks = {};
-      const over = new Promise((resolve) => {
-        const hear = Object.getPrototypeOf(lab).hear;
-        lab.hear = (kind, got) => {
-          hear.call(lab, kind, got);
-          marks[kind] ??= performance.now() - start;
-          if (["done", "mistakes", "refused"].includes(kind)) resolve();
-        };
-      });
-      slider.value = value;
+/** Moves a slider; which one, its value as the field has it, and how the run ended. */
+async function moved(page, index = 0) {
+  const knob = await page.evaluate((index) => [...lab.controls.keys()][index], index);
+  const how = await after(page, () =>
+    page.evaluate(([name, place]) => {
+      const { slider } = lab.controls.get(name);
+      slider.value = place;
       slider.dispatchEvent(new Event("input"));
-      await over;
-      times.push([marks.motion, marks.done].map(Math.round).join("/"));
-    }
-    return times.join(" ");
-  }, knob);
+    }, [knob, PLACE]),
+  );
+  return { knob, value: await page.inputValue(`[id="knob-${knob}"]`), how };
 }
 
-/** Nine tenths of a value, in its unit. */
-const nearby = (name) => {
-  const { value, unit } = lab.controls.get(name).knob;
-  return `${Number((value * 0.9).toPrecision(4))} ${unit}`.trim();
-};
+/** The places of all bodies, as the page has them. */
+const picture = (page) => page.evaluate(() => lab.player.motion.bodies.flatMap(({ x, y, angle }) => [...x, ...y, ...angle]).join());
 
-async function play(browser, [name, knob, text], requests) {
-  const scene = join(scenes, name, "scene.toml");
-  execFileSync(tumble, ["run", scene, "--out", folder]);
-  const page = await opened(browser, name, requests);
-  const wanted = knob ?? (await page.evaluate(() => [...lab.controls.values()].find((one) => one.knob.first).knob.name));
-  const value = text ?? (await page.evaluate(nearby, wanted));
-  check(`${name}: ${wanted} = ${value} runs`, (await typed(page, wanted, value)) === "done", await page.textContent("#play"));
-  const shown = (await page.textContent("#play .told")).trim();
-  const expected = told(scene, [[wanted, value]]);
-  check(`${name}: numbers are those of the command`, shown === expected, `${shown}\n-- the command:\n${expected}`);
-  check(`${name}: the address holds the state`, page.url().includes(`#${wanted}=`), page.url());
-  console.log(`       ${name}: ${statSync(join(folder, name, "report.html")).size} bytes; slider to picture/all, ms: ${await timed(page, wanted)}`);
-  await page.screenshot({ path: join(folder, `${name}.png`) });
-  const kind = await typed(page, wanted, "3 parsecs");
-  const said = await page.textContent("#play .said");
-  check(`${name}: a mistake has its code and place`, kind === "mistakes" && /E0\d\d\d/.test(said) && said.includes(`--set ${wanted}=3 parsecs:1:`), said);
-  check(`${name}: the last run stays`, (await page.textContent("#play .told")).length > 0);
+async function play(browser, name) {
+  const page = await opened(browser, report(gallery, name));
+  const where = `${browser.name}, ${name}`;
+  const before = await picture(page);
+  const set = [];
+  // A mass alone often changes no motion.
+  for (let index = 0; index < MOST_MOVED && (index === 0 || (await picture(page)) === before); index += 1) {
+    const { knob, value, how } = await moved(page, index);
+    set.push([knob, value]);
+    check(`${where}: ${knob} = ${value} runs`, how === "done", how);
+  }
+  const [[knob, value]] = set;
+  const [shown, expected] = [await numbers(page), said(tumble, join(scenes, name, "scene.toml"), set)];
+  check(`${where}: numbers are those of the command`, shown === expected && shown !== "", `${shown}\n-- the command:\n${expected}`);
+  check(`${where}: the picture has changed`, (await picture(page)) !== before);
+  if (name === FIRST) await look(browser, page, { knob, value, shown });
+  await page.close();
+}
+
+async function look(browser, page, { knob, value, shown }) {
+  const is = (what) => `${browser.name}: ${what}`;
+  await page.waitForFunction(() => location.hash.length > 1);
+  const link = await opened(browser, report(gallery, FIRST), new URL(page.url()).hash);
+  await link.waitForFunction(() => document.querySelector("#play .told")?.textContent.length > 0);
+  const field = await link.inputValue(`[id="knob-${knob}"]`);
+  check(is("a link holds the state"), (await numbers(link)) === shown && field === value, `${field} for ${value}`);
+  await link.close();
+  const kind = await typed(page, knob, "3 parsecs");
+  const words = await page.textContent("#play .said");
+  check(is("a mistake has its code and place"), kind === "mistakes" && /E0\d\d\d/.test(words) && words.includes(`--set ${knob}=3 parsecs:1:`), words);
+  check(is("the last run stays"), (await numbers(page)) === shown);
   await page.setViewportSize({ width: NARROW, height: 800 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-  check(`${name}: fits ${NARROW} pixels`, wide <= NARROW, `${wide} pixels`);
-  await page.emulateMedia({ media: "print" });
-  check(`${name}: paper has no controls`, !(await page.isVisible("#play")));
+  check(is(`fits ${NARROW} pixels`), wide <= NARROW, `${wide} pixels`);
+  await onPaper(page);
+  check(is("paper has no controls"), !(await page.isVisible("#play")) && (await page.isVisible("main")));
+}
+
+async function edited(browser) {
+  const page = await opened(browser, report(gallery, FIRST));
+  const is = (what) => `${browser.name}: ${what}`;
+  await page.evaluate(() => { document.querySelector("#play .scene").open = true; });
+  const text = await page.inputValue("#play textarea");
+  const wrong = text.replace(/^until\s*=/m, "untill =");
+  check(is("an edited mistake is told"), (await after(page, () => page.fill("#play textarea", wrong))) === "mistakes");
+  const words = await page.textContent("#scene-said");
+  const line = wrong.split("\n").findIndex((one) => one.startsWith("untill")) + 1;
+  check(is("with code, place and cure"), /E0\d\d\d/.test(words) && words.includes(`:${line}:1`) && /help: .*`until`/.test(words), words);
   await page.close();
 }
 
-async function endless(browser, requests) {
-  mkdirSync(join(folder, "source"), { recursive: true });
-  const file = join(folder, "source", "endless.toml");
-  writeFileSync(file, ENDLESS.replace("1e6 s", "1 s"));
-  execFileSync(tumble, ["run", file, "--out", folder]);
-  const page = await opened(browser, "endless", requests);
-  await page.evaluate((scene) => { lab.scene = scene; lab.ask(); }, ENDLESS);
-  await page.waitForSelector("#play button:has-text('Stop')", { state: "visible", timeout: 20_000 });
-  await page.click("#play button:has-text('Stop')");
+async function endless(browser) {
+  const page = await opened(browser, report(gallery, FIRST));
+  const is = (what) => `${browser.name}: ${what}`;
+  const stop = "#play button:has-text('Stop')";
+  await page.evaluate((scene) => { lab.scene = scene; lab.set.clear(); lab.ask(); }, ENDLESS);
+  await page.waitForSelector(stop, { state: "visible", timeout: 20_000 });
+  await page.waitForFunction(() => document.querySelector("#play progress").value > 0);
+  check(is("a long run shows how far it is"), true);
+  await page.click(stop);
   await page.waitForFunction(() => document.querySelector("#play .status").textContent.startsWith("Stopped"));
-  check("an endless scene is stopped", true);
   await page.evaluate((scene) => { lab.scene = scene; }, ENDLESS.replace("1e6 s", "1 s"));
-  check("another one runs after it", (await typed(page, "L", "2 m")) === "done");
+  check(is("another one runs after it"), (await after(page, () => page.evaluate(() => lab.ask()))) === "done");
+  await page.evaluate((scene) => { lab.scene = scene; lab.ask(); }, ENDLESS);
+  await page.waitForSelector(stop, { state: "visible" });
+  await page.evaluate((scene) => { lab.scene = scene; }, ENDLESS.replace("1e6 s", "2 s"));
+  check(is("a newer one takes its place"), (await after(page, () => page.evaluate(() => lab.ask()))) === "done");
   await page.close();
 }
 
-const browser = await chromium.launch({ executablePath: program, args: ["--no-sandbox", "--disable-gpu"] });
-const requests = [];
-for (const one of MOVED) await play(browser, one, requests);
-await endless(browser, requests);
-check("nothing is asked of a network", requests.length === 0, requests.join(" "));
-await browser.close();
-console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+/** What breaks an instance costs the run, not the page. */
+async function broken(browser) {
+  const page = await opened(browser, report(gallery, FIRST));
+  const is = (what) => `${browser.name}: ${what}`;
+  await moved(page);
+  const before = await numbers(page);
+  const how = await after(page, () => page.evaluate(() => lab.runs.ask({ name: "none", scene: "", set: [], files: [], shown: "none" })));
+  check(is("what breaks is told, and the last run stays"), how === "broken" && (await numbers(page)) === before, how);
+  check(is("and the next one runs"), (await moved(page)).how === "done");
+  await page.close();
+}
+
+/** That requests would be seen, if there were any. */
+async function sees(browser) {
+  const page = await opened(browser, report(gallery, FIRST));
+  await page.evaluate(() => new Promise((resolve) => {
+    const image = new Image();
+    image.onerror = resolve;
+    image.src = "http://127.0.0.1:45991/none.png";
+  }));
+  check(`${browser.name}: requests to a network would be seen`, browser.requests.length > 0);
+  browser.requests.length = 0;
+  await page.close();
+}
+
+const names = both(readdirSync(scenes), gallery);
+for (const program of programs) {
+  const browser = await launched(program);
+  await sees(browser);
+  for (const name of names) await play(browser, name);
+  for (const one of [edited, endless, broken]) await one(browser);
+  check(`${browser.name}: nothing is asked of a network`, browser.requests.length === 0, browser.requests.join(" "));
+  await browser.browser.close();
+  console.log(`${browser.name}: ${names.length} scenes`);
+}
+end();

@@ -6,12 +6,11 @@
 // code, its place and its cure under the text, and the last run stays; a link holds an edited scene; a saved scene has the values of
 // the sliders; completion is chosen with the keys; reports stay below 2 MiB.
 
-import { execFileSync, spawnSync } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import process from "node:process";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { after, check, end, forget, launched, numbers, opened as openedFile, report, said } from "./common.mjs";
 
 const [program, tumble, folder, scenes] = process.argv.slice(2);
 const NAME = "01-pendulum-in-the-wind";
@@ -20,38 +19,13 @@ const MOST = 2 ** 21;
 const scene = join(scenes, NAME, "scene.toml");
 const text = readFileSync(scene, "utf8");
 
-let failed = 0;
-let passed = 0;
-function check(name, holds, detail = "") {
-  if (holds) passed += 1;
-  else failed += 1;
-  console.log(`${holds ? "ok    " : "FAILED"} ${name}${holds ? "" : `: ${detail}`}`);
-}
-
 /** What the command says of the runs of a text. */
 function told(content) {
   mkdirSync(join(folder, "edited"), { recursive: true });
   const file = join(folder, "edited", "scene.toml");
   writeFileSync(file, content);
-  const command = ["run", file, "--no-figures", "--out", join(folder, "told")];
-  const said = spawnSync(tumble, command, { encoding: "utf8" }).stdout.split("\n").slice(1);
-  // Extremes over a sweep are not located in the page: the reader moves a slider to where they are.
-  const isElsewhere = (line) => /^ {2}(figures|results|note):|^ {2}find [^:]*: (greatest|least) at /.test(line);
-  return said.filter((line) => !isElsewhere(line)).join("\n").trim();
-}
-
-/** Does something, and waits until the run that comes of it is over. */
-async function after(page, act) {
-  await page.evaluate(() => {
-    globalThis.settled = new Promise((resolve) => {
-      lab.hear = (kind, value) => {
-        Object.getPrototypeOf(lab).hear.call(lab, kind, value);
-        if (["done", "mistakes", "refused", "broken", "stopped"].includes(kind)) resolve(kind);
-      };
-    });
-  });
-  await act();
-  return page.evaluate(() => globalThis.settled);
+  forget();
+  return said(tumble, file, [], join(folder, "told"));
 }
 
 async function saved(page, button) {
@@ -59,13 +33,8 @@ async function saved(page, button) {
   return readFileSync(await download.path());
 }
 
-const numbers = async (page) => (await page.textContent("#play .told")).trim();
-
-async function opened(browser, requests, hash = "") {
-  const page = await browser.newPage();
-  page.on("request", (request) => /^(file|data|blob|about):/.test(request.url()) || requests.push(request.url()));
-  page.on("pageerror", (error) => check("the page throws nothing", false, error.message));
-  await page.goto(pathToFileURL(join(folder, NAME, "report.html")).href + hash);
+async function opened(browser, hash = "") {
+  const page = await openedFile(browser, report(folder, NAME), hash);
   await page.evaluate(() => { document.querySelector("#play .scene").open = true; });
   return page;
 }
@@ -94,14 +63,14 @@ async function edits(page) {
   return { edited, shown, name };
 }
 
-async function links(browser, page, requests, { edited, shown }) {
+async function links(browser, page, { edited, shown }) {
   await page.waitForFunction(() => location.hash.includes("scene="));
-  const other = await opened(browser, requests, new URL(page.url()).hash);
+  const other = await opened(browser, new URL(page.url()).hash);
   await other.waitForFunction(() => document.querySelector("#play .told").textContent.length > 0);
   check("a link holds the edited scene", (await other.inputValue("#play textarea")) === edited);
   check("and its numbers", (await numbers(other)) === shown, await numbers(other));
   await other.close();
-  const cut = await opened(browser, requests, "#scene=AAAA");
+  const cut = await opened(browser, "#scene=AAAA");
   await cut.waitForFunction(() => document.querySelector("#play .told").textContent.length > 0);
   check("a link that is cut has the scene of the page", (await cut.inputValue("#play textarea")) === text);
   await cut.close();
@@ -133,16 +102,14 @@ async function completes(page) {
 }
 
 execFileSync(tumble, ["run", scene, "--out", folder]);
-const size = statSync(join(folder, NAME, "report.html")).size;
+const size = statSync(report(folder, NAME)).size;
 check(`a page is below ${MOST} bytes`, size < MOST, size);
-const browser = await chromium.launch({ executablePath: program, args: ["--no-sandbox", "--disable-gpu"] });
-const requests = [];
-const page = await opened(browser, requests);
+const browser = await launched(program);
+const page = await opened(browser);
 const state = await edits(page);
-await links(browser, page, requests, state);
+await links(browser, page, state);
 await saves(page, state.name);
 await completes(page);
-check("nothing is asked of a network", requests.length === 0, requests.join(" "));
-await browser.close();
-console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+check("nothing is asked of a network", browser.requests.length === 0, browser.requests.join(" "));
+await browser.browser.close();
+end();

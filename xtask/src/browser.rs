@@ -6,16 +6,27 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result, bail};
 
 use crate::command::{Process, find};
+use crate::dead_links;
 use crate::debian;
 use crate::workspace::{Workspace, copy, read};
 
 /// Copied next to the installed packages, so that the script finds them and the repository stays clean.
-const SCRIPT_FILES: [&str; 7] =
-    ["check.mjs", "engine.mjs", "play.mjs", "scene.mjs", "package.json", "package-lock.json", ".npmrc"];
+const SCRIPT_FILES: [&str; 9] = [
+    "bench.mjs",
+    "check.mjs",
+    "common.mjs",
+    "engine.mjs",
+    "play.mjs",
+    "scene.mjs",
+    "package.json",
+    "package-lock.json",
+    ".npmrc",
+];
 
 /// The status of `check.mjs` for pages with faults; any other failure is the tool's own.
 const FAULTY: i32 = 1;
@@ -24,7 +35,12 @@ const FAULTY: i32 = 1;
 pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     let checker = Checker::prepare(workspace)?;
     checker.check_itself(workspace)?;
-    let pages = gallery(workspace)?;
+    let folder = gallery(workspace)?;
+    let pages = pages_below(&folder)?;
+    if pages.is_empty() {
+        bail!("`tumble gallery` wrote no page");
+    }
+    dead_links::refuse(&folder, &pages)?;
     let status = checker.check(&pages)?;
     println!("screenshots are in {}", checker.screenshots.display());
     if status != Some(0) {
@@ -102,16 +118,16 @@ fn is_installed(folder: &Path, workspace: &Workspace) -> bool {
     folder.join("node_modules/.package-lock.json").is_file() && wanted.is_some() && wanted == have
 }
 
-/// Generates the gallery and lists its pages.
-fn gallery(workspace: &Workspace) -> Result<Vec<PathBuf>> {
+/// Where the gallery is; generated once, whoever asks first.
+pub(crate) fn gallery(workspace: &Workspace) -> Result<PathBuf> {
+    static DONE: AtomicBool = AtomicBool::new(false);
+    if DONE.swap(true, Ordering::Relaxed) {
+        return workspace.scratch("gallery");
+    }
     let folder = workspace.empty_scratch("gallery")?;
     let tumble = ["run", "--quiet", "--locked", "--package", "tumble", "--", "gallery", "--out"];
     workspace.cargo(tumble).arg(&folder).run()?;
-    let pages = pages_below(&folder)?;
-    if pages.is_empty() {
-        bail!("`tumble gallery` wrote no page");
-    }
-    Ok(pages)
+    Ok(folder)
 }
 
 fn pages_below(folder: &Path) -> Result<Vec<PathBuf>> {

@@ -34,7 +34,7 @@ pub(crate) fn steps() -> Vec<Step> {
 fn renew(workspace: &Workspace) -> Result<()> {
     let engine = build(workspace)?;
     let packed = packed(&fs::read(&engine).with_context(|| format!("cannot read {}", engine.display()))?)?;
-    println!("{} bytes in {}, {} as base64", packed.len(), ENGINE, packed.len().div_ceil(3) * 4);
+    println!("{} bytes in {}, {} in a page", packed.len(), ENGINE, (packed.len() * 16).div_ceil(13));
     write(&workspace.path(ENGINE), &packed)?;
     write(&workspace.path(SOURCES), format!("{}\n", hash(&Tree::of(workspace)?)).as_bytes())?;
     write(&workspace.path(NOTICES), notices(workspace)?.as_bytes())

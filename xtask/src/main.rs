@@ -5,6 +5,7 @@
 mod bless;
 mod browser;
 mod command;
+mod dead_links;
 mod debian;
 mod lab;
 mod plan;
@@ -46,6 +47,12 @@ enum Task {
     Tidy,
     /// The program, linked with nothing of the system, in an archive with its licences.
     Release,
+    /// Play with the reports of the gallery in headless Chromium and Firefox.
+    Play {
+        /// How long it takes instead: from a slider to the picture and to all numbers, frames a second, sizes.
+        #[arg(long)]
+        bench: bool,
+    },
     /// Build the engine of pages that play, as it stands in the repository.
     Lab,
     /// Regenerate snapshots, figures and references; review the difference before committing it.
@@ -74,6 +81,7 @@ fn run(task: Task, workspace: &Workspace) -> ExitCode {
         Task::Test { all: false, .. } => plan::test(),
         Task::Tidy => plan::tidy(),
         Task::Release => plan::release(),
+        Task::Play { bench } => play::steps(bench),
         Task::Lab => lab::steps(),
         Task::Bless { parts } => bless::steps(&parts),
     };

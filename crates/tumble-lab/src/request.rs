@@ -16,11 +16,14 @@ pub struct Request {
     pub set: Vec<Override>,
     /// Files that the scene reads, by their names there.
     pub files: BTreeMap<String, Vec<u8>>,
+    /// Which run is looked at, counted from 0: its motion comes first.
+    pub shown: usize,
 }
 
 impl Request {
     /// The request that the bytes hold: each text behind its length (four bytes, the lowest first): the name and the scene, then
-    /// `set`, a name and a formula, or `file`, a name and its content, for each of them. `None` if that is not what they are.
+    /// `set`, a name and a formula, `file`, a name and its content, or `shown` and a number, for each of them. `None` if that is
+    /// not what they are.
     pub fn of(bytes: &[u8]) -> Option<Self> {
         let mut parts = Parts(bytes);
         let mut request = Self { name: parts.text()?, scene: parts.text()?, ..Self::default() };
@@ -28,6 +31,7 @@ impl Request {
             let name = parts.text()?;
             match kind {
                 b"set" => request.set.push(Override { name, text: parts.text()? }),
+                b"shown" => request.shown = name.parse().ok()?,
                 b"file" => _ = request.files.insert(name, parts.next()?.to_vec()),
                 _ => return None,
             }
@@ -37,9 +41,12 @@ impl Request {
 
     /// The bytes that hold it.
     pub fn bytes(&self) -> Vec<u8> {
+        let number = self.shown.to_string();
         let set = self.set.iter().flat_map(|set| ["set", &set.name, &set.text].map(str::as_bytes));
         let files = self.files.iter().flat_map(|(name, content)| [b"file", name.as_bytes(), content]);
-        let parts = [self.name.as_bytes(), self.scene.as_bytes()].into_iter().chain(set).chain(files);
+        let shown = ["shown", &number].map(str::as_bytes);
+        let texts = [self.name.as_bytes(), self.scene.as_bytes()];
+        let parts = texts.into_iter().chain(set).chain(files).chain(shown);
         parts
             .flat_map(|part| (part.len() as u32).to_le_bytes().into_iter().chain(part.iter().copied()))
             .collect()
@@ -77,14 +84,16 @@ mod tests {
     fn requests_come_back_from_their_bytes() {
         let set = vec![Override { name: "T".into(), text: "2 s".into() }];
         let files = BTreeMap::from([("gust.csv".to_owned(), vec![0, 255])]);
-        let request = Request { name: "a".into(), scene: "version = 1\n".into(), set, files };
+        let request = Request { name: "a".into(), scene: "version = 1\n".into(), set, files, shown: 3 };
         assert_eq!(Request::of(&request.bytes()), Some(request));
     }
 
     #[test]
     fn other_bytes_are_no_request() {
         let bytes = Request { name: "a".into(), scene: "b".into(), ..Request::default() }.bytes();
-        for short in 0..bytes.len() {
+        // What is looked at may be left out.
+        let whole = bytes.len() - 2 * 4 - "shown0".len();
+        for short in (0..bytes.len()).filter(|short| *short != whole) {
             assert_eq!(Request::of(&bytes[..short]), None);
         }
         assert_eq!(Request::of(&[bytes, vec![1, 0, 0, 0]].concat()), None);

@@ -15,6 +15,8 @@ pub struct Session {
     request: Request,
     stage: Stage,
     study: Option<Study>,
+    /// The run that is looked at, of which nothing but the motion is known.
+    sketch: Option<(usize, Case)>,
     cases: Vec<Case>,
     /// What was not taken yet, as JSON.
     waiting: Vec<String>,
@@ -24,9 +26,12 @@ pub struct Session {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     Read,
-    /// A run, counted from 0.
+    /// The motion of the run that is looked at: the first picture.
+    Sketch,
+    /// A run, counted from 0, with its check runs.
     Run(usize),
     Motion,
+    Balance,
     Report,
     Done,
 }
@@ -40,7 +45,7 @@ type Refusal = Box<(&'static str, Diagnostics, String)>;
 impl Session {
     /// Of a scene of which nothing was done yet.
     pub fn new(request: Request) -> Self {
-        Self { request, stage: Stage::Read, study: None, cases: vec![], waiting: vec![] }
+        Self { request, stage: Stage::Read, study: None, sketch: None, cases: vec![], waiting: vec![] }
     }
 
     /// Does the next stage. `reached` is told which time of which, s, a run is at, and may end it there. Whether there is more to do.
@@ -68,18 +73,27 @@ impl Session {
         reached: impl Fn(f64, f64) -> ControlFlow<()>,
     ) -> Result<(Stage, Option<String>), Refusal> {
         let Some(study) = &self.study else { return self.read() };
+        let why = |error| why(error, study);
         match self.stage {
+            Stage::Sketch => {
+                let (sketch, said) = sketched(study, self.request.shown, reached).unzip();
+                self.sketch = sketch;
+                Ok((Stage::Run(0), said))
+            }
             Stage::Run(index) => {
-                let (case, count) = one_run(study, index, reached).map_err(|error| why(error, study))?;
+                let sketch = self.sketch.take_if(|(other, _)| *other == index).map(|(_, case)| case);
+                let (case, count) = one_run(study, index, sketch, reached).map_err(why)?;
                 let told = told(&case);
                 self.cases.push(case);
                 let next = if index + 1 < count { Stage::Run(index + 1) } else { Stage::Motion };
                 Ok((next, Some(told)))
             }
-            Stage::Motion => {
-                Ok((Stage::Report, Some(self.motion(study).map_err(|error| why(error, study))?)))
+            Stage::Motion => Ok((Stage::Balance, Some(self.motion(study).map_err(why)?))),
+            Stage::Balance => {
+                self.cases.iter_mut().try_for_each(balance).map_err(why)?;
+                Ok((Stage::Report, Some(energies(&self.cases))))
             }
-            Stage::Report => Ok((Stage::Done, Some(self.report(study).map_err(|error| why(error, study))?))),
+            Stage::Report => Ok((Stage::Done, Some(self.report(study).map_err(why)?))),
             Stage::Read | Stage::Done => Ok((Stage::Done, None)),
         }
     }
@@ -98,7 +112,7 @@ impl Session {
             ("play", live::play(&study.play)),
         ];
         self.study = Some(study);
-        Ok((Stage::Run(0), Some(object(parts))))
+        Ok((Stage::Sketch, Some(object(parts))))
     }
 
     fn motion(&self, study: &Study) -> Result<String, CaseError> {
@@ -116,15 +130,39 @@ impl Session {
     }
 }
 
+/// The motion of one run, to be drawn. Where there is none, [`one_run`] says why.
+fn sketched(
+    study: &Study,
+    shown: usize,
+    reached: impl Fn(f64, f64) -> ControlFlow<()>,
+) -> Option<((usize, Case), String)> {
+    let all = Combinations::of(study).ok()?;
+    let index = shown.min(all.count() - 1);
+    let case = Case::sketch(&all, index, reached).ok()?;
+    let motion = live::motion(&tumble_report::animation(study, std::slice::from_ref(&case)).ok()?);
+    let parts = [("kind", string("sketch")), ("case", index.to_string()), ("motion", motion)];
+    Some(((index, case), object(parts)))
+}
+
 fn one_run(
     study: &Study,
     index: usize,
+    sketch: Option<Case>,
     reached: impl Fn(f64, f64) -> ControlFlow<()>,
 ) -> Result<(Case, usize), CaseError> {
     let all = Combinations::of(study)?;
-    let mut case = Case::run(&all, index, reached)?;
-    case.balance = CaseBalance::of(&case)?;
-    Ok((case, all.count()))
+    let sketch = sketch.map_or_else(|| Case::sketch(&all, index, &reached), Ok)?;
+    Ok((sketch.verified(study, reached)?, all.count()))
+}
+
+fn balance(case: &mut Case) -> Result<(), CaseError> {
+    case.balance = CaseBalance::of(case)?;
+    Ok(())
+}
+
+/// The energies along each run.
+fn energies(cases: &[Case]) -> String {
+    object([("kind", string("energy")), ("cases", list(cases.iter().map(energy)))])
 }
 
 /// What a run came to, in the words of the command, and the bits of its motion.
@@ -139,7 +177,6 @@ fn told(case: &Case) -> String {
         ("told", string(&finished.told())),
         ("end", number(finished.end)),
         ("finds", list(finished.finds.iter().map(find))),
-        ("energy", energy(case)),
         ("success", finished.is_success().to_string()),
         ("said", live::said(&finished.said)),
         ("bits", string(&format!("{:016x}", bits(case)))),

@@ -5,9 +5,9 @@
 //! a browser.
 
 pub mod figures;
-pub mod gallery_page;
 pub mod report;
 pub mod results;
+pub mod site;
 
 mod fill;
 #[cfg(test)]

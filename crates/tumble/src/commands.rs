@@ -209,8 +209,17 @@ impl Task {
                     }
                 };
                 let stop = interruptible();
-                let options =
-                    Options { set, out, no_figures, report: form, no_play, jobs, progress: true, stop };
+                let options = Options {
+                    set,
+                    out,
+                    no_figures,
+                    report: form,
+                    no_play,
+                    site: None,
+                    jobs,
+                    progress: true,
+                    stop,
+                };
                 let mut told = Told::beside(&options.out);
                 let result = pipeline::run_telling(&scene, &options, |run| told.add(&run));
                 report(&Shown { result, scene }, &mut told)

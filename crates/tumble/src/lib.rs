@@ -36,6 +36,7 @@ pub mod output;
 pub mod pipeline;
 pub mod prelude;
 pub mod progress;
+pub mod templates;
 
 mod figure_files;
 mod jobs;
@@ -46,7 +47,7 @@ mod sweep_tables;
 mod tables;
 
 pub use pipeline::{Options, Outcome, PipelineError};
-pub use report_file::Form as ReportForm;
+pub use report_file::{Form as ReportForm, InSite};
 pub use tumble_report::results::{
     Case, CaseBalance, CaseError, CheckResult, FindResult, Finished, Happened, Held, Located, Missing, Tally,
 };

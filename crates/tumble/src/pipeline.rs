@@ -8,6 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use thiserror::Error;
+use tumble_drawing::Animation;
 #[cfg(feature = "png")]
 use tumble_drawing::gif;
 use tumble_report::results::{
@@ -38,6 +39,8 @@ pub struct Options {
     pub report: report_file::Form,
     /// Whether its page is without the engine, and only shows.
     pub no_play: bool,
+    /// The site that the report stands in, if it does.
+    pub site: Option<report_file::InSite>,
     /// How many runs are made at once; as many as there are cores where nothing is said. What comes out is the same.
     pub jobs: Option<NonZeroUsize>,
     /// Whether it may be told how far work over a second is.
@@ -68,6 +71,8 @@ pub struct Outcome {
     pub located: Vec<Located>,
     /// What was found, in a line; empty where no report was asked for.
     pub lead: String,
+    /// The motion as the report shows it, if it does.
+    pub motion: Option<Animation>,
     /// What is left over beside the results and was not removed, with the reason.
     pub notes: Vec<String>,
 }
@@ -186,6 +191,13 @@ pub fn run_study(study: &Study, name: &str, options: &Options) -> Result<Outcome
     Ok(Outcome { cases, ..outcome })
 }
 
+/// Runs a scene that is given as text, and writes what that of a file does, into a folder of that name.
+pub(crate) fn run_scene(name: &str, text: &str, options: &Options) -> Result<Outcome, PipelineError> {
+    let mut source = Source::of_text(name, text);
+    let study = read(&mut source, options)?;
+    written(&source, study, &[], options, |_| Ok(()))
+}
+
 /// Makes the runs of a study and puts their results in place; no result takes the place of what was needed.
 fn written(
     source: &Source,
@@ -195,11 +207,12 @@ fn written(
     tell: impl FnMut(Finished) -> io::Result<()> + Send,
 ) -> Result<Outcome, PipelineError> {
     let folder = Folder::begin(&options.out, &source.name, needed)?;
-    let Written { figures, tally, of_runs, missing, located, lead } =
+    let Written { figures, tally, of_runs, missing, located, told } =
         write(source, &study, options, &folder, tell).map_err(|error| error.placed(&study))?;
     let placed = folder.finish()?;
     let (folder, notes, cases) = (placed.folder, placed.notes, vec![]);
-    Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing, located, lead })
+    let report_file::Told { lead, motion } = told;
+    Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing, located, lead, motion })
 }
 
 /// Names of figures, what became of the runs that were made, and those that were not.
@@ -209,7 +222,7 @@ struct Written {
     of_runs: Diagnostics,
     missing: Vec<Missing>,
     located: Vec<Located>,
-    lead: String,
+    told: report_file::Told,
 }
 
 /// Makes the runs and all that is told of them.
@@ -251,7 +264,7 @@ fn write(
     let survey = surveyor.end(located);
     let runs = Runs { cases: &cases, missing: &missing, survey: &survey };
     let figures = if options.no_figures { vec![] } else { figure_files::write(study, runs, folder)? };
-    let lead = report_file::write(source, study, runs, folder, options)?;
+    let told = report_file::write(source, study, runs, folder, options)?;
     drop(cases);
     let located = survey.located;
     let all = summary::All {
@@ -262,7 +275,7 @@ fn write(
         pages: RefCell::new(pages),
     };
     summary::write(source, study, &all, folder)?;
-    Ok(Written { figures, tally, of_runs, missing, located, lead })
+    Ok(Written { figures, tally, of_runs, missing, located, told })
 }
 
 /// Whether anything is to be drawn or told beyond numbers.

@@ -2,8 +2,10 @@
 
 use std::path::{Component, Path};
 
+use tumble_drawing::Animation;
 use tumble_report::report::{Lab, Report};
 use tumble_report::results::Runs;
+use tumble_report::site::Ways;
 use tumble_scene::Study;
 
 use crate::output::Folder;
@@ -28,24 +30,46 @@ pub enum Form {
     None,
 }
 
-/// Writes the report of a study, with where it comes from, and returns its first line: what was found.
+/// A site of pages that a report stands in.
+#[derive(Clone, Debug, Default)]
+pub struct InSite {
+    /// What every page of it leads to.
+    pub ways: Ways,
+    /// The way to the lesson of the scene, if it has one there.
+    pub lesson: Option<String>,
+    /// Scenes that its page offers to begin with, each with what it is.
+    pub templates: Vec<(&'static str, &'static str)>,
+}
+
+/// What others tell of a report.
+#[derive(Debug, Default)]
+pub(crate) struct Told {
+    /// Its first line: what was found.
+    pub(crate) lead: String,
+    pub(crate) motion: Option<Animation>,
+}
+
+/// Writes the report of a study, with where it comes from.
 pub(crate) fn write(
     source: &Source,
     study: &Study,
     runs: Runs<'_>,
     folder: &Folder,
     options: &Options,
-) -> Result<String, PipelineError> {
+) -> Result<Told, PipelineError> {
     let (file, written): (_, fn(&Report) -> String) = match options.report {
-        Form::None => return Ok(String::new()),
+        Form::None => return Ok(Told::default()),
         Form::Html => ("report.html", Report::html),
         Form::Markdown => ("report.md", Report::markdown),
     };
-    let (lesson, meta) = (lesson(source, folder), meta(source));
-    let lab = lab(source, study, options);
-    let report = Report { lesson, meta, lab, ..tumble_report::of(study, runs)? };
+    let (lab, meta) = (lab(source, study, options), meta(source));
+    let (lesson, ways) = match &options.site {
+        Some(site) => (site.lesson.clone(), Some(site.ways.clone())),
+        None => (lesson(source, folder), None),
+    };
+    let report = Report { lesson, ways, meta, lab, ..tumble_report::of(study, runs)? };
     folder.write(file, written(&report).as_bytes())?;
-    Ok(report.lead.to_plain())
+    Ok(Told { lead: report.lead.to_plain(), motion: report.analyze.animation })
 }
 
 /// The engine with the scene that the page plays; a study of a program has none.
@@ -58,6 +82,7 @@ fn lab(source: &Source, study: &Study, options: &Options) -> Option<Lab> {
         files: source.beside.clone(),
         set: options.set.clone(),
         play: study.play.clone(),
+        templates: options.site.iter().flat_map(|site| site.templates.iter().copied()).collect(),
     })
 }
 

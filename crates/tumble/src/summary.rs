@@ -65,6 +65,11 @@ impl Source {
         }
     }
 
+    /// Of a scene that is no file.
+    pub(crate) fn of_text(name: &str, text: &str) -> Self {
+        Self { path: "scene.toml".into(), name: name.to_owned(), bytes: text.into(), beside: vec![] }
+    }
+
     /// The hash of the scene, where there is one.
     pub(crate) fn hash(&self) -> Option<String> {
         (!self.path.as_os_str().is_empty()).then(|| Hash::of(&self.bytes).to_string())

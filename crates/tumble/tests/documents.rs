@@ -8,6 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use common::{copy_scenes, failures, folder, read, repository, scenes, text, tumble, write};
+use tumble::gallery::completed;
 use tumble::pipeline::{self, Options};
 
 /// Columns of the messages in the documents, the width of a page.
@@ -118,36 +119,6 @@ fn fragments_run_within_the_scaffold() {
     for block in of_kind("toml fragment") {
         succeeds(&completed(&block.text, &scaffold[0].text), &block.place);
     }
-}
-
-/// The fragment with every section of the scaffold that it does not have itself.
-fn completed(fragment: &str, scaffold: &str) -> String {
-    let own: BTreeSet<&str> = sections(fragment).into_iter().map(|(name, _)| name).collect();
-    let missing = sections(scaffold).into_iter().filter(|(name, _)| !own.contains(name));
-    let (top, below): (Vec<_>, Vec<_>) =
-        missing.map(|(_, text)| text).partition(|text| !text.starts_with('['));
-    [&top[..], &[fragment.to_owned()], &below[..]].concat().join("\n")
-}
-
-/// The parts of a scene by the first word of their names: a key at the top, or a header with the lines below it.
-fn sections(scene: &str) -> Vec<(&str, String)> {
-    let mut found: Vec<(&str, String)> = vec![];
-    let mut in_table = false;
-    for line in scene.lines().filter(|line| !line.is_empty()) {
-        let begins = line.starts_with('[') || (!in_table && line.starts_with(char::is_alphabetic));
-        in_table |= line.starts_with('[');
-        if begins {
-            found.push((first_word(line), String::new()));
-        }
-        if let Some((_, text)) = found.last_mut() {
-            text.extend([line, "\n"]);
-        }
-    }
-    found
-}
-
-fn first_word(line: &str) -> &str {
-    line.trim_start_matches('[').split(['.', ']', ' ', '=']).next().unwrap_or_default()
 }
 
 #[test]

@@ -155,12 +155,26 @@ impl Run {
         accuracy: Accuracy,
         progress: impl Fn(f64) -> ControlFlow<()>,
     ) -> Result<(Self, Trust), RunError> {
-        let at = |held: Accuracy| {
-            let run = Self::refined_of(equations, parameters, until, held, &progress)?;
+        let first = Self::refined_of(equations, parameters, until, accuracy, &progress)?;
+        first.trusted_from(equations, parameters, until, accuracy, progress)
+    }
+
+    /// The same for a motion that was found by [`Run::refined_of`] from all of these already.
+    pub fn trusted_from(
+        self,
+        equations: &Equations,
+        parameters: &Parameters,
+        until: f64,
+        accuracy: Accuracy,
+        progress: impl Fn(f64) -> ControlFlow<()>,
+    ) -> Result<(Self, Trust), RunError> {
+        let known = |run: Self, held: Accuracy| {
             let trust = Trust::of(&run, parameters, until, (accuracy, held), &progress)?;
             Ok::<_, RunError>((run, trust))
         };
-        let mut best = at(accuracy)?;
+        let at =
+            |held: Accuracy| known(Self::refined_of(equations, parameters, until, held, &progress)?, held);
+        let mut best = known(self, accuracy)?;
         for _ in 0..MOST_REPEATS {
             let held = Accuracy::new(best.1.used).map_or(accuracy, Accuracy::finer);
             if best.1.is_reached() || held.value() >= best.1.used {

@@ -16,6 +16,8 @@ mod sum;
 mod trigonometry;
 
 use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
+use std::mem;
 
 use num_traits::{One, Signed, Zero};
 use tumble_expr::{Binary, Dimension, Exponent, Expr, Relation, TableRef, Unary};
@@ -57,7 +59,7 @@ pub(crate) enum Function {
 pub(crate) type Factor = (Id, Exponent);
 
 /// One kind of part.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     Number(Rational),
     Pi,
@@ -79,6 +81,30 @@ pub(crate) struct Leaf {
     pub(crate) positive: bool,
     /// Index of the definition it stands for.
     pub(crate) definition: Option<usize>,
+}
+
+/// By numerators and denominators, which have no common divisor here: the hash of a ratio itself divides them out once more,
+/// which takes longer than all else that is done with a form.
+impl Hash for Form {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let number = |by: &Rational, state: &mut H| (by.numer(), by.denom()).hash(state);
+        mem::discriminant(self).hash(state);
+        match self {
+            Self::Number(by) => number(by, state),
+            Self::Pi => {}
+            Self::Unit(base) => base.hash(state),
+            Self::Symbol(index) => index.hash(state),
+            Self::Sum(terms) => terms.iter().for_each(|(id, by)| {
+                id.hash(state);
+                number(by, state);
+            }),
+            Self::Product(by, factors) => {
+                number(by, state);
+                factors.hash(state);
+            }
+            Self::Call(function, parts) => (function, parts).hash(state),
+        }
+    }
 }
 
 /// What is known of a part without looking into it.

@@ -1,5 +1,6 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
+use std::cell::OnceCell;
 use std::collections::HashSet;
 
 use crate::report::{Block, Definition, ModeEquations, Text};
@@ -113,7 +114,7 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
 }
 
 fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
-    let shown = motion.shown().filter(|_| motion.is_short())?;
+    let shown = motion.shown().filter(|_| motion.is_short())?.clone();
     let body = &study.model.bodies[motion.body].name;
     let title = match (study.model.bodies.len() > 1, motion.follows) {
         (true, true) => format!("{body}, and the forces that hold it"),
@@ -167,6 +168,8 @@ struct Motion {
     lines: Vec<Line>,
     /// Whether it says what follows from the motion.
     follows: bool,
+    /// What is shown, once somebody has asked: exact algebra takes longer than anything else in a report.
+    shown: OnceCell<Option<Shown>>,
 }
 
 /// An equation, solved for what stands on its left side.
@@ -216,7 +219,11 @@ impl Motion {
             lines.extend(conditions.map(|condition| Line::new(nothing(), condition, Expr::zero())));
         }
         let notations = with_parts(case, mode, names, body, notation);
-        Self { body, notations, lines, follows: false }
+        Self::made(body, notations, lines)
+    }
+
+    fn made(body: usize, notations: Vec<Notation>, lines: Vec<Line>) -> Self {
+        Self { body, notations, lines, follows: false, shown: OnceCell::new() }
     }
 
     /// Without the forces of joints and lasting contacts.
@@ -236,7 +243,7 @@ impl Motion {
         // The moment of inertia becomes a number with those of the conditions.
         let notation = names.written_notation().clone();
         let notations = with_parts(case, mode, names, body, notation);
-        Self { body, notations, lines, follows: false }
+        Self::made(body, notations, lines)
     }
 
     /// The accelerations that follow from the motion, and the forces that they tell of.
@@ -264,11 +271,16 @@ impl Motion {
             [by_force, Line::new(Left::symbol(shown()), formula.clone(), symbol.clone())]
         });
         let notations = vec![names.of_body(body).notation().clone()];
-        (!own.is_empty()).then(|| Self { body, notations, lines: lines.collect(), follows: true })
+        let follows = !own.is_empty();
+        follows.then(|| Self { follows, ..Self::made(body, notations, lines.collect()) })
     }
 
     /// In the way that has the shortest equations; what laws have explained is not explained again.
-    fn shown(&self) -> Option<Shown> {
+    fn shown(&self) -> Option<&Shown> {
+        self.shown.get_or_init(|| self.shortest_way()).as_ref()
+    }
+
+    fn shortest_way(&self) -> Option<Shown> {
         let sides: Vec<(Left, Expr)> =
             self.lines.iter().map(|line| (line.left.clone(), line.right.clone())).collect();
         let ways = self.notations.iter().filter_map(|notation| notation.equations(&sides).ok());

@@ -38,6 +38,7 @@ pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {
         title: study.title.clone(),
         language: "en".to_owned(),
         lesson: None,
+        ways: None,
         intro: interrupted(runs).into_iter().collect(),
         meta: vec![],
         lab: None,

@@ -16,6 +16,11 @@ pub fn motion(animation: &Animation) -> String {
     html::motion(animation)
 }
 
+/// The first case of a motion, for a small picture.
+pub fn living(animation: &Animation) -> String {
+    html::living(animation)
+}
+
 /// What is to be said of a scene: each with its code, its place, its message and its cure, the words of the command.
 pub fn said(diagnostics: &Diagnostics) -> String {
     let each = diagnostics.list.iter().map(|one| said_one(diagnostics, one));

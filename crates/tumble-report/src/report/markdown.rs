@@ -11,7 +11,7 @@ use super::rows;
 use super::solve::{Phase, Solve};
 use super::table::{Align, Table};
 use super::{LESSON, Report};
-use crate::gallery_page::url;
+use crate::site::url;
 
 /// Characters that Markdown or HTML inside of it would read as markup.
 const SPECIAL: &str = "\\`*_{}[]()#+-.!|<>&$~^=\"':";

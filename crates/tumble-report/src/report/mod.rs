@@ -42,6 +42,8 @@ pub use prose::{Piece, Text};
 pub use solve::{Phase, Solve};
 pub use table::{Align, Column, Table};
 
+use crate::site::Ways;
+
 /// A study from the picture at its start to what was found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
@@ -51,6 +53,8 @@ pub struct Report {
     pub language: String,
     /// Path of the lesson that belongs to it, relative to the report; none where there is none.
     pub lesson: Option<String>,
+    /// The site that it stands in; none where it stands alone.
+    pub ways: Option<Ways>,
     /// What was found, in a line below the title; may be empty.
     pub lead: Text,
     /// Paragraphs below it.

@@ -17,4 +17,6 @@ pub struct Lab {
     pub set: Vec<(String, String)>,
     /// What may be changed.
     pub play: Play,
+    /// Scenes to begin with, each with what it is.
+    pub templates: Vec<(&'static str, &'static str)>,
 }

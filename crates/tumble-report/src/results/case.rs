@@ -91,11 +91,16 @@ impl Case {
         index: usize,
         reached: impl Fn(f64, f64) -> ControlFlow<()>,
     ) -> Result<Self, CaseError> {
-        let study = all.study();
-        let values = all.values(index)?;
-        let label = values.label.clone();
-        let made = Self::made(study, (index + 1, values), reached);
-        made.map_err(|error| error.placed(study).in_run(&label))
+        Self::sketch(all, index, &reached)?.verified(all.study(), reached)
+    }
+
+    /// One run of all, of which nothing is known yet but its motion.
+    pub fn sketch(
+        all: &Combinations<'_>,
+        index: usize,
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<Self, CaseError> {
+        Self::found(all.study(), (index + 1, all.values(index)?), reached)
     }
 
     /// The same for a run between those of a sweep, at a value of what is swept in the unit of its axis.
@@ -105,53 +110,75 @@ impl Case {
         at: f64,
         reached: impl Fn(f64, f64) -> ControlFlow<()>,
     ) -> Result<Self, CaseError> {
-        let study = all.study();
-        let values = all.between(axis, at)?;
-        let label = values.label.clone();
-        Self::made(study, (all.count() + 1, values), reached)
-            .map_err(|error| error.placed(study).in_run(&label))
+        let values = (all.count() + 1, all.between(axis, at)?);
+        Self::found(all.study(), values, &reached)?.verified(all.study(), reached)
     }
 
-    fn made(
+    fn found(
         study: &Study,
         (number, values): (usize, Values),
         reached: impl Fn(f64, f64) -> ControlFlow<()>,
     ) -> Result<Self, CaseError> {
         let Values { label, parameters, accuracy } = values;
-        let study = &study.with(&parameters);
-        let until = study.number(&study.until)?;
-        let reached = |time| reached(time, until);
-        let equations = study.equations().with(&parameters)?;
-        let found = Run::trusted_of(&equations, &parameters, until, accuracy, reached);
-        let (run, trust, refusal) = match found {
-            Ok((run, trust)) => (run, Some(trust), None),
-            Err(error) if error.is_interrupted() => return Err(CaseError::Interrupted),
-            Err(RunError::Refused { refusal, partial }) if !partial.is_empty() => {
-                (*partial, None, Some(refusal))
-            }
-            Err(error) => return Err(error.into()),
-        };
-        let mut case = Self {
+        let found = motion(study, &parameters, accuracy, reached);
+        let (run, refusal) = found.map_err(|error| error.placed(study).in_run(&label))?;
+        Ok(Self {
             number,
             label,
             parameters,
             accuracy,
             run,
-            trust,
+            trust: None,
             refusal,
             finds: vec![],
             checks: vec![],
             equilibrium: None,
             said: Diagnostics::default(),
             balance: None,
-        };
-        case.finds = questions::finds(study, &case)?;
-        case.checks = checks::evaluate(study, &case)?;
-        case.said = placed::said(study, &case)?;
-        if study.equilibrium {
-            case.find_equilibrium(study);
+        })
+    }
+
+    /// The same with all that is known of it: how far it can be trusted, the answers that the scene asks for, and its claims.
+    pub fn verified(
+        mut self,
+        study: &Study,
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<Self, CaseError> {
+        let label = self.label.clone();
+        let known = self.trust(study, reached).and_then(|()| self.answer(&study.with(&self.parameters)));
+        known.map_err(|error| error.placed(study).in_run(&label))?;
+        Ok(self)
+    }
+
+    /// Finds out how far the motion can be trusted; it is found again where it has not the accuracy.
+    fn trust(
+        &mut self,
+        study: &Study,
+        reached: impl Fn(f64, f64) -> ControlFlow<()>,
+    ) -> Result<(), CaseError> {
+        if self.refusal.is_some() {
+            return Ok(());
         }
-        Ok(case)
+        let study = study.with(&self.parameters);
+        let until = study.number(&study.until)?;
+        let equations = study.equations().with(&self.parameters)?;
+        let reached = |time| reached(time, until);
+        let run = self.run.clone();
+        match run.trusted_from(&equations, &self.parameters, until, self.accuracy, reached) {
+            Ok((run, trust)) => (self.run, self.trust) = (run, Some(trust)),
+            Err(error) => (self.run, self.refusal) = refused(error).map(|(run, why)| (run, Some(why)))?,
+        }
+        Ok(())
+    }
+
+    fn answer(&mut self, study: &Study) -> Result<(), CaseError> {
+        self.finds = questions::finds(study, self)?;
+        self.checks = checks::evaluate(study, self)?;
+        self.said = placed::said(study, self)?;
+        if study.equilibrium {
+            self.find_equilibrium(study);
+        }
+        Ok(())
     }
 
     fn find_equilibrium(&mut self, study: &Study) {
@@ -168,6 +195,31 @@ impl Case {
     /// The folder of its tables.
     pub fn folder(&self) -> String {
         folder(self.number)
+    }
+}
+
+/// The motion of a run, and why it stopped early, if it did.
+fn motion(
+    study: &Study,
+    parameters: &Parameters,
+    accuracy: Accuracy,
+    reached: impl Fn(f64, f64) -> ControlFlow<()>,
+) -> Result<(Run, Option<Refusal>), CaseError> {
+    let study = study.with(parameters);
+    let until = study.number(&study.until)?;
+    let equations = study.equations().with(parameters)?;
+    match Run::refined_of(&equations, parameters, until, accuracy, |time| reached(time, until)) {
+        Ok(run) => Ok((run, None)),
+        Err(error) => refused(error).map(|(run, why)| (run, Some(why))),
+    }
+}
+
+/// What was found of a motion that was refused on the way, and why.
+fn refused(error: RunError) -> Result<(Run, Refusal), CaseError> {
+    match error {
+        error if error.is_interrupted() => Err(CaseError::Interrupted),
+        RunError::Refused { refusal, partial } if !partial.is_empty() => Ok((*partial, refusal)),
+        error => Err(error.into()),
     }
 }
 

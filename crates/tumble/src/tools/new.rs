@@ -7,6 +7,8 @@ use std::path::Path;
 use clap::ValueEnum;
 use tumble_scene::{file_name_fault, printable};
 
+use tumble::templates::TEMPLATES;
+
 use super::say::{say, tell};
 use crate::commands::Ending;
 
@@ -27,13 +29,7 @@ pub(crate) enum Kind {
 
 impl Kind {
     fn scene(self) -> &'static str {
-        match self {
-            Self::Pendulum => include_str!("templates/pendulum.toml"),
-            Self::Throw => include_str!("templates/throw.toml"),
-            Self::Bounce => include_str!("templates/bounce.toml"),
-            Self::Kick => include_str!("templates/kick.toml"),
-            Self::Empty => include_str!("templates/empty.toml"),
-        }
+        TEMPLATES[self as usize].1
     }
 
     /// Its name on the command line, and what it is.
@@ -117,6 +113,12 @@ fn asked(answers: &mut dyn BufRead) -> Option<Kind> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_kind_has_its_own_template() {
+        let told = Kind::value_variants().iter().map(|kind| kind.described().1);
+        assert!(told.eq(TEMPLATES.iter().map(|(what, _)| *what)));
+    }
 
     #[test]
     fn an_answer_is_a_number_a_name_or_nothing() {

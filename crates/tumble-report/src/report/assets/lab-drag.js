@@ -8,7 +8,7 @@ const KEY_STEP = 0.01;
 class LivePlayer extends Player {
   constructor(figure, data, grips) {
     super(figure, data);
-    Object.assign(this, { grips, ghosts: [], pins: [], held: this.boxes() });
+    Object.assign(this, { grips, ghosts: [], pins: [], held: this.boxes(), settled: this.cases });
     const bar = this.live.querySelector(".bar");
     this.speedsShown = this.check(bar, "Velocities", false);
     this.energyBox = make("div", { class: "energy", role: "img", hidden: "" }, this.live);
@@ -19,10 +19,26 @@ class LivePlayer extends Player {
     return [...super.boxes(), ...(this.held ?? [])];
   }
 
+  /** What comes next is of another scene: nothing of this one is compared with it. */
+  forget() {
+    Object.assign(this, { cases: [], settled: [], pins: [], held: [], energies: null });
+  }
+
+  /** Shows one case of a run whose others are not known yet. */
+  sketch(data, index) {
+    const cases = [...this.cases];
+    cases[index] = readMotion(data.cases[0]);
+    if (cases.includes(undefined)) return;
+    this.cases = cases;
+    this.ghosts = this.settled;
+    this.choose(index);
+  }
+
   /** Goes on with another motion; the last one stays as a ghost. */
   update(data) {
-    this.ghosts = this.cases;
+    this.ghosts = this.settled;
     this.cases = data.cases.map(readMotion);
+    this.settled = this.cases;
     if (this.chooser) {
       this.chooser.parentElement.hidden = this.cases.length < 2;
       const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
@@ -42,9 +58,10 @@ class LivePlayer extends Player {
     this.layOut();
   }
 
-  setEnergy(energy) {
-    this.energy = energy;
-    this.draw();
+  /** Rows of time, kinetic and potential energy, for each case. */
+  setEnergies(energies) {
+    this.energies = energies;
+    this.drawEnergy();
   }
 
   build() {
@@ -110,7 +127,7 @@ class LivePlayer extends Player {
   /** Kinetic and potential energy now, as parts of a bar. */
   drawEnergy() {
     if (!this.energyBox) return;
-    const rows = this.energy?.rows ?? [];
+    const rows = this.energies?.[this.index] ?? [];
     this.energyBox.hidden = !rows.length;
     if (!rows.length) return;
     const row = rows.find(([time]) => time >= this.time) ?? rows[rows.length - 1];
@@ -120,10 +137,9 @@ class LivePlayer extends Player {
     const [kinetic, potential] = [row[1], row[2] - low];
     const bars = [["kinetic", kinetic, row[1]], ["potential", potential, row[2]]];
     this.energyBox.replaceChildren();
-    for (const [name, size, value] of bars) {
-      const bar = make("span", { class: name, style: `width:${part(size)}` }, this.energyBox);
-      bar.textContent = `${name} ${shown(value, 3)}\u00a0J`;
-    }
+    for (const [name, size] of bars) make("span", { class: `part ${name}`, style: `width:${part(size)}` }, this.energyBox);
+    const words = make("span", { class: "words" }, this.energyBox);
+    for (const [name, , value] of bars) make("span", { class: name }, words).textContent = `${name} ${shown(value, 3)}\u00a0J`;
     this.energyBox.setAttribute("aria-label", bars.map(([name, , value]) => `${name} energy ${shown(value, 3)} J`).join(", "));
   }
 

@@ -30,6 +30,15 @@ class Sections {
     clock.tidy();
     chosenCase.tidy();
     this.plots = parts.plots;
+    this.lead(parts.lead);
+  }
+
+  /** What was found, below the title. */
+  lead(html) {
+    const header = document.querySelector("body > header");
+    const line = header.querySelector(".lead") ?? make("p", { class: "lead" });
+    line.innerHTML = html;
+    if (!line.isConnected) header.querySelector("h1").after(line);
   }
 
   /** What the page's own scripts do once it is there. */

@@ -4,13 +4,12 @@
 /** Milliseconds between two words on how far a run is. */
 const PAUSE = 80;
 
-/** A slider that rests for so long, ms, has the whole report follow; until then motion and numbers do. */
-const REST = 120;
+/** A slider that rests for so long, ms, has numbers and the report follow; until then the picture does. */
+const REST = 50;
 
 let engine = null;
-/** Whose stages are done, and what came before there was an engine. */
+/** The newest request: its stages are done. */
 let wanted = null;
-let early = null;
 let told = 0;
 
 /** A run is at a time of its end. */
@@ -36,9 +35,10 @@ function packed(texts) {
   return bytes;
 }
 
-function begin({ name, scene, set, files }) {
+function begin({ name, scene, set, files, shown }) {
   const settings = set.flatMap(([key, text]) => ["set", key, text]);
-  const bytes = packed([name, scene, ...settings, ...files.flatMap(([key, text]) => ["file", key, text])]);
+  const beside = files.flatMap(([key, text]) => ["file", key, text]);
+  const bytes = packed([name, scene, ...settings, ...beside, "shown", String(shown)]);
   const room = engine.room(bytes.length);
   new Uint8Array(engine.memory.buffer, room, bytes.length).set(bytes);
   return engine.begin() === 1;
@@ -49,33 +49,59 @@ function taken() {
   return JSON.parse(new TextDecoder().decode(new Uint8Array(engine.memory.buffer, from, engine.taken())));
 }
 
-/** Does a stage, and leaves room for what somebody wants instead. */
-function stage(request) {
+/** Does something with the engine. What goes wrong may leave anything behind: this instance is not used again. */
+function attempt(request, act) {
   if (request !== wanted) return;
   try {
-    told = performance.now();
-    const more = engine.advance() === 1;
-    const messages = taken();
-    for (const message of messages) postMessage({ id: request.id, message });
-    const moves = messages.some(({ kind }) => kind === "motion");
-    if (more && moves) return void setTimeout(() => stage(request), REST);
-    if (more) return void next.port2.postMessage(request.id);
-    postMessage({ id: request.id, done: true });
+    act();
   } catch (error) {
-    // What went wrong may have left anything behind: this instance is not used again.
+    wanted = null;
     postMessage({ id: request.id, broken: String(error.message ?? error) });
     close();
   }
 }
 
-const next = new MessageChannel();
-next.port1.onmessage = ({ data }) => data === wanted?.id && stage(wanted);
+/** Does a stage, and leaves room for what somebody wants instead. */
+function stage(request) {
+  attempt(request, () => {
+    told = performance.now();
+    const more = engine.advance() === 1;
+    const messages = taken();
+    for (const message of messages) postMessage({ id: request.id, message });
+    const has = (wanted) => messages.some(({ kind }) => kind === wanted);
+    // A page that shows no report needs none.
+    const isEnough = request.brief && has("energy");
+    if (more && has("sketch")) setTimeout(() => stage(request), REST);
+    else if (more && !isEnough) next.port2.postMessage(request.id);
+    else postMessage({ id: request.id, done: true });
+  });
+}
 
-/** Unpacks the engine for all workers: base64 of LZMA. */
+/** Between two stages, what somebody wants instead is heard; of several requests that wait, the last one is begun. */
+const next = new MessageChannel();
+next.port1.onmessage = ({ data }) => data === wanted?.id && (wanted.isBegun ? stage(wanted) : start(wanted));
+
+/** Bytes from text: two signs for 13 bits, the lowest first. */
+function fromLetters(text) {
+  const places = new Uint8Array(128);
+  let count = 0;
+  for (let code = 33; code < 127; code += 1) if (!"<&\\".includes(String.fromCharCode(code))) places[code] = count++;
+  const bytes = new Uint8Array(Math.floor((text.length * 13) / 16));
+  let [at, bits, have] = [0, 0, 0];
+  for (let i = 0; i < text.length; i += 2) {
+    bits |= (places[text.charCodeAt(i)] + count * places[text.charCodeAt(i + 1)]) << have;
+    for (have += 13; have >= 8; have -= 8) {
+      bytes[at++] = bits & 255;
+      bits >>>= 8;
+    }
+  }
+  return bytes;
+}
+
+/** Unpacks the engine for all workers: letters of LZMA. */
 async function unpack(packed) {
   try {
-    const bytes = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0));
-    postMessage({ module: await WebAssembly.compile(unlzma(bytes)) });
+    postMessage({ module: await WebAssembly.compile(unlzma(fromLetters(packed))) });
   } catch (error) {
     postMessage({ broken: String(error.message ?? error) });
   }
@@ -87,16 +113,18 @@ onmessage = async ({ data }) => {
   if (data.module) {
     const instance = await WebAssembly.instantiate(data.module, { lab: { reached } });
     engine = instance.exports;
-    if (early) start(early);
-  } else if (engine) {
-    start(data);
+    if (wanted) start(wanted);
   } else {
-    early = data;
+    wanted = data;
+    if (engine) next.port2.postMessage(data.id);
   }
 };
 
 function start(request) {
-  wanted = request;
-  begin(request);
+  request.isBegun = true;
+  postMessage({ id: request.id, begun: true });
+  attempt(request, () => {
+    if (!begin(request)) throw new Error("the engine does not understand what it is asked");
+  });
   stage(request);
 }

@@ -85,6 +85,12 @@ class Grip {
   }
 }
 
+/** Whether the panel stands alone in a frame of another page, which makes it as high as it wants to be. */
+const EMBEDDED = location.hash.startsWith("#embed");
+
+/** A quantity as scenes have it, of one from an address, which has no spaces. */
+const spaced = (text) => text.replace(/^([-+]?\d[\d.]*(?:e[-+]?\d+)?)(?=[\p{L}%°])/u, "$1 ");
+
 class Lab {
   constructor(box) {
     Object.assign(this, { box, scene: SETTINGS.scene, set: new Map(SETTINGS.set), controls: new Map() });
@@ -92,7 +98,14 @@ class Lab {
     this.build();
     this.runs = new Runs((kind, value) => this.hear(kind, value));
     box.hidden = false;
+    if (EMBEDDED) this.embed();
     this.fromAddress();
+  }
+
+  embed() {
+    document.documentElement.classList.add("embedded");
+    const tell = () => parent.postMessage({ height: document.body.scrollHeight }, "*");
+    new ResizeObserver(tell).observe(document.body);
   }
 
   build() {
@@ -124,6 +137,7 @@ class Lab {
   }
 
   buildBoard() {
+    this.buildTemplates(SETTINGS.templates);
     const { presets } = SETTINGS.play;
     if (presets.length) {
       const bar = make("div", { class: "bar", role: "group", "aria-label": "Presets" }, this.board);
@@ -135,9 +149,35 @@ class Lab {
     const bar = make("div", { class: "bar" }, this.board);
     this.button(bar, "Reset", () => this.reset());
     this.button(bar, "Pin this run", () => this.pin());
-    this.button(bar, "Large type", () => document.documentElement.classList.toggle("projector"));
+    const large = this.button(bar, "Large type", () => this.enlarge(large));
+    large.setAttribute("aria-pressed", false);
     this.editor = new SceneEditor(this.box, this.scene, (text) => this.edit(text));
+    this.editor.box.open = SETTINGS.templates.length > 0 && !EMBEDDED;
     this.buildSaves(this.editor.bar);
+  }
+
+  /** For a class that looks at it from afar, and back. */
+  enlarge(button) {
+    button.setAttribute("aria-pressed", document.documentElement.classList.toggle("projector"));
+    this.player?.layOut();
+    this.box.scrollIntoView();
+  }
+
+  /** Scenes to begin with. */
+  buildTemplates(templates) {
+    if (!templates.length || EMBEDDED) return;
+    const label = make("label", { class: "templates" }, this.board);
+    label.append("Begin with ");
+    const select = make("select", {}, label);
+    for (const [name] of templates) select.append(new Option(name));
+    select.addEventListener("change", () => {
+      this.set.clear();
+      this.isOther = true;
+      const scene = templates[select.selectedIndex][1];
+      this.editor.box.open = true;
+      this.editor.show(scene);
+      this.edit(scene);
+    });
   }
 
   /** The sliders of a scene, in the place of those before. */
@@ -225,7 +265,7 @@ class Lab {
   ask() {
     const { name, files } = SETTINGS;
     this.asked = [...this.set];
-    this.runs.ask({ name, scene: this.scene, set: this.asked, files });
+    this.runs.ask({ name, scene: this.scene, set: this.asked, files, shown: this.player?.index ?? 0, brief: EMBEDDED });
     clearTimeout(this.linking);
     this.linking = setTimeout(() => this.link(), 400);
   }
@@ -251,7 +291,7 @@ class Lab {
     for (const part of given) {
       const [name, text] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)].map(decodeURIComponent);
       if (name === "scene") await this.takePacked(text);
-      else this.set.set(name, text);
+      else this.set.set(name, spaced(text));
     }
     if (given.length) this.ask();
   }
@@ -259,6 +299,7 @@ class Lab {
   async takePacked(text) {
     try {
       this.scene = await unpackedText(text);
+      this.isOther = SETTINGS.templates.length > 0;
       this.editor.show(this.scene);
     } catch {
       this.status.textContent = "The scene in the address cannot be read: the link is not whole. The scene of this page is shown.";
@@ -276,14 +317,15 @@ class Lab {
     const act = {
       began: () => {
         this.lines = [];
-        this.energies = [];
         this.progress.removeAttribute("value");
         this.busy(true);
       },
       scene: () => this.takeScene(value),
       progress: () => (this.progress.value = value),
       run: () => this.takeRun(value),
+      sketch: () => this.takeSketch(value),
       motion: () => this.takeMotion(value.motion),
+      energy: () => this.takeEnergy(value.cases),
       report: () => this.sections.show(value.parts),
       mistakes: () => this.refuse(value),
       refused: () => this.refuse(value),
@@ -294,16 +336,16 @@ class Lab {
     act?.();
   }
 
-  takeScene({ said, play }) {
+  takeScene({ title, said, play }) {
     this.warnings = said.list;
+    document.title = document.querySelector("h1").textContent = title;
     const isOther = play.knobs.map((knob) => knob.name).join() !== [...this.controls.keys()].join();
     if (isOther) this.buildKnobs(play.knobs);
     for (const knob of play.knobs) this.controls.get(knob.name)?.take(knob);
   }
 
-  takeRun({ told, said, energy }) {
+  takeRun({ told, said }) {
     this.lines.push(told);
-    this.energies.push({ rows: energy });
     this.warnings.push(...said.list);
   }
 
@@ -316,8 +358,17 @@ class Lab {
     this.told.textContent = this.lines.join("\n");
     this.status.textContent = this.label();
     this.player?.update(motion);
-    this.player?.setEnergy(this.energies[this.player.index]);
     this.box.dataset.runs = Number(this.box.dataset.runs ?? 0) + 1;
+  }
+
+  takeSketch(sketch) {
+    if (this.isOther) this.player?.forget();
+    this.isOther = false;
+    this.player?.sketch(sketch.motion, sketch.case);
+  }
+
+  takeEnergy(cases) {
+    this.player?.setEnergies(cases);
   }
 
   /** What is wrong, at its field; the last good run stays. */

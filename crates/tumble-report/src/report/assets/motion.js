@@ -13,6 +13,9 @@ const HATCH = 8;
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** Pixels that a picture may be high; before a class it has most of the screen. */
+const tallest = () => (document.documentElement.classList.contains("projector") ? Math.max(0.68 * innerHeight, 300) : 460);
+
 /** A case with its columns as numbers. */
 function readMotion(data) {
   const bodies = data.bodies.map((body) => ({ ...body, x: decode(body.x), y: decode(body.y), angle: decode(body.angle) }));
@@ -91,7 +94,7 @@ class Player {
     this.slider.addEventListener("input", () => {
       this.pause();
       this.seek(this.start + (this.duration * this.slider.value) / SLIDER);
-      clock.set(this.time, this);
+      this.tell();
     });
     this.svg.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
     let width = 0;
@@ -101,14 +104,24 @@ class Player {
         this.layOut();
       }
     }).observe(this.live);
+    this.agree();
+    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
+    this.pause();
+  }
+
+  /** Goes with the rest of the page in time and case. */
+  agree() {
     clock.listen(this, (time) => {
       if (!this.playing && time !== null) this.seek(time);
     });
     chosenCase.listen(this, (index) => {
       if (index < this.cases.length) this.choose(index);
     });
-    document.addEventListener("visibilitychange", () => document.hidden && this.pause());
-    this.pause();
+  }
+
+  /** Has the rest of the page come along. */
+  tell() {
+    clock.set(this.time, this);
   }
 
   choose(index) {
@@ -138,7 +151,7 @@ class Player {
     const width = Math.max(this.live.clientWidth, 240);
     const wide = size[0] + 2 * room;
     const tall = size[1] + 2 * room;
-    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, 460);
+    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, tallest());
     this.scale = Math.min(width / wide, height / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
@@ -343,7 +356,7 @@ class Player {
     if (this.last === null || !calm.matches || passed >= CALM) {
       this.last = now;
       this.seek(this.time + passed * this.speeds[this.speed.selectedIndex]);
-      clock.set(this.time, this);
+      this.tell();
     }
     if (this.time >= this.start + this.duration - 1e-12) this.pause();
     else requestAnimationFrame((next) => this.tick(next));

@@ -11,5 +11,5 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-pub(super) use motion::motion;
+pub(super) use motion::{living, motion};
 pub(super) use page::{page, parts};

@@ -17,6 +17,8 @@ const TIME_STEPS: f64 = 1e6;
 /// Frames of one case, at most and at least, and numbers of all cases together: about a megabyte.
 const MOST_FRAMES: usize = 1500;
 const LEAST_FRAMES: usize = 120;
+/// Frames of a picture in an index.
+const LIVING_FRAMES: usize = 150;
 const MOST_NUMBERS: usize = 300_000;
 /// Instants in the picture that stands for the motion.
 const INSTANTS: usize = 13;
@@ -76,9 +78,21 @@ pub(in crate::report) fn motion(animation: &Animation) -> String {
     motion_data(animation, "")
 }
 
+/// The first case alone, small: no forces, and no more frames than a small picture needs.
+pub(in crate::report) fn living(animation: &Animation) -> String {
+    let case = animation.cases.first().map(|motion| MovingCase { forces: vec![], ..motion.clone() });
+    let small = Animation { cases: case.into_iter().collect(), ..animation.clone() };
+    let description = description(&small);
+    data_of(&small, &description, LIVING_FRAMES)
+}
+
 /// All cases of a motion.
 pub(super) fn motion_data(animation: &Animation, description: &str) -> String {
-    let frames = |motion: &MovingCase| frames(motion, animation.cases.len());
+    data_of(animation, description, MOST_FRAMES)
+}
+
+fn data_of(animation: &Animation, description: &str, most: usize) -> String {
+    let frames = |motion: &MovingCase| frames(motion, animation.cases.len(), most);
     object([
         ("title", label(&animation.title)),
         ("description", string(description)),
@@ -88,9 +102,9 @@ pub(super) fn motion_data(animation: &Animation, description: &str) -> String {
 }
 
 /// The frames that are kept: evenly spread in time, with both neighbours of every event.
-fn frames(motion: &MovingCase, cases: usize) -> Vec<usize> {
+fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
     let numbers = 1 + 3 * motion.bodies.len() + 4 * (motion.links.len() + motion.forces.len());
-    let most = (MOST_NUMBERS / (numbers * cases.max(1))).clamp(LEAST_FRAMES, MOST_FRAMES);
+    let most = (MOST_NUMBERS / (numbers * cases.max(1))).clamp(LEAST_FRAMES, most);
     let count = motion.times.len();
     if count <= most {
         return (0..count).collect();
@@ -192,7 +206,7 @@ mod tests {
         let times: Vec<f64> = (0..100_000).map(|i| f64::from(i) * 1e-4).collect();
         let events = vec![Mark { at: 3.333_35, ..Mark::default() }];
         let motion = MovingCase { times, events, ..MovingCase::default() };
-        let kept = frames(&motion, 2);
+        let kept = frames(&motion, 2, MOST_FRAMES);
         assert!(kept.len() <= MOST_FRAMES + 3);
         assert!(kept.contains(&0) && kept.contains(&99_999));
         assert!(kept.contains(&33_333) && kept.contains(&33_334));

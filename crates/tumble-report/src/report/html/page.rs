@@ -2,8 +2,8 @@
 
 use super::inline::{paragraphs, tagged, text};
 use super::lab;
-use crate::gallery_page::url;
 use crate::report::{LESSON, Report, json};
+use crate::site::{Ways, url};
 use tumble_drawing::svg::escape;
 
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
@@ -57,7 +57,12 @@ pub(crate) fn parts(report: &Report) -> String {
     let mut page = Page::default();
     let sections = page.sections(report).map(|section| json::string(&section));
     let (plots, motions) = (json::list(page.plots), json::list(page.motions));
-    json::object([("sections", json::list(sections)), ("plots", plots), ("motions", motions)])
+    json::object([
+        ("lead", json::string(&text(&report.lead))),
+        ("sections", json::list(sections)),
+        ("plots", plots),
+        ("motions", motions),
+    ])
 }
 
 impl Page {
@@ -95,7 +100,8 @@ fn header(report: &Report) -> String {
         .as_ref()
         .map(|path| format!("<p class=\"lesson\"><a href=\"{}\">{LESSON}</a></p>\n", url(path)));
     format!(
-        "<header>\n<h1>{}</h1>\n{}{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
+        "{}<header>\n<h1>{}</h1>\n{}{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
+        report.ways.as_ref().map(Ways::html).unwrap_or_default(),
         escape(&report.title),
         tagged("p", "lead", &text(&report.lead)),
         lesson.unwrap_or_default(),
