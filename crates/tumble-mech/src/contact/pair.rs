@@ -26,12 +26,11 @@ use tumble_expr::{Dimension, Expr, Symbol, Vector, Written, is_identically_zero}
 use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::border::Rim;
-use crate::contact::grip::Way;
 use crate::contact::opposite::Opposite;
 use crate::contact::straight::Limit;
-use crate::coordinates::{Measure, Pivot};
+use crate::coordinates::Measure;
 use crate::friction::Friction;
-use crate::kinematics::{Kinematics, PointRef};
+use crate::kinematics::PointRef;
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
 use crate::statement::Statement;

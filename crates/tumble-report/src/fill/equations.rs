@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 use std::collections::HashSet;
 
-use crate::report::{Block, Definition, Mode as ModeShown, Text};
+use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
@@ -25,7 +25,7 @@ const FRACTION: usize = 10;
 const MOST_MODES: usize = 6;
 
 /// The equations of motion in each mode that the motion went through.
-pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeShown> {
+pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
     let modes = lasting(case);
     let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
@@ -36,7 +36,7 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
         let told =
             |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
         let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
-        ModeShown {
+        ModeEquations {
             name: match modes.len() {
                 1 => Text::default(),
                 _ => Text::from(words::mode(study, &case.run.equations, mode)).capitalised(),

@@ -1,6 +1,6 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use crate::report::{Block, BodyModel, Definition, ForceRow, Math, Model, Picture, Text};
+use crate::report::{Block, BodyModel, Definition, ForceRow, Math, ModelPart, Picture, Text};
 use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
     Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
@@ -24,7 +24,7 @@ const MOST_SIGNS_IN_TABLE: usize = 36;
 /// which takes long.
 pub(super) const MOST_OPERATIONS: usize = 300;
 
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Model, CaseError> {
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPart, CaseError> {
     let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
     let kinds = alike::kinds(study, case);
     let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind));
@@ -35,7 +35,7 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Model, 
     let said: Vec<&Definition> = laws.collect();
     let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
     equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&definition)));
-    Ok(Model { intro: vec![], assumptions: assumptions(study), bodies, modes })
+    Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
 }
 
 /// What the laws in use take for granted.

@@ -4,7 +4,7 @@ use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
 use tumble_drawing::{Label, numeral};
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Mode, Parameters, Record, Run};
-use tumble_notation::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
+use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twice, polynomial_in};
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
 
@@ -147,7 +147,7 @@ struct Stretch<'r> {
     begins: Expr,
     elapsed: Symbol,
     coordinates: Vec<Coordinate>,
-    motions: Vec<Motion>,
+    motions: Vec<ClosedForm>,
 }
 
 /// The stretches from the start on in which the motion has a closed form.
@@ -253,7 +253,7 @@ fn motions(
     coordinates: &[Coordinate],
     begins: &Expr,
     elapsed: &Symbol,
-) -> Option<Vec<Motion>> {
+) -> Option<Vec<ClosedForm>> {
     let inputs = run.equations.model().parameters.symbols();
     let time = Symbol::new("t", Dimension::TIME);
     let without = zeros(&run.equations.model().parameters);
