@@ -14,7 +14,7 @@ use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::watched::Watched;
-use crate::contact::zeno::{LOWEST, ZenoSequence, alone, flight, is_low};
+use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
@@ -239,12 +239,13 @@ impl<'a> Settling<'a> {
     ) -> Option<Vec<usize>> {
         loop {
             let response = self.response_with_friction(&some);
-            let (_, pushes) = pushing(&response, &self.some(&some, &self.touch.free))?;
+            let free = self.some(&some, &self.touch.free);
+            let (_, pushes) = pushing(&response, &free)?;
+            let falls = falls(&response, &free, &pushes);
             let next = self.next_without(&some);
             let ends = |(index, position): &(usize, &usize)| {
                 let (gap, rate) = (gap[**position], rate[**position]);
-                let (a, e) =
-                    (response[(*index, *index)] * pushes[*index], self.touch.restitution[**position]);
+                let (a, e) = (falls[*index], self.touch.restitution[**position]);
                 let stands = gap == 0.0 && rate == 0.0;
                 let is_low = is_low(gap, rate, a, lowest);
                 stands || (is_low && UNDISTURBED * alone(gap, rate, a, e) <= next)

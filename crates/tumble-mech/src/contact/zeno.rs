@@ -18,6 +18,8 @@ pub(crate) const LOWEST: f64 = 1e-15;
 const ENDED: f64 = 1e-12;
 /// Bounces in miniature before their number is too large to be followed.
 const MOST_BOUNCES: usize = 200_000;
+/// A contact without a push stays if its acceleration is this part of the largest: rounding of what many contacts do to it.
+const IDLE: f64 = 1e-10;
 /// In miniature, what differs from rest or from its own rebound by less than this part of the fastest after a hit is that: rounding
 /// of the hit.
 const STANDS: f64 = 1e-12;
@@ -43,8 +45,8 @@ impl ZenoSequence<'_> {
         let moves = |i: &usize| gap[*i] != 0.0 || rate[*i] != 0.0;
         let moving: Vec<usize> = (0..gap.len()).filter(moves).collect();
         let loses = self.restitution.iter().all(|e| *e < 1.0);
-        // What one is pressed with in the end; on the way perhaps by others that themselves still bounce.
-        let falls = |i: usize| self.response[(i, i)] * pushes[i];
+        let falls = falls(self.response, self.free, &pushes);
+        let falls = |i: usize| falls[i];
         let is_low = |i: usize| is_low(gap[i], rate[i], falls(i), self.lowest);
         if moving.is_empty() || !(loses && moving.iter().copied().all(is_low)) {
             return None;
@@ -162,6 +164,17 @@ impl ZenoSequence<'_> {
 /// is then what the slowest contact would take alone. Only the time depends on it: however the impulses come, they leave contacts at rest
 /// and what is across them as it was, and places change by less than the bounces are high.
 struct Endless;
+
+/// What contacts fall with, m/s^2, if those pushes hold them: each is pressed in the end, on the way perhaps by others that themselves still
+/// bounce. One that bears nothing, since others bear its load, and yet stays, falls as it would without them; what parts does not fall.
+pub(crate) fn falls(response: &DMatrix<f64>, free: &DVector<f64>, pushes: &DVector<f64>) -> DVector<f64> {
+    let (then, most) = (free + response * pushes, free.amax());
+    DVector::from_fn(free.len(), |i, _| match pushes[i] > 0.0 {
+        true => response[(i, i)] * pushes[i],
+        false if then[i].abs() <= IDLE * most => -free[i],
+        false => 0.0,
+    })
+}
 
 /// Time of one contact that falls with a: flights shrink by its restitution.
 pub(crate) fn alone(gap: f64, rate: f64, a: f64, e: f64) -> f64 {
