@@ -46,6 +46,8 @@ enum Must {
     BeAnAngle,
     /// What remains of a moment of inertia about a pivot.
     Turn,
+    /// What a bowl has more of than what moves in it, m.
+    LeaveRoom,
     /// Twice the area of a polygon that goes round counter-clockwise.
     GoRoundLeft,
     /// The least area of the triangles by which a polygon is told to be convex.
@@ -258,6 +260,7 @@ impl Condition {
                 Some(ModelError::NoDirection { what: what() })
             }
             _ if !value.is_finite() => Some(ModelError::NotFinite { what: what(), value }),
+            Must::LeaveRoom if value <= 0.0 => Some(ModelError::NoRoom { what: what(), less: -value }),
             Must::GoRoundLeft if value < 0.0 => Some(ModelError::Clockwise { what: what() }),
             Must::BeConvex if value < 0.0 => Some(ModelError::NotConvex { what: what() }),
             Must::Turn if value <= 0.0 => Some(ModelError::NoInertia { what: what() }),
@@ -421,8 +424,8 @@ fn of_bowls(model: &Model) -> Vec<Condition> {
         for body in &model.bodies {
             let met = body.features().into_iter().filter(|feature| surface.meets_at(body, feature));
             all.extend(met.map(|feature| {
-                let what = format!("radius of `{}` less that of `{}`", surface.name, body.name);
-                own(&surface.name, what, &circle.radius - &feature.radius, Must::BePositive("m"))
+                let what = format!("radius of `{}`", surface.name);
+                own(&surface.name, what, &circle.radius - &feature.radius, Must::LeaveRoom)
             }));
         }
     }

@@ -268,6 +268,14 @@ pub enum ModelError {
         /// What is wrong.
         problem: String,
     },
+    /// A bowl that is not larger than what is in it.
+    #[error("{what} is less than that of what moves in it, or no more: {less} m are lacking")]
+    NoRoom {
+        /// What it is.
+        what: String,
+        /// By how much, m.
+        less: f64,
+    },
     /// A polygon that others meet by its edges and that is not convex, or crosses itself.
     #[error("the {what} is not convex, and others meet it by its edges")]
     NotConvex {
@@ -313,6 +321,7 @@ impl ModelError {
             | Self::Angle { what, .. }
             | Self::NoDirection { what }
             | Self::NoInertia { what }
+            | Self::NoRoom { what, .. }
             | Self::NotConvex { what }
             | Self::Clockwise { what }
             | Self::CorneredPath { what }

@@ -221,24 +221,36 @@ fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
 /// A sum of rounding errors, and what the accuracy asked for allows of a motion with friction.
 const GROWTH: f64 = 10.0 * ACCURACY;
 
-fn check(seeds: impl Iterator<Item = u64>) {
+/// Seeds of scenes that were refused, with the reason.
+fn refused(seeds: impl Iterator<Item = u64>) -> Vec<(u64, String)> {
+    let mut refused = vec![];
     for seed in seeds {
-        let [deep, growth] = outcome(seed, 2 + (seed as usize % 5), 1.0).expect("a motion");
+        let [deep, growth] = match outcome(seed, 2 + (seed as usize % 5), 1.0) {
+            Ok(found) => found,
+            Err(reason) => {
+                refused.push((seed, reason));
+                continue;
+            }
+        };
         println!("scene {seed}: {deep:e} deep, energy grows by {growth:e}");
         assert!(deep < 1e-12, "scene {seed}: {deep:e} deep");
         assert!(growth < GROWTH, "scene {seed}: energy grows by {growth:e}");
     }
+    refused
 }
 
 #[test]
 fn nothing_gets_into_each_other_or_gains_energy() {
-    check([1, 2, 5, 7, 10, 12, 15, 20, 21].into_iter());
+    // 9 gained energy once, 14 switched without end, 17 went through the block.
+    let refused = refused([1, 2, 5, 7, 9, 10, 12, 14, 15, 17, 20, 21].into_iter());
+    assert!(refused.is_empty(), "{refused:#?}");
 }
 
 /// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100`.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes minutes, and finds some that switch without end as they come to rest"]
 fn many_scenes() {
     let first: u64 = std::env::var("SEED").map_or(1, |seed| seed.parse().expect("a number"));
-    check(first..first + 100);
+    let refused = refused(first..first + 100);
+    assert!(refused.is_empty(), "{refused:#?}");
 }

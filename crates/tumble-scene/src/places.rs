@@ -112,6 +112,9 @@ impl Places {
             ModelError::NoDirection { .. } => {
                 about(Code::NoDirection).label("points nowhere").help("write a vector of any length but zero")
             }
+            ModelError::NoRoom { .. } => about(Code::Value)
+                .label("too small")
+                .help("make the bowl larger, or what moves in it smaller; from outside a circle is met without `inside = true`"),
             ModelError::NotConvex { .. } => about(Code::Value)
                 .label("not convex")
                 .help("make it of convex parts: `parts = [..]` of a body, a surface each of what is fixed"),

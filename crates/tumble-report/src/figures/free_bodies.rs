@@ -17,6 +17,8 @@ use crate::results::moments::Moments;
 
 /// Surfaces farther from the body than this many times its size are left out of its diagrams.
 const NEAR: f64 = 1.5;
+/// A gap below this part of the body's size is none.
+const TOUCHED: f64 = 1e-6;
 /// A force or torque below this part of the largest on a sheet is zero but for rounding, and so is an angle below it.
 const NOTHING: f64 = 1e-12;
 /// A torque below this part of the largest force times the size of the body is rounding of its arm.
@@ -277,7 +279,9 @@ impl Drawing<'_> {
                 [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
             let tangent = Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
-            let is_met = at[4].abs() <= NEAR * reach.max(f64::MIN_POSITIVE)
+            // Of a polygon only what is touched: its other edges would be drawn beyond their ends.
+            let near = if surface.polygon.is_some() { TOUCHED } else { NEAR };
+            let is_met = at[4].abs() <= near * reach.max(f64::MIN_POSITIVE)
                 && at[5..].iter().all(|limit| *limit >= 0.0);
             // Two corners on one edge have one tangent.
             let is_new = |known: &Surface| known.name != tangent.name || known.normal != tangent.normal;

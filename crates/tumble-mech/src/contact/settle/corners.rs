@@ -13,8 +13,8 @@ const ONE_POINT: f64 = 1e-9;
 const TWO_WAYS: f64 = 1e-6;
 
 impl Settling<'_> {
-    /// A corner that slides along an edge passes over the end at which the next edge begins; refused is one that strikes a corner: nothing
-    /// says which way they push.
+    /// A corner that slides along an edge passes over the end at which the next edge begins; refused is one that strikes a corner in
+    /// the air: nothing says which way they push.
     pub(super) fn pass_corners(&mut self, jump: &Jump<Mode>) -> Result<(), Reason> {
         let closes = |position: &usize| self.touch.rate[*position] < -STANDS * self.speed[*position];
         if !self.part.iter().any(closes) {
@@ -23,10 +23,11 @@ impl Settling<'_> {
         let mut passed = vec![];
         for [one, other] in self.on_corners(jump)? {
             match [one, other].map(|position| closes(&position)) {
-                [true, true] => return Err(self.corner_on_corner(one, other)),
+                [true, true] if self.part.len() == 2 => return Err(self.corner_on_corner(one, other)),
                 [true, false] => passed.push(one),
                 [false, true] => passed.push(other),
-                [false, false] => {}
+                // On a common floor corners meet by themselves, and both edges push.
+                [true, true] | [false, false] => {}
             }
         }
         self.part.retain(|position| !passed.contains(position));

@@ -333,20 +333,23 @@ impl Settling<'_> {
         Rubbing { patches, found }: &Rubbing,
     ) -> Result<(), Reason> {
         let zero = BALANCED * self.touch.strength;
-        let tie = |position: usize| {
+        let kinetic = |position: usize| {
             let mut own = patches.iter().zip(&found.grips);
             let (patch, grip) =
                 own.find(|(patch, _)| patch.contacts.iter().any(|(known, _)| *known == position))?;
             match grip {
-                Grip::Slides(way) => Some(f64::from(way.sign()) * patch.friction[1]),
+                Grip::Slides(_) => Some(patch.friction[1]),
                 _ => None,
             }
         };
         let response = |row: usize, column: usize| self.touch.response[(row, column)];
         let held = &found.held;
+        if held.is_empty() {
+            return Ok(());
+        }
         let idle = some.iter().filter(|position| !held.contains(position) && found.then[**position] <= zero);
         for &idle in idle {
-            let Some(own) = tie(idle) else { continue };
+            let Some(own) = kinetic(idle) else { continue };
             let among = DMatrix::from_fn(held.len(), held.len(), |i, j| response(held[i], held[j]));
             let Some(shares) =
                 among.lu().solve(&DVector::from_fn(held.len(), |i, _| response(held[i], idle)))
@@ -354,7 +357,9 @@ impl Settling<'_> {
                 continue;
             };
             let mut bearing = held.iter().zip(&shares).filter(|(_, share)| share.abs() > FOLLOWS);
-            if let Some((other, _)) = bearing.find(|(other, _)| tie(**other).is_some_and(|tie| tie != own)) {
+            if let Some((other, _)) =
+                bearing.find(|(other, _)| kinetic(**other).is_some_and(|other| other != own))
+            {
                 let [one, other] =
                     [idle, *other].map(|position| &self.equations.pairs()[self.touch.pairs[position]].name);
                 return Err(Reason::Model(format!(
