@@ -13,7 +13,7 @@ const unlzma = new Function(`${readFileSync(script, "utf8")}; return unlzma;`)()
 const bytes = new Uint8Array(readFileSync(engine));
 const module = await WebAssembly.compile(engine.endsWith(".lzma") ? unlzma(bytes) : bytes);
 /** Messages with results, and those that draw them. */
-const isDrawn = (line) => /^\[\{"kind":"(motion|report)"/.test(line);
+const isDrawn = (line) => /^\[\{"kind":"(sketch|motion|report)"/.test(line);
 const parts = (text) => {
   const lines = text.split("\n");
   return { drawn: lines.filter(isDrawn), found: lines.filter((line) => !isDrawn(line)) };

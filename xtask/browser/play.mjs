@@ -6,7 +6,8 @@
 // digit. A mistake has its code, its place and its cure and leaves the last run; a link holds the state; a long run is stopped, and what
 // is broken costs the run alone; nothing is asked of a network; a page fits a phone, and paper has no controls.
 
-import { readdirSync } from "node:fs";
+import { mkdtempSync, readdirSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import process from "node:process";
 import { after, both, check, end, launched, numbers, onPaper, opened, report, said, typed } from "./common.mjs";
@@ -133,6 +134,42 @@ async function broken(browser) {
   await page.close();
 }
 
+/** The numbers of the command for a scene that is given as text. */
+function saidOf(name, text) {
+  const file = join(mkdtempSync(join(tmpdir(), "tumble-play-")), `${name}.toml`);
+  writeFileSync(file, text);
+  return said(tumble, file);
+}
+
+/** The pages around the reports: pictures of the index move, examples of the book play where they stand, templates are begun with. */
+async function site(browser) {
+  const is = (what) => `${browser.name}: ${what}`;
+  const index = await opened(browser, join(gallery, "index.html"));
+  const pose = () => index.locator(".living .body").first().getAttribute("transform");
+  const before = await pose();
+  await index.waitForTimeout(600);
+  check(is("pictures of the index move"), (await pose()) !== before);
+  await index.click("#pause-all");
+  const still = await pose();
+  await index.waitForTimeout(300);
+  check(is("until they are paused"), (await pose()) === still);
+  await index.close();
+
+  const chapter = await opened(browser, join(gallery, "book", "tutorial.html"));
+  const example = chapter.locator("[data-scene]").first();
+  await example.locator("button").click();
+  const frame = chapter.frameLocator("iframe");
+  await frame.locator("#play .told:not(:empty)").waitFor({ timeout: 20_000 });
+  const expected = saidOf("example", await example.getAttribute("data-scene"));
+  check(is("an example of the book plays where it stands"), (await frame.locator("#play .told").textContent()).trim() === expected, expected);
+  await chapter.close();
+
+  const start = await opened(browser, report(gallery, "start"));
+  const how = await after(start, () => start.selectOption(".templates select", { index: 2 }));
+  check(is("a template is begun with"), how === "done" && (await numbers(start)) === saidOf("template", await start.inputValue("#play textarea")), how);
+  await start.close();
+}
+
 /** That requests would be seen, if there were any. */
 async function sees(browser) {
   const page = await opened(browser, report(gallery, FIRST));
@@ -151,7 +188,7 @@ for (const program of programs) {
   const browser = await launched(program);
   await sees(browser);
   for (const name of names) await play(browser, name);
-  for (const one of [edited, endless, broken]) await one(browser);
+  for (const one of [edited, endless, broken, site]) await one(browser);
   check(`${browser.name}: nothing is asked of a network`, browser.requests.length === 0, browser.requests.join(" "));
   await browser.browser.close();
   console.log(`${browser.name}: ${names.length} scenes`);

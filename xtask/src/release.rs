@@ -1,7 +1,7 @@
 //! What is given to others: packages of the crates, and a program that needs nothing of the machine it runs on.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use anyhow::{Context, Result, ensure};
 
@@ -23,8 +23,38 @@ const FONTS: &str = "typst-assets";
 
 /// Every crate, packaged and built from its package.
 pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
+    forget_unpacked(&cargo_home()?.join("registry/src"))?;
     let arguments = ["package", "--workspace", "--exclude", "xtask", "--locked", "--allow-dirty"];
     workspace.cargo(arguments).run()
+}
+
+fn cargo_home() -> Result<PathBuf> {
+    let own = env::var_os("CARGO_HOME").map(PathBuf::from);
+    own.or_else(|| Some(env::home_dir()?.join(".cargo"))).context("no home of cargo")
+}
+
+/// Removes what cargo unpacked of our crates when it packaged them before: it takes a package of the same version for the same, and
+/// would build the crates above against the older one. Registries in folders, as the one is that cargo packages into, have no host in
+/// their names.
+fn forget_unpacked(registries: &Path) -> Result<()> {
+    let named = |path: &Path, begin: &str| {
+        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(begin))
+    };
+    for registry in entries(registries)?.iter().filter(|path| named(path, "-")) {
+        for package in entries(registry)?.iter().filter(|path| named(path, "tumble")) {
+            fs::remove_dir_all(package).with_context(|| format!("cannot remove {}", package.display()))?;
+        }
+    }
+    Ok(())
+}
+
+/// What stands in a folder; nothing where there is none.
+fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
+    if !folder.is_dir() {
+        return Ok(vec![]);
+    }
+    let list = fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    list.map(|entry| Ok(entry?.path())).collect()
 }
 
 /// The static program in an archive, with licences and the notices of its fonts.
@@ -86,6 +116,19 @@ fn notice(workspace: &Workspace) -> Result<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_our_packages_of_registries_in_folders_are_forgotten() {
+        let root = env::temp_dir().join(format!("tumble-unpacked-{}", std::process::id()));
+        let all = ["-1a2b/tumble-expr-0.1.0", "-1a2b/libm-0.2.1", "a.registry-3c4d/tumble-expr-0.1.0"];
+        for package in all {
+            fs::create_dir_all(root.join(package)).unwrap();
+        }
+        forget_unpacked(&root).unwrap();
+        assert_eq!(all.map(|package| root.join(package).is_dir()), [false, true, true]);
+        forget_unpacked(&root.join("nowhere")).unwrap();
+        fs::remove_dir_all(root).unwrap();
+    }
 
     #[test]
     fn our_own_program_here_needs_a_loader() {

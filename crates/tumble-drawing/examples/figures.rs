@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use tumble_drawing::{
-    Axis, CurveFigure, Instants, Label, Outline, Pose, Reference, Stroboscope, Svg, Track, png,
+    Axis, BodyPath, CurveFigure, Instants, Label, Outline, Pose, Reference, StroboscopicPicture, Svg, png,
 };
 
 const PIXELS: f64 = 2.0;
@@ -169,7 +169,7 @@ fn noise() -> CurveFigure {
 }
 
 /// The rod of the thrown-rod scene with drag `d` at its centre.
-fn rod_flight(label: Label, d: f64, every: usize) -> Track {
+fn rod_flight(label: Label, d: f64, every: usize) -> BodyPath {
     let rate = |_: f64, [_, _, _, vx, vy, w]: [f64; 6]| {
         let drag = d * vx.hypot(vy);
         [vx, vy, w, -drag * vx, -9.81 - drag * vy, -0.3 * w * d * 10.0]
@@ -180,32 +180,32 @@ fn rod_flight(label: Label, d: f64, every: usize) -> Track {
     let flight: Vec<_> = states.iter().map(pose).take_while(in_air).collect();
     let poses = flight.iter().step_by(every).copied().collect();
     let trace = flight.iter().map(Pose::centre).collect();
-    Track { label, shapes: vec![Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] }], poses, trace }
+    BodyPath { label, shapes: vec![Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] }], poses, trace }
 }
 
-fn thrown_rod() -> Stroboscope {
-    Stroboscope {
+fn thrown_rod() -> StroboscopicPicture {
+    StroboscopicPicture {
         title: Label::plain("A thrown rod, every 0.1 s"),
         tracks: vec![
             rod_flight(Label::plain("without air"), 0.0, 20),
             rod_flight(Label::plain("with air resistance"), 0.05, 20),
         ],
         ground: Some(0.0),
-        ..Stroboscope::default()
+        ..StroboscopicPicture::default()
     }
 }
 
-fn numbered_rod() -> Stroboscope {
-    Stroboscope {
+fn numbered_rod() -> StroboscopicPicture {
+    StroboscopicPicture {
         title: Label::plain("A thrown rod, numbered instants"),
         tracks: vec![rod_flight(Label::default(), 0.02, 30)],
         reference: Reference::ScaleBar,
         instants: Instants::Numbered,
-        ..Stroboscope::default()
+        ..StroboscopicPicture::default()
     }
 }
 
-fn kicked_ball() -> Stroboscope {
+fn kicked_ball() -> StroboscopicPicture {
     let pose = |i: i32| {
         let t = 0.1 * f64::from(i);
         Pose { t, x: 4.65 * t, y: 0.0, angle: -28.8 * t }
@@ -213,15 +213,15 @@ fn kicked_ball() -> Stroboscope {
     let poses: Vec<_> = (0..=9).map(pose).collect();
     let trace = vec![[0.0, 0.0], [poses[9].x, 0.0]];
     let ball = Outline::Circle { centre: [0.0, 0.0], radius: 0.11 };
-    let track = Track { label: Label::default(), shapes: vec![ball], poses, trace };
-    Stroboscope {
+    let track = BodyPath { label: Label::default(), shapes: vec![ball], poses, trace };
+    StroboscopicPicture {
         title: Label::plain("A kicked ball seen from above"),
         tracks: vec![track],
-        ..Stroboscope::default()
+        ..StroboscopicPicture::default()
     }
 }
 
-fn falling_block() -> Stroboscope {
+fn falling_block() -> StroboscopicPicture {
     let pose = |i: i32| {
         let t = 0.2 * f64::from(i);
         Pose { t, x: 0.4 * t, y: 20.0 - 4.905 * t * t, angle: PI * 0.3 * t }
@@ -229,6 +229,10 @@ fn falling_block() -> Stroboscope {
     let poses: Vec<_> = (0..=9).map(pose).collect();
     let trace = poses.iter().map(Pose::centre).collect();
     let block = Outline::Polygon(vec![[-0.6, -0.4], [0.6, -0.4], [0.6, 0.4], [-0.6, 0.4]]);
-    let track = Track { label: Label::default(), shapes: vec![block], poses, trace };
-    Stroboscope { title: Label::plain("A falling block"), tracks: vec![track], ..Stroboscope::default() }
+    let track = BodyPath { label: Label::default(), shapes: vec![block], poses, trace };
+    StroboscopicPicture {
+        title: Label::plain("A falling block"),
+        tracks: vec![track],
+        ..StroboscopicPicture::default()
+    }
 }

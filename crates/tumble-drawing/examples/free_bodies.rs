@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use tumble_drawing::free_body::{
-    AngleMark, Arrow, Couple, FreeBody, Kind, Scaling, Sheet, SideView, Surface, Velocity,
+    AngleMark, Arrow, Couple, FreeBodyDiagram, Kind, Scaling, Sheet, SideView, Surface, Velocity,
 };
 use tumble_drawing::{Label, Outline, Pose, Svg, png};
 
@@ -53,11 +53,11 @@ fn rod(length: f64) -> Outline {
 }
 
 /// A rod at some instant of its bounce; `push` is the force of the floor in N.
-fn rod_at(words: &str, t: f64, gap: f64, angle: f64, push: f64) -> FreeBody {
+fn rod_at(words: &str, t: f64, gap: f64, angle: f64, push: f64) -> FreeBodyDiagram {
     let y = 0.5 * angle.sin() + gap;
     let pose = Pose { t, x: 2.0 * t, y, angle };
     let end = pose.world([-0.5, 0.0]);
-    FreeBody::new(Label::plain("rod"), pose, vec![rod(1.0)])
+    FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod(1.0)])
         .heading(Label::plain(words))
         .heading(Label::equation("t", &format!("{t:.4}"), "s"))
         .surface(floor())
@@ -81,7 +81,7 @@ fn pendulum() -> Sheet {
     let angle = 0.6;
     let pose = Pose { t: 1.25, x: 0.5 * f64::sin(angle), y: -0.5 * f64::cos(angle), angle };
     let hanging = Outline::Segment { from: [0.0, 0.5], to: [0.0, -0.5] };
-    let body = FreeBody::new(Label::plain("rod"), pose, vec![hanging])
+    let body = FreeBodyDiagram::new(Label::plain("rod"), pose, vec![hanging])
         .heading(Label::equation("t", "1.250", "s"))
         .point(Label::symbol("P"), [0.0, 0.0])
         .force(weight(1.0, pose.centre()))
@@ -103,7 +103,7 @@ fn kick() -> Sheet {
         (Label::markup("$m$ $g$"), 4.22),
         (Label::symbol("N"), 4.22),
     );
-    let body = FreeBody::new(Label::plain("ball"), pose, vec![ball])
+    let body = FreeBodyDiagram::new(Label::plain("ball"), pose, vec![ball])
         .heading(Label::plain("during the kick"))
         .heading(Label::equation("t", "0.004", "s"))
         .force(Arrow::new(Kind::Applied, Label::symbol("F"), [-0.093, 0.06], [200.0, 0.0]))
@@ -111,7 +111,10 @@ fn kick() -> Sheet {
         .side(side);
     Sheet {
         title: Label::plain("A kicked ball"),
-        ..Sheet::of(FreeBody { rate: Some(-28.8), ..body.velocity(Velocity::new("V", [0.0; 2], [4.6, 0.0])) })
+        ..Sheet::of(FreeBodyDiagram {
+            rate: Some(-28.8),
+            ..body.velocity(Velocity::new("V", [0.0; 2], [4.6, 0.0]))
+        })
     }
 }
 
@@ -119,7 +122,7 @@ fn impulse() -> Sheet {
     let angle = 0.52;
     let pose = Pose { t: 0.558, x: 1.0, y: 0.5 * f64::sin(angle), angle };
     let end = pose.world([-0.5, 0.0]);
-    let body = FreeBody::new(Label::plain("rod"), pose, vec![rod(1.0)])
+    let body = FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod(1.0)])
         .impulses()
         .heading(Label::markup("impulse at $t$ = 0.5580 s"))
         .surface(Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
@@ -142,7 +145,7 @@ fn slope() -> Sheet {
     let at = |p: [f64; 2]| pose.world(p);
     let along = |size: f64| [size * tilt.cos(), size * tilt.sin()];
     let up = |size: f64| [size * normal[0], size * normal[1]];
-    let body = FreeBody::new(Label::plain("box"), pose, vec![Outline::Polygon(corners.to_vec())])
+    let body = FreeBodyDiagram::new(Label::plain("box"), pose, vec![Outline::Polygon(corners.to_vec())])
         .surface(Surface::new([0.0, 0.0], normal, Label::plain("slope")))
         .force(weight(8.0, pose.centre()))
         .force(Arrow::new(Kind::Contact, Label::symbol("N1"), at(corners[0]), up(52.0)))
@@ -159,7 +162,7 @@ fn slope() -> Sheet {
 
 fn crowd(count: usize) -> Sheet {
     let corners = vec![[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]];
-    let body = FreeBody::new(Label::plain("crate"), Pose::default(), vec![Outline::Polygon(corners)]);
+    let body = FreeBodyDiagram::new(Label::plain("crate"), Pose::default(), vec![Outline::Polygon(corners)]);
     let body = (0..count).fold(body, |body, i| {
         let angle = 0.7 + 2.399963 * i as f64;
         let size = 20.0 + 3.0 * i as f64;
@@ -172,7 +175,7 @@ fn crowd(count: usize) -> Sheet {
 
 fn extremes() -> Sheet {
     let body = |x: f64| {
-        FreeBody::new(Label::plain("a < b & \"c\" ]]>"), Pose { x, ..Pose::default() }, vec![rod(1.0)])
+        FreeBodyDiagram::new(Label::plain("a < b & \"c\" ]]>"), Pose { x, ..Pose::default() }, vec![rod(1.0)])
             .heading(Label::plain("a < b & \"c\" ]]>"))
             .force(Arrow::new(Kind::Weight, Label::symbol("m"), [x, 0.0], [0.0, -1e-12]))
             .force(Arrow::new(Kind::Applied, Label::symbol("F"), [x, 0.0], [1e9, 1e9]))
@@ -180,8 +183,10 @@ fn extremes() -> Sheet {
             .force(Arrow::new(Kind::Spring, Label::default(), [x, 0.0], [0.0, 0.0]))
             .couple(Couple::new(Kind::Reaction, Label::symbol("M"), 1e-12))
     };
-    let point = FreeBody::new(Label::plain("point"), Pose::default(), vec![Outline::Point([0.0, 0.0])]);
-    let none = FreeBody::new(Label::plain("none"), Pose { x: f64::NAN, ..Pose::default() }, Vec::new());
+    let point =
+        FreeBodyDiagram::new(Label::plain("point"), Pose::default(), vec![Outline::Point([0.0, 0.0])]);
+    let none =
+        FreeBodyDiagram::new(Label::plain("none"), Pose { x: f64::NAN, ..Pose::default() }, Vec::new());
     let panels = vec![body(0.0), body(1e12), point.clone().force(weight(1.0, [0.0, 0.0])), none];
     Sheet::new(Label::plain("Extremes"), panels)
 }
@@ -191,7 +196,7 @@ fn many(count: usize) -> Sheet {
         let angle = 0.5 * i as f64;
         let pose = Pose { t: 0.1 * i as f64, x: 0.8 * i as f64, y: 1.5, angle };
         let drag = [-1.2 - 0.2 * i as f64, 0.6 * angle.sin()];
-        FreeBody::new(Label::plain("rod"), pose, vec![rod(1.0)])
+        FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod(1.0)])
             .heading(Label::equation("t", &format!("{:.1}", pose.t), "s"))
             .force(weight(0.5, pose.centre()))
             .force(Arrow::new(Kind::Air, Label::symbol("F_air"), pose.centre(), drag))

@@ -15,14 +15,14 @@ pub struct Animation {
     /// What happens, for those who cannot see it; if empty, start and end are listed.
     pub description: String,
     /// The cases, in the order of the report.
-    pub cases: Vec<Motion>,
+    pub cases: Vec<MovingCase>,
     /// Seconds of motion for a second of the reader's, at first; 0 chooses so that it takes some seconds.
     pub speed: f64,
 }
 
 /// The motion in one case.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Motion {
+pub struct MovingCase {
     /// What sets the case apart; may be empty if there is one only.
     pub name: Label,
     /// Instants in seconds, never decreasing. The places below belong to
@@ -77,7 +77,7 @@ pub struct MovingForce {
     pub samples: Vec<[[f64; 2]; 2]>,
 }
 
-impl Motion {
+impl MovingCase {
     /// Left, lower, right and upper bound of all that moves and of the points, in metres; `None` if there is nothing.
     pub fn extent(&self) -> Option<[f64; 4]> {
         let bodies = self.bodies.iter().flat_map(|body| {

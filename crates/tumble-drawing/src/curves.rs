@@ -6,7 +6,7 @@ use crate::axes::{Axes, Axis, clipped};
 use crate::ends::{self, End};
 use crate::heading::Heading;
 use crate::legend::{Legend, styled};
-use crate::place::Occupancy;
+use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::retrace::without_laps;
 use crate::scale::{Range, drawable};

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 use ::gif::{AnyExtension, DisposalMethod, Encoder, Extension, Frame, Repeat};
 
-use crate::animation::{Animation, Motion};
+use crate::animation::{Animation, MovingCase};
 use crate::png::{PngError, raster};
 
 mod frame;
@@ -91,7 +91,7 @@ pub fn animation_gif(animation: &Animation, case: usize, width: u32, rate: f64) 
 }
 
 /// Instants of the frames: the last one is the end of the motion.
-fn times(motion: &Motion, speed: f64, rate: f64) -> Result<Vec<f64>, GifError> {
+fn times(motion: &MovingCase, speed: f64, rate: f64) -> Result<Vec<f64>, GifError> {
     let (from, to) =
         (motion.times.first().copied().unwrap_or(0.0), motion.times.last().copied().unwrap_or(0.0));
     let length = if speed > 0.0 { (to - from) / speed } else { GOOD_LENGTH };

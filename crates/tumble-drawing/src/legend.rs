@@ -1,6 +1,6 @@
 //! Legends: inside the diagram where it is empty, else in rows above it.
 
-use crate::place::Occupancy;
+use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::svg::{Element, line};
 use crate::text::{Anchor, Label, PlacedText, middle_baseline};
@@ -52,7 +52,7 @@ impl Legend {
     }
 
     /// A place inside the diagram's `area` that nothing drawn touches, corners first.
-    pub fn free_place(&self, area: &Rect, drawn: &Occupancy) -> Option<Rect> {
+    pub(crate) fn free_place(&self, area: &Rect, drawn: &Occupancy) -> Option<Rect> {
         let [width, height] = self.size();
         if width > LARGEST_PART[0] * area.width || height > LARGEST_PART[1] * area.height {
             return None;

@@ -10,6 +10,7 @@ pub mod curves;
 mod ends;
 pub mod font;
 pub mod free_body;
+mod geometry;
 #[cfg(feature = "png")]
 pub mod gif;
 pub mod heading;
@@ -17,7 +18,7 @@ pub mod legend;
 pub mod map;
 pub mod numeral;
 pub mod outline;
-pub mod place;
+mod placing;
 #[cfg(feature = "png")]
 pub mod png;
 pub mod rect;
@@ -27,14 +28,14 @@ pub mod scale_bar;
 pub mod scene_drawing;
 pub mod stroboscope;
 pub mod svg;
-pub mod symbol;
 pub mod text;
 pub mod theme;
 pub mod thin;
 pub mod ticks;
 pub mod track;
+mod units;
 
-pub use animation::{Animation, Motion, MovingBody, MovingForce, MovingLink};
+pub use animation::{Animation, MovingBody, MovingCase, MovingForce, MovingLink};
 pub use axes::Axis;
 pub use curves::{Band, CurveFigure, Mark, Series};
 #[cfg(feature = "png")]
@@ -45,8 +46,8 @@ pub use outline::{Outline, Pose};
 pub use png::{PngError, png};
 pub use scale::Range;
 pub use scene_drawing::{LinkKind, SceneBody, SceneDrawing, SceneLink};
-pub use stroboscope::{Reference, Stroboscope};
+pub use stroboscope::{Reference, StroboscopicPicture};
 pub use svg::Svg;
 pub use text::Label;
 pub use ticks::Ticking;
-pub use track::{Instants, Track};
+pub use track::{BodyPath, Instants};

@@ -1,7 +1,7 @@
 //! Numbers as print shows them: true minus signs, no needless zeros.
 
-use crate::symbol::MINUS;
 use crate::text::Label;
+use crate::units::MINUS;
 
 /// Powers of ten that are written out; others get a factor.
 const WRITTEN_OUT: std::ops::Range<i32> = -3..6;

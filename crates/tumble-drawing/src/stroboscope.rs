@@ -4,13 +4,13 @@
 use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
 use crate::free_body::Surface;
-use crate::free_body::candidates::about_point;
-use crate::free_body::labels::{Tag, draw_placed, placed};
 use crate::free_body::layout::View;
 use crate::heading::Heading;
 use crate::legend::Legend;
 use crate::outline::{Pen, Pose};
-use crate::place::Occupancy;
+use crate::placing::Occupancy;
+use crate::placing::about_point;
+use crate::placing::{Tag, draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
 use crate::scale_bar;
@@ -18,7 +18,7 @@ use crate::svg::{Element, PathData, Svg, circle, line};
 use crate::text::Label;
 use crate::theme::{GAP, GREY, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
 use crate::thin::{pieces, simplified, thinned};
-use crate::track::{Instants, Track};
+use crate::track::{BodyPath, Instants};
 
 /// Width of the picture in pixels, unless the motion is tall.
 const WIDTH: f64 = 680.0;
@@ -61,11 +61,11 @@ pub enum Reference {
 
 /// A stroboscopic picture with equal scales along both axes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Stroboscope {
+pub struct StroboscopicPicture {
     /// Title above the picture; may be empty.
     pub title: Label,
     /// Bodies and runs, drawn over each other in order.
-    pub tracks: Vec<Track>,
+    pub tracks: Vec<BodyPath>,
     /// Height of level ground in metres, drawn hatched.
     pub ground: Option<f64>,
     /// Half-planes of material, drawn hatched below the bodies.
@@ -76,7 +76,7 @@ pub struct Stroboscope {
     pub instants: Instants,
 }
 
-impl Stroboscope {
+impl StroboscopicPicture {
     /// The drawing. Without poses and paths it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
         let scene = Scene::new(self);
@@ -88,7 +88,7 @@ impl Stroboscope {
 
     /// Ranges of x and y that hold everything drawn.
     fn ranges(&self) -> Option<[Range; 2]> {
-        let mut points: Vec<_> = self.tracks.iter().flat_map(Track::extent).collect();
+        let mut points: Vec<_> = self.tracks.iter().flat_map(BodyPath::extent).collect();
         let base = points.first().copied()?;
         points.extend(self.ground.map(|y| [base[0], y]));
         let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
@@ -103,7 +103,7 @@ impl Stroboscope {
 
 /// A picture with its axes laid out.
 struct Scene<'a> {
-    picture: &'a Stroboscope,
+    picture: &'a StroboscopicPicture,
     heading: Heading,
     axes: Axes,
     legend: Option<Legend>,
@@ -111,7 +111,7 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(picture: &'a Stroboscope) -> Self {
+    fn new(picture: &'a StroboscopicPicture) -> Self {
         let ranges = picture.ranges();
         let wanted = ranges.unwrap_or_default();
         let width = picture_width(wanted);
@@ -181,7 +181,7 @@ impl<'a> Scene<'a> {
         Element::new("g").attr("stroke-width", HAIRLINE).children(strokes).child(surface)
     }
 
-    fn draw_bodies(&self, index: usize, track: &Track) -> Element {
+    fn draw_bodies(&self, index: usize, track: &BodyPath) -> Element {
         let last = track.poses.len().saturating_sub(1).max(1) as f64;
         let body = |(i, pose): (usize, &Pose)| {
             let strength = match self.picture.instants {
@@ -194,7 +194,7 @@ impl<'a> Scene<'a> {
         Element::new("g").children(track.numbered().flat_map(body))
     }
 
-    fn draw_trace(&self, index: usize, track: &Track) -> Element {
+    fn draw_trace(&self, index: usize, track: &BodyPath) -> Element {
         let mut path = PathData::default();
         self.trace_pieces(track).iter().for_each(|piece| path.add_polyline(piece));
         let style = style(index);
@@ -214,7 +214,7 @@ impl<'a> Scene<'a> {
         if self.picture.tracks.len() > 1 { style(index).colour } else { INK }
     }
 
-    fn trace_pieces(&self, track: &Track) -> Vec<Vec<[f64; 2]>> {
+    fn trace_pieces(&self, track: &BodyPath) -> Vec<Vec<[f64; 2]>> {
         let pixels = pieces(track.trace.iter().map(|p| self.axes.pixel(*p)));
         pixels.iter().map(|piece| simplified(&thinned(piece, COLUMN), TOLERANCE)).collect()
     }
@@ -286,7 +286,7 @@ impl<'a> Scene<'a> {
 
 /// A label of an instant.
 struct Note<'a> {
-    track: &'a Track,
+    track: &'a BodyPath,
     pose: &'a Pose,
     label: Label,
     colour: Rgb,
@@ -296,7 +296,7 @@ fn style(index: usize) -> LineStyle {
     LineStyle { dashes: TRACE_DASHES[index % TRACE_DASHES.len()], ..LineStyle::of(index) }
 }
 
-fn legend(tracks: &[Track]) -> Option<Legend> {
+fn legend(tracks: &[BodyPath]) -> Option<Legend> {
     let labelled = tracks.iter().enumerate().filter(|(_, track)| !track.label.is_empty());
     Legend::column(labelled.map(|(i, track)| (track.label.clone(), style(i))).collect())
 }
@@ -323,7 +323,7 @@ mod tests {
     use super::*;
     use crate::outline::Outline;
 
-    fn flight() -> Stroboscope {
+    fn flight() -> StroboscopicPicture {
         let pose = |i: i32| {
             let t = 0.1 * f64::from(i);
             Pose { t, x: 8.0 * t, y: 2.0 + 4.0 * t - 4.9 * t * t, angle: 3.0 * t }
@@ -331,8 +331,8 @@ mod tests {
         let poses: Vec<_> = (0..12).map(pose).collect();
         let trace = poses.iter().map(Pose::centre).collect();
         let rod = Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] };
-        let track = Track { label: Label::default(), shapes: vec![rod], poses, trace };
-        Stroboscope { tracks: vec![track], ..Stroboscope::default() }
+        let track = BodyPath { label: Label::default(), shapes: vec![rod], poses, trace };
+        StroboscopicPicture { tracks: vec![track], ..StroboscopicPicture::default() }
     }
 
     #[test]
@@ -374,7 +374,7 @@ mod tests {
             Surface::new([0.0, 0.0], [0.0, 0.0], Label::default()),
         ];
         let drawn = picture.svg().to_string();
-        let lowest = |picture: &Stroboscope| picture.ranges().expect("poses")[1].low;
+        let lowest = |picture: &StroboscopicPicture| picture.ranges().expect("poses")[1].low;
         assert!(lowest(&picture) < -3.0, "the floor is in the picture");
         assert!(drawn.len() > bare.len() && drawn.contains("floor") && !drawn.contains("NaN"));
         assert!(drawn.find("floor") > drawn.find("<circle"), "names stand over bodies");

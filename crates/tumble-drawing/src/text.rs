@@ -1,10 +1,12 @@
 //! Labels: text with italics, subscripts and superscripts, measured and drawn.
 
+use tumble_notation::{Identifier, is_quantity};
+
 use crate::font::{self, Face};
 use crate::rect::Rect;
 use crate::svg::Element;
-use crate::symbol::{self, MINUS, Symbol};
 use crate::theme;
+use crate::units::{MINUS, unit_parts};
 
 /// Size of subscripts and superscripts in units of the text size.
 const SCRIPT_SIZE: f64 = 0.7;
@@ -69,13 +71,16 @@ impl Label {
     /// A symbol from a name: `theta` is an italic θ, `w1` an italic w with
     /// subscript 1; words of more than two letters stay upright.
     pub fn symbol(name: &str) -> Self {
-        let Symbol { head, subscript } = Symbol::parse(name);
-        let face = |word: &str, most: usize| {
-            let italic = symbol::is_quantity(word) && word.chars().count() <= most;
-            if italic { Face::Italic } else { Face::Regular }
-        };
-        let (head_face, subscript_face) = (face(&head, 2), face(&subscript, 1));
-        Self::default().with(&head, head_face, Level::Base).with(&subscript, subscript_face, Level::Subscript)
+        let identifier = Identifier::parse(name);
+        let subscript = identifier.subscript_text();
+        let face = |italic: bool| if italic { Face::Italic } else { Face::Regular };
+        let faces =
+            [identifier.is_italic(), is_quantity(&subscript) && subscript.chars().count() == 1].map(face);
+        Self::default().with(&identifier.head, faces[0], Level::Base).with(
+            &subscript,
+            faces[1],
+            Level::Subscript,
+        )
     }
 
     /// The label of a scene's name such as `rod.angle`: the symbol that
@@ -91,7 +96,7 @@ impl Label {
 
     /// A unit, upright: `m/s^2` has a raised 2, `kg*m` a centred dot.
     pub fn unit(unit: &str) -> Self {
-        symbol::unit_parts(unit).iter().fold(Self::default(), |label, part| {
+        unit_parts(unit).iter().fold(Self::default(), |label, part| {
             let base = format!("{}{}", part.separator, part.name);
             label.with(&base, Face::Regular, Level::Base).with(
                 &part.exponent,

@@ -10,8 +10,8 @@ use std::ops::RangeInclusive;
 
 use crate::numeral::{decimal, round_decimal};
 use crate::scale::Range;
-use crate::symbol::MINUS;
 use crate::text::Label;
+use crate::units::MINUS;
 
 /// Fewest and most labelled ticks of an axis.
 const COUNTS: RangeInclusive<usize> = 3..=10;

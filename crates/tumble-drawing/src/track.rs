@@ -10,7 +10,7 @@ const TIME_DIGITS: usize = 3;
 
 /// One body in one run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Track {
+pub struct BodyPath {
     /// What the legend says; may be empty.
     pub label: Label,
     /// The body, in metres about its centre of mass at angle zero.
@@ -31,7 +31,7 @@ pub enum Instants {
     Numbered,
 }
 
-impl Track {
+impl BodyPath {
     /// The poses that can be drawn.
     pub(crate) fn poses(&self) -> impl Iterator<Item = &Pose> {
         self.numbered().map(|(_, pose)| pose)
@@ -82,9 +82,9 @@ fn time_label(t: f64) -> Label {
 mod tests {
     use super::*;
 
-    fn track(times: &[f64]) -> Track {
+    fn track(times: &[f64]) -> BodyPath {
         let pose = |t: &f64| Pose { t: *t, ..Pose::default() };
-        Track { poses: times.iter().map(pose).collect(), ..Track::default() }
+        BodyPath { poses: times.iter().map(pose).collect(), ..BodyPath::default() }
     }
 
     fn labels(times: &[f64], instants: Instants) -> Vec<String> {

@@ -1,7 +1,6 @@
 //! Disks that meet each other and walls at random: no energy is gained, nothing passes through anything, and instants come to an end.
 //!
-//! Some disks that come to rest on each other still switch without end at one instant, more often with friction: 5 in 100 without, and
-//! the ignored tests find them.
+//! Piles of many disks that bounce on each other for long take minutes: of the ignored tests' scenes, some end by patience only.
 
 mod common;
 
@@ -9,7 +8,7 @@ use common::{at, rigid};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, BodyContact, Friction, Gravity, Model, MultipleImpacts, Run, Shape, Start, Surface};
-use tumble_ode::Accuracy;
+use tumble_ode::{Accuracy, Side};
 
 /// Half the side of the box, m.
 const SIDE: f64 = 1.0;
@@ -85,17 +84,14 @@ fn energy(run: &Run, time: f64) -> f64 {
 }
 
 fn deepest(run: &Run, time: f64) -> f64 {
-    let instant = run.at(time).expect("within the run");
-    let gaps = run.equations.pairs().iter().map(|pair| {
-        let [gap] = instant.values([pair.gap()]).expect("a gap");
-        gap
-    });
-    gaps.fold(f64::INFINITY, f64::min)
+    // All at once: each set of formulas is a tape of its own.
+    let gaps: Vec<Expr> = run.equations.pairs().iter().map(|pair| pair.gap()).collect();
+    let gaps = run.observe(&gaps).expect("gaps").at(time, Side::After).expect("within the run");
+    gaps.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Why a scene failed, if it did.
-fn attack(seed: u64, is_rough: bool) -> Result<(), String> {
-    let until = 3.0;
+fn attack(seed: u64, is_rough: bool, until: f64) -> Result<(), String> {
     let accuracy = Accuracy::new(1e-10).expect("an accuracy");
     let run =
         scene(seed, is_rough).simulate_to(&[], until * S, accuracy).map_err(|error| error.to_string())?;
@@ -122,7 +118,7 @@ fn attack(seed: u64, is_rough: bool) -> Result<(), String> {
 
 fn attack_all(seeds: std::ops::Range<u64>, is_rough: bool) {
     let failed: Vec<(u64, String)> =
-        seeds.clone().filter_map(|seed| Some((seed, attack(seed, is_rough).err()?))).collect();
+        seeds.clone().filter_map(|seed| Some((seed, attack(seed, is_rough, 3.0).err()?))).collect();
     assert!(failed.is_empty(), "{} of {} scenes: {failed:#?}", failed.len(), seeds.end - seeds.start);
 }
 
@@ -136,17 +132,29 @@ fn random_disks_gain_nothing_and_pass_through_nothing() {
     attack_all(0..6, false);
 }
 
+#[test]
+fn random_rough_disks_gain_nothing_and_pass_through_nothing() {
+    attack_all(0..4, true);
+}
+
+/// Two disks part by next to nothing while one of them comes to rest on the floor under a third: what is zero and opens is not taken for
+/// closing, and bounces that are too low to be followed end though others go on.
+#[test]
+fn a_pile_does_not_switch_without_end() {
+    assert_eq!(attack(1020, false, 1.04), Ok(()));
+}
+
 /// More of the same.
 #[test]
-#[ignore = "takes minutes, and finds some that switch without end as they come to rest"]
+#[ignore = "takes minutes"]
 fn many_random_disks_gain_nothing_and_pass_through_nothing() {
     let from = asked("FROM", 1000);
     attack_all(from..from + asked("COUNT", 200), false);
 }
 
 #[test]
-#[ignore = "some switch without end as they come to rest"]
-fn random_rough_disks_gain_nothing_and_pass_through_nothing() {
+#[ignore = "takes minutes"]
+fn many_random_rough_disks_gain_nothing_and_pass_through_nothing() {
     let from = asked("FROM", 0);
-    attack_all(from..from + asked("COUNT", 4), true);
+    attack_all(from..from + asked("COUNT", 40), true);
 }

@@ -7,7 +7,7 @@ use crate::algebra::{Algebra, Imported, Leaf};
 
 /// Position and velocity as formulas of the time since a phase began.
 #[derive(Clone, Debug)]
-pub struct Motion {
+pub struct ClosedForm {
     /// The integral of the velocity, with the position at the start.
     pub position: Expr,
     /// The integral of the acceleration, with the velocity at the start.
@@ -42,12 +42,12 @@ pub fn integrate_twice(
     (time, start): (&Symbol, &Expr),
     elapsed: &Symbol,
     (position, velocity): (&Expr, &Expr),
-) -> Option<Motion> {
+) -> Option<ClosedForm> {
     let s = Expr::from(elapsed.clone());
     let mut shifted = Substitution::default();
     shifted.insert(time.clone(), start + &s);
     let coefficients = polynomial_in(&shifted.apply(acceleration), elapsed)?;
-    let mut motion = Motion { position: position + velocity * &s, velocity: velocity.clone() };
+    let mut motion = ClosedForm { position: position + velocity * &s, velocity: velocity.clone() };
     for (degree, coefficient) in (0..).zip(coefficients) {
         let power = |degree: i32| if degree == 1 { s.clone() } else { s.powi(degree) };
         let once = over(&coefficient, degree + 1);

@@ -39,12 +39,12 @@ mod spelling;
 mod symbol;
 mod text;
 
-pub use closed_form::{Motion, integrate_twice, polynomial_in};
+pub use closed_form::{ClosedForm, integrate_twice, polynomial_in};
 pub use error::MathError;
 pub use font::{FAMILY, page_font};
 pub use latex::latex;
 pub use layout::{Mark, Math, Operator};
 pub use mathml::{mathml, mathml_aligned, mathml_block, mathml_in_pieces};
 pub use notation::{Left, Line, Notation, Shown};
-pub use symbol::Identifier;
+pub use symbol::{Identifier, is_quantity};
 pub use text::text;

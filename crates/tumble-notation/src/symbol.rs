@@ -85,7 +85,7 @@ impl Identifier {
 }
 
 /// Whether a word stands for a quantity and is set in italics.
-pub(crate) fn is_quantity(word: &str) -> bool {
+pub fn is_quantity(word: &str) -> bool {
     word.chars().all(char::is_alphabetic) && word.chars().count() <= LETTERS_OF_A_QUANTITY
 }
 

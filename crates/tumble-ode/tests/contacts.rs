@@ -28,6 +28,7 @@ fn lazy_guard(name: &str, formula: Expr, slopes: Option<Vec<(usize, Expr)>>) -> 
         at_zero: AtZero::Ends,
         group: 0,
         slopes,
+        reach: None,
     }
 }
 

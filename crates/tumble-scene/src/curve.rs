@@ -7,6 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::Field;
 use crate::draft::Draft;
 use crate::formula::{self, Text, Want};
+use crate::keys::{Keys, Takes, must};
 use crate::names::{Level, Names};
 use crate::printable::one_line;
 use crate::study::{Curve, Quantity};
@@ -49,16 +50,20 @@ pub(crate) fn read(draft: &mut Draft, field: &Field, works: bool) -> Option<Curv
     Some(Curve { quantity, size, ..si })
 }
 
+#[rustfmt::skip]
+pub(crate) const LABELLED: Keys = Keys::of("labelled formula", &[&[
+    must("value", Takes::Formula, "\"rod.angle\"", "the formula"),
+    must("label", Takes::Text, "\"..\"", "how figures call it"),
+]]);
+
 /// The same, perhaps with a label: `{ value = "rod.angle in deg", label = "tilt" }`.
 pub(crate) fn labelled(draft: &mut Draft, field: &Field) -> Option<Curve> {
     if !field.value.is_table() {
         return read(draft, field, false);
     }
-    let mut table = draft.table(field, field.key.to_owned())?;
-    table.span = field.span.clone();
-    let value =
-        draft.required(&mut table, "value", "\"rod.angle\"").and_then(|field| read(draft, &field, false));
-    let label = draft.required(&mut table, "label", "\"..\"").and_then(|field| draft.line(&field));
+    let mut table = draft.inline(field, &LABELLED)?;
+    let value = draft.required(&mut table, "value").and_then(|field| read(draft, &field, false));
+    let label = draft.required(&mut table, "label").and_then(|field| draft.line(&field));
     draft.done(table);
     Some(Curve { label: Some(label?), ..value? })
 }

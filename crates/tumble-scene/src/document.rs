@@ -4,6 +4,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::diagnostic::Span;
+use crate::keys::Keys;
 
 /// A key with its value and where both stand.
 #[derive(Clone)]
@@ -53,30 +54,35 @@ pub(crate) fn fields<'t>(table: &'t DeTable<'t>) -> Vec<Field<'t>> {
     fields
 }
 
-/// A table whose keys are known beforehand.
+/// A table whose keys are declared.
 pub(crate) struct Table<'t> {
     /// What a reader calls it: `[body.rod]`, or the key of an inline table.
     pub(crate) title: String,
     /// Where its name stands.
     pub(crate) span: Span,
+    pub(crate) keys: &'static Keys,
     pub(crate) fields: Vec<Field<'t>>,
-    pub(crate) asked: Vec<&'static str>,
 }
 
 impl<'t> Table<'t> {
-    pub(crate) fn new(title: String, span: Span, table: &'t DeTable<'t>) -> Self {
-        Self { title, span, fields: fields(table), asked: vec![] }
+    pub(crate) fn new(keys: &'static Keys, title: String, span: Span, table: &'t DeTable<'t>) -> Self {
+        Self { title, span, keys, fields: fields(table) }
     }
 
     /// One without keys, for what is not there.
-    pub(crate) fn empty(title: &str) -> Self {
-        Self { title: title.to_owned(), span: 0..0, fields: vec![], asked: vec![] }
+    pub(crate) fn empty(keys: &'static Keys) -> Self {
+        Self { title: keys.title.to_owned(), span: 0..0, keys, fields: vec![] }
     }
 
-    /// The field of that key, which thereby is one the table may have.
-    pub(crate) fn take(&mut self, key: &'static str) -> Option<Field<'t>> {
-        self.asked.push(key);
+    /// The field of that key, one of those declared.
+    pub(crate) fn take(&mut self, key: &str) -> Option<Field<'t>> {
+        debug_assert!(self.keys.find(key).is_some(), "`{key}` is not declared in {}", self.keys.title);
         let at = self.fields.iter().position(|field| field.key == key)?;
         Some(self.fields.remove(at))
+    }
+
+    /// Forgets what is declared: it is no mistake where another one is told.
+    pub(crate) fn ignore(&mut self) {
+        self.fields.retain(|field| self.keys.find(field.key).is_none());
     }
 }

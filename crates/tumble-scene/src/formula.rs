@@ -8,6 +8,7 @@ use tumble_mech::place_symbols;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label, Severity, Span};
+use crate::keys::{Keys, Takes};
 use crate::moments;
 use crate::names::{Level, Names};
 use crate::quantities;
@@ -97,6 +98,15 @@ impl Want {
             field: false,
             moments: false,
             works: false,
+        }
+    }
+
+    /// A constant as a key declares it.
+    pub(crate) fn of(keys: &Keys, key: &str) -> Self {
+        match keys.find(key).map(|key| &key.takes) {
+            Some(Takes::Quantity(dimension) | Takes::Vector(dimension)) => Self::constant(*dimension),
+            Some(Takes::Angle(dimension)) => Self::angular(*dimension),
+            _ => Self::any(),
         }
     }
 

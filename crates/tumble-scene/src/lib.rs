@@ -1,7 +1,7 @@
 //! The scene language: a TOML file becomes a [`Study`], or a list of diagnostics that show what to change.
 //!
-//! [`read`] notes every mistake of a file, not the first. One section of the language is one file with one function and
-//! one entry in one table. There is no physics here: formulas go to `tumble-expr`, bodies and loads to `tumble-mech`.
+//! [`read`] notes every mistake of a file, not the first. One section of the language is one file with its
+//! [keys] and one function, and one entry in one table. There is no physics here: formulas go to `tumble-expr`, bodies and loads to `tumble-mech`.
 //!
 //! ```
 //! let scene = r#"
@@ -26,6 +26,7 @@ mod draft;
 mod file_names;
 mod files;
 mod formula;
+pub mod keys;
 mod model_mistakes;
 mod moments;
 mod names;
@@ -62,11 +63,6 @@ pub use study::{
     Study, When,
 };
 pub use sweep::{SweepAxis, SweepValue, SweepValues, Swept};
-
-/// What the sections of a scene, and the keys before them, are called.
-pub fn section_words() -> impl Iterator<Item = &'static str> {
-    sections::SECTIONS.iter().map(|section| section.key)
-}
 
 /// A scene may have this many bytes.
 pub const MAX_BYTES: usize = 16 << 20;

@@ -149,7 +149,7 @@ fn unknown(names: &Names, name: &str, stem: &str, allowed: bool, span: &Span) ->
         return Some(mistake(Code::UnknownPoint, format!("there is no surface `{stem}`"), help));
     }
     let events = names.events.iter().map(String::as_str);
-    let near = crate::suggest::nearest(stem, events).filter(|_| allowed && !name.contains('.'))?;
+    let near = tumble_expr::language::nearest(stem, events).filter(|_| allowed && !name.contains('.'))?;
     let known = Code::Formula(tumble_expr::language::Code::UnknownName);
     Some(mistake(known, format!("nothing is named `{stem}`"), format!("did you mean the event \"{near}\"?")))
 }

@@ -10,6 +10,7 @@ use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::file_names::folded;
 use crate::formula::{self, Origin, Text, Want};
+use crate::keys::Keys;
 use crate::names::fit_file;
 use crate::printable::is_unseen;
 use crate::{suggest, words};
@@ -30,11 +31,17 @@ impl Draft {
         outcome.map_err(|mistakes| self.mistakes.extend(mistakes)).ok()
     }
 
-    /// The field, or the mistake that it is missing.
-    pub(crate) fn required<'t>(
+    /// The field, or the mistake that it is missing, with the declared example.
+    pub(crate) fn required<'t>(&mut self, table: &mut Table<'t>, key: &str) -> Option<Field<'t>> {
+        let example = table.keys.find(key).map_or("..", |key| key.example);
+        self.required_like(table, key, example)
+    }
+
+    /// The same with an example of its own.
+    pub(crate) fn required_like<'t>(
         &mut self,
         table: &mut Table<'t>,
-        key: &'static str,
+        key: &str,
         example: &str,
     ) -> Option<Field<'t>> {
         let field = table.take(key);
@@ -69,18 +76,32 @@ impl Draft {
         }
     }
 
-    /// A constant that must be given.
-    pub(crate) fn coefficient(
+    /// A constant that must be given, of the declared dimension; `name` is whose it is.
+    pub(crate) fn coefficient(&mut self, table: &mut Table, name: &str, key: &str) -> Option<Expr> {
+        let want = Want::of(table.keys, key);
+        let field = self.required(table, key)?;
+        self.constant(name, &field, want)
+    }
+
+    /// The same where it may be left out, with what it then is.
+    pub(crate) fn coefficient_or(
         &mut self,
         table: &mut Table,
         name: &str,
-        key: &'static str,
-        example: &str,
-        dimension: Dimension,
+        key: &str,
+        default: Expr,
     ) -> Option<Expr> {
-        let field = self.required(table, key, example)?;
-        self.remember(format!("{key} of `{name}`"), &field.span);
-        self.number(&field, Want::constant(dimension))
+        let want = Want::of(table.keys, key);
+        match table.take(key) {
+            Some(field) => self.constant(name, &field, want),
+            None => Some(default),
+        }
+    }
+
+    /// A number whose place is remembered.
+    pub(crate) fn constant(&mut self, name: &str, field: &Field, want: Want) -> Option<Expr> {
+        self.remember(format!("{} of `{name}`", field.key.replace('_', " ")), &field.span);
+        self.number(field, want)
     }
 
     /// What a value of the parameter that is this field's key must be; the parameter must exist.
@@ -123,7 +144,7 @@ impl Draft {
             }
             let message = format!("`{}` has no key `{}`", table.title, field.key);
             let mistake = Diagnostic::new(Code::UnknownKey, field.key_span.clone(), message);
-            self.note(mistake.label("unknown key").help(suggest::key(&table.title, field.key, &table.asked)));
+            self.note(mistake.label("unknown key").help(suggest::key(&table, field.key)));
         }
     }
 
@@ -133,15 +154,31 @@ impl Draft {
         self.note(mistake.label(format!("this is {}", field.describe())));
     }
 
-    /// A table, inline or of its own.
-    pub(crate) fn table<'t>(&mut self, field: &Field<'t>, title: String) -> Option<Table<'t>> {
+    /// A table, inline or of its own, with its title; mistakes of the whole underline its key.
+    pub(crate) fn titled<'t>(
+        &mut self,
+        field: &Field<'t>,
+        keys: &'static Keys,
+        title: String,
+    ) -> Option<Table<'t>> {
         match field.value {
-            DeValue::Table(table) => Some(Table::new(title, field.key_span.clone(), table)),
+            DeValue::Table(table) => Some(Table::new(keys, title, field.key_span.clone(), table)),
             _ => {
                 self.wrong_type(field, "a table");
                 None
             }
         }
+    }
+
+    /// A table called by its key.
+    pub(crate) fn table<'t>(&mut self, field: &Field<'t>, keys: &'static Keys) -> Option<Table<'t>> {
+        self.titled(field, keys, field.key.to_owned())
+    }
+
+    /// A table called by its key; mistakes of the whole underline its braces.
+    pub(crate) fn inline<'t>(&mut self, field: &Field<'t>, keys: &'static Keys) -> Option<Table<'t>> {
+        let span = field.span.clone();
+        self.table(field, keys).map(|table| Table { span, ..table })
     }
 
     /// A text that is no formula.
@@ -177,14 +214,6 @@ impl Draft {
             self.note(mistake.label("unknown word").help(format!("write {}", quoted.join(" or "))));
         }
         chosen
-    }
-
-    pub(crate) fn truth(&mut self, field: &Field) -> Option<bool> {
-        let truth = field.value.as_bool();
-        if truth.is_none() {
-            self.wrong_type(field, "`true` or `false`");
-        }
-        truth
     }
 
     /// A number as TOML writes it.

@@ -277,7 +277,7 @@ impl Sheet {
     pub const ALL: [Self; 3] = [Self::Energies, Self::Works, Self::Residual];
 
     /// How a scene calls it.
-    pub fn word(self) -> &'static str {
+    pub const fn word(self) -> &'static str {
         match self {
             Self::Energies => "energies",
             Self::Works => "works",

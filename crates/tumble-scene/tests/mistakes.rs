@@ -116,7 +116,7 @@ const STRUCTURE: &[Row] = &[
         "until = \"5 s\"",
         "until = \"5 s\"\nzork = \"a\"",
         "E0511 zork",
-        "the keys are `text`, `until` and `accuracy`",
+        "the keys are `until`, `accuracy` and `text`",
     ),
     ("until = \"5 s\"", "until = { rest = true }", "E0513 until", "add `at_most = \"60 s\"`"),
     (

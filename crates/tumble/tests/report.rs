@@ -35,11 +35,19 @@ fn numbers_are_those_of_the_summary() {
         for run in summary["runs"].as_array().expect("runs") {
             let steps = run["numerics"]["steps"].as_u64().expect("steps").to_string();
             assert!(page.contains(&steps), "{name}: {steps} steps");
-            assert!(run["balance"]["largest_relative_residual"].as_f64().expect("a number") < 1e-8, "{name}");
+            let residual = run["balance"]["largest_relative_residual"].as_f64().expect("a number");
+            let most = if run.to_string().contains(".zeno") { CUT } else { BALANCED };
+            assert!(residual < most, "{name}: {residual:e} of the balance is left");
         }
         assert!(compared > 0, "{name} has checks");
     }
 }
+
+/// What is left of a balance, in parts of what moves in it.
+const BALANCED: f64 = 1e-8;
+/// The same where bounces lower than 1e-15 of a body were cut off: what was left of their speeds, 3e-8 of those of a fall by its own size, ends
+/// without an impulse.
+const CUT: f64 = 1e-7;
 
 /// The figures of the balance show their columns, and each only its own.
 #[test]
@@ -167,7 +175,7 @@ fn words_of_a_scene_and_the_way_to_its_lesson_stand_in_the_report() {
     let outcome = run(&file, &place.path().join("out"), ReportForm::Html);
     let page = read(&outcome.folder.join("report.html"));
     assert!(page.contains("<p>A ball is kicked at <i>y</i>.</p>\n<p>How fast?</p>"), "{page}");
-    assert!(page.contains("<p>kick: A foot.</p>"), "{page}");
+    assert!(page.contains("<p>Kick: A foot.</p>"), "{page}");
     let (_, after) = page.split_once("<a href=\"").expect("a link");
     let (way, _) = after.split_once('"').expect("its end");
     assert_eq!(read(&outcome.folder.join(way)), "# A lesson");
@@ -209,7 +217,7 @@ fn the_greatest_answer_of_a_sweep_is_located() {
     assert!((located["value"].as_f64().expect("a number") - 2.5).abs() < 1e-6, "{located}");
     assert_eq!(located["which"], "greatest");
     let page = read(&outcome.folder.join("report.html"));
-    assert!(page.contains("range: stone.x is greatest"));
+    assert!(page.contains("Range: horizontal position <i>x</i> is greatest"));
     assert!(page.contains("all 12 runs") && page.contains("median"), "a long sweep is bands");
     assert!(outcome.folder.join("find.range.svg").is_file());
     let least = &summary["located"][1];

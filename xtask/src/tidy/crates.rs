@@ -11,7 +11,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("tumble-ode", &["tumble-expr"]),
     ("tumble-mech", &["tumble-expr", "tumble-ode"]),
     ("tumble-scene", &["tumble-expr", "tumble-ode", "tumble-mech"]),
-    ("tumble-drawing", &[]),
+    ("tumble-drawing", &["tumble-notation"]),
     ("tumble-notation", &["tumble-expr"]),
     (
         "tumble-report",

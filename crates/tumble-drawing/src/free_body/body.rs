@@ -51,7 +51,7 @@ impl AngleMark {
 
 /// A body at one instant with what acts on it: one panel of a sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct FreeBody {
+pub struct FreeBodyDiagram {
     /// Name of the body; printed where panels of a sheet show different bodies.
     pub name: Label,
     /// Lines above the panel; the first is bold.
@@ -86,7 +86,7 @@ pub struct FreeBody {
     pub side: Option<SideView>,
 }
 
-impl FreeBody {
+impl FreeBodyDiagram {
     /// A body without forces, from its name, pose and outlines.
     pub fn new(name: Label, pose: Pose, outlines: Vec<Outline>) -> Self {
         Self { name, pose, outlines, ..Self::default() }

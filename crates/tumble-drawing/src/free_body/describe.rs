@@ -3,11 +3,11 @@
 use crate::text::Label;
 
 use super::arrow::{Arrow, Couple};
-use super::body::FreeBody;
+use super::body::FreeBodyDiagram;
 use super::tags::plain;
 
 /// Everything that acts in a panel: each force with its components and point of action.
-pub(super) fn describe(body: &FreeBody, digits: usize) -> String {
+pub(super) fn describe(body: &FreeBodyDiagram, digits: usize) -> String {
     let drawn = body.drawable();
     let mut parts: Vec<String> = drawn.forces.iter().map(|force| force_words(force, body, digits)).collect();
     parts.extend(drawn.couples.iter().map(|couple| couple_words(couple, body, digits)));
@@ -31,13 +31,13 @@ pub(super) fn describe(body: &FreeBody, digits: usize) -> String {
     format!("{}: {}.", title(body), parts.join("; "))
 }
 
-fn title(body: &FreeBody) -> String {
+fn title(body: &FreeBodyDiagram) -> String {
     let words = std::iter::once(&body.name).chain(&body.heading).map(Label::to_plain);
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
     if words.is_empty() { "Body".to_owned() } else { words.join(", ") }
 }
 
-fn force_words(force: &Arrow, body: &FreeBody, digits: usize) -> String {
+fn force_words(force: &Arrow, body: &FreeBodyDiagram, digits: usize) -> String {
     let number = |value: f64| plain(value, digits);
     let unit = Label::unit(&body.unit.arrow).to_plain();
     let symbol = if force.symbol.is_empty() { String::new() } else { force.symbol.to_plain() + " = " };
@@ -53,7 +53,7 @@ fn force_words(force: &Arrow, body: &FreeBody, digits: usize) -> String {
     )
 }
 
-fn couple_words(couple: &Couple, body: &FreeBody, digits: usize) -> String {
+fn couple_words(couple: &Couple, body: &FreeBodyDiagram, digits: usize) -> String {
     let unit = Label::unit(&body.unit.couple).to_plain();
     let symbol = if couple.symbol.is_empty() { String::new() } else { couple.symbol.to_plain() + " = " };
     let value = plain(couple.value, digits);

@@ -3,9 +3,9 @@
 use crate::svg::{Element, PathData, circle, line};
 use crate::theme::{ArrowStyle, GREY, HAIRLINE, INK, PAPER};
 
-use super::geometry::{Point, along, arc, length, minus, plus, times, turned, unit};
 use super::ring::Ring;
 use super::strokes::{Form, Stroke};
+use crate::geometry::{Point, along, arc, length, minus, plus, times, turned, unit};
 
 /// Length and half the width of arrowheads in pixels.
 pub(crate) const HEAD_LENGTH: f64 = 11.0;
@@ -26,8 +26,6 @@ const BREAK_LEAN: f64 = 2.2;
 pub(crate) const CENTRE_RADIUS: f64 = 5.5;
 /// Radius of dots at points of action.
 const DOT_RADIUS: f64 = 2.3;
-/// Thickness of leaders.
-const LEADER: f64 = 0.7;
 
 /// A straight arrow with its break, if it has one.
 pub(crate) fn arrow(stroke: &Stroke) -> Element {
@@ -152,11 +150,6 @@ pub(crate) fn centre_mark(at: Point) -> Element {
 pub(crate) fn dot(at: Point, style: ArrowStyle) -> Element {
     let dot = circle(at, DOT_RADIUS).attr("fill", style.colour);
     dot.attr("stroke", PAPER).attr("stroke-width", HAIRLINE)
-}
-
-/// The thin line from a label to what it belongs to.
-pub(crate) fn leader([from, to]: [Point; 2]) -> Element {
-    line(from, to).attr("stroke", GREY).attr("stroke-width", LEADER)
 }
 
 /// A dashed auxiliary line.

@@ -1,7 +1,7 @@
 //! Scales of lengths and forces that fill the panels.
 
 use super::arrow::Velocity;
-use super::body::FreeBody;
+use super::body::FreeBodyDiagram;
 use super::layout::{Scales, View, body_size, bounds};
 use super::strokes::LEAST_LENGTH;
 
@@ -24,7 +24,7 @@ const SIZES: std::ops::Range<f64> = 1e-290..1e290;
 /// A body and the room for it on the page, width and height in pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Room<'a> {
-    pub(super) body: &'a FreeBody,
+    pub(super) body: &'a FreeBodyDiagram,
     pub(super) size: [f64; 2],
 }
 
@@ -104,14 +104,14 @@ pub(super) fn longest_arrow(rooms: &[Room<'_>], density: f64) -> f64 {
     low
 }
 
-fn bounds_at(body: &FreeBody, scales: &Scales) -> [f64; 2] {
+fn bounds_at(body: &FreeBodyDiagram, scales: &Scales) -> [f64; 2] {
     let view = View { centre: body.pose.centre(), at: [0.0; 2], density: scales.density };
     let bounds = bounds(body, &view, scales);
     [bounds.width, bounds.height]
 }
 
 /// The scales of one body if the longest arrow of its unit among `rooms` is `arrow` pixels long.
-pub(super) fn scales(rooms: &[Room<'_>], body: &FreeBody, density: f64, arrow: f64) -> Scales {
+pub(super) fn scales(rooms: &[Room<'_>], body: &FreeBodyDiagram, density: f64, arrow: f64) -> Scales {
     let same_unit = rooms.iter().filter(|room| room.body.unit == body.unit);
     let forces = same_unit.flat_map(|room| room.body.forces.iter().chain(&room.body.resultant));
     let largest = forces.map(|force| force.magnitude()).fold(0.0, f64::max);

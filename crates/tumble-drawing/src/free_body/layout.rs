@@ -4,11 +4,11 @@ use crate::axes::Axes;
 use crate::outline::{Outline, Plane, rod_thickness};
 use crate::rect::Rect;
 
-use super::body::FreeBody;
-use super::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};
+use super::body::FreeBodyDiagram;
 use super::ring::rings;
 use super::strokes::{spreads, strokes};
 use super::surface::HATCH_DEPTH;
+use crate::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};
 
 /// A map from world coordinates to the page that keeps its digits far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +68,7 @@ pub(crate) const ARC_RADIUS: f64 = 35.0;
 const NEAR: f64 = 0.6;
 
 /// World points that bound the body itself, with its points of action.
-pub(crate) fn body_points(body: &FreeBody) -> Vec<Point> {
+pub(crate) fn body_points(body: &FreeBodyDiagram) -> Vec<Point> {
     let outlines = body.outlines.iter().flat_map(|outline| outline.extent(&body.pose));
     let forces = body.forces.iter().chain(&body.resultant).map(|force| force.point);
     let named = body.points.iter().chain(&body.arms).map(|point| point.at);
@@ -76,12 +76,12 @@ pub(crate) fn body_points(body: &FreeBody) -> Vec<Point> {
 }
 
 /// Width and height of the body with its points of action, in metres.
-pub(crate) fn body_size(body: &FreeBody) -> [f64; 2] {
+pub(crate) fn body_size(body: &FreeBodyDiagram) -> [f64; 2] {
     Rect::around(body_points(body)).map_or([0.0; 2], |r| [r.width, r.height])
 }
 
 /// The space on the page that everything drawn in a panel needs.
-pub(crate) fn bounds(body: &FreeBody, view: &View, scales: &Scales) -> Rect {
+pub(crate) fn bounds(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> Rect {
     let mut points: Vec<_> = body_points(body).into_iter().map(|p| view.pixel(p)).collect();
     let strokes = strokes(body, view, scales);
     points.extend(strokes.iter().flat_map(|stroke| [stroke.tail, stroke.head]));
@@ -93,7 +93,7 @@ pub(crate) fn bounds(body: &FreeBody, view: &View, scales: &Scales) -> Rect {
 }
 
 /// Pixels below the body where near surfaces end.
-fn near_surfaces(body: &FreeBody, view: &View) -> Vec<Point> {
+fn near_surfaces(body: &FreeBodyDiagram, view: &View) -> Vec<Point> {
     let size = body_size(body);
     let near = NEAR * size[0].hypot(size[1]);
     let points = body_points(body);
@@ -107,26 +107,26 @@ fn near_surfaces(body: &FreeBody, view: &View) -> Vec<Point> {
 }
 
 /// Vertex of the marked angle on the page.
-pub(crate) fn angle_vertex(body: &FreeBody, view: &View) -> Option<Point> {
+pub(crate) fn angle_vertex(body: &FreeBodyDiagram, view: &View) -> Option<Point> {
     body.angle.as_ref().map(|angle| view.pixel(angle.vertex.unwrap_or(body.pose.centre())))
 }
 
 /// The arms of the marked angle: the reference and the turned one.
-pub(crate) fn angle_arms(body: &FreeBody, view: &View) -> Vec<[Point; 2]> {
+pub(crate) fn angle_arms(body: &FreeBodyDiagram, view: &View) -> Vec<[Point; 2]> {
     let (Some(angle), Some(vertex)) = (&body.angle, angle_vertex(body, view)) else { return Vec::new() };
     let arm = |turn: f64| [vertex, along(vertex, direction(turn), ARM)];
     vec![arm(angle.reference), arm(angle.reference + angle.value)]
 }
 
 /// Outlines of the body on the page, closed; rods with their thickness.
-pub(crate) fn faces(body: &FreeBody, view: &View) -> Vec<Vec<Point>> {
+pub(crate) fn faces(body: &FreeBodyDiagram, view: &View) -> Vec<Vec<Point>> {
     let face = |outline: &Outline| match outline {
         Outline::Polygon(corners) => {
             Some(corners.iter().map(|p| view.pixel(body.pose.world(*p))).collect::<Vec<_>>())
         }
         Outline::Circle { centre, radius } => {
             let centre = view.pixel(body.pose.world(*centre));
-            Some(super::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
+            Some(crate::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
         }
         Outline::Segment { from, to } => Some(rod([*from, *to].map(|p| view.pixel(body.pose.world(p))))),
         Outline::Point(_) => None,

@@ -7,12 +7,12 @@
 //! its shaft. Forces of zero are listed below the body instead.
 //!
 //! ```
-//! use tumble_drawing::free_body::{Arrow, FreeBody, Kind, Sheet, Surface};
+//! use tumble_drawing::free_body::{Arrow, FreeBodyDiagram, Kind, Sheet, Surface};
 //! use tumble_drawing::{Label, Outline, Pose};
 //!
 //! let pose = Pose { t: 0.5, x: 0.0, y: 0.3, angle: 0.64 };
 //! let rod = Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] };
-//! let body = FreeBody::new(Label::plain("rod"), pose, vec![rod])
+//! let body = FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod])
 //!     .heading(Label::plain("touching the floor"))
 //!     .surface(Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
 //!     .force(Arrow::new(Kind::Weight, Label::markup("$m$ $g$"), [0.0, 0.3], [0.0, -4.905]))
@@ -23,14 +23,11 @@
 
 mod arrow;
 mod body;
-pub(crate) mod candidates;
 mod describe;
 pub(crate) mod draw;
 mod fit;
-pub(crate) mod geometry;
 mod grid;
 mod key;
-pub(crate) mod labels;
 pub(crate) mod layout;
 mod panel;
 pub(crate) mod ring;
@@ -44,7 +41,7 @@ mod tags;
 mod tests;
 
 pub use arrow::{Arrow, Couple, Kind, Spread, Unit, Velocity};
-pub use body::{AngleMark, FreeBody, NamedPoint};
+pub use body::{AngleMark, FreeBodyDiagram, NamedPoint};
 pub use sheet::{KeyChoice, Scaling, Sheet};
 pub use side::SideView;
 pub use surface::{Round, Surface};

@@ -8,15 +8,15 @@ use crate::svg::{Element, PathData, circle};
 use crate::text::{Anchor, Label, PlacedText};
 use crate::theme::{BODY, GREY, HAIRLINE, INK, LEADING, PAPER, SMALL};
 
-use super::body::FreeBody;
+use super::body::FreeBodyDiagram;
 use super::draw;
 use super::fit::{Room, fit, scales};
-use super::geometry::Point;
-use super::labels::{Placed, draw_placed, placed};
 use super::layout::{Scales, View, angle_arms, bounds};
 use super::ring::{Ring, rings};
 use super::strokes::{Stroke, arms, spreads, strokes};
 use super::tags::Shown;
+use crate::geometry::Point;
+use crate::placing::{Placed, draw_placed, placed};
 
 /// Size of lists and of labels in the side view.
 pub(super) const NOTE: f64 = 0.9 * SMALL;
@@ -33,20 +33,20 @@ const POINT_RADIUS: f64 = 2.6;
 /// What a panel is made from.
 pub(super) struct Source {
     /// Only what can be drawn.
-    pub(super) body: FreeBody,
+    pub(super) body: FreeBodyDiagram,
     pub(super) heading: Vec<Label>,
     /// What is zero or no number.
     pub(super) listed: Vec<Label>,
-    pub(super) side: Option<FreeBody>,
+    pub(super) side: Option<FreeBodyDiagram>,
 }
 
 impl Source {
-    pub(super) fn new(body: &FreeBody, with_name: bool) -> Self {
+    pub(super) fn new(body: &FreeBodyDiagram, with_name: bool) -> Self {
         let name = (with_name && !body.name.is_empty()).then(|| body.name.clone());
         let heading = name.into_iter().chain(body.heading.clone()).collect();
         let side = body.side.as_ref().map(|side| side.as_body(&body.unit));
         let mut listed = body.listed();
-        listed.extend(side.iter().flat_map(FreeBody::listed));
+        listed.extend(side.iter().flat_map(FreeBodyDiagram::listed));
         Self { body: body.drawable(), heading, listed, side: side.map(|side| side.drawable()) }
     }
 
@@ -119,7 +119,7 @@ pub(super) fn room(area: &Rect) -> [f64; 2] {
 
 /// A body with its arrows and labels, laid out.
 pub(super) struct Drawing {
-    pub(super) body: FreeBody,
+    pub(super) body: FreeBodyDiagram,
     pub(super) area: Rect,
     pub(super) view: View,
     pub(super) strokes: Vec<Stroke>,
@@ -130,7 +130,7 @@ pub(super) struct Drawing {
 
 impl Drawing {
     pub(super) fn new(
-        body: &FreeBody,
+        body: &FreeBodyDiagram,
         area: Rect,
         at: Point,
         scales: &Scales,
@@ -147,7 +147,7 @@ impl Drawing {
     }
 
     /// A drawing with scales of its own, in the middle of `area`.
-    pub(super) fn alone(body: &FreeBody, area: Rect, size: f64, digits: usize) -> Self {
+    pub(super) fn alone(body: &FreeBodyDiagram, area: Rect, size: f64, digits: usize) -> Self {
         let rooms = [Room { body, size: room(&area) }];
         let best = fit(&rooms);
         let scales = scales(&rooms, body, best.density, best.arrow);
@@ -188,7 +188,7 @@ impl Drawing {
 
     fn starts_at_centre(&self, stroke: &Stroke) -> bool {
         let centre = self.view.pixel(self.body.pose.centre());
-        super::geometry::length(super::geometry::minus(centre, stroke.point)) < draw::CENTRE_RADIUS
+        crate::geometry::length(crate::geometry::minus(centre, stroke.point)) < draw::CENTRE_RADIUS
     }
 
     fn draw_labels(&self) -> Vec<Element> {
@@ -197,14 +197,14 @@ impl Drawing {
 }
 
 /// What a body and its arrows take, in pixels about its centre of mass.
-pub(super) fn about_centre(body: &FreeBody, scales: &Scales) -> Rect {
+pub(super) fn about_centre(body: &FreeBodyDiagram, scales: &Scales) -> Rect {
     let view = View { centre: body.pose.centre(), at: [0.0; 2], density: scales.density };
     bounds(body, &view, scales)
 }
 
 /// Where the centre of mass must be for `taken` to be in the middle of `area`.
 pub(super) fn centred_in(area: &Rect, taken: &Rect) -> Point {
-    super::geometry::minus(area.centre(), taken.centre())
+    crate::geometry::minus(area.centre(), taken.centre())
 }
 
 /// A panel, laid out.

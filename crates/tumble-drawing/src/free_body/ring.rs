@@ -6,10 +6,10 @@ use crate::outline::Outline;
 use crate::text::Label;
 use crate::theme::{ArrowStyle, MOTION};
 
-use super::body::FreeBody;
-use super::geometry::{Point, arc, direction, dot, minus, plus, times};
+use super::body::FreeBodyDiagram;
 use super::layout::{View, angle_arms};
 use super::strokes::{Form, Stroke, equation};
+use crate::geometry::{Point, arc, direction, dot, minus, plus, times};
 
 /// Radius of the innermost circular arrow, and distance to the next, in pixels.
 const RADIUS: f64 = 21.0;
@@ -52,7 +52,7 @@ impl Ring {
 
 /// The circular arrows of a panel, couples and the angular velocity, turned
 /// so that their heads are clear of other lines.
-pub(crate) fn rings(body: &FreeBody, view: &View, strokes: &[Stroke]) -> Vec<Ring> {
+pub(crate) fn rings(body: &FreeBodyDiagram, view: &View, strokes: &[Stroke]) -> Vec<Ring> {
     let couples = body.couples.iter().map(|couple| (couple.value, couple.kind.style(), Form::Full));
     let rate = body.rate.map(|rate| (rate, MOTION, Form::Thin));
     let centre = view.pixel(body.pose.centre());
@@ -66,7 +66,7 @@ pub(crate) fn rings(body: &FreeBody, view: &View, strokes: &[Stroke]) -> Vec<Rin
 }
 
 /// What should not run through a head.
-fn lines(body: &FreeBody, view: &View, strokes: &[Stroke]) -> Vec<[Point; 2]> {
+fn lines(body: &FreeBodyDiagram, view: &View, strokes: &[Stroke]) -> Vec<[Point; 2]> {
     let rods = body.outlines.iter().filter_map(|outline| match outline {
         Outline::Segment { from, to } => Some([*from, *to].map(|p| view.pixel(body.pose.world(p)))),
         _ => None,
@@ -103,7 +103,7 @@ fn clear_start(sweep: f64, hits: &[f64]) -> f64 {
 }
 
 /// Labels of the circular arrows, in their order.
-pub(crate) fn ring_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
+pub(crate) fn ring_labels(body: &FreeBodyDiagram, digits: usize) -> Vec<Label> {
     let couples = body.couples.iter();
     let couples = couples.map(|c| equation(&c.symbol, c.value, &body.unit.couple, digits));
     let rate = body.rate.map(|rate| equation(&Label::symbol("omega"), rate, "rad/s", digits));

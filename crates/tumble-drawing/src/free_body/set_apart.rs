@@ -1,7 +1,7 @@
 //! Arrows that would lie on each other are moved sideways.
 
-use super::geometry::{Point, dot, minus, times, turned};
 use super::strokes::Stroke;
+use crate::geometry::{Point, dot, minus, times, turned};
 
 /// Lines nearer than this to each other are read as one, in pixels.
 const TOO_NEAR: f64 = 6.0;

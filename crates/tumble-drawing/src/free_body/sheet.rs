@@ -10,14 +10,14 @@ use crate::text::Label;
 use crate::theme::{GAP, MARGIN, PAPER, SMALL};
 
 use super::arrow::{Kind, Unit};
-use super::body::FreeBody;
+use super::body::FreeBodyDiagram;
 use super::describe::describe;
 use super::fit::{Room, fit, longest_arrow, scales};
-use super::geometry::{Point, minus, plus};
 use super::grid::{Grid, rooms};
 use super::key::{Entry, Key};
 use super::layout::{Scales, View, body_size};
 use super::panel::{Drawing, INSET, NOTE, Panel, Source, Trim, about_centre, centred_in, room, split};
+use crate::geometry::{Point, minus, plus};
 
 /// Significant digits of printed magnitudes, unless the caller wants others.
 const DIGITS: usize = 3;
@@ -56,7 +56,7 @@ pub struct Sheet {
     /// Title above the panels; may be empty.
     pub title: Label,
     /// The panels, row by row.
-    pub panels: Vec<FreeBody>,
+    pub panels: Vec<FreeBodyDiagram>,
     /// Captions below the panels.
     pub captions: Vec<Label>,
     /// Which panels share their scales.
@@ -75,13 +75,13 @@ impl Default for Sheet {
 
 impl Sheet {
     /// A sheet with a title, at common scales.
-    pub fn new(title: Label, panels: Vec<FreeBody>) -> Self {
+    pub fn new(title: Label, panels: Vec<FreeBodyDiagram>) -> Self {
         let (scaling, legend) = (Scaling::default(), KeyChoice::default());
         Self { title, panels, captions: Vec::new(), scaling, legend, digits: DIGITS }
     }
 
     /// A sheet of one panel: a plain free-body diagram.
-    pub fn of(body: FreeBody) -> Self {
+    pub fn of(body: FreeBodyDiagram) -> Self {
         Self::new(Label::default(), vec![body])
     }
 

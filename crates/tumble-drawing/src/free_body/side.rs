@@ -4,7 +4,7 @@ use crate::outline::{Outline, Pose};
 use crate::text::Label;
 
 use super::arrow::{Arrow, Kind, Unit};
-use super::body::FreeBody;
+use super::body::FreeBodyDiagram;
 use super::surface::Surface;
 
 /// A small view from the side, beside a body seen from above. Its coordinates
@@ -35,14 +35,14 @@ impl SideView {
         Self { pose, outlines, surfaces: vec![floor], forces }
     }
 
-    pub(super) fn as_body(&self, unit: &Unit) -> FreeBody {
-        FreeBody {
+    pub(super) fn as_body(&self, unit: &Unit) -> FreeBodyDiagram {
+        FreeBodyDiagram {
             pose: self.pose,
             outlines: self.outlines.clone(),
             surfaces: self.surfaces.clone(),
             forces: self.forces.clone(),
             unit: unit.clone(),
-            ..FreeBody::default()
+            ..FreeBodyDiagram::default()
         }
     }
 }

@@ -5,11 +5,11 @@ use crate::text::Label;
 use crate::theme::{ARM, ArrowStyle, MOTION};
 
 use super::arrow::{Arrow, Kind, Spread, Velocity};
-use super::body::{FreeBody, NamedPoint};
+use super::body::{FreeBodyDiagram, NamedPoint};
 use super::draw::CENTRE_RADIUS;
-use super::geometry::{Point, along, length, minus, plus, times, unit};
 use super::layout::{Scales, View};
 use super::set_apart::set_apart;
+use crate::geometry::{Point, along, length, minus, plus, times, unit};
 
 /// Least length of an arrow in pixels: room for a head and a break in the shaft.
 pub(crate) const LEAST_LENGTH: f64 = 34.0;
@@ -75,7 +75,7 @@ impl Stroke {
 }
 
 /// The straight arrows of a panel: forces, the resultant, velocities.
-pub(crate) fn strokes(body: &FreeBody, view: &View, scales: &Scales) -> Vec<Stroke> {
+pub(crate) fn strokes(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> Vec<Stroke> {
     let forces = body.forces.iter().chain(&body.resultant).filter_map(|force| stroke(force, view, scales));
     let velocities = body.velocities.iter().filter_map(|velocity| motion(velocity, view, scales));
     let mut strokes: Vec<_> = forces.chain(velocities).collect();
@@ -104,7 +104,7 @@ fn motion(velocity: &Velocity, view: &View, scales: &Scales) -> Option<Stroke> {
 }
 
 /// The arms of a panel, with the labels of those that are long enough to be seen.
-pub(crate) fn arms(body: &FreeBody, view: &View) -> Vec<(Stroke, Label)> {
+pub(crate) fn arms(body: &FreeBodyDiagram, view: &View) -> Vec<(Stroke, Label)> {
     let centre = view.pixel(body.pose.centre());
     let arm = |arm: &NamedPoint| {
         let head = view.pixel(arm.at);
@@ -125,7 +125,7 @@ pub(crate) fn arms(body: &FreeBody, view: &View) -> Vec<(Stroke, Label)> {
 }
 
 /// Arrows of forces along a line, tail and head, with what comes from where.
-pub(crate) fn spreads(body: &FreeBody, view: &View) -> Vec<(ArrowStyle, Vec<[Point; 2]>)> {
+pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(ArrowStyle, Vec<[Point; 2]>)> {
     let spread = |spread: &Spread| {
         let largest = spread.largest();
         let arrow = |[point, force]: &[Point; 2]| {
@@ -138,7 +138,7 @@ pub(crate) fn spreads(body: &FreeBody, view: &View) -> Vec<(ArrowStyle, Vec<[Poi
 }
 
 /// Labels of the straight arrows, in their order.
-pub(crate) fn stroke_labels(body: &FreeBody, digits: usize) -> Vec<Label> {
+pub(crate) fn stroke_labels(body: &FreeBodyDiagram, digits: usize) -> Vec<Label> {
     let forces = body.forces.iter().chain(&body.resultant);
     let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow, digits));
     let velocities = body.velocities.iter().map(|v| equation(&v.symbol, v.speed(), "m/s", digits));

@@ -6,8 +6,8 @@ use crate::svg::{Element, PathData};
 use crate::text::Label;
 use crate::theme::{GREY, HAIRLINE, INK};
 
-use super::geometry::{Point, along, direction, dot, length, minus, plus, times, unit};
 use super::layout::View;
+use crate::geometry::{Point, along, direction, dot, length, minus, plus, times, unit};
 
 /// Distance of hatching strokes along the surface, in pixels.
 const HATCH_STEP: f64 = 8.0;

@@ -2,20 +2,20 @@
 
 use crate::numeral::significant;
 use crate::outline::Outline;
-use crate::place::Occupancy;
+use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::text::Label;
 use crate::theme::{INK, Rgb};
 
-use super::body::FreeBody;
-use super::candidates::{about_arc, about_arrow, about_point};
+use super::body::FreeBodyDiagram;
 use super::draw::{CENTRE_RADIUS, HEAD_WIDTH};
-use super::geometry::{Point, along, arc, corners, minus, plus, times, unit};
-use super::labels::Tag;
 use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
 use super::ring::{Ring, ring_labels};
 use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
 use super::surface::HATCH_DEPTH;
+use crate::geometry::{Point, along, arc, corners, minus, plus, times, unit};
+use crate::placing::Tag;
+use crate::placing::{about_arc, about_arrow, about_point};
 
 /// Distance of the name of a point from it, in pixels.
 const POINT_DISTANCE: f64 = 6.0;
@@ -26,7 +26,7 @@ const LONGEST: f64 = 0.9;
 
 /// What a panel shows, on the page.
 pub(super) struct Shown<'a> {
-    pub(super) body: &'a FreeBody,
+    pub(super) body: &'a FreeBodyDiagram,
     pub(super) view: &'a View,
     pub(super) area: &'a Rect,
     pub(super) strokes: &'a [Stroke],
@@ -176,7 +176,7 @@ impl Shown<'_> {
 
 /// Across the widest part of an arrowhead.
 fn head_outline(stroke: &Stroke) -> Vec<Point> {
-    let side = super::geometry::turned(unit(minus(stroke.head, stroke.tail)).unwrap_or([1.0, 0.0]));
+    let side = crate::geometry::turned(unit(minus(stroke.head, stroke.tail)).unwrap_or([1.0, 0.0]));
     let back = along(stroke.head, stroke.direction(), -super::draw::HEAD_LENGTH);
     vec![along(back, side, HEAD_WIDTH), stroke.head, along(back, side, -HEAD_WIDTH)]
 }

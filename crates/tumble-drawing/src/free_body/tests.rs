@@ -18,9 +18,9 @@ fn force(kind: Kind, symbol: &str, point: [f64; 2], vector: [f64; 2]) -> Arrow {
 }
 
 /// A rod with its lower end on the floor, pushed by `push` newtons.
-fn bounce(push: f64, angle: f64) -> FreeBody {
+fn bounce(push: f64, angle: f64) -> FreeBodyDiagram {
     let pose = Pose { t: 0.0, x: 3.0, y: 0.5 * angle.sin(), angle };
-    FreeBody::new(Label::plain("rod"), pose, vec![rod()])
+    FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod()])
         .heading(Label::plain("an instant"))
         .surface(Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
         .force(force(Kind::Weight, "W", pose.centre(), [0.0, -4.905]))
@@ -46,12 +46,12 @@ impl Random {
         [size * self.next(), size * self.next()]
     }
 
-    fn scene(&mut self) -> FreeBody {
+    fn scene(&mut self) -> FreeBodyDiagram {
         let kinds = [Kind::Weight, Kind::Contact, Kind::Air, Kind::Applied, Kind::Spring];
         let pose = Pose { t: 0.0, x: 5.0 * self.next(), y: self.next(), angle: 3.0 * self.next() };
         let box_corners = vec![[-0.5, -0.2], [0.5, -0.2], [0.5, 0.2], [-0.5, 0.2]];
         let outline = if self.next() > 0.0 { rod() } else { Outline::Polygon(box_corners) };
-        let body = FreeBody::new(Label::plain("body"), pose, vec![outline]);
+        let body = FreeBodyDiagram::new(Label::plain("body"), pose, vec![outline]);
         let body = kinds.into_iter().fold(body, |body, kind| {
             let point = pose.world([0.5 * self.next(), 0.2 * self.next()]);
             body.force(force(kind, "F1", point, self.pair(20.0)))
@@ -98,7 +98,7 @@ fn side_views_are_laid_out_like_panels() {
     let ball = Outline::Circle { centre: [0.0; 2], radius: 0.11 };
     let (weight, normal) = ((Label::symbol("W"), 4.2), (Label::symbol("N"), 4.2));
     let side = SideView::resting(vec![ball.clone()], 0.11, weight, normal);
-    let body = FreeBody::new(Label::plain("ball"), Pose::default(), vec![ball]);
+    let body = FreeBodyDiagram::new(Label::plain("ball"), Pose::default(), vec![ball]);
     let body = body.force(force(Kind::Applied, "F", [-0.1, 0.04], [200.0, 0.0])).side(side);
     let sheet = Sheet::of(body);
     let layout = Layout::new(&sheet);
@@ -180,7 +180,7 @@ fn nothing_makes_a_drawing_without_numbers() {
     for (i, a) in values.into_iter().enumerate() {
         for b in values.into_iter().skip(i) {
             let pose = Pose { x: a, y: b, angle: a, t: b };
-            let body = FreeBody::new(Label::plain("<a> & \"b\" ]]>"), pose, outlines(b))
+            let body = FreeBodyDiagram::new(Label::plain("<a> & \"b\" ]]>"), pose, outlines(b))
                 .force(force(Kind::Weight, "W", [a, b], [b, a]))
                 .force(force(Kind::Air, "<b>", [0.0, 0.0], [1e-12, 0.0]))
                 .force(force(Kind::Spring, "", [b, 0.0], [a, 0.0]))
@@ -188,8 +188,8 @@ fn nothing_makes_a_drawing_without_numbers() {
                 .surface(Surface::new([a, b], [b, a], Label::plain("floor")))
                 .point(Label::plain("A"), [b, a])
                 .angle(AngleMark::horizontal(Label::symbol("theta"), b));
-            let body = FreeBody { rate: Some(a), ..body.velocity(Velocity::new("V", [b, a], [a, b])) };
-            let svg = Sheet::new(Label::default(), vec![body, FreeBody::default()]).svg().to_string();
+            let body = FreeBodyDiagram { rate: Some(a), ..body.velocity(Velocity::new("V", [b, a], [a, b])) };
+            let svg = Sheet::new(Label::default(), vec![body, FreeBodyDiagram::default()]).svg().to_string();
             assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("<b>"), "{a} {b}");
         }
     }
@@ -197,7 +197,7 @@ fn nothing_makes_a_drawing_without_numbers() {
 
 #[test]
 fn thirty_forces_at_one_point_are_all_labelled() {
-    let body = FreeBody::new(Label::plain("crate"), Pose::default(), vec![rod()]);
+    let body = FreeBodyDiagram::new(Label::plain("crate"), Pose::default(), vec![rod()]);
     let body = (0..30).fold(body, |body, i| {
         let angle = 2.4 * f64::from(i);
         body.force(force(Kind::Applied, &format!("F{i}"), [0.5, 0.0], [angle.cos(), angle.sin()]))
@@ -215,7 +215,7 @@ fn thirty_forces_at_one_point_are_all_labelled() {
 fn sheets_without_panels_and_bodies_without_anything_are_drawn() {
     let nothing = Sheet::default().svg().to_string();
     assert!(nothing.contains("Free-body diagram") && nothing.contains("no data"));
-    let svg = Sheet::of(FreeBody::default()).svg();
+    let svg = Sheet::of(FreeBodyDiagram::default()).svg();
     assert!(svg.description.contains("no force") && svg.width > 0.0 && svg.height > 0.0);
 }
 

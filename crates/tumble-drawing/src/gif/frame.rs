@@ -1,8 +1,8 @@
 //! One frame of a motion as a drawing.
 
-use crate::animation::{Motion, MovingBody, MovingLink};
-use crate::free_body::geometry::{Point, along, minus, times, unit};
+use crate::animation::{MovingBody, MovingCase, MovingLink};
 use crate::free_body::layout::View;
+use crate::geometry::{Point, along, minus, times, unit};
 use crate::outline::{Pen, Plane, Pose};
 use crate::rect::Rect;
 use crate::scale::drawable;
@@ -27,14 +27,14 @@ const TOLERANCE: f64 = 0.1;
 
 /// A motion with the space it takes.
 pub(super) struct Scene<'a> {
-    motion: &'a Motion,
+    motion: &'a MovingCase,
     /// In metres, y upwards.
     bounds: Rect,
 }
 
 impl<'a> Scene<'a> {
     /// `None` if nothing in the motion can be drawn.
-    pub(super) fn new(motion: &'a Motion) -> Option<Self> {
+    pub(super) fn new(motion: &'a MovingCase) -> Option<Self> {
         let [left, bottom, right, top] = motion.extent()?;
         let room = (PADDING * (right - left).max(top - bottom)).max(f64::MIN_POSITIVE);
         let bounds = Rect::new(left, bottom, right - left, top - bottom).grown(room);

@@ -11,7 +11,7 @@ fn pendulum() -> Animation {
     let poses = times.iter().map(pose).collect();
     let rod = Outline::Segment { from: [0.0, 0.5], to: [0.0, -0.5] };
     let body = MovingBody { outlines: vec![rod], poses, trail: true, ..MovingBody::default() };
-    let motion = Motion { times, bodies: vec![body], ..Motion::default() };
+    let motion = MovingCase { times, bodies: vec![body], ..MovingCase::default() };
     Animation { cases: vec![motion], speed: 1.0, ..Animation::default() }
 }
 

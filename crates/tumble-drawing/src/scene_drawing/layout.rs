@@ -5,15 +5,15 @@ use super::tags::tags;
 use super::{SceneBody, SceneDrawing};
 use crate::axes::{Axes, clipped};
 use crate::curves::no_data;
-use crate::free_body::geometry::{Point, along, arc, direction, unit};
-use crate::free_body::labels::{draw_placed, placed};
 use crate::free_body::layout::View;
 use crate::free_body::ring::Ring;
 use crate::free_body::strokes::{Form, Stroke};
 use crate::free_body::{AngleMark, draw};
+use crate::geometry::{Point, along, arc, direction, unit};
 use crate::heading::Heading;
 use crate::outline::Pen;
-use crate::place::Occupancy;
+use crate::placing::Occupancy;
+use crate::placing::{draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
 use crate::stroboscope::{equal_axes, picture_width};
@@ -93,7 +93,7 @@ impl Layout {
 
     /// The labels at their places.
     #[cfg(test)]
-    pub(super) fn labels(&self) -> Vec<crate::free_body::labels::Placed> {
+    pub(super) fn labels(&self) -> Vec<crate::placing::Placed> {
         let mut drawn = self.occupancy();
         marks::fields(&self.scene, &self.axes.area, &mut drawn);
         placed(&tags(self), &drawn, &self.axes.area)

@@ -2,9 +2,9 @@
 
 use super::SceneDrawing;
 use crate::free_body::draw;
-use crate::free_body::geometry::{Point, along, length, minus, plus, times, turned, unit};
 use crate::free_body::strokes::{Form, Stroke};
-use crate::place::Occupancy;
+use crate::geometry::{Point, along, length, minus, plus, times, turned, unit};
+use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::scene_drawing::LinkKind;
 use crate::svg::{Element, PathData, circle};

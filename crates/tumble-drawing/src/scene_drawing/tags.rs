@@ -1,11 +1,11 @@
 //! Which labels a scene has, and where they may stand.
 
 use super::layout::Layout;
-use crate::free_body::candidates::{Candidate, about_arc, about_arrow, about_point};
-use crate::free_body::geometry::{Point, along, times};
-use crate::free_body::labels::Tag;
 use crate::free_body::surface::HATCH_DEPTH;
-use crate::place::beside;
+use crate::geometry::{Point, along, times};
+use crate::placing::Tag;
+use crate::placing::beside;
+use crate::placing::{Candidate, about_arc, about_arrow, about_point};
 use crate::rect::Rect;
 use crate::text::Label;
 use crate::theme::{INK, MOTION, Rgb, SMALL};

@@ -83,7 +83,7 @@ pub use error::{CallSite, Code, FormulaError, Place, Span};
 pub use header::Header;
 pub use scope::{Function, FunctionError, Measured, Scope, ScopeError, is_name};
 pub use stated::StatedUnit;
-pub use suggest::Letters;
+pub use suggest::nearest;
 pub use syntax::{NodeId, Operator, Standing, Syntax, SyntaxNode, Tree};
 pub use units::{NamedUnit, UNITS, UnitTag, nearest_unit, unit};
 pub use value::Value;

@@ -1,15 +1,17 @@
 //! The word that was probably meant.
 
-/// The candidate that differs in upper and lower case only.
-pub(super) fn same_letters<'c>(word: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
+use strsim::damerau_levenshtein;
+
+/// The word that differs in upper and lower case only.
+pub(super) fn same_letters<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
     let lower = word.to_lowercase();
-    candidates.into_iter().find(|candidate| candidate.to_lowercase() == lower)
+    words.into_iter().find(|known| known.to_lowercase() == lower)
 }
 
-/// Bytes; longer words are not slips of a name.
-const LONGEST: usize = 200;
-/// Only so many candidates are looked at.
-const MOST_CANDIDATES: usize = 20_000;
+/// Letters; longer words are not slips of a name.
+const LONGEST: usize = 100;
+/// Only so many words are looked at.
+const MOST_WORDS: usize = 20_000;
 /// Of those that have nearly the same letters only so many are compared: the time is the product of both lengths.
 const MOST_COMPARED: usize = 500;
 
@@ -19,11 +21,11 @@ const KINDS: usize = 64;
 /// How often a word has each letter, upper and lower case alike. Two words are at least as many slips apart as letters of the
 /// one are not in the other, which is soon counted.
 #[derive(Clone, Debug)]
-pub struct Letters([i16; KINDS]);
+struct Letters([i16; KINDS]);
 
 impl Letters {
     /// Those of a word.
-    pub fn of(word: &str) -> Self {
+    fn of(word: &str) -> Self {
         let mut letters = Self([0; KINDS]);
         letters.count(word, 1);
         letters
@@ -37,7 +39,7 @@ impl Letters {
     }
 
     /// Fewer slips than these do not lead to another word.
-    pub fn slips_to(&self, other: &str) -> usize {
+    fn slips_to(&self, other: &str) -> usize {
         let mut difference = self.clone();
         difference.count(other, -1);
         let sum = |counts: [i16; KINDS]| {
@@ -47,31 +49,35 @@ impl Letters {
     }
 }
 
-/// The candidate fewest slips of the keyboard away, if they are few for so short a word.
-pub(super) fn nearest<'c>(word: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
-    if word.len() > LONGEST {
-        return None;
-    }
-    let slips_allowed = match word.chars().count() {
-        0..=2 => 1,
-        3..=5 => 2,
+/// The word fewest slips of the keyboard away, if they are so few that no other can be meant: a slip rarely is that of the first
+/// letter, and `wind` is not `find`. One of upper and lower case is none.
+pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
+    let length = word.chars().count();
+    let allowed = match length {
+        0..=5 => 1,
+        6..=11 => 2,
         _ => 3,
     };
+    if length > LONGEST {
+        return None;
+    }
     let letters = Letters::of(word);
-    let fits = |candidate: &&str| candidate.len() <= LONGEST && letters.slips_to(candidate) <= slips_allowed;
-    let near = candidates.take(MOST_CANDIDATES).filter(fits).take(MOST_COMPARED);
-    let scored = near.map(|candidate| (distance(word, candidate), candidate));
-    let (slips, best) = scored.min_by_key(|(slips, _)| *slips)?;
-    let shares_something = slips < word.chars().count();
-    (slips <= slips_allowed && shares_something).then_some(best)
+    let fits = |known: &&str| {
+        known.len() <= 2 * LONGEST && begins_like(word, known) && letters.slips_to(known) <= allowed
+    };
+    let near = words.into_iter().take(MOST_WORDS).filter(fits).take(MOST_COMPARED);
+    let folded = word.to_lowercase();
+    // Of words as near the one is meant that has more capitals in common.
+    let scored = near.map(|known| {
+        (damerau_levenshtein(&folded, &known.to_lowercase()), damerau_levenshtein(word, known), known)
+    });
+    let (least, _, best) = scored.min_by_key(|(least, exact, _)| (*least, *exact))?;
+    (least <= allowed).then_some(best)
 }
 
-/// A slip of case counts less than any other slip.
-fn distance(word: &str, candidate: &str) -> usize {
-    match candidate.to_lowercase() == word.to_lowercase() {
-        true => 0,
-        false => strsim::damerau_levenshtein(word, candidate),
-    }
+fn begins_like(word: &str, known: &str) -> bool {
+    let first = |word: &str| word.chars().next().map(|letter| letter.to_lowercase().to_string());
+    first(word) == first(known)
 }
 
 #[cfg(test)]
@@ -83,7 +89,7 @@ mod tests {
         let words =
             ["gravity", "gravty", "GRAVITY", "rod.angle", "rod.anlge", "m", "L", "球", "", "Länge", "laenge"];
         for (a, b) in words.iter().flat_map(|a| words.map(|b| (*a, b))) {
-            let slips = strsim::damerau_levenshtein(&a.to_lowercase(), &b.to_lowercase());
+            let slips = damerau_levenshtein(&a.to_lowercase(), &b.to_lowercase());
             assert!(Letters::of(a).slips_to(b) <= slips, "{a} {b}");
         }
         assert_eq!(Letters::of("knowm7x").slips_to("unknown1"), 4);
@@ -92,11 +98,13 @@ mod tests {
     #[test]
     fn few_slips_are_forgiven() {
         let names = ["gravity", "rod.angle", "m", "L"];
-        let nearest = |word| nearest(word, names.into_iter());
+        let nearest = |word| nearest(word, names);
         assert_eq!(nearest("gravty"), Some("gravity"));
         assert_eq!(nearest("rod.anlge"), Some("rod.angle"));
         assert_eq!(nearest("M"), Some("m"));
+        assert_eq!(super::nearest("TT", ["t", "T"]), Some("T"));
         assert_eq!(nearest("x"), None);
+        assert_eq!(nearest("trod.angle"), None, "the first letter is rarely a slip");
         assert_eq!(nearest("temperature"), None);
     }
 }

@@ -14,7 +14,7 @@ use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::watched::Watched;
-use crate::contact::zeno::{LOWEST, ZenoSequence};
+use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
@@ -204,18 +204,9 @@ impl<'a> Settling<'a> {
         // What is lower than the rounding of its gap, which is large far from the origin, never ends by itself.
         let blur = self.part.iter().map(|position| self.touch.blur[*position]).fold(0.0, f64::max);
         let lowest = blur.max(LOWEST * size);
-        let is_low = |position: &usize| {
+        let may_end = |position: &usize| {
             let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
             rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
-        };
-        let members: Vec<usize> = (0..self.touch.pairs.len()).filter(is_low).collect();
-        let pick = |values: &DVector<f64>| DVector::from_fn(members.len(), |i, _| values[members[i]]);
-        let zeno = ZenoSequence {
-            rule: model.multiple_impacts,
-            response: &self.response_with_friction(&members),
-            restitution: &pick(&self.touch.restitution),
-            free: &pick(&self.touch.free),
-            lowest,
         };
         let stands = |position: usize| self.stands(position) && self.part.contains(&position);
         // What closes now has no gap but for rounding, which late in a Zeno sequence is as large as the bounces.
@@ -225,17 +216,55 @@ impl<'a> Settling<'a> {
         let Touch { gap, rate, .. } = &self.touch;
         let gap = DVector::from_fn(gap.len(), |i, _| if stands(i) || touches(i) { 0.0 } else { gap[i] });
         let rate = DVector::from_fn(rate.len(), |i, _| if stands(i) { 0.0 } else { rate[i] });
-        let time = zeno.remaining(&pick(&gap), &pick(&rate))?;
-        let others = (0..self.touch.pairs.len()).filter(|position| !members.contains(position));
-        let undisturbed = others.into_iter().all(|position| self.stays_apart(position, UNDISTURBED * time));
-        undisturbed.then_some((members, time))
+        let low: Vec<usize> = (0..self.touch.pairs.len()).filter(may_end).collect();
+        let members = self.ending(low, [&gap, &rate], lowest)?;
+        let zeno = ZenoSequence {
+            rule: model.multiple_impacts,
+            response: &self.response_with_friction(&members),
+            restitution: &self.some(&members, &self.touch.restitution),
+            free: &self.some(&members, &self.touch.free),
+            lowest,
+        };
+        let time = zeno.remaining(&self.some(&members, &gap), &self.some(&members, &rate))?;
+        (time <= self.next_without(&members)).then_some((members, time))
     }
 
-    /// Whether a pair does not close within a time, s, as it moves now.
-    fn stays_apart(&self, position: usize, time: f64) -> bool {
+    /// Of some contacts those that stand, and those whose bounces are too low to be followed and end before another contact comes: what
+    /// moves and is not pressed parts.
+    fn ending(
+        &self,
+        mut some: Vec<usize>,
+        [gap, rate]: [&DVector<f64>; 2],
+        lowest: f64,
+    ) -> Option<Vec<usize>> {
+        loop {
+            let response = self.response_with_friction(&some);
+            let free = self.some(&some, &self.touch.free);
+            let (_, pushes) = pushing(&response, &free)?;
+            let falls = falls(&response, &free, &pushes);
+            let next = self.next_without(&some);
+            let ends = |(index, position): &(usize, &usize)| {
+                let (gap, rate) = (gap[**position], rate[**position]);
+                let (a, e) = (falls[*index], self.touch.restitution[**position]);
+                let stands = gap == 0.0 && rate == 0.0;
+                let is_low = is_low(gap, rate, a, lowest);
+                stands || (is_low && UNDISTURBED * alone(gap, rate, a, e) <= next)
+            };
+            let left: Vec<usize> =
+                some.iter().enumerate().filter(ends).map(|(_, position)| *position).collect();
+            if left.len() == some.len() {
+                return Some(left);
+            }
+            some = left;
+        }
+    }
+
+    /// Time until the first of all contacts but some closes, as they move now, s.
+    fn next_without(&self, some: &[usize]) -> f64 {
         let Touch { gap, rate, free, .. } = &self.touch;
-        let fastest = rate[position].min(rate[position] + free[position] * time);
-        gap[position] + fastest.min(0.0) * time > 0.0
+        let others = (0..self.touch.pairs.len()).filter(|position| !some.contains(position));
+        let closes = |position: usize| flight(gap[position].max(0.0), rate[position], free[position]);
+        others.map(closes).fold(f64::INFINITY, f64::min)
     }
 
     /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
@@ -275,8 +304,7 @@ impl<'a> Settling<'a> {
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
     /// accelerations of all gaps; `None` if one of `all` would close.
     fn hold(&self, some: &[usize], all: &[usize]) -> Option<Held> {
-        let free = DVector::from_fn(some.len(), |i, _| self.touch.free[some[i]]);
-        let (set, push) = pushing(&self.response(some), &free)?;
+        let (set, push) = pushing(&self.response(some), &self.some(some, &self.touch.free))?;
         let push = self.whole(some, &push);
         let then = self.accelerations() + &self.touch.response * push;
         let zero = BALANCED * self.touch.strength;
@@ -329,7 +357,21 @@ impl<'a> Settling<'a> {
                 jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
             }
         }
+        self.name_parting(jump);
         self.arrange_grips(rubbing.as_ref(), jump);
+    }
+
+    /// Gaps that are zero but for rounding and open, though nothing happens to them: else rounding would say that they close.
+    fn name_parting(&self, jump: &mut Jump<Mode>) {
+        for (position, &index) in self.touch.pairs.iter().enumerate() {
+            let pair = &self.equations.pairs()[index];
+            let is_apart = pair.is_rigid() && jump.mode.contact_mode(index).is_none();
+            let touches = self.touch.gap[position].abs() <= self.touch.blur[position];
+            let opens = self.touch.rate[position] > 0.0 && !self.stands(position);
+            if is_apart && touches && opens && !self.part.contains(&position) {
+                jump.zeros.push((pair.guard_name(Watched::Gap), 1));
+            }
+        }
     }
 
     /// How many derivatives of a gap that opens are zero now, itself included.
@@ -356,7 +398,11 @@ impl<'a> Settling<'a> {
     }
 
     fn of(&self, values: &DVector<f64>) -> DVector<f64> {
-        DVector::from_fn(self.part.len(), |i, _| values[self.part[i]])
+        self.some(&self.part, values)
+    }
+
+    fn some(&self, some: &[usize], values: &DVector<f64>) -> DVector<f64> {
+        DVector::from_fn(some.len(), |i, _| values[some[i]])
     }
 
     fn response(&self, some: &[usize]) -> DMatrix<f64> {

@@ -16,9 +16,10 @@ pub(crate) const LOWEST: f64 = 1e-15;
 /// The miniature ends when all speeds are this part of what they were. What is left is taken to be the whole once more, smaller by
 /// it: that is exact where impacts repeat themselves, and where they do not it is off by less than this part of the time.
 const ENDED: f64 = 1e-12;
-/// Bounces in miniature before it is given up: with a restitution so close to one they are followed one by one a while
-/// longer.
+/// Bounces in miniature before their number is too large to be followed.
 const MOST_BOUNCES: usize = 200_000;
+/// A contact without a push stays if its acceleration is this part of the largest: rounding of what many contacts do to it.
+const IDLE: f64 = 1e-10;
 /// In miniature, what differs from rest or from its own rebound by less than this part of the fastest after a hit is that: rounding
 /// of the hit.
 const STANDS: f64 = 1e-12;
@@ -40,26 +41,27 @@ impl ZenoSequence<'_> {
     /// Time until all gaps are closed for good, s; `None` if this is no such motion. Contacts that stand have no gap
     /// and no rate.
     pub(crate) fn remaining(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<f64> {
-        let held = self.with_held(gap, rate)?;
+        let (_, pushes) = pushing(self.response, self.free)?;
         let moves = |i: &usize| gap[*i] != 0.0 || rate[*i] != 0.0;
-        let mut moving = (0..gap.len()).filter(moves);
+        let moving: Vec<usize> = (0..gap.len()).filter(moves).collect();
         let loses = self.restitution.iter().all(|e| *e < 1.0);
-        let is_low = |i: usize| held[i] < 0.0 && height(gap[i], rate[i], held[i]) <= self.lowest;
-        if !(loses && moving.all(is_low)) {
+        let falls = falls(self.response, self.free, &pushes);
+        let falls = |i: usize| falls[i];
+        let is_low = |i: usize| is_low(gap[i], rate[i], falls(i), self.lowest);
+        if moving.is_empty() || !(loses && moving.iter().copied().all(is_low)) {
             return None;
         }
-        if gap.len() == 1 { Some(self.alone(gap[0], rate[0])) } else { self.several(gap, rate) }
+        let alone = |i: usize| alone(gap[i], rate[i], falls(i), self.restitution[i]);
+        match gap.len() {
+            1 => Some(alone(0)),
+            _ => self
+                .several(gap, rate)
+                .unwrap_or_else(|Endless| Some(moving.into_iter().map(alone).fold(0.0, f64::max))),
+        }
     }
 
-    /// Flights of one contact shrink by its restitution.
-    fn alone(&self, gap: f64, rate: f64) -> f64 {
-        let (a, e) = (-self.free[0], self.restitution[0]);
-        let first = flight(gap.max(0.0), rate, -a);
-        let impact = a * first - rate;
-        first + 2.0 * e * impact / (a * (1.0 - e))
-    }
-
-    fn several(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<f64> {
+    /// The same impacts in miniature; no time where contacts part or rise.
+    fn several(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Result<Option<f64>, Endless> {
         let (mut gap, mut rate) = (gap.map(|g| g.max(0.0)), rate.clone());
         let fastest = self.fastest(&gap, &rate).max(f64::MIN_POSITIVE);
         let mut time = 0.0;
@@ -68,36 +70,37 @@ impl ZenoSequence<'_> {
         for bounces in 0..MOST_BOUNCES {
             let left = self.fastest(&gap, &rate) / fastest;
             if left <= ENDED {
-                return Some(time / (1.0 - left));
+                return Ok(Some(time / (1.0 - left)));
             }
             if left <= 0.5 * known {
                 (known, until) = (left, bounces as f64 + patience);
             } else if bounces as f64 > until {
-                return None;
+                return Err(Endless);
             }
-            let free = self.with_held(&gap, &rate)?;
-            let flights = DVector::from_fn(gap.len(), |i, _| match gap[i] == 0.0 && rate[i] == 0.0 {
+            let Some(free) = self.with_held(&gap, &rate) else { return Ok(None) };
+            let stands: Vec<bool> = (0..gap.len()).map(|i| gap[i] == 0.0 && rate[i] == 0.0).collect();
+            let flights = DVector::from_fn(gap.len(), |i, _| match stands[i] {
                 true => f64::INFINITY,
                 false => flight(gap[i], rate[i], free[i]),
             });
             let next = flights.min();
             if !next.is_finite() {
-                return None;
+                return Ok(None);
             }
             time += next;
             gap += &rate * next + &free * (0.5 * next * next);
             rate += free * next;
             for i in 0..gap.len() {
                 let hits = flights[i] <= next * (1.0 + SIMULTANEOUS);
-                gap[i] = if hits || flights[i].is_infinite() { 0.0 } else { gap[i].max(0.0) };
-                rate[i] = if flights[i].is_infinite() { 0.0 } else { rate[i] };
+                gap[i] = if hits || stands[i] { 0.0 } else { gap[i].max(0.0) };
+                rate[i] = if stands[i] { 0.0 } else { rate[i] };
             }
-            self.bounce(&gap, &mut rate)?;
-            if gap.max() > 4.0 * self.lowest {
-                return None;
+            let is_solved = self.bounce(&gap, &mut rate).is_some();
+            if !is_solved || gap.max() > 4.0 * self.lowest {
+                return Ok(None);
             }
         }
-        None
+        Err(Endless)
     }
 
     /// Bounces after which all speeds are halved, if contacts lose speed at their hits and nowhere gain it: `ln 2/(1 - e)` hits of the fastest do
@@ -157,12 +160,36 @@ impl ZenoSequence<'_> {
     }
 }
 
-fn height(gap: f64, rate: f64, free: f64) -> f64 {
-    gap + 0.5 * rate * rate / free.abs()
+/// Impacts in miniature that do not end before patience does: bodies in a pile pass what is left on to each other. How long they go on
+/// is then what the slowest contact would take alone. Only the time depends on it: however the impulses come, they leave contacts at rest
+/// and what is across them as it was, and places change by less than the bounces are high.
+struct Endless;
+
+/// What contacts fall with, m/s^2, if those pushes hold them: each is pressed in the end, on the way perhaps by others that themselves still
+/// bounce. One that bears nothing, since others bear its load, and yet stays, falls as it would without them; what parts does not fall.
+pub(crate) fn falls(response: &DMatrix<f64>, free: &DVector<f64>, pushes: &DVector<f64>) -> DVector<f64> {
+    let (then, most) = (free + response * pushes, free.amax());
+    DVector::from_fn(free.len(), |i, _| match pushes[i] > 0.0 {
+        true => response[(i, i)] * pushes[i],
+        false if then[i].abs() <= IDLE * most => -free[i],
+        false => 0.0,
+    })
+}
+
+/// Time of one contact that falls with a: flights shrink by its restitution.
+pub(crate) fn alone(gap: f64, rate: f64, a: f64, e: f64) -> f64 {
+    let first = flight(gap.max(0.0), rate, -a);
+    let impact = a * first - rate;
+    first + 2.0 * e * impact / (a * (1.0 - e))
+}
+
+/// Whether what falls with a does not rise above a height.
+pub(crate) fn is_low(gap: f64, rate: f64, a: f64, height: f64) -> bool {
+    a > 0.0 && gap + 0.5 * rate * rate / a <= height
 }
 
 /// Time until `gap + rate t + free t^2 / 2` comes back to zero, s; infinite if it does not.
-fn flight(gap: f64, rate: f64, free: f64) -> f64 {
+pub(crate) fn flight(gap: f64, rate: f64, free: f64) -> f64 {
     let root = rate * rate - 2.0 * free * gap;
     if free >= 0.0 && (rate >= 0.0 || root < 0.0) {
         return f64::INFINITY;

@@ -1,12 +1,12 @@
 //! Free-body diagrams: the forces that were integrated, at the instants the study asks for.
 
 use tumble_drawing::free_body::{
-    AngleMark, Arrow, Couple, FreeBody, Kind, Sheet, SideView, Surface, Velocity,
+    AngleMark, Arrow, Couple, FreeBodyDiagram, Kind, Sheet, SideView, Surface, Velocity,
 };
 use tumble_drawing::{Label, Pose};
 use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, Source, joined};
 use tumble_ode::Side;
-use tumble_scene::{FreeBody as Asked, Study};
+use tumble_scene::{FreeBody, Study};
 
 use crate::figures::{
     air, case_label, heading, instants, joined as with_label, outlines, poses, surfaces, symbols,
@@ -27,7 +27,7 @@ const NO_TORQUE: f64 = 1e-9;
 const AT_REST: f64 = 1e-9;
 
 /// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
-pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, CaseError> {
+pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Sheet, CaseError> {
     let study = &study.with(&case.parameters);
     let moments = Moments::of(study, case.solution());
     let drawing = Drawing { study, run: &case.run, body: asked.body };
@@ -53,7 +53,7 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &Asked) -> Result<Sheet, 
 
 /// What a sheet shows, in words: whose forces, and what the letters mean that are not forces.
 pub(crate) fn caption(sheet: &Sheet, body: &str) -> Label {
-    let any = |has: &dyn Fn(&FreeBody) -> bool| sheet.panels.iter().any(has);
+    let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
     let is_impulse = any(&|panel| panel.unit == tumble_drawing::free_body::Unit::impulse());
     let letters = [
@@ -94,10 +94,10 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    fn panel(&self, label: &str, time: f64) -> Result<FreeBody, CaseError> {
+    fn panel(&self, label: &str, time: f64) -> Result<FreeBodyDiagram, CaseError> {
         let body = &self.study.model.bodies[self.body];
         let pose = poses(self.run, body, [time].into_iter())?.pop().unwrap_or_default();
-        let panel = FreeBody::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
+        let panel = FreeBodyDiagram::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
             .heading(Label::markup(label))
             .heading(Label::equation("t", &shown(time), "s"));
         let mut panel = match self.impulses(time).next() {
@@ -115,7 +115,7 @@ impl Drawing<'_> {
         Ok(panel)
     }
 
-    fn with_impulse(&self, mut panel: FreeBody, impulse: &Impulse) -> FreeBody {
+    fn with_impulse(&self, mut panel: FreeBodyDiagram, impulse: &Impulse) -> FreeBodyDiagram {
         let (kind, name) = self.source_of(impulse);
         let symbol = Label::symbol(&name);
         if impulse.impulse != [0.0; 2] {
@@ -130,7 +130,7 @@ impl Drawing<'_> {
     }
 
     /// With the velocity of the centre and the angular velocity.
-    fn moving(&self, panel: FreeBody, time: f64) -> Result<FreeBody, CaseError> {
+    fn moving(&self, panel: FreeBodyDiagram, time: f64) -> Result<FreeBodyDiagram, CaseError> {
         let body = &self.study.model.bodies[self.body];
         let motion = body.kinematics();
         let formulas = [motion.velocity().components(), &[motion.omega()]].concat();
@@ -138,7 +138,7 @@ impl Drawing<'_> {
         let least = AT_REST * self.study.number(&body.reach())?;
         let velocity = Velocity::new("V", panel.pose.centre(), [values[0], values[1]]);
         let panel = if size(velocity.vector) > least { panel.velocity(velocity) } else { panel };
-        Ok(FreeBody { rate: (values[2].abs() > AT_REST).then_some(values[2]), ..panel })
+        Ok(FreeBodyDiagram { rate: (values[2].abs() > AT_REST).then_some(values[2]), ..panel })
     }
 
     /// Which forces of a diagram may be others.
@@ -167,7 +167,7 @@ impl Drawing<'_> {
         Ok(Some(self.study.number(along.y())?.atan2(self.study.number(along.x())?)))
     }
 
-    fn with_forces(&self, mut panel: FreeBody, time: f64) -> Result<FreeBody, CaseError> {
+    fn with_forces(&self, mut panel: FreeBodyDiagram, time: f64) -> Result<FreeBodyDiagram, CaseError> {
         let all = Forces::of(self.run).at(time, Side::After)?;
         let own: Vec<Force> = joined(&all).into_iter().filter(|force| force.body == self.body).collect();
         let reach = self.study.number(&self.study.model.bodies[self.body].reach())?;
@@ -186,7 +186,12 @@ impl Drawing<'_> {
     }
 
     /// With a force at its point, the arm to it, and the air that makes it.
-    fn with_force(&self, panel: FreeBody, force: &Force, time: f64) -> Result<FreeBody, CaseError> {
+    fn with_force(
+        &self,
+        panel: FreeBodyDiagram,
+        force: &Force,
+        time: f64,
+    ) -> Result<FreeBodyDiagram, CaseError> {
         if force.law.is_couple() {
             return Ok(panel);
         }

@@ -10,7 +10,7 @@ pub(crate) mod symbols;
 
 use tumble_drawing::free_body::{Round, Surface};
 use tumble_drawing::{
-    Axis, CurveFigure, Label, Mark, Outline, Pose, Series, Stroboscope as Picture, Svg, Track,
+    Axis, BodyPath, CurveFigure, Label, Mark, Outline, Pose, Series, StroboscopicPicture, Svg,
 };
 use tumble_expr::{Dimension, Expr, Vector};
 use tumble_mech::{Body, Happening, Record, Run, Shape};
@@ -245,12 +245,12 @@ pub(crate) fn picture(
     study: &Study,
     cases: &[&Case],
     stroboscope: &Stroboscope,
-) -> Result<Picture, CaseError> {
+) -> Result<StroboscopicPicture, CaseError> {
     let several = stroboscope.bodies.len() > 1;
-    let mut picture = Picture {
+    let mut picture = StroboscopicPicture {
         title: heading(study, stroboscope.title.as_deref(), &stroboscope.name),
         surfaces: surfaces(study, &cases[0].run, 0.0)?,
-        ..Picture::default()
+        ..StroboscopicPicture::default()
     };
     for case in cases {
         let study = study.with(&case.parameters);
@@ -265,7 +265,7 @@ pub(crate) fn picture(
     Ok(picture)
 }
 
-fn track(study: &Study, run: &Run, stroboscope: &Stroboscope, body: &Body) -> Result<Track, CaseError> {
+fn track(study: &Study, run: &Run, stroboscope: &Stroboscope, body: &Body) -> Result<BodyPath, CaseError> {
     let end = run.end().unwrap_or(0.0);
     let every = study.number(&stroboscope.every)?;
     let count = ((end / every * (1.0 + 1e-12)).floor() as usize).min(MOST_INSTANTS);
@@ -276,7 +276,7 @@ fn track(study: &Study, run: &Run, stroboscope: &Stroboscope, body: &Body) -> Re
     } else {
         vec![]
     };
-    Ok(Track { label: Label::default(), shapes: outlines(study, body)?, poses, trace })
+    Ok(BodyPath { label: Label::default(), shapes: outlines(study, body)?, poses, trace })
 }
 
 fn poses_to_path(poses: &[Pose]) -> Vec<[f64; 2]> {

@@ -1,6 +1,6 @@
 //! What the motion says: curves, pictures, balance, checks, and what was found.
 
-use crate::report::{Analyze, Case as CaseShown, Check, Column, Picture, Plot, Table, Text};
+use crate::report::{Analyze, Chart, Check, Column, Picture, RunAnalysis, Table, Text};
 use tumble_drawing::numeral;
 use tumble_expr::Expr;
 use tumble_mech::Extreme;
@@ -38,25 +38,25 @@ pub(super) fn of(study: &Study, names: &Names, runs: Runs<'_>) -> Result<Analyze
 }
 
 /// What belongs to single runs; what a balance is, the first says.
-fn cases(told: &[&Case]) -> Result<Vec<CaseShown>, CaseError> {
-    let mut cases: Vec<CaseShown> = told.iter().map(|case| one(case)).collect::<Result<_, _>>()?;
+fn cases(told: &[&Case]) -> Result<Vec<RunAnalysis>, CaseError> {
+    let mut cases: Vec<RunAnalysis> = told.iter().map(|case| one(case)).collect::<Result<_, _>>()?;
     cases.iter_mut().skip(1).flat_map(|case| &mut case.balance).for_each(|balance| balance.intro.clear());
     Ok(cases)
 }
 
-fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Plot>, CaseError> {
+fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, CaseError> {
     let plot = |plot: &tumble_scene::Plot| {
         let figure = figures::curves(study, cases, plot)?;
         let caption = sweep::what_bands_are(&figure);
         let shown = match plot.x {
-            None => Plot::over_time(figure, caption),
-            Some(_) => Plot::new(figure, caption),
+            None => Chart::over_time(figure, caption),
+            Some(_) => Chart::new(figure, caption),
         };
         Ok(shown.stored(format!("{}.svg", plot.name)))
     };
     let balances = study.balances.iter().map(|asked| {
         let figure = figures::balance::of(study, told, asked);
-        Ok(Plot::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
+        Ok(Chart::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
     });
     study.plots.iter().map(plot).chain(balances).collect()
 }
@@ -144,16 +144,16 @@ fn least_greatest_last(
     Ok(found.map(|value| value.unwrap_or(f64::NAN)))
 }
 
-fn one(case: &Case) -> Result<CaseShown, CaseError> {
+fn one(case: &Case) -> Result<RunAnalysis, CaseError> {
     let stopped =
         case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
-    Ok(CaseShown {
+    Ok(RunAnalysis {
         name: figures::case_label(case),
         intro: stopped.into_iter().collect(),
         balance: balance::of(case),
         tables: case.equilibrium.as_ref().map(equilibrium::tables).unwrap_or_default(),
         checks: case.checks.iter().map(shown).collect(),
-        ..CaseShown::default()
+        ..RunAnalysis::default()
     })
 }
 

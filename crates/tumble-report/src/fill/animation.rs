@@ -6,8 +6,8 @@ use crate::report::{Picture, Text};
 use tumble_drawing::curves::Mark;
 use tumble_drawing::free_body::NamedPoint;
 use tumble_drawing::{
-    Animation, Label, LinkKind, Motion, MovingBody, MovingForce, MovingLink, Pose, SceneBody, SceneDrawing,
-    SceneLink,
+    Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink, Pose, SceneBody,
+    SceneDrawing, SceneLink,
 };
 use tumble_expr::{Expr, Substitution};
 use tumble_mech::{Body, Forces, Gravity, Record, Run, joined, place_symbols};
@@ -38,7 +38,7 @@ pub(super) fn of(study: &Study, cases: &[&Case]) -> Result<Animation, CaseError>
     })
 }
 
-fn motion(study: &Study, case: &Case) -> Result<Motion, CaseError> {
+fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
     let run = &case.run;
     let times: Vec<f64> = equal_times(run, FRAMES).collect();
     let body = |body: &tumble_mech::Body| -> Result<MovingBody, CaseError> {
@@ -50,7 +50,7 @@ fn motion(study: &Study, case: &Case) -> Result<Motion, CaseError> {
         })
     };
     let bodies = study.model.bodies.iter().map(body).collect::<Result<Vec<_>, _>>()?;
-    Ok(Motion {
+    Ok(MovingCase {
         name: case_label(case),
         forces: forces(study, run, &times, &bodies)?,
         surfaces: surfaces(study, run, 0.0)?,

@@ -1,6 +1,6 @@
 //! Energy, momentum, and what changed them, as tables and a figure.
 
-use crate::report::{Balance as Shown, Column, Plot, Table, Text};
+use crate::report::{BalancePart, Chart, Column, Table, Text};
 use tumble_drawing::Label;
 use tumble_mech::Balance;
 use tumble_scene::Sheet;
@@ -14,9 +14,9 @@ const RESIDUAL: &str = "Residual of the energy";
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
 const NOTHING: f64 = 1e-15;
 
-pub(super) fn of(case: &Case) -> Option<Shown> {
+pub(super) fn of(case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
-    Some(Shown {
+    Some(BalancePart {
         intro: vec![
             "The energy changes by the work of the loads that have no potential, momentum by their impulses. \
              What is left is the residual: rounding, and what the integration left out."
@@ -24,8 +24,8 @@ pub(super) fn of(case: &Case) -> Option<Shown> {
         ],
         tables: vec![balances(balance), contributions(balance)],
         plots: vec![
-            Plot::over_time(sheet(balance, "Energies", Sheet::Energies), "Energies"),
-            Plot::over_time(sheet(balance, RESIDUAL, Sheet::Residual), RESIDUAL),
+            Chart::over_time(sheet(balance, "Energies", Sheet::Energies), "Energies"),
+            Chart::over_time(sheet(balance, RESIDUAL, Sheet::Residual), RESIDUAL),
         ],
     })
 }

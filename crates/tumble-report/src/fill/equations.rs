@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 use std::collections::HashSet;
 
-use crate::report::{Block, Definition, Mode as ModeShown, Text};
+use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
@@ -19,11 +19,13 @@ use crate::results::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
 const MOST_SIGNS: usize = 800;
+/// Signs that a fraction is worth.
+const FRACTION: usize = 10;
 /// More modes than this are told of in the table of events only.
 const MOST_MODES: usize = 6;
 
 /// The equations of motion in each mode that the motion went through.
-pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeShown> {
+pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
     let modes = lasting(case);
     let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
@@ -34,7 +36,7 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
         let told =
             |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
         let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
-        ModeShown {
+        ModeEquations {
             name: match modes.len() {
                 1 => Text::default(),
                 _ => Text::from(words::mode(study, &case.run.equations, mode)).capitalised(),
@@ -437,27 +439,27 @@ fn inertia_name(study: &Study, body: &str) -> String {
 /// A multiple of what is zero that is written with the fewest signs: without halves, and without lengths that are in all of it.
 fn shortest(study: &Study, notation: &Notation, condition: &Expr) -> Expr {
     let notation = notation.clone().without_automatic_names();
-    let written =
-        |formula: &Expr| notation.formula(formula).map_or(usize::MAX, |shown| shown.text().chars().count());
-    let sizes: Vec<Expr> = study
-        .model
-        .parameters
-        .symbols()
-        .into_iter()
-        .filter(|one| condition.symbols().contains(one) && one.dimension == tumble_expr::Dimension::LENGTH)
-        .map(Expr::from)
-        .collect();
+    // A fraction is read less easily than some more signs.
+    let length = |text: String| text.chars().count() + FRACTION * text.matches('/').count();
+    let written = |formula: &Expr| notation.formula(formula).map_or(usize::MAX, |shown| length(shown.text()));
+    let sizes = sizes(study, condition);
     let mut best = (written(condition), condition.clone());
     let mut multiples: Vec<Expr> = [-1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * condition).to_vec();
     loop {
-        let shorter =
-            multiples.into_iter().map(|formula| (written(&formula), formula)).min_by_key(|(signs, _)| *signs);
-        match shorter.filter(|(signs, _)| *signs < best.0) {
+        let with_length = multiples.into_iter().map(|formula| (written(&formula), formula));
+        match with_length.min_by_key(|(signs, _)| *signs).filter(|(signs, _)| *signs < best.0) {
             Some(shorter) => best = shorter,
             None => return best.1,
         }
         multiples = sizes.iter().flat_map(|size| [&best.1 * size, &best.1 / size]).collect();
     }
+}
+
+/// The lengths in a formula that have names.
+fn sizes(study: &Study, formula: &Expr) -> Vec<Expr> {
+    let symbols = formula.symbols();
+    let is_size = |one: &Symbol| symbols.contains(one) && one.dimension == tumble_expr::Dimension::LENGTH;
+    study.model.parameters.symbols().into_iter().filter(is_size).map(Expr::from).collect()
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use crate::report::{Block, BodyModel, ForceRow, Math, Model, Picture, Text};
-use tumble_expr::{Expr, Graph, Symbol, Unary, Vector, Written, is_identically_zero};
+use crate::report::{Block, BodyModel, Definition, ForceRow, Math, ModelPart, Picture, Text};
+use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
     Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
 };
@@ -24,16 +24,18 @@ const MOST_SIGNS_IN_TABLE: usize = 36;
 /// which takes long.
 pub(super) const MOST_OPERATIONS: usize = 300;
 
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Model, CaseError> {
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPart, CaseError> {
     let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
     let kinds = alike::kinds(study, case);
     let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind));
-    Ok(Model {
-        intro: vec![],
-        assumptions: assumptions(study),
-        bodies: bodies.collect::<Result<_, _>>()?,
-        modes: equations::modes(study, names, case, &kinds),
-    })
+    let bodies: Vec<BodyModel> = bodies.collect::<Result<_, _>>()?;
+    let mut modes = equations::modes(study, names, case, &kinds);
+    // What the laws have said the equations do not say again.
+    let laws = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.definitions);
+    let said: Vec<&Definition> = laws.collect();
+    let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
+    equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&definition)));
+    Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
 }
 
 /// What the laws in use take for granted.
@@ -118,6 +120,8 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
                 let own: Vec<&Term> =
                     terms.iter().filter(|term| term.body == body && term.load == load).collect();
                 let stated = statements.iter().find(|stated| stated.body == body && stated.load == load);
+                // What a contact does to its other body is stated for the first.
+                let stated = stated.or_else(|| statements.iter().find(|stated| stated.load == load));
                 rows.push(row(study, names, equations, &own, stated));
                 seen.push(load);
             }
@@ -254,15 +258,10 @@ fn contact(
     let acts = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol(letter)]);
     let acts =
         if is_on_other { Formula::Row(vec![Formula::Operator(Operator::Negative), acts]) } else { acts };
-    let Some(said) = said else {
-        // The law is stated for the other body.
-        let normal = Written::named("n", Written::Vector(pair.normal.clone()));
-        let explained = names.stated(acts.clone(), &normal, &term.load).into_iter().skip(1);
-        return std::iter::once(math(&acts)).chain(explained.filter(|_| letter == "n")).collect();
-    };
+    let Some(said) = said else { return vec![math(&acts)] };
     let mut lines = names.stated(acts.clone(), said, &term.load);
-    if pair.law.is_rigid() {
-        // It says that it is along a direction, and no more.
+    if pair.law.is_rigid() || is_on_other {
+        // It says that it is along a direction, and no more; how strongly is said for the first body.
         lines[0] = math(&acts);
     }
     let friction = pair.friction.as_ref().filter(|_| term.law == Law::Friction);
@@ -343,7 +342,12 @@ fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &s
     let moment = arm.cross(force);
     let whole = match is_identically_zero(&term.couple) {
         true => moment,
-        false => Written::Sum(vec![(false, moment), (false, Written::Scalar(term.couple.clone()))]),
+        false => {
+            // The couple on the second body is the opposite of the symbol.
+            let is_minus = matches!(term.couple.node(), Node::Unary(Unary::Neg, _));
+            let couple = if is_minus { -&term.couple } else { term.couple.clone() };
+            Written::Sum(vec![(false, moment), (is_minus, Written::Scalar(couple))])
+        }
     };
     names.stated(own, &whole, &term.load)
 }
@@ -394,7 +398,7 @@ fn point(equations: &Equations, term: &Term) -> String {
         (_, Some((name, _))) => format!("{} of {}", symbols::the(name), symbols::the(&body.name)),
         (Law::Contact | Law::Friction, None) => "the point of contact".to_owned(),
         (Law::Reaction, None) => term.load.clone(),
-        (law, None) if law.is_couple() => "no point of its own".to_owned(),
+        (law, None) if law.is_couple() => String::new(),
         _ => "its point of action".to_owned(),
     }
 }

@@ -114,7 +114,7 @@ fn eliminated(
     let mut left: Vec<(Expr, Expr)> =
         conditions.into_iter().map(|condition| (condition.clone(), condition)).collect();
     while let Some((row, symbol, factor)) = pivot(study, directions, &left, &given) {
-        let (written, condition) = left.swap_remove(row);
+        let (written, condition) = left.remove(row);
         let formula = solved_for(&condition, &symbol, &factor);
         let mut known = Substitution::default();
         known.insert(symbol.clone(), formula.clone());
@@ -146,7 +146,8 @@ fn pivot(
     let is_free = |symbol: &Symbol| given.iter().all(|(known, _)| known != symbol);
     let is_of_centre = |symbol: &Symbol| symbol.dimension == tumble_expr::Dimension::ACCELERATION;
     conditions.iter().enumerate().find_map(|(row, (_, condition))| {
-        let candidates = directions.iter().map(|one| &one.symbol);
+        // In a chain each link follows from the one before.
+        let candidates = directions.iter().rev().map(|one| &one.symbol);
         candidates.filter(|symbol| is_of_centre(symbol) && is_free(symbol)).find_map(|symbol| {
             let factor = simple(&condition.derivative(symbol));
             let size = study.number(&factor).ok().filter(|_| factor.symbols().is_empty());

@@ -4,7 +4,7 @@ use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
 use tumble_drawing::{Label, numeral};
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Mode, Parameters, Record, Run};
-use tumble_notation::{Left, Math as Formula, Motion, Operator, integrate_twice, polynomial_in};
+use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twice, polynomial_in};
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
 
@@ -31,8 +31,11 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
         let study = study.with(&case.parameters);
         let own = self::phases(&study, names, case)?;
         let label = |phase: Phase| match case.label.as_str() {
-            "" => phase,
-            label => Phase { name: Text::from(format!("{label}: ")).and(phase.name.clone()), ..phase },
+            "" => Phase { name: phase.name.capitalised(), ..phase },
+            label => Phase {
+                name: Text::from(format!("{label}: ")).capitalised().and(phase.name.clone()),
+                ..phase
+            },
         };
         // What other runs have said in symbols they do not say again.
         let told = |phase: Phase| match phases.iter().any(|known| known.symbols == phase.symbols) {
@@ -144,7 +147,7 @@ struct Stretch<'r> {
     begins: Expr,
     elapsed: Symbol,
     coordinates: Vec<Coordinate>,
-    motions: Vec<Motion>,
+    motions: Vec<ClosedForm>,
 }
 
 /// The stretches from the start on in which the motion has a closed form.
@@ -250,7 +253,7 @@ fn motions(
     coordinates: &[Coordinate],
     begins: &Expr,
     elapsed: &Symbol,
-) -> Option<Vec<Motion>> {
+) -> Option<Vec<ClosedForm>> {
     let inputs = run.equations.model().parameters.symbols();
     let time = Symbol::new("t", Dimension::TIME);
     let without = zeros(&run.equations.model().parameters);

@@ -8,7 +8,7 @@ use super::findings::with_digits;
 use super::names::{quantity, quantity_to};
 use super::words::spoken;
 use crate::figures::{case_label, finds, symbols};
-use crate::report::{Column, Picture, Plot, Text};
+use crate::report::{Chart, Column, Picture, Text};
 use crate::results::{Case, Equal, FAMILY, FindResult, Located, Place, Runs, Survey, digits};
 
 /// Digits of numbers in tables and captions.
@@ -17,7 +17,7 @@ const DIGITS: usize = 5;
 const READ: usize = 6;
 
 /// Every answer over what is swept.
-pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Plot> {
+pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Chart> {
     let caption = |name: &str| {
         let mut own = survey.located.iter().filter(|located| format!("find.{}", located.find) == name);
         let made = own.any(|located| located.place.made > 0);
@@ -25,7 +25,7 @@ pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Plot> {
         Text::from(format!("What each run of the sweep comes to{more}."))
     };
     let plot = |(name, figure): (String, CurveFigure)| {
-        Plot::new(figure, caption(&name)).stored(format!("{name}.svg"))
+        Chart::new(figure, caption(&name)).stored(format!("{name}.svg"))
     };
     finds::curves(study, survey).into_iter().map(plot).collect()
 }

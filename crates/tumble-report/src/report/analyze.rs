@@ -1,6 +1,6 @@
 //! Curves, motion, balance, checks, findings.
 
-use super::picture::{Picture, Plot};
+use super::picture::{Chart, Picture};
 use super::prose::Text;
 use super::table::Table;
 use tumble_drawing::Animation;
@@ -14,13 +14,13 @@ pub struct Analyze {
     /// The motion, for every case.
     pub animation: Option<Animation>,
     /// Curves of all cases together.
-    pub plots: Vec<Plot>,
+    pub plots: Vec<Chart>,
     /// Paths and stroboscopic pictures of all cases together.
     pub pictures: Vec<Picture>,
     /// What differs between the cases of a sweep, and what became of it.
     pub comparison: Option<Table>,
     /// What belongs to single cases; one case is shown without its name.
-    pub cases: Vec<Case>,
+    pub cases: Vec<RunAnalysis>,
     /// Checks that concern no single case.
     pub checks: Vec<Check>,
     /// What was found, one item each.
@@ -29,17 +29,17 @@ pub struct Analyze {
 
 /// One case of a sweep, or the only run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Case {
+pub struct RunAnalysis {
     /// What sets it apart, for instance `T = 2 s`.
     pub name: Label,
     /// Paragraphs.
     pub intro: Vec<Text>,
     /// Its curves.
-    pub plots: Vec<Plot>,
+    pub plots: Vec<Chart>,
     /// Its paths and stroboscopic pictures.
     pub pictures: Vec<Picture>,
     /// Energy, momentum and their residuals.
-    pub balance: Option<Balance>,
+    pub balance: Option<BalancePart>,
     /// Other tables.
     pub tables: Vec<Table>,
     /// Its checks.
@@ -48,13 +48,13 @@ pub struct Case {
 
 /// What flowed in and out, and what is left unexplained.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Balance {
+pub struct BalancePart {
     /// Paragraphs.
     pub intro: Vec<Text>,
     /// The balances, with their residuals.
     pub tables: Vec<Table>,
     /// Energies over time, residuals over time.
-    pub plots: Vec<Plot>,
+    pub plots: Vec<Chart>,
 }
 
 /// A number that was compared with another.

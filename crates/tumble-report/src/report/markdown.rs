@@ -1,11 +1,11 @@
 //! The report as Markdown, with LaTeX between dollar signs and links to figure files.
 
-use super::analyze::{Analyze, Case};
+use super::analyze::{Analyze, RunAnalysis};
 use super::identify::Identify;
 use super::markup::Markup;
 use super::math::{Block, Definition, Math};
-use super::model::{BodyModel, Mode, Model};
-use super::picture::{Picture, Plot};
+use super::model::{BodyModel, ModeEquations, ModelPart};
+use super::picture::{Chart, Picture};
 use super::prose::Text;
 use super::rows;
 use super::solve::{Phase, Solve};
@@ -169,7 +169,7 @@ fn identify(identify: &Identify) -> String {
     ])
 }
 
-fn model(model: &Model) -> String {
+fn model(model: &ModelPart) -> String {
     let modes = joined(model.modes.iter().map(mode));
     joined([
         "## 2 Model".to_owned(),
@@ -189,7 +189,7 @@ fn body_model(body: &BodyModel) -> String {
     ])
 }
 
-fn mode(mode: &Mode) -> String {
+fn mode(mode: &ModeEquations) -> String {
     joined([heading(4, &mode.name), text(&mode.holds), blocks(&mode.equations)])
 }
 
@@ -206,7 +206,7 @@ fn solve(solve: &Solve) -> String {
 
 fn phase(phase: &Phase) -> String {
     let numbers = titled("With numbers:", blocks(&phase.numbers));
-    joined([heading(3, &phase.name), text(&phase.span), blocks(&phase.symbols), numbers])
+    joined([heading(4, &phase.name), text(&phase.span), blocks(&phase.symbols), numbers])
 }
 
 fn analyze(analyze: &Analyze) -> String {
@@ -223,7 +223,7 @@ fn analyze(analyze: &Analyze) -> String {
     ])
 }
 
-fn case(case: &Case, single: bool) -> String {
+fn case(case: &RunAnalysis, single: bool) -> String {
     let name = if single { Text::default() } else { case.name.clone().into() };
     let balance = case.balance.as_ref().map(|balance| {
         let tables = balance.tables.iter().map(table);
@@ -247,7 +247,7 @@ fn picture(picture: &Picture) -> String {
     figure(&picture.file, alt, &picture.caption)
 }
 
-fn plot(plot: &Plot) -> String {
+fn plot(plot: &Chart) -> String {
     let title = plot.figure.title.to_plain();
     let alt = if plot.description.is_empty() { &title } else { &plot.description };
     figure(&plot.file, alt, &plot.shown_caption())
@@ -269,9 +269,9 @@ mod tests {
     fn formulas_become_latex_and_figures_links() {
         let mut report = Report { title: "A rod".into(), ..Report::default() };
         let law = Math { latex: "m a = F".into(), text: "m a = F".into(), ..Math::default() };
-        report.model.modes.push(Mode {
+        report.model.modes.push(ModeEquations {
             equations: vec![Block { lines: vec![law.clone()], ..Block::default() }],
-            ..Mode::default()
+            ..ModeEquations::default()
         });
         report.analyze.findings.push(Text::words("It obeys ").and(law));
         let svg = Svg::new(1.0, 1.0, "A [picture]");

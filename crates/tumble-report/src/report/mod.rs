@@ -32,11 +32,11 @@ mod rows;
 mod solve;
 mod table;
 
-pub use analyze::{Analyze, Balance, Case, Check};
+pub use analyze::{Analyze, BalancePart, Check, RunAnalysis};
 pub use identify::{BodyRow, Identify, Quantity};
 pub use math::{Block, Definition, Math};
-pub use model::{BodyModel, ForceRow, Mode, Model};
-pub use picture::{Picture, Plot};
+pub use model::{BodyModel, ForceRow, ModeEquations, ModelPart};
+pub use picture::{Chart, Picture};
 pub use play::Lab;
 pub use prose::{Piece, Text};
 pub use solve::{Phase, Solve};
@@ -66,7 +66,7 @@ pub struct Report {
     /// What is given and what is sought.
     pub identify: Identify,
     /// Forces, laws, equations.
-    pub model: Model,
+    pub model: ModelPart,
     /// Closed forms, or how the equations were integrated.
     pub solve: Solve,
     /// Curves, motion, balance, checks, findings.

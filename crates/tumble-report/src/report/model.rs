@@ -6,7 +6,7 @@ use super::prose::Text;
 
 /// The second move: from the system to equations.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Model {
+pub struct ModelPart {
     /// Paragraphs.
     pub intro: Vec<Text>,
     /// What is taken for granted, one item each.
@@ -14,7 +14,7 @@ pub struct Model {
     /// Each body by itself.
     pub bodies: Vec<BodyModel>,
     /// The equations of motion, for every mode of contact; one mode needs no name.
-    pub modes: Vec<Mode>,
+    pub modes: Vec<ModeEquations>,
 }
 
 /// A body set free, with its forces and laws.
@@ -47,7 +47,7 @@ pub struct ForceRow {
 
 /// The equations of motion while the contacts do not change.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Mode {
+pub struct ModeEquations {
     /// Its name, for instance "sliding"; may be empty if there is one mode only.
     pub name: Text,
     /// When it holds, and what ends it; may be empty.

@@ -30,7 +30,7 @@ impl Picture {
 
 /// Curves that readers can look into.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Plot {
+pub struct Chart {
     /// The curves in their figure.
     pub figure: CurveFigure,
     /// Caption below it; may be empty.
@@ -44,7 +44,7 @@ pub struct Plot {
     pub file: String,
 }
 
-impl Plot {
+impl Chart {
     /// Curves over the time in seconds.
     pub fn over_time(figure: CurveFigure, caption: impl Into<Text>) -> Self {
         Self { figure, caption: caption.into(), over_time: true, ..Self::default() }

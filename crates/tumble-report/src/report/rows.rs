@@ -74,8 +74,8 @@ fn stated(lines: &[Math]) -> Text {
 pub(super) fn forces(forces: &[ForceRow]) -> Table {
     let columns = ["Force", "Law", "Torque about the centre of mass"].map(Column::words);
     let row = |force: &ForceRow| {
-        let name =
-            force.name.clone().and(" ").and(shown(&force.symbol)).and("\nat ").and(force.point.clone());
+        let name = force.name.clone().and(" ").and(shown(&force.symbol));
+        let name = if force.point.is_empty() { name } else { name.and("\nat ").and(force.point.clone()) };
         vec![name, stated(&force.law), stated(&force.torque)]
     };
     let table = Table { stacked: true, ..Table::new("Forces and couples", columns.into()) };

@@ -12,7 +12,7 @@ const SCRIPTS: [&str; 4] = [
     include_str!("../report/assets/common.js"),
     include_str!("../report/assets/arrows.js"),
     include_str!("../report/assets/motion.js"),
-    include_str!("living.js"),
+    include_str!("assets/living.js"),
 ];
 
 /// A gallery of runs.

@@ -9,14 +9,40 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::quantities;
+
+pub(super) const SAYS: &str = "bodies: a shape with its mass, parts, or stated mass properties";
+
+pub(super) const KEYS: Keys = Keys::of("[body.NAME]", &[shape::KEYS, OWN]).one_of(&[&["mass", "parts"]]);
+
+#[rustfmt::skip]
+const OWN: &[Declared] = &[
+    may("mass", Takes::Quantity(Dimension::MASS), "needed with a shape", "\"1 kg\"", "spread evenly over the shape"),
+    may("parts", Takes::List(1, Takes::MOST, &Takes::Table(&PART)), "none", "[{ ball = { radius = \"0.1 m\" }, mass = \"1 kg\" }]",
+        "instead of shape and mass: a list of `{ SHAPE, mass = \"..\" }`, joined rigidly"),
+    may("centre", Takes::PLACE, "computed", "[0, \"1 cm\"]", "centre of mass, stated together with `inertia`"),
+    may("inertia", Takes::Quantity(Dimension::INERTIA), "computed", "\"0.1 kg*m^2\"",
+        "moment of inertia about the centre of mass, stated together with `centre`"),
+    may("points", Takes::Named(&Takes::PLACE), "none", "{ tip = [0, \"1 m\"] }",
+        "named points in body coordinates: `points.tip = [x, y]`"),
+    may("restitution", Takes::PURE, "the surface's", "0.8", "of its impacts on rigid surfaces, from 0 to 1"),
+    may("start", Takes::Table(&start::KEYS), "as drawn, at rest", "{ at = [0, \"2 m\"] }",
+        "what it starts from, see below"),
+];
+
+const PART: Keys = Keys::of("part of a body", &[shape::KEYS, &[PART_MASS]]);
+
+#[rustfmt::skip]
+const PART_MASS: Declared =
+    must("mass", Takes::Quantity(Dimension::MASS), "\"1 kg\"", "spread evenly over the shape");
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     if section.value.as_table().is_some_and(|bodies| bodies.is_empty()) {
         let mistake = Diagnostic::new(Code::MissingSection, section.key_span.clone(), "there is no body");
         draft.note(mistake.help("a body is a section such as `[body.rod]`"));
     }
-    each(draft, section, body);
+    each(draft, section, &KEYS, body);
 }
 
 fn body(draft: &mut Draft, field: &Field, table: &mut Table) {
@@ -26,10 +52,9 @@ fn body(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.remember(format!("body `{name}`"), &field.key_span);
     let matter = matter(draft, name, table);
     let points = points::read(draft, name, table);
-    let restitution = table.take("restitution").and_then(|field| {
-        draft.remember(format!("restitution of `{name}`"), &field.span);
-        draft.number(&field, Want::constant(Dimension::NONE))
-    });
+    let restitution = table
+        .take("restitution")
+        .and_then(|field| draft.constant(name, &field, Want::constant(Dimension::NONE)));
     start::read(draft, name, table);
     match (claimed, matter) {
         (Some(()), Some((parts, stated))) => {
@@ -50,7 +75,7 @@ fn matter(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Matter> {
     if let Some(parts) = table.take("parts") {
         return joined(draft, name, table, &shape, &parts);
     }
-    let mass = draft.required(table, "mass", "\"1 kg\"");
+    let mass = draft.required(table, "mass");
     let mass = mass.and_then(|field| mass_of(draft, &of, &field));
     match [table.take("centre"), table.take("inertia")] {
         [None, None] => {
@@ -131,10 +156,9 @@ fn joined(
 }
 
 fn part(draft: &mut Draft, name: &str, field: &Field) -> Option<Part> {
-    let mut table = draft.table(field, "parts".to_owned())?;
-    table.span = field.span.clone();
+    let mut table = draft.inline(field, &PART)?;
     let shape = shape::read(draft, name, &mut table);
-    let mass = draft.required(&mut table, "mass", "\"1 kg\"");
+    let mass = draft.required(&mut table, "mass");
     let mass = mass.and_then(|field| mass_of(draft, name, &field));
     let shape = shape::one(draft, &table, shape);
     draft.done(table);

@@ -10,23 +10,51 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::moments;
 use crate::names::Level;
 use crate::names::fit_label;
 use crate::study::{Check, Question, When};
 
+pub(super) const SAYS_FIND: &str = "what is asked for: values at an instant, or the greatest and least";
+pub(super) const SAYS: &str = "claims; if one does not hold, the command ends with 1";
+
+pub(super) const FINDS: Keys = Keys::of("[find.NAME]", &[QUESTION]);
+pub(super) const KEYS: Keys = Keys::of("[check.NAME]", &[QUESTION, CLAIM]);
+
+#[rustfmt::skip]
+const QUESTION: &[Declared] = &[
+    must("that", Takes::Formula, "\"rod.angle\"",
+        "a formula of the motion; `\"rod.angle in deg\"` gives it in that unit"),
+    may("at", Takes::Instant, "end of the run", "\"1 s\"",
+        "an [instant](#instants) within the run, `\"its greatest\"` or `\"its least\"`"),
+    may("side", Takes::Word(&SIDES), "`\"after\"`", "\"before\"",
+        "where a value jumps at that instant: `\"before\"` or `\"after\"`"),
+    may("during", Takes::Pair(&Takes::Instant), "the whole run", "[\"1 s\", \"2 s\"]",
+        "with a greatest or least value: `[from, to]`, two [instants](#instants)"),
+];
+
+#[rustfmt::skip]
+const CLAIM: &[Declared] = &[
+    must("equals", Takes::Formula, "\"1 m\"",
+        "what it must be, a formula of the parameters or of the motion at that time"),
+    must("within", Takes::Formula, "\"1e-9 m\"", "the largest difference allowed"),
+];
+
+const SIDES: [&str; 2] = ["before", "after"];
+
 /// Times that depend on what is looked at. No formula has two words beside each other.
 const EXTREMES: [(&str, Extreme); 2] = [("its greatest", Extreme::Greatest), ("its least", Extreme::Least)];
 
 pub(super) fn read_finds(draft: &mut Draft, section: &Field) {
-    each(draft, section, |draft, field, table| {
+    each(draft, section, &FINDS, |draft, field, table| {
         let question = question(draft, "find", field, table);
         draft.finds.extend(question);
     });
 }
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, check);
+    each(draft, section, &KEYS, check);
 }
 
 /// What is looked at, and when.
@@ -37,7 +65,7 @@ fn question(draft: &mut Draft, kind: &str, field: &Field, table: &mut Table) -> 
     let at = when(draft, table, &title);
     let side = side(draft, table, at.as_ref());
     let works = knows_works(at.as_ref());
-    let that = draft.required(table, "that", "\"rod.angle\"").and_then(|field| {
+    let that = draft.required(table, "that").and_then(|field| {
         draft.remember(format!("that of {title}"), &field.span);
         curve::read(draft, &field, works)
     });
@@ -60,12 +88,13 @@ fn check(draft: &mut Draft, field: &Field, table: &mut Table) {
         ..Want::any()
     });
     let works = knows_works(question.as_ref().map(|question| &question.at));
-    let equals = draft.required(table, "equals", &format!("\"{}\"", want.example("1"))).and_then(|field| {
-        draft.remember(format!("equals of `{name}`"), &field.span);
-        draft.number(&field, Want { moments: true, works, ..want.at(Level::Output) })
-    });
+    let equals =
+        draft.required_like(table, "equals", &format!("\"{}\"", want.example("1"))).and_then(|field| {
+            draft.remember(format!("equals of `{name}`"), &field.span);
+            draft.number(&field, Want { moments: true, works, ..want.at(Level::Output) })
+        });
     let within =
-        draft.required(table, "within", &format!("\"{}\"", want.example("1e-9"))).and_then(|field| {
+        draft.required_like(table, "within", &format!("\"{}\"", want.example("1e-9"))).and_then(|field| {
             draft.remember(format!("within of `{name}`"), &field.span);
             draft.number(&field, want)
         });
@@ -114,7 +143,7 @@ fn side(draft: &mut Draft, table: &mut Table, at: Option<&When>) -> Option<Side>
         draft.note(mistake.label("both sides count").help("leave `side` out"));
         return None;
     }
-    match draft.choice(&field, &["before", "after"])? {
+    match draft.choice(&field, &SIDES)? {
         "before" => Some(Side::Before),
         _ => Some(Side::After),
     }

@@ -9,17 +9,42 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Keys, Takes, may, must};
 use crate::quantities;
 
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[contact.NAME]", &[&[
+    must("between", Takes::Either(&[Takes::Word(&ALL), Takes::List(2, Takes::MOST, &Takes::BODY)]), "\"all\"",
+        "`[\"red\", \"white\"]`, or more bodies of which every two meet; `\"all\"` is all bodies, but for two that \
+         a joint connects"),
+    may("rigid", Takes::Table(&RIGID), "bodies' own", "{ restitution = 0.9 }",
+        "as of a surface; without a `restitution` the lesser of the bodies' own counts"),
+]]);
+
+const ALL: [&str; 1] = ["all"];
+
+#[rustfmt::skip]
+const RIGID: Keys = Keys::of("rigid of bodies", &[
+    &[may(
+        "restitution",
+        Takes::PURE,
+        "the bodies' own",
+        "0.9",
+        "how much of its speed an impact leaves, from 0 to 1",
+    )],
+    surface::RUBBING,
+    ],
+);
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, contact);
+    each(draft, section, &KEYS, contact);
     quantities::define_meetings(&mut draft.names, &draft.model);
 }
 
 fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a contact", field);
     draft.remember(format!("contact `{name}`"), &field.key_span);
-    let between = draft.required(table, "between", "\"all\"");
+    let between = draft.required(table, "between");
     let between = between.and_then(|field| between_of(draft, &name, &field));
     let law = match table.take("rigid") {
         Some(field) => rigid(draft, &name, &field),
@@ -34,7 +59,7 @@ fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
 /// Names of bodies of which every two meet; `None` is all.
 fn between_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Option<Vec<String>>> {
     let Some(fields) = field.elements() else {
-        return draft.choice(field, &["all"]).map(|_| None);
+        return draft.choice(field, &ALL).map(|_| None);
     };
     let names: Vec<Option<String>> = fields.iter().map(|field| body(draft, field)).collect();
     let names: Vec<String> = names.into_iter().collect::<Option<_>>()?;
@@ -57,12 +82,9 @@ fn between_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Option<Vec
 
 /// Restitution, where it is not the bodies' own, and friction.
 fn rigid(draft: &mut Draft, name: &str, field: &Field) -> Option<(Option<Expr>, Option<Friction>)> {
-    let mut inner = draft.table(field, field.key.to_owned())?;
-    inner.span = field.span.clone();
-    let restitution = inner.take("restitution").map(|field| {
-        draft.remember(format!("restitution of `{name}`"), &field.span);
-        draft.number(&field, Want::constant(Dimension::NONE))
-    });
+    let mut inner = draft.inline(field, &RIGID)?;
+    let restitution =
+        inner.take("restitution").map(|field| draft.constant(name, &field, Want::constant(Dimension::NONE)));
     let friction = surface::rubbing(draft, name, &mut inner);
     draft.done(inner);
     match restitution {

@@ -9,11 +9,30 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Keys, Takes, may};
 
 const DENSITY: Dimension = Dimension::new(-3, 1, 0);
 
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[drag.NAME]", &[&[
+    may("at", Takes::POINT, "one of three", "\"rod.cm\"", "a point: the force is b u + c abs(u) u there"),
+    may("along", Takes::BODY, "one of three", "\"rod\"",
+        "a body: the same for each metre of its rods and of the edges of its boxes and polygons"),
+    may("on", Takes::BODY, "one of three", "\"ball\"",
+        "a ball or shell of radius R: c is rho C pi R^2/2, at its centre"),
+    may("linear", Takes::Formula, "none", "\"0.02 kg/s\"", "b: kg/s with `at`, kg/(m*s) with `along`"),
+    may("quadratic", Takes::Formula, "none", "\"0.02 kg/m\"", "c: kg/m with `at`, kg/m^2 with `along`"),
+    may("component", Takes::Word(&COMPONENTS), "`\"full\"`", "\"normal\"",
+        "`\"normal\"`: only the component of u across the line counts, and the force is across it"),
+    may("density", Takes::Quantity(DENSITY), "needed with `on`", "\"1.2 kg/m^3\"", "rho, of the air"),
+    may("coefficient", Takes::PURE, "needed with `on`", "0.47", "C, a pure number"),
+]])
+.one_of(&[&["at", "along", "on"]]);
+
+const COMPONENTS: [&str; 2] = ["full", "normal"];
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, drag);
+    each(draft, section, &KEYS, drag);
 }
 
 /// Where it acts is said once: `at` a point, `along` a body, or `on` a ball.
@@ -27,9 +46,7 @@ fn drag(draft: &mut Draft, field: &Field, table: &mut Table) {
             let mistake = not_one(table, &given);
             draft.note(mistake);
             // What belongs to the one or the other is no mistake of its own.
-            for key in ["linear", "quadratic", "component", "density", "coefficient"] {
-                table.take(key);
-            }
+            table.ignore();
         }
     }
 }
@@ -57,8 +74,8 @@ fn on_ball(draft: &mut Draft, name: String, place: &Field, table: &mut Table) {
         let help = "with `on` a ball's resistance follows from `density` and `coefficient`; write `at` or `along` in the place of `on` to give it by itself";
         draft.note(Diagnostic::new(Code::Exclusive, field.key_span, message).help(help));
     }
-    let density = draft.coefficient(table, &name, "density", "\"1.2 kg/m^3\"", DENSITY);
-    let coefficient = draft.coefficient(table, &name, "coefficient", "0.47", Dimension::NONE);
+    let density = draft.coefficient(table, &name, "density");
+    let coefficient = draft.coefficient(table, &name, "coefficient");
     let ball = on.and_then(|on| round::of(draft, &on, &place.span));
     let (Some(ball), Some(density), Some(coefficient)) = (ball, density, coefficient) else { return };
     draft.model.interact(Drag::ball(name, ball.centre, &ball.radius, density, coefficient));
@@ -89,9 +106,8 @@ fn by_velocity(draft: &mut Draft, name: String, place: &Field, table: &mut Table
 
 /// A coefficient that is another quantity at a point than along a line.
 fn strength(draft: &mut Draft, name: &str, field: &Field, dimension: Dimension) -> Option<Expr> {
-    draft.remember(format!("{} of `{name}`", field.key), &field.span);
     let before = draft.mistakes.len();
-    let value = draft.number(field, Want::constant(dimension));
+    let value = draft.constant(name, field, Want::constant(dimension));
     let rule = "`at` a point, `linear` is in kg/s and `quadratic` in kg/m; `along` a body, both are per metre of its edges: kg/(m*s) and kg/m^2";
     let fits = |code: Code| matches!(code.as_str(), "E0404" | "E0516");
     for mistake in draft.mistakes[before..].iter_mut().filter(|mistake| fits(mistake.code)) {
@@ -103,7 +119,7 @@ fn strength(draft: &mut Draft, name: &str, field: &Field, dimension: Dimension) 
 
 fn component(draft: &mut Draft, table: &mut Table) -> Option<(Component, Span)> {
     let Some(field) = table.take("component") else { return Some((Component::Full, table.span.clone())) };
-    let word = draft.choice(&field, &["full", "normal"])?;
+    let word = draft.choice(&field, &COMPONENTS)?;
     Some((if word == "full" { Component::Full } else { Component::Normal }, field.span))
 }
 

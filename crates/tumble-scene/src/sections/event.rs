@@ -11,7 +11,24 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table, fields};
 use crate::draft::Draft;
 use crate::formula::{self, Text, Want};
+use crate::keys::{Keys, Takes, may, must};
 use crate::names::Level;
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[event.NAME]", &[&[
+    must("when", Takes::Text, "\"rod.vy falls through 0 m/s\"",
+        "`\"A rises through B\"`, `\"A falls through B\"` or `\"A passes through B\"`; B is often a number"),
+    may("action", Takes::Either(&[Takes::Word(&WORDS), Takes::Table(&SET)]), "`\"record\"`", "\"stop\"",
+        "`\"record\"`: nothing but a line in the tables; `\"stop\"`: the run ends; `{ set = { D = \"0.04 kg/m\" } \
+         }`: parameters get other values from then on"),
+]]);
+
+#[rustfmt::skip]
+const SET: Keys = Keys::of("action", &[&[
+    must("set", Takes::Named(&Takes::Formula), "{ D = \"0.04 kg/m\" }", "parameters and their values from then on"),
+]]);
+
+const WORDS: [&str; 2] = ["record", "stop"];
 
 const PASSES: &[(&str, Direction)] = &[
     ("rises through", Direction::Rising),
@@ -20,13 +37,13 @@ const PASSES: &[(&str, Direction)] = &[
 ];
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, event);
+    each(draft, section, &KEYS, event);
 }
 
 fn event(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("an event", field);
     draft.remember(format!("event `{name}`"), &field.key_span);
-    let when = draft.required(table, "when", "\"rod.vy falls through 0 m/s\"");
+    let when = draft.required(table, "when");
     let when = when.and_then(|field| condition(draft, &field));
     let action = match table.take("action") {
         Some(field) => action(draft, &name, &field),
@@ -83,16 +100,15 @@ fn not_a_condition(field: &Field) -> Diagnostic {
 /// `"record"`, `"stop"` or `{ set = { D = "0.04 kg/m" } }`
 fn action(draft: &mut Draft, name: &str, field: &Field) -> Option<Action> {
     if field.value.as_str().is_some() {
-        let word = draft.choice(field, &["record", "stop"])?;
+        let word = draft.choice(field, &WORDS)?;
         return Some(if word == "stop" { Action::Stop } else { Action::Record });
     }
     if !field.value.is_table() {
         draft.wrong_type(field, "\"record\", \"stop\" or { set = { .. } }");
         return None;
     }
-    let mut inner = draft.table(field, "action".to_owned())?;
-    inner.span = field.span.clone();
-    let set = draft.required(&mut inner, "set", "{ D = \"0.04 kg/m\" }");
+    let mut inner = draft.inline(field, &SET)?;
+    let set = draft.required(&mut inner, "set");
     draft.done(inner);
     let set = set?;
     let Some(table) = set.value.as_table() else {

@@ -10,7 +10,52 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::names::Level;
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[force.NAME]", &[&[
+    ON,
+    may("force", Takes::Vector(Dimension::FORCE), "this or `torque`", "[\"10 N\", 0]", "components `[x, y]`"),
+    may("torque", Takes::Quantity(Dimension::TORQUE), "this or `force`", "\"1 N*m\"", "counter-clockwise"),
+    may("at", PLACE, "needed with `force`", "\"rod.cm\"", "where it acts"),
+    FRAME,
+    may("during", Takes::Pair(&Takes::Either(&[Takes::TIME, Takes::EVENT])), "always", "[\"1 s\", \"2 s\"]",
+        "`[start, end]`: times, or names of events"),
+]])
+.one_of(&[&["force", "torque"]]);
+
+#[rustfmt::skip]
+pub(super) const IMPULSES: Keys = Keys::of("[impulse.NAME]", &[&[
+    ON,
+    must("when", Takes::EVENT, "\"hit\"", "name of the event"),
+    may("impulse", Takes::Vector(Dimension::MOMENTUM), "this or `angular_impulse`", "[\"10 N*s\", 0]",
+        "components `[x, y]`, N*s; formulas of the motion as it is before"),
+    may("angular_impulse", Takes::Quantity(ANGULAR_IMPULSE), "this or `impulse`", "\"1 N*m*s\"",
+        "counter-clockwise, N*m*s"),
+    may("at", PLACE, "needed with `impulse`", "\"rod.cm\"",
+        "where it acts, as the `at` of a [force](#forcename)"),
+    FRAME,
+]])
+.one_of(&[&["impulse", "angular_impulse"]]);
+
+const ON: Declared = must("on", Takes::BODY, "\"rod\"", "name of the body");
+#[rustfmt::skip]
+const FRAME: Declared = may("frame", Takes::Word(&FRAMES), "`\"world\"`", "\"body\"",
+    "axes of the components: `\"world\"` or `\"body\"`");
+const FRAMES: [&str; 2] = ["world", "body"];
+const PLACE: Takes = Takes::Either(&[Takes::POINT, Takes::Table(&AT)]);
+
+#[rustfmt::skip]
+const AT: Keys = Keys::of("place of a force", &[&[
+    may("body", Takes::PLACE, "one of three", "[0, 0]", "a place in body coordinates"),
+    may("world", Takes::PLACE, "one of three", "[0, 0]", "a place in the world"),
+    may("from_centre", Takes::PLACE, "one of three", "[0, 0]",
+        "seen from the centre of mass, in axes of the world"),
+]])
+.one_of(&[&["body", "world", "from_centre"]]);
+
+const ANGULAR_IMPULSE: Dimension = Dimension::new(2, 1, -1);
 
 /// How a kind of load is written.
 struct Words {
@@ -35,21 +80,21 @@ const IMPULSE: Words = Words {
     keys: ["impulse", "angular_impulse"],
     what: ["impulse", "angular impulse"],
     one: ["an impulse", "an angular impulse"],
-    dimensions: [Dimension::new(1, 1, -1), Dimension::new(2, 1, -1)],
+    dimensions: [Dimension::MOMENTUM, ANGULAR_IMPULSE],
     example: "add `impulse = [\"10 N*s\", 0]` with `at`, or `angular_impulse = \"1 N*m*s\"`",
 };
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, load);
+    each(draft, section, &KEYS, load);
 }
 
 pub(super) fn read_impulses(draft: &mut Draft, section: &Field) {
-    each(draft, section, impulse);
+    each(draft, section, &IMPULSES, impulse);
 }
 
 fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a force", field);
-    let on = draft.required(table, "on", "\"rod\"").and_then(|field| body(draft, &field));
+    let on = draft.required(table, "on").and_then(|field| body(draft, &field));
     let application = application(draft, &FORCE, &name, on.as_deref(), table);
     let during = during(draft, &name, table);
     let (Some(body), Some(application), Some(during)) = (on, application, during) else { return };
@@ -61,9 +106,9 @@ fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
 
 fn impulse(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("an impulse", field);
-    let on = draft.required(table, "on", "\"rod\"").and_then(|field| body(draft, &field));
+    let on = draft.required(table, "on").and_then(|field| body(draft, &field));
     let application = application(draft, &IMPULSE, &name, on.as_deref(), table);
-    let when = draft.required(table, "when", "\"hit\"").and_then(|field| event(draft, &field));
+    let when = draft.required(table, "when").and_then(|field| event(draft, &field));
     let (Some(body), Some(application), Some(when)) = (on, application, when) else { return };
     draft.names.happenings.insert(name.clone());
     draft.remember(format!("impulse `{name}`"), &field.key_span);
@@ -90,7 +135,7 @@ fn application(
             let mistake = not_one(words, table, force.zip(torque));
             draft.note(mistake);
             // What belongs to the one or the other is no mistake of its own.
-            let _ = (table.take("at"), table.take("frame"));
+            table.ignore();
             None
         }
     }
@@ -122,13 +167,13 @@ fn pushed(
     force: &Field,
 ) -> Option<Application> {
     let force = draft.vector(force, Want::constant(words.dimensions[0]).at(Level::Motion));
-    let at = draft.required(table, "at", &format!("\"{}.cm\"", on.unwrap_or("rod")));
+    let at = draft.required_like(table, "at", &format!("\"{}.cm\"", on.unwrap_or("rod")));
     let at = at.zip(on).and_then(|(field, on)| {
         draft.remember(format!("place of `{name}`"), &field.span);
         place(draft, on, &field)
     });
     let frame = match table.take("frame") {
-        Some(field) => draft.choice(&field, &["world", "body"])?,
+        Some(field) => draft.choice(&field, &FRAMES)?,
         None => "world",
     };
     let frame = if frame == "body" { Frame::Body } else { Frame::World };
@@ -160,7 +205,7 @@ fn place(draft: &mut Draft, on: &str, field: &Field) -> Option<Place> {
         draft.wrong_type(field, expected);
         return None;
     };
-    let mut inner = Table::new("at".to_owned(), field.key_span.clone(), table);
+    let mut inner = Table::new(&AT, "at".to_owned(), field.key_span.clone(), table);
     let place = one_place(draft, on, &field.span, &mut inner);
     draft.done(inner);
     place

@@ -1,25 +1,44 @@
 //! `[free_body.NAME]`: free-body diagrams of one body at some instants, on one sheet.
 
-use super::{body, each};
+use super::{TITLE, body, each};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
+use crate::keys::{Keys, Takes, may, must};
 use crate::moments;
 use crate::study::{FreeBody, Instant};
+
+pub(super) const SAYS: &str = "free-body diagrams of one body at some instants";
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[free_body.NAME]", &[&[
+    must("body", Takes::BODY, "\"rod\"", "name of the body"),
+    must("at", Takes::Either(&[ONE, Takes::List(1, MOST, &ONE)]), "[\"0 s\", \"1 s\"]",
+        "an [instant](#instants) or a list of up to 12, each a text or `{ at = \"..\", label = \"..\" }`"),
+    TITLE,
+]]);
+
+const ONE: Takes = Takes::Either(&[Takes::Instant, Takes::Table(&LABELLED)]);
+
+#[rustfmt::skip]
+const LABELLED: Keys = Keys::of("labelled instant", &[&[
+    must("at", Takes::Instant, "\"1 s\"", "an [instant](#instants)"),
+    may("label", Takes::Text, "its instant", "\"falling\"", "how the diagram is called"),
+]]);
 
 /// More diagrams than this are no sheet.
 const MOST: usize = 12;
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, free_body);
+    each(draft, section, &KEYS, free_body);
 }
 
 fn free_body(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.figure_name(field);
     let title = table.take("title").and_then(|field| draft.line(&field));
-    let body = draft.required(table, "body", "\"rod\"").and_then(|field| body(draft, &field));
-    let at = draft.required(table, "at", "[\"0 s\", \"1 s\"]").and_then(|given| {
+    let body = draft.required(table, "body").and_then(|field| body(draft, &field));
+    let at = draft.required(table, "at").and_then(|given| {
         draft.remember(format!("free body `{}`", field.key), &given.span);
         instants(draft, &given)
     });
@@ -46,9 +65,8 @@ fn labelled(draft: &mut Draft, field: &Field) -> Option<(Instant, String)> {
         let label = instant.text.clone();
         return Some((instant, label));
     }
-    let mut table = draft.table(field, "at".to_owned())?;
-    table.span = field.span.clone();
-    let at = draft.required(&mut table, "at", "\"1 s\"").and_then(|at| moments::instant(draft, &at));
+    let mut table = draft.inline(field, &LABELLED)?;
+    let at = draft.required(&mut table, "at").and_then(|at| moments::instant(draft, &at));
     let label = table.take("label").map(|label| draft.line(&label));
     draft.done(table);
     let at = at?;

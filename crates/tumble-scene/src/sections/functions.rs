@@ -11,6 +11,8 @@ use crate::draft::Draft;
 use crate::formula::{Origin, Want, translate};
 use crate::names::{Level, Names};
 
+pub(super) const SAYS: &str = "functions, `\"name(argument, ...)\" = \"formula\"`";
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
     for field in fields(table) {

@@ -7,14 +7,29 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::quantities;
 
+pub(super) const PIN: Keys = Keys::of("[pin.NAME]", &[JOINT]);
+pub(super) const WELD: Keys = Keys::of("[weld.NAME]", &[JOINT]);
+
+#[rustfmt::skip]
+const JOINT: &[Declared] = &[
+    must("between", Takes::Pair(&Takes::Either(&[Takes::POINT, Takes::BODY, Takes::Table(&spring::WORLD)])), "[\"upper.tip\", \"lower.top\"]",
+        "two ends: `\"upper.tip\"`, or `{ world = [x, y] }`, which may depend on the time; of a joint with `from` the \
+         second may be a body, `\"rod\"`: wherever the first end is on it then"),
+    may("from", Takes::EVENT, "the start", "\"hit\"", "name of the event that makes it"),
+    may("until", Takes::EVENT, "the end", "\"snap\"", "name of the event that releases it"),
+    may("assemble", Takes::Flag, "`false`", "true",
+        "`true`: bodies that do not fit together at the start are brought to where they do"),
+];
+
 pub(super) fn read_pins(draft: &mut Draft, section: &Field) {
-    each(draft, section, |draft, field, table| joint(draft, field, table, JointKind::Pin));
+    each(draft, section, &PIN, |draft, field, table| joint(draft, field, table, JointKind::Pin));
 }
 
 pub(super) fn read_welds(draft: &mut Draft, section: &Field) {
-    each(draft, section, |draft, field, table| joint(draft, field, table, JointKind::Weld));
+    each(draft, section, &WELD, |draft, field, table| joint(draft, field, table, JointKind::Weld));
 }
 
 /// What the second end of a joint may be besides an anchor: wherever the first is on a body when an event makes the joint.
@@ -86,7 +101,7 @@ fn pivot(draft: &Draft, joint: &Joint) -> Option<Pivot> {
 
 /// `between = ["upper.tip", "lower.top"]`, `["rod.tip", { world = [0, 0] }]`, or of a joint that an event makes `["bullet.cm", "rod"]`.
 fn ends(draft: &mut Draft, table: &mut Table, is_made: bool) -> Option<(Anchor, Second)> {
-    let field = draft.required(table, "between", "[\"upper.tip\", \"lower.top\"]")?;
+    let field = draft.required(table, "between")?;
     let pair = draft.pair(&field, "[one end, the other end]")?;
     let first = spring::anchor(draft, &pair[0]);
     let named = pair[1].value.as_str().filter(|name| draft.names.bodies.iter().any(|body| body == name));

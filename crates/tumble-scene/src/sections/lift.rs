@@ -9,17 +9,30 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Keys, Takes, may, must};
 
 const DENSITY: Dimension = Dimension::new(-3, 1, 0);
 
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[lift.NAME]", &[&[
+    must("on", Takes::BODY, "\"ball\"",
+        "name of the body; the force acts at its centre of mass, or at the ball's centre"),
+    may("factor", Takes::Quantity(Dimension::MASS), "this or the next two", "\"0.01 kg\"", "S, a mass"),
+    may("density", Takes::Quantity(DENSITY), "none", "\"1.2 kg/m^3\"",
+        "rho, of the air: with `slope`, for a ball"),
+    may("slope", Takes::PURE, "none", "1",
+        "for a ball: S is rho C_L pi R^3/2, with the slope C_L of the lift coefficient over R omega/v"),
+]])
+.one_of(&[&["factor", "density"]]);
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, lift);
+    each(draft, section, &KEYS, lift);
 }
 
 /// The lift factor itself, or what it is computed from for a ball.
 fn lift(draft: &mut Draft, field: &Field, table: &mut Table) {
     let name = draft.own_name("a lift", field);
-    let on = draft.required(table, "on", "\"ball\"").map(|on| (body(draft, &on), on.span));
+    let on = draft.required(table, "on").map(|on| (body(draft, &on), on.span));
     let factor = table.take("factor");
     let (density, slope) = (table.take("density"), table.take("slope"));
     match (factor, density, slope) {

@@ -17,7 +17,7 @@ mod lift;
 mod output;
 mod parameters;
 mod pivot;
-mod play;
+pub(crate) mod play;
 mod plot;
 mod points;
 mod round;
@@ -30,7 +30,7 @@ mod surface;
 mod sweep;
 mod symbols;
 mod table;
-mod text;
+pub(crate) mod text;
 mod torsion;
 mod world;
 
@@ -40,62 +40,125 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table, fields};
 use crate::draft::Draft;
+use crate::keys::{Declared, Keys, Takes, may};
 use crate::names::Names;
 use crate::suggest;
 
 /// A section, or a key at the top of the file.
 pub(crate) struct Section {
-    pub(crate) key: &'static str,
-    /// What to add where a scene that needs it has none.
-    needed: Option<&'static str>,
+    pub(crate) declared: Declared,
     read: fn(&mut Draft, &Field),
 }
 
-const fn optional(key: &'static str, read: fn(&mut Draft, &Field)) -> Section {
-    Section { key, needed: None, read }
+const fn key(declared: Declared, read: fn(&mut Draft, &Field)) -> Section {
+    Section { declared, read }
 }
 
-const fn needed(key: &'static str, example: &'static str, read: fn(&mut Draft, &Field)) -> Section {
-    Section { key, needed: Some(example), read }
+/// A section `[NAME]` without a second name.
+const fn section(
+    name: &'static str,
+    takes: Takes,
+    says: &'static str,
+    read: fn(&mut Draft, &Field),
+) -> Section {
+    key(may(name, takes, "", "", says), read)
+}
+
+/// Sections `[NAME.OWN]`, each with these keys.
+const fn sections(
+    name: &'static str,
+    each: &'static Takes,
+    says: &'static str,
+    read: fn(&mut Draft, &Field),
+) -> Section {
+    section(name, Takes::Named(each), says, read)
+}
+
+impl Section {
+    /// The same, which every scene has: the lines are those of an example.
+    const fn needed(self, lines: &'static str) -> Self {
+        Self { declared: Declared { default: None, lines: Some(lines), ..self.declared }, ..self }
+    }
 }
 
 /// Every section, in the order in which they are read: each uses names of those before it only.
 pub(crate) const SECTIONS: &[Section] = &[
-    needed("version", "version = 1", header::version),
-    optional("title", header::title),
-    optional("text", text::of_scene),
-    optional("plane", header::plane),
-    optional("table", table::read),
-    optional("functions", functions::read),
-    optional("parameters", parameters::read),
-    optional("sweep", sweep::read),
-    needed("world", "[world]\ngravity = \"9.81 m/s^2\"", world::read),
-    needed("body", "[body.ball]\nball = { radius = \"0.1 m\" }\nmass = \"1 kg\"", body::read),
-    optional("pivot", pivot::read),
-    optional("pin", joint::read_pins),
-    optional("weld", joint::read_welds),
-    optional("surface", surface::read),
-    optional("contact", contact::read),
-    optional("event", event::read),
-    optional("force", force::read),
-    optional("impulse", force::read_impulses),
-    optional("drag", drag::read),
-    optional("lift", lift::read),
-    optional("spring", spring::read),
-    optional("damper", damper::read),
-    optional("torsion", torsion::read),
-    needed("run", "[run]\nuntil = \"10 s\"", run::read),
-    optional("equilibrium", equilibrium::read),
-    optional("output", output::read),
-    optional("plot", plot::read),
-    optional("stroboscope", stroboscope::read),
-    optional("balance", balance::read),
-    optional("free_body", free_body::read),
-    optional("find", check::read_finds),
-    optional("check", check::read),
-    optional("play", play::read),
-    optional("symbols", symbols::read),
+    key(header::VERSION, header::version).needed("version = 1"),
+    key(header::TITLE, header::title),
+    key(text::OF_SCENE, text::of_scene),
+    key(header::PLANE, header::plane),
+    sections(
+        "table",
+        &Takes::Table(&table::KEYS),
+        "functions of one variable that were measured",
+        table::read,
+    ),
+    section("functions", Takes::Named(&Takes::Text), functions::SAYS, functions::read),
+    section("parameters", Takes::Named(&Takes::Formula), parameters::SAYS, parameters::read),
+    section(
+        "sweep",
+        Takes::Named(&sweep::VALUES),
+        "parameters that take several values, one run each",
+        sweep::read,
+    ),
+    section("world", Takes::Table(&world::KEYS), "what surrounds the bodies", world::read)
+        .needed("[world]\ngravity = \"9.81 m/s^2\""),
+    sections("body", &Takes::Table(&body::KEYS), body::SAYS, body::read)
+        .needed("[body.ball]\nball = { radius = \"0.1 m\" }\nmass = \"1 kg\""),
+    sections(
+        "pivot",
+        &Takes::Table(&pivot::KEYS),
+        "points of bodies that are held at a place in the world",
+        pivot::read,
+    ),
+    sections(
+        "pin",
+        &Takes::Table(&joint::PIN),
+        "joints about which bodies turn, without friction",
+        joint::read_pins,
+    ),
+    sections("weld", &Takes::Table(&joint::WELD), "joints that leave nothing free", joint::read_welds),
+    sections("surface", &Takes::Table(&surface::KEYS), surface::SAYS, surface::read),
+    sections("contact", &Takes::Table(&contact::KEYS), "bodies that meet each other", contact::read),
+    sections(
+        "event",
+        &Takes::Table(&event::KEYS),
+        "what happens each time a formula passes a value",
+        event::read,
+    ),
+    sections("force", &Takes::Table(&force::KEYS), "forces at points of bodies, and torques", force::read),
+    sections(
+        "impulse",
+        &Takes::Table(&force::IMPULSES),
+        "impulses that events apply to bodies",
+        force::read_impulses,
+    ),
+    sections("drag", &Takes::Table(&drag::KEYS), "resistance of the air", drag::read),
+    sections("lift", &Takes::Table(&lift::KEYS), "lift on spinning bodies", lift::read),
+    sections("spring", &Takes::Table(&spring::KEYS), "springs between two points", spring::read),
+    sections("damper", &Takes::Table(&damper::KEYS), "dampers between two points", damper::read),
+    sections(
+        "torsion",
+        &Takes::Table(&torsion::KEYS),
+        "springs that turn a body back to an angle",
+        torsion::read,
+    ),
+    section("run", Takes::Table(&run::KEYS), "how long, and how accurately", run::read)
+        .needed("[run]\nuntil = \"10 s\""),
+    section("equilibrium", Takes::Table(&equilibrium::KEYS), equilibrium::SAYS, equilibrium::read),
+    section("output", Takes::Table(&output::KEYS), "how dense the tables are", output::read),
+    sections("plot", &Takes::Table(&plot::KEYS), "curves against the time or another quantity", plot::read),
+    sections("stroboscope", &Takes::Table(&stroboscope::KEYS), stroboscope::SAYS, stroboscope::read),
+    sections("balance", &Takes::Table(&balance::KEYS), "energies and works along the run", balance::read),
+    sections("free_body", &Takes::Table(&free_body::KEYS), free_body::SAYS, free_body::read),
+    sections("find", &Takes::Table(&check::FINDS), check::SAYS_FIND, check::read_finds),
+    sections("check", &Takes::Table(&check::KEYS), check::SAYS, check::read),
+    section("play", play::TAKES, "what a reader of the report may change", play::read),
+    section("symbols", symbols::TAKES, "how names are written in figures and equations", symbols::read),
 ];
+
+/// Of a figure.
+const TITLE: Declared = may("title", Takes::Text, "the scene's and NAME", "\"Angles\"", "above the figure");
 
 /// Reads all sections of a document.
 pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
@@ -111,9 +174,10 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
         if draft.is_full() {
             return;
         }
-        match (top.iter().find(|field| field.key == section.key), section.needed) {
+        let declared = &section.declared;
+        match (top.iter().find(|field| field.key == declared.name), declared.lines) {
             (Some(field), _) => (section.read)(draft, field),
-            (None, Some(example)) => draft.note(missing(section.key, example)),
+            (None, Some(lines)) => draft.note(missing(declared.name, lines)),
             (None, None) => {}
         }
     }
@@ -136,21 +200,21 @@ fn missing(key: &str, example: &str) -> Diagnostic {
 }
 
 fn refuse_unknown(draft: &mut Draft, top: &[Field]) {
-    let known: Vec<_> = SECTIONS.iter().map(|section| section.key).collect();
-    for field in top.iter().filter(|field| !known.contains(&field.key)) {
+    let is_known = |field: &&Field| SECTIONS.iter().any(|section| section.declared.name == field.key);
+    for field in top.iter().filter(|field| !is_known(field)) {
         let (code, what) = match field.value.is_table() {
             true => (Code::UnknownSection, "section"),
             false => (Code::UnknownKey, "key"),
         };
         let message = format!("there is no {what} `{}`", field.key);
-        let help = suggest::section(field.key, &known);
+        let help = suggest::section(field.key);
         let mistake = Diagnostic::new(code, field.key_span.clone(), message);
         draft.note(mistake.label(format!("unknown {what}")).help(help));
     }
 }
 
 /// Reads each table of a section whose second name is the user's, such as `[body.rod]`.
-fn each(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &Field, &mut Table)) {
+fn each(draft: &mut Draft, section: &Field, keys: &'static Keys, read: fn(&mut Draft, &Field, &mut Table)) {
     let Some(table) = section.value.as_table() else {
         let expected = format!("a section, such as `[{}.NAME]`", section.key);
         return draft.wrong_type(section, &expected);
@@ -163,7 +227,8 @@ fn each(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &Field, &mut Ta
             draft.note(unnamed(section.key, &field));
             continue;
         };
-        let mut inner = Table::new(format!("[{}.{}]", section.key, field.key), field.key_span.clone(), inner);
+        let mut inner =
+            Table::new(keys, format!("[{}.{}]", section.key, field.key), field.key_span.clone(), inner);
         text::of_section(draft, section, Some(&field), &mut inner);
         read(draft, &field, &mut inner);
         draft.done(inner);
@@ -189,8 +254,8 @@ fn unnamed(section: &str, field: &Field) -> Diagnostic {
 }
 
 /// A section without a second name, such as `[run]`.
-fn only(draft: &mut Draft, section: &Field, read: fn(&mut Draft, &mut Table)) {
-    let Some(mut table) = draft.table(section, format!("[{}]", section.key)) else { return };
+fn only(draft: &mut Draft, section: &Field, keys: &'static Keys, read: fn(&mut Draft, &mut Table)) {
+    let Some(mut table) = draft.titled(section, keys, keys.title.to_owned()) else { return };
     text::of_section(draft, section, None, &mut table);
     read(draft, &mut table);
     draft.done(table);

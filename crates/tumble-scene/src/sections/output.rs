@@ -6,13 +6,19 @@ use super::only;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Keys, Takes, must};
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[output]", &[&[
+    must("every", Takes::TIME, "\"10 ms\"", "time between lines of the tables; a thousandth of the run without the section"),
+]]);
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    only(draft, section, output);
+    only(draft, section, &KEYS, output);
 }
 
 fn output(draft: &mut Draft, table: &mut Table) {
-    let Some(field) = draft.required(table, "every", "\"10 ms\"") else { return };
+    let Some(field) = draft.required(table, "every") else { return };
     draft.remember("output", &field.span);
     draft.output_every = draft.number(&field, Want::constant(Dimension::TIME));
 }

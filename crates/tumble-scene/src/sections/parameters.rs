@@ -31,6 +31,8 @@ impl Parameter {
     }
 }
 
+pub(super) const SAYS: &str = "named quantities, `name = \"formula\"`, in any order";
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
     let mut parameters = vec![];

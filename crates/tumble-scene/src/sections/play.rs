@@ -2,16 +2,39 @@
 
 use toml::de::{DeTable, DeValue};
 
+use super::sweep;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table, fields};
 use crate::draft::Draft;
 use crate::formula::{self, Want};
+use crate::keys::{Keys, Takes, may, must};
 use crate::play::{Asked, Preset, Settable, settable};
 use crate::suggest;
 
 /// The key that is no value to change.
 const PRESETS: &str = "presets";
+
+pub(super) const TAKES: Takes = Takes::Named(&Takes::Either(&[
+    Takes::Pair(&Takes::Formula),
+    Takes::Table(&RANGE),
+    // Starts have dots in their names, which TOML reads as tables.
+    Takes::Open,
+]));
+
+#[rustfmt::skip]
+const RANGE: Keys = Keys::of("range of a slider", &[&[
+    must("from", Takes::Formula, "\"0.2 s\"", "the least value"),
+    must("to", Takes::Formula, "\"6 s\"", "the greatest value"),
+    sweep::SPACING,
+]]);
+
+/// Presets stand among the names of what may be changed.
+#[rustfmt::skip]
+pub(crate) const PRESET: Keys = Keys::of("[play.presets.NAME]", &[&[
+    may("label", Takes::Text, "its name", "\"slow\"", "what its button says"),
+    must("set", Takes::Open, "{ T = \"2 s\" }", "values by their names"),
+]]);
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let DeValue::Table(table) = section.value else {
@@ -69,11 +92,10 @@ fn range(draft: &mut Draft, field: &Field, of: &Settable) -> Option<Asked> {
 }
 
 fn spaced<'t>(draft: &mut Draft, field: &Field<'t>, want: Want) -> Option<([Field<'t>; 2], Option<bool>)> {
-    let mut table = draft.table(field, field.key.to_owned())?;
-    table.span = field.span.clone();
+    let mut table = draft.inline(field, &RANGE)?;
     let example = format!("\"{}\"", want.example("1"));
-    let ends = ["from", "to"].map(|key| draft.required(&mut table, key, &example));
-    let spacing = table.take("spacing").map(|field| draft.choice(&field, &["linear", "log"]));
+    let ends = ["from", "to"].map(|key| draft.required_like(&mut table, key, &example));
+    let spacing = table.take("spacing").map(|field| draft.choice(&field, &sweep::SPACINGS));
     draft.done(table);
     let [from, to] = ends;
     let is_log = match spacing {
@@ -100,7 +122,9 @@ fn refuse(draft: &mut Draft, field: &Field, [from, to]: [f64; 2], is_log: bool) 
 /// `[play.presets.NAME]`
 fn presets(draft: &mut Draft, known: &[Settable], table: &DeTable) {
     for field in fields(table) {
-        let Some(mut inner) = draft.table(&field, format!("[play.presets.{}]", field.key)) else { continue };
+        let Some(mut inner) = draft.titled(&field, &PRESET, format!("[play.presets.{}]", field.key)) else {
+            continue;
+        };
         let preset = preset(draft, known, &field, &mut inner);
         draft.done(inner);
         draft.presets.extend(preset);
@@ -110,7 +134,7 @@ fn presets(draft: &mut Draft, known: &[Settable], table: &DeTable) {
 fn preset(draft: &mut Draft, known: &[Settable], field: &Field, table: &mut Table) -> Option<Preset> {
     let label = table.take("label").map(|label| draft.line(&label));
     let text = table.take("text").map(|text| draft.line(&text));
-    let set = draft.required(table, "set", "{ T = \"2 s\" }")?;
+    let set = draft.required(table, "set")?;
     let DeValue::Table(values) = set.value else {
         draft.wrong_type(&set, "a table of values, such as `{ T = \"2 s\" }`");
         return None;

@@ -2,17 +2,31 @@
 
 use tumble_expr::Dimension;
 
-use super::each;
+use super::{TITLE, each};
 use crate::code::Code;
 use crate::curve;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
+use crate::keys::{Keys, Takes, may, must};
 use crate::moments;
 use crate::study::{Curve, Plot};
 
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[plot.NAME]", &[&[
+    must("y", Takes::Either(&[CURVE, Takes::List(1, Takes::MOST, &CURVE)]), "\"rod.angle\"",
+        "a formula, or a list of formulas of one dimension; `\"rod.angle in deg\"` shows the axis in that unit; `{ \
+         value = \"FORMULA\", label = \"tilt\" }` where the formula is no good name"),
+    may("x", CURVE, "the time", "\"rod.x\"", "a formula, written as in `y`"),
+    may("during", Takes::Pair(&Takes::Instant), "the whole run", "[\"1 s\", \"2 s\"]",
+        "`[from, to]`, two [instants](#instants)"),
+    TITLE,
+]]);
+
+const CURVE: Takes = Takes::Either(&[Takes::Formula, Takes::Table(&curve::LABELLED)]);
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, plot);
+    each(draft, section, &KEYS, plot);
 }
 
 fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
@@ -23,7 +37,7 @@ fn plot(draft: &mut Draft, field: &Field, table: &mut Table) {
         draft.remember(format!("x of the plot `{name}`"), &field.span);
         curve::labelled(draft, &field)
     });
-    let y = draft.required(table, "y", "\"rod.angle\"").and_then(|field| {
+    let y = draft.required(table, "y").and_then(|field| {
         draft.remember(format!("y of the plot `{name}`"), &field.span);
         curves(draft, &field)
     });

@@ -9,17 +9,34 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::{Text, Want};
+use crate::keys::{Keys, Takes, may, must};
 use crate::names::ACCURACY;
 use crate::quantities;
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[run]", &[&[
+    must("until", Takes::Either(&[Takes::TIME, Takes::Table(&AT_REST)]), "\"10 s\"",
+        "end of the run; it starts at 0, and an event may stop it before. `{ rest = true, at_most = \"60 s\" }` \
+         ends it where all bodies have come to rest for good, or at the latest then"),
+    may(ACCURACY, Takes::Number(1e-14, 1e-3), "`1e-9`", "1e-9",
+        "a number without quotes from 1e-14 to 1e-3, see [numerics](numerics.md); `--set accuracy=1e-6` gives \
+         another"),
+]]);
+
+#[rustfmt::skip]
+const AT_REST: Keys = Keys::of("end at rest", &[&[
+    must("rest", Takes::True, "true", "the run ends where all bodies have come to rest for good"),
+    must("at_most", Takes::TIME, "\"60 s\"", "the latest end"),
+]]);
 
 /// The model is complete here: the sections that follow speak of what comes of it.
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     quantities::define_works(&mut draft.names, &draft.model);
-    only(draft, section, run);
+    only(draft, section, &KEYS, run);
 }
 
 fn run(draft: &mut Draft, table: &mut Table) {
-    if let Some(field) = draft.required(table, "until", "\"10 s\"") {
+    if let Some(field) = draft.required(table, "until") {
         draft.remember("until", &field.span);
         draft.until = match field.value.is_table() {
             true => at_rest(draft, &field),
@@ -34,10 +51,10 @@ fn run(draft: &mut Draft, table: &mut Table) {
 
 /// `until = { rest = true, at_most = "60 s" }`: the latest end. That nothing moves may never come about.
 fn at_rest(draft: &mut Draft, field: &Field) -> Option<Expr> {
-    let mut table = draft.table(field, "until".to_owned())?;
-    let rest = draft.required(&mut table, "rest", "true");
+    let mut table = draft.table(field, &AT_REST)?;
+    let rest = draft.required(&mut table, "rest");
     let is_true = rest.as_ref().and_then(|rest| draft.flag(rest));
-    let latest = draft.required(&mut table, "at_most", "\"60 s\"");
+    let latest = draft.required(&mut table, "at_most");
     let latest = latest.and_then(|field| {
         draft.remember("until", &field.span);
         draft.number(&field, Want::constant(Dimension::TIME))

@@ -8,7 +8,59 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::suggest;
+
+/// A shape is one of these keys, of a body or of a part.
+#[rustfmt::skip]
+pub(super) const KEYS: &[Declared] = &[
+    shape("point", &POINT, "{}", "a point with a mass and no extent"),
+    shape("rod", &ROD, "{ from = [0, 0], to = [0, \"1 m\"] }", "a thin rod"),
+    shape("disk", &DISK, "{ radius = \"0.1 m\" }", "a full disk"),
+    shape("ring", &RING, "{ radius = \"0.1 m\" }", "a thin ring"),
+    shape("ball", &BALL, "{ radius = \"0.1 m\" }", "a solid ball"),
+    shape("shell", &SHELL, "{ radius = \"0.1 m\" }", "a thin spherical shell"),
+    shape("box", &BOX, "{ width = \"0.2 m\", height = \"0.1 m\" }", "a rectangle"),
+    shape("polygon", &POLYGON, "{ corners = [[0, 0], [\"1 m\", 0], [0, \"1 m\"]] }", "a polygon"),
+];
+
+const fn shape(
+    name: &'static str,
+    keys: &'static Keys,
+    example: &'static str,
+    says: &'static str,
+) -> Declared {
+    may(name, Takes::Table(keys), "one of these", example, says)
+}
+
+const POINT: Keys = Keys::of("point", &[&[may("at", Takes::PLACE, "the origin", "[0, 0]", "its place")]]);
+const DISK: Keys = Keys::of("disk", &[ROUND]);
+const RING: Keys = Keys::of("ring", &[ROUND]);
+const BALL: Keys = Keys::of("ball", &[ROUND]);
+const SHELL: Keys = Keys::of("shell", &[ROUND]);
+const BOX: Keys = Keys::of("box", &[&[size_of("width"), size_of("height"), CENTRE]]);
+
+const ROUND: &[Declared] = &[size_of("radius"), CENTRE];
+const CENTRE: Declared = may("centre", Takes::PLACE, "the origin", "[0, 0]", "its centre");
+
+const fn size_of(name: &'static str) -> Declared {
+    must(name, Takes::LENGTH, "\"0.1 m\"", "a length")
+}
+
+#[rustfmt::skip]
+const ROD: Keys = Keys::of("rod", &[&[
+    must("from", Takes::PLACE, "[0, 0]", "one end"),
+    must("to", Takes::PLACE, "[0, \"1 m\"]", "the other end"),
+    may("end_radius", Takes::LENGTH, "0", "\"1 cm\"", "of its ends, which are rounded where they touch surfaces"),
+]]);
+
+/// Of a polygon, counter-clockwise.
+pub(super) const CORNERS: Takes = Takes::List(3, Takes::MOST, &Takes::PLACE);
+
+#[rustfmt::skip]
+const POLYGON: Keys = Keys::of("polygon", &[&[
+    must("corners", CORNERS, "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]", "three or more, in order"),
+]]);
 
 /// A shape and the key it was given by.
 pub(super) struct Drawn {
@@ -20,24 +72,30 @@ pub(super) struct Drawn {
 /// The second argument is what messages call it: "`rod`", or "part 2 of `rod`".
 type Read = fn(&mut Draft, &str, &mut Table) -> Option<Shape>;
 
-const SHAPES: &[(&str, Read)] = &[
-    ("point", point),
-    ("rod", rod),
-    ("disk", |draft, name, table| round(draft, name, table, |centre, radius| Shape::Disk { centre, radius })),
-    ("ring", |draft, name, table| round(draft, name, table, |centre, radius| Shape::Ring { centre, radius })),
-    ("ball", |draft, name, table| round(draft, name, table, |centre, radius| Shape::Ball { centre, radius })),
-    ("shell", |draft, name, table| {
+const SHAPES: &[(&str, &Keys, Read)] = &[
+    ("point", &POINT, point),
+    ("rod", &ROD, rod),
+    ("disk", &DISK, |draft, name, table| {
+        round(draft, name, table, |centre, radius| Shape::Disk { centre, radius })
+    }),
+    ("ring", &RING, |draft, name, table| {
+        round(draft, name, table, |centre, radius| Shape::Ring { centre, radius })
+    }),
+    ("ball", &BALL, |draft, name, table| {
+        round(draft, name, table, |centre, radius| Shape::Ball { centre, radius })
+    }),
+    ("shell", &SHELL, |draft, name, table| {
         round(draft, name, table, |centre, radius| Shape::Shell { centre, radius })
     }),
-    ("box", rectangle),
-    ("polygon", polygon),
+    ("box", &BOX, rectangle),
+    ("polygon", &POLYGON, polygon),
 ];
 
 /// The shape of a body or part, if it has one; the outer `None` is a mistake that has been noted.
 pub(super) fn read(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Drawn>> {
     let given: Vec<_> =
-        SHAPES.iter().filter_map(|(key, read)| Some((*key, read, table.take(key)?))).collect();
-    if let [(_, _, first), (_, _, second), ..] = &given[..] {
+        SHAPES.iter().filter_map(|(key, keys, read)| Some((*key, *keys, read, table.take(key)?))).collect();
+    if let [(.., first), (.., second), ..] = &given[..] {
         let message = format!("`{}` is both `{}` and `{}`", table.title, first.key, second.key);
         let mistake = Diagnostic::new(Code::Exclusive, second.key_span.clone(), message);
         let mistake = mistake.label("a second shape").also(first.key_span.clone(), "the first shape");
@@ -45,9 +103,9 @@ pub(super) fn read(draft: &mut Draft, name: &str, table: &mut Table) -> Option<O
             .note(mistake.help("a body of several shapes is `parts = [{ .. }, { .. }]`, each with its mass"));
         return None;
     }
-    let Some((key, read, field)) = given.into_iter().next() else { return Some(None) };
+    let Some((key, keys, read, field)) = given.into_iter().next() else { return Some(None) };
     draft.remember(format!("shape of {name}"), &field.span);
-    let mut inner = draft.table(&field, key.to_owned())?;
+    let mut inner = draft.table(&field, keys)?;
     let shape = read(draft, name, &mut inner);
     draft.done(inner);
     Some(Some(Drawn { key, span: field.key_span, shape: shape? }))
@@ -58,7 +116,7 @@ pub(super) fn one(draft: &mut Draft, table: &Table, found: Option<Option<Drawn>>
     let found = found?;
     if found.is_none() {
         let message = format!("`{}` has no shape", table.title);
-        let known = suggest::list(SHAPES.iter().map(|(key, _)| *key));
+        let known = suggest::list(SHAPES.iter().map(|(key, ..)| *key));
         let help = format!("add one of {known}, such as `rod = {{ from = [0, 0], to = [0, \"1 m\"] }}`");
         let mistake = Diagnostic::new(Code::MissingKey, table.span.clone(), message);
         draft.note(mistake.label("of which shape?").help(help));
@@ -75,7 +133,7 @@ fn place_or_origin(draft: &mut Draft, table: &mut Table, key: &'static str) -> O
 }
 
 fn size(draft: &mut Draft, name: &str, table: &mut Table, key: &'static str) -> Option<Expr> {
-    let field = draft.required(table, key, "\"0.1 m\"")?;
+    let field = draft.required(table, key)?;
     draft.remember(format!("{key} of {name}"), &field.span);
     draft.number(&field, Want::constant(Dimension::LENGTH))
 }
@@ -86,8 +144,8 @@ fn point(draft: &mut Draft, _: &str, table: &mut Table) -> Option<Shape> {
 
 fn rod(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
     draft.remember(format!("length of {name}"), &table.span);
-    let from = draft.required(table, "from", "[0, 0]").and_then(|field| draft.place(&field));
-    let to = draft.required(table, "to", "[0, \"1 m\"]").and_then(|field| draft.place(&field));
+    let from = draft.required(table, "from").and_then(|field| draft.place(&field));
+    let to = draft.required(table, "to").and_then(|field| draft.place(&field));
     let end_radius = table.take("end_radius").map(|field| {
         draft.remember(format!("end radius of {name}"), &field.span);
         draft.number(&field, Want::constant(Dimension::LENGTH))
@@ -115,8 +173,7 @@ fn rectangle(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> 
 
 fn polygon(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Shape> {
     draft.remember(format!("area of {name}"), &table.span);
-    let example = "[[0, 0], [\"1 m\", 0], [0, \"1 m\"]]";
-    let field = draft.required(table, "corners", example)?;
+    let field = draft.required(table, "corners")?;
     Some(Shape::Polygon { corners: corners(draft, name, &field)? })
 }
 

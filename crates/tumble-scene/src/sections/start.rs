@@ -8,8 +8,17 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::{self, Text, Want};
+use crate::keys::{Keys, Takes, may};
 use crate::names::Names;
 use crate::play::StartValue;
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("start", &[&[
+    may("at", Takes::PLACE, "where it is drawn", "[0, \"2 m\"]", "place of the centre of mass"),
+    may("velocity", Takes::Vector(Dimension::SPEED), "0", "[\"1 m/s\", 0]", "of the centre of mass"),
+    may("angle", Takes::Angle(Dimension::NONE), "0", "\"30 deg\"", "counter-clockwise"),
+    may("omega", Takes::Angle(Dimension::ANGULAR_RATE), "0", "\"2 rad/s\"", "angular velocity"),
+]]);
 
 /// What stands between the name of a body and that of a component in a setting, `rod.start.angle`.
 const START: &str = ".start.";
@@ -29,14 +38,13 @@ pub(super) fn read(draft: &mut Draft, body: &str, table: &mut Table) {
     if let Some(field) = &field {
         draft.remember(format!("start of `{body}`"), &field.key_span);
     }
-    let inner = field.as_ref().and_then(|field| draft.table(field, "start".to_owned()));
+    let inner = field.as_ref().and_then(|field| draft.table(field, &KEYS));
     let is_mistaken = field.is_some() && inner.is_none();
-    let mut inner = inner.unwrap_or_else(|| Table::empty("start"));
+    let mut inner = inner.unwrap_or_else(|| Table::empty(&KEYS));
     let mut of = Of { draft, body };
-    let at = of.pair(&mut inner, "at", ["x", "y"], Dimension::LENGTH);
-    let velocity = of.pair(&mut inner, "velocity", ["vx", "vy"], Dimension::SPEED);
-    let angle = of.one(inner.take("angle"), "angle", Want::angular(Dimension::NONE));
-    let omega = of.one(inner.take("omega"), "omega", Want::angular(Dimension::ANGULAR_RATE));
+    let at = of.pair(&mut inner, "at", ["x", "y"]);
+    let velocity = of.pair(&mut inner, "velocity", ["vx", "vy"]);
+    let [angle, omega] = ["angle", "omega"].map(|key| of.one(inner.take(key), key, Want::of(&KEYS, key)));
     draft.done(inner);
     let start = Start { at, velocity, angle, omega };
     let is_given =
@@ -54,14 +62,8 @@ struct Of<'d> {
 
 impl Of<'_> {
     /// Two components that are given together.
-    fn pair(
-        &mut self,
-        table: &mut Table,
-        key: &'static str,
-        parts: [&'static str; 2],
-        dimension: Dimension,
-    ) -> Option<Vector> {
-        let want = Want::constant(dimension);
+    fn pair(&mut self, table: &mut Table, key: &'static str, parts: [&'static str; 2]) -> Option<Vector> {
+        let want = Want::of(&KEYS, key);
         let given = match table.take(key) {
             Some(field) => self.draft.pair(&field, "[x, y]")?.map(Some),
             None => [None, None],
@@ -73,7 +75,7 @@ impl Of<'_> {
             (None, None) => None,
             // The other component of a velocity is zero, of a place it is not known.
             (x, y) if key == "velocity" => {
-                let zero = || Expr::zero() * tumble_expr::Unit(dimension);
+                let zero = || Expr::zero() * tumble_expr::Unit(Dimension::SPEED);
                 Some(Vector::planar(x.unwrap_or_else(zero), y.unwrap_or_else(zero)))
             }
             (x, _) => {

@@ -3,23 +3,97 @@
 use tumble_expr::{Dimension, Exponent, Expr, Vector};
 use tumble_mech::{ContactLaw, Friction, Release, Restitution, Surface};
 
+use super::spring::{DAMPING, STIFFNESS};
 use super::{body, each, shape};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::names::Level;
 use crate::quantities;
 use crate::suggest;
 
-const STIFFNESS: Dimension = Dimension::new(0, 1, -2);
-const DAMPING: Dimension = Dimension::new(0, 1, -1);
 /// s/m, of Hunt and Crossley's damping.
 const SLOWNESS: Dimension = Dimension::new(-1, 0, 1);
 
+pub(super) const SAYS: &str = "floors, walls, slopes and bowls, and what they do to what touches them";
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[surface.NAME]", &[&[
+    may("through", Takes::PLACE, "this, `circle` or `polygon`", "[0, 0]",
+        "a point of a plane, `[x, y]`; it may depend on the time"),
+    may("polygon", shape::CORNERS, "this, `through` or `circle`", "[[0, 0], [\"1 m\", 0], [\"1 m\", \"0.5 m\"]]",
+        "corners of a convex polygon that is solid inside, counter-clockwise: `[[x, y], [x, y], [x, y]]`, or more. It is at \
+         rest and rigid"),
+    may("circle", Takes::Table(&CIRCLE), "this, `through` or `polygon`", "{ centre = [0, 0], radius = \"1 m\", inside = true }",
+        "`{ centre = [x, y], radius = \"1 m\", inside = true }`: met from inside, as a bowl is, or from outside \
+         without `inside`; the centre may depend on the time. It is rigid"),
+    may("normal", Takes::Vector(Dimension::NONE), "this or `slope`", "[0, 1]",
+        "out of the solid, `[x, y]` of any length; it may depend on the time"),
+    may("slope", Takes::Angle(Dimension::NONE), "`0`, a floor", "\"30 deg\"",
+        "angle by which it rises to the right; it may depend on the time"),
+    may("rigid", Takes::Table(&RIGID), "one of three", "{ restitution = 0.7 }",
+        "what it does to what touches it: it does not give"),
+    may("spring", Takes::Table(&COMPLIANT), "one of three", "{ stiffness = \"1e4 N/m\", damping = 0 }",
+        "compliant, in proportion to the force"),
+    may("hertz", Takes::Table(&HERTZ), "one of three", "{ stiffness = \"1e6 N/m^(3/2)\", damping = 0 }",
+        "compliant, as one elastic body pressed against another"),
+    may("on", Takes::Either(&[MET, Takes::List(0, Takes::MOST, &MET)]), "all", "\"ball\"",
+        "what meets it: a body, `\"ball\"`, a single point of one, `\"rod.tip\"`, or a list of such"),
+]]).one_of(&[&["through", "circle", "polygon"], &["rigid", "spring", "hertz"]]);
+
+const MET: Takes = Takes::Either(&[Takes::BODY, Takes::POINT]);
+
+#[rustfmt::skip]
+const CIRCLE: Keys = Keys::of("circle", &[&[
+    must("centre", Takes::PLACE, "[0, 0]", "its centre; it may depend on the time"),
+    must("radius", Takes::LENGTH, "\"1 m\"", "a length"),
+    may("inside", Takes::Flag, "`false`", "true", "whether it is met from inside, as a bowl is"),
+]]);
+
+#[rustfmt::skip]
+const RIGID: Keys = Keys::of("rigid", &[
+    &[must("restitution", Takes::PURE, "0.7", "how much of its speed an impact leaves, from 0 to 1")],
+    RUBBING,
+]);
+
+/// Friction and what goes with it, of whatever is rigid.
+#[rustfmt::skip]
+pub(super) const RUBBING: &[Declared] = &[
+    may("friction", Takes::Either(&[Takes::PURE, Takes::Table(&FRICTION)]), "none", "0.3",
+        "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
+    may("law", Takes::Word(&LAWS), "`\"poisson\"`", "\"stronge\"",
+        "what the restitution is the ratio of in an impact with friction: `\"poisson\"` impulses, `\"stronge\"` works, \
+         `\"newton\"` speeds"),
+];
+
+const LAWS: [&str; 3] = ["poisson", "stronge", "newton"];
+
+#[rustfmt::skip]
+const FRICTION: Keys = Keys::of("friction", &[&[
+    must("static", Takes::PURE, "0.4", "greatest friction over the normal force while nothing slips"),
+    must("kinetic", Takes::PURE, "0.3", "friction over the normal force while it slips; not greater"),
+]]);
+
+#[rustfmt::skip]
+const COMPLIANT: Keys = Keys::of("spring of a surface", &[&[
+    must("stiffness", Takes::Quantity(STIFFNESS), "\"1e4 N/m\"", "N/m"),
+    must("damping", Takes::Quantity(DAMPING), "0", "kg/s"),
+    may("release", Takes::Word(&RELEASES), "`\"at zero force\"`", "\"at the surface\"", "when it lets go"),
+]]);
+
+const RELEASES: [&str; 2] = ["at zero force", "at the surface"];
+
+#[rustfmt::skip]
+const HERTZ: Keys = Keys::of("hertz", &[&[
+    must("stiffness", Takes::Formula, "\"1e6 N/m^(3/2)\"", "N/m^(3/2)"),
+    must("damping", Takes::Quantity(SLOWNESS), "0", "s/m"),
+]]);
+
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, surface);
+    each(draft, section, &KEYS, surface);
     quantities::define_contacts(&mut draft.names, &draft.model);
 }
 
@@ -67,7 +141,7 @@ enum Facing {
 /// A plane: a point of it, and where it looks.
 fn plane(draft: &mut Draft, name: &str, table: &mut Table) -> Option<(Vector, Facing)> {
     let through = draft
-        .required(table, "through", "[0, 0]")
+        .required(table, "through")
         .and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
     let facing = facing(draft, name, table);
     Some((through?, facing?))
@@ -97,14 +171,13 @@ fn polygon(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> O
 /// A circle: its centre, and where it looks.
 fn circle(draft: &mut Draft, name: &str, table: &mut Table, field: &Field) -> Option<(Vector, Facing)> {
     refuse_plane(draft, table, field);
-    let mut inner = draft.table(field, field.key.to_owned())?;
-    inner.span = field.span.clone();
-    let centre = draft.required(&mut inner, "centre", "[0, 0]");
+    let mut inner = draft.inline(field, &CIRCLE)?;
+    let centre = draft.required(&mut inner, "centre");
     let centre =
         centre.and_then(|field| draft.vector(&field, Want::constant(Dimension::LENGTH).at(Level::Time)));
-    let radius = draft.coefficient(&mut inner, name, "radius", "\"1 m\"", Dimension::LENGTH);
+    let radius = draft.coefficient(&mut inner, name, "radius");
     let inside = match inner.take("inside") {
-        Some(field) => draft.truth(&field),
+        Some(field) => draft.flag(&field),
         None => Some(false),
     };
     draft.done(inner);
@@ -142,15 +215,17 @@ type Law = (ContactLaw, Option<Friction>);
 /// One of `rigid`, `spring` and `hertz`.
 fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
     type Read = fn(&mut Draft, &str, &mut Table) -> Option<Law>;
-    let laws: [(&str, Read); 3] = [("rigid", rigid), ("spring", spring), ("hertz", hertz)];
-    let given: Vec<_> = laws.into_iter().filter_map(|(key, read)| Some((read, table.take(key)?))).collect();
-    if let [(_, first), (_, second), ..] = &given[..] {
+    let laws: [(&str, &Keys, Read); 3] =
+        [("rigid", &RIGID, rigid), ("spring", &COMPLIANT, spring), ("hertz", &HERTZ, hertz)];
+    let given: Vec<_> =
+        laws.into_iter().filter_map(|(key, keys, read)| Some((keys, read, table.take(key)?))).collect();
+    if let [(.., first), (.., second), ..] = &given[..] {
         let message = format!("`{}` is both `{}` and `{}`", table.title, first.key, second.key);
         let mistake = Diagnostic::new(Code::Exclusive, second.key_span.clone(), message);
         draft.note(mistake.label("a second law").also(first.key_span.clone(), "the first"));
         return None;
     }
-    let Some((read, field)) = given.into_iter().next() else {
+    let Some((keys, read, field)) = given.into_iter().next() else {
         let message = format!("`{}` does not say what it does to what touches it", table.title);
         let mistake = Diagnostic::new(Code::MissingKey, table.span.clone(), message);
         let help = "add `rigid = { restitution = 0.7 }`, `spring = { stiffness = \"1e4 N/m\", damping = 0 }` or \
@@ -158,15 +233,14 @@ fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
         draft.note(mistake.label("rigid or compliant?").help(help));
         return None;
     };
-    let mut inner = draft.table(&field, field.key.to_owned())?;
-    inner.span = field.span.clone();
+    let mut inner = draft.inline(&field, keys)?;
     let law = read(draft, name, &mut inner);
     draft.done(inner);
     law
 }
 
 fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    let restitution = draft.coefficient(table, name, "restitution", "0.7", Dimension::NONE);
+    let restitution = draft.coefficient(table, name, "restitution");
     let friction = rubbing(draft, name, table);
     Some((ContactLaw::Rigid { restitution: restitution? }, friction?))
 }
@@ -194,7 +268,7 @@ pub(super) fn rubbing(draft: &mut Draft, name: &str, table: &mut Table) -> Optio
 
 /// What the restitution is the ratio of.
 fn ratio(draft: &mut Draft, field: &Field) -> Option<Restitution> {
-    Some(match draft.choice(field, &["poisson", "stronge", "newton"])? {
+    Some(match draft.choice(field, &LAWS)? {
         "stronge" => Restitution::Stronge,
         "newton" => Restitution::Newton,
         _ => Restitution::Poisson,
@@ -207,10 +281,9 @@ fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
         draft.remember(format!("friction of `{name}`"), &field.span);
         return draft.number(field, Want::constant(Dimension::NONE)).map(Friction::new);
     }
-    let mut inner = draft.table(field, field.key.to_owned())?;
-    inner.span = field.span.clone();
-    let [of_rest, kinetic] = [("static", "0.4"), ("kinetic", "0.3")].map(|(key, example)| {
-        let own = draft.required(&mut inner, key, example)?;
+    let mut inner = draft.inline(field, &FRICTION)?;
+    let [of_rest, kinetic] = ["static", "kinetic"].map(|key| {
+        let own = draft.required(&mut inner, key)?;
         draft.remember(format!("{key} friction of `{name}`"), &own.span);
         draft.number(&own, Want::constant(Dimension::NONE))
     });
@@ -220,10 +293,10 @@ fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
 }
 
 fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    let stiffness = draft.coefficient(table, name, "stiffness", "\"1e4 N/m\"", STIFFNESS);
-    let damping = draft.coefficient(table, name, "damping", "0", DAMPING);
+    let stiffness = draft.coefficient(table, name, "stiffness");
+    let damping = draft.coefficient(table, name, "damping");
     let release = match table.take("release") {
-        Some(field) => draft.choice(&field, &["at zero force", "at the surface"]),
+        Some(field) => draft.choice(&field, &RELEASES),
         None => Some("at zero force"),
     };
     let release = match release? {
@@ -234,9 +307,10 @@ fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
 }
 
 fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    let dimension = Dimension { length: Exponent::new(-1, 2), ..Dimension::FORCE };
-    let stiffness = draft.coefficient(table, name, "stiffness", "\"1e6 N/m^(3/2)\"", dimension);
-    let damping = draft.coefficient(table, name, "damping", "0", SLOWNESS);
+    let want = Want::constant(Dimension { length: Exponent::new(-1, 2), ..Dimension::FORCE });
+    let stiffness = draft.required(table, "stiffness");
+    let stiffness = stiffness.and_then(|field| draft.constant(name, &field, want));
+    let damping = draft.coefficient(table, name, "damping");
     Some((ContactLaw::Hertz { stiffness: stiffness?, damping: damping? }, None))
 }
 

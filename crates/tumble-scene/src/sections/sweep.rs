@@ -12,6 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, fields};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Declared, Keys, Takes, may, must};
 use crate::names::ACCURACY;
 use crate::printable::one_line;
 use crate::sweep::{Range, SweepAxis, SweepValue, SweepValues, Swept, Written};
@@ -19,6 +20,30 @@ use crate::unit_text::UnitText;
 
 /// More runs than this are a slip of a count.
 const MAX_RUNS: usize = 10_000;
+
+pub(super) const VALUES: Takes = Takes::Either(&[
+    Takes::List(1, Takes::MOST, &Takes::Either(&[Takes::Formula, Takes::Table(&LABELLED)])),
+    Takes::Table(&RANGE),
+]);
+
+#[rustfmt::skip]
+const LABELLED: Keys = Keys::of("value of a sweep", &[&[
+    must("value", Takes::Formula, "\"1 m\"", "a value"),
+    must("label", Takes::Text, "\"..\"", "how figures call it"),
+]]);
+
+#[rustfmt::skip]
+const RANGE: Keys = Keys::of("range of a sweep", &[&[
+    must("from", Takes::Formula, "\"0.5 s\"", "the first value"),
+    must("to", Takes::Formula, "\"4 s\"", "the last value"),
+    must("count", Takes::Count(2, MAX_RUNS), "8", "how many, both ends included"),
+    SPACING,
+]]);
+
+#[rustfmt::skip]
+pub(super) const SPACING: Declared = may("spacing", Takes::Word(&SPACINGS), "`\"linear\"`", "\"log\"",
+    "`\"linear\"`: equal distances, `\"log\"`: equal ratios");
+pub(super) const SPACINGS: [&str; 2] = ["linear", "log"];
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     let Some(table) = section.value.as_table() else { return draft.wrong_type(section, "a section") };
@@ -134,26 +159,25 @@ fn one(draft: &mut Draft, field: &Field, want: Want) -> Option<SweepValue> {
         let text = draft.text(field, want)?.text;
         return Some(SweepValue { value, label: format!("{} = {}", field.key, one_line(&text)) });
     }
-    let mut inner = draft.table(field, field.key.to_owned())?;
-    inner.span = field.span.clone();
+    let mut inner = draft.inline(field, &LABELLED)?;
     let example = format!("\"{}\"", want.example("1"));
-    let value = draft.required(&mut inner, "value", &example).and_then(|field| draft.number(&field, want));
-    let label = draft.required(&mut inner, "label", "\"..\"").and_then(|field| draft.line(&field));
+    let value =
+        draft.required_like(&mut inner, "value", &example).and_then(|field| draft.number(&field, want));
+    let label = draft.required(&mut inner, "label").and_then(|field| draft.line(&field));
     draft.done(inner);
     Some(SweepValue { value: value?, label: label? })
 }
 
 /// `{ from = "0.5 s", to = "4 s", count = 8, spacing = "log" }`
 fn range(draft: &mut Draft, field: &Field, want: Want, known: &Known<'_>) -> Option<Range> {
-    let mut inner = draft.table(field, field.key.to_owned())?;
-    inner.span = field.span.clone();
+    let mut inner = draft.inline(field, &RANGE)?;
     let ends = ["from", "to"].map(|key| {
-        let field = draft.required(&mut inner, key, &format!("\"{}\"", want.example("1")))?;
+        let field = draft.required_like(&mut inner, key, &format!("\"{}\"", want.example("1")))?;
         let unit = field.value.as_str().and_then(UnitText::of);
         Some((draft.number(&field, want)?, unit))
     });
-    let count = draft.required(&mut inner, "count", "8").and_then(|field| count(draft, &field));
-    let spacing = inner.take("spacing").map(|field| draft.choice(&field, &["linear", "log"]));
+    let count = draft.required(&mut inner, "count").and_then(|field| count(draft, &field));
+    let spacing = inner.take("spacing").map(|field| draft.choice(&field, &SPACINGS));
     draft.done(inner);
     let ([Some((from, unit)), Some((to, other))], Some(count)) = (ends, count) else { return None };
     let is_log = match spacing {

@@ -6,8 +6,12 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, fields};
 use crate::draft::Draft;
+use crate::keys::Takes;
 use crate::names::Level;
 use crate::suggest;
+
+/// A name with a dot in it may also be written as tables in tables.
+pub(super) const TAKES: Takes = Takes::Named(&Takes::Either(&[Takes::Text, Takes::Open]));
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     match section.value {

@@ -12,9 +12,25 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::files::{MAX_FILE_BYTES, is_inside};
+use crate::keys::{Keys, Takes, must};
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[table.NAME]", &[&[
+    must("file", Takes::Text, "\"gust.csv\"", "a CSV file in the scene's folder or below it"),
+    must("columns", Takes::Pair(&Takes::Text), "[\"t [s]\", \"w [m/s]\"]",
+        "headers of the variable and of the value: `[\"t [s]\", \"w [m/s]\"]`"),
+    must("interpolation", Takes::Word(&BETWEEN), "\"linear\"",
+        "`\"constant\"`: each value holds up to the next; `\"linear\"`; `\"cubic\"`: the natural spline"),
+    must("outside", Takes::Word(&BEYOND), "\"hold\"",
+        "before the first and after the last value: `\"hold\"` the nearest, `\"zero\"`, or `\"refuse\"` the \
+         motion"),
+]]);
+
+const BETWEEN: [&str; 3] = ["constant", "linear", "cubic"];
+const BEYOND: [&str; 3] = ["hold", "zero", "refuse"];
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    each(draft, section, table);
+    each(draft, section, &KEYS, table);
 }
 
 /// What holds between and outside the measured values is the user's to say: there are no defaults.
@@ -22,12 +38,12 @@ fn table(draft: &mut Draft, field: &Field, table: &mut Table) {
     let claimed = draft.names.claim("a table", field.key, field.key_span.clone());
     let claimed = draft.noted(claimed);
     draft.remember(format!("`{}`", field.key), &field.key_span);
-    let sheet = draft.required(table, "file", "\"gust.csv\"").and_then(|field| sheet(draft, &field));
-    let columns = draft.required(table, "columns", "[\"t [s]\", \"w [m/s]\"]");
+    let sheet = draft.required(table, "file").and_then(|field| sheet(draft, &field));
+    let columns = draft.required(table, "columns");
     let columns = columns.and_then(|field| columns_of(draft, &field, sheet.as_ref()?));
-    let interpolation = draft.required(table, "interpolation", "\"linear\"");
+    let interpolation = draft.required(table, "interpolation");
     let interpolation = interpolation.and_then(|field| between(draft, &field));
-    let outside = draft.required(table, "outside", "\"hold\"").and_then(|field| beyond(draft, &field));
+    let outside = draft.required(table, "outside").and_then(|field| beyond(draft, &field));
     let all = (claimed, sheet, columns, interpolation, outside);
     let measured = match all {
         (Some(()), Some(sheet), Some(columns), Some(interpolation), Some(outside)) => {
@@ -42,7 +58,7 @@ fn table(draft: &mut Draft, field: &Field, table: &mut Table) {
 }
 
 fn between(draft: &mut Draft, field: &Field) -> Option<Interpolation> {
-    Some(match draft.choice(field, &["constant", "linear", "cubic"])? {
+    Some(match draft.choice(field, &BETWEEN)? {
         "constant" => Interpolation::Constant,
         "linear" => Interpolation::Linear,
         _ => Interpolation::Cubic,
@@ -50,7 +66,7 @@ fn between(draft: &mut Draft, field: &Field) -> Option<Interpolation> {
 }
 
 fn beyond(draft: &mut Draft, field: &Field) -> Option<Outside> {
-    Some(match draft.choice(field, &["hold", "zero", "refuse"])? {
+    Some(match draft.choice(field, &BEYOND)? {
         "hold" => Outside::Hold,
         "zero" => Outside::Zero,
         _ => Outside::Refuse,

@@ -5,8 +5,24 @@ use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Origin;
+use crate::keys::{Declared, Takes, may};
 use crate::printable::is_unseen;
 use crate::study::Commentary;
+
+#[rustfmt::skip]
+pub(super) const OF_SCENE: Declared = may("text", Takes::Text, "none", "\"\"\"..\"\"\"",
+    "the problem in words, `\"\"\"` .. `\"\"\"`: it stands in the report. Empty lines part paragraphs; between dollar \
+     signs stand names, as `$theta$`.");
+
+/// What every section has beside its own keys.
+#[rustfmt::skip]
+pub(crate) const KEY: &[Declared] = &[may(
+    "text",
+    Takes::Text,
+    "none",
+    "\"\"\"..\"\"\"",
+    "what the report says of it; empty lines part paragraphs",
+)];
 
 /// At the top of the file.
 pub(super) fn of_scene(draft: &mut Draft, field: &Field) {

@@ -7,17 +7,30 @@ use super::only;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
+use crate::keys::{Keys, Takes, may, must};
+
+#[rustfmt::skip]
+pub(super) const KEYS: Keys = Keys::of("[world]", &[&[
+    must("gravity", Takes::Quantity(Dimension::ACCELERATION), "\"9.81 m/s^2\"`, or without gravity `gravity = \"0 m/s^2\"",
+        "acceleration of free fall; without gravity say `\"0 m/s^2\"`"),
+    may("wind", Takes::Vector(Dimension::SPEED), "still air", "[\"3 m/s\", 0]",
+        "velocity of the air `[x, y]`, a formula of the time `t` and of the place, which is `x` and `y` here"),
+    may("impacts", Takes::Word(&IMPACTS), "`\"simultaneous\"`", "\"sequential\"",
+        "impacts at several points at one instant, of one body or of several that meet: all at once, or \
+         `\"sequential\"`, see [contact](contact.md)"),
+]]);
+
+const IMPACTS: [&str; 2] = ["simultaneous", "sequential"];
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
-    only(draft, section, world);
+    only(draft, section, &KEYS, world);
 }
 
 /// Gravity is never taken for granted: without it, `gravity = "0 m/s^2"` says so.
 fn world(draft: &mut Draft, table: &mut Table) {
     wind(draft, table);
     impacts(draft, table);
-    let example = "\"9.81 m/s^2\"`, or without gravity `gravity = \"0 m/s^2\"";
-    let Some(field) = draft.required(table, "gravity", example) else { return };
+    let Some(field) = draft.required(table, "gravity") else { return };
     let Some(g) = draft.number(&field, Want::constant(Dimension::ACCELERATION)) else { return };
     draft.remember("gravity", &field.span);
     draft.model.gravity = if draft.horizontal { Gravity::Horizontal(g) } else { Gravity::Vertical(g) };
@@ -26,7 +39,7 @@ fn world(draft: &mut Draft, table: &mut Table) {
 /// How one body's impacts at several points at one instant are taken.
 fn impacts(draft: &mut Draft, table: &mut Table) {
     let Some(field) = table.take("impacts") else { return };
-    draft.model.multiple_impacts = match draft.choice(&field, &["simultaneous", "sequential"]) {
+    draft.model.multiple_impacts = match draft.choice(&field, &IMPACTS) {
         Some("sequential") => MultipleImpacts::Sequential,
         _ => MultipleImpacts::Simultaneous,
     };

@@ -10,6 +10,8 @@ use super::markdown;
 const FIRST: &str = "README.md";
 /// The folder of the book, beside that of the scenes.
 const BOOK: &str = "docs";
+/// What reports print, in one document, whose lines are too long for a narrow page: on the site it is the reports themselves.
+const EQUATIONS: &str = "docs/equations.md";
 
 /// What is written in Markdown below the folder that holds the scenes.
 #[derive(Debug, Default)]
@@ -42,7 +44,7 @@ impl Documents {
             if let Ok(text) = fs::read_to_string(root.join(&path)) {
                 let links = markdown::links(&text);
                 let next = links.iter().filter_map(|link| Some(resolved(&path, link)?.0));
-                waiting.extend(next.filter(|path| path.ends_with(".md")));
+                waiting.extend(next.filter(|path| path.ends_with(".md") && path != EQUATIONS));
                 texts.insert(path, text);
             }
         }
@@ -84,6 +86,9 @@ impl Documents {
         let part = part.map(|part| format!("#{part}")).unwrap_or_default();
         if self.texts.contains_key(&path) {
             return Some(self.page_of(&path) + &part);
+        }
+        if path == EQUATIONS {
+            return Some("index.html".to_owned());
         }
         let below = path.strip_prefix(&self.scenes).map(|rest| rest.trim_start_matches('/'));
         match below? {

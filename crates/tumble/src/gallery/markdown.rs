@@ -6,12 +6,12 @@ use std::fs;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
-use pulldown_latex::config::{DisplayMode, RenderConfig};
-use pulldown_latex::{Parser as Latex, Storage, push_mathml};
+use pulldown_latex::config::DisplayMode;
 use tumble_report::site::url;
 
 use super::documents::{Documents, report_page};
 use super::examples::{command, completed};
+use super::formula::mathml;
 
 /// Tags that a text may have; others are shown as they are written.
 const TAGS: [&str; 7] = ["i", "b", "em", "strong", "sub", "sup", "br"];
@@ -133,9 +133,9 @@ impl<'a> Writer<'a> {
             }
             Event::InlineMath(latex) => one(html_of(self.formula(latex, DisplayMode::Inline))),
             Event::DisplayMath(latex) => {
-                // What is too long for a page is scrolled, which no paragraph can be.
+                // A paragraph of its own, in which lines are far apart.
                 let formula = self.formula(latex, DisplayMode::Block);
-                one(html_of(format!("<div class=\"formula\">{formula}</div>")))
+                one(html_of(format!("<div class=\"line\">{formula}</div>")))
             }
             Event::Html(tag) | Event::InlineHtml(tag) => one(html_of(harmless(tag))),
             other => one(other.clone()),
@@ -204,14 +204,7 @@ impl<'a> Writer<'a> {
     /// MathML; what cannot be read stays LaTeX.
     fn formula(&mut self, latex: &str, display_mode: DisplayMode) -> String {
         self.has_formulas = true;
-        let storage = Storage::new();
-        let (mut found, config) = (String::new(), RenderConfig { display_mode, ..RenderConfig::default() });
-        let events: Result<Vec<_>, _> = Latex::new(latex, &storage).collect();
-        let is_read = events.is_ok();
-        match push_mathml(&mut found, Latex::new(latex, &storage), config) {
-            Ok(()) if is_read => found,
-            _ => format!("<code>{}</code>", escape(latex)),
-        }
+        mathml(latex, display_mode).unwrap_or_else(|| format!("<code>{}</code>", escape(latex)))
     }
 }
 
@@ -278,7 +271,9 @@ mod tests {
     fn formulas_are_mathml() {
         let shown = rendered(&Documents::default(), None, "a.md", "$\\frac{a}{b}$ and\n\n$$x^2$$");
         assert!(
-            shown.html.contains("<mfrac>") && shown.html.contains("display=\"block\"") && shown.has_formulas
+            shown.html.contains("<mfrac>")
+                && shown.html.contains("displaystyle=\"true\"")
+                && shown.has_formulas
         );
         assert!(html("$\\nosuchthing{a}$").contains("<code>"));
     }

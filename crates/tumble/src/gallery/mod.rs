@@ -2,6 +2,7 @@
 
 mod documents;
 mod examples;
+mod formula;
 mod markdown;
 
 use std::fs;

@@ -54,18 +54,18 @@ fn list() -> Ending {
     Ending::Success
 }
 
-/// More slips than these make another word.
-const SLIPS: usize = 2;
-
-/// The code fewest slips away, and among those the one that is next in order.
+/// The code fewest slips away, and among those the one that is next in order; its letter may be left out.
 fn nearest(asked: &str) -> Option<&'static str> {
-    let asked = asked.trim().to_uppercase();
-    let number = |code: &str| code.trim_start_matches('E').parse::<i64>().unwrap_or_default();
-    let distance = |code: &str| (number(code) - number(&asked)).abs();
-    let scored = codes().map(|code| (strsim::damerau_levenshtein(code.as_str(), &asked), code.as_str()));
-    let (_, code) =
-        scored.filter(|(slips, _)| *slips <= SLIPS).min_by_key(|(slips, code)| (*slips, distance(code)))?;
-    Some(code)
+    let number = |code: &str| code.trim_start_matches(char::is_alphabetic).parse::<i64>().unwrap_or_default();
+    let digits = asked.trim().trim_start_matches(['e', 'E']);
+    let asked = if digits.starts_with(|c: char| c.is_ascii_digit()) {
+        format!("E{digits}")
+    } else {
+        asked.to_owned()
+    };
+    let mut all: Vec<_> = codes().map(|code| code.as_str()).collect();
+    all.sort_by_key(|code| number(code).abs_diff(number(&asked)));
+    language::nearest(asked.trim(), all)
 }
 
 /// Paragraphs wrapped, examples indented and files named.

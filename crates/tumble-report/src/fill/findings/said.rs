@@ -12,12 +12,18 @@ const READ: usize = 6;
 pub(super) struct Said {
     before: Text,
     value: Text,
+    leads: bool,
 }
 
 impl Said {
     /// `before` ends with its space; a full stop follows.
     pub(super) fn new(before: impl Into<Text>, value: Text) -> Self {
-        Self { before: before.into(), value }
+        Self { before: before.into(), value, leads: false }
+    }
+
+    /// One that says more of the motion than the others.
+    pub(super) fn leading(self) -> Self {
+        Self { leads: true, ..self }
     }
 
     fn has_words_of(&self, other: &Self) -> bool {
@@ -25,7 +31,7 @@ impl Said {
     }
 }
 
-/// The findings of all runs: those that only some of them have, then the others, in the order of the first run that has each.
+/// The findings of all runs: what leads, those that only some of them have, then the others, in the order of the first run that has each.
 pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
     let mut found: Vec<Vec<(&Case, &Said)>> = vec![];
     for (case, said) in runs.iter().flat_map(|(case, all)| all.iter().map(move |said| (*case, said))) {
@@ -38,7 +44,7 @@ pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
         }
     }
     // What runs differ in comes first: a sweep is made for it.
-    found.sort_by_key(|same| same.len() == runs.len());
+    found.sort_by_key(|same| (!same[0].1.leads, same.len() == runs.len()));
     found.iter().map(|same| sentence(same, runs.len())).collect()
 }
 

@@ -93,9 +93,27 @@ function offered(scene, before) {
   const { sections, units, functions } = SETTINGS.words;
   if (/^\s*\[[^\]]*$/.test(line)) return sections;
   const isText = (line.match(/(?<!\\)"/g) ?? []).length % 2 === 1;
-  if (!isText) return [...scene.matchAll(/([\p{L}_]\w*)\s*=/gu)].map((match) => match[1]).concat(line.trim() ? [] : sections);
+  if (!isText) return keys(before);
   const named = [...scene.matchAll(/^\s*\[\w+\.([\w.]+)\]/gm)].map((match) => match[1]);
   const parameters = /^\[parameters\][^\n]*\n([^[]*)/m.exec(scene)?.[1] ?? "";
   const names = [...parameters.matchAll(/^\s*([\p{L}_]\w*)\s*=/gmu)].map((match) => match[1]);
   return /[\d.]\s+$|[*/]$/.test(line) ? [...units, ...names] : [...names, ...named, ...functions, ...units];
+}
+
+/** The keys of the table that this text ends in: of the braces that are still open, else of the section. */
+function keys(before) {
+  const header = [...before.matchAll(/^\s*\[([\w.]+)\]/gm)].at(-1);
+  const text = before.slice(header ? header.index : 0).replace(/"(?:[^"\\\n]|\\.)*"|#.*/g, "");
+  const open = [];
+  for (const [, key, brace] of text.matchAll(/([\p{L}_][\w.]*)\s*=[\s[]*(?=\{)|([{}])/gu)) {
+    if (key) open.next = key.split(".").at(-1);
+    else if (brace === "{") open.push(open.next);
+    else open.next = open.pop();
+  }
+  if (!open.length && !header) return SETTINGS.words.sections;
+  const of = (behind) => SETTINGS.words.keys.filter(([name]) => name === behind).flatMap(([, all]) => all);
+  if (open.length) return of(open.at(-1));
+  const [kind, , ...inner] = header[1].split(".");
+  const within = /^play\.presets/.test(header[1]) ? "[play.presets" : inner.length ? inner.at(-1) : `[${kind}`;
+  return of(within);
 }

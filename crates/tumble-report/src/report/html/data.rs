@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::report::json::{Grid, list, number, object, string};
-use crate::report::picture::Plot;
+use crate::report::picture::Chart;
 use tumble_drawing::axes::Axis;
 use tumble_drawing::curves::{Band, Mark, Series};
 use tumble_drawing::font::Face;
@@ -41,7 +41,7 @@ pub(super) fn label(label: &Label) -> String {
 }
 
 /// A figure of curves.
-pub(super) fn plot_data(plot: &Plot, description: &str) -> String {
+pub(super) fn plot_data(plot: &Chart, description: &str) -> String {
     let figure = &plot.figure;
     let series = figure.series.iter().enumerate().map(|(i, series)| series_data(i, series));
     object([

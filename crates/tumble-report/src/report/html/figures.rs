@@ -4,7 +4,7 @@ use super::data::plot_data;
 use super::inline::{tagged, text};
 use super::motion::{motion_data, still};
 use super::page::Page;
-use crate::report::picture::{Picture, Plot};
+use crate::report::picture::{Chart, Picture};
 use crate::report::prose::Text;
 use tumble_drawing::Animation;
 use tumble_drawing::curves::{CurveFigure, Series};
@@ -32,12 +32,12 @@ impl Page {
     }
 
     /// Curves one below the other.
-    pub(super) fn plots(&mut self, plots: &[Plot]) -> String {
+    pub(super) fn plots(&mut self, plots: &[Chart]) -> String {
         let plots: String = plots.iter().map(|plot| self.plot(plot)).collect();
         tagged("div", "plots", &plots)
     }
 
-    fn plot(&mut self, plot: &Plot) -> String {
+    fn plot(&mut self, plot: &Chart) -> String {
         let description = description(plot);
         let drawing = self.inline(&plot.figure.svg().described(description.clone()));
         self.plots.push(plot_data(plot, &description));
@@ -80,7 +80,7 @@ impl Page {
 }
 
 /// The curves in words.
-pub(in crate::report) fn description(plot: &Plot) -> String {
+pub(in crate::report) fn description(plot: &Chart) -> String {
     if !plot.description.is_empty() {
         return plot.description.clone();
     }

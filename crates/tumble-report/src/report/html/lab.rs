@@ -1,6 +1,7 @@
 //! The panel of a page that plays, the engine and its scripts.
 
 use tumble_expr::language::{BUILTINS, UNITS};
+use tumble_scene::keys;
 
 use crate::report::json::{list, object, string};
 use crate::report::{Lab, live};
@@ -79,8 +80,13 @@ fn data(lab: &Lab) -> String {
 /// What the text of a scene is completed to: the program's own lists.
 fn words() -> String {
     let units = UNITS.iter().map(|unit| string(unit.symbol));
+    let tables = keys::tables().into_iter().map(|(behind, keys)| {
+        let names = keys.iter().map(|key| string(key.name));
+        list([string(&behind), list(names)])
+    });
     object([
-        ("sections", list(tumble_scene::section_words().map(string))),
+        ("sections", list(keys::of_scene().map(|section| string(section.name)))),
+        ("keys", list(tables)),
         ("units", list(units)),
         ("functions", list(BUILTINS.iter().map(|function| string(function.name)))),
     ])

@@ -5,10 +5,10 @@ use crate::report::json::{Grid, list, number, object, string};
 use tumble_drawing::free_body::{NamedPoint, Round, Surface};
 use tumble_drawing::numeral::significant;
 use tumble_drawing::outline::{Outline, Pose};
-use tumble_drawing::stroboscope::Stroboscope;
+use tumble_drawing::stroboscope::StroboscopicPicture;
 use tumble_drawing::svg::Svg;
-use tumble_drawing::track::Track;
-use tumble_drawing::{Animation, LinkKind, Motion, MovingBody, MovingForce, MovingLink};
+use tumble_drawing::track::BodyPath;
+use tumble_drawing::{Animation, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink};
 
 /// Steps over the range of places and of forces: finer than a screen shows.
 const STEPS: f64 = 1e4;
@@ -28,14 +28,18 @@ pub(in crate::report) fn still(animation: &Animation) -> Svg {
     let motion = animation.cases.first();
     let tracks = motion.map(|motion| motion.bodies.iter().map(|b| track(motion, b)).collect());
     let surfaces = motion.map(|motion| motion.surfaces.clone()).unwrap_or_default();
-    let picture = Stroboscope { tracks: tracks.unwrap_or_default(), surfaces, ..Stroboscope::default() };
+    let picture = StroboscopicPicture {
+        tracks: tracks.unwrap_or_default(),
+        surfaces,
+        ..StroboscopicPicture::default()
+    };
     let mut svg = picture.svg().described(description(animation));
     let title = animation.title.to_plain();
     svg.title = if title.is_empty() { "Motion".to_owned() } else { title };
     svg
 }
 
-fn track(motion: &Motion, body: &MovingBody) -> Track {
+fn track(motion: &MovingCase, body: &MovingBody) -> BodyPath {
     let timed = motion.times.iter().zip(&body.poses).map(|(t, pose)| Pose { t: *t, ..*pose });
     let poses: Vec<Pose> = timed.collect();
     let (from, to) =
@@ -43,7 +47,7 @@ fn track(motion: &Motion, body: &MovingBody) -> Track {
     let instant = |i: usize| from + (to - from) * i as f64 / (INSTANTS - 1) as f64;
     let nearest =
         |i: usize| poses.iter().min_by(|a, b| (a.t - instant(i)).abs().total_cmp(&(b.t - instant(i)).abs()));
-    Track {
+    BodyPath {
         label: body.name.clone(),
         shapes: body.outlines.clone(),
         poses: (0..INSTANTS).filter_map(nearest).copied().collect(),
@@ -76,7 +80,7 @@ pub(in crate::report) fn motion(animation: &Animation) -> String {
 
 /// The first case alone, small: no forces, and no more frames than a small picture needs.
 pub(in crate::report) fn living(animation: &Animation) -> String {
-    let case = animation.cases.first().map(|motion| Motion { forces: vec![], ..motion.clone() });
+    let case = animation.cases.first().map(|motion| MovingCase { forces: vec![], ..motion.clone() });
     let small = Animation { cases: case.into_iter().collect(), ..animation.clone() };
     let description = description(&small);
     data_of(&small, &description, LIVING_FRAMES)
@@ -88,7 +92,7 @@ pub(super) fn motion_data(animation: &Animation, description: &str) -> String {
 }
 
 fn data_of(animation: &Animation, description: &str, most: usize) -> String {
-    let frames = |motion: &Motion| frames(motion, animation.cases.len(), most);
+    let frames = |motion: &MovingCase| frames(motion, animation.cases.len(), most);
     object([
         ("title", label(&animation.title)),
         ("description", string(description)),
@@ -98,7 +102,7 @@ fn data_of(animation: &Animation, description: &str, most: usize) -> String {
 }
 
 /// The frames that are kept: evenly spread in time, with both neighbours of every event.
-fn frames(motion: &Motion, cases: usize, most: usize) -> Vec<usize> {
+fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
     let numbers = 1 + 3 * motion.bodies.len() + 4 * (motion.links.len() + motion.forces.len());
     let most = (MOST_NUMBERS / (numbers * cases.max(1))).clamp(LEAST_FRAMES, most);
     let count = motion.times.len();
@@ -116,7 +120,7 @@ fn frames(motion: &Motion, cases: usize, most: usize) -> Vec<usize> {
     kept
 }
 
-fn case(motion: &Motion, frames: &[usize]) -> String {
+fn case(motion: &MovingCase, frames: &[usize]) -> String {
     let times = || frames.iter().map(|i| motion.times[*i]);
     object([
         ("name", label(&motion.name)),
@@ -201,7 +205,7 @@ mod tests {
     fn long_motions_keep_their_ends_and_events() {
         let times: Vec<f64> = (0..100_000).map(|i| f64::from(i) * 1e-4).collect();
         let events = vec![Mark { at: 3.333_35, ..Mark::default() }];
-        let motion = Motion { times, events, ..Motion::default() };
+        let motion = MovingCase { times, events, ..MovingCase::default() };
         let kept = frames(&motion, 2, MOST_FRAMES);
         assert!(kept.len() <= MOST_FRAMES + 3);
         assert!(kept.contains(&0) && kept.contains(&99_999));

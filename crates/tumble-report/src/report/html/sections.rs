@@ -3,10 +3,10 @@
 use super::inline::{block, label, paragraphs, tagged, text};
 use super::page::Page;
 use super::tables::{checks, facts, table, titled_list};
-use crate::report::analyze::{Analyze, Balance, Case, Check};
+use crate::report::analyze::{Analyze, BalancePart, Check, RunAnalysis};
 use crate::report::identify::Identify;
 use crate::report::math::Block;
-use crate::report::model::{BodyModel, Mode, Model};
+use crate::report::model::{BodyModel, ModeEquations, ModelPart};
 use crate::report::rows::{bodies, forces, quantities};
 use crate::report::solve::{Phase, Solve};
 use crate::report::table::Table;
@@ -23,7 +23,7 @@ impl Page {
     }
 
     /// Forces, laws, equations.
-    pub(super) fn model(&mut self, model: &Model) -> String {
+    pub(super) fn model(&mut self, model: &ModelPart) -> String {
         let bodies: String = model.bodies.iter().map(|body| self.body_model(body)).collect();
         let heading = if model.modes.is_empty() { "" } else { "<h3>Equations of motion</h3>\n" };
         let modes = tagged("div", "modes", &model.modes.iter().map(mode).collect::<String>());
@@ -57,7 +57,7 @@ impl Page {
     }
 
     /// Cases as panels; scripts turn them into tabs.
-    fn cases(&mut self, cases: &[Case]) -> String {
+    fn cases(&mut self, cases: &[RunAnalysis]) -> String {
         match cases {
             [] => String::new(),
             [only] => self.case(only, 3),
@@ -68,7 +68,7 @@ impl Page {
         }
     }
 
-    fn panel(&mut self, index: usize, case: &Case) -> String {
+    fn panel(&mut self, index: usize, case: &RunAnalysis) -> String {
         let (number, content) = (index + 1, self.case(case, 5));
         let name = if case.name.is_empty() { format!("Case {number}") } else { label(&case.name) };
         format!(
@@ -78,7 +78,7 @@ impl Page {
     }
 
     /// What belongs to a case, with headings of the given level.
-    fn case(&mut self, case: &Case, level: u8) -> String {
+    fn case(&mut self, case: &RunAnalysis, level: u8) -> String {
         let plots = self.plots(&case.plots);
         let pictures = self.pictures(&case.pictures);
         let balance = case.balance.as_ref().map(|balance| self.balance(balance, level)).unwrap_or_default();
@@ -86,7 +86,7 @@ impl Page {
             .concat()
     }
 
-    fn balance(&mut self, balance: &Balance, level: u8) -> String {
+    fn balance(&mut self, balance: &BalancePart, level: u8) -> String {
         let plots = self.plots(&balance.plots);
         let heading = format!("<h{level}>Energy and momentum balance</h{level}>\n");
         [heading, paragraphs(&balance.intro), tables(&balance.tables), plots].concat()
@@ -101,7 +101,7 @@ fn pair(parts: [String; 2]) -> String {
     }
 }
 
-fn mode(mode: &Mode) -> String {
+fn mode(mode: &ModeEquations) -> String {
     let name = tagged("h4", "", &text(&mode.name));
     tagged("div", "", &[name, tagged("p", "", &text(&mode.holds)), blocks(&mode.equations)].concat())
 }

@@ -3,7 +3,7 @@ use tumble_drawing::curves::{CurveFigure, Mark};
 use tumble_drawing::free_body::{NamedPoint, Surface};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::svg::Svg;
-use tumble_drawing::{Animation, Motion, MovingBody, MovingForce, MovingLink};
+use tumble_drawing::{Animation, MovingBody, MovingCase, MovingForce, MovingLink};
 use tumble_drawing::{Axis, Label};
 use tumble_scene::Play;
 
@@ -26,11 +26,11 @@ fn picture() -> Picture {
     Picture::new(Svg::new(10.0, 10.0, HOSTILE).described(HOSTILE), words()).stored(HOSTILE)
 }
 
-fn plot() -> Plot {
+fn plot() -> Chart {
     let axis = || Axis::new(label(), HOSTILE);
     let mut figure = CurveFigure::new(label(), axis(), axis()).series(label(), vec![[0.0, 1.0], [1.0, 2.0]]);
     figure.marks.push(Mark { at: 0.5, label: label() });
-    Plot { description: HOSTILE.into(), ..Plot::over_time(figure, words()).stored(HOSTILE) }
+    Chart { description: HOSTILE.into(), ..Chart::over_time(figure, words()).stored(HOSTILE) }
 }
 
 fn table() -> Table {
@@ -52,7 +52,7 @@ fn block() -> Block {
     Block { title: words(), lines: vec![formula()], definitions: vec![definition] }
 }
 
-fn motion() -> Motion {
+fn motion() -> MovingCase {
     let body = MovingBody {
         name: label(),
         outlines: vec![Outline::Point([0.0, 0.0])],
@@ -61,7 +61,7 @@ fn motion() -> Motion {
     };
     let force =
         MovingForce { symbol: label(), samples: vec![[[0.0; 2], [1.0, 0.0]]], ..MovingForce::default() };
-    Motion {
+    MovingCase {
         name: label(),
         times: vec![0.0, 1.0],
         bodies: vec![body],
@@ -77,9 +77,9 @@ fn check() -> Check {
     Check { what: words(), expected: words(), found: words(), within: words(), passed: false }
 }
 
-fn case() -> Case {
-    let balance = Balance { intro: vec![words()], tables: vec![table()], plots: vec![plot()] };
-    Case {
+fn case() -> RunAnalysis {
+    let balance = BalancePart { intro: vec![words()], tables: vec![table()], plots: vec![plot()] };
+    RunAnalysis {
         name: label(),
         intro: vec![words()],
         plots: vec![plot()],
@@ -113,7 +113,9 @@ fn hostile() -> Report {
             files: vec![(HOSTILE.into(), HOSTILE.into())],
             set: vec![(HOSTILE.into(), HOSTILE.into())],
             play: Play::default(),
+            templates: vec![(HOSTILE, HOSTILE)],
         }),
+        ways: None,
         identify: Identify {
             intro: vec![words()],
             scene: Some(picture()),
@@ -122,7 +124,7 @@ fn hostile() -> Report {
             initial: vec![quantity()],
             sought: vec![words()],
         },
-        model: Model {
+        model: ModelPart {
             intro: vec![words()],
             assumptions: vec![words()],
             bodies: vec![BodyModel {
@@ -131,7 +133,7 @@ fn hostile() -> Report {
                 forces: vec![force],
                 laws: vec![block()],
             }],
-            modes: vec![Mode { name: words(), holds: words(), equations: vec![block()] }],
+            modes: vec![ModeEquations { name: words(), holds: words(), equations: vec![block()] }],
         },
         solve: Solve {
             intro: vec![words()],
@@ -226,7 +228,7 @@ fn every_figure_has_a_number_and_a_description() {
         Axis::new(Label::symbol("y"), "m"),
     )
     .series(Label::default(), vec![[0.0, 2.0], [1.0, -1.5]]);
-    report.analyze.plots = vec![Plot::over_time(figure, ""); 2];
+    report.analyze.plots = vec![Chart::over_time(figure, ""); 2];
     let html = report.html();
     assert_eq!(html.matches("<figure ").count(), 2);
     assert!(html.contains("aria-labelledby=\"figure-2-title\" aria-describedby=\"figure-2-description\""));

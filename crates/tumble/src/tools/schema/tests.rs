@@ -1,117 +1,9 @@
-//! The schema against the reader: the same keys everywhere, and a misspelt one is caught.
-
-use std::collections::{BTreeMap, BTreeSet};
+//! The schema against scenes: those of the repository are valid, and a misspelt key or a value of another kind is caught.
 
 use serde_json::Value;
 
 use super::super::scaffold::completed;
 use super::schema;
-
-/// A key that no section has, and that none is near to.
-const KEY: &str = "quxquxquxqux";
-
-/// (title of a table in the schema, a scene with the key in such a table)
-const TABLES: &[(&str, &str)] = &[
-    ("[table.NAME]", "[table.gust]\nKEY = 1"),
-    ("[world]", "[world]\ngravity = \"9.81 m/s^2\"\nKEY = 1"),
-    ("[event.NAME]", "[event.apex]\nKEY = 1"),
-    ("action", "[event.apex]\naction = { KEY = 1 }"),
-    ("value of a sweep", "[parameters]\nT = 1\n[sweep]\nT = [{ KEY = 1 }]"),
-    ("range of a sweep", "[parameters]\nT = 1\n[sweep]\nT = { KEY = 1 }"),
-    ("range of a slider", "[parameters]\nT = 1\n[play]\nT = { from = 0, KEY = 1 }"),
-    ("[play.presets.NAME]", "[play.presets.a]\nKEY = 1"),
-    ("[run]", "[run]\nuntil = \"1 s\"\nKEY = 1"),
-    ("end at rest", "[run]\nuntil = { rest = true, at_most = \"1 s\", KEY = 1 }"),
-    ("[equilibrium]", "[equilibrium]\nKEY = 1"),
-    ("[output]", "[output]\nKEY = 1"),
-    ("[plot.NAME]", "[plot.a]\nKEY = 1"),
-    ("labelled formula", "[plot.a]\ny = { KEY = 1 }"),
-    ("[stroboscope.NAME]", "[stroboscope.a]\nKEY = 1"),
-    ("[balance.NAME]", "[balance.a]\nKEY = 1"),
-    ("[free_body.NAME]", "[free_body.a]\nKEY = 1"),
-    ("labelled instant", "[free_body.a]\nat = { KEY = 1 }"),
-    ("[surface.NAME]", "[surface.a]\nKEY = 1"),
-    ("circle", "[surface.a]\ncircle = { KEY = 1 }"),
-    ("[contact.NAME]", "[contact.a]\nKEY = 1"),
-    ("rigid", "[surface.a]\nrigid = { KEY = 1 }"),
-    ("spring of a surface", "[surface.a]\nspring = { KEY = 1 }"),
-    ("hertz", "[surface.a]\nhertz = { KEY = 1 }"),
-    ("[find.NAME]", "[find.a]\nKEY = 1"),
-    ("[check.NAME]", "[check.a]\nKEY = 1"),
-    ("[body.NAME]", "[body.a]\nKEY = 1"),
-    ("part of a body", "[body.a]\nparts = [{ KEY = 1 }]"),
-    ("start", "[body.a]\nstart = { KEY = 1 }"),
-    ("point", "[body.a]\npoint = { KEY = 1 }"),
-    ("rod", "[body.a]\nrod = { KEY = 1 }"),
-    ("disk", "[body.a]\ndisk = { KEY = 1 }"),
-    ("ring", "[body.a]\nring = { KEY = 1 }"),
-    ("ball", "[body.a]\nball = { KEY = 1 }"),
-    ("shell", "[body.a]\nshell = { KEY = 1 }"),
-    ("box", "[body.a]\nbox = { KEY = 1 }"),
-    ("polygon", "[body.a]\npolygon = { KEY = 1 }"),
-    (
-        "friction",
-        "[surface.a]\nthrough = [0, 0]\nrigid = { restitution = 0, friction = { static = 0.4, kinetic = 0.3, KEY = 1 } }",
-    ),
-    ("[pivot.NAME]", "[pivot.a]\nKEY = 1"),
-    ("[pin.NAME]", "[pin.a]\nKEY = 1"),
-    ("end of a joint", "[pin.a]\nbetween = [{ KEY = 1 }, \"rod.tip\"]"),
-    ("[weld.NAME]", "[weld.a]\nKEY = 1"),
-    ("[force.NAME]", "[force.a]\ntorque = \"1 N*m\"\nKEY = 1"),
-    ("place of a force", "[force.a]\non = \"rod\"\nforce = [0, 0]\nat = { KEY = 1 }"),
-    ("[impulse.NAME]", "[impulse.a]\ntorque = \"1 N*m*s\"\nKEY = 1"),
-    ("[drag.NAME]", "[drag.a]\nKEY = 1"),
-    ("[lift.NAME]", "[lift.a]\nKEY = 1"),
-    ("[spring.NAME]", "[spring.a]\nKEY = 1"),
-    ("end of a spring", "[spring.a]\nbetween = [{ KEY = 1 }, \"rod.tip\"]"),
-    ("[damper.NAME]", "[damper.a]\nKEY = 1"),
-    ("[torsion.NAME]", "[torsion.a]\nKEY = 1"),
-];
-
-/// Every table of the schema that has a fixed set of keys, by its title.
-fn closed_tables(schema: &Value) -> BTreeMap<String, BTreeSet<String>> {
-    let (mut found, mut pending) = (BTreeMap::new(), vec![schema]);
-    while let Some(part) = pending.pop() {
-        if part["additionalProperties"] == false {
-            let keys = part["properties"].as_object().expect("keys").keys().cloned().collect();
-            let title = part["title"].as_str().expect("a title").to_owned();
-            // A shape stands in bodies and in their parts, alike.
-            let before = found.insert(title, keys);
-            assert!(before.is_none_or(|before: BTreeSet<String>| found.values().any(|keys| *keys == before)));
-        }
-        pending.extend(part.as_object().into_iter().flat_map(|map| map.values()));
-        pending.extend(part.as_array().into_iter().flatten());
-    }
-    found
-}
-
-/// The keys that the reader says it knows where it refuses one that it does not know.
-fn known_to_the_reader(scene: &str, says: &str) -> BTreeSet<String> {
-    let scene = completed(&scene.replace("KEY", KEY));
-    let mistakes = tumble_scene::read("scene.toml", &scene, &[]).expect_err("an unknown key");
-    let of_key = |message: &str| message.contains(KEY);
-    let mistake = mistakes.list.iter().find(|mistake| of_key(&mistake.message)).expect("the key is noted");
-    let help = mistake.help.as_deref().unwrap_or_default();
-    let list = help.strip_prefix(says).unwrap_or_else(|| panic!("{scene}\n{help}"));
-    list.split('`').skip(1).step_by(2).map(str::to_owned).collect()
-}
-
-#[test]
-fn every_table_has_the_keys_that_the_reader_knows() {
-    let tables = closed_tables(&schema());
-    for (title, scene) in TABLES {
-        let keys = tables.get(*title).unwrap_or_else(|| panic!("the schema has no table `{title}`"));
-        assert_eq!(*keys, known_to_the_reader(scene, "the keys are "), "{title}");
-    }
-    let compared: BTreeSet<_> = TABLES.iter().map(|(title, _)| *title).chain(["a scene"]).collect();
-    assert_eq!(tables.keys().map(String::as_str).collect::<BTreeSet<_>>(), compared);
-}
-
-#[test]
-fn the_sections_are_those_of_the_reader() {
-    let tables = closed_tables(&schema());
-    assert_eq!(tables["a scene"], known_to_the_reader("[KEY.a]\nb = 1", "a scene is made of "));
-}
 
 /// Whether a value is as the schema says, for the keywords that the schema uses.
 fn is_valid(root: &Value, schema: &Value, value: &Value) -> bool {
@@ -128,6 +20,11 @@ fn is_valid(root: &Value, schema: &Value, value: &Value) -> bool {
         "const" => rule == value || rule.as_f64().is_some_and(|rule| Some(rule) == value.as_f64()),
         "enum" => rule.as_array().expect("words").contains(value),
         "anyOf" => rule.as_array().expect("schemas").iter().any(|rule| is_valid(root, rule, value)),
+        "oneOf" => {
+            let one = |rule: &&Value| is_valid(root, rule, value);
+            rule.as_array().expect("schemas").iter().filter(one).count() == 1
+        }
+        "allOf" => rule.as_array().expect("schemas").iter().all(|rule| is_valid(root, rule, value)),
         "items" => value.as_array().is_none_or(|items| items.iter().all(|item| is_valid(root, rule, item))),
         "required" => value.as_object().is_none_or(|map| {
             rule.as_array().expect("keys").iter().all(|key| map.contains_key(key.as_str().expect("a key")))
@@ -144,12 +41,6 @@ fn is_valid(root: &Value, schema: &Value, value: &Value) -> bool {
         }
         "maxItems" => {
             value.as_array().is_none_or(|items| items.len() as u64 <= rule.as_u64().expect("a count"))
-        }
-        "minProperties" => {
-            value.as_object().is_none_or(|map| map.len() as u64 >= rule.as_u64().expect("a count"))
-        }
-        "maxProperties" => {
-            value.as_object().is_none_or(|map| map.len() as u64 <= rule.as_u64().expect("a count"))
         }
         "minimum" => value.as_f64().is_none_or(|number| number >= rule.as_f64().expect("a number")),
         "maximum" => value.as_f64().is_none_or(|number| number <= rule.as_f64().expect("a number")),
@@ -275,6 +166,10 @@ fn values_of_another_type_are_caught() {
         "[body.a]\npoint = {}",
         "[force.a]\non = \"rod\"\nforce = [0, 0]\nat = { body = [0, 0], world = [0, 0] }",
         "[sweep]\na = []",
+        "[drag.a]\nat = \"rod.cm\"\non = \"rod\"",
+        "[surface.a]\nthrough = [0, 0]",
+        "[play.presets.a]\nlabel = \"slow\"",
+        "[stroboscope.a]\nevery = \"1 s\"\ntrace = \"no\"",
     ] {
         assert!(!valid(text), "{text}");
     }

@@ -1,18 +1,20 @@
 //! Choosing places for all labels of a panel together.
 
-use crate::place::{CLEARANCE, Occupancy, lines_cross};
+use super::occupancy::{CLEARANCE, Occupancy, lines_cross};
 use crate::rect::Rect;
-use crate::svg::Element;
+use crate::svg::{Element, line};
 use crate::text::{Label, PlacedText};
-use crate::theme::{Rgb, SMALL};
+use crate::theme::{GREY, Rgb, SMALL};
 
 use super::candidates::{Candidate, anywhere};
-use super::geometry::{Point, gap, length, minus, plus, times};
+use crate::geometry::{Point, gap, length, minus, plus, times};
 
 /// Labels farther than this from what they belong to get a leader, in pixels.
 const LEADER_FROM: f64 = 22.0;
 /// Distance of a leader from what it points at, and from the label, in pixels.
 const LEADER_GAP: f64 = 3.0;
+/// Thickness of leaders.
+const LEADER: f64 = 0.7;
 /// What a leader costs, and each pixel of distance, and each line it crosses.
 const LEADER_COST: f64 = 30.0;
 const DISTANCE_COST: f64 = 0.5;
@@ -81,12 +83,17 @@ pub(crate) struct Placed {
 
 /// Labels with their leaders.
 pub(crate) fn draw_placed(labels: &[Placed]) -> Vec<Element> {
-    let leaders = labels.iter().filter_map(|label| label.leader).map(super::draw::leader);
+    let leaders = labels.iter().filter_map(|label| label.leader).map(leader);
     let text = |label: &Placed| {
         let text = PlacedText::centred(&label.label, &label.place, label.size).colour(label.colour);
         if label.halo { text.halo().element() } else { text.element() }
     };
     leaders.chain(labels.iter().map(text)).collect()
+}
+
+/// The thin line from a label to what it belongs to.
+fn leader([from, to]: [Point; 2]) -> Element {
+    line(from, to).attr("stroke", GREY).attr("stroke-width", LEADER)
 }
 
 /// A place with all that it costs by itself.

@@ -3,7 +3,7 @@
 use crate::rect::Rect;
 
 /// Room kept between a label and anything else, in pixels.
-pub const CLEARANCE: f64 = 3.0;
+pub(crate) const CLEARANCE: f64 = 3.0;
 
 /// What a line under a label costs, compared with a pixel of overlap with another label.
 const LINE_COST: f64 = 60.0;
@@ -14,7 +14,7 @@ const OUTSIDE_COST: f64 = 1e6;
 
 /// The occupied part of a page.
 #[derive(Clone, Debug)]
-pub struct Occupancy {
+pub(crate) struct Occupancy {
     area: Rect,
     boxes: Vec<Rect>,
     lines: Vec<Vec<[f64; 2]>>,
@@ -23,44 +23,44 @@ pub struct Occupancy {
 
 impl Occupancy {
     /// Nothing drawn yet; labels must stay in `area`.
-    pub fn new(area: Rect) -> Self {
+    pub(crate) fn new(area: Rect) -> Self {
         Self { area, boxes: Vec::new(), lines: Vec::new(), faces: Vec::new() }
     }
 
     /// Marks a rectangle as taken.
-    pub fn add_box(&mut self, taken: Rect) {
+    pub(crate) fn add_box(&mut self, taken: Rect) {
         self.boxes.push(taken);
     }
 
     /// Marks a polyline as taken.
-    pub fn add_line(&mut self, line: Vec<[f64; 2]>) {
+    pub(crate) fn add_line(&mut self, line: Vec<[f64; 2]>) {
         self.lines.push(line);
     }
 
     /// Marks the inside of a closed outline as taken; its rim is a line of its own.
-    pub fn add_face(&mut self, corners: Vec<[f64; 2]>) {
+    pub(crate) fn add_face(&mut self, corners: Vec<[f64; 2]>) {
         self.faces.push(corners);
     }
 
     /// Whether nothing drawn so far touches the rectangle.
-    pub fn is_free(&self, place: &Rect) -> bool {
+    pub(crate) fn is_free(&self, place: &Rect) -> bool {
         self.boxes.iter().all(|taken| taken.overlap(place) == 0.0) && self.crossings(place) == 0
     }
 
     /// Whether a line or a point runs through the rectangle.
-    pub fn is_crossed(&self, place: &Rect) -> bool {
+    pub(crate) fn is_crossed(&self, place: &Rect) -> bool {
         self.crossings(place) > 0
     }
 
     /// Line pieces that the straight line from `a` to `b` crosses.
-    pub fn crossed_by(&self, a: [f64; 2], b: [f64; 2]) -> usize {
+    pub(crate) fn crossed_by(&self, a: [f64; 2], b: [f64; 2]) -> usize {
         let pieces = self.lines.iter().flat_map(|line| line.windows(2));
         pieces.filter(|w| lines_cross([a, b], [w[0], w[1]])).count()
     }
 
     /// What it costs to draw over the rectangle: pixels of overlap with
     /// boxes, and as many as seem fair for lines, faces and leaving the area.
-    pub fn burden(&self, place: &Rect) -> f64 {
+    pub(crate) fn burden(&self, place: &Rect) -> f64 {
         let overlap: f64 = self.boxes.iter().map(|taken| taken.overlap(place)).sum();
         let outside = if self.area.encloses(place) { 0.0 } else { OUTSIDE_COST };
         let faces = self.faces.iter().filter(|face| covers(face, place)).count();
@@ -93,14 +93,14 @@ fn is_inside(face: &[[f64; 2]], p: [f64; 2]) -> bool {
 }
 
 /// Whether two pieces of straight lines cross.
-pub fn lines_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+pub(crate) fn lines_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     let side =
         |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
 /// A rectangle whose nearest point lies `reach` from the anchor in `direction`.
-pub fn beside(anchor: [f64; 2], direction: [f64; 2], reach: f64, width: f64, height: f64) -> Rect {
+pub(crate) fn beside(anchor: [f64; 2], direction: [f64; 2], reach: f64, width: f64, height: f64) -> Rect {
     let reach = reach / direction[0].hypot(direction[1]);
     let x = anchor[0] + direction[0] * (reach + width / 2.0);
     let y = anchor[1] + direction[1] * (reach + height / 2.0);

@@ -1,9 +1,9 @@
 //! Places where a label may stand, with what they cost before anything else is known.
 
-use crate::place::beside;
+use super::occupancy::beside;
 use crate::rect::Rect;
 
-use super::geometry::{Point, along, dot, minus, plus, times, turned, unit};
+use crate::geometry::{Point, along, dot, minus, plus, times, turned, unit};
 
 /// Distance of labels from what they belong to, in pixels.
 const DISTANCE: f64 = 5.0;

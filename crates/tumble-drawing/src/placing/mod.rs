@@ -1,0 +1,9 @@
+//! Where labels stand: what is drawn already, where a label may stand, and the choice for all labels of a picture together.
+
+mod candidates;
+mod labels;
+mod occupancy;
+
+pub(crate) use candidates::{Candidate, about_arc, about_arrow, about_point};
+pub(crate) use labels::{Placed, Tag, draw_placed, placed};
+pub(crate) use occupancy::{Occupancy, beside};
