@@ -3,7 +3,7 @@
 //! Sums of multiples, and multiples of sums, are one kernel, in the order in which the tape has them, so that every scalar finds the
 //! same bits as operation by operation; `a |a|` is a square with the sign of its branch; sine and cosine are found in one pass; `k a_k`,
 //! which the functions known by their derivative need, is kept in a row of its own, and so is the square of a length. All else is a kernel
-//! of one operation. A step waits for one coefficient after the other, so what counts is how many kernels stand in a row.
+//! of one operation. What a step takes is the instructions of its kernels, so few of them are fast.
 
 use std::ops::Range;
 

@@ -258,6 +258,7 @@ impl Run {
         let (tracks, refused) = equations.follow(&start, until, accuracy, &mut progress);
         let inputs = start.inputs.clone();
         let run = Self { equations, tracks, inputs, quadrature: None, coarser: None };
+        let run = run.with_contacts_kept(accuracy)?;
         let Some(Refused { mut refusal, motion }) = refused else { return Ok(run) };
         if let Some(reason) = motion.and_then(|motion| run.singular(&motion, &refusal)) {
             refusal.reason = reason;
@@ -283,6 +284,11 @@ impl Run {
             "the bodies come to a singular configuration, in which {joints} can be kept in more than one way: where bars of a loop lie \
              in one line, they may go on either side"
         )))
+    }
+
+    /// The run up to a time, s.
+    pub(crate) fn until(&self, time: f64) -> Self {
+        Self { tracks: self.tracks.until(time), ..self.clone() }
     }
 
     /// Prepares formulas of the motion, accelerations included, to be evaluated at any time.

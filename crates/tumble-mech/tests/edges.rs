@@ -68,6 +68,16 @@ fn happened(run: &Run) -> Vec<(String, f64, bool)> {
     contacts.iter().map(|c| (run.equations.pairs()[c.pair].name.clone(), c.start, c.is_impact)).collect()
 }
 
+/// Bodies without weight of which two meet once.
+fn of_one_hit(bodies: Vec<(Body, Start)>, restitution: f64, until: f64) -> Run {
+    let mut model = model(0.0, bodies);
+    model.contact(BodyContact::of_all("hit", Expr::from(restitution)));
+    let run = run(model, until, 1e-12);
+    let hits = happened(&run);
+    assert_eq!(hits.len(), 1, "{hits:?}");
+    run
+}
+
 /// A ball flies against the side of a free box, above its centre: 1/m_eff = 1/m + 1/M + h^2/I.
 #[test]
 fn a_ball_against_the_face_of_a_box() {
@@ -76,12 +86,8 @@ fn a_ball_against_the_face_of_a_box() {
         (disk("ball", 0.1, m), start([-1.0, h], 0.0, [2.0, 0.0], 0.0)),
         (plate("box", [0.4, 0.6], mass), start([0.0; 2], 0.0, [0.0; 2], 0.0)),
     ];
-    let mut model = model(0.0, bodies);
-    model.contact(BodyContact::of_all("hit", Expr::from(e)));
-    let run = run(model, 1.0, 1e-12);
-    let hits = happened(&run);
-    assert_eq!(hits.len(), 1, "{hits:?}");
-    close(hits[0].1, 0.35, 1e-14);
+    let run = of_one_hit(bodies, e, 1.0);
+    close(happened(&run)[0].1, 0.35, 1e-14);
     let inertia = mass * (0.16 + 0.36) / 12.0;
     let push = (1.0 + e) * 2.0 / (1.0 / m + 1.0 / mass + h * h / inertia);
     let [ball, plate] = [0, 1].map(|body| motion(&run, body, 0.9));
@@ -105,12 +111,8 @@ fn a_corner_against_a_face() {
         (plate("small", [0.2, 0.2], m), start(place, tilt, [2.0, 0.0], 0.0)),
         (plate("large", [0.4, 0.6], mass), start([0.0; 2], 0.0, [0.0; 2], 0.0)),
     ];
-    let mut model = model(0.0, bodies);
-    model.contact(BodyContact::of_all("hit", Expr::from(e)));
-    let run = run(model, 0.3, 1e-12);
-    let hits = happened(&run);
-    assert_eq!(hits.len(), 1, "{hits:?}");
-    close(hits[0].1, 0.25, 1e-13);
+    let run = of_one_hit(bodies, e, 0.3);
+    close(happened(&run)[0].1, 0.25, 1e-13);
     let [own, other] = [m * 0.08 / 12.0, mass * 0.52 / 12.0];
     let push = (1.0 + e) * 2.0 / (1.0 / m + arm[1] * arm[1] / own + 1.0 / mass + h * h / other);
     let [small, large] = [0, 1].map(|body| motion(&run, body, 0.28));
@@ -148,12 +150,8 @@ fn a_ball_against_the_corner_of_a_box() {
         (disk("ball", r, m), start([-1.0, 0.36], 0.0, [2.0, 0.0], 0.0)),
         (plate("box", [0.4, 0.6], mass), start([0.0; 2], 0.0, [0.0; 2], 0.0)),
     ];
-    let mut model = model(0.0, bodies);
-    model.contact(BodyContact::of_all("hit", Expr::from(e)));
-    let run = run(model, 1.0, 1e-12);
-    let hits = happened(&run);
-    assert_eq!(hits.len(), 1, "{hits:?}");
-    close(hits[0].1, (1.0 - 0.28) / 2.0, 1e-14);
+    let run = of_one_hit(bodies, e, 1.0);
+    close(happened(&run)[0].1, (1.0 - 0.28) / 2.0, 1e-14);
     let n = [-0.8, 0.6];
     let inertia = mass * (0.16 + 0.36) / 12.0;
     // From the box's centre to its upper left corner.

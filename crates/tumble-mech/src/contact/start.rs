@@ -2,18 +2,14 @@
 
 use std::collections::HashMap;
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::Expr;
 use tumble_ode::{Cause, Reason};
 
-use crate::body::Body;
-use crate::contact::depth::{Hull, depth};
+use crate::contact::outlines::{Couple, Outlines};
 use crate::contact::pair::{Pair, Rule};
 use crate::equations::Equations;
 use crate::error::ModelError;
-use crate::kinematics::PointRef;
 use crate::mode::Mode;
-use crate::model::Model;
-use crate::surface::Surface;
 
 /// A gap within this many ulps of the lengths it is made of is none: bodies are drawn and placed to touch.
 const TOUCHES: f64 = 64.0 * f64::EPSILON;
@@ -44,7 +40,7 @@ impl Equations {
         })?;
         let mut causes = vec![];
         let mut inside: Vec<ModelError> = vec![];
-        let mut sizes: HashMap<(Rule, usize, Option<usize>), f64> = HashMap::new();
+        let mut sizes: HashMap<Couple, f64> = HashMap::new();
         let mut values = values.into_iter();
         for (index, pair) in self.pairs().iter().enumerate() {
             let mut next = || values.next().unwrap_or(f64::NAN);
@@ -71,28 +67,18 @@ impl Equations {
     /// What starts inside each other of those that meet by edges; `sizes` are the lengths that their places are made of, m.
     fn overlapping(
         &self,
-        sizes: &HashMap<(Rule, usize, Option<usize>), f64>,
+        sizes: &HashMap<Couple, f64>,
         mode: &Mode,
         (states, inputs): (&[f64], &[f64]),
     ) -> Result<Vec<ModelError>, ModelError> {
-        let mut met: Vec<_> = sizes.keys().copied().collect();
+        let mut met: Vec<Couple> = sizes.keys().copied().collect();
         met.sort_unstable();
-        let mut outlines = Outlines::default();
-        for (rule, body, other) in &met {
-            outlines.add(Whose::Body(*body), self.model());
-            outlines.add(second(*rule, *other), self.model());
-        }
+        let outlines = Outlines::of(&met, self.model());
         let values = self.values(&outlines.formulas, mode, 0.0, states, inputs);
         let values = values
             .map_err(|reason| ModelError::Start { body: "surfaces".into(), problem: reason.to_string() })?;
-        let deepest = |(rule, body, other): &(Rule, usize, Option<usize>)| {
-            let own = outlines.hulls(Whose::Body(*body), &values);
-            let others = outlines.hulls(second(*rule, *other), &values);
-            let depths = own.iter().flat_map(|one| others.iter().map(move |other| depth(one, other)));
-            depths.fold(f64::NEG_INFINITY, f64::max)
-        };
         let inside = met.iter().filter_map(|known| {
-            let depth = deepest(known);
+            let depth = outlines.depth(known, &values);
             let pair = self.pairs().iter().find(|pair| (pair.rule, pair.body, pair.other) == *known)?;
             (depth > TOUCHES * sizes[known]).then(|| self.inside(pair, depth))
         });
@@ -115,73 +101,6 @@ impl Equations {
                 depth,
             },
         }
-    }
-}
-
-/// Whose outline.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Whose {
-    Body(usize),
-    Surface(usize),
-}
-
-/// The second of those that meet.
-fn second(rule: Rule, other: Option<usize>) -> Whose {
-    match (rule, other) {
-        (_, Some(other)) => Whose::Body(other),
-        (Rule::Surface(surface), None) => Whose::Surface(surface),
-        (Rule::Bodies(contact), None) => unreachable!("contact {contact} is of two bodies"),
-    }
-}
-
-/// Formulas of the convex figures of which bodies and surfaces are made.
-#[derive(Default)]
-struct Outlines {
-    formulas: Vec<Expr>,
-    /// By owner, of each figure where its formulas begin, the radius last, and how many places it has.
-    of: HashMap<Whose, Vec<(usize, usize)>>,
-}
-
-impl Outlines {
-    fn add(&mut self, whose: Whose, model: &Model) {
-        if self.of.contains_key(&whose) {
-            return;
-        }
-        let figures = match whose {
-            Whose::Body(body) => of_body(&model.bodies[body]),
-            Whose::Surface(surface) => of_surface(&model.surfaces[surface]),
-        };
-        let place = |(places, radius): (Vec<Vector>, Expr)| {
-            let figure = (self.formulas.len(), places.len());
-            self.formulas.extend(places.iter().flat_map(|place| place.components().to_vec()).chain([radius]));
-            figure
-        };
-        let figures = figures.into_iter().map(place).collect();
-        self.of.insert(whose, figures);
-    }
-
-    fn hulls(&self, whose: Whose, values: &[f64]) -> Vec<Hull> {
-        let hull = |(first, count): &(usize, usize)| {
-            let places = values[*first..first + 2 * count].chunks_exact(2).map(|place| [place[0], place[1]]);
-            Hull { places: places.collect(), radius: values[first + 2 * count] }
-        };
-        self.of[&whose].iter().map(hull).collect()
-    }
-}
-
-fn of_body(body: &Body) -> Vec<(Vec<Vector>, Expr)> {
-    let part = |part: &crate::body::Part| {
-        let (places, radius) = part.shape.hull();
-        (body.points_at(&places).iter().map(PointRef::position).collect(), radius)
-    };
-    body.parts.iter().map(part).collect()
-}
-
-fn of_surface(surface: &Surface) -> Vec<(Vec<Vector>, Expr)> {
-    match (&surface.polygon, &surface.circle) {
-        (Some(corners), _) => vec![(corners.clone(), Expr::zero())],
-        (None, Some(circle)) => vec![(vec![surface.through.clone()], circle.radius.clone())],
-        (None, None) => vec![],
     }
 }
 

@@ -46,12 +46,11 @@ impl ZenoSequence<'_> {
         let moving: Vec<usize> = (0..gap.len()).filter(moves).collect();
         let loses = self.restitution.iter().all(|e| *e < 1.0);
         let falls = falls(self.response, self.free, &pushes);
-        let falls = |i: usize| falls[i];
-        let is_low = |i: usize| is_low(gap[i], rate[i], falls(i), self.lowest);
+        let is_low = |i: usize| is_low(gap[i], rate[i], falls[i], self.lowest);
         if moving.is_empty() || !(loses && moving.iter().copied().all(is_low)) {
             return None;
         }
-        let alone = |i: usize| alone(gap[i], rate[i], falls(i), self.restitution[i]);
+        let alone = |i: usize| alone(gap[i], rate[i], falls[i], self.restitution[i]);
         match gap.len() {
             1 => Some(alone(0)),
             _ => self

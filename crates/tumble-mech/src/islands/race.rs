@@ -166,6 +166,15 @@ impl<'a> Race<'a> {
     }
 }
 
+impl Tracks {
+    /// All up to a time, s.
+    pub(crate) fn until(&self, time: f64) -> Self {
+        let mut tracks = self.each().to_vec();
+        cut(&mut tracks, Some(time));
+        Self::new(tracks, false)
+    }
+}
+
 /// The islands of all components count their memory together.
 fn share_memory(components: &mut [Islands<'_>]) {
     let mut all = components.iter_mut().flat_map(|component| &mut component.all);
