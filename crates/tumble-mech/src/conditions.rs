@@ -48,6 +48,8 @@ enum Must {
     Turn,
     /// What a bowl has more of than what moves in it, m.
     LeaveRoom,
+    /// What the shortest side of a polygon, and what is between its sides, has more than rounding, m.
+    HaveSides,
     /// Twice the area of a polygon that goes round counter-clockwise.
     GoRoundLeft,
     /// The least area of the triangles by which a polygon is told to be convex.
@@ -261,6 +263,7 @@ impl Condition {
             }
             _ if !value.is_finite() => Some(ModelError::NotFinite { what: what(), value }),
             Must::LeaveRoom if value <= 0.0 => Some(ModelError::NoRoom { what: what(), less: -value }),
+            Must::HaveSides if value <= 0.0 => Some(ModelError::Flat { what: what() }),
             Must::GoRoundLeft if value < 0.0 => Some(ModelError::Clockwise { what: what() }),
             Must::BeConvex if value < 0.0 => Some(ModelError::NotConvex { what: what() }),
             Must::Turn if value <= 0.0 => Some(ModelError::NoInertia { what: what() }),
@@ -364,12 +367,17 @@ fn of_polygon([owner, name]: [&str; 2], corners: &[Vector]) -> Vec<Condition> {
     };
     let fan: Vec<Expr> = (1..count.saturating_sub(1)).map(|corner| area(0, corner, corner + 1)).collect();
     let Some(whole) = fan.iter().cloned().reduce(|sum, next| sum + next) else { return vec![] };
+    let sides = (0..count).map(|corner| (&corners[(corner + 1) % count] - &corners[corner]).norm());
+    let Some(round) = sides.clone().reduce(|sum, next| sum + next) else { return vec![] };
+    let between = whole.abs() / &round;
+    let narrowest = sides.fold(between, |a, b| Expr::binary(Binary::Min, a, b)) - STRAIGHT * round;
     // It turns left at every corner, and goes round once: all corners are seen one after the other from the first.
     let turns = (0..count).map(|corner| area(corner, corner + 1, corner + 2));
     let least = fan.into_iter().chain(turns).reduce(|a, b| Expr::binary(Binary::Min, a, b));
-    let convex = least.map(|least| of(least + STRAIGHT * whole.abs(), Must::BeConvex));
-    let convex = convex.map(|condition| Condition { follows: true, ..condition });
-    [of(whole, Must::GoRoundLeft)].into_iter().chain(convex).collect()
+    let following = |formula, must| Condition { follows: true, ..of(formula, must) };
+    let sides = following(narrowest, Must::HaveSides);
+    let convex = least.map(|least| following(least + STRAIGHT * whole.abs(), Must::BeConvex));
+    [sides, of(whole, Must::GoRoundLeft)].into_iter().chain(convex).collect()
 }
 
 fn of_interaction(interaction: &dyn Interaction) -> Vec<Condition> {

@@ -282,6 +282,12 @@ pub enum ModelError {
         /// Whose it is.
         what: String,
     },
+    /// The same with nothing inside, or with a side of no length.
+    #[error("corners of the {what} coincide, or all lie in one line, and others meet it by its edges")]
+    Flat {
+        /// Whose it is.
+        what: String,
+    },
     /// The same with its corners clockwise.
     #[error("the corners of the {what} go round clockwise, and others meet it by its edges")]
     Clockwise {
@@ -323,6 +329,7 @@ impl ModelError {
             | Self::NoInertia { what }
             | Self::NoRoom { what, .. }
             | Self::NotConvex { what }
+            | Self::Flat { what }
             | Self::Clockwise { what }
             | Self::CorneredPath { what }
             | Self::StaticBelowKinetic { what, .. }

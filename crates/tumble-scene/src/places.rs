@@ -118,6 +118,9 @@ impl Places {
             ModelError::NotConvex { .. } => about(Code::Value)
                 .label("not convex")
                 .help("make it of convex parts: `parts = [..]` of a body, a surface each of what is fixed"),
+            ModelError::Flat { .. } => about(Code::Value)
+                .label("no area, or a side of no length")
+                .help("list each corner once; what has no area is a `rod` among bodies"),
             ModelError::Clockwise { .. } => {
                 about(Code::Value).label("clockwise").help("list the corners the other way round")
             }
