@@ -321,6 +321,7 @@ fn of_body(body: &Body, pivot: Option<&Pivot>) -> Vec<Condition> {
     }
     let restitution = body.restitution.iter().cloned();
     all.extend(restitution.map(|restitution| of("restitution", restitution, Must::LieWithinOne)));
+    all.extend(of_friction(name, body.friction.as_ref()));
     // Nothing turns what has no moment of inertia by its form; any other is divided by.
     let must = match is_identically_zero(&properties.inertia) || pivot.is_some() {
         true => Must::NotBeNegative("kg m^2"),

@@ -13,7 +13,7 @@
 //! # Checked by
 //! `tests/friction.rs`: stops, break-away, backspin, thresholds of rolling; tests of `contact/routh.rs`.
 
-use tumble_expr::{Expr, is_identically_zero};
+use tumble_expr::{Binary, Expr, is_identically_zero};
 
 /// Dry friction of a rigid surface.
 #[derive(Clone, Debug)]
@@ -22,8 +22,8 @@ pub struct Friction {
     pub of_rest: Expr,
     /// The same while it slips; not greater.
     pub kinetic: Expr,
-    /// What the restitution is the ratio of.
-    pub restitution: Restitution,
+    /// What the restitution is the ratio of; where it is not said here, what others that touch say, and else of impulses.
+    pub restitution: Option<Restitution>,
 }
 
 /// What the restitution e of an impact is the ratio of; without friction at one contact all three are the same.
@@ -42,7 +42,7 @@ impl Friction {
     /// With one coefficient at rest and while it slips.
     pub fn new(coefficient: impl Into<Expr>) -> Self {
         let coefficient = coefficient.into();
-        Self { of_rest: coefficient.clone(), kinetic: coefficient, restitution: Restitution::default() }
+        Self { of_rest: coefficient.clone(), kinetic: coefficient, restitution: None }
     }
 
     /// The coefficients, with what messages call them.
@@ -60,6 +60,16 @@ impl Friction {
 
     /// With another meaning of the restitution.
     pub fn restitution(self, restitution: Restitution) -> Self {
-        Self { restitution, ..self }
+        Self { restitution: Some(restitution), ..self }
+    }
+
+    /// The lesser of two: each coefficient on its own.
+    pub(crate) fn lesser(&self, other: &Self) -> Self {
+        let lesser = |a: &Expr, b: &Expr| Expr::binary(Binary::Min, a.clone(), b.clone());
+        Self {
+            of_rest: lesser(&self.of_rest, &other.of_rest),
+            kinetic: lesser(&self.kinetic, &other.kinetic),
+            restitution: self.restitution.or(other.restitution),
+        }
     }
 }

@@ -96,6 +96,7 @@ impl List {
             self.add(&format!("centre of mass of `{name}`"), centre, Dimension::LENGTH);
         }
         self.add(&format!("restitution of `{name}`"), &body.restitution, Dimension::NONE);
+        self.friction(name, body.friction.as_ref());
     }
 
     fn pivot(&mut self, pivot: &Pivot) {

@@ -34,9 +34,8 @@ impl Plan {
         let title = one_line(title.as_ref());
         let mut draft = Draft::begin(&title, "", &[]);
         draft.names.bodies = model.bodies.iter().map(|body| body.name.clone()).collect();
-        let surfaces = model.surfaces.iter().map(|surface| surface.name.clone());
-        draft.names.surfaces =
-            surfaces.chain(model.contacts.iter().map(|contact| contact.name.clone())).collect();
+        draft.names.surfaces = model.surfaces.iter().map(|surface| surface.name.clone()).collect();
+        draft.names.contacts = model.contacts.iter().map(|contact| contact.name.clone()).collect();
         draft.names.events = model.events.iter().map(|event| event.name.clone()).collect();
         let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
         draft.names.joints = pivots.chain(model.joints.iter().map(|joint| joint.name.clone())).collect();

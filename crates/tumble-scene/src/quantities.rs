@@ -67,15 +67,13 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
         for pair in &of_surface {
             define_pair(names, pair, format!("{}.{}", surface.name, model.bodies[pair.body].name));
         }
-        let sum =
-            |of: fn(&Pair) -> Symbol| of_surface.iter().map(|pair| Expr::from(of(pair))).reduce(|a, b| a + b);
-        if let Some(all) = sum(Pair::force_symbol) {
+        let sum = |of: Vec<Symbol>| of.into_iter().map(Expr::from).reduce(|a, b| a + b);
+        let rough = of_surface.iter().filter(|pair| pair.friction.is_some());
+        if let Some(all) = sum(of_surface.iter().map(|pair| pair.force_symbol()).collect()) {
             names.define(Level::Output, &format!("{}.normal", surface.name), &all);
         }
-        if let Some(all) = sum(Pair::friction_symbol).filter(|_| surface.friction.is_some()) {
+        if let Some(all) = sum(rough.map(|pair| pair.friction_symbol()).collect()) {
             names.define(Level::Output, &format!("{}.friction", surface.name), &all);
-        }
-        if surface.friction.is_some() {
             define_slips(names, &surface.name);
         }
         names.touching.insert(surface.name.clone());

@@ -78,6 +78,22 @@ const MISTAKES: &[Row] = &[
         "leave one of the two out",
     ),
     (
+        "[contact.hits]",
+        "[contact.again]\nbetween = [\"ledge\", \"crate\"]\n[contact.all]\nbetween = [\"ball\", \"crate\", \"ledge\"]\n[contact.hits]",
+        "E0538 all && E0538 hits",
+        "leave one of the two out",
+    ),
+    ("[\"ball\", \"crate\"]", "[\"ledge\", \"bar\"]", "E0538 hits", "add the body to `on`"),
+    ("[\"ball\", \"crate\"]", "[\"ledge\", \"drum\", \"crate\"]", "E0538 hits", "name one surface"),
+    ("[\"ball\", \"crate\"]", "[\"ledgee\", \"crate\"]", "E0520 \"ledgee\"", "ledge"),
+    ("restitution = 0.9", "restitution = 0.9\nfriction = -0.1", "E0530 -0.1", "must not be negative"),
+    (
+        "restitution = 0.9",
+        "restitution = 0.9\nfriction = { static = 0.1, kinetic = 0.2 }",
+        "E0530 0.1",
+        "one number for both",
+    ),
+    (
         "[[0, 0], [\"0.3 m\", 0], [0, \"0.3 m\"]]",
         "[[0, 0], [\"0.3 m\", 0], [\"0.1 m\", \"0.1 m\"], [0, \"0.3 m\"]]",
         "E0530 [[0, 0], [\"0.3 m\", 0], [\"0.1 m\", \"0.1 m\"], [0, \"0.3 m\"]]",
@@ -117,6 +133,32 @@ const MISTAKES: &[Row] = &[
     ("start = { at = [0, \"1 m\"] }", "start = { at = [0, \"0.7 m\"] }", "E0539 start", "m farther apart"),
     ("radius = \"9 m\"", "radius = \"4 cm\"", "E0530 \"4 cm\"", "make the bowl larger"),
 ];
+
+/// Quantities and instants of friction are those of whoever has it: the ball alone on the bowl, the bar alone on the drum.
+#[test]
+fn friction_of_bodies_and_pairs_has_names() {
+    let own = SCENE.replace("restitution = 0.9", "restitution = 0.9\nfriction = 0.1");
+    let own = own
+        .replace("[run]", "[contact.pads]\nbetween = [\"drum\", \"bar\"]\nrigid = { friction = 0.2 }\n[run]");
+    let asks = |that: &str| {
+        let find = format!("[find.asked]\nthat = \"{that}\"\nat = \"1 s\"\n[run]");
+        read("scene.toml", &own.replace("[run]", &find), &[])
+            .map(drop)
+            .map_err(|mistakes| mistakes.to_string())
+    };
+    for known in [
+        "bowl.ball.rim.friction",
+        "bowl.friction",
+        "drum.friction",
+        "drum.bar.side1.friction",
+        "drum.ball.rim.slip",
+    ] {
+        assert_eq!(asks(known), Ok(()), "{known}");
+    }
+    for unknown in ["drum.crate.corner1.friction", "heap.crate.bar.friction"] {
+        assert!(asks(unknown).is_err(), "{unknown}");
+    }
+}
 
 #[test]
 fn mistakes() {

@@ -27,6 +27,7 @@ use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::border::Rim;
 use crate::contact::opposite::Opposite;
+use crate::contact::said::Said;
 use crate::contact::straight::Limit;
 use crate::coordinates::Measure;
 use crate::friction::Friction;
@@ -78,7 +79,7 @@ pub struct Pair {
     pub through: Vector,
     /// Unit vector out of the solid, towards the body; of a circle it has that length where they touch.
     pub normal: Vector,
-    /// What happens where they touch, the body's own restitution included.
+    /// What happens where they touch, by whoever says it.
     pub law: ContactLaw,
     /// Friction along the surface, if it has any.
     pub friction: Option<Friction>,
@@ -93,6 +94,7 @@ impl Pair {
         (surface_index, surface): (usize, &Surface),
         (body_index, body): (usize, &Body),
         (rim, centre): (&Rim, &PointRef),
+        (law, friction): Said,
     ) -> Self {
         let opposite = surface.circle.as_ref().map_or(Opposite::Plane, |circle| {
             Opposite::circle(None, circle.radius.clone(), circle.inside, &rim.radius)
@@ -106,8 +108,8 @@ impl Pair {
             radius: rim.radius.clone(),
             through: surface.through.clone(),
             normal: opposite.normal(centre, &surface.through).unwrap_or_else(|| surface.normal.clone()),
-            law: surface.law.of_body(body.restitution.as_ref()),
-            friction: surface.friction.clone(),
+            law,
+            friction,
             opposite,
             limits: vec![],
         }

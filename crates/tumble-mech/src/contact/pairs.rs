@@ -11,6 +11,7 @@ use crate::contact::border::{Border, Rim};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Rule};
+use crate::contact::said::of_surface_and_body;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -38,7 +39,7 @@ impl Pairs {
         let mut all = vec![];
         for surface in model.surfaces.iter().enumerate() {
             for body in model.bodies.iter().enumerate() {
-                all.extend(of_surface(surface, body, &borders[body.0]));
+                all.extend(of_surface(model, surface, body, &borders[body.0]));
             }
         }
         let contacts = model.contacts.iter().enumerate();
@@ -71,18 +72,19 @@ impl Pairs {
 
 /// All pairs of a body and a surface: planes and bowls are met by circles, others by edges too.
 fn of_surface(
+    model: &Model,
     (index, surface): (usize, &Surface),
     (body_index, body): (usize, &Body),
     border: &Border,
 ) -> Vec<Pair> {
-    let own = surface.met_of(body, border);
+    let (own, said) = (surface.met_of(body, border), of_surface_and_body(model, surface, body));
     let between = || Between {
         name: format!("{}.{}", surface.name, body.name),
         rule: Rule::Surface(index),
         body: body_index,
         other: None,
-        law: surface.law.of_body(body.restitution.as_ref()),
-        friction: surface.friction.clone(),
+        law: said.0.clone(),
+        friction: said.1.clone(),
     };
     match (&surface.polygon, &surface.circle) {
         (Some(corners), _) => between().pairs(&own, &Border::of_polygon(corners)),
@@ -90,7 +92,9 @@ fn of_surface(
             between().pairs(&own, &circle_of_world(&surface.through, &circle.radius))
         }
         _ => {
-            let pair = |rim: &Rim| Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?)));
+            let pair = |rim: &Rim| {
+                Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?), said.clone()))
+            };
             own.rims.iter().filter_map(pair).collect()
         }
     }

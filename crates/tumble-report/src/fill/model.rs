@@ -41,6 +41,14 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
 /// What the laws in use take for granted.
 fn assumptions(study: &Study) -> Vec<Text> {
     let model = &study.model;
+    let (surfaces, contacts) = (model.surfaces.iter(), model.contacts.iter());
+    let of_bodies = model.bodies.iter().any(|body| body.friction.is_some());
+    let of_pairs = contacts.clone().any(|contact| contact.friction.is_some());
+    let is_rough = of_bodies || of_pairs || surfaces.clone().any(|surface| surface.friction.is_some());
+    // Else there is one only who could say it.
+    let is_said_by_several = of_bodies
+        || model.bodies.iter().any(|body| body.restitution.is_some())
+        || contacts.clone().any(|contact| contact.surfaces(model).next().is_some());
     let said = [
         (true, "The bodies are rigid and move in one plane."),
         (
@@ -54,14 +62,18 @@ fn assumptions(study: &Study) -> Vec<Text> {
             "What joins bodies on the way does so in no time: an impact without rebound.",
         ),
         (
-            !model.surfaces.is_empty() && model.surfaces.iter().all(|surface| surface.friction.is_none()),
+            !model.surfaces.is_empty() && !is_rough,
             "Surfaces have no friction: they push along their normals only.",
         ),
         (
-            model.surfaces.iter().any(|surface| surface.friction.is_some()),
+            is_rough,
             "Friction is dry: its coefficients do not depend on the speed, the pressure or the time at rest.",
         ),
-        (model.surfaces.iter().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
+        (
+            is_said_by_several,
+            "Restitution and friction are those said for the pair; where nothing is, a body's own (of two bodies the lesser), else the surface's.",
+        ),
+        (surfaces.clone().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
     ];
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }

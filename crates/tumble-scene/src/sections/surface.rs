@@ -62,12 +62,15 @@ const RIGID: Keys = Keys::of("rigid", &[
 /// Friction and what goes with it, of whatever is rigid.
 #[rustfmt::skip]
 pub(super) const RUBBING: &[Declared] = &[
-    may("friction", Takes::Either(&[Takes::PURE, Takes::Table(&FRICTION)]), "none", "0.3",
+    may("friction", COEFFICIENTS, "none", "0.3",
         "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
     may("law", Takes::Word(&LAWS), "`\"poisson\"`", "\"stronge\"",
         "what the restitution is the ratio of in an impact with friction: `\"poisson\"` impulses, `\"stronge\"` works, \
          `\"newton\"` speeds"),
 ];
+
+/// Of friction.
+pub(super) const COEFFICIENTS: Takes = Takes::Either(&[Takes::PURE, Takes::Table(&FRICTION)]);
 
 const LAWS: [&str; 3] = ["poisson", "stronge", "newton"];
 
@@ -276,7 +279,7 @@ fn ratio(draft: &mut Draft, field: &Field) -> Option<Restitution> {
 }
 
 /// One coefficient, or a static and a kinetic one.
-fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
+pub(super) fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
     if field.value.as_table().is_none() {
         draft.remember(format!("friction of `{name}`"), &field.span);
         return draft.number(field, Want::constant(Dimension::NONE)).map(Friction::new);

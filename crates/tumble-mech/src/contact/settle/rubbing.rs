@@ -7,7 +7,7 @@ use super::{BALANCED, Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::Alike;
+use crate::contact::pair::{Alike, Pair};
 use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::routh::{Refused, Strike};
 use crate::contact::slip::WEDGED;
@@ -29,6 +29,11 @@ const MOST_SEQUENTIAL: usize = 10_000;
 pub(super) struct Rubbing {
     patches: Vec<Patch>,
     found: Pushes,
+}
+
+/// What the restitution of a pair is the ratio of.
+fn law_of(pair: &Pair) -> Restitution {
+    pair.friction.as_ref().and_then(|friction| friction.restitution).unwrap_or_default()
 }
 
 impl Settling<'_> {
@@ -102,7 +107,7 @@ impl Settling<'_> {
             before: [if stands { 0.0 } else { rates[row] }, rates[position]],
             friction: self.touch.slips.friction[slip],
             restitution,
-            law: pair.friction.as_ref().map(|friction| friction.restitution).unwrap_or_default(),
+            law: law_of(pair),
         };
         let struck = strike.resolve().map_err(|refused| self.refused(position, refused))?;
         [all[row], all[position]] = struck.impulse;
@@ -169,8 +174,7 @@ impl Settling<'_> {
 
     fn refuse_other_laws(&self, group: &[usize]) -> Result<(), Reason> {
         let pairs = group.iter().map(|position| &self.equations.pairs()[self.touch.pairs[*position]]);
-        let other = |friction: &crate::Friction| friction.restitution != Restitution::Poisson;
-        match pairs.into_iter().find(|pair| pair.friction.as_ref().is_some_and(other)) {
+        match pairs.into_iter().find(|pair| law_of(pair) != Restitution::Poisson) {
             None => Ok(()),
             Some(pair) => Err(Reason::Model(format!(
                 "`{}` strikes together with others, for which there is Poisson's law alone: write `law = \"poisson\"`, or \
