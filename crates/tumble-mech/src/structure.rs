@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::{Vector, is_identically_zero};
 
 use crate::body::Body;
-use crate::contact::{BodyContact, Feature, moves, restitution_of_bodies};
+use crate::contact::{BodyContact, Feature, moves};
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
@@ -120,8 +120,8 @@ impl<'m> Structure<'m> {
         if path.into_iter().any(|path| path.branches_on(&[time_symbol()])) {
             mistakes.push(ModelError::CorneredPath { what: format!("joint `{}`", joint.name) });
         }
-        let events =
-            joint.from.iter().chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
+        let from = joint.from.iter().filter(|_| joint.captured_by.is_none());
+        let events = from.chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
         mistakes.extend(events.map(|name| ModelError::Unknown { kind: "event", name: name.clone() }));
         mistakes
     }
@@ -192,6 +192,7 @@ impl<'m> Structure<'m> {
         let bodies = names.iter().filter(|name| !self.is_surface(name));
         let mut mistakes: Vec<ModelError> = bodies.filter_map(|name| self.unknown_body(name)).collect();
         mistakes.extend(self.of_surfaces_in(contact));
+        mistakes.extend(of_capture(contact));
         let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
         let twice = names.iter().enumerate().filter(is_again);
         mistakes.extend(twice.map(|(_, name)| {
@@ -205,8 +206,7 @@ impl<'m> Structure<'m> {
         }
         let couples = contact.couples(self.model);
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
-        let silent =
-            couples.iter().find(|couple| restitution_of_bodies(contact, of(couple)).is_none()).map(of);
+        let silent = couples.iter().find(|couple| contact.rebound(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
             let problem =
                 format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
@@ -240,6 +240,13 @@ impl<'m> Structure<'m> {
             let [a, b] = [0, 1].map(|which| &surfaces[which].name);
             wrong(format!("is of two surfaces, `{a}` and `{b}`"), "name one surface, and bodies that meet it")
         });
+        let captures = surfaces.first().filter(|_| contact.captures).map(|surface| {
+            let problem = format!("captures, and `{}` is a surface: only bodies are captured", surface.name);
+            wrong(
+                problem,
+                "write a `[weld.NAME]` with `from`, which an event makes, of the body's point and a place",
+            )
+        });
         let compliant = surfaces.iter().find(|surface| !surface.law.is_rigid()).map(|surface| {
             let problem =
                 format!("is of `{}`, which is compliant: its own law is all there is", surface.name);
@@ -256,7 +263,7 @@ impl<'m> Structure<'m> {
                 "add the body to `on` of the surface",
             )
         });
-        two.into_iter().chain(compliant).chain(apart).collect()
+        two.into_iter().chain(captures).chain(compliant).chain(apart).collect()
     }
 
     /// Two that touch of which two contacts tell.
@@ -325,6 +332,13 @@ impl<'m> Structure<'m> {
 /// A surface or a contact that cannot be.
 fn of_rule(name: &str, problem: String, cure: &'static str) -> ModelError {
     ModelError::Contact { contact: name.to_owned(), problem, cure }
+}
+
+/// What a contact that captures has no use for.
+fn of_capture(contact: &BodyContact) -> Option<ModelError> {
+    let is_told = contact.restitution.is_some() || contact.friction.is_some();
+    let problem = || "captures, and says how bodies rebound or rub: what is captured does neither".to_owned();
+    (contact.captures && is_told).then(|| of_rule(&contact.name, problem(), "leave one of the two out"))
 }
 
 /// Whether a body has a side without thickness, as a rod without radius has.

@@ -30,7 +30,8 @@ pub struct Plan {
 
 impl Plan {
     /// Runs a model from time 0 to `until`, s, a formula of its parameters.
-    pub fn of(title: impl AsRef<str>, model: Model, until: Expr) -> Self {
+    pub fn of(title: impl AsRef<str>, mut model: Model, until: Expr) -> Self {
+        model.add_captures();
         let title = one_line(title.as_ref());
         let mut draft = Draft::begin(&title, "", &[]);
         draft.names.bodies = model.bodies.iter().map(|body| body.name.clone()).collect();

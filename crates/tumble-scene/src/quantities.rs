@@ -94,6 +94,14 @@ pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
     }
 }
 
+/// Gives the welds that contacts make their names: `hits.dart.board.joint.force`.
+pub(crate) fn define_captures(names: &mut Names, model: &Model) {
+    for joint in model.joints.iter().filter(|joint| joint.captured_by.is_some()) {
+        define_joint(names, &joint.name, joint.multipliers());
+        names.happenings.insert(format!("{}.start", joint.name));
+    }
+}
+
 /// Names of one pair; `bodies` is that of all pairs of the same bodies.
 fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
     names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());

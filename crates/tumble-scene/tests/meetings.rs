@@ -77,6 +77,14 @@ const MISTAKES: &[Row] = &[
         "E0538 hits && E0538 hits",
         "leave one of the two out",
     ),
+    ("[\"ball\", \"crate\"]", "[\"ball\", \"crate\"]\ncapture = 1", "E0514 1", "true"),
+    (
+        "[\"ball\", \"crate\"]",
+        "[\"ball\", \"crate\"]\ncapture = true\nrigid = { friction = 0.2 }",
+        "E0538 hits",
+        "leave one of the two out",
+    ),
+    ("[\"ball\", \"crate\"]", "[\"ledge\", \"crate\"]\ncapture = true", "E0538 hits", "[weld.NAME]"),
     (
         "[contact.hits]",
         "[contact.again]\nbetween = [\"ledge\", \"crate\"]\n[contact.all]\nbetween = [\"ball\", \"crate\", \"ledge\"]\n[contact.hits]",

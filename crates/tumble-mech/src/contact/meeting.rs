@@ -26,6 +26,8 @@ pub struct BodyContact {
     pub restitution: Option<Expr>,
     /// Dry friction between them; where it is not given, what those that touch say.
     pub friction: Option<Friction>,
+    /// Whether bodies that meet stick together for good.
+    pub captures: bool,
 }
 
 impl BodyContact {
@@ -37,7 +39,18 @@ impl BodyContact {
 
     /// Of all bodies of a model, but for those that a joint connects, without friction.
     pub fn of_all(name: impl Into<String>, restitution: impl Into<Expr>) -> Self {
-        Self { name: name.into(), between: None, restitution: Some(restitution.into()), friction: None }
+        Self {
+            name: name.into(),
+            between: None,
+            restitution: Some(restitution.into()),
+            friction: None,
+            captures: false,
+        }
+    }
+
+    /// Of all bodies of a model: those that meet stick together for good, as by a weld that begins where they touch.
+    pub fn capturing(name: impl Into<String>) -> Self {
+        Self { name: name.into(), between: None, restitution: None, friction: None, captures: true }
     }
 
     /// The same with friction.
@@ -55,6 +68,16 @@ impl BodyContact {
         let couples =
             bodies.iter().enumerate().flat_map(|(place, one)| rest(place).map(move |other| [*one, other]));
         couples.filter(|[a, b]| a != b && !joined.contains(&[*a.min(b), *a.max(b)])).collect()
+    }
+
+    /// Of two bodies that meet by it.
+    pub(crate) fn name_of(&self, [one, other]: [&Body; 2]) -> String {
+        format!("{}.{}.{}", self.name, one.name, other.name)
+    }
+
+    /// The restitution of two bodies; `None` where nobody says it.
+    pub(crate) fn rebound(&self, bodies: [&Body; 2]) -> Option<Expr> {
+        if self.captures { Some(Expr::zero()) } else { restitution_of_bodies(self, bodies) }
     }
 
     /// The surfaces that it speaks of.
@@ -82,12 +105,12 @@ impl BodyContact {
         let pairs = self.couples(model).into_iter().filter_map(|[one, other]| {
             let bodies = [one, other].map(|body| &model.bodies[body]);
             let between = Between {
-                name: format!("{}.{}.{}", self.name, bodies[0].name, bodies[1].name),
+                name: self.name_of(bodies),
                 rule: Rule::Bodies(index),
                 body: one,
                 other: Some(other),
                 // The model was checked: somebody says how they rebound.
-                law: ContactLaw::Rigid { restitution: restitution_of_bodies(self, bodies)? },
+                law: ContactLaw::Rigid { restitution: self.rebound(bodies)? },
                 friction: friction_of_bodies(self, bodies),
             };
             Some(between.pairs(&borders[one], &borders[other]))
@@ -98,7 +121,8 @@ impl BodyContact {
 
 /// Bodies that a joint connects, the first by index first.
 fn joined(model: &Model) -> HashSet<[usize; 2]> {
-    let ends = model.joints.iter().filter_map(|joint| {
+    let joints = model.joints.iter().filter(|joint| joint.captured_by.is_none());
+    let ends = joints.filter_map(|joint| {
         let mut bodies = joint.bodies().filter_map(|name| model.body_index(name));
         Some([bodies.next()?, bodies.next()?])
     });

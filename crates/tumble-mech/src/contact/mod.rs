@@ -6,6 +6,7 @@
 
 mod between;
 mod border;
+mod capture;
 mod change;
 pub(crate) mod complementarity;
 mod contact_mode;
@@ -41,6 +42,5 @@ pub use meeting::BodyContact;
 pub(crate) use pair::moves;
 pub use pair::{Pair, Rule};
 pub(crate) use pairs::Pairs;
-pub(crate) use said::restitution_of_bodies;
 pub(crate) use slip::WEDGED;
 pub(crate) use watched::Watched;

@@ -8,6 +8,7 @@ use tumble_ode::Direction;
 use crate::body::Body;
 use crate::contact::between::{Between, circle_of_world};
 use crate::contact::border::{Border, Rim};
+use crate::contact::capture::captures;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Rule};
@@ -27,6 +28,8 @@ pub(crate) struct Pairs {
     pub(crate) terms: Vec<Vec<Term>>,
     /// Of those with friction.
     pub(crate) frictions: HashMap<usize, Vec<Term>>,
+    /// The joints that pairs make which capture.
+    pub(crate) captures: HashMap<usize, usize>,
     of_bodies: Vec<Vec<usize>>,
 }
 
@@ -51,7 +54,8 @@ impl Pairs {
         for (index, pair) in all.iter().enumerate() {
             pair.bodies().for_each(|body| of_bodies[body].push(index));
         }
-        Self { all, terms, frictions, of_bodies }
+        let captures = captures(model, &all);
+        Self { all, terms, frictions, captures, of_bodies }
     }
 
     /// Indices of the pairs of which all bodies are among some that are in order.
@@ -108,7 +112,7 @@ impl Equations {
 
     /// Pairs that are apart in a mode.
     pub(crate) fn apart(&self, mode: &Mode) -> Vec<usize> {
-        let own = self.pair_list().among(&mode.bodies).into_iter();
+        let own = self.pairs_among(mode, &mode.bodies).into_iter();
         own.filter(|pair| mode.contact_mode(*pair).is_none()).collect()
     }
 

@@ -138,7 +138,8 @@ impl Equations {
         states: &[f64],
         now: Now<'_>,
     ) -> Result<Touch, Reason> {
-        let all = self.pair_list().among(island);
+        let mut all = self.pair_list().among(island);
+        all.retain(|pair| !self.pair_list().captures.contains_key(pair));
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let tape = self.island_tape(island, mode, &all)?;
@@ -208,7 +209,7 @@ impl Equations {
 
     /// Pairs of bodies that touch or nearly do, whether or not they last.
     pub(crate) fn meeting(&self, mode: &Mode, states: &[f64], now: Now<'_>) -> Result<Vec<usize>, Reason> {
-        let mut pairs = self.pair_list().among(&mode.bodies);
+        let mut pairs = self.pairs_among(mode, &mode.bodies);
         pairs.retain(|pair| self.pairs()[*pair].other.is_some());
         if pairs.is_empty() {
             return Ok(pairs);

@@ -23,6 +23,8 @@ pub(super) const KEYS: Keys = Keys::of("[contact.NAME]", &[&[
     may("rigid", Takes::Table(&RIGID), "bodies' own", "{ restitution = 0.9 }",
         "as of a surface; without `restitution` or `friction` the lesser of the bodies' own counts, and on a surface the body's own, \
          else the surface's"),
+    may("capture", Takes::Flag, "`false`", "true",
+        "`true`: bodies that meet stick together for good, as if welded where they touch; without `rigid`"),
 ]]);
 
 const MET: Takes = Takes::Either(&[Takes::BODY, Takes::SURFACE]);
@@ -44,7 +46,9 @@ const RIGID: Keys = Keys::of("rigid of bodies", &[
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, &KEYS, contact);
+    draft.model.add_captures();
     quantities::define_meetings(&mut draft.names, &draft.model);
+    quantities::define_captures(&mut draft.names, &draft.model);
 }
 
 fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
@@ -52,14 +56,15 @@ fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.remember(format!("contact `{name}`"), &field.key_span);
     let between = draft.required(table, "between");
     let between = between.and_then(|field| between_of(draft, &name, &field));
+    let captures = table.take("capture").map_or(Some(false), |field| draft.flag(&field));
     let law = match table.take("rigid") {
         Some(field) => rigid(draft, &name, &field),
         None => Some((None, None)),
     };
-    let (Some(between), Some((restitution, friction))) = (between, law) else {
+    let (Some(between), Some((restitution, friction)), Some(captures)) = (between, law, captures) else {
         return draft.names.break_name(&name);
     };
-    draft.model.contact(BodyContact { name, between, restitution, friction });
+    draft.model.contact(BodyContact { name, between, restitution, friction, captures });
 }
 
 /// Names of bodies of which every two meet; `None` is all.
