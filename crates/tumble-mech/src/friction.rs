@@ -1,11 +1,14 @@
 //! # Law
 //! Coulomb's dry friction. While the point that touches slips with the rate s along the surface, `F = -mu_k sign(s) N`. While it does
 //! not, F is what keeps it so, as long as `|F| <= mu_s N`. An impact obeys the same with impulses in the place of forces.
+//! Rolling resistance is a couple of the same kind: `C = -d sign(w) N` while the two turn against each other with the rate w, and what keeps
+//! them from it, as long as `|C| <= d N`, while they do not. It acts while a contact lasts; impacts know nothing of it.
 //! # Symbols and units
-//! N normal force (N), F force along the surface (N), mu_s and mu_k static and kinetic coefficient (1), `mu_k <= mu_s`, s (m/s).
+//! N normal force (N), F force along the surface (N), mu_s and mu_k static and kinetic coefficient (1), `mu_k <= mu_s`, s (m/s), C (N m), d
+//! (m), w (rad/s).
 //! # Sign and frame
 //! Along t, the surface's normal turned clockwise by a right angle: to the right on a floor. s is the velocity of the body's material
-//! point less that of the surface's.
+//! point less that of the surface's. C and w are counter-clockwise, those of the body less those of the surface.
 //! # Validity
 //! Rigid bodies. Coefficients do not depend on the speed, the pressure or the time at rest.
 //! # Source
@@ -24,6 +27,8 @@ pub struct Friction {
     pub kinetic: Expr,
     /// What the restitution is the ratio of; where it is not said here, what others that touch say, and else of impulses.
     pub restitution: Option<Restitution>,
+    /// Rolling resistance: greatest couple against rolling over the normal force, m; none where nothing is said.
+    pub rolling: Option<Expr>,
 }
 
 /// What the restitution e of an impact is the ratio of; without friction at one contact all three are the same.
@@ -42,7 +47,7 @@ impl Friction {
     /// With one coefficient at rest and while it slips.
     pub fn new(coefficient: impl Into<Expr>) -> Self {
         let coefficient = coefficient.into();
-        Self { of_rest: coefficient.clone(), kinetic: coefficient, restitution: None }
+        Self { of_rest: coefficient.clone(), kinetic: coefficient, restitution: None, rolling: None }
     }
 
     /// The coefficients, with what messages call them.
@@ -63,6 +68,11 @@ impl Friction {
         Self { restitution: Some(restitution), ..self }
     }
 
+    /// With a rolling resistance, m.
+    pub fn rolling(self, length: impl Into<Expr>) -> Self {
+        Self { rolling: Some(length.into()), ..self }
+    }
+
     /// The lesser of two: each coefficient on its own.
     pub(crate) fn lesser(&self, other: &Self) -> Self {
         let lesser = |a: &Expr, b: &Expr| Expr::binary(Binary::Min, a.clone(), b.clone());
@@ -70,6 +80,10 @@ impl Friction {
             of_rest: lesser(&self.of_rest, &other.of_rest),
             kinetic: lesser(&self.kinetic, &other.kinetic),
             restitution: self.restitution.or(other.restitution),
+            rolling: match (&self.rolling, &other.rolling) {
+                (Some(a), Some(b)) => Some(lesser(a, b)),
+                (a, b) => a.clone().or(b.clone()),
+            },
         }
     }
 }

@@ -30,6 +30,9 @@ pub(crate) struct Pairs {
     pub(crate) frictions: HashMap<usize, Vec<Term>>,
     /// The joints that pairs make which capture.
     pub(crate) captures: HashMap<usize, usize>,
+    /// What stands for the rolling resistance of pairs, behind all of them, and of which pair each of these is.
+    pub(crate) rolling: HashMap<usize, usize>,
+    pub(crate) owner: HashMap<usize, usize>,
     of_bodies: Vec<Vec<usize>>,
 }
 
@@ -47,15 +50,21 @@ impl Pairs {
         }
         let contacts = model.contacts.iter().enumerate();
         all.extend(contacts.flat_map(|(index, contact)| contact.pairs(index, model, &borders)));
-        let terms = all.iter().map(Pair::terms).collect();
-        let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
-        let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
         let mut of_bodies = vec![vec![]; model.bodies.len()];
         for (index, pair) in all.iter().enumerate() {
             pair.bodies().for_each(|body| of_bodies[body].push(index));
         }
+        let resisting: Vec<(usize, Pair)> =
+            all.iter().enumerate().filter_map(|(index, pair)| Some((index, pair.rolling()?))).collect();
+        let rolling: HashMap<usize, usize> =
+            resisting.iter().zip(all.len()..).map(|((index, _), rolling)| (*index, rolling)).collect();
+        let owner = rolling.iter().map(|(index, rolling)| (*rolling, *index)).collect();
+        all.extend(resisting.into_iter().map(|(_, pair)| pair));
+        let terms = all.iter().map(Pair::terms).collect();
+        let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
+        let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
         let captures = captures(model, &all);
-        Self { all, terms, frictions, captures, of_bodies }
+        Self { all, terms, frictions, captures, rolling, owner, of_bodies }
     }
 
     /// Indices of the pairs of which all bodies are among some that are in order.
@@ -66,6 +75,11 @@ impl Pairs {
         pairs.sort_unstable();
         pairs.dedup();
         pairs
+    }
+
+    /// What has friction, or resists rolling, of a pair.
+    pub(crate) fn rubbing(&self, pair: usize) -> impl Iterator<Item = usize> {
+        [Some(pair), self.rolling.get(&pair).copied()].into_iter().flatten()
     }
 
     /// Indices of a body's pairs.

@@ -43,9 +43,10 @@ pub(super) fn friction_of_bodies(contact: &BodyContact, [one, other]: [&Body; 2]
     first([contact.friction.as_ref(), own.as_ref()])
 }
 
-/// The first that is there, with the first meaning of a restitution that any of them has.
+/// The first that is there, with the first meaning of a restitution and the first rolling resistance that any of them has.
 fn first<const N: usize>(said: [Option<&Friction>; N]) -> Option<Friction> {
     let said = || said.into_iter().flatten();
     let restitution = said().find_map(|friction| friction.restitution);
-    Some(Friction { restitution, ..said().next()?.clone() })
+    let rolling = said().find_map(|friction| friction.rolling.clone());
+    Some(Friction { restitution, rolling, ..said().next()?.clone() })
 }

@@ -15,7 +15,7 @@ use crate::contact::settle::BALANCED;
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
-use crate::link::{InstantTape, Measured};
+use crate::link::{InstantTape, Measured, Slipping};
 use crate::mode::Mode;
 use crate::restrained::{Gradients, respond};
 
@@ -149,7 +149,8 @@ impl Equations {
         let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
         let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
         let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
-        let (rows, slips) = (read.rows(), Slips::read(&tape.slips, |output| jets.value_of(output)));
+        let (rows, slips) =
+            (read.rows(), Slips::read(&tape.slips, &self.pair_list().owner, |output| jets.value_of(output)));
         let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
@@ -198,8 +199,10 @@ impl Equations {
         let near: Vec<usize> = (0..all.len()).filter(is_near).collect();
         let tape = read.tape;
         let places: HashMap<usize, usize> = near.iter().copied().zip(0..).collect();
-        let slips =
-            tape.slips.iter().filter_map(|(position, slip)| Some((*places.get(position)?, slip.clone())));
+        let slips = tape
+            .slips
+            .iter()
+            .filter_map(|slip| Some(Slipping { position: *places.get(&slip.position)?, ..slip.clone() }));
         let slips = slips.collect();
         let pairs = near.iter().map(|position| tape.pairs[*position].clone()).collect();
         let near = near.into_iter().map(|position| all[position]).collect();
@@ -305,7 +308,7 @@ impl Numbers<'_> {
 
     /// Slopes of all gaps' rates, then of those along surfaces.
     fn rows(&self) -> DMatrix<f64> {
-        let along = self.tape.slips.iter().map(|(_, slip)| slip);
+        let along = self.tape.slips.iter().map(|slip| &slip.row);
         self.gradients(self.tape.pairs.iter().chain(along)).dense()
     }
 
