@@ -110,7 +110,7 @@ impl Names {
             _ if of_body && ACCELERATIONS.contains(&last) => Some(Level::Output),
             _ if of_body => Some(Level::Motion),
             _ if self.joints.iter().any(|joint| joint == first_word(name)) => Some(Level::Output),
-            _ if of_surface && matches!(last, "normal" | "friction") => Some(Level::Output),
+            _ if of_surface && matches!(last, "normal" | "friction" | "rolling") => Some(Level::Output),
             _ if of_surface && matches!(last, "gap" | "slip") => Some(Level::Motion),
             _ => None,
         }

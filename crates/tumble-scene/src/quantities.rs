@@ -61,7 +61,9 @@ fn define_points(names: &mut Names, body: &Body) {
 /// Gives what may touch its names: `floor.rod.tip.gap`, `.normal`, with friction `.friction` and `.slip`, and `floor.normal` and
 /// `floor.friction` for all forces together.
 pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
-    let pairs = model.pairs();
+    let (pairs, resisting): (Vec<Pair>, Vec<Pair>) =
+        model.pairs().into_iter().partition(|pair| !pair.is_rolling());
+    define_resistances(names, model, &resisting);
     for (index, surface) in model.surfaces.iter().enumerate() {
         let of_surface: Vec<&Pair> = pairs.iter().filter(|pair| pair.rule == Rule::Surface(index)).collect();
         for pair in &of_surface {
@@ -82,7 +84,10 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
 
 /// The same for bodies that meet each other: `balls.red.white.gap`.
 pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
-    for pair in model.pairs() {
+    let (pairs, resisting): (Vec<Pair>, Vec<Pair>) =
+        model.pairs().into_iter().partition(|pair| !pair.is_rolling());
+    define_resistances(names, model, &resisting);
+    for pair in pairs {
         let (Rule::Bodies(contact), Some(other)) = (pair.rule, pair.other) else { continue };
         let contact = &model.contacts[contact].name;
         let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
@@ -113,6 +118,23 @@ fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
         names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
     }
     names.touching.extend([pair.name.clone(), bodies]);
+}
+
+/// Names couples against rolling, `floor.ball.rim.rolling`, and the instants at which what rolls stops or begins to.
+fn define_resistances(names: &mut Names, model: &Model, resisting: &[Pair]) {
+    for pair in resisting {
+        let couple = pair.rolling_couple().unwrap_or_else(Expr::zero);
+        names.define(Level::Output, &format!("{}.rolling", pair.name), &couple);
+        let bodies = pair.bodies().map(|body| model.bodies[body].name.as_str());
+        let rule = match pair.rule {
+            Rule::Surface(surface) => &model.surfaces[surface].name,
+            Rule::Bodies(contact) => &model.contacts[contact].name,
+        };
+        let all = [rule.as_str()].into_iter().chain(bodies).collect::<Vec<_>>().join(".");
+        for place in [rule, &all, &pair.name] {
+            names.happenings.extend(Change::OF_ROLLING.map(|change| format!("{place}.{}", change.word())));
+        }
+    }
 }
 
 /// Names the instants at which what touches there begins to slide, to stick or to roll: `floor.ball.rolls`.

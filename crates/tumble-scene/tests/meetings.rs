@@ -68,6 +68,15 @@ fn everything_is_read() {
 const MISTAKES: &[Row] = &[
     ("friction = 0.6", "friction = -0.6", "E0530 -0.6", "must not be negative"),
     ("kinetic = 0.3", "kinetic = 0.5", "E0530 0.4", "one number for both"),
+    ("friction = 0.6", "friction = 0.6, rolling = \"-1 mm\"", "E0530 \"-1 mm\"", "must not be negative"),
+    ("friction = 0.6", "friction = 0.6, rolling = 0.1", "E0516 0.1", "m"),
+    ("friction = 0.6", "rolling = \"1 mm\"", "E0519 rolling", "add `friction"),
+    (
+        "friction = 0.6",
+        "friction = 0.6, rolling_resistance = \"1 mm\"",
+        "E0511 rolling_resistance",
+        "rolling = ",
+    ),
     ("restitution = 0.2", "restitution = 1.2", "E0530 1.2", "between 0 and 1"),
     ("[\"ball\", \"crate\"]", "[\"ball\", \"crater\"]", "E0520 \"crater\"", "crate"),
     ("[\"ball\", \"crate\"]", "[\"ball\", \"ball\"]", "E0519 \"ball\"", "name each of them once"),

@@ -290,6 +290,11 @@ impl Pair {
         is_round.then(|| Self { friction: Some(friction), lever: Some(lever), ..self.clone() })
     }
 
+    /// The couple against rolling, N m, of what stands for that.
+    pub fn rolling_couple(&self) -> Option<Expr> {
+        self.lever.as_ref().map(|lever| lever * Expr::from(self.friction_symbol()))
+    }
+
     /// Whether it stands for a rolling resistance.
     pub fn is_rolling(&self) -> bool {
         self.lever.is_some()
@@ -347,7 +352,7 @@ impl Pair {
 
     /// Stands for the force along the surface, N, or for a couple against rolling over its [`Self::lever`].
     pub fn friction_symbol(&self) -> Symbol {
-        let what = if self.is_rolling() { "rolling" } else { "friction" };
+        let what = if self.is_rolling() { "rolling_force" } else { "friction" };
         Symbol::new(format!("{}.{what}", self.name), Dimension::FORCE)
     }
 

@@ -130,6 +130,11 @@ impl Equations {
         own.filter(|pair| mode.contact_mode(*pair).is_none()).collect()
     }
 
+    /// What stands for the rolling resistance of a pair, by index, if it has any.
+    pub fn resisting(&self, pair: usize) -> Option<usize> {
+        self.pair_list().rolling.get(&pair).copied()
+    }
+
     /// What is watched of the pairs that touch: its guards come after those of the events.
     pub(crate) fn touching(&self, mode: &Mode) -> Vec<(usize, Watched, Direction)> {
         let watched = |(pair, contact_mode): &(usize, ContactMode)| -> Vec<(usize, Watched, Direction)> {

@@ -43,8 +43,11 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
     for (index, contact_mode) in &mode.contacts {
         let pair = &equations.pairs()[*index];
-        let (verb, to, point) =
-            (verb(*contact_mode, mode.grip(*index), pair), against(study, pair), point(study, pair));
+        let (verb, to, point) = (
+            verb(*contact_mode, grip(equations, mode, *index), pair),
+            against(study, pair),
+            point(study, pair),
+        );
         match groups.iter_mut().find(|(known, other, _)| *known == verb && *other == to) {
             Some((.., points)) => points.push(point),
             None => groups.push((verb, to, vec![point])),
@@ -82,6 +85,13 @@ fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
         [(word, _)] => format!("{all} contacts {word}"),
         _ => format!("{all} contacts: {}", each.join(", ")),
     }]
+}
+
+/// How a contact is held along its surface; what does not turn either does not roll.
+fn grip(equations: &Equations, mode: &Mode, pair: usize) -> Option<Grip> {
+    let own = mode.grip(pair);
+    let rests = equations.resisting(pair).and_then(|rolling| mode.grip(rolling)).is_some_and(Grip::is_still);
+    if rests && own.is_none_or(Grip::is_still) { None } else { own }
 }
 
 fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
@@ -168,6 +178,8 @@ fn changes(change: Change) -> &'static str {
         Change::Start => "begins to touch",
         Change::End => "leaves",
         Change::Slides => "begins to slide on",
+        Change::Stops => "stops turning on",
+        Change::Turns => "begins to turn on",
         Change::Sticks => "sticks to",
         Change::Rolls => "begins to roll on",
         Change::Clear => "is out of",

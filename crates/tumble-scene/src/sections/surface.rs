@@ -64,6 +64,8 @@ const RIGID: Keys = Keys::of("rigid", &[
 pub(super) const RUBBING: &[Declared] = &[
     may("friction", COEFFICIENTS, "none", "0.3",
         "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
+    may("rolling", Takes::LENGTH, "none", "\"1 mm\"",
+        "rolling resistance, a length: the couple against rolling is at most so much times the normal force; with `friction`"),
     may("law", Takes::Word(&LAWS), "`\"poisson\"`", "\"stronge\"",
         "what the restitution is the ratio of in an impact with friction: `\"poisson\"` impulses, `\"stronge\"` works, \
          `\"newton\"` speeds"),
@@ -250,8 +252,23 @@ fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
 
 /// Friction of a rigid contact, if it has any, and what its restitution is the ratio of.
 pub(super) fn rubbing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Friction>> {
-    let meaning = table.take("law");
+    let (meaning, rolling) = (table.take("law"), table.take("rolling"));
     let friction = table.take("friction").map(|field| friction(draft, name, &field));
+    if let (None, Some(field)) = (&friction, &rolling) {
+        let message = format!("`{name}` resists rolling, but has no `friction`");
+        let help = "what rolls is held by friction: add `friction = 0.5`, or `friction = 0` where bodies have their own";
+        let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
+        draft.note(mistake.label("nothing rolls here").help(help));
+        return None;
+    }
+    let friction = match rolling {
+        Some(field) => {
+            draft.remember(format!("rolling resistance of `{name}`"), &field.span);
+            let length = draft.number(&field, Want::constant(Dimension::LENGTH));
+            friction.map(|friction| Some(friction?.rolling(length?)))
+        }
+        None => friction,
+    };
     Some(match (friction, &meaning) {
         (Some(friction), None) => Some(friction?),
         (Some(friction), Some(field)) => {

@@ -115,6 +115,7 @@ pub(super) const KEYS: &[(&str, &[Row])] = &[
         "rigid",
         &[
             (&["e", "bounce", "coefficient"], "write `restitution = 0.8`"),
+            (&["rolling_resistance", "rolling_friction"], "write `rolling = \"1 mm\"`, a length"),
             (
                 &[
                     "mu",

@@ -98,6 +98,7 @@ fn name_of(study: &Study, name: &str, one: &Contribution) -> String {
     match (one.law, one.kind) {
         (Some(Law::Friction), Kind::Impact) => format!("Friction of {surface} in impacts of {body}"),
         (Some(Law::Friction), _) => format!("Friction of {surface} on {body}"),
+        (Some(Law::Rolling), _) => format!("Rolling resistance of {surface} on {body}"),
         (Some(Law::Contact), Kind::Impact) => format!("The normal force of {surface} in impacts of {body}"),
         (Some(Law::Contact), Kind::Work) => format!("{surface} on {body}"),
         _ => name.to_owned(),
