@@ -16,7 +16,6 @@ pub mod gif;
 pub mod heading;
 pub mod legend;
 pub mod map;
-pub mod numeral;
 pub mod outline;
 mod placing;
 #[cfg(feature = "png")]

@@ -1,6 +1,7 @@
 //! Labels: text with italics, subscripts and superscripts, measured and drawn.
 
-use tumble_notation::{Identifier, is_quantity};
+use tumble_notation::numeral::Numeral;
+use tumble_notation::{Identifier, is_letter};
 
 use crate::font::{self, Face};
 use crate::rect::Rect;
@@ -62,6 +63,16 @@ pub struct Label {
     pub runs: Vec<Run>,
 }
 
+impl From<Numeral> for Label {
+    fn from(Numeral { digits, power }: Numeral) -> Self {
+        let digits = Self::plain(&digits);
+        match power {
+            Some(power) => digits.then(Self::power_of_ten(power)),
+            None => digits,
+        }
+    }
+}
+
 impl Label {
     /// Upright text, as it is.
     pub fn plain(text: &str) -> Self {
@@ -72,15 +83,13 @@ impl Label {
     /// subscript 1; words of more than two letters stay upright.
     pub fn symbol(name: &str) -> Self {
         let identifier = Identifier::parse(name);
-        let subscript = identifier.subscript_text();
         let face = |italic: bool| if italic { Face::Italic } else { Face::Regular };
-        let faces =
-            [identifier.is_italic(), is_quantity(&subscript) && subscript.chars().count() == 1].map(face);
-        Self::default().with(&identifier.head, faces[0], Level::Base).with(
-            &subscript,
-            faces[1],
-            Level::Subscript,
-        )
+        let label = Self::default().with(&identifier.head, face(identifier.is_italic()), Level::Base);
+        identifier.subscript.iter().enumerate().fold(label, |label, (index, part)| {
+            let comma = if index == 0 { "" } else { "," };
+            let face = face(is_letter(part));
+            label.with(comma, Face::Regular, Level::Subscript).with(part, face, Level::Subscript)
+        })
     }
 
     /// The label of a scene's name such as `rod.angle`: the symbol that
@@ -132,6 +141,16 @@ impl Label {
         pieces.iter().enumerate().fold(Self::default(), |label, (i, piece)| {
             label.then(if i % 2 == 1 { Self::symbol(piece) } else { Self::plain(piece) })
         })
+    }
+
+    /// A number rounded to at most so many significant digits, for instance `1.25` or `3×10⁻⁷`.
+    pub fn number(value: f64, digits: usize) -> Self {
+        Numeral::significant(value, digits).into()
+    }
+
+    /// A number with all its digits.
+    pub fn exact(value: f64) -> Self {
+        Numeral::exact(value).into()
     }
 
     /// A power of ten with a multiplication sign, `×10⁻³`.

@@ -8,10 +8,10 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use crate::numeral::{decimal, round_decimal};
 use crate::scale::Range;
 use crate::text::Label;
 use crate::units::MINUS;
+use tumble_notation::numeral::{decimal, round_decimal};
 
 /// Fewest and most labelled ticks of an axis.
 const COUNTS: RangeInclusive<usize> = 3..=10;

@@ -1,7 +1,6 @@
 //! A scene in words, for those who cannot see it.
 
 use super::{SceneBody, SceneDrawing};
-use crate::numeral::significant;
 use crate::scene_drawing::LinkKind;
 use crate::text::Label;
 
@@ -60,7 +59,7 @@ fn name(label: &Label, otherwise: &str) -> String {
 }
 
 fn number(value: f64) -> String {
-    significant(value, DIGITS).to_plain()
+    Label::number(value, DIGITS).to_plain()
 }
 
 fn pair([x, y]: [f64; 2]) -> String {

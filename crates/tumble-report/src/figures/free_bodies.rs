@@ -52,7 +52,8 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Shee
 }
 
 /// What a sheet shows, in words: whose forces, and what the letters mean that are not forces.
-pub(crate) fn caption(sheet: &Sheet, body: &str) -> Label {
+pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
+    let velocity = symbols::velocity(study, body);
     let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
     let is_impulse = any(&|panel| panel.unit == tumble_drawing::free_body::Unit::impulse());
@@ -64,7 +65,7 @@ pub(crate) fn caption(sheet: &Sheet, body: &str) -> Label {
             "torque about the centre of mass, counter-clockwise positive",
         ),
         (is_impulse, "J", "impulse of an instant"),
-        (has("V"), "V", "velocity of the centre of mass"),
+        (has(&velocity), &*velocity, "velocity of the centre of mass"),
         (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
         (has("u"), "u", "velocity of the air past the point where it acts"),
     ];
@@ -136,7 +137,11 @@ impl Drawing<'_> {
         let formulas = [motion.velocity().components(), &[motion.omega()]].concat();
         let values = self.run.observe(&formulas)?.at(time, Side::After).unwrap_or(vec![0.0; 3]);
         let least = AT_REST * self.study.number(&body.reach())?;
-        let velocity = Velocity::new("V", panel.pose.centre(), [values[0], values[1]]);
+        let velocity = Velocity::new(
+            &symbols::velocity(self.study, &body.name),
+            panel.pose.centre(),
+            [values[0], values[1]],
+        );
         let panel = if size(velocity.vector) > least { panel.velocity(velocity) } else { panel };
         Ok(FreeBodyDiagram { rate: (values[2].abs() > AT_REST).then_some(values[2]), ..panel })
     }

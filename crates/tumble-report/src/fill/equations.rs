@@ -45,7 +45,17 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
             equations: blocks,
         }
     });
-    shown.collect()
+    shown.fold(vec![], told_once)
+}
+
+/// Modes of the same equations are told together.
+fn told_once(mut told: Vec<ModeEquations>, next: ModeEquations) -> Vec<ModeEquations> {
+    let is_same = |known: &&mut ModeEquations| known.equations == next.equations && known.holds == next.holds;
+    match told.iter_mut().find(is_same) {
+        Some(known) => known.name = known.name.clone().and(" or: ").and(next.name),
+        None => told.push(next),
+    }
+    told
 }
 
 /// The modes in which the motion has stayed: at the instant of the start there may be another one.
@@ -133,7 +143,7 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
 /// What `alpha` is where the equation of motion above says `theta''`.
 fn second_rate(study: &Study, names: &Names, motion: &Motion) -> Option<Definition> {
     let alpha = study.model.bodies[motion.body].kinematics().alpha_symbol();
-    let is_read = motion.lines.iter().any(|line| line.right.symbols().contains(&alpha));
+    let is_read = motion.shown()?.lines.iter().any(|line| line.formula.symbols().contains(&alpha));
     let is_told = motion.follows && is_read && study.model.bodies.len() == 1;
     let symbol = Formula::symbol(names.shown(&alpha.name));
     let equation = Formula::equation(symbol, second(names, study, motion.body).symbol);

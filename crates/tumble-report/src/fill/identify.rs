@@ -9,7 +9,7 @@ use tumble_ode::Side;
 use tumble_scene::{Question, Study, SweepAxis, Swept, When};
 
 use super::alike;
-use super::names::{Names, quantity};
+use super::names::{MASS, Names, quantity};
 use super::sizes;
 use crate::figures::symbols;
 use crate::results::Case;
@@ -20,6 +20,8 @@ use crate::results::{is_angle, unit};
 const VECTORS: [(&str, &str, &str); 2] = [(".x", ".y", "centre of mass"), (".vx", ".vy", "velocity")];
 /// So many values of a swept parameter are all said.
 const MOST_VALUES: usize = 5;
+/// A component of less than this part of its vector is zero but for rounding.
+const NOTHING: f64 = 1e-15;
 /// In a scene of more bodies, what is zero at the start is not listed.
 const FEW_BODIES: usize = 2;
 
@@ -82,7 +84,7 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
             given("mass", mass_symbol(names, &mass.mass), &mass.mass, "kg")?,
             given("centre of mass, x", "x_c", mass.centre.x(), "m")?,
             given("centre of mass, y", "y_c", mass.centre.y(), "m")?,
-            inertia(study, names, body, given("moment of inertia about it", "I", &mass.inertia, "kg*m^2")?)?,
+            inertia(study, names, body, given("moment of inertia", "I", &mass.inertia, "kg*m^2")?)?,
         ],
     })
 }
@@ -91,7 +93,7 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
 fn mass_symbol<'n>(names: &'n Names, mass: &'n Expr) -> &'n str {
     match mass.node() {
         Node::Symbol(parameter) => names.shown(&parameter.name),
-        _ => "M",
+        _ => MASS,
     }
 }
 
@@ -203,7 +205,10 @@ fn start(
             let pair = |x: Text, y: Text| Text::from("(").and(x).and(", ").and(y).and(")");
             let [x, y] = [value(&state.name), value(&other)];
             let symbol = pair(names.label(&state.name).into(), names.label(&other).into());
-            (format!("{words}{of}"), symbol, pair(quantity(x, ""), quantity(y, "")), x == 0.0 && y == 0.0)
+            let seen = |value: f64| if value.abs() < NOTHING * x.hypot(y) { 0.0 } else { value };
+            let values = [x, y].map(|value| quantity(seen(value), ""));
+            let [shown_x, shown_y] = values;
+            (format!("{words}{of}"), symbol, pair(shown_x, shown_y), x == 0.0 && y == 0.0)
         }
         None => {
             let words = symbols::words(study, &state.name).unwrap_or_else(|| state.name.to_string());

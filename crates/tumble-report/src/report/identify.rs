@@ -3,7 +3,7 @@
 use super::math::Math;
 use super::picture::Picture;
 use super::prose::Text;
-use tumble_drawing::numeral::significant;
+use tumble_drawing::Label;
 
 /// Digits of numbers that are printed from a value.
 const DIGITS: usize = 6;
@@ -60,7 +60,7 @@ impl Quantity {
         Self {
             name,
             symbol,
-            value: significant(value, DIGITS).into(),
+            value: Label::number(value, DIGITS).into(),
             unit: unit.to_owned(),
             ..Self::default()
         }

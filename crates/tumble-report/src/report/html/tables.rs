@@ -1,6 +1,6 @@
 //! Tables as HTML.
 
-use super::inline::{list, tagged, text};
+use super::inline::{tagged, text};
 use crate::report::analyze::Check;
 use crate::report::prose::Text;
 use crate::report::table::{Align, Column, Table};
@@ -108,7 +108,7 @@ pub(super) fn facts(facts: &[(Text, Text)]) -> String {
     tagged("dl", "facts", &facts)
 }
 
-/// A list below a heading of its own; nothing for no items.
-pub(super) fn titled_list(title: &str, items: &[Text]) -> String {
-    if items.is_empty() { String::new() } else { format!("<h3>{title}</h3>\n{}", list(items)) }
+/// Content below a heading of its own; nothing for no content.
+pub(super) fn titled(title: &str, content: &str) -> String {
+    if content.is_empty() { String::new() } else { format!("<h3>{title}</h3>\n{content}") }
 }
