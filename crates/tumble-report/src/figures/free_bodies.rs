@@ -158,7 +158,10 @@ impl Drawing<'_> {
         };
         let names = open.iter().map(name).collect::<Vec<_>>().join(", ");
         let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
-        let text = format!("Not unique at {} s, more bear than are needed: {names}.", shown(time));
+        let text = format!(
+            "At {} s there are more supports than conditions, so these forces are not unique: {names}.",
+            shown(time)
+        );
         Ok(has_forces.then(|| Label::markup(&text)))
     }
 

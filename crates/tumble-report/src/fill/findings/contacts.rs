@@ -44,6 +44,7 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
     let mut value = match contacts.len() {
         1 => Text::from(format!("once, {by}at ")),
+        2 => Text::from(format!("twice, {by}first at ")),
         several => Text::from(format!("{several} times, {by}first at ")),
     };
     value = value.and(seen.event_time(first.start));

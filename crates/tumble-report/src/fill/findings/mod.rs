@@ -88,7 +88,9 @@ fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
         }
         found.extend(turning::rotations(&seen)?);
         if !is_free {
-            found.extend(turning::swings(&seen)?);
+            // What is asked for says how far, in scenes that ask.
+            let swings = if study.finds.is_empty() { turning::swings(&seen)? } else { None };
+            found.extend(swings);
             found.extend(turning::small_swings(&seen)?);
             found.extend(turning::period(&seen)?);
         }
