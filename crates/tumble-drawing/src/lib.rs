@@ -48,5 +48,4 @@ pub use scene_drawing::{LinkKind, SceneBody, SceneDrawing, SceneLink};
 pub use stroboscope::{Reference, StroboscopicPicture};
 pub use svg::Svg;
 pub use text::Label;
-pub use ticks::Ticking;
 pub use track::{BodyPath, Instants};

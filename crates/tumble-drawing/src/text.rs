@@ -47,7 +47,7 @@ impl Level {
 
 /// A stretch of text in one style.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Run {
+pub struct Span {
     /// The characters, unescaped.
     pub text: String,
     /// Upright, italic or bold.
@@ -60,7 +60,7 @@ pub struct Run {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Label {
     /// The runs from left to right.
-    pub runs: Vec<Run>,
+    pub runs: Vec<Span>,
 }
 
 impl From<Numeral> for Label {
@@ -164,7 +164,7 @@ impl Label {
         match self.runs.last_mut().filter(|run| run.face == face && run.level == level) {
             _ if text.is_empty() => {}
             Some(run) => run.text.push_str(text),
-            None => self.runs.push(Run { text: text.to_owned(), face, level }),
+            None => self.runs.push(Span { text: text.to_owned(), face, level }),
         }
         self
     }
@@ -338,7 +338,7 @@ impl PlacedText {
     }
 }
 
-fn tspan(run: &Run, shift: f64, size: f64) -> Element {
+fn tspan(run: &Span, shift: f64, size: f64) -> Element {
     let mut span = Element::new("tspan");
     if shift != 0.0 {
         span = span.attr("dy", shift);

@@ -18,7 +18,7 @@ pub(super) fn describe(scene: &SceneDrawing) -> String {
             let what = if round.hollow { "Round hollow" } else { "Circle" };
             return format!("{what} {} about {at}, radius {} m.", name(&surface.name, ""), round.radius);
         }
-        format!("Surface {} through {at}, its normal {normal}.", name(&surface.name, ""))
+        format!("Ground {} through {at}, its normal {normal}.", name(&surface.name, ""))
     }));
     parts.extend(scene.links.iter().map(|link| {
         let kind = match link.kind {

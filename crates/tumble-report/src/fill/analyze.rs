@@ -1,6 +1,6 @@
 //! What the motion says: curves, pictures, balance, checks, and what was found.
 
-use crate::report::{Analyze, Chart, Check, Column, Picture, RunAnalysis, Table, Text};
+use crate::report::{Analyze, Chart, CheckRow, Column, Picture, RunAnalysis, Table, Text};
 use tumble_drawing::Label;
 use tumble_expr::Expr;
 use tumble_mech::Extreme;
@@ -61,7 +61,7 @@ fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, Ca
         Ok(shown.stored(format!("{}.svg", plot.name)))
     };
     let balances = study.balances.iter().map(|asked| {
-        let figure = figures::balance::of(study, told, asked);
+        let figure = figures::energies::of(study, told, asked);
         Ok(Chart::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
     });
     study.plots.iter().map(plot).chain(balances).collect()
@@ -178,13 +178,13 @@ fn asked(study: &Study, names: &Names, check: &CheckResult) -> Text {
     }
 }
 
-fn shown(study: &Study, names: &Names, check: &CheckResult) -> Check {
+fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     let unit = check.unit.as_str();
     let that = asked(study, names, check);
     let what = Text::from(format!("{}: ", spoken(&check.name))).and(that);
     let at =
         if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
-    Check {
+    CheckRow {
         what: what.and(at),
         expected: precise(check.expected, unit),
         found: match check.open() {

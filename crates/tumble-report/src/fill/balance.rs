@@ -7,7 +7,7 @@ use tumble_scene::{Sheet, Study};
 
 use super::names::quantity;
 use super::words;
-use crate::figures::balance::sheet;
+use crate::figures::energies::sheet;
 use crate::results::Case;
 use crate::results::CaseBalance;
 

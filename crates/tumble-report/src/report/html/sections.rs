@@ -3,12 +3,12 @@
 use super::inline::{block, label, list, paragraphs, tagged, text};
 use super::page::Page;
 use super::tables::{checks, facts, table, titled};
-use crate::report::analyze::{Analyze, BalancePart, Check, RunAnalysis};
-use crate::report::identify::Identify;
 use crate::report::math::Block;
-use crate::report::model::{BodyModel, ModeEquations, ModelPart};
+use crate::report::parts::Identify;
+use crate::report::parts::{Analyze, BalancePart, CheckRow, RunAnalysis};
+use crate::report::parts::{BodyModel, ModeEquations, ModelPart};
+use crate::report::parts::{Phase, Solve};
 use crate::report::rows::{bodies, forces, quantities};
-use crate::report::solve::{Phase, Solve};
 use crate::report::table::Table;
 
 /// Pixels: letters in a wider drawing would be too small beside something else.
@@ -133,7 +133,7 @@ fn tables(tables: &[Table]) -> String {
 }
 
 /// Checks; those that failed are counted in words as well.
-fn titled_checks(all: &[Check]) -> String {
+fn titled_checks(all: &[CheckRow]) -> String {
     let failed = all.iter().filter(|check| !check.passed).count();
     let summary = if failed == 0 {
         String::new()

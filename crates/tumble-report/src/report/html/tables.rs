@@ -1,7 +1,7 @@
 //! Tables as HTML.
 
 use super::inline::{tagged, text};
-use crate::report::analyze::Check;
+use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
 use crate::report::table::{Align, Column, Table};
 use tumble_drawing::svg::escape;
@@ -74,7 +74,7 @@ fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool
 }
 
 /// Checks with their results, as signs and words.
-pub(super) fn checks(checks: &[Check]) -> String {
+pub(super) fn checks(checks: &[CheckRow]) -> String {
     let columns = [
         Column::words("Check"),
         Column::words("Expected"),
@@ -82,7 +82,7 @@ pub(super) fn checks(checks: &[Check]) -> String {
         Column::words("Within"),
         Column::words("Result"),
     ];
-    let row = |check: &Check| {
+    let row = |check: &CheckRow| {
         let result = if check.passed {
             "<span class=\"passed\">✓\u{a0}passed</span>"
         } else {

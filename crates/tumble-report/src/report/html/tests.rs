@@ -1,6 +1,6 @@
 use crate::report::*;
 use tumble_drawing::curves::{CurveFigure, Mark};
-use tumble_drawing::free_body::{NamedPoint, Surface};
+use tumble_drawing::free_body::{Ground, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::svg::Svg;
 use tumble_drawing::{Animation, MovingBody, MovingCase, MovingForce, MovingLink};
@@ -42,9 +42,9 @@ fn table() -> Table {
     .row(row)
 }
 
-fn quantity() -> Quantity {
+fn quantity() -> QuantityRow {
     let (name, symbol, value, note) = (words(), words(), words(), words());
-    Quantity { name, symbol, value, unit: HOSTILE.into(), formula: Some(formula()), note }
+    QuantityRow { name, symbol, value, unit: HOSTILE.into(), formula: Some(formula()), note }
 }
 
 fn block() -> Block {
@@ -67,14 +67,14 @@ fn motion() -> MovingCase {
         bodies: vec![body],
         links: vec![MovingLink { name: label(), ends: vec![[[0.0; 2], [1.0; 2]]], ..MovingLink::default() }],
         forces: vec![force],
-        surfaces: vec![Surface::new([0.0; 2], [0.0, 1.0], label())],
+        surfaces: vec![Ground::new([0.0; 2], [0.0, 1.0], label())],
         points: vec![NamedPoint { name: label(), at: [0.0; 2] }],
         events: vec![Mark { at: 0.5, label: label() }],
     }
 }
 
-fn check() -> Check {
-    Check { what: words(), expected: words(), found: words(), within: words(), passed: false }
+fn check() -> CheckRow {
+    CheckRow { what: words(), expected: words(), found: words(), within: words(), passed: false }
 }
 
 fn case() -> RunAnalysis {
