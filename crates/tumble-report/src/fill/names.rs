@@ -6,7 +6,7 @@ use crate::report::{Block, Definition, Math, Text};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
 use tumble_mech::Gravity;
-use tumble_notation::{Left, Notation, Operator, Shown, latex, mathml_in_pieces, text};
+use tumble_notation::{Left, Notation, Operator, Shown};
 use tumble_scene::Study;
 
 use crate::figures::symbols;
@@ -217,12 +217,12 @@ fn block(title: Text, shown: Result<Shown, tumble_notation::MathError>) -> Block
 
 /// The same in the notations of a report.
 pub(crate) fn math(formula: &tumble_notation::Math) -> Math {
-    Math { mathml: mathml_in_pieces(formula), latex: latex(formula), text: text(formula) }
+    formula.into()
 }
 
 /// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
 pub(crate) fn words(words: &str) -> Math {
-    Math { text: words.to_owned(), ..Math::default() }
+    Math::words(words)
 }
 
 /// A value with its unit.

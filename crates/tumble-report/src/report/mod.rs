@@ -21,7 +21,6 @@ pub mod live;
 mod markdown;
 mod markup;
 mod math;
-mod mathml;
 mod parts;
 mod picture;
 mod play;

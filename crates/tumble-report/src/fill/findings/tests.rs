@@ -116,7 +116,7 @@ fn a_terminal_speed_is_told_once_it_is_reached() {
     assert!(!has(&self::found(&fall("1 s")), "terminal"));
 }
 
-/// A rod that is let go at 0.2 rad, 11.4592 degrees, swings as far to the other side, after half of 1.638 s and a little more.
+/// A rod that is let go at 0.2 rad, 11.4592 degrees, swings as far to the other side.
 #[test]
 fn how_far_a_pivoted_body_swings_is_told_where_nothing_else_is_asked() {
     let found = found(
@@ -133,5 +133,5 @@ fn how_far_a_pivoted_body_swings_is_told_where_nothing_else_is_asked() {
         world = [0, 0]
         "#,
     );
-    assert!(has(&found, "The rod swings between \u{2212}11.4592° at 0.8"), "{found:?}");
+    assert!(has(&found, "The rod swings between \u{2212}11.4592° and 11.4592°."), "{found:?}");
 }

@@ -36,8 +36,7 @@ pub(super) fn swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let far = |which| -> Result<Option<(f64, Text)>, CaseError> {
         let Ok(Some(peak)) = seen.run.extreme(&angle, which, [0.0, seen.end()]) else { return Ok(None) };
         let error = seen.error(peak.time, &angle)?.map(f64::to_degrees);
-        let shown = with_digits(peak.value.to_degrees(), error, "deg").and(" at ");
-        Ok(Some((peak.value, shown.and(quantity_to(peak.time, DIGITS, "s")))))
+        Ok(Some((peak.value, with_digits(peak.value.to_degrees(), error, "deg"))))
     };
     let (Some((low, least)), Some((high, greatest))) = (far(Extreme::Least)?, far(Extreme::Greatest)?) else {
         return Ok(None);
