@@ -86,12 +86,6 @@ impl<'a> Printer<'a> {
     fn signed_product(&self, by: &Rational, factors: &[Factor]) -> (bool, Math) {
         let flips = |(id, exponent): &Factor| rational::is_odd(exponent) && self.is_difference(*id);
         let turned = if by.is_negative() { factors.iter().position(flips) } else { None };
-        if let (Some(_), true, [(id, exponent)]) = (turned, by.abs().is_one(), factors)
-            && exponent.is_one()
-        {
-            // The difference alone needs no brackets.
-            return (false, self.inside(*id, true));
-        }
         (by.is_negative() && turned.is_none(), self.product(&by.abs(), factors, turned))
     }
 

@@ -14,10 +14,11 @@ pub(crate) type Terms = BTreeMap<Id, Rational>;
 impl Algebra {
     /// Adds `by * id` to the terms; sums are taken apart.
     pub(crate) fn add_term(&mut self, terms: &mut Terms, by: &Rational, id: Id) {
-        let (own, part) = self.split(id);
-        match self.form(part).clone() {
-            Form::Sum(inner) => inner.into_iter().for_each(|(part, of)| join(terms, part, of * &own * by)),
-            _ => join(terms, part, own * by),
+        if let Form::Sum(inner) = self.form(id).clone() {
+            inner.into_iter().for_each(|(part, own)| join(terms, part, own * by));
+        } else {
+            let (own, part) = self.split(id);
+            join(terms, part, own * by);
         }
     }
 

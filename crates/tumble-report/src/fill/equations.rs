@@ -39,20 +39,21 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
         ModeEquations {
             name: match modes.len() {
                 1 => Text::default(),
-                _ => Text::from(words::mode(study, &case.run.equations, mode)).capitalised(),
+                _ => words::mode(study, &case.run.equations, mode).into(),
             },
             holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
             equations: blocks,
         }
     });
-    shown.fold(vec![], told_once)
+    let told = shown.fold(vec![], told_once).into_iter();
+    told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
 }
 
 /// Modes of the same equations are told together.
 fn told_once(mut told: Vec<ModeEquations>, next: ModeEquations) -> Vec<ModeEquations> {
     let is_same = |known: &&mut ModeEquations| known.equations == next.equations && known.holds == next.holds;
     match told.iter_mut().find(is_same) {
-        Some(known) => known.name = known.name.clone().and(" or: ").and(next.name),
+        Some(known) => known.name = known.name.clone().and(", or ").and(next.name),
         None => told.push(next),
     }
     told
