@@ -196,10 +196,14 @@ pub(crate) fn contact(study: &Study, pair: &str) -> String {
     }
 }
 
-/// The letter of a body's velocity: `v` of `v_x`, or that of the user's own symbol.
+/// The letter of a body's velocity: `v` of `v_x`, or that of the user's own symbol; V where a parameter is shown so.
 pub(crate) fn velocity(study: &Study, body: &str) -> String {
-    let shown = all(study).remove(&format!("{body}.vx")).unwrap_or_default();
-    shown.split('_').next().unwrap_or_default().to_owned()
+    let all = all(study);
+    let shown = all.get(&format!("{body}.vx")).map_or("v", String::as_str);
+    let letter = shown.split('_').next().unwrap_or(shown);
+    let is_taken = |name: &str| all.get(name).map_or(name, String::as_str) == letter;
+    let parameters = study.model.parameters.symbols();
+    if parameters.iter().any(|symbol| is_taken(&symbol.name)) { "V".to_owned() } else { letter.to_owned() }
 }
 
 /// A symbol with one more letter below it: `N_tip,y`, `W_y`.
