@@ -380,5 +380,4 @@ fn in_unit(unit: &str) -> Option<Formula> {
 }
 
 #[cfg(test)]
-#[path = "solve/tests.rs"]
 mod tests;
