@@ -300,4 +300,10 @@ mod tests {
         assert_eq!(label(&symbols, "w1"), Label::symbol("w1"));
         assert_eq!(label(&symbols, "rod.slip").to_plain(), "rod.slip");
     }
+
+    #[test]
+    fn names_are_spoken() {
+        let spoken = ["rod", "front_wheel", "corner1", "A", "link-12"].map(the);
+        assert_eq!(spoken, ["the rod", "the front wheel", "corner 1", "A", "link 12"]);
+    }
 }

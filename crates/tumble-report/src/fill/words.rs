@@ -206,3 +206,30 @@ pub(super) fn load(study: &Study, equations: &Equations, name: &str, body: Optio
 pub(super) fn spoken(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::event;
+    use crate::scenes::{all, motions_of};
+
+    /// What happens at each event of the first run of a scene.
+    fn events(scene: &str) -> Vec<String> {
+        let folder = all().find(|path| path.to_string_lossy().contains(scene)).expect("a scene");
+        let (study, cases) = motions_of(&folder);
+        let run = &cases[0].run;
+        run.events().map(|one| event(&study, &run.equations, &one.record)).collect()
+    }
+
+    #[test]
+    fn points_that_do_the_same_are_told_together() {
+        assert_eq!(
+            events("16-bench"),
+            ["the left, the middle and the right begin to touch the floor".to_owned()]
+        );
+        let falling = events("10-falling-rod");
+        assert!(
+            falling.iter().any(|text| text.starts_with("the foot and the head strike the floor")),
+            "{falling:?}"
+        );
+    }
+}
