@@ -105,7 +105,9 @@ impl Algebra {
             let mut factors = inverse.clone();
             factors.push((*part, Exponent::one()));
             let term = self.raw_product(by / &number, &factors);
-            self.add_term(&mut rest, &Rational::one(), term);
+            let (own, part) = self.split(term);
+            // A multiple of a sum is its terms, which may cancel others.
+            self.add_term(&mut rest, &own, part);
         }
         self.trigonometric_sums(&mut rest);
         let sum = self.raw_sum(rest);

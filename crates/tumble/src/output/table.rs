@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use super::decimal::Decimal;
 use super::hash::Hash;
 use super::{Folder, OutputError, attempt};
 
@@ -50,7 +49,7 @@ pub(crate) struct Table<'f> {
     folder: &'f Folder,
     name: String,
     sink: Sink,
-    decimal: Decimal,
+    digits: zmij::Buffer,
     /// What is not written yet; each cell ends in a comma, the last one of a row in a line feed.
     buffer: Vec<u8>,
 }
@@ -59,7 +58,7 @@ impl<'f> Table<'f> {
     /// Begins the table of that name in a folder.
     pub(crate) fn begin(folder: &'f Folder, name: &str) -> Result<Self, OutputError> {
         let (sink, buffer) = (folder.sink(name)?, Vec::with_capacity(2 * BLOCK));
-        Ok(Self { folder, name: name.to_owned(), sink, decimal: Decimal::default(), buffer })
+        Ok(Self { folder, name: name.to_owned(), sink, digits: zmij::Buffer::new(), buffer })
     }
 
     /// Writes a row of text.
@@ -83,7 +82,7 @@ impl<'f> Table<'f> {
     /// Writes cells of the row that is being written: the shortest decimals that read back as the same numbers.
     pub(crate) fn numbers(&mut self, values: &[f64]) {
         for value in values {
-            self.buffer.extend_from_slice(self.decimal.of(*value));
+            self.buffer.extend_from_slice(self.digits.format(*value).as_bytes());
             self.buffer.push(b',');
         }
     }

@@ -2,8 +2,8 @@
 
 use super::data::{label, mark};
 use crate::report::json::{Grid, list, number, object, string};
-use tumble_drawing::free_body::{NamedPoint, Round, Surface};
-use tumble_drawing::numeral::significant;
+use tumble_drawing::Label;
+use tumble_drawing::free_body::{Ground, NamedPoint, Round};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
 use tumble_drawing::svg::Svg;
@@ -65,7 +65,8 @@ fn description(animation: &Animation) -> String {
 
 fn ends(body: &MovingBody) -> Option<String> {
     let place = |pose: &Pose| {
-        let [x, y, degrees] = [pose.x, pose.y, pose.angle.to_degrees()].map(|v| significant(v, 3).to_plain());
+        let [x, y, degrees] =
+            [pose.x, pose.y, pose.angle.to_degrees()].map(|v| Label::number(v, 3).to_plain());
         format!("({x}, {y}) m at {degrees} degrees")
     };
     let (first, last) = (body.poses.first()?, body.poses.last()?);
@@ -185,7 +186,7 @@ fn force(force: &MovingForce, frames: &[usize]) -> String {
     ])
 }
 
-fn surface(surface: &Surface) -> String {
+fn surface(surface: &Ground) -> String {
     let numbers = surface.point.into_iter().chain(surface.normal).chain(surface.reach).map(number);
     let round = |round: Round| list([number(round.radius), u8::from(round.hollow).to_string()]);
     let round = surface.round.map_or_else(|| "null".to_owned(), round);
