@@ -16,7 +16,8 @@ use crate::debian;
 use crate::workspace::{Workspace, copy, read};
 
 /// Copied next to the installed packages, so that the script finds them and the repository stays clean.
-const SCRIPT_FILES: [&str; 9] = [
+const SCRIPT_FILES: [&str; 10] = [
+    "access.mjs",
     "bench.mjs",
     "check.mjs",
     "common.mjs",

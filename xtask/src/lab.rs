@@ -17,7 +17,7 @@ use crate::workspace::{Workspace, read};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// The engine takes so much stack, bytes: formulas and matrices do not recurse, drawings and TOML do a little.
-const LINKING: &str = "-C link-arg=-zstack-size=4194304";
+const LINKING: &str = "-C link-arg=-zstack-size=4194304 -C link-arg=--compress-relocations -C link-arg=--max-memory=1073741824";
 pub(crate) const ENGINE: &str = "crates/tumble/assets/engine.wasm.lzma";
 pub(crate) const SOURCES: &str = "crates/tumble/assets/engine.sources";
 const NOTICES: &str = "crates/tumble/assets/engine.notices";

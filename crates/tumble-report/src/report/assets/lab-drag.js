@@ -12,6 +12,8 @@ class LivePlayer extends Player {
     const bar = this.live.querySelector(".bar");
     this.speedsShown = this.check(bar, "Velocities", false);
     this.energyBox = make("div", { class: "energy", role: "img", hidden: "" }, this.live);
+    // What can be dragged is in it.
+    this.svg.setAttribute("role", "group");
     this.layOut();
   }
 
@@ -39,6 +41,7 @@ class LivePlayer extends Player {
     this.ghosts = this.settled;
     this.cases = data.cases.map(readMotion);
     this.settled = this.cases;
+    this.svg.setAttribute("aria-label", data.description);
     if (this.chooser) {
       this.chooser.parentElement.hidden = this.cases.length < 2;
       const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
@@ -65,6 +68,7 @@ class LivePlayer extends Player {
   }
 
   build() {
+    const held = this.svg.querySelector(".grip:focus")?.getAttribute("aria-label");
     super.build();
     if (!this.grips) return;
     this.ghostLayer = draw("g", { class: "ghosts" });
@@ -74,6 +78,8 @@ class LivePlayer extends Player {
     this.ghostParts = [...this.pins, ...(this.ghosts.length ? [{ label: "", motion: this.ghosts[Math.min(this.index, this.ghosts.length - 1)] }] : [])].map((one) => this.buildGhost(one));
     this.drawGrips();
     this.draw();
+    // Who moves it by keys goes on.
+    if (held) this.gripLayer.querySelector(`[aria-label=${JSON.stringify(held)}]`)?.focus({ preventScroll: true });
   }
 
   buildGhost({ label, motion }) {
