@@ -9,8 +9,7 @@ class LivePlayer extends Player {
   constructor(figure, data, grips) {
     super(figure, data);
     Object.assign(this, { grips, ghosts: [], pins: [], held: this.boxes(), settled: this.cases });
-    const bar = this.live.querySelector(".bar");
-    this.speedsShown = this.check(bar, "Velocities", false);
+    this.speedsShown = this.check(this.bar, "Velocities", false);
     this.energyBox = make("div", { class: "energy", role: "img", hidden: "" }, this.live);
     // What can be dragged is in it.
     this.svg.setAttribute("role", "group");
@@ -42,11 +41,7 @@ class LivePlayer extends Player {
     this.cases = data.cases.map(readMotion);
     this.settled = this.cases;
     this.svg.setAttribute("aria-label", data.description);
-    if (this.chooser) {
-      this.chooser.parentElement.hidden = this.cases.length < 2;
-      const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
-      this.chooser.replaceChildren(...this.cases.map((motion, i) => new Option(name(motion, i), i)));
-    }
+    this.offer();
     this.choose(Math.min(this.index, this.cases.length - 1));
   }
 
@@ -90,7 +85,7 @@ class LivePlayer extends Player {
       if (path.length) draw("path", { class: "trail", style, d: `M${path.join("L")}` }, layer);
       const group = draw("g", { class: "body", style }, layer);
       for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
-      const name = label ? drawLabel(layer, [[label, "", ""]], { class: "halo" }) : null;
+      const name = label && i === 0 ? drawLabel(this.ghostLayer, [[label, "", ""]], { class: "halo" }) : null;
       return { body, group, name };
     });
     return { motion, parts };
@@ -111,7 +106,10 @@ class LivePlayer extends Player {
     if (!Number.isFinite(x + y)) return;
     const turned = (-body.angle[i] * 180) / Math.PI;
     group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turned.toFixed(2)})`);
-    name?.setAttribute("transform", `translate(${x.toFixed(2)} ${(y - 8).toFixed(2)})`);
+    // Beside the body, and within the picture.
+    const left = x < this.size[0] / 2 ? 14 : -14;
+    name?.setAttribute("text-anchor", left > 0 ? "start" : "end");
+    name?.setAttribute("transform", `translate(${(x + left).toFixed(2)} ${(y + 22).toFixed(2)})`);
   }
 
   drawSpeeds() {

@@ -16,7 +16,8 @@ class Control {
     const row = make("div", { class: "knob" }, parent);
     const id = `knob-${knob.name}`;
     const label = make("label", { for: id }, row);
-    label.textContent = knob.name;
+    // Long names break at their dots.
+    knob.name.split(/(?<=\.)/).forEach((part, i) => label.append(...(i ? [make("wbr", {})] : []), part));
     this.slider = make("input", { type: "range", min: 0, max: KNOB_STEPS, step: "any", "aria-label": knob.name }, row);
     this.field = make("input", { type: "text", id, size: 10, spellcheck: "false", autocomplete: "off" }, row);
     this.slider.addEventListener("input", () => this.slide());
@@ -116,13 +117,14 @@ class Lab {
     const sides = make("div", { class: "sides" }, this.box);
     const view = make("div", { class: "view" }, sides);
     this.board = make("div", { class: "board" }, sides);
+    const result = make("div", { class: "result" }, sides);
     if (DATA.motions.length) this.buildPlayer(view);
     this.status = make("p", { class: "status note", role: "status" }, view);
     this.progress = make("progress", { max: 1, value: 0, hidden: "", "aria-label": "Progress of the run" }, view);
     this.stop = this.button(view, "Stop", () => this.runs.stop());
     this.stop.hidden = true;
     this.said = make("div", { class: "said", role: "alert", hidden: "" }, view);
-    this.told = make("pre", { class: "told", hidden: "" }, view);
+    this.told = make("pre", { class: "told", hidden: "" }, result);
     reachable(this.box);
     this.buildBoard();
   }
