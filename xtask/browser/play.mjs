@@ -18,6 +18,8 @@ const NARROW = 400;
 const PLACE = 430;
 /** Sliders that are moved until the picture changes. */
 const MOST_MOVED = 4;
+/** Moves of a pointer that drags. */
+const DRAG_STEPS = 8;
 /** The scene in which everything is looked at beside numbers. */
 const FIRST = "01-pendulum-in-the-wind";
 const ENDLESS = `version = 1
@@ -174,6 +176,32 @@ function withLittle() {
   return file;
 }
 
+/** A start velocity is dragged: while the motion follows, its handle stays with the pointer. */
+async function dragged(browser) {
+  const page = await opened(browser, report(gallery, "start"));
+  await after(page, () => page.selectOption(".templates select", { index: 1 }));
+  const before = await numbers(page);
+  const handle = page.locator("#play .grip").last();
+  await handle.scrollIntoViewIfNeeded();
+  const middle = async () => {
+    const { x, y, width, height } = await handle.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const [x, y] = await middle();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= DRAG_STEPS; step += 1) {
+    await page.mouse.move(x + 5 * step, y - 4 * step);
+    await page.waitForTimeout(150);
+  }
+  await page.waitForFunction((old) => document.querySelector("#play .told").textContent.trim() !== old, before);
+  const [nx, ny] = await middle();
+  const off = Math.hypot(nx - x - 5 * DRAG_STEPS, ny - y + 4 * DRAG_STEPS);
+  check(`${browser.name}: a handle stays with the pointer`, off < 3, `${off} pixels off`);
+  await page.mouse.up();
+  await page.close();
+}
+
 /** All ways in which a run can break. */
 async function breaks(browser) {
   const fine = ENDLESS.replace("1e6 s", "1 s").replace("[parameters]", 'output.every = "1e-6 s"\n[parameters]');
@@ -239,7 +267,7 @@ for (const program of programs) {
   const browser = await launched(program);
   await sees(browser);
   for (const name of names) await play(browser, name);
-  for (const one of [edited, endless, breaks, site]) await one(browser);
+  for (const one of [edited, dragged, endless, breaks, site]) await one(browser);
   check(`${browser.name}: nothing is asked of a network`, browser.requests.length === 0, browser.requests.join(" "));
   await browser.browser.close();
   console.log(`${browser.name}: ${names.length} scenes`);

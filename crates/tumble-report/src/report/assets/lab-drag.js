@@ -20,6 +20,17 @@ class LivePlayer extends Player {
     return [...super.boxes(), ...(this.held ?? [])];
   }
 
+  /** While something is dragged the picture keeps its scale: what follows it must not run away from the pointer. */
+  fit() {
+    super.fit();
+    Object.assign(this, this.frozen);
+  }
+
+  /** Seconds that an arrow of a velocity is long. */
+  arrowTime() {
+    return this.frozen?.arrow ?? (ARROW_PART * this.duration || 1);
+  }
+
   /** What comes next is of another scene: nothing of this one is compared with it. */
   forget() {
     Object.assign(this, { cases: [], settled: [], pins: [], held: [], energies: null });
@@ -121,7 +132,7 @@ class LivePlayer extends Player {
     if (!(span > 0)) return;
     for (const [i, body] of this.motion.bodies.entries()) {
       const from = this.pixel(body.x[low], body.y[low]);
-      const by = [body.x, body.y].map((values) => ((values[high] - values[low]) / span) * ARROW_PART * this.duration * this.scale);
+      const by = [body.x, body.y].map((values) => ((values[high] - values[low]) / span) * this.arrowTime() * this.scale);
       const to = [from[0] + by[0], from[1] - by[1]];
       if (![...from, ...to].every(Number.isFinite)) continue;
       drawTip(this.speedLayer, from, to, `var(--c${i % 7})`);
@@ -177,6 +188,8 @@ class LivePlayer extends Player {
     event.stopPropagation();
     this.pause();
     this.seek(this.start);
+    const { scale, middle, size } = this;
+    this.frozen = { scale, middle, size, arrow: this.arrowTime() };
     const move = (moved) => {
       const box = this.svg.getBoundingClientRect();
       const unit = this.size[0] / box.width;
@@ -188,6 +201,8 @@ class LivePlayer extends Player {
       removeEventListener("pointermove", move);
       removeEventListener("pointerup", end);
       removeEventListener("pointercancel", end);
+      this.frozen = null;
+      this.layOut();
     };
     addEventListener("pointermove", move);
     addEventListener("pointerup", end);
@@ -232,7 +247,7 @@ class LivePlayer extends Player {
   }
 
   speedGrip(centre, name, knobs, index) {
-    const long = ARROW_PART * this.duration || 1;
+    const long = this.arrowTime();
     const tip = centre.map((at, k) => at + knobs[k].value() * long);
     drawTip(this.gripLayer, this.pixel(...centre), this.pixel(...tip), `var(--c${index % 7})`);
     this.grip(tip, `Start velocity of ${name}`, knobs, (at) => knobs.map((knob, k) => [knob, (at[k] - centre[k]) / long]));

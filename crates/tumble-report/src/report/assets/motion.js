@@ -158,8 +158,17 @@ class Player {
     return this.cases.map((motion) => motion.box).filter((box) => box);
   }
 
-  /** Scales for the width at hand; the same for all cases. */
   layOut() {
+    this.fit();
+    const [width, height] = this.size;
+    this.arrows = new ArrowScale(this.cases, 0.3 * Math.min(width, height));
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.svg.setAttribute("height", height);
+    this.build();
+  }
+
+  /** Scales for the width at hand; the same for all cases. */
+  fit() {
     const boxes = this.boxes();
     const bound = (k, pick, otherwise) => (boxes.length ? pick(...boxes.map((box) => box[k])) : otherwise);
     const low = [bound(0, Math.min, 0), bound(1, Math.min, 0)];
@@ -173,10 +182,6 @@ class Player {
     this.scale = Math.min(width / wide, height / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
-    this.arrows = new ArrowScale(this.cases, 0.3 * Math.min(width, height));
-    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.svg.setAttribute("height", height);
-    this.build();
   }
 
   pixel(x, y) {
