@@ -36,8 +36,7 @@ fn numbers_are_those_of_the_summary() {
             let steps = run["numerics"]["steps"].as_u64().expect("steps").to_string();
             assert!(page.contains(&steps), "{name}: {steps} steps");
             let residual = run["balance"]["largest_relative_residual"].as_f64().expect("a number");
-            let most = if run.to_string().contains(".zeno") { CUT } else { BALANCED };
-            assert!(residual < most, "{name}: {residual:e} of the balance is left");
+            assert!(residual < BALANCED, "{name}: {residual:e} of the balance is left");
         }
         assert!(compared > 0, "{name} has checks");
     }
@@ -45,9 +44,6 @@ fn numbers_are_those_of_the_summary() {
 
 /// What is left of a balance, in parts of what moves in it.
 const BALANCED: f64 = 1e-8;
-/// The same where bounces lower than 1e-15 of a body were cut off: what was left of their speeds, 3e-8 of those of a fall by its own size, ends
-/// without an impulse.
-const CUT: f64 = 1e-7;
 
 /// The figures of the balance show their columns, and each only its own.
 #[test]

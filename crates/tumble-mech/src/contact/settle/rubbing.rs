@@ -426,7 +426,7 @@ impl Settling<'_> {
         let modes = some.iter().filter_map(contact_mode).collect();
         let stop = self.rough(&found.held, patches, self.rates());
         let stop = stop.stopped(&found.grips, &found.held).ok_or_else(|| self.unsolved("contact"))?;
-        self.apply(&stop.pushes, jump)?;
+        self.stop(&stop.pushes, jump)?;
         Ok(modes)
     }
 
