@@ -104,7 +104,7 @@ impl Algebra {
         for (part, by) in terms {
             let mut factors = inverse.clone();
             factors.push((*part, Exponent::one()));
-            let term = self.raw_product(rational::over(&by, &number), &factors);
+            let term = self.raw_product(rational::over(by, &number), &factors);
             self.add_term(&mut rest, &Rational::one(), term);
         }
         self.trigonometric_sums(&mut rest);
