@@ -98,7 +98,7 @@ impl Checker {
 fn install_script(workspace: &Workspace) -> Result<PathBuf> {
     for program in ["node", "npm"] {
         find(program)
-            .with_context(|| format!("`{program}` is missing: install Node.js 20 or later with npm"))?;
+            .with_context(|| format!("`{program}` is missing: install Node.js 20.15 or later with npm"))?;
     }
     let folder = workspace.scratch("browser")?;
     let installed = is_installed(&folder, workspace);
