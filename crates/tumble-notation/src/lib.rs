@@ -27,6 +27,7 @@ mod board;
 mod closed_form;
 mod error;
 mod font;
+mod known;
 mod latex;
 mod layout;
 mod mathml;

@@ -10,7 +10,7 @@ use tumble_expr::Exponent;
 
 use super::sum::Terms;
 use super::{Algebra, Factor, Form, Id};
-use crate::rational::Rational;
+use crate::rational::{self, Rational};
 
 /// Terms of a quotient beyond which a division is given up.
 const MOST_QUOTIENTS: usize = 24;
@@ -66,9 +66,9 @@ impl Algebra {
             if self.factors(term).iter().any(|(_, exponent)| exponent.is_negative()) {
                 return None;
             }
-            let ratio = own / &by;
+            let ratio = rational::over(&own, &by);
             for (id, number) in &part {
-                let product = self.raw_product(-(number * &ratio), &[(*id, one), (term, one)]);
+                let product = self.raw_product(-rational::times(number, &ratio), &[(*id, one), (term, one)]);
                 self.add_term(&mut left, &Rational::one(), product);
             }
             self.add_term(&mut quotient, &ratio, term);

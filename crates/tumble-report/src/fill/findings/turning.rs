@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use tumble_expr::{Dimension, Expr, Node, Substitution, Symbol, Unary, is_identically_zero};
 use tumble_mech::{Extreme, Gravity, place_symbols};
+use tumble_ode::Side;
 
 use super::said::{Said, with_digits};
 use super::seen::Seen;
@@ -132,9 +133,11 @@ fn angular_rates(formula: &Expr, time: &Symbol, found: &mut Vec<Expr>) {
 fn repeats(seen: &Seen<'_>, wind: &[Expr], period: f64) -> Result<bool, CaseError> {
     for component in wind {
         let values = seen.values(component)?;
+        let mut observer = seen.run.observe(std::slice::from_ref(component))?;
+        let mut later = |time: f64| observer.at(time + period, Side::After).map_or(f64::NAN, |at| at[0]);
         let most = values.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
         for (time, value) in values.iter().take_while(|(time, _)| time + period <= seen.end()) {
-            if (seen.at(time + period, component)? - value).abs() > SAME_AIR * most {
+            if (later(*time) - value).abs() > SAME_AIR * most {
                 return Ok(false);
             }
         }
