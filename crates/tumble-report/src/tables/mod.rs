@@ -126,6 +126,6 @@ mod tests {
         table.text("a, \"b\"\n");
         table.numbers(&[0.1 + 0.2, 1e300, f64::NAN]);
         let _ = table.end_row();
-        assert_eq!(table.text, "\"a, \"\"b\"\"\n\",0.30000000000000004,1e300,NaN\n");
+        assert_eq!(table.text, "\"a, \"\"b\"\"\n\",0.30000000000000004,1e+300,NaN\n");
     }
 }
