@@ -2,6 +2,7 @@
 
 use tumble_expr::{Expr, Vector};
 
+use crate::friction::Friction;
 use crate::kinematics::{Kinematics, PointRef};
 use crate::mass::MassProperties;
 use crate::shape::Shape;
@@ -28,12 +29,14 @@ pub struct Body {
     pub stated: Option<MassProperties>,
     /// Its own restitution on rigid surfaces, 0 to 1, in the place of theirs.
     pub restitution: Option<Expr>,
+    /// Its own dry friction on what is rigid, in the place of theirs.
+    pub friction: Option<Friction>,
 }
 
 impl Body {
     /// A body of several parts joined rigidly.
     pub fn from_parts(name: impl Into<String>, parts: Vec<Part>) -> Self {
-        Self { name: name.into(), parts, points: vec![], stated: None, restitution: None }
+        Self { name: name.into(), parts, points: vec![], stated: None, restitution: None, friction: None }
     }
 
     /// A body of one shape; its mass is set by [`Body::mass`].

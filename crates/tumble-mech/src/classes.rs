@@ -144,13 +144,20 @@ impl Signature {
             self.shape.extend([place, surface]);
             self.symbols.extend([pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()]);
             self.shape.push(usize::from(pair.friction.is_some()));
+            self.shape.push(usize::from(equations.pair_list().rolling.contains_key(&index)));
             self.formulas.extend([pair.gap(), pair.radius.clone()]);
             self.formulas.extend(pair.conditions());
             self.formulas.extend(pair.centre.arm.components().iter().cloned());
             // What is not the surface's own is the body's.
             self.formulas.extend(pair.law.restitution().cloned());
+            if let Some(rolling) = equations.pair_list().rolling.get(&index) {
+                self.pairs.push(*rolling);
+                self.symbols.push(equations.pairs()[*rolling].friction_symbol());
+            }
             let friction = pair.friction.iter();
-            self.formulas.extend(friction.flat_map(|own| [own.of_rest.clone(), own.kinetic.clone()]));
+            self.formulas.extend(friction.flat_map(|own| {
+                [own.of_rest.clone(), own.kinetic.clone()].into_iter().chain(own.rolling.clone())
+            }));
         }
         self.shape.extend([self.formulas.len(), self.symbols.len()]);
     }

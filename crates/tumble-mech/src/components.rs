@@ -180,7 +180,9 @@ impl Couplings<'_> {
             read(self.body(&impulse.body), impulse.application.formulas());
         }
         for pair in self.pairs {
-            let friction = pair.friction.iter().flat_map(|friction| [&friction.of_rest, &friction.kinetic]);
+            let friction = pair.friction.iter();
+            let friction =
+                friction.flat_map(|own| [&own.of_rest, &own.kinetic].into_iter().chain(&own.rolling));
             let law = pair.law.dimensions().into_iter().map(|(_, formula, _)| formula).chain(friction);
             read(pair.body, law.chain([&pair.gap()]).collect());
         }

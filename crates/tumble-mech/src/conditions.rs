@@ -321,6 +321,7 @@ fn of_body(body: &Body, pivot: Option<&Pivot>) -> Vec<Condition> {
     }
     let restitution = body.restitution.iter().cloned();
     all.extend(restitution.map(|restitution| of("restitution", restitution, Must::LieWithinOne)));
+    all.extend(of_friction(name, body.friction.as_ref()));
     // Nothing turns what has no moment of inertia by its form; any other is divided by.
     let must = match is_identically_zero(&properties.inertia) || pivot.is_some() {
         true => Must::NotBeNegative("kg m^2"),
@@ -421,7 +422,9 @@ fn of_friction(name: &str, friction: Option<&Friction>) -> Vec<Condition> {
     let left = friction.map(|friction| &friction.of_rest - &friction.kinetic);
     let left = left.map(|left| of("static friction", left, Must::HoldAsMuch));
     let left = left.map(|condition| Condition { follows: true, ..condition });
-    coefficients.chain(left).collect()
+    let rolling = friction.and_then(|friction| friction.rolling.clone());
+    let rolling = rolling.map(|rolling| of("rolling resistance", rolling, Must::NotBeNegative("m")));
+    coefficients.chain(left).chain(rolling).collect()
 }
 
 /// What a bowl has more of than what moves in it.

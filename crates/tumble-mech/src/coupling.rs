@@ -29,7 +29,7 @@ impl Equations {
             _ => None,
         });
         let events: Vec<&str> = events.collect();
-        let changed = self.switch_joints(&events, at, jump)?;
+        let changed = self.switch_joints(&events, &self.capturing(happened), at, jump)?;
         let impulses = self.model().impulses.iter().enumerate();
         let applied = impulses.filter(|(_, impulse)| events.contains(&impulse.when.as_str()));
         let applied = applied.map(|(index, _)| self.applied(index, at));
@@ -53,10 +53,11 @@ impl Equations {
         Ok(Sizes { rows, applied, ..Sizes::default() })
     }
 
-    /// Releases and makes the joints that these events do; whether any now holds that did not.
+    /// Releases and makes the joints that these events do, and makes those that capture; whether any now holds that did not.
     fn switch_joints(
         &self,
         events: &[&str],
+        capturing: &[usize],
         at: &Crossing<'_, Mode>,
         jump: &mut Jump<Mode>,
     ) -> Result<bool, Reason> {
@@ -65,7 +66,7 @@ impl Equations {
         for (index, joint) in self.model().joints.iter().enumerate() {
             match self.holds(&jump.mode, index) {
                 true if is_now(&joint.until) => released.push(index),
-                false if is_now(&joint.from) => made.push(index),
+                false if is_now(&joint.from) || capturing.contains(&index) => made.push(index),
                 _ => {}
             }
         }

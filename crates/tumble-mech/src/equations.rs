@@ -115,7 +115,8 @@ pub(crate) struct BodyEquations {
 
 impl Equations {
     /// The equations of a model whose names and dimensions are in order.
-    pub fn new(model: Model) -> Result<Self, ModelErrors> {
+    pub fn new(mut model: Model) -> Result<Self, ModelErrors> {
+        model.add_captures();
         model.check()?;
         let bodies: Vec<BodyEquations> = (0..model.bodies.len()).map(|body| of_body(&model, body)).collect();
         let mut definitions = Substitution::default();

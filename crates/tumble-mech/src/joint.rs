@@ -48,6 +48,8 @@ pub struct Joint {
     pub from: Option<String>,
     /// Name of the event that releases it.
     pub until: Option<String>,
+    /// Set where a contact makes it that captures: index of the contact. `from` is then the name of the two that meet.
+    pub captured_by: Option<usize>,
 }
 
 /// A side of a joint that belongs to a body.
@@ -61,7 +63,16 @@ impl Joint {
     /// A joint about which both turn.
     pub fn pin(name: impl Into<String>, ends: [Anchor; 2]) -> Self {
         let (name, kind) = (name.into(), JointKind::Pin);
-        Self { name, kind, ends, is_seated: false, assemble: false, from: None, until: None }
+        Self {
+            name,
+            kind,
+            ends,
+            is_seated: false,
+            assemble: false,
+            from: None,
+            until: None,
+            captured_by: None,
+        }
     }
 
     /// A joint that leaves nothing free.

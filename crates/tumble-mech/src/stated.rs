@@ -96,6 +96,7 @@ impl List {
             self.add(&format!("centre of mass of `{name}`"), centre, Dimension::LENGTH);
         }
         self.add(&format!("restitution of `{name}`"), &body.restitution, Dimension::NONE);
+        self.friction(name, body.friction.as_ref());
     }
 
     fn pivot(&mut self, pivot: &Pivot) {
@@ -191,6 +192,8 @@ impl List {
         for (key, formula) in friction.into_iter().flat_map(Friction::coefficients) {
             self.add(&format!("{key} of `{name}`"), [formula], Dimension::NONE);
         }
+        let rolling = friction.into_iter().flat_map(|friction| &friction.rolling);
+        self.add(&format!("rolling resistance of `{name}`"), rolling, Dimension::LENGTH);
     }
 
     fn start(&mut self, body: &str, start: &Start) {

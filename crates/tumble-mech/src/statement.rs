@@ -66,7 +66,7 @@ impl Equations {
             weight.into_iter().chain(own)
         };
         let interactions = model.interactions.iter().flat_map(|law| law.statements(&bodies));
-        let surfaces = self.pairs().iter().flat_map(|pair| {
+        let surfaces = self.pairs().iter().filter(|pair| !pair.is_rolling()).flat_map(|pair| {
             let pushes =
                 if pair.law.is_rigid() { Some(pair.statement()) } else { compliant::statement(pair) };
             pushes.into_iter().chain(pair.friction_statement())

@@ -55,6 +55,7 @@ impl<'m> Structure<'m> {
     fn mistakes(&self) -> Vec<ModelError> {
         let model = self.model;
         let mut mistakes: Vec<ModelError> = model.bodies.iter().filter_map(nothing).collect();
+        mistakes.extend(model.bodies.iter().filter_map(|body| self.of_friction(body)));
         mistakes.extend(model.bodies.is_empty().then_some(ModelError::Empty));
         mistakes.extend(self.same_names());
         mistakes.extend(model.pivots.iter().flat_map(|pivot| self.of_pivot(pivot)));
@@ -119,8 +120,8 @@ impl<'m> Structure<'m> {
         if path.into_iter().any(|path| path.branches_on(&[time_symbol()])) {
             mistakes.push(ModelError::CorneredPath { what: format!("joint `{}`", joint.name) });
         }
-        let events =
-            joint.from.iter().chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
+        let from = joint.from.iter().filter(|_| joint.captured_by.is_none());
+        let events = from.chain(&joint.until).filter(|event| !self.events.contains(event.as_str()));
         mistakes.extend(events.map(|name| ModelError::Unknown { kind: "event", name: name.clone() }));
         mistakes
     }
@@ -188,7 +189,10 @@ impl<'m> Structure<'m> {
     fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
         let wrong = |problem: String, cure| of_rule(&contact.name, problem, cure);
         let names = contact.between.as_deref().unwrap_or_default();
-        let mut mistakes: Vec<ModelError> = names.iter().filter_map(|name| self.unknown_body(name)).collect();
+        let bodies = names.iter().filter(|name| !self.is_surface(name));
+        let mut mistakes: Vec<ModelError> = bodies.filter_map(|name| self.unknown_body(name)).collect();
+        mistakes.extend(self.of_surfaces_in(contact));
+        mistakes.extend(of_capture(contact));
         let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
         let twice = names.iter().enumerate().filter(is_again);
         mistakes.extend(twice.map(|(_, name)| {
@@ -202,7 +206,7 @@ impl<'m> Structure<'m> {
         }
         let couples = contact.couples(self.model);
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
-        let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
+        let silent = couples.iter().find(|couple| contact.rebound(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
             let problem =
                 format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
@@ -228,22 +232,80 @@ impl<'m> Structure<'m> {
         mistakes
     }
 
-    /// Two bodies whose impacts two contacts tell of.
+    /// What a contact cannot say of surfaces.
+    fn of_surfaces_in(&self, contact: &BodyContact) -> Vec<ModelError> {
+        let wrong = |problem: String, cure| of_rule(&contact.name, problem, cure);
+        let surfaces: Vec<&Surface> = contact.surfaces(self.model).collect();
+        let two = (surfaces.len() > 1).then(|| {
+            let [a, b] = [0, 1].map(|which| &surfaces[which].name);
+            wrong(format!("is of two surfaces, `{a}` and `{b}`"), "name one surface, and bodies that meet it")
+        });
+        let captures = surfaces.first().filter(|_| contact.captures).map(|surface| {
+            let problem = format!("captures, and `{}` is a surface: only bodies are captured", surface.name);
+            wrong(
+                problem,
+                "write a `[weld.NAME]` with `from`, which an event makes, of the body's point and a place",
+            )
+        });
+        let compliant = surfaces.iter().find(|surface| !surface.law.is_rigid()).map(|surface| {
+            let problem =
+                format!("is of `{}`, which is compliant: its own law is all there is", surface.name);
+            wrong(problem, "make the surface `rigid`, or leave the contact out")
+        });
+        let couples = contact.on_surfaces(self.model);
+        let apart = couples
+            .into_iter()
+            .find(|[surface, body]| !self.model.surfaces[*surface].meets(&self.model.bodies[*body]));
+        let apart = apart.map(|[surface, body]| {
+            let [surface, body] = [&self.model.surfaces[surface].name, &self.model.bodies[body].name];
+            wrong(
+                format!("is of `{surface}` and `{body}`, which do not meet"),
+                "add the body to `on` of the surface",
+            )
+        });
+        two.into_iter().chain(captures).chain(compliant).chain(apart).collect()
+    }
+
+    /// Two that touch of which two contacts tell.
     fn two_rules(&self) -> Vec<ModelError> {
-        let mut rules: HashMap<[usize; 2], &str> = HashMap::new();
-        let mut mistakes = vec![];
+        let (mut rules, mut mistakes): (HashMap<[&str; 2], &str>, _) = (HashMap::new(), vec![]);
         for contact in &self.model.contacts {
-            let mut couples = contact.couples(self.model).into_iter().map(|[a, b]| [a.min(b), a.max(b)]);
-            let first = couples.find_map(|couple| Some((couple, *rules.get(&couple)?)));
-            mistakes.extend(first.map(|(couple, first)| {
-                let [a, b] = couple.map(|body| self.model.bodies[body].name.as_str());
-                let problem = format!("is a second rule for `{a}` and `{b}`, which `{first}` lets meet");
-                of_rule(&contact.name, problem, "leave one of the two out, or name fewer bodies in `between`")
+            let couples = self.ruled(contact);
+            let first = couples.iter().find_map(|couple| Some((couple, *rules.get(couple)?)));
+            mistakes.extend(first.map(|([a, b], first)| {
+                let problem =
+                    format!("is a second rule for `{a}` and `{b}`, of which `{first}` is the first");
+                of_rule(&contact.name, problem, "leave one of the two out, or name fewer in `between`")
             }));
-            let own = contact.couples(self.model).into_iter();
-            rules.extend(own.map(|[a, b]| ([a.min(b), a.max(b)], contact.name.as_str())));
+            rules.extend(couples.into_iter().map(|couple| (couple, contact.name.as_str())));
         }
         mistakes
+    }
+
+    /// Names of every two that a contact speaks of, each two in one order.
+    fn ruled(&self, contact: &BodyContact) -> Vec<[&'m str; 2]> {
+        let model = self.model;
+        let body = |body: usize| model.bodies[body].name.as_str();
+        let bodies = contact.couples(model).into_iter().map(|[a, b]| [a.min(b), a.max(b)].map(body));
+        let surfaces = contact.on_surfaces(model).into_iter();
+        bodies
+            .chain(surfaces.map(|[surface, own]| [model.surfaces[surface].name.as_str(), body(own)]))
+            .collect()
+    }
+
+    /// Friction that a body has of its own where it meets what has none.
+    fn of_friction(&self, body: &Body) -> Option<ModelError> {
+        let mut surfaces = self.model.surfaces.iter().filter(|surface| !surface.law.is_rigid());
+        let compliant = surfaces.find(|surface| body.friction.is_some() && surface.meets(body))?;
+        let problem = format!(
+            "has friction and meets `{}`, which is compliant: there is friction of rigid surfaces only",
+            compliant.name
+        );
+        Some(of_rule(&body.name, problem, "make the surface `rigid`, or leave the friction out"))
+    }
+
+    fn is_surface(&self, name: &str) -> bool {
+        self.model.surfaces.iter().any(|surface| surface.name == name)
     }
 
     /// Whether this is the name of a body, or of a body's point by which it touches.
@@ -270,6 +332,13 @@ impl<'m> Structure<'m> {
 /// A surface or a contact that cannot be.
 fn of_rule(name: &str, problem: String, cure: &'static str) -> ModelError {
     ModelError::Contact { contact: name.to_owned(), problem, cure }
+}
+
+/// What a contact that captures has no use for.
+fn of_capture(contact: &BodyContact) -> Option<ModelError> {
+    let is_told = contact.restitution.is_some() || contact.friction.is_some();
+    let problem = || "captures, and says how bodies rebound or rub: what is captured does neither".to_owned();
+    (contact.captures && is_told).then(|| of_rule(&contact.name, problem(), "leave one of the two out"))
 }
 
 /// Whether a body has a side without thickness, as a rod without radius has.

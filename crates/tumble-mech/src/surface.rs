@@ -194,9 +194,9 @@ impl ContactLaw {
         }
     }
 
-    /// The law for a body that may have a restitution of its own.
-    pub(crate) fn of_body(&self, own: Option<&Expr>) -> Self {
-        match (self, own) {
+    /// The same with a restitution that others say, if it has one.
+    pub(crate) fn with_restitution(&self, said: Option<&Expr>) -> Self {
+        match (self, said) {
             (Self::Rigid { .. }, Some(own)) => Self::Rigid { restitution: own.clone() },
             (law, _) => law.clone(),
         }

@@ -33,7 +33,7 @@ impl Hybrid for Equations {
         self.built().programs.get_rounded(mode.clone(), self.rounding(), link, Program::rounded)
     }
 
-    /// At one instant windows end before others begin, then come events, which see what was scheduled, then contacts,
+    /// At one instant windows end before others begin, then come events, which see what was scheduled, then what is captured, then contacts,
     /// which see all forces that act from now on, and last the events that all this has made happen.
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
@@ -47,6 +47,7 @@ impl Hybrid for Equations {
                 Cause::Guard(_) | Cause::LazyGuard(_) | Cause::Wake => {}
             }
         }
+        self.capture(at, &mut jump)?;
         let mut impulses = self.couple(&jump.record.happened.clone(), at, &mut jump)?;
         impulses.add(self.switch_contacts(at, &mut jump)?);
         let known = jump.record.happened.len();

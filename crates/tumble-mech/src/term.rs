@@ -25,12 +25,14 @@ pub enum Law {
     Contact,
     /// Dry friction: what it does along itself.
     Friction,
+    /// Rolling resistance: the couple that it turns against.
+    Rolling,
 }
 
 impl Law {
     /// Whether it is a couple, without a force.
     pub fn is_couple(self) -> bool {
-        matches!(self, Self::Torque | Self::Torsion)
+        matches!(self, Self::Torque | Self::Torsion | Self::Rolling)
     }
 
     /// Whether it is what keeps bodies where a pivot or a joint holds them: it follows from the other loads.

@@ -89,6 +89,8 @@ pub enum Takes {
 impl Takes {
     /// The name of one body.
     pub(crate) const BODY: Self = Self::Name("body");
+    /// The name of a surface.
+    pub(crate) const SURFACE: Self = Self::Name("surface");
     /// The name of an event.
     pub(crate) const EVENT: Self = Self::Name("event");
     /// The name of a point, such as `"rod.tip"`.

@@ -143,7 +143,7 @@ fn unknown(names: &Names, name: &str, stem: &str, allowed: bool, span: &Span) ->
     let mistake = |code, message: String, help: String| {
         Diagnostic::new(code, span.clone(), message).label("unknown name").help(help)
     };
-    let surfaces = names.surfaces.iter().map(String::as_str);
+    let surfaces = names.places().map(String::as_str);
     if name.contains(".contact[") && !names.bodies.iter().any(|body| body == stem) {
         let help = crate::suggest::name(stem, "surfaces", surfaces);
         return Some(mistake(Code::UnknownPoint, format!("there is no surface `{stem}`"), help));
@@ -158,7 +158,7 @@ fn unknown(names: &Names, name: &str, stem: &str, allowed: bool, span: &Span) ->
 pub(crate) fn explain(names: &Names, name: &str, allowed: bool, span: &Span) -> Option<Diagnostic> {
     let stem = name.split(['[', '.']).next().unwrap_or(name);
     let is_event = names.events.iter().any(|event| event == stem);
-    let is_contact = names.surfaces.iter().any(|surface| surface == stem) && name.contains(".contact");
+    let is_contact = names.places().any(|place| place == stem) && name.contains(".contact");
     let mistake = |code, message: String| Diagnostic::new(code, span.clone(), message);
     if !is_event && !is_contact {
         return unknown(names, name, stem, allowed, span);

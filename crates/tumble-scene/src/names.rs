@@ -49,8 +49,10 @@ pub(crate) struct Names {
     pub(crate) happenings: BTreeSet<String>,
     /// The names of all joints, pivots among them, likewise.
     pub(crate) joints: Vec<String>,
-    /// The names of all surfaces and contacts, likewise.
+    /// The names of all surfaces, likewise.
     pub(crate) surfaces: Vec<String>,
+    /// The names of all contacts, likewise.
+    pub(crate) contacts: Vec<String>,
     /// What may touch what: `floor`, `floor.rod` and `floor.rod.tip`.
     pub(crate) touching: BTreeSet<String>,
     /// What does work: loads, pivots, surfaces and what touches them.
@@ -102,16 +104,21 @@ impl Names {
     pub(crate) fn level_of(&self, name: &str) -> Option<Level> {
         let last = name.rsplit('.').next().unwrap_or(name);
         let of_body = name.contains('.') && self.bodies.iter().any(|body| body == first_word(name));
-        let of_surface = self.surfaces.iter().any(|surface| surface == first_word(name));
+        let of_surface = self.places().any(|place| place == first_word(name));
         match name {
             "t" => Some(Level::Time),
             _ if of_body && ACCELERATIONS.contains(&last) => Some(Level::Output),
             _ if of_body => Some(Level::Motion),
             _ if self.joints.iter().any(|joint| joint == first_word(name)) => Some(Level::Output),
-            _ if of_surface && matches!(last, "normal" | "friction") => Some(Level::Output),
+            _ if of_surface && matches!(last, "normal" | "friction" | "rolling") => Some(Level::Output),
             _ if of_surface && matches!(last, "gap" | "slip") => Some(Level::Motion),
             _ => None,
         }
+    }
+
+    /// The names of all surfaces and contacts.
+    pub(crate) fn places(&self) -> impl Iterator<Item = &String> + Clone {
+        self.surfaces.iter().chain(&self.contacts)
     }
 
     /// Gives a name to one owner, such as "the body".

@@ -30,13 +30,13 @@ pub struct Plan {
 
 impl Plan {
     /// Runs a model from time 0 to `until`, s, a formula of its parameters.
-    pub fn of(title: impl AsRef<str>, model: Model, until: Expr) -> Self {
+    pub fn of(title: impl AsRef<str>, mut model: Model, until: Expr) -> Self {
+        model.add_captures();
         let title = one_line(title.as_ref());
         let mut draft = Draft::begin(&title, "", &[]);
         draft.names.bodies = model.bodies.iter().map(|body| body.name.clone()).collect();
-        let surfaces = model.surfaces.iter().map(|surface| surface.name.clone());
-        draft.names.surfaces =
-            surfaces.chain(model.contacts.iter().map(|contact| contact.name.clone())).collect();
+        draft.names.surfaces = model.surfaces.iter().map(|surface| surface.name.clone()).collect();
+        draft.names.contacts = model.contacts.iter().map(|contact| contact.name.clone()).collect();
         draft.names.events = model.events.iter().map(|event| event.name.clone()).collect();
         let pivots = model.pivots.iter().map(|pivot| pivot.name.clone());
         draft.names.joints = pivots.chain(model.joints.iter().map(|joint| joint.name.clone())).collect();

@@ -61,21 +61,21 @@ fn define_points(names: &mut Names, body: &Body) {
 /// Gives what may touch its names: `floor.rod.tip.gap`, `.normal`, with friction `.friction` and `.slip`, and `floor.normal` and
 /// `floor.friction` for all forces together.
 pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
-    let pairs = model.pairs();
+    let (pairs, resisting): (Vec<Pair>, Vec<Pair>) =
+        model.pairs().into_iter().partition(|pair| !pair.is_rolling());
+    define_resistances(names, model, &resisting);
     for (index, surface) in model.surfaces.iter().enumerate() {
         let of_surface: Vec<&Pair> = pairs.iter().filter(|pair| pair.rule == Rule::Surface(index)).collect();
         for pair in &of_surface {
             define_pair(names, pair, format!("{}.{}", surface.name, model.bodies[pair.body].name));
         }
-        let sum =
-            |of: fn(&Pair) -> Symbol| of_surface.iter().map(|pair| Expr::from(of(pair))).reduce(|a, b| a + b);
-        if let Some(all) = sum(Pair::force_symbol) {
+        let sum = |of: Vec<Symbol>| of.into_iter().map(Expr::from).reduce(|a, b| a + b);
+        let rough = of_surface.iter().filter(|pair| pair.friction.is_some());
+        if let Some(all) = sum(of_surface.iter().map(|pair| pair.force_symbol()).collect()) {
             names.define(Level::Output, &format!("{}.normal", surface.name), &all);
         }
-        if let Some(all) = sum(Pair::friction_symbol).filter(|_| surface.friction.is_some()) {
+        if let Some(all) = sum(rough.map(|pair| pair.friction_symbol()).collect()) {
             names.define(Level::Output, &format!("{}.friction", surface.name), &all);
-        }
-        if surface.friction.is_some() {
             define_slips(names, &surface.name);
         }
         names.touching.insert(surface.name.clone());
@@ -84,7 +84,10 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
 
 /// The same for bodies that meet each other: `balls.red.white.gap`.
 pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
-    for pair in model.pairs() {
+    let (pairs, resisting): (Vec<Pair>, Vec<Pair>) =
+        model.pairs().into_iter().partition(|pair| !pair.is_rolling());
+    define_resistances(names, model, &resisting);
+    for pair in pairs {
         let (Rule::Bodies(contact), Some(other)) = (pair.rule, pair.other) else { continue };
         let contact = &model.contacts[contact].name;
         let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
@@ -93,6 +96,14 @@ pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
             define_slips(names, contact);
         }
         names.touching.insert(contact.clone());
+    }
+}
+
+/// Gives the welds that contacts make their names: `hits.dart.board.joint.force`.
+pub(crate) fn define_captures(names: &mut Names, model: &Model) {
+    for joint in model.joints.iter().filter(|joint| joint.captured_by.is_some()) {
+        define_joint(names, &joint.name, joint.multipliers());
+        names.happenings.insert(format!("{}.start", joint.name));
     }
 }
 
@@ -107,6 +118,23 @@ fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
         names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
     }
     names.touching.extend([pair.name.clone(), bodies]);
+}
+
+/// Names couples against rolling, `floor.ball.rim.rolling`, and the instants at which what rolls stops or begins to.
+fn define_resistances(names: &mut Names, model: &Model, resisting: &[Pair]) {
+    for pair in resisting {
+        let couple = pair.rolling_couple().unwrap_or_else(Expr::zero);
+        names.define(Level::Output, &format!("{}.rolling", pair.name), &couple);
+        let bodies = pair.bodies().map(|body| model.bodies[body].name.as_str());
+        let rule = match pair.rule {
+            Rule::Surface(surface) => &model.surfaces[surface].name,
+            Rule::Bodies(contact) => &model.contacts[contact].name,
+        };
+        let all = [rule.as_str()].into_iter().chain(bodies).collect::<Vec<_>>().join(".");
+        for place in [rule, &all, &pair.name] {
+            names.happenings.extend(Change::OF_ROLLING.map(|change| format!("{place}.{}", change.word())));
+        }
+    }
 }
 
 /// Names the instants at which what touches there begins to slide, to stick or to roll: `floor.ball.rolls`.

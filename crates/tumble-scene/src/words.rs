@@ -276,7 +276,7 @@ const MISSING: &[Row] = &[
     ),
     (
         &["rolling_friction", "rolling_resistance"],
-        "there is no rolling resistance yet: what rolls on a level floor goes on; a `torque` by formula in `[force.NAME]` may resist it",
+        "rigid surfaces may resist rolling: `rigid = { restitution = 0.5, friction = 0.3, rolling = \"1 mm\" }` in `[surface.NAME]`",
     ),
     (
         &["rope", "string", "cable", "chain", "cord", "thread", "wire", "line", "tether"],

@@ -68,6 +68,15 @@ fn everything_is_read() {
 const MISTAKES: &[Row] = &[
     ("friction = 0.6", "friction = -0.6", "E0530 -0.6", "must not be negative"),
     ("kinetic = 0.3", "kinetic = 0.5", "E0530 0.4", "one number for both"),
+    ("friction = 0.6", "friction = 0.6, rolling = \"-1 mm\"", "E0530 \"-1 mm\"", "must not be negative"),
+    ("friction = 0.6", "friction = 0.6, rolling = 0.1", "E0516 0.1", "m"),
+    ("friction = 0.6", "rolling = \"1 mm\"", "E0519 rolling", "add `friction"),
+    (
+        "friction = 0.6",
+        "friction = 0.6, rolling_resistance = \"1 mm\"",
+        "E0511 rolling_resistance",
+        "rolling = ",
+    ),
     ("restitution = 0.2", "restitution = 1.2", "E0530 1.2", "between 0 and 1"),
     ("[\"ball\", \"crate\"]", "[\"ball\", \"crater\"]", "E0520 \"crater\"", "crate"),
     ("[\"ball\", \"crate\"]", "[\"ball\", \"ball\"]", "E0519 \"ball\"", "name each of them once"),
@@ -76,6 +85,30 @@ const MISTAKES: &[Row] = &[
         "[\"ball\", \"crate\", \"bar\"]",
         "E0538 hits && E0538 hits",
         "leave one of the two out",
+    ),
+    ("[\"ball\", \"crate\"]", "[\"ball\", \"crate\"]\ncapture = 1", "E0514 1", "true"),
+    (
+        "[\"ball\", \"crate\"]",
+        "[\"ball\", \"crate\"]\ncapture = true\nrigid = { friction = 0.2 }",
+        "E0538 hits",
+        "leave one of the two out",
+    ),
+    ("[\"ball\", \"crate\"]", "[\"ledge\", \"crate\"]\ncapture = true", "E0538 hits", "[weld.NAME]"),
+    (
+        "[contact.hits]",
+        "[contact.again]\nbetween = [\"ledge\", \"crate\"]\n[contact.all]\nbetween = [\"ball\", \"crate\", \"ledge\"]\n[contact.hits]",
+        "E0538 all && E0538 hits",
+        "leave one of the two out",
+    ),
+    ("[\"ball\", \"crate\"]", "[\"ledge\", \"bar\"]", "E0538 hits", "add the body to `on`"),
+    ("[\"ball\", \"crate\"]", "[\"ledge\", \"drum\", \"crate\"]", "E0538 hits", "name one surface"),
+    ("[\"ball\", \"crate\"]", "[\"ledgee\", \"crate\"]", "E0520 \"ledgee\"", "ledge"),
+    ("restitution = 0.9", "restitution = 0.9\nfriction = -0.1", "E0530 -0.1", "must not be negative"),
+    (
+        "restitution = 0.9",
+        "restitution = 0.9\nfriction = { static = 0.1, kinetic = 0.2 }",
+        "E0530 0.1",
+        "one number for both",
     ),
     (
         "[[0, 0], [\"0.3 m\", 0], [0, \"0.3 m\"]]",
@@ -117,6 +150,32 @@ const MISTAKES: &[Row] = &[
     ("start = { at = [0, \"1 m\"] }", "start = { at = [0, \"0.7 m\"] }", "E0539 start", "m farther apart"),
     ("radius = \"9 m\"", "radius = \"4 cm\"", "E0530 \"4 cm\"", "make the bowl larger"),
 ];
+
+/// Quantities and instants of friction are those of whoever has it: the ball alone on the bowl, the bar alone on the drum.
+#[test]
+fn friction_of_bodies_and_pairs_has_names() {
+    let own = SCENE.replace("restitution = 0.9", "restitution = 0.9\nfriction = 0.1");
+    let own = own
+        .replace("[run]", "[contact.pads]\nbetween = [\"drum\", \"bar\"]\nrigid = { friction = 0.2 }\n[run]");
+    let asks = |that: &str| {
+        let find = format!("[find.asked]\nthat = \"{that}\"\nat = \"1 s\"\n[run]");
+        read("scene.toml", &own.replace("[run]", &find), &[])
+            .map(drop)
+            .map_err(|mistakes| mistakes.to_string())
+    };
+    for known in [
+        "bowl.ball.rim.friction",
+        "bowl.friction",
+        "drum.friction",
+        "drum.bar.side1.friction",
+        "drum.ball.rim.slip",
+    ] {
+        assert_eq!(asks(known), Ok(()), "{known}");
+    }
+    for unknown in ["drum.crate.corner1.friction", "heap.crate.bar.friction"] {
+        assert!(asks(unknown).is_err(), "{unknown}");
+    }
+}
 
 #[test]
 fn mistakes() {

@@ -17,6 +17,10 @@ pub enum Change {
     Sticks,
     /// The same of a round rim, which rolls from now on.
     Rolls,
+    /// Of what resists rolling: it turns no longer, or begins to.
+    Stops,
+    /// See [`Self::Stops`].
+    Turns,
     /// A body that a surface has let go inside itself is out of it.
     Clear,
 }
@@ -24,6 +28,8 @@ pub enum Change {
 impl Change {
     /// What friction may do to a contact.
     pub const OF_FRICTION: [Self; 3] = [Self::Slides, Self::Sticks, Self::Rolls];
+    /// What resistance against rolling may do.
+    pub const OF_ROLLING: [Self; 2] = [Self::Stops, Self::Turns];
 
     /// What people call it.
     pub fn word(self) -> &'static str {
@@ -35,6 +41,8 @@ impl Change {
             Self::Slides => "slides",
             Self::Sticks => "sticks",
             Self::Rolls => "rolls",
+            Self::Stops => "stops",
+            Self::Turns => "turns",
             Self::Clear => "clear",
         }
     }

@@ -34,6 +34,7 @@ impl crate::Run {
                     Change::Impact => found.push(contact(*time, true)),
                     Change::Start => found.push(contact(end, false)),
                     Change::Zeno | Change::Clear | Change::Slides | Change::Sticks | Change::Rolls => {}
+                    Change::Stops | Change::Turns => {}
                     Change::End => {
                         let mut latest = found.iter_mut().rev();
                         if let Some(open) = latest.find(|open| open.pair == pair && open.is_open) {

@@ -2,27 +2,32 @@
 
 use std::collections::HashSet;
 
-use tumble_expr::{Binary, Expr};
+use tumble_expr::Expr;
 
 use crate::body::Body;
 use crate::contact::between::Between;
 use crate::contact::border::Border;
 use crate::contact::pair::{Pair, Rule};
+use crate::contact::said::{friction_of_bodies, restitution_of_bodies};
 use crate::friction::Friction;
 use crate::model::Model;
-use crate::surface::ContactLaw;
+use crate::surface::{ContactLaw, Surface};
 
-/// Rigid contacts of bodies with each other.
+/// Rigid contacts of bodies with each other, or what is said of bodies on a surface.
 #[derive(Clone, Debug)]
 pub struct BodyContact {
     /// Its name.
     pub name: String,
-    /// Names of the bodies of which every two meet; `None` is all bodies, but for those that a joint connects.
+    /// Names of the bodies of which every two meet; `None` is all bodies, but for those that a joint connects. A surface among them is met
+    /// by the bodies anyway, and what is said here counts for them on it.
     pub between: Option<Vec<String>>,
-    /// Impulse while separating over impulse while approaching, 0 to 1; where it is not given, the lesser of the bodies' own.
+    /// Impulse while separating over impulse while approaching, 0 to 1; where it is not given, what those that touch say, see
+    /// [`crate::Body`].
     pub restitution: Option<Expr>,
-    /// Dry friction between them; none where nothing is said.
+    /// Dry friction between them; where it is not given, what those that touch say.
     pub friction: Option<Friction>,
+    /// Whether bodies that meet stick together for good.
+    pub captures: bool,
 }
 
 impl BodyContact {
@@ -34,7 +39,18 @@ impl BodyContact {
 
     /// Of all bodies of a model, but for those that a joint connects, without friction.
     pub fn of_all(name: impl Into<String>, restitution: impl Into<Expr>) -> Self {
-        Self { name: name.into(), between: None, restitution: Some(restitution.into()), friction: None }
+        Self {
+            name: name.into(),
+            between: None,
+            restitution: Some(restitution.into()),
+            friction: None,
+            captures: false,
+        }
+    }
+
+    /// Of all bodies of a model: those that meet stick together for good, as by a weld that begins where they touch.
+    pub fn capturing(name: impl Into<String>) -> Self {
+        Self { name: name.into(), between: None, restitution: None, friction: None, captures: true }
     }
 
     /// The same with friction.
@@ -54,13 +70,34 @@ impl BodyContact {
         couples.filter(|[a, b]| a != b && !joined.contains(&[*a.min(b), *a.max(b)])).collect()
     }
 
-    /// What happens where two bodies touch; `None` where nobody says how they rebound.
-    pub fn law(&self, [one, other]: [&Body; 2]) -> Option<ContactLaw> {
-        let own = match (&one.restitution, &other.restitution) {
-            (Some(a), Some(b)) => Some(Expr::binary(Binary::Min, a.clone(), b.clone())),
-            (a, b) => a.clone().or(b.clone()),
-        };
-        Some(ContactLaw::Rigid { restitution: self.restitution.clone().or(own)? })
+    /// Of two bodies that meet by it.
+    pub(crate) fn name_of(&self, [one, other]: [&Body; 2]) -> String {
+        format!("{}.{}.{}", self.name, one.name, other.name)
+    }
+
+    /// The restitution of two bodies; `None` where nobody says it.
+    pub(crate) fn rebound(&self, bodies: [&Body; 2]) -> Option<Expr> {
+        if self.captures { Some(Expr::zero()) } else { restitution_of_bodies(self, bodies) }
+    }
+
+    /// The surfaces that it speaks of.
+    pub fn surfaces<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = &'m Surface> {
+        let names = self.between.iter().flatten();
+        names.filter_map(|name| model.surfaces.iter().find(|surface| surface.name == *name))
+    }
+
+    /// Surfaces and bodies of which it says what counts for them, by index.
+    pub(crate) fn on_surfaces(&self, model: &Model) -> Vec<[usize; 2]> {
+        let named = |name: &String| self.between.as_ref().is_some_and(|names| names.contains(name));
+        let surfaces = (0..model.surfaces.len()).filter(|surface| named(&model.surfaces[*surface].name));
+        let bodies: Vec<usize> =
+            (0..model.bodies.len()).filter(|body| named(&model.bodies[*body].name)).collect();
+        surfaces.flat_map(|surface| bodies.iter().map(move |body| [surface, *body])).collect()
+    }
+
+    /// Whether it speaks of a body on a surface.
+    pub(crate) fn is_of(&self, surface: &Surface, body: &Body) -> bool {
+        self.between.as_ref().is_some_and(|names| names.contains(&surface.name) && names.contains(&body.name))
     }
 
     /// Its pairs; `borders` are those of all bodies.
@@ -68,13 +105,13 @@ impl BodyContact {
         let pairs = self.couples(model).into_iter().filter_map(|[one, other]| {
             let bodies = [one, other].map(|body| &model.bodies[body]);
             let between = Between {
-                name: format!("{}.{}.{}", self.name, bodies[0].name, bodies[1].name),
+                name: self.name_of(bodies),
                 rule: Rule::Bodies(index),
                 body: one,
                 other: Some(other),
                 // The model was checked: somebody says how they rebound.
-                law: self.law(bodies)?,
-                friction: self.friction.clone(),
+                law: ContactLaw::Rigid { restitution: self.rebound(bodies)? },
+                friction: friction_of_bodies(self, bodies),
             };
             Some(between.pairs(&borders[one], &borders[other]))
         });
@@ -84,7 +121,8 @@ impl BodyContact {
 
 /// Bodies that a joint connects, the first by index first.
 fn joined(model: &Model) -> HashSet<[usize; 2]> {
-    let ends = model.joints.iter().filter_map(|joint| {
+    let joints = model.joints.iter().filter(|joint| joint.captured_by.is_none());
+    let ends = joints.filter_map(|joint| {
         let mut bodies = joint.bodies().filter_map(|name| model.body_index(name));
         Some([bodies.next()?, bodies.next()?])
     });

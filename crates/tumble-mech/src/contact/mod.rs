@@ -6,6 +6,7 @@
 
 mod between;
 mod border;
+mod capture;
 mod change;
 pub(crate) mod complementarity;
 mod contact_mode;
@@ -21,6 +22,7 @@ mod pair;
 mod pairs;
 mod rough;
 mod routh;
+mod said;
 mod settle;
 mod slip;
 mod start;

@@ -27,10 +27,11 @@ use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::border::Rim;
 use crate::contact::opposite::Opposite;
+use crate::contact::said::Said;
 use crate::contact::straight::Limit;
 use crate::coordinates::Measure;
 use crate::friction::Friction;
-use crate::kinematics::PointRef;
+use crate::kinematics::{Kinematics, PointRef};
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
 use crate::statement::Statement;
@@ -78,7 +79,7 @@ pub struct Pair {
     pub through: Vector,
     /// Unit vector out of the solid, towards the body; of a circle it has that length where they touch.
     pub normal: Vector,
-    /// What happens where they touch, the body's own restitution included.
+    /// What happens where they touch, by whoever says it.
     pub law: ContactLaw,
     /// Friction along the surface, if it has any.
     pub friction: Option<Friction>,
@@ -86,6 +87,9 @@ pub struct Pair {
     pub(crate) opposite: Opposite,
     /// Where they may touch, if not everywhere.
     pub(crate) limits: Vec<Limit>,
+    /// Set of what stands for the rolling resistance of a pair beside it: the radius, m, by which its couple is a force and its rate a
+    /// speed. It has the force of the pair, and no gap of its own.
+    pub(crate) lever: Option<Expr>,
 }
 
 impl Pair {
@@ -93,6 +97,7 @@ impl Pair {
         (surface_index, surface): (usize, &Surface),
         (body_index, body): (usize, &Body),
         (rim, centre): (&Rim, &PointRef),
+        (law, friction): Said,
     ) -> Self {
         let opposite = surface.circle.as_ref().map_or(Opposite::Plane, |circle| {
             Opposite::circle(None, circle.radius.clone(), circle.inside, &rim.radius)
@@ -106,10 +111,11 @@ impl Pair {
             radius: rim.radius.clone(),
             through: surface.through.clone(),
             normal: opposite.normal(centre, &surface.through).unwrap_or_else(|| surface.normal.clone()),
-            law: surface.law.of_body(body.restitution.as_ref()),
-            friction: surface.friction.clone(),
+            law,
+            friction,
             opposite,
             limits: vec![],
+            lever: None,
         }
     }
 
@@ -238,6 +244,7 @@ impl Pair {
     /// What it has in common with those that slip alike: all points of a body on one plane do; `own` is its index.
     pub(crate) fn slips_with(&self, own: usize) -> Alike {
         let line = match &self.opposite {
+            _ if self.is_rolling() => Line::None(own),
             Opposite::Plane => Line::Plane,
             Opposite::Edge(edge) => Line::Edge(self.other, edge.line),
             Opposite::Circle(_) => Line::None(own),
@@ -269,13 +276,54 @@ impl Pair {
         turned(&self.normal)
     }
 
+    /// What stands for its rolling resistance, if it has any.
+    pub(crate) fn rolling(&self) -> Option<Self> {
+        let lever = match &self.opposite {
+            _ if !is_identically_zero(&self.radius) => self.radius.clone(),
+            Opposite::Circle(circle) => circle.radius.clone(),
+            Opposite::Edge(edge) => edge.radius.clone(),
+            Opposite::Plane => Expr::zero(),
+        };
+        let length = self.friction.as_ref()?.rolling.as_ref()?;
+        let friction = Friction::new(length / &lever);
+        let is_round = self.is_round() && self.is_rigid() && !is_identically_zero(&lever);
+        is_round.then(|| Self { friction: Some(friction), lever: Some(lever), ..self.clone() })
+    }
+
+    /// The couple against rolling, N m, of what stands for that.
+    pub fn rolling_couple(&self) -> Option<Expr> {
+        self.lever.as_ref().map(|lever| lever * Expr::from(self.friction_symbol()))
+    }
+
+    /// Whether it stands for a rolling resistance.
+    pub fn is_rolling(&self) -> bool {
+        self.lever.is_some()
+    }
+
+    /// Of the first body less what it turns against, 1/s; `body` is what is known of bodies, `turning` the same of a plane that tilts.
+    fn relative(&self, body: fn(&Kinematics) -> Expr, turning: Expr) -> Expr {
+        let other = match (self.other, self.opposite.point(), &self.opposite) {
+            (Some(_), Some(point), _) => body(&point.body),
+            (_, _, Opposite::Plane) => turning,
+            _ => Expr::zero(),
+        };
+        body(&self.centre.body) - other
+    }
+
     /// Rate at which the body's point slips along the surface, m/s.
     pub fn slip_rate(&self) -> Expr {
+        if let Some(lever) = &self.lever {
+            return lever * self.relative(Kinematics::omega, self.normal.cross_planar(&rate(&self.normal)));
+        }
         dot(&self.tangent(), &self.slipping())
     }
 
     /// Its derivative, m/s^2, in the bodies' accelerations.
     pub fn slip_acceleration(&self) -> Expr {
+        if let Some(lever) = &self.lever {
+            let turning = self.normal.cross_planar(&rate(&rate(&self.normal)));
+            return lever * self.relative(Kinematics::alpha, turning);
+        }
         let motion = &self.centre.body;
         let (omega, arm) = (motion.omega(), self.arm());
         let normal_turns = self.turning();
@@ -302,9 +350,10 @@ impl Pair {
         motion.velocity() + motion.omega() * self.arm().perpendicular()
     }
 
-    /// Stands for the force along the surface, N.
+    /// Stands for the force along the surface, N, or for a couple against rolling over its [`Self::lever`].
     pub fn friction_symbol(&self) -> Symbol {
-        Symbol::new(format!("{}.friction", self.name), Dimension::FORCE)
+        let what = if self.is_rolling() { "rolling_force" } else { "friction" };
+        Symbol::new(format!("{}.{what}", self.name), Dimension::FORCE)
     }
 
     /// Stands for the force along the normal, N.
@@ -340,6 +389,11 @@ impl Pair {
     /// The friction on the body.
     fn friction_term(&self) -> Term {
         let force: Expr = self.friction_symbol().into();
+        if let Some(lever) = &self.lever {
+            let nothing = Vector::planar(Expr::zero(), Expr::zero());
+            let load = format!("{}.rolling", self.name);
+            return Term { load, law: Law::Rolling, force: nothing, couple: lever * force, ..self.term() };
+        }
         Term {
             load: format!("{}.friction", self.name),
             law: Law::Friction,
@@ -355,7 +409,13 @@ impl Pair {
 
     fn on_both(&self, own: Term) -> Vec<Term> {
         let other = self.other.zip(self.other_arm());
-        let other = other.map(|(body, arm)| Term { body, arm, force: -&own.force, ..own.clone() });
+        let other = other.map(|(body, arm)| Term {
+            body,
+            arm,
+            force: -&own.force,
+            couple: -&own.couple,
+            ..own.clone()
+        });
         std::iter::once(own).chain(other).collect()
     }
 
@@ -367,14 +427,14 @@ impl Pair {
     /// `f t`, where there is friction.
     pub(crate) fn friction_statement(&self) -> Option<Statement> {
         let rubs = || along(&self.friction_term(), self.friction_symbol(), "t", &self.tangent());
-        self.friction.is_some().then(rubs)
+        (self.friction.is_some() && !self.is_rolling()).then(rubs)
     }
 
     /// The condition that it does not slip. How far it has slipped before is nothing to it: it has a rate only.
     pub(crate) fn slip_row(&self) -> Row {
         Row {
             multiplier: self.friction_symbol(),
-            wrenches: self.wrenches(&self.tangent()),
+            wrenches: self.turning_wrenches().unwrap_or_else(|| self.wrenches(&self.tangent())),
             position: Expr::zero(),
             rate: self.slip_rate(),
             acceleration: self.slip_acceleration(),
@@ -392,6 +452,15 @@ impl Pair {
             acceleration: self.gap_acceleration(),
             measure: Measure::Length,
         }
+    }
+
+    /// Of what resists rolling.
+    fn turning_wrenches(&self) -> Option<Vec<Wrench>> {
+        let lever = self.lever.as_ref()?;
+        let force = || Vector::planar(Expr::zero(), Expr::zero());
+        let wrench =
+            |(body, sign)| Wrench { body, arm: self.arm_of(body), force: force(), couple: sign * lever };
+        Some(self.sides().map(wrench).collect())
     }
 
     fn wrenches(&self, direction: &Vector) -> Vec<Wrench> {

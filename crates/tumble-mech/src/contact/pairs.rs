@@ -8,9 +8,11 @@ use tumble_ode::Direction;
 use crate::body::Body;
 use crate::contact::between::{Between, circle_of_world};
 use crate::contact::border::{Border, Rim};
+use crate::contact::capture::captures;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Rule};
+use crate::contact::said::of_surface_and_body;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -26,6 +28,11 @@ pub(crate) struct Pairs {
     pub(crate) terms: Vec<Vec<Term>>,
     /// Of those with friction.
     pub(crate) frictions: HashMap<usize, Vec<Term>>,
+    /// The joints that pairs make which capture.
+    pub(crate) captures: HashMap<usize, usize>,
+    /// What stands for the rolling resistance of pairs, behind all of them, and of which pair each of these is.
+    pub(crate) rolling: HashMap<usize, usize>,
+    pub(crate) owner: HashMap<usize, usize>,
     of_bodies: Vec<Vec<usize>>,
 }
 
@@ -38,19 +45,26 @@ impl Pairs {
         let mut all = vec![];
         for surface in model.surfaces.iter().enumerate() {
             for body in model.bodies.iter().enumerate() {
-                all.extend(of_surface(surface, body, &borders[body.0]));
+                all.extend(of_surface(model, surface, body, &borders[body.0]));
             }
         }
         let contacts = model.contacts.iter().enumerate();
         all.extend(contacts.flat_map(|(index, contact)| contact.pairs(index, model, &borders)));
-        let terms = all.iter().map(Pair::terms).collect();
-        let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
-        let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
         let mut of_bodies = vec![vec![]; model.bodies.len()];
         for (index, pair) in all.iter().enumerate() {
             pair.bodies().for_each(|body| of_bodies[body].push(index));
         }
-        Self { all, terms, frictions, of_bodies }
+        let resisting: Vec<(usize, Pair)> =
+            all.iter().enumerate().filter_map(|(index, pair)| Some((index, pair.rolling()?))).collect();
+        let rolling: HashMap<usize, usize> =
+            resisting.iter().zip(all.len()..).map(|((index, _), rolling)| (*index, rolling)).collect();
+        let owner = rolling.iter().map(|(index, rolling)| (*rolling, *index)).collect();
+        all.extend(resisting.into_iter().map(|(_, pair)| pair));
+        let terms = all.iter().map(Pair::terms).collect();
+        let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
+        let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
+        let captures = captures(model, &all);
+        Self { all, terms, frictions, captures, rolling, owner, of_bodies }
     }
 
     /// Indices of the pairs of which all bodies are among some that are in order.
@@ -63,6 +77,11 @@ impl Pairs {
         pairs
     }
 
+    /// What has friction, or resists rolling, of a pair.
+    pub(crate) fn rubbing(&self, pair: usize) -> impl Iterator<Item = usize> {
+        [Some(pair), self.rolling.get(&pair).copied()].into_iter().flatten()
+    }
+
     /// Indices of a body's pairs.
     pub(crate) fn of_body(&self, body: usize) -> impl Iterator<Item = usize> {
         self.of_bodies.get(body).into_iter().flatten().copied()
@@ -71,18 +90,19 @@ impl Pairs {
 
 /// All pairs of a body and a surface: planes and bowls are met by circles, others by edges too.
 fn of_surface(
+    model: &Model,
     (index, surface): (usize, &Surface),
     (body_index, body): (usize, &Body),
     border: &Border,
 ) -> Vec<Pair> {
-    let own = surface.met_of(body, border);
+    let (own, said) = (surface.met_of(body, border), of_surface_and_body(model, surface, body));
     let between = || Between {
         name: format!("{}.{}", surface.name, body.name),
         rule: Rule::Surface(index),
         body: body_index,
         other: None,
-        law: surface.law.of_body(body.restitution.as_ref()),
-        friction: surface.friction.clone(),
+        law: said.0.clone(),
+        friction: said.1.clone(),
     };
     match (&surface.polygon, &surface.circle) {
         (Some(corners), _) => between().pairs(&own, &Border::of_polygon(corners)),
@@ -90,7 +110,9 @@ fn of_surface(
             between().pairs(&own, &circle_of_world(&surface.through, &circle.radius))
         }
         _ => {
-            let pair = |rim: &Rim| Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?)));
+            let pair = |rim: &Rim| {
+                Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?), said.clone()))
+            };
             own.rims.iter().filter_map(pair).collect()
         }
     }
@@ -104,8 +126,13 @@ impl Equations {
 
     /// Pairs that are apart in a mode.
     pub(crate) fn apart(&self, mode: &Mode) -> Vec<usize> {
-        let own = self.pair_list().among(&mode.bodies).into_iter();
+        let own = self.pairs_among(mode, &mode.bodies).into_iter();
         own.filter(|pair| mode.contact_mode(*pair).is_none()).collect()
+    }
+
+    /// What stands for the rolling resistance of a pair, by index, if it has any.
+    pub fn resisting(&self, pair: usize) -> Option<usize> {
+        self.pair_list().rolling.get(&pair).copied()
     }
 
     /// What is watched of the pairs that touch: its guards come after those of the events.

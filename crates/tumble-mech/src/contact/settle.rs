@@ -122,7 +122,7 @@ impl Equations {
     fn leave(&self, left: &BTreeSet<usize>, jump: &mut Jump<Mode>) {
         for &pair in left {
             jump.mode.set_contact_mode(pair, None);
-            jump.mode.set_grip(pair, None);
+            self.pair_list().rubbing(pair).for_each(|own| jump.mode.set_grip(own, None));
             jump.record.happened.push(Happening::Contact { pair, change: Change::End });
         }
     }
@@ -449,12 +449,11 @@ impl<'a> Settling<'a> {
         };
         let impulses = &self.impulses + &self.cut_off;
         let shares = &self.touch.joints.share * &impulses;
-        let slips = &self.touch.slips.of;
-        let along = impulses.rows(self.touch.pairs.len(), slips.len()).into_owned();
-        let rubbed: Vec<usize> = slips.iter().map(|position| self.touch.pairs[*position]).collect();
+        let rubbed = &self.touch.slips.pairs;
+        let along = impulses.rows(self.touch.pairs.len(), rubbed.len()).into_owned();
         Sizes {
             normals: by_index(&self.touch.pairs, &impulses),
-            frictions: by_index(&rubbed, &along),
+            frictions: by_index(rubbed, &along),
             rows: by_index(&self.touch.joints.rows, &shares),
             applied: vec![],
         }

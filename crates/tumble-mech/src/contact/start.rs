@@ -29,6 +29,7 @@ impl Equations {
         let formulas: Vec<_> = self
             .pairs()
             .iter()
+            .filter(|pair| !pair.is_rolling())
             .flat_map(|pair| {
                 let size = &extents[pair.body] + pair.through.norm() + &pair.radius + pair.extent();
                 [pair.gap(), size].into_iter().chain(pair.within())
@@ -42,7 +43,7 @@ impl Equations {
         let mut inside: Vec<ModelError> = vec![];
         let mut sizes: HashMap<Couple, f64> = HashMap::new();
         let mut values = values.into_iter();
-        for (index, pair) in self.pairs().iter().enumerate() {
+        for (index, pair) in self.pairs().iter().enumerate().filter(|(_, pair)| !pair.is_rolling()) {
             let mut next = || values.next().unwrap_or(f64::NAN);
             let (gap, size) = (next(), next());
             let holds = pair.limits.iter().fold(true, |holds, _| next() >= 0.0 && holds);

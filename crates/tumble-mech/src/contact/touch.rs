@@ -15,7 +15,7 @@ use crate::contact::settle::BALANCED;
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
-use crate::link::{InstantTape, Measured};
+use crate::link::{InstantTape, Measured, Slipping};
 use crate::mode::Mode;
 use crate::restrained::{Gradients, respond};
 
@@ -138,7 +138,8 @@ impl Equations {
         states: &[f64],
         now: Now<'_>,
     ) -> Result<Touch, Reason> {
-        let all = self.pair_list().among(island);
+        let mut all = self.pair_list().among(island);
+        all.retain(|pair| !self.pair_list().captures.contains_key(pair));
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let tape = self.island_tape(island, mode, &all)?;
@@ -148,7 +149,8 @@ impl Equations {
         let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
         let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
         let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
-        let (rows, slips) = (read.rows(), Slips::read(&tape.slips, |output| jets.value_of(output)));
+        let (rows, slips) =
+            (read.rows(), Slips::read(&tape.slips, &self.pair_list().owner, |output| jets.value_of(output)));
         let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
@@ -197,8 +199,10 @@ impl Equations {
         let near: Vec<usize> = (0..all.len()).filter(is_near).collect();
         let tape = read.tape;
         let places: HashMap<usize, usize> = near.iter().copied().zip(0..).collect();
-        let slips =
-            tape.slips.iter().filter_map(|(position, slip)| Some((*places.get(position)?, slip.clone())));
+        let slips = tape
+            .slips
+            .iter()
+            .filter_map(|slip| Some(Slipping { position: *places.get(&slip.position)?, ..slip.clone() }));
         let slips = slips.collect();
         let pairs = near.iter().map(|position| tape.pairs[*position].clone()).collect();
         let near = near.into_iter().map(|position| all[position]).collect();
@@ -208,7 +212,7 @@ impl Equations {
 
     /// Pairs of bodies that touch or nearly do, whether or not they last.
     pub(crate) fn meeting(&self, mode: &Mode, states: &[f64], now: Now<'_>) -> Result<Vec<usize>, Reason> {
-        let mut pairs = self.pair_list().among(&mode.bodies);
+        let mut pairs = self.pairs_among(mode, &mode.bodies);
         pairs.retain(|pair| self.pairs()[*pair].other.is_some());
         if pairs.is_empty() {
             return Ok(pairs);
@@ -304,7 +308,7 @@ impl Numbers<'_> {
 
     /// Slopes of all gaps' rates, then of those along surfaces.
     fn rows(&self) -> DMatrix<f64> {
-        let along = self.tape.slips.iter().map(|(_, slip)| slip);
+        let along = self.tape.slips.iter().map(|slip| &slip.row);
         self.gradients(self.tape.pairs.iter().chain(along)).dense()
     }
 

@@ -124,6 +124,9 @@ impl Pair {
     /// Kept apart, gaps and forces have names by which the integrator knows them in every mode.
     pub(crate) fn guard_name(&self, of: Watched) -> String {
         let what = match of {
+            Watched::Slip if self.is_rolling() => "rolling",
+            Watched::Cone(Way::Forward) if self.is_rolling() => "rolling forward",
+            Watched::Cone(Way::Backward) if self.is_rolling() => "rolling backward",
             Watched::Gap => "gap",
             Watched::Force => "force",
             Watched::Normal => "normal",

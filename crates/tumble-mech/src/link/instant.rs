@@ -36,10 +36,20 @@ pub(crate) struct InstantTape {
     pub(crate) pairs: Vec<Measured>,
     /// Of those with friction, by their order among the pairs, the rate along the surface; behind each of these stand its derivative
     /// and both coefficients.
-    pub(crate) slips: Vec<(usize, Measured)>,
+    pub(crate) slips: Vec<Slipping>,
     pub(crate) rows: Vec<Measured>,
     /// Where numbers of bodies begin.
     pub(crate) bodies: usize,
+}
+
+/// What rubs where a pair touches: its friction, or its resistance against rolling.
+#[derive(Clone, Debug)]
+pub(crate) struct Slipping {
+    /// Order of the pair among those of the tape.
+    pub(crate) position: usize,
+    /// Index of the pair, or of what stands for its rolling resistance.
+    pub(crate) pair: usize,
+    pub(crate) row: Measured,
 }
 
 /// Where the numbers of a row stand: its position if it has one, its rate, the slopes of that by velocities.
@@ -92,7 +102,11 @@ impl Equations {
             let rough = pairs.iter().copied().enumerate();
             let rough = rough.filter(|(_, pair)| self.pairs()[*pair].friction.is_some());
             let pairs = pairs.iter().map(|pair| instant.pair(*pair)).collect();
-            let slips = rough.map(|(position, pair)| (position, instant.slip(pair))).collect();
+            let rough = rough
+                .flat_map(|(position, pair)| self.pair_list().rubbing(pair).map(move |own| (position, own)));
+            let slips = rough
+                .map(|(position, own)| Slipping { position, pair: own, row: instant.slip(own) })
+                .collect();
             let rows = self.independent_rows_of(mode, island).into_iter();
             let rows: Vec<Measured> = rows.map(|(_, row)| instant.row(row)).collect();
             let bodies = instant.outputs.len();

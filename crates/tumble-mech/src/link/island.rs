@@ -86,7 +86,8 @@ impl<A: Algebra> Linking<'_, A> {
             return None;
         }
         let Some(tie) = self.tie(pair) else { return Some(self.keeping(body, RowOf::Slip(pair))) };
-        let normal = self.normal(pair)?;
+        let owner = self.equations.pair_list().owner.get(&pair).copied().unwrap_or(pair);
+        let normal = self.normal(owner)?;
         Some(self.algebra.binary(Binary::Mul, tie, normal))
     }
 
@@ -157,10 +158,13 @@ impl<A: Algebra> Linking<'_, A> {
     /// What a unit of a row's multiplier does, the friction that comes with it included; `of` is the part for friction alone.
     pub(super) fn with_friction(&mut self, own: A::Value, by: RowOf, of: impl Fn(RowOf) -> Part) -> A::Value {
         let RowOf::Pair(pair) = by else { return own };
-        let Some(tie) = self.tie(pair) else { return own };
-        let rubbed = self.part(of(RowOf::Slip(pair))).remove(0);
-        let rubbed = self.algebra.binary(Binary::Mul, tie, rubbed);
-        self.algebra.binary(Binary::Add, own, rubbed)
+        let pairs = self.equations.pair_list();
+        pairs.rubbing(pair).fold(own, |sum, rubbing| {
+            let Some(tie) = self.tie(rubbing) else { return sum };
+            let rubbed = self.part(of(RowOf::Slip(rubbing))).remove(0);
+            let rubbed = self.algebra.binary(Binary::Mul, tie, rubbed);
+            self.algebra.binary(Binary::Add, sum, rubbed)
+        })
     }
 
     fn right_sides(&mut self, rows: &[(RowOf, Vec<usize>)], lights: &[usize]) -> Vec<A::Value> {

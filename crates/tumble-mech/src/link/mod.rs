@@ -14,6 +14,6 @@ mod names;
 mod part;
 
 pub(crate) use algebra::{Nodes, Written};
-pub(crate) use instant::{InstantTape, InstantTapes, Measured};
+pub(crate) use instant::{InstantTape, InstantTapes, Measured, Slipping};
 pub(crate) use linking::Linking;
 pub(crate) use part::{Library, RowOf, TermOf, total};

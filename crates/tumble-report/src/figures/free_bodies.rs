@@ -276,7 +276,7 @@ impl Drawing<'_> {
     fn tangents(&self, body: &Body, reach: f64, time: f64) -> Result<Vec<Ground>, CaseError> {
         let model = &self.study.model;
         let mut found: Vec<Ground> = vec![];
-        for pair in self.run.equations.pairs() {
+        for pair in self.run.equations.pairs().iter().filter(|pair| !pair.is_rolling()) {
             let Rule::Surface(surface) = pair.rule else { continue };
             let surface = &model.surfaces[surface];
             let is_plane = surface.circle.is_none() && surface.polygon.is_none();
@@ -308,7 +308,7 @@ impl Drawing<'_> {
 pub(crate) fn kind(law: Law) -> Kind {
     match law {
         Law::Weight => Kind::Weight,
-        Law::Contact | Law::Friction => Kind::Contact,
+        Law::Contact | Law::Friction | Law::Rolling => Kind::Contact,
         Law::Drag | Law::Lift => Kind::Air,
         Law::Spring | Law::Torsion => Kind::Spring,
         Law::Reaction => Kind::Reaction,

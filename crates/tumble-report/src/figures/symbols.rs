@@ -8,7 +8,7 @@ use tumble_mech::{Application, Frame, Gravity, Law};
 use tumble_scene::Study;
 
 /// Quantities by the end of their names, with the usual letter and in words.
-const QUANTITIES: [(&str, &str, &str); 18] = [
+const QUANTITIES: [(&str, &str, &str); 19] = [
     ("x", "x", "horizontal position"),
     ("y", "y", "height"),
     ("vx", "v_x", "horizontal velocity"),
@@ -24,6 +24,7 @@ const QUANTITIES: [(&str, &str, &str); 18] = [
     ("force", "", "force"),
     ("normal", "", "normal force"),
     ("friction", "", "friction"),
+    ("rolling", "", "couple against rolling"),
     ("slip", "", "speed of slip"),
     ("gap", "", "gap"),
     ("work", "", "work"),
@@ -150,6 +151,7 @@ pub(crate) fn force(study: &Study, load: &str, law: Law) -> String {
         Law::Weight => "W".to_owned(),
         Law::Contact => format!("N_{}", contact(study, load)),
         Law::Friction => format!("f_{}", contact(study, rubbed(load))),
+        Law::Rolling => format!("C_{}", contact(study, rubbed(load))),
         Law::Reaction => format!("R_{last}"),
         _ if law.is_couple() => format!("tau_{last}"),
         _ => format!("F_{last}"),
@@ -179,9 +181,9 @@ fn only_symbol(application: &Application) -> Option<Symbol> {
     if let Node::Symbol(symbol) = part.node() { Some(symbol.clone()) } else { None }
 }
 
-/// The contact that friction of this name is of.
+/// The contact that friction or a rolling resistance of this name is of.
 pub(crate) fn rubbed(load: &str) -> &str {
-    load.strip_suffix(".friction").unwrap_or(load)
+    load.strip_suffix(".friction").or_else(|| load.strip_suffix(".rolling")).unwrap_or(load)
 }
 
 /// Where a body is touched: by the point, `tip` of `floor.rod.tip`, and where there are several surfaces by them too; where bodies meet
@@ -255,6 +257,8 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
         let touched = contact(study, &pair.name);
         symbols.insert(format!("{}.normal", pair.name), format!("N_{touched}"));
         symbols.insert(format!("{}.friction", pair.name), format!("f_{touched}"));
+        symbols.insert(format!("{}.rolling", pair.name), format!("C_{touched}"));
+        symbols.insert(format!("{}.rolling_force", pair.name), format!("p_{touched}"));
     }
     for surface in &study.model.surfaces {
         let letter = |letter: &str| {

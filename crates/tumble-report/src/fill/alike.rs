@@ -101,7 +101,7 @@ fn likeness(study: &Study, case: &Case, body: usize) -> (Likeness, usize) {
 fn stated_as(load: &str, law: Law) -> String {
     let pair = symbols::rubbed(load);
     match law {
-        Law::Contact | Law::Friction => pair.split('.').next().unwrap_or(pair).to_owned(),
+        Law::Contact | Law::Friction | Law::Rolling => pair.split('.').next().unwrap_or(pair).to_owned(),
         _ => load.to_owned(),
     }
 }

@@ -42,6 +42,17 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
 /// What the laws in use take for granted.
 fn assumptions(study: &Study) -> Vec<Text> {
     let model = &study.model;
+    let (surfaces, contacts) = (model.surfaces.iter(), model.contacts.iter());
+    let of_bodies = model.bodies.iter().any(|body| body.friction.is_some());
+    let of_pairs = contacts.clone().any(|contact| contact.friction.is_some());
+    let is_rough = of_bodies || of_pairs || surfaces.clone().any(|surface| surface.friction.is_some());
+    let frictions =
+        surfaces.clone().map(|surface| &surface.friction).chain(contacts.clone().map(|own| &own.friction));
+    let resists = frictions.flatten().any(|friction| friction.rolling.is_some());
+    // Else there is one only who could say it.
+    let is_said_by_several = of_bodies
+        || model.bodies.iter().any(|body| body.restitution.is_some())
+        || contacts.clone().any(|contact| contact.surfaces(model).next().is_some());
     let said = [
         (true, "The bodies are rigid and move in one plane."),
         (
@@ -55,14 +66,19 @@ fn assumptions(study: &Study) -> Vec<Text> {
             "What joins bodies on the way does so in no time: an impact without rebound.",
         ),
         (
-            !model.surfaces.is_empty() && model.surfaces.iter().all(|surface| surface.friction.is_none()),
+            !model.surfaces.is_empty() && !is_rough,
             "Surfaces have no friction: they push along their normals only.",
         ),
         (
-            model.surfaces.iter().any(|surface| surface.friction.is_some()),
+            is_rough,
             "Friction is dry: its coefficients do not depend on the speed, the pressure or the time at rest.",
         ),
-        (model.surfaces.iter().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
+        (resists, "Rolling resistance is a couple of lasting contacts; impacts know nothing of it."),
+        (
+            is_said_by_several,
+            "Restitution and friction are those said for the pair; where nothing is, a body's own (of two bodies the lesser), else the surface's.",
+        ),
+        (surfaces.clone().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
     ];
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }
@@ -228,7 +244,7 @@ fn law(
 ) -> Vec<Math> {
     let said = stated.and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
     let is_of = |pair: &&Pair| pair.name == symbols::rubbed(&term.load);
-    let touches = matches!(term.law, Law::Contact | Law::Friction);
+    let touches = matches!(term.law, Law::Contact | Law::Friction | Law::Rolling);
     if let Some(pair) = equations.pairs().iter().find(is_of).filter(|_| touches) {
         return contact(names, pair, term, said, (symbol, is_on_other(equations, term)));
     }
@@ -266,6 +282,9 @@ fn contact(
     let acts = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol(letter)]);
     let acts =
         if is_on_other { Formula::Row(vec![Formula::Operator(Operator::Negative), acts]) } else { acts };
+    if term.law == Law::Rolling {
+        return resistance(names, pair, (symbol, is_on_other));
+    }
     let Some(said) = said else { return vec![math(&acts)] };
     let mut lines = names.stated(acts.clone(), said, &term.load);
     if pair.law.is_rigid() || is_on_other {
@@ -288,6 +307,22 @@ fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec
     vec![slips, words("while it slips with the speed s"), holds, words("while it sticks")]
 }
 
+/// The couple against rolling while it turns with the rate omega against the other, and its bound while it does not.
+fn resistance(names: &Names, pair: &Pair, (symbol, is_on_other): (&str, bool)) -> Vec<Math> {
+    let Some(length) = pair.friction.as_ref().and_then(|friction| friction.rolling.as_ref()) else {
+        return vec![];
+    };
+    let own = Formula::symbol(symbol);
+    if is_on_other {
+        return vec![math(&Formula::Row(vec![Formula::Operator(Operator::Negative), own]))];
+    }
+    let turning = Symbol::new("omega", tumble_expr::Dimension::ANGULAR_RATE);
+    let most = length * Expr::from(pair.force_symbol());
+    let turns = names.equation(symbol, &-(&most * Expr::unary(Unary::Sign, turning.into())));
+    let holds = names.relation(Formula::Bars(Box::new(own)), Operator::LessEqual, &most);
+    vec![turns, words("while it turns with ω against what it rolls on"), holds, words("while it does not")]
+}
+
 /// Whether it is the opposite of what a joint's symbol says: on the other of its bodies.
 fn is_opposite(term: &Term) -> bool {
     let is_opposite = |component: &Expr| {
@@ -300,7 +335,7 @@ fn is_opposite(term: &Term) -> bool {
 
 /// Whether it is what a contact does to the second of its bodies.
 fn is_on_other(equations: &Equations, term: &Term) -> bool {
-    let touches = matches!(term.law, Law::Contact | Law::Friction);
+    let touches = matches!(term.law, Law::Contact | Law::Friction | Law::Rolling);
     let mut pairs = equations.pairs().iter().filter(|pair| pair.name == symbols::rubbed(&term.load));
     touches && pairs.any(|pair| pair.other == Some(term.body))
 }
@@ -386,6 +421,7 @@ fn name_of(study: &Study, equations: &Equations, term: &Term) -> String {
         (Law::Weight, _) => "weight".to_owned(),
         (Law::Contact, Some(pair)) => super::words::contact(study, pair, term.body),
         (Law::Friction, Some(_)) => "friction".to_owned(),
+        (Law::Rolling, Some(_)) => "rolling resistance".to_owned(),
         (Law::Reaction, _) => format!("reaction of {}", term.load),
         _ => spoken(&term.load),
     }

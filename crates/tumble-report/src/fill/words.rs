@@ -43,7 +43,7 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
     for (index, contact_mode) in &mode.contacts {
         let pair = &equations.pairs()[*index];
-        let does = (verb(*contact_mode, mode.grip(*index), pair), against(study, pair));
+        let does = (verb(*contact_mode, grip(equations, mode, *index), pair), against(study, pair));
         add(&mut groups, does, point(study, pair));
     }
     if groups.len() > MOST_GROUPS {
@@ -78,6 +78,13 @@ fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
         [(word, _)] => format!("{all} contacts {word}"),
         _ => format!("{all} contacts: {}", each.join(", ")),
     }]
+}
+
+/// How a contact is held along its surface; what does not turn either does not roll.
+fn grip(equations: &Equations, mode: &Mode, pair: usize) -> Option<Grip> {
+    let own = mode.grip(pair);
+    let rests = equations.resisting(pair).and_then(|rolling| mode.grip(rolling)).is_some_and(Grip::is_still);
+    if rests && own.is_none_or(Grip::is_still) { None } else { own }
 }
 
 fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
@@ -182,6 +189,8 @@ fn changes(change: Change) -> Verb {
         Change::Start => ["begins to touch", "begin to touch"],
         Change::End => ["leaves", "leave"],
         Change::Slides => ["begins to slide on", "begin to slide on"],
+        Change::Stops => ["stops turning on", "stop turning on"],
+        Change::Turns => ["begins to turn on", "begin to turn on"],
         Change::Sticks => ["sticks to", "stick to"],
         Change::Rolls => ["begins to roll on", "begin to roll on"],
         Change::Clear => ["is out of", "are out of"],

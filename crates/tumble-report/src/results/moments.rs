@@ -144,7 +144,8 @@ impl<'a> Moments<'a> {
     fn named<'n>(&self, name: &'n str) -> Option<impl Fn(&Happening) -> bool + use<'a, 'n>> {
         let equations = &self.solution.run.equations;
         let (place, word) = name.rsplit_once('.').unwrap_or((name, ""));
-        let slips = Change::OF_FRICTION.into_iter().find(|change| change.word() == word);
+        let slips =
+            Change::OF_FRICTION.into_iter().chain(Change::OF_ROLLING).find(|change| change.word() == word);
         let happening = equations.named(name);
         (happening.is_some() || slips.is_some()).then_some(move |own: &Happening| match *own {
             Happening::Contact { pair, change } => {

@@ -100,7 +100,8 @@ fn never_comes(study: &Study, case: &Case, said: &mut Diagnostics) {
     };
     for (index, joint) in study.model.joints.iter().enumerate() {
         let what = || format!("joint `{}`", joint.name);
-        tell(what(), "never begins to hold", &joint.from, Happening::Joint { joint: index, holds: true });
+        let event = joint.from.clone().filter(|_| joint.captured_by.is_none());
+        tell(what(), "never begins to hold", &event, Happening::Joint { joint: index, holds: true });
         tell(what(), "is never released", &joint.until, Happening::Joint { joint: index, holds: false });
     }
     for (index, impulse) in study.model.impulses.iter().enumerate() {

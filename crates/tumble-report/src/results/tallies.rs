@@ -56,7 +56,9 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let contact = count.of(there)?;
     let at = |event: &&Event<tumble_mech::Record>| event.time == contact.start;
     let impulses = run.events().filter(at).flat_map(|event| &event.record.impulses);
-    let sources = [Source::Pair(contact.pair), Source::Friction(contact.pair)];
+    let capture = run.equations.capture_of(contact.pair).map(Source::Joint);
+    let sources: Vec<Source> =
+        [Source::Pair(contact.pair), Source::Friction(contact.pair)].into_iter().chain(capture).collect();
     let body = pairs[contact.pair].body;
     let own = impulses.filter(|impulse| impulse.body == body && sources.contains(&impulse.source));
     let [x, y] = own.fold([0.0, 0.0], |[x, y], Impulse { impulse, .. }| [x + impulse[0], y + impulse[1]]);

@@ -1,9 +1,9 @@
-//! `[contact.NAME]`: bodies that meet each other.
+//! `[contact.NAME]`: bodies that meet each other, and what counts for bodies on a surface.
 
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::{BodyContact, Friction};
 
-use super::{body, each, surface};
+use super::{each, surface};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
@@ -11,15 +11,23 @@ use crate::draft::Draft;
 use crate::formula::Want;
 use crate::keys::{Keys, Takes, may, must};
 use crate::quantities;
+use crate::suggest;
+
+pub(super) const SAYS: &str = "bodies that meet each other, and what counts for bodies on a surface";
 
 #[rustfmt::skip]
 pub(super) const KEYS: Keys = Keys::of("[contact.NAME]", &[&[
-    must("between", Takes::Either(&[Takes::Word(&ALL), Takes::List(2, Takes::MOST, &Takes::BODY)]), "\"all\"",
+    must("between", Takes::Either(&[Takes::Word(&ALL), Takes::List(2, Takes::MOST, &MET)]), "\"all\"",
         "`[\"red\", \"white\"]`, or more bodies of which every two meet; `\"all\"` is all bodies, but for two that \
-         a joint connects"),
+         a joint connects. Of a surface and bodies, `[\"floor\", \"red\"]`, it says what counts for them there"),
     may("rigid", Takes::Table(&RIGID), "bodies' own", "{ restitution = 0.9 }",
-        "as of a surface; without a `restitution` the lesser of the bodies' own counts"),
+        "as of a surface; without `restitution` or `friction` the lesser of the bodies' own counts, and on a surface the body's own, \
+         else the surface's"),
+    may("capture", Takes::Flag, "`false`", "true",
+        "`true`: bodies that meet stick together for good, as if welded where they touch; without `rigid`"),
 ]]);
+
+const MET: Takes = Takes::Either(&[Takes::BODY, Takes::SURFACE]);
 
 const ALL: [&str; 1] = ["all"];
 
@@ -38,7 +46,9 @@ const RIGID: Keys = Keys::of("rigid of bodies", &[
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     each(draft, section, &KEYS, contact);
+    draft.model.add_captures();
     quantities::define_meetings(&mut draft.names, &draft.model);
+    quantities::define_captures(&mut draft.names, &draft.model);
 }
 
 fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
@@ -46,14 +56,15 @@ fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
     draft.remember(format!("contact `{name}`"), &field.key_span);
     let between = draft.required(table, "between");
     let between = between.and_then(|field| between_of(draft, &name, &field));
+    let captures = table.take("capture").map_or(Some(false), |field| draft.flag(&field));
     let law = match table.take("rigid") {
         Some(field) => rigid(draft, &name, &field),
         None => Some((None, None)),
     };
-    let (Some(between), Some((restitution, friction))) = (between, law) else {
+    let (Some(between), Some((restitution, friction)), Some(captures)) = (between, law, captures) else {
         return draft.names.break_name(&name);
     };
-    draft.model.contact(BodyContact { name, between, restitution, friction });
+    draft.model.contact(BodyContact { name, between, restitution, friction, captures });
 }
 
 /// Names of bodies of which every two meet; `None` is all.
@@ -61,7 +72,7 @@ fn between_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Option<Vec
     let Some(fields) = field.elements() else {
         return draft.choice(field, &ALL).map(|_| None);
     };
-    let names: Vec<Option<String>> = fields.iter().map(|field| body(draft, field)).collect();
+    let names: Vec<Option<String>> = fields.iter().map(|field| met(draft, field)).collect();
     let names: Vec<String> = names.into_iter().collect::<Option<_>>()?;
     let again = (1..names.len()).find(|place| names[..*place].contains(&names[*place]));
     if let Some(place) = again {
@@ -78,6 +89,20 @@ fn between_of(draft: &mut Draft, name: &str, field: &Field) -> Option<Option<Vec
         return None;
     }
     Some(Some(names))
+}
+
+/// The name of a body or a surface, which must exist.
+fn met(draft: &mut Draft, field: &Field) -> Option<String> {
+    let name = draft.words(field)?;
+    let known = || draft.names.bodies.iter().chain(&draft.names.surfaces);
+    if known().any(|known| *known == name) {
+        return Some(name);
+    }
+    let help = suggest::name(&name, "bodies and surfaces", known().map(String::as_str));
+    let mistake =
+        Diagnostic::new(Code::UnknownBody, field.span.clone(), format!("there is no body \"{name}\""));
+    draft.note(mistake.label("unknown body").help(help));
+    None
 }
 
 /// Restitution, where it is not the bodies' own, and friction.

@@ -118,8 +118,9 @@ pub(crate) const SECTIONS: &[Section] = &[
         joint::read_pins,
     ),
     sections("weld", &Takes::Table(&joint::WELD), "joints that leave nothing free", joint::read_welds),
+    // What a contact says counts on surfaces too.
+    sections("contact", &Takes::Table(&contact::KEYS), contact::SAYS, contact::read),
     sections("surface", &Takes::Table(&surface::KEYS), surface::SAYS, surface::read),
-    sections("contact", &Takes::Table(&contact::KEYS), "bodies that meet each other", contact::read),
     sections(
         "event",
         &Takes::Table(&event::KEYS),
@@ -168,8 +169,8 @@ pub(crate) fn read(draft: &mut Draft, document: &DeTable) {
     draft.names.events = second_names(&top, "event");
     draft.names.joints =
         ["pivot", "pin", "weld"].iter().flat_map(|section| second_names(&top, section)).collect();
-    draft.names.surfaces =
-        ["surface", "contact"].iter().flat_map(|section| second_names(&top, section)).collect();
+    draft.names.surfaces = second_names(&top, "surface");
+    draft.names.contacts = second_names(&top, "contact");
     for section in SECTIONS {
         if draft.is_full() {
             return;

@@ -62,12 +62,17 @@ const RIGID: Keys = Keys::of("rigid", &[
 /// Friction and what goes with it, of whatever is rigid.
 #[rustfmt::skip]
 pub(super) const RUBBING: &[Declared] = &[
-    may("friction", Takes::Either(&[Takes::PURE, Takes::Table(&FRICTION)]), "none", "0.3",
+    may("friction", COEFFICIENTS, "none", "0.3",
         "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
+    may("rolling", Takes::LENGTH, "none", "\"1 mm\"",
+        "rolling resistance, a length: the couple against rolling is at most so much times the normal force; with `friction`"),
     may("law", Takes::Word(&LAWS), "`\"poisson\"`", "\"stronge\"",
         "what the restitution is the ratio of in an impact with friction: `\"poisson\"` impulses, `\"stronge\"` works, \
          `\"newton\"` speeds"),
 ];
+
+/// Of friction.
+pub(super) const COEFFICIENTS: Takes = Takes::Either(&[Takes::PURE, Takes::Table(&FRICTION)]);
 
 const LAWS: [&str; 3] = ["poisson", "stronge", "newton"];
 
@@ -247,8 +252,23 @@ fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
 
 /// Friction of a rigid contact, if it has any, and what its restitution is the ratio of.
 pub(super) fn rubbing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Friction>> {
-    let meaning = table.take("law");
+    let (meaning, rolling) = (table.take("law"), table.take("rolling"));
     let friction = table.take("friction").map(|field| friction(draft, name, &field));
+    if let (None, Some(field)) = (&friction, &rolling) {
+        let message = format!("`{name}` resists rolling, but has no `friction`");
+        let help = "what rolls is held by friction: add `friction = 0.5`, or `friction = 0` where bodies have their own";
+        let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
+        draft.note(mistake.label("nothing rolls here").help(help));
+        return None;
+    }
+    let friction = match rolling {
+        Some(field) => {
+            draft.remember(format!("rolling resistance of `{name}`"), &field.span);
+            let length = draft.number(&field, Want::constant(Dimension::LENGTH));
+            friction.map(|friction| Some(friction?.rolling(length?)))
+        }
+        None => friction,
+    };
     Some(match (friction, &meaning) {
         (Some(friction), None) => Some(friction?),
         (Some(friction), Some(field)) => {
@@ -276,7 +296,7 @@ fn ratio(draft: &mut Draft, field: &Field) -> Option<Restitution> {
 }
 
 /// One coefficient, or a static and a kinetic one.
-fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
+pub(super) fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
     if field.value.as_table().is_none() {
         draft.remember(format!("friction of `{name}`"), &field.span);
         return draft.number(field, Want::constant(Dimension::NONE)).map(Friction::new);

@@ -32,6 +32,10 @@ pub(super) const KEYS: &[(&str, &[Row])] = &[
                 "write `restitution = 0.8`, of impacts on rigid surfaces",
             ),
             (
+                &["mu", "friction_coefficient", "roughness", "static_friction", "kinetic_friction"],
+                "write `friction = 0.3`, or `friction = { static = 0.4, kinetic = 0.3 }`",
+            ),
+            (
                 &["fixed", "static", "immovable", "ground"],
                 "what never moves is no body: use a `[surface.NAME]`",
             ),
@@ -111,6 +115,7 @@ pub(super) const KEYS: &[(&str, &[Row])] = &[
         "rigid",
         &[
             (&["e", "bounce", "coefficient"], "write `restitution = 0.8`"),
+            (&["rolling_resistance", "rolling_friction"], "write `rolling = \"1 mm\"`, a length"),
             (
                 &[
                     "mu",

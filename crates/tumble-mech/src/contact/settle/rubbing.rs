@@ -7,7 +7,7 @@ use super::{BALANCED, Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::Alike;
+use crate::contact::pair::{Alike, Pair};
 use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::routh::{Refused, Strike};
 use crate::contact::slip::WEDGED;
@@ -29,6 +29,11 @@ const MOST_SEQUENTIAL: usize = 10_000;
 pub(super) struct Rubbing {
     patches: Vec<Patch>,
     found: Pushes,
+}
+
+/// What the restitution of a pair is the ratio of.
+fn law_of(pair: &Pair) -> Restitution {
+    pair.friction.as_ref().and_then(|friction| friction.restitution).unwrap_or_default()
 }
 
 impl Settling<'_> {
@@ -81,6 +86,11 @@ impl Settling<'_> {
         entries.any(|(i, j)| response[(i, j)].abs() > COUPLED * own(i, j))
     }
 
+    /// Index of what a row along a surface is of among all pairs.
+    fn slipping(&self, row: usize) -> usize {
+        self.touch.slips.pairs[row - self.touch.pairs.len()]
+    }
+
     /// Rates of all gaps and slips.
     pub(super) fn rates(&self) -> DVector<f64> {
         stacked_column(&self.touch.rate, &self.touch.slips.rate)
@@ -102,7 +112,7 @@ impl Settling<'_> {
             before: [if stands { 0.0 } else { rates[row] }, rates[position]],
             friction: self.touch.slips.friction[slip],
             restitution,
-            law: pair.friction.as_ref().map(|friction| friction.restitution).unwrap_or_default(),
+            law: law_of(pair),
         };
         let struck = strike.resolve().map_err(|refused| self.refused(position, refused))?;
         [all[row], all[position]] = struck.impulse;
@@ -152,7 +162,7 @@ impl Settling<'_> {
         self.refuse_other_laws(group)?;
         let zero = STANDS * group.iter().map(|position| self.speed[*position]).fold(0.0, f64::max);
         let given = DVector::zeros(rates.len());
-        let patches = self.patches(group);
+        let patches = self.patches(group, false);
         let phase = |given| Rough { given, zero, ..self.rough(group, &patches, rates.clone()) };
         let unsolved = || self.unsolved("impact");
         let compressed = phase(given).solve().ok_or_else(unsolved)?;
@@ -169,8 +179,7 @@ impl Settling<'_> {
 
     fn refuse_other_laws(&self, group: &[usize]) -> Result<(), Reason> {
         let pairs = group.iter().map(|position| &self.equations.pairs()[self.touch.pairs[*position]]);
-        let other = |friction: &crate::Friction| friction.restitution != Restitution::Poisson;
-        match pairs.into_iter().find(|pair| pair.friction.as_ref().is_some_and(other)) {
+        match pairs.into_iter().find(|pair| law_of(pair) != Restitution::Poisson) {
             None => Ok(()),
             Some(pair) => Err(Reason::Model(format!(
                 "`{}` strikes together with others, for which there is Poisson's law alone: write `law = \"poisson\"`, or \
@@ -180,14 +189,14 @@ impl Settling<'_> {
         }
     }
 
-    /// What slips alike of some contacts; none of it is known to slip.
-    fn patches(&self, some: &[usize]) -> Vec<Patch> {
+    /// What slips alike of some contacts, and, where it has a part, what turns; none of it is known to.
+    fn patches(&self, some: &[usize], with_rolling: bool) -> Vec<Patch> {
         let mut patches: Vec<(Alike, Patch)> = vec![];
-        for &position in some {
-            let Some(slip) = self.touch.slips.at(position) else { continue };
-            let pair = &self.equations.pairs()[self.touch.pairs[position]];
-            let (of, contact) =
-                (pair.slips_with(self.touch.pairs[position]), (position, self.touch.pairs.len() + slip));
+        let slips = some.iter().flat_map(|position| self.touch.slips.all_at(*position));
+        for slip in slips.filter(|slip| with_rolling || !self.touch.slips.rolls[*slip]) {
+            let (index, position) = (self.touch.slips.pairs[slip], self.touch.slips.of[slip]);
+            let of = self.equations.pairs()[index].slips_with(index);
+            let contact = (position, self.touch.pairs.len() + slip);
             match patches.iter_mut().find(|(known, _)| *known == of) {
                 Some((_, patch)) => patch.contacts.push(contact),
                 None => {
@@ -203,7 +212,8 @@ impl Settling<'_> {
     pub(super) fn standing_slips(&self) -> Vec<usize> {
         let slips = &self.touch.slips;
         let stands = |slip: &usize| {
-            self.part.contains(&slips.of[*slip]) && slips.rate[*slip].abs() <= STANDS * slips.speed[*slip]
+            let has_part = self.part.contains(&slips.of[*slip]) && !slips.rolls[*slip];
+            has_part && slips.rate[*slip].abs() <= STANDS * slips.speed[*slip]
         };
         (0..slips.of.len()).filter(stands).map(|slip| self.touch.pairs.len() + slip).collect()
     }
@@ -215,7 +225,7 @@ impl Settling<'_> {
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<Option<Rubbing>, Reason> {
-        let mut patches = self.patches(some);
+        let mut patches = self.patches(some, true);
         for patch in &mut patches {
             patch.slips = self.slips_now(patch, touched);
         }
@@ -246,9 +256,9 @@ impl Settling<'_> {
     /// The way that a patch slips before anything is settled, if it does.
     fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
         let count = self.touch.pairs.len();
-        let is_still = |(position, row): &(usize, usize)| {
+        let is_still = |(_, row): &(usize, usize)| {
             let (rate, speed) = (self.touch.slips.rate[row - count], self.touch.slips.speed[row - count]);
-            rate.abs() <= STANDS * speed || touched.stopped.contains(&self.touch.pairs[*position])
+            rate.abs() <= STANDS * speed || touched.stopped.contains(&self.slipping(*row))
         };
         let is_still = patch.contacts.iter().any(is_still);
         (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - count]))
@@ -257,8 +267,8 @@ impl Settling<'_> {
     /// The patches with those that could not hold any more made to slide the way they were about to.
     fn forced(&self, patches: &[Patch], touched: &Touched) -> Option<Vec<Patch>> {
         let way = |patch: &Patch| {
-            let broken = |(position, _): &(usize, usize)| {
-                let pair = self.touch.pairs[*position];
+            let broken = |(_, row): &(usize, usize)| {
+                let pair = self.slipping(*row);
                 touched.broken.iter().find(|(known, _)| *known == pair).map(|(_, way)| *way)
             };
             patch.slips.or_else(|| patch.contacts.iter().find_map(broken))
@@ -379,14 +389,12 @@ impl Settling<'_> {
             _ => false,
         };
         let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
-        turned
-            .flat_map(|(patch, _)| patch.contacts.iter().map(|(position, _)| self.touch.pairs[*position]))
-            .collect()
+        turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
     }
 
     /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.
     pub(super) fn response_with_friction(&self, some: &[usize]) -> DMatrix<f64> {
-        let (smooth, patches) = (self.response(some), self.patches(some));
+        let (smooth, patches) = (self.response(some), self.patches(some, false));
         if patches.is_empty() {
             return smooth;
         }
@@ -434,21 +442,21 @@ impl Settling<'_> {
     pub(super) fn arrange_grips(&self, rubbing: Option<&Rubbing>, jump: &mut Jump<Mode>) {
         let before = jump.mode.grips.clone();
         for &pair in &self.touch.pairs {
-            jump.mode.set_grip(pair, None);
+            self.equations.pair_list().rubbing(pair).for_each(|own| jump.mode.set_grip(own, None));
             jump.mode.still.retain(|body| !self.equations.pairs()[pair].has(*body));
         }
         let Some(Rubbing { patches, found }) = rubbing else { return };
         for (patch, grip) in patches.iter().zip(&found.grips) {
             let holds = patch.contacts.iter().any(|(_, row)| found.holding.contains(row));
             let held = patch.contacts.iter().filter(|(position, _)| found.held.contains(position));
-            for (index, (position, _)) in held.enumerate() {
+            for (index, (_, row)) in held.enumerate() {
                 let own = match grip {
                     Grip::Sticks if index > 0 || !holds => Grip::Follows,
                     other => *other,
                 };
-                jump.mode.set_grip(self.touch.pairs[*position], Some(own));
+                jump.mode.set_grip(self.slipping(*row), Some(own));
                 if index == 0 {
-                    self.tell_grip(*position, patch, *grip, &before, jump);
+                    self.tell_grip(*row, patch, *grip, &before, jump);
                 }
             }
         }
@@ -458,20 +466,22 @@ impl Settling<'_> {
     /// Says when a patch begins to stick, to roll or to slide, and where its slip begins at zero.
     fn tell_grip(
         &self,
-        position: usize,
+        row: usize,
         patch: &Patch,
         grip: Grip,
         before: &[(usize, Grip)],
         jump: &mut Jump<Mode>,
     ) {
-        let pair = self.touch.pairs[position];
-        let own =
-            |pair: usize| patch.contacts.iter().any(|(position, _)| self.touch.pairs[*position] == pair);
+        let pair = self.slipping(row);
+        let own = |pair: usize| patch.contacts.iter().any(|(_, row)| self.slipping(*row) == pair);
         let known = before.iter().find(|(other, _)| own(*other)).map(|(_, grip)| *grip);
+        let rolls = self.equations.pairs()[pair].is_rolling();
         let change = match (grip, known) {
             (Grip::Slides(way), Some(Grip::Slides(before))) if way == before => None,
+            (Grip::Slides(_), _) if rolls => Some(Change::Turns),
             (Grip::Slides(_), _) => Some(Change::Slides),
             (_, Some(known)) if known.is_still() => None,
+            _ if rolls => Some(Change::Stops),
             _ if self.equations.pairs()[pair].is_round() => Some(Change::Rolls),
             _ => Some(Change::Sticks),
         };

@@ -107,6 +107,7 @@ fn name_of(study: &Study, one: &Contribution) -> String {
     match (one.law, one.kind) {
         (Some(Law::Friction), Kind::Impact) => format!("friction in impacts{on}"),
         (Some(Law::Friction), _) => format!("friction{on}"),
+        (Some(Law::Rolling), _) => format!("rolling resistance{on}"),
         (Some(Law::Contact), Kind::Impact) => format!("the normal force in impacts{on}"),
         (Some(Law::Contact), _) => symbols::the(touched),
         _ => symbols::the(&one.load),
