@@ -48,6 +48,7 @@ const FIGURES: &[(&str, &str)] = &[
     ("25-pool-break/corners.svg", "pool-break.svg"),
     ("26-ball-in-a-bowl/ball.svg", "ball-in-a-bowl.svg"),
     ("27-rocking-block/block.svg", "rocking-block.svg"),
+    ("28-painleve-rod/force.svg", "painleve-rod.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.

@@ -473,6 +473,16 @@ impl Pair {
         self.sides().map(wrench).collect()
     }
 
+    /// Whether its forces along the normal go through the centres of mass of its bodies, so that they turn nothing.
+    pub(crate) fn is_central(&self) -> bool {
+        let is_centre = |point: &PointRef| point.arm.components().iter().all(is_identically_zero);
+        let other = match &self.opposite {
+            Opposite::Edge(edge) => !edge.is_first && self.other.is_none(),
+            _ => self.opposite.point().is_none_or(is_centre),
+        };
+        is_centre(&self.centre) && other
+    }
+
     /// Whether the surface is at rest for good.
     pub(crate) fn is_fixed(&self) -> bool {
         !(moves(&self.through) || moves(&self.normal))

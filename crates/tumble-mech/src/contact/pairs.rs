@@ -15,10 +15,14 @@ use crate::contact::pair::{Pair, Rule};
 use crate::contact::said::of_surface_and_body;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
+use crate::link::RowOf;
 use crate::mode::Mode;
 use crate::model::Model;
 use crate::surface::Surface;
 use crate::term::Term;
+
+/// Rows that hold an island in which it is watched all the time whether friction takes all that a push moves: each is a system of so many.
+const MOST_WATCHED: usize = 12;
 
 /// Every pair, in the order of surfaces, bodies and features, then of contacts of bodies, with the forces it exerts when it touches.
 #[derive(Clone, Debug, Default)]
@@ -174,7 +178,7 @@ impl Equations {
                             if *way == Way::Forward { Direction::Falling } else { Direction::Rising };
                         found.push((*pair, Watched::Slip, direction));
                     }
-                    if self.is_alone(mode, *pair) {
+                    if self.is_alone(mode, *pair) || self.may_wedge(mode, *pair) {
                         found.push((*pair, Watched::Wedge, Direction::Falling));
                     }
                 }
@@ -185,13 +189,26 @@ impl Equations {
     }
 
     /// Whether a push at a pair moves one body that nothing else holds.
-    fn is_alone(&self, mode: &Mode, pair: usize) -> bool {
+    pub(crate) fn is_alone(&self, mode: &Mode, pair: usize) -> bool {
         let body = self.pairs()[pair].body;
         let mut own = mode.held().filter(|other| self.pairs()[*other].has(body));
         own.next() == Some(pair)
             && own.next().is_none()
             && self.island_of(mode, body).len() == 1
             && self.independent_rows_of(mode, &[body]).is_empty()
+    }
+
+    /// Whether friction at a pair may come to take all that a push moves there, though other contacts or joints hold its bodies too. It is
+    /// watched where that is a system of some size, and looked at where contacts change in any.
+    fn may_wedge(&self, mode: &Mode, pair: usize) -> bool {
+        let own = &self.pairs()[pair];
+        if own.is_rolling() || own.is_central() || self.alike(mode, pair).nth(1).is_some() {
+            return false;
+        }
+        let island = self.island_of(mode, own.body);
+        let is_own = |row: &RowOf| self.bodies_of(*row).iter().any(|body| island.binary_search(body).is_ok());
+        let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip)).filter(is_own);
+        self.independent_rows_of(mode, &island).len() + contacts.count() <= MOST_WATCHED
     }
 
     /// The pairs that are held and slip like a pair: of the same body on the same plane.

@@ -139,10 +139,21 @@ impl<A: Algebra> Linking<'_, A> {
 
     /// How much a push moves a contact that slips beyond the part of it that is [`WEDGED`], 1/kg.
     fn wedge(&mut self, pair: usize) -> A::Value {
+        if !self.equations.is_alone(self.mode, pair) {
+            return self.wedge_among(pair);
+        }
         let own = self.part(Part::Response(RowOf::Pair(pair), RowOf::Pair(pair))).remove(0);
         let most = self.formula(&Expr::from(1.0 - WEDGED));
         let own = self.algebra.binary(Binary::Mul, most, own);
         self.with_friction(own, RowOf::Pair(pair), |slip| Part::Response(RowOf::Pair(pair), slip))
+    }
+
+    /// The same where others hold its bodies too.
+    fn wedge_among(&mut self, pair: usize) -> A::Value {
+        let [left, own] = [None, Some(pair)].map(|smooth| self.yielding(pair, smooth));
+        let least = self.formula(&Expr::from(WEDGED));
+        let least = self.algebra.binary(Binary::Mul, least, own);
+        self.algebra.binary(Binary::Sub, left, least)
     }
 
     fn symbol(&mut self, symbol: &Symbol) -> A::Value {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use tumble_expr::{Binary, FastMap, Unary};
+use tumble_expr::{Binary, Expr, FastMap, Unary};
 
 use super::algebra::Algebra;
 use super::linking::Linking;
@@ -115,7 +115,7 @@ impl<A: Algebra> Linking<'_, A> {
         }
         let island = &mut self.islands.all[index];
         let (rows, lights) = (std::mem::take(&mut island.rows), island.lights.clone());
-        let matrix = self.matrix(&rows, &lights);
+        let matrix = self.matrix(&rows, &lights, None);
         let right = self.right_sides(&rows, &lights);
         let found = self.algebra.solve(matrix, right);
         let names = rows.iter().map(|(row, _)| self.names.of_row(*row));
@@ -125,8 +125,29 @@ impl<A: Algebra> Linking<'_, A> {
         self.islands.all[index].rows = rows;
     }
 
+    /// How much a push at a pair moves it while all other rows of its island hold, 1/kg; one pair may be without its friction.
+    pub(super) fn yielding(&mut self, pair: usize, smooth: Option<usize>) -> A::Value {
+        let index = self.islands.of_body[&self.equations.pairs()[pair].body];
+        let island = &mut self.islands.all[index];
+        let (rows, lights) = (std::mem::take(&mut island.rows), island.lights.clone());
+        let matrix = self.matrix(&rows, &lights, smooth);
+        let one = self.formula(&Expr::one());
+        let mut right = vec![self.algebra.zero(); matrix.len()];
+        let place = rows.iter().position(|(row, _)| *row == RowOf::Pair(pair)).unwrap_or_default();
+        right[place] = one.clone();
+        let found = self.algebra.solve(matrix, right).swap_remove(place);
+        self.islands.all[index].rows = rows;
+        self.algebra.binary(Binary::Div, one, found)
+    }
+
     /// Entries by row: what multipliers do to the accelerations of rows, and their torques on bodies without moment of inertia.
-    fn matrix(&mut self, rows: &[(RowOf, Vec<usize>)], lights: &[usize]) -> Vec<Vec<(usize, A::Value)>> {
+    fn matrix(
+        &mut self,
+        rows: &[(RowOf, Vec<usize>)],
+        lights: &[usize],
+        smooth: Option<usize>,
+    ) -> Vec<Vec<(usize, A::Value)>> {
+        let is_smooth = |row: RowOf| smooth.is_some_and(|pair| row == RowOf::Pair(pair));
         // Bodies have few neighbours: all other entries are zero.
         let mut on_body: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
         for (index, (_, bodies)) in rows.iter().enumerate() {
@@ -137,8 +158,11 @@ impl<A: Algebra> Linking<'_, A> {
             let others: BTreeSet<usize> = bodies.iter().flat_map(|body| &on_body[body]).copied().collect();
             for j in others.into_iter().filter(|j| *j >= i) {
                 let entry = self.part(Part::Response(*row, rows[j].0)).remove(0);
-                let [below, above] = [(rows[j].0, *row), (*row, rows[j].0)]
-                    .map(|(of, by)| self.with_friction(entry.clone(), by, |slip| Part::Response(of, slip)));
+                let [below, above] =
+                    [(rows[j].0, *row), (*row, rows[j].0)].map(|(of, by)| match is_smooth(by) {
+                        true => entry.clone(),
+                        false => self.with_friction(entry.clone(), by, |slip| Part::Response(of, slip)),
+                    });
                 matrix[j].insert(i, below);
                 matrix[i].insert(j, above);
             }
@@ -148,7 +172,10 @@ impl<A: Algebra> Linking<'_, A> {
                 let row = rows[index].0;
                 let entry = self.part(Part::Torque(row, *body)).remove(0);
                 matrix[index].insert(place, entry.clone());
-                let pushed = self.with_friction(entry, row, |slip| Part::Torque(slip, *body));
+                let pushed = match is_smooth(row) {
+                    true => entry,
+                    false => self.with_friction(entry, row, |slip| Part::Torque(slip, *body)),
+                };
                 matrix[place].insert(index, pushed);
             }
         }

@@ -319,8 +319,14 @@ fn resistance(names: &Names, pair: &Pair, (symbol, is_on_other): (&str, bool)) -
     let turning = Symbol::new("omega", tumble_expr::Dimension::ANGULAR_RATE);
     let most = length * Expr::from(pair.force_symbol());
     let turns = names.equation(symbol, &-(&most * Expr::unary(Unary::Sign, turning.into())));
-    let holds = names.relation(Formula::Bars(Box::new(own)), Operator::LessEqual, &most);
-    vec![turns, words("while it turns with ω against what it rolls on"), holds, words("while it does not")]
+    let holds = names.relation(Formula::Bars(Box::new(own.clone())), Operator::LessEqual, &most);
+    vec![
+        math(&own),
+        turns,
+        words("while it turns with ω against what it rolls on"),
+        holds,
+        words("while it does not"),
+    ]
 }
 
 /// Whether it is the opposite of what a joint's symbol says: on the other of its bodies.

@@ -101,7 +101,8 @@ pub fn all(study: &Study, cases: &[Case]) -> Result<Vec<(String, String)>, CaseE
         events(case, happened)?;
         case.balance.iter().try_for_each(|of_case| balance(of_case, energies))?;
         let paths = OF_RUN.map(|name| format!("{}/{name}", folder(case.number)));
-        tables.extend(paths.into_iter().zip(held.map(|table| table.text)).filter(|(_, text)| !text.is_empty()));
+        tables
+            .extend(paths.into_iter().zip(held.map(|table| table.text)).filter(|(_, text)| !text.is_empty()));
     }
     if !study.sweep.is_empty() {
         tables.extend(of_sweep(study, cases)?);

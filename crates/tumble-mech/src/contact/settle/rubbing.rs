@@ -243,7 +243,9 @@ impl Settling<'_> {
             let rough = rough(&forced);
             rough.solve().filter(|found| moves_as_forced(&rough, found))
         });
-        let Some(found) = found.or_else(|| rough(&patches).solve()) else { return Ok(None) };
+        let found = found.or_else(|| rough(&patches).solve());
+        self.refuse_wedged_among(some, &patches, found.as_ref(), touched, jump)?;
+        let Some(found) = found else { return Ok(None) };
         let closes = all.iter().any(|position| found.then[*position] < -zero);
         Ok((!closes).then_some(Rubbing { patches, found }))
     }
@@ -293,6 +295,47 @@ impl Settling<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The same where others hold its bodies too: of what was found, or, where nothing was, of what slips while all others hold.
+    fn refuse_wedged_among(
+        &self,
+        some: &[usize],
+        patches: &[Patch],
+        found: Option<&Pushes>,
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Result<(), Reason> {
+        let guess = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
+        let grips: Vec<Grip> =
+            found.map_or_else(|| patches.iter().map(guess).collect(), |found| found.grips.clone());
+        let held = found.map_or(some, |found| &found.held);
+        for (index, (patch, grip)) in patches.iter().zip(&grips).enumerate() {
+            let (position, row) = patch.contacts[0];
+            let is_one = patch.contacts.len() == 1 && held.len() > 1 && held.contains(&position);
+            let own = &self.equations.pairs()[self.slipping(row)];
+            if !(is_one && matches!(grip, Grip::Slides(_))) || own.is_rolling() || own.is_central() {
+                continue;
+            }
+            let mut smooth = patches.to_vec();
+            smooth[index].friction = [0.0; 2];
+            let left = |patches: &[Patch]| self.yielding(held, position, patches, &grips);
+            let Some((own, left)) = left(&smooth).zip(left(patches)) else { continue };
+            if left <= WEDGED * own || touched.wedged.contains(&self.touch.pairs[position]) {
+                let kinetic = patch.friction[1];
+                return Err(self.wedged(position, [kinetic, kinetic * own / (own - left)], jump));
+            }
+        }
+        Ok(())
+    }
+
+    /// How much a push at one of some contacts moves it while the others hold, 1/kg.
+    fn yielding(&self, held: &[usize], position: usize, patches: &[Patch], grips: &[Grip]) -> Option<f64> {
+        let across = self.rough(held, patches, self.accelerations()).across(grips)?;
+        let place = held.iter().position(|known| *known == position)?;
+        let mut unit = DVector::zeros(held.len());
+        unit[place] = 1.0;
+        across.lu().solve(&unit).map(|push| 1.0 / push[place])
     }
 
     /// Painleve's configuration by its name.
