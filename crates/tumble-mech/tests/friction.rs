@@ -357,6 +357,31 @@ fn painleve_s_configuration_is_refused_among_joints() {
     assert_eq!(pushed(least * (1.0 - 1e-3), -1.0), Ok(Some(end)));
 }
 
+/// A rod between a rough floor and a smooth ceiling, which its turning presses it against: `N = m g/(2 - mu tan)`, and from `mu = 2/tan` on
+/// it is jammed.
+#[test]
+fn painleve_s_configuration_is_refused_among_contacts() {
+    let tan = 2.0_f64;
+    let angle = tan.atan();
+    let pushed = |mu: f64| {
+        let mut model = leaning(angle, Friction::new(Expr::from(mu)));
+        model.starts[0].1 = model.starts[0].1.clone().velocity([-1 * M / S, 0 * M / S]);
+        let through = [0 * M, angle.sin() * M];
+        model.surface(Surface::new("ceiling", through, [Expr::from(0), Expr::from(-1)], rigid(0.0)));
+        let accuracy = tumble_ode::Accuracy::new(1e-12).expect("an accuracy");
+        model.simulate_to(&[], 0.001 * S, accuracy)
+    };
+    let run = pushed(0.9).expect("it slips");
+    let normal = run.equations.pairs()[0].force_symbol().clone();
+    close(at(&run, 0.0, [normal.into()])[0], G / (2.0 - 0.9 * tan), 1e-9);
+    for mu in [1.0 + 1e-5, 1.2] {
+        let refused = pushed(mu).expect_err("it is wedged").to_string();
+        assert!(refused.contains("Painleve"), "{refused}");
+        let from = refused.split("from ").nth(1).and_then(|rest| rest.split(' ').next());
+        close(from.and_then(|number| number.parse().ok()).expect("a coefficient"), 2.0 / tan, 1e-10);
+    }
+}
+
 /// A ball that is thrown with spin bounces, by turns slipping and not, and comes to roll: at the same time as without friction, since
 /// friction does not lift it, and with the speed that its angular momentum about a point of the floor leaves, `v - s c/(1 + c)`.
 #[test]
