@@ -21,7 +21,7 @@ const parts = (text) => {
 
 /** The messages of a request, stage by stage, and milliseconds of each stage. */
 async function run(request) {
-  const instance = await WebAssembly.instantiate(module, { lab: { reached() {} } });
+  const instance = await WebAssembly.instantiate(module, { lab: { reached() {}, failed() {} } });
   const { memory, room, begin, advance, take, taken } = instance.exports;
   const at = room(request.length);
   new Uint8Array(memory.buffer, at, request.length).set(request);

@@ -3,10 +3,10 @@
 //     node play.mjs TUMBLE GALLERY SCENES BROWSER...
 //
 // Of every scene a slider is moved: its picture changes, and its numbers are those of the command TUMBLE for the same value, to the last
-// digit. A mistake has its code, its place and its cure and leaves the last run; a link holds the state; a long run is stopped, and what
+// digit, its tables those of the command, sign by sign. A mistake has its code, its place and its cure and leaves the last run; a link holds the state; a long run is stopped, and what
 // is broken costs the run alone; nothing is asked of a network; a page fits a phone, and paper has no controls.
 
-import { mkdtempSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import process from "node:process";
@@ -18,6 +18,8 @@ const NARROW = 400;
 const PLACE = 430;
 /** Sliders that are moved until the picture changes. */
 const MOST_MOVED = 4;
+/** Moves of a pointer that drags. */
+const DRAG_STEPS = 8;
 /** The scene in which everything is looked at beside numbers. */
 const FIRST = "01-pendulum-in-the-wind";
 const ENDLESS = `version = 1
@@ -67,8 +69,22 @@ async function play(browser, name) {
   const [shown, expected] = [await numbers(page), said(tumble, join(scenes, name, "scene.toml"), set)];
   check(`${where}: numbers are those of the command`, shown === expected && shown !== "", `${shown}\n-- the command:\n${expected}`);
   check(`${where}: the picture has changed`, (await picture(page)) !== before);
+  await tables(page, name, where);
   if (name === FIRST) await look(browser, page, { knob, value, shown });
   await page.close();
+}
+
+/** The tables of the page, against those that the command has written for the same values. */
+async function tables(page, name, where) {
+  const files = await page.evaluate(() => new Promise((resolve) => {
+    lab.saveTables = resolve;
+    lab.askTables();
+  }));
+  await page.evaluate(() => { delete lab.saveTables; });
+  const folder = join(process.cwd(), "told", name);
+  const native = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".csv"));
+  const other = native.filter((file) => new Map(files).get(file) !== readFileSync(join(folder, file), "utf8"));
+  check(`${where}: tables are those of the command`, native.length > 1 && other.length === 0, other.join(", "));
 }
 
 async function look(browser, page, { knob, value, shown }) {
@@ -122,16 +138,79 @@ async function endless(browser) {
   await page.close();
 }
 
-/** What breaks an instance costs the run, not the page. */
-async function broken(browser) {
-  const page = await opened(browser, report(gallery, FIRST));
-  const is = (what) => `${browser.name}: ${what}`;
+/** What breaks an instance costs the run, not the page: it is told, the last run stays, and the next one runs. */
+async function broken(browser, { what, words, file = report(gallery, FIRST), act }) {
+  const page = await opened(browser, file);
   await moved(page);
   const before = await numbers(page);
-  const how = await after(page, () => page.evaluate(() => lab.runs.ask({ name: "none", scene: "", set: [], files: [], shown: "none" })));
-  check(is("what breaks is told, and the last run stays"), how === "broken" && (await numbers(page)) === before, how);
-  check(is("and the next one runs"), (await moved(page)).how === "done");
+  const is = (then) => `${browser.name}, ${what}: ${then}`;
+  const how = await after(page, () => page.evaluate(act[0], act[1]));
+  const status = await page.textContent("#play .status");
+  check(is("it is told in words"), how === "broken" && words.test(status), `${how}: ${status}`);
+  check(is("the last run stays"), (await numbers(page)) === before);
+  await page.evaluate((scene) => { lab.scene = scene; lab.set.clear(); lab.ask(); }, ENDLESS.replace("1e6 s", "1 s"));
+  await page.waitForFunction((old) => !document.querySelector("#play .told").textContent.includes(old), before);
+  check(is("and the next one runs"), (await numbers(page)).startsWith("1 s in"), await numbers(page));
   await page.close();
+}
+
+const NO_MEMORY = /more memory than a page has/;
+const asked = (scene) => { lab.scene = scene; lab.set.clear(); lab.ask(); };
+const askedTables = (scene) => { lab.shown = null; lab.scene = scene; lab.set.clear(); lab.askTables(); };
+
+/** The same page with an engine that is given 25 MiB at most. */
+function withLittle() {
+  const file = join(mkdtempSync(join(tmpdir(), "tumble-play-")), "report.html");
+  const less = `((bytes) => {
+    // The section of the memory: its size, one memory, bounded, and the bounds, of which the upper one is 16384 pages.
+    const at = bytes.findIndex((_, i) => [5, undefined, 1, 1].every((b, k) => b === undefined || bytes[i + k] === b) && bytes[i + 1] < 9);
+    const most = at + 2 + bytes[at + 1] - 3;
+    if (bytes[most] !== 0x80 || bytes[most + 1] !== 0x80 || bytes[most + 2] !== 1) throw new Error("where is the memory?");
+    bytes.set([0x90, 0x83, 0], most);
+    return bytes;
+  })`;
+  const page = readFileSync(report(gallery, FIRST), "utf8");
+  const changed = page.replace("WebAssembly.compile(unlzma(", () => `WebAssembly.compile(${less}(unlzma(`).replace("fromLetters(packed)))", "fromLetters(packed))))");
+  check("the engine has less memory", changed !== page);
+  writeFileSync(file, changed);
+  return file;
+}
+
+/** A start velocity is dragged: while the motion follows, its handle stays with the pointer. */
+async function dragged(browser) {
+  const page = await opened(browser, report(gallery, "start"));
+  await after(page, () => page.selectOption(".templates select", { index: 1 }));
+  const before = await numbers(page);
+  const handle = page.locator("#play .grip").last();
+  await handle.scrollIntoViewIfNeeded();
+  const middle = async () => {
+    const { x, y, width, height } = await handle.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const [x, y] = await middle();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= DRAG_STEPS; step += 1) {
+    await page.mouse.move(x + 5 * step, y - 4 * step);
+    await page.waitForTimeout(150);
+  }
+  await page.waitForFunction((old) => document.querySelector("#play .told").textContent.trim() !== old, before);
+  const [nx, ny] = await middle();
+  const off = Math.hypot(nx - x - 5 * DRAG_STEPS, ny - y + 4 * DRAG_STEPS);
+  check(`${browser.name}: a handle stays with the pointer`, off < 3, `${off} pixels off`);
+  await page.mouse.up();
+  await page.close();
+}
+
+/** All ways in which a run can break. */
+async function breaks(browser) {
+  const fine = ENDLESS.replace("1e6 s", "1 s").replace("[parameters]", 'output.every = "1e-6 s"\n[parameters]');
+  const ways = [
+    { what: "a run that needs too much memory", words: NO_MEMORY, file: withLittle(), act: [asked, ENDLESS] },
+    { what: "tables that need too much memory", words: NO_MEMORY, act: [askedTables, fine] },
+    { what: "a request that is none", words: /broken off/, act: [() => lab.runs.ask({ name: "none", scene: "", set: [], files: [], shown: "none" })] },
+  ];
+  for (const way of ways) await broken(browser, way);
 }
 
 /** The numbers of the command for a scene that is given as text. */
@@ -188,7 +267,7 @@ for (const program of programs) {
   const browser = await launched(program);
   await sees(browser);
   for (const name of names) await play(browser, name);
-  for (const one of [edited, endless, broken, site]) await one(browser);
+  for (const one of [edited, dragged, endless, breaks, site]) await one(browser);
   check(`${browser.name}: nothing is asked of a network`, browser.requests.length === 0, browser.requests.join(" "));
   await browser.browser.close();
   console.log(`${browser.name}: ${names.length} scenes`);

@@ -7,9 +7,10 @@
 // the sliders; completion is chosen with the keys; reports stay below 2 MiB.
 
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import process from "node:process";
+import { crc32, inflateRawSync } from "node:zlib";
 import { after, check, end, forget, launched, numbers, opened as openedFile, report, said } from "./common.mjs";
 
 const [program, tumble, folder, scenes] = process.argv.slice(2);
@@ -81,11 +82,37 @@ async function saves(page, name) {
   await after(page, () => page.evaluate(([one, unit]) => lab.change(one, `1.25 ${unit}`.trim()), [name, value]));
   const file = String(await saved(page, "Save scene.toml"));
   check("a saved scene has the values of the sliders", told(file) === (await numbers(page)) && file.includes("1.25"), file);
-  check("tables are saved", String(await saved(page, "Save tables")).split("\n").filter((row) => row.includes(",")).length > 2);
+  await tables(page, file);
   const svg = String(await saved(page, "(SVG)"));
   check("the picture is saved", /^<svg[^>]*xmlns/.test(svg) && svg.includes("<path"), svg.slice(0, 200));
   const png = await saved(page, "(PNG)");
   check("and its dots", png.subarray(1, 4).toString() === "PNG" && png.length > 1000, png.length);
+}
+
+/** The saved archive, against the files that the command writes for the same scene, figures and all. */
+async function tables(page, content) {
+  const held = unzipped(await saved(page, "Save tables"));
+  const file = join(folder, "edited", "scene.toml");
+  writeFileSync(file, content);
+  execFileSync(tumble, ["run", file, "--report", "none", "--out", join(folder, "tables")]);
+  const native = join(folder, "tables", "edited");
+  const names = readdirSync(native, { recursive: true }).filter((name) => name.endsWith(".csv"));
+  check("all tables are saved", [...held.keys()].sort().join() === names.sort().join(), [...held.keys()].join());
+  for (const name of names) check(`${name} is that of the command`, held.get(name) === readFileSync(join(native, name), "utf8"));
+}
+
+/** The files of an archive, by their names. */
+function unzipped(bytes) {
+  const files = new Map();
+  for (let at = bytes.readUInt32LE(bytes.length - 6); bytes.readUInt32LE(at) === 0x02014b50; ) {
+    const [sum, packed, , named, place] = [16, 20, 24, 28, 42].map((k) => bytes.readUInt32LE(at + k));
+    const [name, begin] = [bytes.toString("utf8", at + 46, at + 46 + (named & 0xffff)), place + 30 + (named & 0xffff)];
+    const content = inflateRawSync(bytes.subarray(begin, begin + packed));
+    check(`${name} is whole`, crc32(content) === sum);
+    files.set(name, content.toString("utf8"));
+    at += 46 + (named & 0xffff);
+  }
+  return files;
 }
 
 async function completes(page) {

@@ -16,7 +16,8 @@ use crate::debian;
 use crate::workspace::{Workspace, copy, read};
 
 /// Copied next to the installed packages, so that the script finds them and the repository stays clean.
-const SCRIPT_FILES: [&str; 9] = [
+const SCRIPT_FILES: [&str; 10] = [
+    "access.mjs",
     "bench.mjs",
     "check.mjs",
     "common.mjs",
@@ -97,7 +98,7 @@ impl Checker {
 fn install_script(workspace: &Workspace) -> Result<PathBuf> {
     for program in ["node", "npm"] {
         find(program)
-            .with_context(|| format!("`{program}` is missing: install Node.js 20 or later with npm"))?;
+            .with_context(|| format!("`{program}` is missing: install Node.js 20.15 or later with npm"))?;
     }
     let folder = workspace.scratch("browser")?;
     let installed = is_installed(&folder, workspace);

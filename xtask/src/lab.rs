@@ -16,8 +16,10 @@ use crate::tidy::{File, Tree};
 use crate::workspace::{Workspace, read};
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// The engine takes so much stack, bytes: formulas and matrices do not recurse, drawings and TOML do a little.
-const LINKING: &str = "-C link-arg=-zstack-size=4194304";
+/// The engine takes so much stack, bytes: formulas and matrices do not recurse, drawings and TOML do a little. It has a gibibyte of
+/// memory at most, so that a run that wants more fails and not the browser. Places of functions are written as short as they are.
+const LINKING: &str =
+    "-C link-arg=-zstack-size=4194304 -C link-arg=--compress-relocations -C link-arg=--max-memory=1073741824";
 pub(crate) const ENGINE: &str = "crates/tumble/assets/engine.wasm.lzma";
 pub(crate) const SOURCES: &str = "crates/tumble/assets/engine.sources";
 const NOTICES: &str = "crates/tumble/assets/engine.notices";

@@ -19,6 +19,8 @@ const UNPACK: &str = "crates/tumble-report/src/report/assets/lab-unpack.js";
 const PLAY: &str = "play.mjs";
 /// Edits a scene, and takes away what can be saved.
 const EDIT: &str = "scene.mjs";
+/// Whether everybody can use them.
+const ACCESS: &str = "access.mjs";
 /// How long it takes.
 const BENCH: &str = "bench.mjs";
 
@@ -47,6 +49,7 @@ fn pages(workspace: &Workspace) -> Result<()> {
     let (tumble, scenes) = (workspace.target().join("debug/tumble"), workspace.path("scenes"));
     let browsers = [checker.chromium(), &firefox];
     checker.node(PLAY).args([&tumble, &gallery, &scenes]).args(browsers).run()?;
+    checker.node(ACCESS).arg(checker.chromium()).arg(&gallery).run()?;
     let folder = workspace.empty_scratch("play")?;
     checker.node(EDIT).arg(checker.chromium()).args([&tumble, &folder, &scenes]).run()
 }

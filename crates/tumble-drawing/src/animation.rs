@@ -1,7 +1,7 @@
 //! Motions that play in the page.
 
 use crate::curves::Mark;
-use crate::free_body::{Kind, NamedPoint, Surface};
+use crate::free_body::{Ground, Kind, NamedPoint};
 use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::scene_drawing::LinkKind;
@@ -35,7 +35,7 @@ pub struct MovingCase {
     /// Forces, shown on request.
     pub forces: Vec<MovingForce>,
     /// Half-planes of material that stay where they are.
-    pub surfaces: Vec<Surface>,
+    pub surfaces: Vec<Ground>,
     /// Points that stay where they are, such as pivots.
     pub points: Vec<NamedPoint>,
     /// Instants with names, in seconds.

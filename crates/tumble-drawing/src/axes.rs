@@ -5,7 +5,7 @@ use crate::scale::{Range, Scale};
 use crate::svg::{Element, line};
 use crate::text::{Anchor, Label, PlacedText, middle_baseline};
 use crate::theme::{GAP, HAIRLINE, INK, LEADING, MARGIN, NORMAL, SMALL};
-use crate::ticks::{Ticking, Ticks};
+use crate::ticks::Ticks;
 
 /// Length of labelled ticks in pixels.
 const MAJOR_TICK: f64 = 6.0;
@@ -30,8 +30,6 @@ pub struct Axis {
     pub label: Label,
     /// Its unit, for instance `m/s^2`; empty for a pure number.
     pub unit: String,
-    /// How ticks are chosen.
-    pub ticking: Ticking,
     /// The values shown; taken from the data if `None`.
     pub range: Option<Range>,
 }
@@ -40,12 +38,6 @@ impl Axis {
     /// An axis with decimal ticks, its range taken from the data.
     pub fn new(label: Label, unit: &str) -> Self {
         Self { label, unit: unit.to_owned(), ..Self::default() }
-    }
-
-    /// With ticks at multiples of pi, for angles in radians.
-    pub fn in_pi(mut self) -> Self {
-        self.ticking = Ticking::Pi;
-        self
     }
 
     /// Showing just these values.
@@ -100,10 +92,7 @@ impl Axes {
         let x = Scale::new(ranges[0], area.x, area.right());
         let y = Scale::new(ranges[1], area.bottom(), area.y);
         let y_wanted = (area.height / Y_SPACING).round() as usize;
-        let ticks = [
-            horizontal_ticks(axes[0].ticking, &x, area.width),
-            Ticks::new(ranges[1], axes[1].ticking, y_wanted),
-        ];
+        let ticks = [horizontal_ticks(&x, area.width), Ticks::new(ranges[1], y_wanted)];
         Self { area, x, y, ticks, titles: axes.map(Axis::title) }
     }
 
@@ -193,14 +182,14 @@ impl Axes {
 }
 
 /// Ticks of a horizontal axis, fewer if their labels would run together.
-fn horizontal_ticks(ticking: Ticking, scale: &Scale, width: f64) -> Ticks {
+fn horizontal_ticks(scale: &Scale, width: f64) -> Ticks {
     let wanted = (width / X_SPACING).round() as usize;
-    let choices = (1..=wanted.max(1)).rev().map(|n| Ticks::new(scale.range, ticking, n));
+    let choices = (1..=wanted.max(1)).rev().map(|n| Ticks::new(scale.range, n));
     let mut fitting = choices.filter(|ticks| {
         let room = ticks.label_width(SMALL) + LABEL_SPACING;
         ticks.major.windows(2).all(|w| scale.pixel(w[1].value) - scale.pixel(w[0].value) >= room)
     });
-    fitting.next().unwrap_or_else(|| Ticks::new(scale.range, ticking, 1))
+    fitting.next().unwrap_or_else(|| Ticks::new(scale.range, 1))
 }
 
 /// A window on the page: what `children` draw outside `area` is cut off.

@@ -71,6 +71,9 @@ pub(crate) fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
 /// How much nearer an end of a rectangle must be than its middle to be taken, per pixel.
 const CENTRAL: f64 = 1e-3;
 
+/// Ratio of squares beyond which one length is larger than another whatever rounding does.
+const FARTHER: f64 = 1.0 + 1e-9;
+
 /// The nearest points of a rectangle and a polyline, in this order, and their
 /// distance; 0 where they meet.
 pub(crate) fn gap(place: &Rect, line: &[Point]) -> ([Point; 2], f64) {
@@ -78,7 +81,12 @@ pub(crate) fn gap(place: &Rect, line: &[Point]) -> ([Point; 2], f64) {
     let mut best = ([place.centre(), place.centre()], f64::INFINITY);
     let mut least = f64::INFINITY;
     let mut consider = |pair: [Point; 2]| {
-        let distance = length(minus(pair[0], pair[1]));
+        let between = minus(pair[0], pair[1]);
+        // The rank is at least the distance: most pairs are out of it before a root is taken.
+        if dot(between, between) > FARTHER * least * least {
+            return;
+        }
+        let distance = length(between);
         let rank = distance + CENTRAL * length(minus(pair[1], place.centre()));
         if rank < least {
             (best, least) = ((pair, distance), rank);

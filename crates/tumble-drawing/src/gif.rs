@@ -1,17 +1,14 @@
 //! Motions as animated GIF files, by the embedded fonts and our own rasteriser.
 
-use std::collections::HashMap;
 use std::fmt::Display;
 
 use ::gif::{AnyExtension, DisposalMethod, Encoder, Extension, Frame, Repeat};
+use color_quant::NeuQuant;
 
 use crate::animation::{Animation, MovingCase};
 use crate::png::{PngError, raster};
 
 mod frame;
-mod palette;
-
-use palette::Palette;
 
 /// Longest animation in frames: a minute at 30 a second.
 const MOST_FRAMES: usize = 1800;
@@ -19,6 +16,10 @@ const MOST_FRAMES: usize = 1800;
 const RATES: std::ops::RangeInclusive<f64> = 1.0..=50.0;
 /// Frames that the colours are chosen from.
 const SAMPLED: usize = 12;
+/// Colours that a GIF can hold.
+const COLOURS: usize = 256;
+/// Every pixel of the frames counts when colours are chosen: lines are thin.
+const EVERY: i32 = 1;
 /// How long the last frame stays before the motion starts again, in hundredths of a second.
 const LAST_DELAY: u16 = 150;
 /// How long a motion takes if nobody says otherwise, in seconds.
@@ -82,12 +83,11 @@ pub fn animation_gif(animation: &Animation, case: usize, width: u32, rate: f64) 
     let times = times(&animation.cases[case], animation.speed, rate)?;
     let picture = |t: &f64| raster(&scene.svg(*t, f64::from(width)), 1.0);
     let every = times.len().div_ceil(SAMPLED);
-    let mut sample = HashMap::new();
+    let mut sample = vec![];
     for t in times.iter().step_by(every) {
-        picture(t)?.pixels.chunks_exact(4).for_each(|p| *sample.entry([p[0], p[1], p[2]]).or_insert(0) += 1);
+        sample.extend(picture(t)?.pixels);
     }
-    let palette = Palette::new(&sample);
-    encode(&times, picture, palette, rate)
+    encode(&times, picture, &NeuQuant::new(EVERY, COLOURS, &sample), rate)
 }
 
 /// Instants of the frames: the last one is the end of the motion.
@@ -106,19 +106,19 @@ fn times(motion: &MovingCase, speed: f64, rate: f64) -> Result<Vec<f64>, GifErro
 fn encode(
     times: &[f64],
     picture: impl Fn(&f64) -> Result<crate::png::Raster, PngError>,
-    mut palette: Palette,
+    colours: &NeuQuant,
     rate: f64,
 ) -> Result<Vec<u8>, GifError> {
     let first = picture(&times[0])?;
     let [width, height] = [first.width as u16, first.height as u16];
     let mut bytes = Vec::new();
-    let mut encoder = Encoder::new(&mut bytes, width, height, &palette.bytes()).map_err(encoding)?;
+    let mut encoder = Encoder::new(&mut bytes, width, height, &colours.color_map_rgb()).map_err(encoding)?;
     let comment = AnyExtension(Extension::Comment as u8);
     encoder.write_raw_extension(comment, &[ANIMATION_SEAL.as_bytes()]).map_err(encoding)?;
     encoder.set_repeat(Repeat::Infinite).map_err(encoding)?;
     let mut before: Option<Vec<u8>> = None;
     for (i, t) in times.iter().enumerate() {
-        let now = palette.indices(&picture(t)?.pixels);
+        let now = indices(colours, &picture(t)?.pixels);
         let mut frame = changed(before.as_deref(), &now, [width, height]);
         frame.delay = delay(i, times.len(), rate);
         encoder.write_frame(&frame).map_err(encoding)?;
@@ -126,6 +126,18 @@ fn encode(
     }
     drop(encoder);
     Ok(bytes)
+}
+
+/// The colours of pixels (four bytes each) by their numbers; neighbours are often alike.
+fn indices(colours: &NeuQuant, pixels: &[u8]) -> Vec<u8> {
+    let mut known: (&[u8], u8) = (&[], 0);
+    let index = |pixel| {
+        if known.0 != pixel {
+            known = (pixel, colours.index_of(pixel) as u8);
+        }
+        known.1
+    };
+    pixels.chunks_exact(4).map(index).collect()
 }
 
 /// Hundredths of a second until the next frame; rounding does not add up.

@@ -16,7 +16,6 @@ pub mod gif;
 pub mod heading;
 pub mod legend;
 pub mod map;
-pub mod numeral;
 pub mod outline;
 mod placing;
 #[cfg(feature = "png")]
@@ -49,5 +48,4 @@ pub use scene_drawing::{LinkKind, SceneBody, SceneDrawing, SceneLink};
 pub use stroboscope::{Reference, StroboscopicPicture};
 pub use svg::Svg;
 pub use text::Label;
-pub use ticks::Ticking;
 pub use track::{BodyPath, Instants};

@@ -8,7 +8,7 @@ use crate::scale::{Range, Scale, drawable};
 use crate::svg::{Element, PathData, Svg, circle, line};
 use crate::text::{Anchor, Label, PlacedText, middle_baseline};
 use crate::theme::{GAP, HAIRLINE, INK, LEADING, MARGIN, NORMAL, PAPER, Rgb, SMALL};
-use crate::ticks::{Ticking, Ticks};
+use crate::ticks::Ticks;
 
 /// Width of the picture in pixels.
 const WIDTH: f64 = 680.0;
@@ -67,7 +67,7 @@ impl MapFigure {
     /// The drawing. Without data it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
         let heading = Heading::new(&self.title, WIDTH);
-        let scale = Ticks::new(self.values(), Ticking::Decimal, TICKS);
+        let scale = Ticks::new(self.values(), TICKS);
         let beside = SCALE_GAP + SCALE_WIDTH + TICK + GAP + scale.label_width(SMALL) + NORMAL * LEADING;
         let ranges = [&self.columns, &self.rows].map(|places| bounds(&edges(places)));
         let top = heading.bottom() + NORMAL;

@@ -1,5 +1,8 @@
 //! Axis-parallel rectangles on the page (pixels, y down).
 
+/// Pixels by which rounding misplaces nothing.
+const BEYOND: f64 = 1e-6;
+
 /// A rectangle on the page: corner of least x and y, width and height, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
@@ -68,6 +71,13 @@ impl Rect {
         x.hypot(y)
     }
 
+    /// Distance of the nearest points of two rectangles; 0 where they meet.
+    pub(crate) fn apart(&self, other: &Rect) -> f64 {
+        let x = (self.x - other.right()).max(other.x - self.right()).max(0.0);
+        let y = (self.y - other.bottom()).max(other.y - self.bottom()).max(0.0);
+        x.hypot(y)
+    }
+
     /// Whether `other` lies wholly inside.
     pub fn encloses(&self, other: &Rect) -> bool {
         self.contains([other.x, other.y]) && self.contains([other.right(), other.bottom()])
@@ -91,8 +101,20 @@ impl Rect {
         self.parameters_inside(a, b).map(|(from, to)| [at(from), at(to)])
     }
 
+    /// Whether both ends lie beyond one edge, by more than rounding.
+    fn is_past(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        let past = |a: f64, b: f64, low: f64, high: f64| {
+            (a < low - BEYOND && b < low - BEYOND) || (a > high + BEYOND && b > high + BEYOND)
+        };
+        past(a[0], b[0], self.x, self.right()) || past(a[1], b[1], self.y, self.bottom())
+    }
+
     /// Parameters, 0 at `a` and 1 at `b`, between which the line is inside.
     fn parameters_inside(&self, a: [f64; 2], b: [f64; 2]) -> Option<(f64, f64)> {
+        // Most lines of a picture are nowhere near: it takes no division to see that.
+        if self.is_past(a, b) {
+            return None;
+        }
         let spans = [(a[0], b[0] - a[0], self.x, self.right()), (a[1], b[1] - a[1], self.y, self.bottom())];
         let inside = |(from, to): (f64, f64), (start, delta, low, high): (f64, f64, f64, f64)| {
             if delta == 0.0 {
@@ -115,6 +137,10 @@ mod tests {
         assert_eq!(a.overlap(&Rect::new(2.0, 3.0, 10.0, 10.0)), 2.0);
         assert_eq!(a.overlap(&Rect::new(5.0, 5.0, 1.0, 1.0)), 0.0);
         assert_eq!([a.distance([1.0, 1.0]), a.distance([7.0, 8.0])], [0.0, 5.0]);
+        assert_eq!(
+            [a.apart(&Rect::new(3.0, 3.0, 9.0, 9.0)), a.apart(&Rect::new(7.0, -6.0, 1.0, 2.0))],
+            [0.0, 5.0]
+        );
     }
 
     #[test]

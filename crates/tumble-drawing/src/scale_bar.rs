@@ -1,9 +1,9 @@
 //! The bar that tells how long a metre is on the page.
 
-use crate::numeral::round_decimal;
 use crate::svg::{Element, PathData};
 use crate::text::{Anchor, Label, PlacedText};
 use crate::theme::{GAP, INK, LEADING, SMALL};
+use tumble_notation::numeral::round_decimal;
 
 /// Height of the bar with its label, in pixels.
 pub const HEIGHT: f64 = 2.0 * GAP + SMALL * LEADING;

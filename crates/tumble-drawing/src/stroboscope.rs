@@ -3,7 +3,7 @@
 
 use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
-use crate::free_body::Surface;
+use crate::free_body::Ground;
 use crate::free_body::layout::View;
 use crate::heading::Heading;
 use crate::legend::Legend;
@@ -69,7 +69,7 @@ pub struct StroboscopicPicture {
     /// Height of level ground in metres, drawn hatched.
     pub ground: Option<f64>,
     /// Half-planes of material, drawn hatched below the bodies.
-    pub surfaces: Vec<Surface>,
+    pub surfaces: Vec<Ground>,
     /// Axes or scale bar.
     pub reference: Reference,
     /// Fading or numbers.
@@ -166,7 +166,7 @@ impl<'a> Scene<'a> {
         ground.into_iter().chain(surfaces).chain(bodies).chain(traces).chain([self.draw_labels()]).collect()
     }
 
-    fn surfaces(&self) -> impl Iterator<Item = &Surface> {
+    fn surfaces(&self) -> impl Iterator<Item = &Ground> {
         self.picture.surfaces.iter().filter(|surface| surface.is_drawable())
     }
 
@@ -370,8 +370,8 @@ mod tests {
         let mut picture = flight();
         let bare = picture.svg().to_string();
         picture.surfaces = vec![
-            Surface::new([0.0, -3.0], [0.0, 2.0], Label::plain("floor")),
-            Surface::new([0.0, 0.0], [0.0, 0.0], Label::default()),
+            Ground::new([0.0, -3.0], [0.0, 2.0], Label::plain("floor")),
+            Ground::new([0.0, 0.0], [0.0, 0.0], Label::default()),
         ];
         let drawn = picture.svg().to_string();
         let lowest = |picture: &StroboscopicPicture| picture.ranges().expect("poses")[1].low;

@@ -1,6 +1,7 @@
 //! Labels: text with italics, subscripts and superscripts, measured and drawn.
 
-use tumble_notation::{Identifier, is_quantity};
+use tumble_notation::numeral::Numeral;
+use tumble_notation::{Identifier, is_letter};
 
 use crate::font::{self, Face};
 use crate::rect::Rect;
@@ -46,7 +47,7 @@ impl Level {
 
 /// A stretch of text in one style.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Run {
+pub struct Span {
     /// The characters, unescaped.
     pub text: String,
     /// Upright, italic or bold.
@@ -59,7 +60,17 @@ pub struct Run {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Label {
     /// The runs from left to right.
-    pub runs: Vec<Run>,
+    pub runs: Vec<Span>,
+}
+
+impl From<Numeral> for Label {
+    fn from(Numeral { digits, power }: Numeral) -> Self {
+        let digits = Self::plain(&digits);
+        match power {
+            Some(power) => digits.then(Self::power_of_ten(power)),
+            None => digits,
+        }
+    }
 }
 
 impl Label {
@@ -72,15 +83,13 @@ impl Label {
     /// subscript 1; words of more than two letters stay upright.
     pub fn symbol(name: &str) -> Self {
         let identifier = Identifier::parse(name);
-        let subscript = identifier.subscript_text();
         let face = |italic: bool| if italic { Face::Italic } else { Face::Regular };
-        let faces =
-            [identifier.is_italic(), is_quantity(&subscript) && subscript.chars().count() == 1].map(face);
-        Self::default().with(&identifier.head, faces[0], Level::Base).with(
-            &subscript,
-            faces[1],
-            Level::Subscript,
-        )
+        let label = Self::default().with(&identifier.head, face(identifier.is_italic()), Level::Base);
+        identifier.subscript.iter().enumerate().fold(label, |label, (index, part)| {
+            let comma = if index == 0 { "" } else { "," };
+            let face = face(is_letter(part));
+            label.with(comma, Face::Regular, Level::Subscript).with(part, face, Level::Subscript)
+        })
     }
 
     /// The label of a scene's name such as `rod.angle`: the symbol that
@@ -134,6 +143,16 @@ impl Label {
         })
     }
 
+    /// A number rounded to at most so many significant digits, for instance `1.25` or `3×10⁻⁷`.
+    pub fn number(value: f64, digits: usize) -> Self {
+        Numeral::significant(value, digits).into()
+    }
+
+    /// A number with all its digits.
+    pub fn exact(value: f64) -> Self {
+        Numeral::exact(value).into()
+    }
+
     /// A power of ten with a multiplication sign, `×10⁻³`.
     pub fn power_of_ten(exponent: i32) -> Self {
         let exponent = exponent.to_string().replace('-', MINUS);
@@ -145,7 +164,7 @@ impl Label {
         match self.runs.last_mut().filter(|run| run.face == face && run.level == level) {
             _ if text.is_empty() => {}
             Some(run) => run.text.push_str(text),
-            None => self.runs.push(Run { text: text.to_owned(), face, level }),
+            None => self.runs.push(Span { text: text.to_owned(), face, level }),
         }
         self
     }
@@ -319,7 +338,7 @@ impl PlacedText {
     }
 }
 
-fn tspan(run: &Run, shift: f64, size: f64) -> Element {
+fn tspan(run: &Span, shift: f64, size: f64) -> Element {
     let mut span = Element::new("tspan");
     if shift != 0.0 {
         span = span.attr("dy", shift);

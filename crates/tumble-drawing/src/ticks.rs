@@ -5,26 +5,18 @@
 //! small, very large or nearly equal values share a common factor or offset
 //! that is written once, at the end of the axis.
 
-use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use crate::numeral::{decimal, round_decimal};
 use crate::scale::Range;
 use crate::text::Label;
 use crate::units::MINUS;
+use tumble_notation::numeral::{decimal, round_decimal};
 
 /// Fewest and most labelled ticks of an axis.
 const COUNTS: RangeInclusive<usize> = 3..=10;
 
 /// Steps as parts of a power of ten, with the number of minor steps in each.
 const MANTISSAS: [(i64, u32); 3] = [(1, 5), (2, 4), (5, 5)];
-
-/// Steps in units of pi, as numerator and denominator.
-const PI_STEPS: [(i64, i64); 11] =
-    [(1, 8), (1, 4), (1, 2), (1, 1), (2, 1), (5, 1), (10, 1), (20, 1), (50, 1), (100, 1), (200, 1)];
-
-/// Minor steps in each step of pi ticks.
-const PI_MINOR: u32 = 2;
 
 /// A tick this many steps outside the range still counts as its end.
 const SLACK: f64 = 1e-9;
@@ -36,17 +28,6 @@ const SMALL_EXPONENT: i32 = -2;
 
 /// Ticks of this many steps from zero are written with a common offset.
 const FAR_STEPS: i64 = 1_000_000;
-
-/// How ticks are chosen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Ticking {
-    /// Multiples of 1, 2, 5 times a power of ten.
-    #[default]
-    Decimal,
-    /// Multiples and fractions of pi, for angles in radians; decimal if the
-    /// range is too small or too large for them.
-    Pi,
-}
 
 /// A labelled tick.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,15 +52,8 @@ pub struct Ticks {
 impl Ticks {
     /// Ticks for a range that is not constant, about `wanted` labelled ones and
     /// always between 3 and 10.
-    pub fn new(range: Range, ticking: Ticking, wanted: usize) -> Self {
-        let pi = match ticking {
-            Ticking::Pi => best(pi_steps(), range, wanted),
-            Ticking::Decimal => None,
-        };
-        if let Some(steps) = pi {
-            return steps.pi_ticks(range);
-        }
-        best(decimal_steps(range), range, wanted).map_or_else(Ticks::default, |s| s.decimal_ticks(range))
+    pub fn new(range: Range, wanted: usize) -> Self {
+        best(decimal_steps(range), range, wanted).map_or_else(Ticks::default, |steps| steps.ticks(range))
     }
 
     /// Widest label in pixels at text size `size`.
@@ -88,12 +62,10 @@ impl Ticks {
     }
 }
 
-/// Ticks at the multiples `first..=last` of `numerator / denominator` times `unit`,
-/// where a decimal unit is ten to the `exponent`.
+/// Ticks at the multiples `first..=last` of `numerator` times `unit`, which is ten to the `exponent`.
 #[derive(Clone, Copy, Debug)]
 struct Steps {
     numerator: i64,
-    denominator: i64,
     exponent: i32,
     unit: f64,
     minor: u32,
@@ -104,15 +76,11 @@ struct Steps {
 impl Steps {
     fn decimal(mantissa: i64, minor: u32, exponent: i32) -> Self {
         let unit = 10f64.powi(exponent);
-        Self { numerator: mantissa, denominator: 1, exponent, unit, minor, first: 0, last: -1 }
-    }
-
-    fn of_pi((numerator, denominator): (i64, i64)) -> Self {
-        Self { numerator, denominator, exponent: 0, unit: PI, minor: PI_MINOR, first: 0, last: -1 }
+        Self { numerator: mantissa, exponent, unit, minor, first: 0, last: -1 }
     }
 
     fn step(&self) -> f64 {
-        self.unit * self.numerator as f64 / self.denominator as f64
+        self.unit * self.numerator as f64
     }
 
     /// With the first and last multiple in the range, if they are exact integers.
@@ -137,7 +105,7 @@ impl Steps {
         let n = (k * self.numerator) as f64;
         let value = match self.exponent {
             -22..0 => n / 10f64.powi(-self.exponent),
-            _ => n * self.unit / self.denominator as f64,
+            _ => n * self.unit,
         };
         value.clamp(range.low, range.high)
     }
@@ -149,22 +117,18 @@ impl Steps {
         between.map(|k| k as f64 * step).filter(|v| range.contains(*v)).collect()
     }
 
-    fn ticks(&self, range: Range, label: impl Fn(i64) -> Label, note: Label) -> Ticks {
-        let tick = |k| Tick { value: self.value(k, range), label: label(k * self.numerator) };
-        Ticks { major: (self.first..=self.last).map(tick).collect(), minor: self.minor_values(range), note }
-    }
-
-    fn pi_ticks(&self, range: Range) -> Ticks {
-        self.ticks(range, |n| pi_label(n, self.denominator), Label::default())
-    }
-
-    fn decimal_ticks(&self, range: Range) -> Ticks {
+    fn ticks(&self, range: Range) -> Ticks {
         let (first, last) = (self.first * self.numerator, self.last * self.numerator);
         let offset = common_offset(first, last);
         let largest = (first - offset).abs().max((last - offset).abs());
         let factor = common_exponent(largest, self.exponent);
         let label = |n: i64| Label::plain(&decimal(n - offset, self.exponent - factor));
-        self.ticks(range, label, note(factor, offset, self.exponent))
+        let tick = |k| Tick { value: self.value(k, range), label: label(k * self.numerator) };
+        Ticks {
+            major: (self.first..=self.last).map(tick).collect(),
+            minor: self.minor_values(range),
+            note: note(factor, offset, self.exponent),
+        }
     }
 }
 
@@ -177,10 +141,6 @@ fn decimal_steps(range: Range) -> impl Iterator<Item = Steps> {
     let top = range.span().log10().floor() as i32;
     (top - 2..=top)
         .flat_map(|e| MANTISSAS.iter().map(move |&(mantissa, minor)| Steps::decimal(mantissa, minor, e)))
-}
-
-fn pi_steps() -> impl Iterator<Item = Steps> {
-    PI_STEPS.into_iter().map(Steps::of_pi)
 }
 
 /// What to subtract from ticks far from zero, a round number, else 0.
@@ -212,71 +172,47 @@ fn note(factor: i32, offset: i64, exponent: i32) -> Label {
     factor.then(Label::plain(&format!("{space}{sign} {}", round_decimal(offset.abs(), exponent))))
 }
 
-/// `n / d` times pi, reduced.
-fn pi_label(n: i64, d: i64) -> Label {
-    let shared = gcd(n.abs(), d).max(1);
-    let (n, d) = (n / shared, d / shared);
-    let sign = if n < 0 { MINUS } else { "" };
-    let whole = if n.abs() == 1 { String::new() } else { n.abs().to_string() };
-    let below = if d == 1 { String::new() } else { format!("/{d}") };
-    Label::plain(&if n == 0 { "0".to_owned() } else { format!("{sign}{whole}π{below}") })
-}
-
-fn gcd(a: i64, b: i64) -> i64 {
-    if b == 0 { a } else { gcd(b, a % b) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn labels(low: f64, high: f64, ticking: Ticking) -> (Vec<String>, String) {
-        let ticks = Ticks::new(Range::new(low, high), ticking, 5);
-        (ticks.major.iter().map(|t| t.label.to_plain()).collect(), ticks.note.to_plain())
-    }
-
-    fn decimal_labels(low: f64, high: f64) -> (String, String) {
-        let (labels, note) = labels(low, high, Ticking::Decimal);
-        (labels.join(" "), note)
+    fn labels(low: f64, high: f64) -> (String, String) {
+        let ticks = Ticks::new(Range::new(low, high), 5);
+        let labels: Vec<String> = ticks.major.iter().map(|t| t.label.to_plain()).collect();
+        (labels.join(" "), ticks.note.to_plain())
     }
 
     #[test]
     fn plain_ranges() {
-        assert_eq!(decimal_labels(0.0, 20.0).0, "0 5 10 15 20");
-        assert_eq!(decimal_labels(-0.6, 0.6).0, "−0.6 −0.4 −0.2 0 0.2 0.4 0.6");
-        assert_eq!(decimal_labels(0.0, 0.3).0, "0 0.1 0.2 0.3");
-        assert_eq!(decimal_labels(0.0, 4e4).0, "0 10\u{2009}000 20\u{2009}000 30\u{2009}000 40\u{2009}000");
+        assert_eq!(labels(0.0, 20.0).0, "0 5 10 15 20");
+        assert_eq!(labels(-0.6, 0.6).0, "−0.6 −0.4 −0.2 0 0.2 0.4 0.6");
+        assert_eq!(labels(0.0, 0.3).0, "0 0.1 0.2 0.3");
+        assert_eq!(labels(0.0, 4e4).0, "0 10\u{2009}000 20\u{2009}000 30\u{2009}000 40\u{2009}000");
     }
 
     #[test]
     fn tiny_and_huge_values_share_a_factor() {
-        assert_eq!(decimal_labels(0.0, 4e-12), ("0 1 2 3 4".into(), "×10^−12".into()));
-        assert_eq!(decimal_labels(-2.5e8, 2.5e8).1, "×10^8");
+        assert_eq!(labels(0.0, 4e-12), ("0 1 2 3 4".into(), "×10^−12".into()));
+        assert_eq!(labels(-2.5e8, 2.5e8).1, "×10^8");
     }
 
     #[test]
     fn values_far_from_zero_share_an_offset() {
-        let (labels, note) = decimal_labels(1e6, 1e6 + 1e-3);
+        let (labels, note) = labels(1e6, 1e6 + 1e-3);
         assert_eq!(labels, "0 0.2 0.4 0.6 0.8 1.0");
         assert_eq!(note, "×10^−3 + 1\u{2009}000\u{2009}000");
-    }
-
-    #[test]
-    fn angles_in_multiples_of_pi() {
-        assert_eq!(labels(-3.2, 3.2, Ticking::Pi).0.join(" "), "−π −π/2 0 π/2 π");
-        assert_eq!(labels(0.0, 0.1, Ticking::Pi).0.len(), 6);
     }
 
     proptest! {
         #[test]
         fn ticks_are_few_increasing_and_inside(
-            middle in -1.0..1.0f64, size in -200i32..200, narrow in 0i32..11, wanted in 1usize..20, pi: bool,
+            middle in -1.0..1.0f64, size in -200i32..200, narrow in 0i32..11, wanted in 1usize..20,
         ) {
             let middle = middle * 10f64.powi(size);
             let span = 10f64.powi(size - narrow) * 1.7;
             let range = Range::new(middle - span, middle + span);
-            let ticks = Ticks::new(range, if pi { Ticking::Pi } else { Ticking::Decimal }, wanted);
+            let ticks = Ticks::new(range, wanted);
             prop_assert!(COUNTS.contains(&ticks.major.len()), "{} ticks", ticks.major.len());
             prop_assert!(ticks.major.iter().all(|t| range.contains(t.value)));
             prop_assert!(ticks.major.windows(2).all(|w| w[0].value < w[1].value));

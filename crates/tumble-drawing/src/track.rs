@@ -1,6 +1,5 @@
 //! One body in one run of a stroboscopic picture, and what its instants are called.
 
-use crate::numeral::significant;
 use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::text::Label;
@@ -74,7 +73,7 @@ fn label(number: Option<usize>, time: Option<f64>) -> Label {
 }
 
 fn time_label(t: f64) -> Label {
-    let equals = Label::symbol("t").then(Label::plain(" = ")).then(significant(t, TIME_DIGITS));
+    let equals = Label::symbol("t").then(Label::plain(" = ")).then(Label::number(t, TIME_DIGITS));
     if t == 0.0 { equals } else { equals.then(Label::plain("\u{a0}s")) }
 }
 

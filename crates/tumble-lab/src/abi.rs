@@ -27,11 +27,26 @@ thread_local! {
 unsafe extern "C" {
     /// A run is at that time of that, s.
     safe fn reached(time: f64, until: f64);
+    /// The program has gone wrong: why, so many bytes of text at that place. It ends with that.
+    safe fn failed(from: *const u8, bytes: usize);
 }
 
 /// There is nobody to tell.
 #[cfg(not(target_arch = "wasm32"))]
 fn reached(_: f64, _: f64) {}
+
+/// A panic says nothing by itself here. What ends without one has found no memory.
+#[cfg(target_arch = "wasm32")]
+fn tell_failures() {
+    std::panic::set_hook(Box::new(|panic| {
+        let said = panic.to_string();
+        failed(said.as_ptr(), said.len());
+    }));
+}
+
+/// Panics are told as everywhere.
+#[cfg(not(target_arch = "wasm32"))]
+fn tell_failures() {}
 
 /// Where a request of so many bytes is to be written.
 #[unsafe(no_mangle)]
@@ -45,6 +60,7 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
 /// Takes the request that was written, in the place of any before it: 1, or 0 where it is none.
 #[unsafe(no_mangle)]
 pub extern "C" fn begin() -> u32 {
+    tell_failures();
     let request = Request::of(&INPUT.take());
     let is_one = request.is_some();
     SESSION.set(request.map(Session::new));

@@ -18,12 +18,14 @@ pub struct Request {
     pub files: BTreeMap<String, Vec<u8>>,
     /// Which run is looked at, counted from 0: its motion comes first.
     pub shown: usize,
+    /// Whether the tables that the command writes are wanted, and not the report.
+    pub tables: bool,
 }
 
 impl Request {
     /// The request that the bytes hold: each text behind its length (four bytes, the lowest first): the name and the scene, then
-    /// `set`, a name and a formula, `file`, a name and its content, or `shown` and a number, for each of them. `None` if that is
-    /// not what they are.
+    /// `set`, a name and a formula, `file`, a name and its content, `shown` and a number, or `tables` and an empty text, for each
+    /// of them. `None` if that is not what they are.
     pub fn of(bytes: &[u8]) -> Option<Self> {
         let mut parts = Parts(bytes);
         let mut request = Self { name: parts.text()?, scene: parts.text()?, ..Self::default() };
@@ -32,6 +34,7 @@ impl Request {
             match kind {
                 b"set" => request.set.push(Override { name, text: parts.text()? }),
                 b"shown" => request.shown = name.parse().ok()?,
+                b"tables" => request.tables = true,
                 b"file" => _ = request.files.insert(name, parts.next()?.to_vec()),
                 _ => return None,
             }
@@ -45,8 +48,10 @@ impl Request {
         let set = self.set.iter().flat_map(|set| ["set", &set.name, &set.text].map(str::as_bytes));
         let files = self.files.iter().flat_map(|(name, content)| [b"file", name.as_bytes(), content]);
         let shown = ["shown", &number].map(str::as_bytes);
+        let tables = self.tables.then_some(["tables", ""].map(str::as_bytes));
         let texts = [self.name.as_bytes(), self.scene.as_bytes()];
-        let parts = texts.into_iter().chain(set).chain(files).chain(shown);
+        let parts =
+            texts.into_iter().chain(set).chain(files).chain(shown).chain(tables.into_iter().flatten());
         parts
             .flat_map(|part| (part.len() as u32).to_le_bytes().into_iter().chain(part.iter().copied()))
             .collect()
@@ -84,7 +89,8 @@ mod tests {
     fn requests_come_back_from_their_bytes() {
         let set = vec![Override { name: "T".into(), text: "2 s".into() }];
         let files = BTreeMap::from([("gust.csv".to_owned(), vec![0, 255])]);
-        let request = Request { name: "a".into(), scene: "version = 1\n".into(), set, files, shown: 3 };
+        let request =
+            Request { name: "a".into(), scene: "version = 1\n".into(), set, files, shown: 3, tables: true };
         assert_eq!(Request::of(&request.bytes()), Some(request));
     }
 

@@ -33,6 +33,8 @@ enum Stage {
     Motion,
     Balance,
     Report,
+    /// In the place of the report.
+    Tables,
     Done,
 }
 
@@ -91,8 +93,10 @@ impl Session {
             Stage::Motion => Ok((Stage::Balance, Some(self.motion(study).map_err(why)?))),
             Stage::Balance => {
                 self.cases.iter_mut().try_for_each(balance).map_err(why)?;
-                Ok((Stage::Report, Some(energies(&self.cases))))
+                let next = if self.request.tables { Stage::Tables } else { Stage::Report };
+                Ok((next, Some(energies(&self.cases))))
             }
+            Stage::Tables => Ok((Stage::Done, Some(tables(study, &self.cases).map_err(why)?))),
             Stage::Report => Ok((Stage::Done, Some(self.report(study).map_err(why)?))),
             Stage::Read | Stage::Done => Ok((Stage::Done, None)),
         }
@@ -163,6 +167,13 @@ fn balance(case: &mut Case) -> Result<(), CaseError> {
 /// The energies along each run.
 fn energies(cases: &[Case]) -> String {
     object([("kind", string("energy")), ("cases", list(cases.iter().map(energy)))])
+}
+
+/// The tables of the runs, each behind its path.
+fn tables(study: &Study, cases: &[Case]) -> Result<String, CaseError> {
+    let tables = tumble_report::tables::all(study, cases)?;
+    let files = tables.iter().map(|(path, text)| list([string(path), string(text)]));
+    Ok(object([("kind", string("tables")), ("files", list(files))]))
 }
 
 /// What a run came to, in the words of the command, and the bits of its motion.

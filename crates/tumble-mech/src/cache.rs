@@ -38,7 +38,7 @@ impl<K: Clone + Eq + Hash, V> Cache<K, V> {
     }
 }
 
-/// Of what holds numbers, which are different in other roundings, and nothing else is.
+/// Of what holds numbers: they alone differ where numbers are rounded in another way.
 impl<K: Clone + Eq + Hash, V> Cache<(K, Rounding), V> {
     /// The value of a key with numbers rounded so: built with the nearest, and from that rounded again.
     pub(crate) fn get_rounded<E>(

@@ -12,7 +12,7 @@ pub fn latex(math: &Math) -> String {
     match math {
         Math::Row(parts) => parts.iter().map(latex).collect(),
         Math::Product(factors) => factors.iter().map(latex).collect::<Vec<_>>().join(" \\, "),
-        Math::Number(digits) => digits.replace('…', "\\ldots "),
+        Math::Number(digits) => digits.replace('…', "\\ldots ").replace('\u{2009}', "\\,"),
         Math::Identifier(identifier) => name(identifier, &head(identifier)),
         Math::Operator(operator) => sign(*operator).to_owned(),
         Math::Text(words) => format!("\\text{{{}}}", escaped(words)).replace("\\text{}", ""),

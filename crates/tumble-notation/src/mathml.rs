@@ -197,7 +197,7 @@ fn subscript(identifier: &Identifier) -> String {
     let part = |part: &String| {
         if part.chars().all(|c| c.is_ascii_digit()) {
             format!("<mn>{}</mn>", escaped(part))
-        } else if symbol::is_quantity(part) && part.chars().count() == 1 {
+        } else if symbol::is_letter(part) {
             letters(part, true)
         } else {
             format!("<mtext>{}</mtext>", escaped(part))

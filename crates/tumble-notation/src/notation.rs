@@ -1,10 +1,11 @@
 //! What a reader is shown of formulas: which names, which parts explained below.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-use tumble_expr::{Expr, Symbol};
+use tumble_expr::{Expr, Formulas, Symbol};
 
 use crate::algebra::{Algebra, Id, Imported, Leaf};
+use crate::known::{self, Key};
 use crate::layout::Math;
 use crate::print::Printer;
 use crate::spelling::shown_leaves;
@@ -13,8 +14,8 @@ use crate::{MathError, mathml, order};
 /// How formulas are shown.
 #[derive(Clone, Debug)]
 pub struct Notation {
-    symbols: HashMap<String, String>,
-    positive: HashSet<String>,
+    symbols: BTreeMap<String, String>,
+    positive: BTreeSet<String>,
     definitions: Vec<(String, Expr)>,
     time: String,
     automatic: bool,
@@ -23,8 +24,8 @@ pub struct Notation {
 impl Default for Notation {
     fn default() -> Self {
         Self {
-            symbols: HashMap::new(),
-            positive: HashSet::new(),
+            symbols: BTreeMap::new(),
+            positive: BTreeSet::new(),
             definitions: vec![],
             time: "t".to_owned(),
             automatic: true,
@@ -182,6 +183,27 @@ impl Notation {
     }
 
     fn show(&self, sides: &[(Option<Left>, Expr)]) -> Result<Shown, MathError> {
+        known::or_else(self.key(sides), || self.worked_out(sides))
+    }
+
+    fn key(&self, sides: &[(Option<Left>, Expr)]) -> Key {
+        let factors = sides.iter().filter_map(|(left, _)| left.as_ref()?.factor.as_ref());
+        let rights = sides.iter().map(|(_, right)| right);
+        let definitions = self.definitions.iter().map(|(_, formula)| formula);
+        let formulas: Vec<Expr> = definitions.chain(rights).chain(factors).cloned().collect();
+        let left = |left: &Left| (left.symbol.clone(), left.factor.is_some());
+        Key {
+            symbols: self.symbols.clone(),
+            positive: self.positive.clone(),
+            time: self.time.clone(),
+            automatic: self.automatic,
+            names: self.definitions.iter().map(|(name, formula)| (name.clone(), size(formula))).collect(),
+            lefts: sides.iter().map(|(side, _)| side.as_ref().map(left)).collect(),
+            formulas: Formulas::new(&formulas),
+        }
+    }
+
+    fn worked_out(&self, sides: &[(Option<Left>, Expr)]) -> Result<Shown, MathError> {
         let mut algebra = Algebra::default();
         let mut imported = Imported::default();
         let factors = sides.iter().filter_map(|(left, _)| left.as_ref()?.factor.as_ref());

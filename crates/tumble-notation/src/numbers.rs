@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::layout::{Math, Operator};
+use crate::numeral::placed;
 use crate::rational::Rational;
 
 /// The largest denominator that stands below a line even where a decimal would be exact.
@@ -58,21 +59,6 @@ pub(crate) fn decimal(value: &Rational) -> Math {
         return Math::Row(vec![mantissa, Math::Operator(Operator::Times), power]);
     }
     Math::Number(format!("{}{tail}", placed(&digits, point)))
-}
-
-/// Digits with the decimal point behind so many of them.
-fn placed(digits: &str, point: i64) -> String {
-    let Ok(before) = usize::try_from(point) else {
-        let zeros = usize::try_from(-point).unwrap_or(0);
-        return format!("0.{}{digits}", "0".repeat(zeros));
-    };
-    if before == 0 {
-        format!("0.{digits}")
-    } else if before >= digits.len() {
-        format!("{digits}{}", "0".repeat(before - digits.len()))
-    } else {
-        format!("{}.{}", &digits[..before], &digits[before..])
-    }
 }
 
 /// An integer of either sign.
@@ -153,9 +139,9 @@ mod tests {
         assert_eq!(text(0, 1), "0");
         assert_eq!(text(981, 100), "9.81");
         assert_eq!(text(1, 50), "0.02");
-        assert_eq!(text(9_810_000, 1), "9810000");
+        assert_eq!(text(9_810_000, 1), "9\u{2009}810\u{2009}000");
         assert_eq!(text(1, 3), "0.333333…");
-        assert_eq!(text(2_000_000, 3), "666666…");
+        assert_eq!(text(2_000_000, 3), "666\u{2009}666…");
         assert_eq!(text(999_999_999, 1_000_000_000), "0.999999…");
         assert_eq!(text(1, 1_000_000), "1·10⁻⁶");
         assert_eq!(text(123, 100_000_000_000), "1.23·10⁻⁹");

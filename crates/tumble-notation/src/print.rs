@@ -191,7 +191,10 @@ impl<'a> Printer<'a> {
         let units: Vec<(Base, Exponent)> =
             factors.iter().filter_map(|(id, exponent)| Some((self.unit(*id)?, *exponent))).collect();
         if !units.is_empty() {
-            layers.above.push(Math::Product(vec![numbers::decimal(by), Math::Text(unit_text(&units))]));
+            let quantity = Math::Product(vec![numbers::decimal(by), Math::Text(unit_text(&units))]);
+            // Where more follows, the unit could be read as a part of it.
+            let is_alone = units.len() == factors.len();
+            layers.above.push(if is_alone { quantity } else { quantity.bracketed() });
             return;
         }
         let shape = numbers::shape(by);

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use tumble_expr::Exponent;
 
 /// An exact number.
@@ -50,10 +50,73 @@ pub(crate) fn powers_out(value: &Rational, order: u32) -> (Rational, Rational) {
     (outside, inside)
 }
 
+/// `a b`. Most numbers of formulas are short: what they take as machine integers is a fraction of what long ones do.
+pub(crate) fn times(a: &Rational, b: &Rational) -> Rational {
+    match (short(a), short(b)) {
+        (Some((1, 1)), _) => b.clone(),
+        (_, Some((1, 1))) => a.clone(),
+        (Some(a), Some(b)) => product(a, b),
+        _ => a * b,
+    }
+}
+
+/// `a / b`, where b is not zero.
+pub(crate) fn over(a: &Rational, b: &Rational) -> Rational {
+    match (short(a), short(b)) {
+        (_, Some((1, 1))) => a.clone(),
+        (Some(a), Some((p, q))) if q <= i64::MAX as u64 => {
+            product(a, (if p < 0 { -(q as i64) } else { q as i64 }, p.unsigned_abs()))
+        }
+        _ => a / b,
+    }
+}
+
+/// `a + b`.
+pub(crate) fn plus(a: &Rational, b: &Rational) -> Rational {
+    let (Some((n, d)), Some((p, q))) = (short(a), short(b)) else { return a + b };
+    let shared = divisor(d, q);
+    let sum = i128::from(n) * i128::from(q / shared) + i128::from(p) * i128::from(d / shared);
+    // What can still be cancelled divides what the denominators share.
+    let rest =
+        if shared == 1 { 1 } else { divisor((sum.unsigned_abs() % u128::from(shared)) as u64, shared) };
+    fraction(sum / i128::from(rest), u128::from(d / shared) * u128::from(q / rest))
+}
+
 /// The greatest number of which both are integer multiples; positive.
 pub(crate) fn common_divisor(a: &Rational, b: &Rational) -> Rational {
-    let cross = |p: &Rational, q: &Rational| p.numer() * q.denom();
-    Rational::new(gcd(cross(a, b), cross(b, a)), a.denom() * b.denom())
+    let (Some((n, d)), Some((p, q))) = (short(a), short(b)) else {
+        return Rational::new(gcd(a.numer() * b.denom(), b.numer() * a.denom()), a.denom() * b.denom());
+    };
+    let multiple = u128::from(d / divisor(d, q)) * u128::from(q);
+    let shared = divisor(n.unsigned_abs(), p.unsigned_abs());
+    if shared == 0 { Rational::zero() } else { fraction(i128::from(shared), multiple) }
+}
+
+/// Numerator and denominator, where they are machine integers.
+fn short(value: &Rational) -> Option<(i64, u64)> {
+    Some((value.numer().to_i64()?, value.denom().to_i64()?.unsigned_abs()))
+}
+
+/// The product of two fractions in lowest terms.
+fn product((n, d): (i64, u64), (p, q): (i64, u64)) -> Rational {
+    let [left, right] = [divisor(n.unsigned_abs(), q), divisor(p.unsigned_abs(), d)].map(i128::from);
+    let above = (i128::from(n) / left) * (i128::from(p) / right);
+    let below = (i128::from(d) / right) * (i128::from(q) / left);
+    fraction(above, below.unsigned_abs())
+}
+
+/// A fraction that is in lowest terms.
+fn fraction(numerator: i128, denominator: u128) -> Rational {
+    let denominator = if numerator == 0 { 1 } else { denominator };
+    Rational::new_raw(numerator.into(), denominator.into())
+}
+
+/// The greatest common divisor, that of zero and another being the other.
+fn divisor(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
 }
 
 fn gcd(a: BigInt, b: BigInt) -> BigInt {
@@ -85,4 +148,43 @@ pub(crate) fn is_odd(exponent: &Exponent) -> bool {
 /// Whether a number is 1 or -1.
 pub(crate) fn is_unit(value: &Rational) -> bool {
     value.abs().is_one()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Short and long, whole and broken, near the ends of machine integers too.
+    fn number() -> impl Strategy<Value = Rational> {
+        let part = || {
+            prop_oneof![
+                -9..9_i64,
+                Just(i64::from(i32::MIN)),
+                Just(i64::from(i32::MAX)),
+                Just(i64::MIN),
+                Just(i64::MAX),
+                any::<i32>().prop_map(i64::from),
+                any::<i64>()
+            ]
+        };
+        let longer = prop_oneof![4 => Just(1_i64), 1 => any::<i64>()];
+        (part(), part(), longer).prop_map(|(n, d, by)| {
+            let long = BigInt::from(n) * BigInt::from(by);
+            Rational::new(long, if d == 0 { 1 } else { d }.into())
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn short_numbers_are_reckoned_as_long_ones(a in number(), b in number()) {
+            let same = |fast: Rational, exact: Rational| fast.numer() == exact.numer() && fast.denom() == exact.denom();
+            prop_assert!(same(times(&a, &b), &a * &b));
+            prop_assert!(same(plus(&a, &b), &a + &b));
+            prop_assert!(b.is_zero() || same(over(&a, &b), &a / &b));
+            let long = gcd(a.numer() * b.denom(), b.numer() * a.denom());
+            let both_zero = a.is_zero() && b.is_zero();
+            prop_assert!(both_zero || same(common_divisor(&a, &b), Rational::new(long, a.denom() * b.denom())));
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Names of functions, exponents and units as they are printed.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use tumble_expr::{Binary, Dimension, Exponent, Unary};
 
@@ -76,7 +76,7 @@ pub(crate) fn unit_text(units: &[(Base, Exponent)]) -> String {
 /// What leaves show, by their index.
 pub(crate) fn shown_leaves(
     algebra: &Algebra,
-    names: &HashMap<String, String>,
+    names: &BTreeMap<String, String>,
     automatic: &HashMap<usize, String>,
 ) -> Vec<Math> {
     let show = |leaf: &crate::algebra::Leaf| match leaf.definition {

@@ -63,7 +63,7 @@ impl Identifier {
     fn simple(name: &str) -> Self {
         if let Some((head, subscript)) = name.split_once('_').filter(|(h, s)| !h.is_empty() && !s.is_empty())
         {
-            let subscript: Vec<&str> = subscript.split('_').map(greek).collect();
+            let subscript: Vec<&str> = subscript.split(['_', ',']).map(greek).collect();
             return Self::of(greek(head), &subscript);
         }
         let head = name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -84,8 +84,13 @@ impl Identifier {
     }
 }
 
+/// Whether a part of a subscript is a letter of its own, set in italics.
+pub fn is_letter(part: &str) -> bool {
+    is_quantity(part) && part.chars().count() == 1
+}
+
 /// Whether a word stands for a quantity and is set in italics.
-pub fn is_quantity(word: &str) -> bool {
+pub(crate) fn is_quantity(word: &str) -> bool {
     word.chars().all(char::is_alphabetic) && word.chars().count() <= LETTERS_OF_A_QUANTITY
 }
 
@@ -121,6 +126,7 @@ mod tests {
             ("mass", "mass", ""),
             ("42", "42", ""),
             ("_x", "_x", ""),
+            ("F_air,x", "F", "air,x"),
             ("rod.angle", "θ", "rod"),
             ("rod.omega", "ω", "rod"),
             ("rod.x", "x", "rod"),

@@ -43,7 +43,6 @@ mod jobs;
 mod report_file;
 mod runs;
 mod summary;
-mod sweep_tables;
 mod tables;
 
 pub use pipeline::{Options, Outcome, PipelineError};

@@ -23,7 +23,6 @@ use crate::output::{Kind, Single};
 use crate::report_file;
 use crate::runs;
 use crate::summary::{self, Source};
-use crate::sweep_tables::SweepTables;
 use crate::tables;
 
 /// How a scene is run, beyond what it says itself.
@@ -248,7 +247,7 @@ fn write(
     };
     let (mut tally, mut of_runs, mut cases) = (Tally::default(), Diagnostics::default(), vec![]);
     let mut pages = folder.spool();
-    let mut sweep = SweepTables::begin(study, folder)?;
+    let mut sweep = tables::begin_sweep(study, folder)?;
     let mut surveyor = Surveyor::of(study, wants_pictures(options))?;
     let keep = |(finished, page, case): (Finished, String, Option<Case>)| {
         tally.add(&finished);
@@ -259,7 +258,7 @@ fn write(
         Ok(folder.towards(summary::FILE, pages.add(&page).and_then(|()| tell(finished)))?)
     };
     let missing = runs::all(study, options, write, keep)?;
-    sweep.map_or(Ok(()), SweepTables::finish)?;
+    sweep.map_or(Ok(()), tables::end_sweep)?;
     let located = if missing.is_empty() { runs::located(study, options, &surveyor)? } else { vec![] };
     let survey = surveyor.end(located);
     let runs = Runs { cases: &cases, missing: &missing, survey: &survey };

@@ -6,7 +6,7 @@ use crate::text::Label;
 
 use super::arrow::{Arrow, Couple, Spread, Unit, Velocity};
 use super::side::SideView;
-use super::surface::Surface;
+use super::surface::Ground;
 
 /// A point of the body or its surroundings that gets a name.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -61,7 +61,7 @@ pub struct FreeBodyDiagram {
     /// Outlines in body coordinates about the centre of mass, metres.
     pub outlines: Vec<Outline>,
     /// Surfaces near it.
-    pub surfaces: Vec<Surface>,
+    pub surfaces: Vec<Ground>,
     /// Points that get names.
     pub points: Vec<NamedPoint>,
     /// What the arrows stand for.
@@ -111,7 +111,7 @@ impl FreeBodyDiagram {
     }
 
     /// With one more surface.
-    pub fn surface(mut self, surface: Surface) -> Self {
+    pub fn surface(mut self, surface: Ground) -> Self {
         self.surfaces.push(surface);
         self
     }
@@ -163,7 +163,7 @@ impl FreeBodyDiagram {
         let pose = body.pose;
         let shown = |p: &[f64; 2]| p.iter().copied().all(drawable);
         body.outlines.retain(|outline| outline.extent(&pose).iter().all(shown));
-        body.surfaces.retain(Surface::is_drawable);
+        body.surfaces.retain(Ground::is_drawable);
         body.points.retain(|point| shown(&point.at));
         body.forces.retain(|force| force.is_drawable() && force.magnitude() > 0.0);
         body.couples.retain(|couple| drawable(couple.value) && couple.value != 0.0);

@@ -97,7 +97,7 @@ fn near_surfaces(body: &FreeBodyDiagram, view: &View) -> Vec<Point> {
     let size = body_size(body);
     let near = NEAR * size[0].hypot(size[1]);
     let points = body_points(body);
-    let foot = |surface: &super::surface::Surface| {
+    let foot = |surface: &super::surface::Ground| {
         let lowest = points.iter().min_by(|a, b| surface.height(**a).total_cmp(&surface.height(**b)))?;
         let foot = view.pixel(surface.foot(*lowest));
         let below = along(foot, surface.page_normal(), -HATCH_DEPTH);

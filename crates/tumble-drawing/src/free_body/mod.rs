@@ -7,14 +7,14 @@
 //! its shaft. Forces of zero are listed below the body instead.
 //!
 //! ```
-//! use tumble_drawing::free_body::{Arrow, FreeBodyDiagram, Kind, Sheet, Surface};
+//! use tumble_drawing::free_body::{Arrow, FreeBodyDiagram, Kind, Sheet, Ground};
 //! use tumble_drawing::{Label, Outline, Pose};
 //!
 //! let pose = Pose { t: 0.5, x: 0.0, y: 0.3, angle: 0.64 };
 //! let rod = Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] };
 //! let body = FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod])
 //!     .heading(Label::plain("touching the floor"))
-//!     .surface(Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
+//!     .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
 //!     .force(Arrow::new(Kind::Weight, Label::markup("$m$ $g$"), [0.0, 0.3], [0.0, -4.905]))
 //!     .force(Arrow::new(Kind::Contact, Label::symbol("N"), [-0.4, 0.0], [0.0, 170.0]));
 //! let svg = Sheet::of(body).svg();
@@ -42,6 +42,6 @@ mod tests;
 
 pub use arrow::{Arrow, Couple, Kind, Spread, Unit, Velocity};
 pub use body::{AngleMark, FreeBodyDiagram, NamedPoint};
-pub use sheet::{KeyChoice, Scaling, Sheet};
+pub use sheet::Sheet;
 pub use side::SideView;
-pub use surface::{Round, Surface};
+pub use surface::{Ground, Round};

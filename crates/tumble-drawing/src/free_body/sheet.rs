@@ -12,7 +12,7 @@ use crate::theme::{GAP, MARGIN, PAPER, SMALL};
 use super::arrow::{Kind, Unit};
 use super::body::FreeBodyDiagram;
 use super::describe::describe;
-use super::fit::{Room, fit, longest_arrow, scales};
+use super::fit::{Room, scales};
 use super::grid::{Grid, rooms};
 use super::key::{Entry, Key};
 use super::layout::{Scales, View, body_size};
@@ -26,30 +26,6 @@ const BLANK_HEIGHT: f64 = 100.0;
 /// Panels need a legend from this many kinds of forces on.
 const KINDS: usize = 2;
 
-/// Which panels share their scales.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Scaling {
-    /// All: lengths and arrows can be compared between panels.
-    #[default]
-    Sheet,
-    /// Lengths only; the largest force of each panel is drawn long.
-    PanelForces,
-    /// None.
-    Panel,
-}
-
-/// Whether a legend tells the kinds of forces.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum KeyChoice {
-    /// If there are several kinds.
-    #[default]
-    Auto,
-    /// If there is any force.
-    Always,
-    /// Not at all.
-    Never,
-}
-
 /// Free-body diagrams in a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
@@ -59,10 +35,6 @@ pub struct Sheet {
     pub panels: Vec<FreeBodyDiagram>,
     /// Captions below the panels.
     pub captions: Vec<Label>,
-    /// Which panels share their scales.
-    pub scaling: Scaling,
-    /// Whether kinds of forces are explained.
-    pub legend: KeyChoice,
     /// Significant digits of printed magnitudes, 1 to 17.
     pub digits: usize,
 }
@@ -76,8 +48,7 @@ impl Default for Sheet {
 impl Sheet {
     /// A sheet with a title, at common scales.
     pub fn new(title: Label, panels: Vec<FreeBodyDiagram>) -> Self {
-        let (scaling, legend) = (Scaling::default(), KeyChoice::default());
-        Self { title, panels, captions: Vec::new(), scaling, legend, digits: DIGITS }
+        Self { title, panels, captions: Vec::new(), digits: DIGITS }
     }
 
     /// A sheet of one panel: a plain free-body diagram.
@@ -133,7 +104,7 @@ impl<'a> Layout<'a> {
         let width = grid.extent()[0].max(grid.size[0]) + 2.0 * MARGIN;
         let heading = Heading::new(&sheet.shown_title(), width);
         let corner = [MARGIN, heading.bottom()];
-        let scales = all_scales(sheet, &sources, &grid);
+        let scales = all_scales(&sources, &grid);
         let panels = panels(sheet, &sources, &grid, corner, &scales);
         let mut layout = Self {
             sheet,
@@ -193,11 +164,7 @@ impl<'a> Layout<'a> {
 
     fn groups(&self) -> Vec<Vec<Entry>> {
         let kinds = self.kinds();
-        let wanted = match self.sheet.legend {
-            KeyChoice::Auto => kinds.len() >= KINDS,
-            KeyChoice::Always => true,
-            KeyChoice::Never => false,
-        };
+        let wanted = kinds.len() >= KINDS;
         let kinds = kinds.into_iter().filter(|_| wanted).map(Entry::Kind).collect();
         vec![kinds, self.bars()]
     }
@@ -213,22 +180,17 @@ impl<'a> Layout<'a> {
             .collect()
     }
 
-    /// A bar for every unit of arrows and one for lengths, where panels share them.
+    /// A bar for every unit of arrows and one for lengths.
     fn bars(&self) -> Vec<Entry> {
-        let mut bars = Vec::new();
-        if self.sheet.scaling == Scaling::Sheet || self.panels.len() == 1 {
-            let mut units: Vec<&Unit> = Vec::new();
-            for (panel, scales) in self.panels.iter().zip(&self.scales) {
-                let unit = &panel.main.body.unit;
-                if scales.largest > 0.0 && !units.contains(&unit) {
-                    units.push(unit);
-                    bars.extend(Entry::bar(scales.arrow / scales.largest, &unit.arrow));
-                }
+        let (mut bars, mut units): (Vec<Entry>, Vec<&Unit>) = (vec![], vec![]);
+        for (panel, scales) in self.panels.iter().zip(&self.scales) {
+            let unit = &panel.main.body.unit;
+            if scales.largest > 0.0 && !units.contains(&unit) {
+                units.push(unit);
+                bars.extend(Entry::bar(scales.arrow / scales.largest, &unit.arrow));
             }
         }
-        if self.sheet.scaling != Scaling::Panel || self.panels.len() == 1 {
-            bars.extend(self.length_bar());
-        }
+        bars.extend(self.length_bar());
         bars
     }
 
@@ -248,34 +210,15 @@ impl<'a> Layout<'a> {
         if drawings().any(|drawing| !drawing.rings.is_empty()) {
             captions.push(Label::plain("Circular arrows are not to scale."));
         }
-        if self.panels.len() > 1 && self.sheet.scaling != Scaling::Sheet {
-            captions.push(Label::plain(match self.sheet.scaling {
-                Scaling::PanelForces => "Every panel has its own scale of arrows.",
-                _ => "Every panel has its own scales.",
-            }));
-        }
         captions
     }
 }
 
 /// The scales of every panel.
-fn all_scales(sheet: &Sheet, sources: &[Source], grid: &Grid) -> Vec<Scales> {
+fn all_scales(sources: &[Source], grid: &Grid) -> Vec<Scales> {
     let trim = Trim::new(sources, grid.size[0]);
     let rooms = rooms(sources, grid.size, &trim);
-    let own = |room: &Room<'_>| {
-        let alone = [*room];
-        match sheet.scaling {
-            Scaling::Sheet => scales(&rooms, room.body, grid.fit.density, grid.fit.arrow),
-            Scaling::PanelForces => {
-                let arrow = longest_arrow(&alone, grid.fit.density);
-                scales(&alone, room.body, grid.fit.density, arrow)
-            }
-            Scaling::Panel => {
-                let best = fit(&alone);
-                scales(&alone, room.body, best.density, best.arrow)
-            }
-        }
-    };
+    let own = |room: &Room<'_>| scales(&rooms, room.body, grid.fit.density, grid.fit.arrow);
     rooms.iter().map(own).collect()
 }
 

@@ -5,7 +5,7 @@ use crate::text::Label;
 
 use super::arrow::{Arrow, Kind, Unit};
 use super::body::FreeBodyDiagram;
-use super::surface::Surface;
+use super::surface::Ground;
 
 /// A small view from the side, beside a body seen from above. Its coordinates
 /// are one horizontal axis and the height, with scales of its own.
@@ -16,7 +16,7 @@ pub struct SideView {
     /// Outlines as seen from the side, about the centre of mass, metres.
     pub outlines: Vec<Outline>,
     /// Surfaces near it.
-    pub surfaces: Vec<Surface>,
+    pub surfaces: Vec<Ground>,
     /// Forces, for instance weight and normal force.
     pub forces: Vec<Arrow>,
 }
@@ -27,7 +27,7 @@ impl SideView {
     /// (both in N, magnitudes).
     pub fn resting(outlines: Vec<Outline>, height: f64, weight: (Label, f64), normal: (Label, f64)) -> Self {
         let pose = Pose { y: height, ..Pose::default() };
-        let floor = Surface::new([0.0; 2], [0.0, 1.0], Label::default());
+        let floor = Ground::new([0.0; 2], [0.0, 1.0], Label::default());
         let forces = vec![
             Arrow::new(Kind::Weight, weight.0, [0.0, height], [0.0, -weight.1]),
             Arrow::new(Kind::Contact, normal.0, [0.0; 2], [0.0, normal.1]),

@@ -1,6 +1,5 @@
 //! Arrows on the page: where they start and end, straight and circular.
 
-use crate::numeral::significant;
 use crate::text::Label;
 use crate::theme::{ARM, ArrowStyle, MOTION};
 
@@ -149,6 +148,6 @@ pub(crate) fn stroke_labels(body: &FreeBodyDiagram, digits: usize) -> Vec<Label>
 pub(crate) fn equation(symbol: &Label, value: f64, unit: &str, digits: usize) -> Label {
     // Rounded text passes through unchanged: powers of ten keep their raised exponent.
     let space = if unit == "deg" { "" } else { "\u{a0}" };
-    let quantity = significant(value, digits).then(Label::plain(space)).then(Label::unit(unit));
+    let quantity = Label::number(value, digits).then(Label::plain(space)).then(Label::unit(unit));
     if symbol.is_empty() { quantity } else { symbol.clone().then(Label::plain(" = ")).then(quantity) }
 }

@@ -23,7 +23,7 @@ const NAMED: f64 = 20.0;
 
 /// The edge of a half-plane of material, or of a round piece or hollow of it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Surface {
+pub struct Ground {
     /// A point on it, or the centre of a circle, in world coordinates, metres.
     pub point: [f64; 2],
     /// Its normal, out of the material; of any length but zero. Of a circle, where its name stands: opposite to the normal there.
@@ -45,7 +45,7 @@ pub struct Round {
     pub hollow: bool,
 }
 
-impl Surface {
+impl Ground {
     /// A surface through a point (world, metres) with its outward normal.
     pub fn new(point: [f64; 2], normal: [f64; 2], name: Label) -> Self {
         Self { point, normal, reach: None, round: None, name }

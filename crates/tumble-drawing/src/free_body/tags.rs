@@ -1,6 +1,5 @@
 //! Which labels a panel has, and what they must keep clear of.
 
-use crate::numeral::significant;
 use crate::outline::Outline;
 use crate::placing::Occupancy;
 use crate::rect::Rect;
@@ -183,5 +182,5 @@ fn head_outline(stroke: &Stroke) -> Vec<Point> {
 
 /// A number with the digits of the sheet, for descriptions.
 pub(super) fn plain(value: f64, digits: usize) -> String {
-    significant(value, digits).to_plain()
+    Label::number(value, digits).to_plain()
 }

@@ -22,7 +22,7 @@ fn bounce(push: f64, angle: f64) -> FreeBodyDiagram {
     let pose = Pose { t: 0.0, x: 3.0, y: 0.5 * angle.sin(), angle };
     FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod()])
         .heading(Label::plain("an instant"))
-        .surface(Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
+        .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
         .force(force(Kind::Weight, "W", pose.centre(), [0.0, -4.905]))
         .force(force(Kind::Contact, "N", pose.world([-0.5, 0.0]), [0.0, push]))
         .angle(AngleMark::horizontal(Label::symbol("theta"), angle))
@@ -120,14 +120,6 @@ fn arrows_start_at_their_points_and_compare_between_panels() {
 }
 
 #[test]
-fn own_scales_make_the_largest_force_of_each_panel_long() {
-    let sheet = Sheet { scaling: Scaling::PanelForces, ..five() };
-    let layout = Layout::new(&sheet);
-    let [weak, strong] = [1, 2].map(|i| layout.panels[i].main.strokes[1].length());
-    assert!(weak > 0.8 * strong, "{weak} {strong}");
-}
-
-#[test]
 fn short_arrows_and_only_they_have_a_break() {
     let svg = five().svg().to_string();
     assert_eq!(svg.matches("class=\"break\"").count(), 5, "the weight beside 560 N");
@@ -185,7 +177,7 @@ fn nothing_makes_a_drawing_without_numbers() {
                 .force(force(Kind::Air, "<b>", [0.0, 0.0], [1e-12, 0.0]))
                 .force(force(Kind::Spring, "", [b, 0.0], [a, 0.0]))
                 .couple(Couple::new(Kind::Applied, Label::default(), a))
-                .surface(Surface::new([a, b], [b, a], Label::plain("floor")))
+                .surface(Ground::new([a, b], [b, a], Label::plain("floor")))
                 .point(Label::plain("A"), [b, a])
                 .angle(AngleMark::horizontal(Label::symbol("theta"), b));
             let body = FreeBodyDiagram { rate: Some(a), ..body.velocity(Velocity::new("V", [b, a], [a, b])) };

@@ -169,7 +169,8 @@ fn spots(tags: &[Tag], i: usize, drawn: &Occupancy, area: &Rect) -> Vec<Spot> {
     let tag = &tags[i];
     let size = Tag::extent(&tag.label, tag.size);
     let far = if tag.far { anywhere(area, size) } else { Vec::new() };
-    let rivals: Vec<_> = tags.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, t)| &t.whole).collect();
+    let others = tags.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, other)| &*other.whole);
+    let rivals: Vec<Rival<'_>> = others.map(|whole| (whole, Rect::around(whole.iter().copied()))).collect();
     let candidates = tag.near.iter().chain(&far);
     let mut spots: Vec<Spot> = candidates.map(|c| spot(tag, *c, drawn, &rivals)).collect();
     spots.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -177,7 +178,10 @@ fn spots(tags: &[Tag], i: usize, drawn: &Occupancy, area: &Rect) -> Vec<Spot> {
     spots
 }
 
-fn spot(tag: &Tag, candidate: Candidate, drawn: &Occupancy, rivals: &[&Vec<Point>]) -> Spot {
+/// What a label must not seem to belong to, and the box that it is in.
+type Rival<'t> = (&'t [Point], Option<Rect>);
+
+fn spot(tag: &Tag, candidate: Candidate, drawn: &Occupancy, rivals: &[Rival<'_>]) -> Spot {
     let Candidate { place, cost } = candidate;
     let (ends, own) = gap(&place, &tag.owner);
     let leader = (tag.far && own > LEADER_FROM).then(|| shortened(ends));
@@ -186,13 +190,17 @@ fn spot(tag: &Tag, candidate: Candidate, drawn: &Occupancy, rivals: &[&Vec<Point
     let parted = if leader.is_some() { CROSSING_COST * crossings } else { PARTED_COST * crossings.min(1.0) };
     let led = if leader.is_some() { LEADER_COST } else { 0.0 };
     let rivalry: f64 =
-        if leader.is_some() { 0.0 } else { rivals.iter().map(|r| rivalry(&place, r, own)).sum() };
+        if leader.is_some() { 0.0 } else { rivals.iter().map(|rival| rivalry(&place, rival, own)).sum() };
     let burden = COVER_WEIGHT * drawn.burden(&place.grown(CLEARANCE));
     let away = DISTANCE_COST * own + led + parted;
     Spot { place, leader, cost: cost + burden + rivalry + away }
 }
 
-fn rivalry(place: &Rect, rival: &[Point], own: f64) -> f64 {
+fn rivalry(place: &Rect, (rival, within): &Rival<'_>, own: f64) -> f64 {
+    // Where all of it is farther than what counts, it need not be known how far.
+    if within.is_some_and(|within| place.apart(&within) > own + 2.0 * NEARLY) {
+        return 0.0;
+    }
     let distance = gap(place, rival).1;
     let part = ((own + NEARLY - distance) / NEARLY).clamp(0.0, 1.0);
     RIVAL_COST * part

@@ -1,7 +1,6 @@
 //! A scene in words, for those who cannot see it.
 
 use super::{SceneBody, SceneDrawing};
-use crate::numeral::significant;
 use crate::scene_drawing::LinkKind;
 use crate::text::Label;
 
@@ -19,7 +18,7 @@ pub(super) fn describe(scene: &SceneDrawing) -> String {
             let what = if round.hollow { "Round hollow" } else { "Circle" };
             return format!("{what} {} about {at}, radius {} m.", name(&surface.name, ""), round.radius);
         }
-        format!("Surface {} through {at}, its normal {normal}.", name(&surface.name, ""))
+        format!("Ground {} through {at}, its normal {normal}.", name(&surface.name, ""))
     }));
     parts.extend(scene.links.iter().map(|link| {
         let kind = match link.kind {
@@ -60,7 +59,7 @@ fn name(label: &Label, otherwise: &str) -> String {
 }
 
 fn number(value: f64) -> String {
-    significant(value, DIGITS).to_plain()
+    Label::number(value, DIGITS).to_plain()
 }
 
 fn pair([x, y]: [f64; 2]) -> String {

@@ -10,7 +10,7 @@ mod tests;
 
 use layout::Layout;
 
-use crate::free_body::{AngleMark, NamedPoint, Surface};
+use crate::free_body::{AngleMark, Ground, NamedPoint};
 use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::svg::Svg;
@@ -24,7 +24,7 @@ pub struct SceneDrawing {
     /// The bodies.
     pub bodies: Vec<SceneBody>,
     /// Half-planes of material.
-    pub surfaces: Vec<Surface>,
+    pub surfaces: Vec<Ground>,
     /// Points that hold a body to the world.
     pub pivots: Vec<NamedPoint>,
     /// Other points with names.
@@ -94,7 +94,7 @@ impl SceneDrawing {
             body.velocity = body.velocity.take().filter(|(v, _)| seen(v));
             body.rate = body.rate.take().filter(|(rate, _)| drawable(*rate) && *rate != 0.0);
         }
-        scene.surfaces.retain(Surface::is_drawable);
+        scene.surfaces.retain(Ground::is_drawable);
         scene.pivots.retain(|point| seen(&point.at));
         scene.points.retain(|point| seen(&point.at));
         scene.links.retain(|link| link.ends.iter().all(seen));

@@ -88,7 +88,7 @@ fn about_body(at: Point, frame: &Rect, [width, height]: [f64; 2]) -> Vec<Candida
 }
 
 fn surfaces(layout: &Layout) -> Vec<Tag> {
-    let surface = |surface: &crate::free_body::Surface| {
+    let surface = |surface: &crate::free_body::Ground| {
         let line = surface.visible(&layout.view, &layout.axes.area)?;
         let below = line.map(|p| along(p, surface.page_normal(), -HATCH_DEPTH));
         let near = |size| {

@@ -13,7 +13,7 @@ fn scene() -> SceneDrawing {
     SceneDrawing {
         title: Label::plain("Start"),
         bodies: vec![body],
-        surfaces: vec![Surface::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor"))],
+        surfaces: vec![Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor"))],
         pivots: vec![NamedPoint { name: Label::symbol("A"), at: [-1.0, 2.5] }],
         points: vec![NamedPoint { name: Label::symbol("P"), at: [0.7, 2.3] }],
         links: vec![SceneLink {
@@ -34,7 +34,7 @@ fn everything_is_drawn_and_said() {
     for word in ["rod", "floor", "spring", "−2\u{a0}rad/s"] {
         assert!(drawn.contains(word), "{word}");
     }
-    let said = "Surface floor through (0, 0) m, its normal (0, 1). Spring spring from (−1, 2.5) m";
+    let said = "Ground floor through (0, 0) m, its normal (0, 1). Spring spring from (−1, 2.5) m";
     assert!(svg.description.contains(said), "{}", svg.description);
     assert_eq!(drawn, scene().svg().to_string());
 }

@@ -13,7 +13,7 @@ pub(crate) use symmetric::{Column, Symmetric};
 
 use crate::Lanewise;
 
-/// A pivot of at most this many roundings (for each row) of what it was computed from is none: changing entries in their
+/// A pivot of at most this many rounding errors (for each row) of what it was computed from is none: changing entries in their
 /// last digits makes the matrix singular, and a solution would have no digit right.
 const LOST: f64 = f64::EPSILON;
 

@@ -350,7 +350,7 @@ impl Pair {
         motion.velocity() + motion.omega() * self.arm().perpendicular()
     }
 
-    /// Stands for the force along the surface, N, or for a couple against rolling over its [`Self::lever`].
+    /// Stands for the force along the surface, N, or for a couple against rolling over its lever, the radius of what rolls.
     pub fn friction_symbol(&self) -> Symbol {
         let what = if self.is_rolling() { "rolling_force" } else { "friction" };
         Symbol::new(format!("{}.{what}", self.name), Dimension::FORCE)

@@ -85,6 +85,8 @@ struct Settling<'a> {
     part: Vec<usize>,
     /// Impulses of the impact so far, by position, N s.
     impulses: DVector<f64>,
+    /// What the impacts of a Zeno sequence that are not followed come to, less what the forces of the contacts do meanwhile, N s.
+    cut_off: DVector<f64>,
     /// Speeds before the impact, by position: what rounding after it is relative to.
     speed: DVector<f64>,
     /// Accelerations of the gaps with the forces of the contacts that last, m/s^2.
@@ -106,6 +108,10 @@ impl Equations {
         settling.impact(jump)?;
         let zeno = settling.zeno();
         let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;
+        if zeno.is_none() {
+            // Rounding of what stands.
+            settling.cut_off.fill(0.0);
+        }
         settling.arrange(lasting, zeno, jump);
         Ok(settling.found())
     }
@@ -144,8 +150,8 @@ impl<'a> Settling<'a> {
         let count = touch.response.nrows();
         let speed = touch.speed.clone();
         let then = touch.free.clone();
-        let (island, impulses) = (island.to_vec(), DVector::zeros(count));
-        Ok(Self { equations, island, now, touch, part, impulses, speed, then })
+        let [impulses, cut_off] = [(); 2].map(|()| DVector::zeros(count));
+        Ok(Self { equations, island: island.to_vec(), now, touch, part, impulses, cut_off, speed, then })
     }
 
     /// Velocities after the impacts of this instant, if anything closes.
@@ -297,7 +303,7 @@ impl<'a> Settling<'a> {
             .map(|(position, _)| *position)
             .collect();
         let stop = standing(&self.touch.response, &self.rates(), &held);
-        self.apply(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
+        self.stop(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
         Ok(Lasting { modes: found, rubbing: None })
     }
 
@@ -391,6 +397,12 @@ impl<'a> Settling<'a> {
         self.touch.rate[position].abs() <= STANDS * speed
     }
 
+    /// Takes away what is left of the rates of contacts that are held.
+    fn stop(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        self.cut_off += impulses;
+        self.apply(impulses, jump)
+    }
+
     fn apply(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         self.touch.kick(impulses, &mut jump.states);
         self.touch = self.equations.touch(&self.island, &jump.mode, &jump.states, self.now)?;
@@ -435,11 +447,12 @@ impl<'a> Settling<'a> {
             let all = indices.iter().zip(impulses).filter(|(_, impulse)| **impulse != 0.0);
             all.map(|(index, impulse)| (*index, *impulse)).collect()
         };
-        let shares = &self.touch.joints.share * &self.impulses;
+        let impulses = &self.impulses + &self.cut_off;
+        let shares = &self.touch.joints.share * &impulses;
         let rubbed = &self.touch.slips.pairs;
-        let along = self.impulses.rows(self.touch.pairs.len(), rubbed.len()).into_owned();
+        let along = impulses.rows(self.touch.pairs.len(), rubbed.len()).into_owned();
         Sizes {
-            normals: by_index(&self.touch.pairs, &self.impulses),
+            normals: by_index(&self.touch.pairs, &impulses),
             frictions: by_index(rubbed, &along),
             rows: by_index(&self.touch.joints.rows, &shares),
             applied: vec![],

@@ -295,7 +295,7 @@ impl WrittenLine {
         };
         let point = PointRef { body: body.clone(), arm: &foot + &s * &local };
         let arm = Written::function(&format!("r{number}"), &variable, Written::Vector(point.world_arm()));
-        let centre = Written::named("V", Written::Vector(body.velocity()));
+        let centre = Written::named("v", Written::Vector(body.velocity()));
         let turning = Written::Scalar(body.omega()).cross(arm.clone());
         let velocity = Written::Sum(vec![(false, centre), (false, turning)]);
         let normal = crate::kinematics::rotated(&local.perpendicular(), &body.angle());

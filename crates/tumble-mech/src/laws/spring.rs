@@ -80,8 +80,8 @@ impl Spring {
             pulls.push(times(&self.stiffness, vec![longer]));
         }
         if !is_identically_zero(&self.damping) {
-            let parting = Written::named("v", Written::Vector(b.velocity() - a.velocity()));
-            pulls.push(times(&self.damping, vec![parting.dot(along.clone())]));
+            let rate = Written::named("v", Written::Vector(b.velocity() - a.velocity()));
+            pulls.push(times(&self.damping, vec![rate.dot(along.clone())]));
         }
         Written::Product(vec![sum(pulls), along])
     }

@@ -10,9 +10,9 @@ use tumble_expr::Exponent;
 
 use super::sum::Terms;
 use super::{Algebra, Factor, Form, Id};
-use crate::rational::Rational;
+use crate::rational::{self, LARGEST_BITS, Rational};
 
-/// Terms of a quotient beyond which a division is given up.
+/// Steps beyond which a division is given up.
 const MOST_QUOTIENTS: usize = 24;
 /// Sums taken out of one product; each makes it shorter.
 const MOST_CANCELLED: usize = 8;
@@ -57,23 +57,25 @@ impl Algebra {
         }
         let (lead, by) = self.leading(&part)?;
         let mut quotient = Terms::new();
-        while let Some((first, own)) = self.leading(&left) {
-            if quotient.len() == MOST_QUOTIENTS {
-                return None;
-            }
+        // Steps are counted, not terms: where a product is not what its factors say, the same term comes again.
+        for _ in 0..=MOST_QUOTIENTS {
+            let Some((first, own)) = self.leading(&left) else { return Some(self.raw_sum(quotient)) };
             let one = Exponent::one();
             let term = self.raw_product(Rational::one(), &[(first, one), (lead, -one)]);
             if self.factors(term).iter().any(|(_, exponent)| exponent.is_negative()) {
                 return None;
             }
-            let ratio = own / &by;
+            let ratio = rational::over(&own, &by);
+            if rational::bits(&ratio) > LARGEST_BITS {
+                return None;
+            }
             for (id, number) in &part {
-                let product = self.raw_product(-(number * &ratio), &[(*id, one), (term, one)]);
+                let product = self.raw_product(-rational::times(number, &ratio), &[(*id, one), (term, one)]);
                 self.add_term(&mut left, &Rational::one(), product);
             }
             self.add_term(&mut quotient, &ratio, term);
         }
-        Some(self.raw_sum(quotient))
+        None
     }
 
     /// The term that comes first in an order that products keep: by the exponents of the factors, one after the other.

@@ -6,7 +6,7 @@ use num_traits::{One, Signed};
 use tumble_expr::{Dimension, Exponent};
 
 use super::{Algebra, Factor, Form, Id, Leaf};
-use crate::rational::Rational;
+use crate::rational::{self, Rational};
 
 /// Signs beyond which a part becomes a definition at once, about eight lines: so every part stays of a size that can be
 /// worked with.
@@ -72,7 +72,7 @@ impl Algebra {
                 let (by, mut factors, primitive) = self.primitive(id);
                 let Some((symbol, own)) = self.named.get(&primitive).cloned() else { return id };
                 factors.push((symbol, Exponent::one()));
-                self.raw_product(by * own, &factors)
+                self.raw_product(rational::times(&by, &own), &factors)
             }
             Form::Product(by, factors) if factors.iter().any(|factor| self.is_named(factor)) => {
                 self.with_named_factors(by, factors)

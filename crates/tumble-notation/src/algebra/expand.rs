@@ -5,7 +5,7 @@ use tumble_expr::Exponent;
 
 use super::sum::Terms;
 use super::{Algebra, Factor, Form, Id};
-use crate::rational::Rational;
+use crate::rational::{self, Rational};
 
 /// Terms beyond which nothing is multiplied out.
 pub(crate) const MOST_TERMS: usize = 40;
@@ -52,7 +52,7 @@ impl Algebra {
         let mut opened = vec![];
         for (part, own) in terms {
             rest.push((part, Exponent::one()));
-            let term = self.raw_product(own * by, &rest);
+            let term = self.raw_product(rational::times(&own, by), &rest);
             rest.pop();
             let (number, part) = self.split(term);
             opened.push((part, number));

@@ -20,7 +20,7 @@ struct Collected {
 impl Collected {
     fn multiply(&mut self, value: Option<Rational>) {
         match value {
-            Some(value) => self.by *= value,
+            Some(value) => self.by = rational::times(&self.by, &value),
             None => self.lost = true,
         }
     }
@@ -224,7 +224,7 @@ impl Algebra {
     pub(crate) fn scaled(&mut self, by: Rational, id: Id) -> Id {
         match self.form(id).clone() {
             Form::Sum(terms) => {
-                let terms = terms.into_iter().map(|(part, own)| (part, own * &by));
+                let terms = terms.into_iter().map(|(part, own)| (part, rational::times(&own, &by)));
                 self.raw_sum(terms.collect())
             }
             _ => self.raw_product(by, &[(id, Exponent::one())]),

@@ -5,7 +5,7 @@ use tumble_expr::Exponent;
 
 use super::sum::{Terms, content};
 use super::{Algebra, Factor, Form, Function, Id};
-use crate::rational::{Rational, is_unit};
+use crate::rational::{self, Rational, is_unit};
 
 /// Brackets cost their two signs and the reader's going into them.
 pub(crate) const BRACKETS: u32 = 3;
@@ -66,7 +66,7 @@ impl Algebra {
         for (part, own) in self.terms(sum) {
             let mut factors = rest.clone();
             factors.push((part, Exponent::one()));
-            let term = self.raw_product(own * &by, &factors);
+            let term = self.raw_product(rational::times(&own, &by), &factors);
             self.add_term(&mut all, &Rational::one(), term);
         }
         self.raw_sum(all)
@@ -104,8 +104,10 @@ impl Algebra {
         for (part, by) in terms {
             let mut factors = inverse.clone();
             factors.push((*part, Exponent::one()));
-            let term = self.raw_product(by / &number, &factors);
-            self.add_term(&mut rest, &Rational::one(), term);
+            let term = self.raw_product(rational::over(by, &number), &factors);
+            let (own, part) = self.split(term);
+            // A multiple of a sum is its terms, which may cancel others.
+            self.add_term(&mut rest, &own, part);
         }
         self.trigonometric_sums(&mut rest);
         let sum = self.raw_sum(rest);

@@ -15,10 +15,10 @@ impl Algebra {
     /// Adds `by * id` to the terms; sums are taken apart.
     pub(crate) fn add_term(&mut self, terms: &mut Terms, by: &Rational, id: Id) {
         if let Form::Sum(inner) = self.form(id).clone() {
-            inner.into_iter().for_each(|(part, own)| join(terms, part, own * by));
+            inner.into_iter().for_each(|(part, own)| join(terms, part, rational::times(&own, by)));
         } else {
             let (own, part) = self.split(id);
-            join(terms, part, own * by);
+            join(terms, part, rational::times(&own, by));
         }
     }
 
@@ -58,7 +58,7 @@ impl Algebra {
         let mut rest = Terms::new();
         for (part, by) in terms {
             let factors: Vec<Factor> = inverse.iter().copied().chain([(part, Exponent::one())]).collect();
-            let divided = self.raw_product(by / &content, &factors);
+            let divided = self.raw_product(rational::over(&by, &content), &factors);
             self.add_term(&mut rest, &Rational::one(), divided);
         }
         let primitive = self.raw_sum(rest);
@@ -106,7 +106,10 @@ fn nearer(a: Exponent, b: Exponent) -> Option<Exponent> {
 }
 
 pub(crate) fn join(terms: &mut Terms, part: Id, by: Rational) {
-    let sum = terms.remove(&part).unwrap_or_else(Rational::zero) + by;
+    let sum = match terms.remove(&part) {
+        Some(before) => rational::plus(&before, &by),
+        None => by,
+    };
     if !sum.is_zero() {
         terms.insert(part, sum);
     }

@@ -183,10 +183,12 @@ impl Reader<'_> {
 
     fn number(&mut self) -> f64 {
         let from = self.at;
-        while self.peek().is_ascii_digit() || self.peek() == '.' {
+        // Long numbers are in groups of three.
+        while self.peek().is_ascii_digit() || ['.', '\u{2009}'].contains(&self.peek()) {
             self.at += 1;
         }
-        self.rest[from..self.at].iter().collect::<String>().parse().expect("digits")
+        let digits = self.rest[from..self.at].iter().filter(|c| **c != '\u{2009}');
+        digits.collect::<String>().parse().expect("digits")
     }
 
     fn function(&mut self) -> f64 {

@@ -79,7 +79,7 @@ fn on(axis: &SweptAxis, value: f64) -> f64 {
 
 fn mark(study: &Study, axis: &SweptAxis, located: &Located) -> Mark {
     let at = located.place.best.at;
-    let number = tumble_drawing::numeral::significant(at, DIGITS).to_plain();
+    let number = tumble_drawing::Label::number(at, DIGITS).to_plain();
     let symbols = symbols(study);
     let value = Label::name(&axis.name, &symbols)
         .then(Label::plain(" = "))

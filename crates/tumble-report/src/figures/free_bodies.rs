@@ -1,7 +1,7 @@
 //! Free-body diagrams: the forces that were integrated, at the instants the study asks for.
 
 use tumble_drawing::free_body::{
-    AngleMark, Arrow, Couple, FreeBodyDiagram, Kind, Sheet, SideView, Surface, Velocity,
+    AngleMark, Arrow, Couple, FreeBodyDiagram, Ground, Kind, Sheet, SideView, Velocity,
 };
 use tumble_drawing::{Label, Pose};
 use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, Source, joined};
@@ -52,7 +52,8 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Shee
 }
 
 /// What a sheet shows, in words: whose forces, and what the letters mean that are not forces.
-pub(crate) fn caption(sheet: &Sheet, body: &str) -> Label {
+pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
+    let velocity = symbols::velocity(study, body);
     let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
     let is_impulse = any(&|panel| panel.unit == tumble_drawing::free_body::Unit::impulse());
@@ -64,7 +65,7 @@ pub(crate) fn caption(sheet: &Sheet, body: &str) -> Label {
             "torque about the centre of mass, counter-clockwise positive",
         ),
         (is_impulse, "J", "impulse of an instant"),
-        (has("V"), "V", "velocity of the centre of mass"),
+        (has(&velocity), &*velocity, "velocity of the centre of mass"),
         (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
         (has("u"), "u", "velocity of the air past the point where it acts"),
     ];
@@ -136,7 +137,11 @@ impl Drawing<'_> {
         let formulas = [motion.velocity().components(), &[motion.omega()]].concat();
         let values = self.run.observe(&formulas)?.at(time, Side::After).unwrap_or(vec![0.0; 3]);
         let least = AT_REST * self.study.number(&body.reach())?;
-        let velocity = Velocity::new("V", panel.pose.centre(), [values[0], values[1]]);
+        let velocity = Velocity::new(
+            &symbols::velocity(self.study, &body.name),
+            panel.pose.centre(),
+            [values[0], values[1]],
+        );
         let panel = if size(velocity.vector) > least { panel.velocity(velocity) } else { panel };
         Ok(FreeBodyDiagram { rate: (values[2].abs() > AT_REST).then_some(values[2]), ..panel })
     }
@@ -153,7 +158,10 @@ impl Drawing<'_> {
         };
         let names = open.iter().map(name).collect::<Vec<_>>().join(", ");
         let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
-        let text = format!("Not unique at {} s, more bear than are needed: {names}.", shown(time));
+        let text = format!(
+            "At {} s there are more supports than conditions, so these forces are not unique: {names}.",
+            shown(time)
+        );
         Ok(has_forces.then(|| Label::markup(&text)))
     }
 
@@ -242,7 +250,7 @@ impl Drawing<'_> {
         (kind, symbols::impulse(&format!("{place}{along}")))
     }
 
-    fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Surface>, CaseError> {
+    fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Ground>, CaseError> {
         let reach = self.study.number(&body.reach())?;
         let all = surfaces(self.study, self.run, time)?;
         let planes = all.into_iter().filter(|surface| surface.reach.is_none() && surface.round.is_none());
@@ -251,13 +259,13 @@ impl Drawing<'_> {
         let met = planes
             .zip(self.study.model.surfaces.iter().filter(is_plane))
             .filter(|(_, surface)| surface.meets(body));
-        let mut found: Vec<Surface> = vec![];
-        for Surface { point: [px, py], normal: [nx, ny], name, .. } in met.map(|(drawn, _)| drawn) {
+        let mut found: Vec<Ground> = vec![];
+        for Ground { point: [px, py], normal: [nx, ny], name, .. } in met.map(|(drawn, _)| drawn) {
             let distance = nx * (pose.x - px) + ny * (pose.y - py);
             // The point of the surface that is nearest to the body.
             let foot = [pose.x - distance * nx, pose.y - distance * ny];
             if distance.abs() <= 2.0 * NEAR * reach.max(f64::MIN_POSITIVE) {
-                found.push(Surface::new(foot, [nx, ny], name));
+                found.push(Ground::new(foot, [nx, ny], name));
             }
         }
         found.extend(self.tangents(body, reach, time)?);
@@ -265,9 +273,9 @@ impl Drawing<'_> {
     }
 
     /// Circles and polygons that the body nearly touches, as their tangents there.
-    fn tangents(&self, body: &Body, reach: f64, time: f64) -> Result<Vec<Surface>, CaseError> {
+    fn tangents(&self, body: &Body, reach: f64, time: f64) -> Result<Vec<Ground>, CaseError> {
         let model = &self.study.model;
-        let mut found: Vec<Surface> = vec![];
+        let mut found: Vec<Ground> = vec![];
         for pair in self.run.equations.pairs().iter().filter(|pair| !pair.is_rolling()) {
             let Rule::Surface(surface) = pair.rule else { continue };
             let surface = &model.surfaces[surface];
@@ -278,13 +286,13 @@ impl Drawing<'_> {
             let formulas =
                 [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
-            let tangent = Surface::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
+            let tangent = Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
             // Of a polygon only what is touched: its other edges would be drawn beyond their ends.
             let near = if surface.polygon.is_some() { TOUCHED } else { NEAR };
             let is_met = at[4].abs() <= near * reach.max(f64::MIN_POSITIVE)
                 && at[5..].iter().all(|limit| *limit >= 0.0);
             // Two corners on one edge have one tangent.
-            let is_new = |known: &Surface| known.name != tangent.name || known.normal != tangent.normal;
+            let is_new = |known: &Ground| known.name != tangent.name || known.normal != tangent.normal;
             if is_met && found.iter().all(is_new) {
                 found.push(tangent);
             }

@@ -1,14 +1,14 @@
 //! Figures of a run: the study says which, the motion says what is in them.
 
 pub(crate) mod air;
-pub(crate) mod balance;
 mod bands;
+pub(crate) mod energies;
 pub(crate) mod finds;
 pub(crate) mod free_bodies;
 pub(crate) mod instants;
 pub(crate) mod symbols;
 
-use tumble_drawing::free_body::{Round, Surface};
+use tumble_drawing::free_body::{Ground, Round};
 use tumble_drawing::{
     Axis, BodyPath, CurveFigure, Label, Mark, Outline, Pose, Series, StroboscopicPicture, Svg,
 };
@@ -51,7 +51,7 @@ pub fn all<E: From<CaseError>>(
         save(stroboscope.name.clone(), picture(study, &told, stroboscope)?.svg())?;
     }
     for asked in &study.balances {
-        save(asked.name.clone(), balance::of(study, &told, asked).svg())?;
+        save(asked.name.clone(), energies::of(study, &told, asked).svg())?;
     }
     for asked in &study.free_bodies {
         for case in &told {
@@ -299,7 +299,7 @@ pub(crate) fn poses(
 }
 
 /// What bodies meet, where it is at a time, s: planes, and the edges of polygons and circles.
-pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surface>, CaseError> {
+pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Ground>, CaseError> {
     let mut found = vec![];
     for surface in &study.model.surfaces {
         let radius = surface.circle.iter().map(|circle| circle.radius.clone());
@@ -310,14 +310,14 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Surfac
         let (point, name) = ([at[0], at[1]], Label::plain(&surface.name));
         match (&surface.circle, &surface.polygon) {
             (Some(circle), _) => {
-                found.push(Surface::round(point, Round { radius: at[4], hollow: circle.inside }, name));
+                found.push(Ground::round(point, Round { radius: at[4], hollow: circle.inside }, name));
             }
             (None, Some(_)) => {
                 let corners: Vec<[f64; 2]> =
                     at[4..].chunks_exact(2).map(|place| [place[0], place[1]]).collect();
-                found.extend(Surface::around(&corners, name));
+                found.extend(Ground::around(&corners, name));
             }
-            (None, None) => found.push(Surface::new(point, [at[2], at[3]], name)),
+            (None, None) => found.push(Ground::new(point, [at[2], at[3]], name)),
         }
     }
     Ok(found)

@@ -1,6 +1,6 @@
 //! How forces and quantities are written in diagrams, tables, equations, curves and the animation: the same everywhere.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_drawing::Label;
 use tumble_expr::{Node, Symbol, Unary, is_identically_zero};
@@ -58,7 +58,13 @@ pub(crate) fn clashes(study: &Study) -> Vec<(String, String, String)> {
     };
     let weight = matches!(study.model.gravity, Gravity::Vertical(_))
         .then(|| ("the weight".to_owned(), "W".to_owned()));
-    let shown: Vec<(String, String)> = weight.into_iter().chain(parameters.chain(moves).map(shown)).collect();
+    // Arrows of diagrams have the letter alone.
+    let free = study.model.bodies.iter().filter(|body| study.model.pivot_of(&body.name).is_none());
+    let letters: BTreeSet<String> = free.map(|body| velocity(study, &body.name)).collect();
+    let letters = letters.into_iter().filter(|letter| !all.values().any(|shown| shown == letter));
+    let velocities = letters.map(|letter| ("the velocity of the centre".to_owned(), letter));
+    let named = weight.into_iter().chain(velocities);
+    let shown: Vec<(String, String)> = named.chain(parameters.chain(moves).map(shown)).collect();
     let alike = |(index, (name, symbol)): (usize, &(String, String))| {
         let label = Label::symbol(symbol);
         let others = shown[index + 1..].iter().filter(move |(_, other)| Label::symbol(other) == label);
@@ -121,10 +127,15 @@ fn without_unit(text: &str) -> &str {
     text.rsplit_once(" in ").map_or(text, |(formula, _)| formula)
 }
 
-/// A body in running text: `the rod`, but `link6`.
-pub(crate) fn the(body: &str) -> String {
-    let is_word = body.chars().all(char::is_lowercase) && body.chars().count() > 1;
-    if is_word { format!("the {body}") } else { body.to_owned() }
+/// A body or point in running text: `the rod`, `the front wheel` of `front_wheel`, but `link 6` and `A`.
+pub(crate) fn the(name: &str) -> String {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let is_word = stem.chars().count() > 1 && stem.chars().all(|c| c.is_lowercase() || c == '_' || c == '-');
+    match (is_word, stem.len() == name.len()) {
+        (false, _) => name.to_owned(),
+        (true, true) => format!("the {}", name.replace(['_', '-'], " ")),
+        (true, false) => format!("{} {}", stem.replace(['_', '-'], " ").trim_end(), &name[stem.len()..]),
+    }
 }
 
 /// The user's own symbol for a load, or the usual letter with the load's name.
@@ -185,6 +196,16 @@ pub(crate) fn contact(study: &Study, pair: &str) -> String {
         Some((surface, _)) if study.model.surfaces.len() > 1 => format!("{surface}_{}", last(pair)),
         _ => last(pair).to_owned(),
     }
+}
+
+/// The letter of a body's velocity: `v` of `v_x`, or that of the user's own symbol; V where a parameter is shown so.
+pub(crate) fn velocity(study: &Study, body: &str) -> String {
+    let all = all(study);
+    let shown = all.get(&format!("{body}.vx")).map_or("v", String::as_str);
+    let letter = shown.split('_').next().unwrap_or(shown);
+    let is_taken = |name: &str| all.get(name).map_or(name, String::as_str) == letter;
+    let parameters = study.model.parameters.symbols();
+    if parameters.iter().any(|symbol| is_taken(&symbol.name)) { "V".to_owned() } else { letter.to_owned() }
 }
 
 /// A symbol with one more letter below it: `N_tip,y`, `W_y`.
@@ -282,5 +303,11 @@ mod tests {
         assert_eq!(label(&symbols, "cos(rod.angle)").to_plain(), "cos(θ)");
         assert_eq!(label(&symbols, "w1"), Label::symbol("w1"));
         assert_eq!(label(&symbols, "rod.slip").to_plain(), "rod.slip");
+    }
+
+    #[test]
+    fn names_are_spoken() {
+        let spoken = ["rod", "front_wheel", "corner1", "A", "link-12"].map(the);
+        assert_eq!(spoken, ["the rod", "the front wheel", "corner 1", "A", "link 12"]);
     }
 }

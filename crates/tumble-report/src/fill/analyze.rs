@@ -1,13 +1,14 @@
 //! What the motion says: curves, pictures, balance, checks, and what was found.
 
-use crate::report::{Analyze, Chart, Check, Column, Picture, RunAnalysis, Table, Text};
-use tumble_drawing::numeral;
+use crate::report::{Analyze, Chart, CheckRow, Column, Picture, RunAnalysis, Table, Text};
+use tumble_drawing::Label;
 use tumble_expr::Expr;
 use tumble_mech::Extreme;
 use tumble_ode::Side;
 use tumble_scene::{Instant, Study};
 
 use super::names::{Names, quantity};
+use super::words::spoken;
 use super::{alike, animation, balance, findings, sweep};
 use crate::figures::{self, symbols};
 use crate::results::Case;
@@ -19,27 +20,32 @@ use crate::results::{Runs, telling};
 
 /// Digits of an error: its size is what counts.
 const ERROR_DIGITS: usize = 1;
+/// What is less than this part of the largest value of a curve is zero but for rounding.
+const NOTHING: f64 = 1e-15;
 
 pub(super) fn of(study: &Study, names: &Names, runs: Runs<'_>) -> Result<Analyze, CaseError> {
     let told = telling(runs.cases);
     let (mut plots, mut pictures) = (sweep::curves(study, runs.survey), sweep::maps(study, runs.survey));
     plots.extend(self::plots(study, runs.cases, &told)?);
     pictures.extend(self::pictures(study, &told)?);
+    let findings = findings::of(study, runs, &told)?;
+    let verified = (!findings.is_empty()).then(|| findings::ALL_VERIFIED.into());
     Ok(Analyze {
-        intro: sweep::which_are_shown(runs.cases, &told).into_iter().collect(),
+        intro: sweep::which_are_shown(runs.cases, &told).into_iter().chain(verified).collect(),
         animation: Some(animation::of(study, &told)?),
         plots,
         pictures,
         comparison: comparison(study, names, runs.cases, &told)?,
-        cases: cases(&told)?,
+        cases: cases(study, names, &told)?,
         checks: vec![],
-        findings: findings::of(study, runs, &told)?,
+        findings,
     })
 }
 
 /// What belongs to single runs; what a balance is, the first says.
-fn cases(told: &[&Case]) -> Result<Vec<RunAnalysis>, CaseError> {
-    let mut cases: Vec<RunAnalysis> = told.iter().map(|case| one(case)).collect::<Result<_, _>>()?;
+fn cases(study: &Study, names: &Names, told: &[&Case]) -> Result<Vec<RunAnalysis>, CaseError> {
+    let mut cases: Vec<RunAnalysis> =
+        told.iter().map(|case| one(study, names, case)).collect::<Result<_, _>>()?;
     cases.iter_mut().skip(1).flat_map(|case| &mut case.balance).for_each(|balance| balance.intro.clear());
     Ok(cases)
 }
@@ -55,7 +61,7 @@ fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, Ca
         Ok(shown.stored(format!("{}.svg", plot.name)))
     };
     let balances = study.balances.iter().map(|asked| {
-        let figure = figures::balance::of(study, told, asked);
+        let figure = figures::energies::of(study, told, asked);
         Ok(Chart::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
     });
     study.plots.iter().map(plot).chain(balances).collect()
@@ -141,28 +147,44 @@ fn least_greatest_last(
     let extreme = |which| run.extreme(&formula, which, window).ok().flatten().map(|peak| peak.value);
     let last = run.observe(std::slice::from_ref(&formula))?.at(window[1].min(end), Side::After);
     let found = [extreme(Extreme::Least), extreme(Extreme::Greatest), last.map(|values| values[0])];
-    Ok(found.map(|value| value.unwrap_or(f64::NAN)))
+    let found = found.map(|value| value.unwrap_or(f64::NAN));
+    let largest = found.into_iter().map(f64::abs).fold(0.0, f64::max);
+    Ok(found.map(|value| if value.abs() < NOTHING * largest { 0.0 } else { value }))
 }
 
-fn one(case: &Case) -> Result<RunAnalysis, CaseError> {
+fn one(study: &Study, names: &Names, case: &Case) -> Result<RunAnalysis, CaseError> {
     let stopped =
         case.refusal.as_ref().map(|refusal| Text::from(format!("This run is incomplete: {refusal}.")));
     Ok(RunAnalysis {
         name: figures::case_label(case),
         intro: stopped.into_iter().collect(),
-        balance: balance::of(case),
+        balance: balance::of(study, case),
         tables: case.equilibrium.as_ref().map(equilibrium::tables).unwrap_or_default(),
-        checks: case.checks.iter().map(shown).collect(),
+        checks: case.checks.iter().map(|check| shown(study, names, check)).collect(),
         ..RunAnalysis::default()
     })
 }
 
-fn shown(check: &CheckResult) -> Check {
+/// What is claimed of what: in words, or as a formula.
+fn asked(study: &Study, names: &Names, check: &CheckResult) -> Text {
+    let claim = study.checks.iter().find(|claim| claim.question.name == check.name);
+    // Moments and counts, `floor.contact[2].start`, have no symbols.
+    let has_symbols =
+        |formula: &&Expr| formula.symbols().iter().all(|one| !names.shown(&one.name).contains('.'));
+    let formula = claim.map(|claim| &claim.question.that.quantity.formula).filter(has_symbols);
+    match formula.filter(|_| symbols::words(study, &check.that).is_none()) {
+        Some(formula) => names.written(formula).into(),
+        None => symbols::called(study, &symbols::all(study), &check.that).into(),
+    }
+}
+
+fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     let unit = check.unit.as_str();
-    let what = Text::from(format!("{}: {}", check.name, check.that));
+    let that = asked(study, names, check);
+    let what = Text::from(format!("{}: ", spoken(&check.name))).and(that);
     let at =
         if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
-    Check {
+    CheckRow {
         what: what.and(at),
         expected: precise(check.expected, unit),
         found: match check.open() {
@@ -178,7 +200,7 @@ fn shown(check: &CheckResult) -> Check {
 /// By how much it may be off.
 fn error(check: &CheckResult) -> Text {
     match check.error {
-        Some(error) => Text::from(" ± ").and(numeral::significant(error, ERROR_DIGITS)),
+        Some(error) => Text::from(" ± ").and(Label::number(error, ERROR_DIGITS)),
         None => Text::default(),
     }
 }
@@ -188,6 +210,6 @@ fn precise(value: f64, unit: &str) -> Text {
     if !value.is_finite() {
         return "–".into();
     }
-    let number = Text::from(format!("{value:?}").replace('-', "−"));
+    let number = Text::from(Label::exact(value));
     if unit.is_empty() { number } else { number.and("\u{a0}").and(tumble_drawing::Label::unit(unit)) }
 }

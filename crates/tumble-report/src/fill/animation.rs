@@ -149,7 +149,7 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
         gravity: gravity(study)?,
         wind: wind(study, run)?,
     };
-    Ok(Some(Picture::new(drawing.svg(), Text::from("The start"))))
+    Ok(Some(Picture::new(drawing.svg(), Text::from("The scene at the start."))))
 }
 
 fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<SceneBody, CaseError> {
@@ -163,7 +163,8 @@ fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<Sc
         name: Label::plain(&body.name),
         pose: poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default(),
         outlines: outlines(study, body)?,
-        velocity: moves.then(|| ([values[0], values[1]], Label::symbol("v"))),
+        velocity: moves
+            .then(|| ([values[0], values[1]], Label::symbol(&symbols::velocity(study, &body.name)))),
         rate,
     })
 }

@@ -2,19 +2,19 @@
 
 use crate::report::{BalancePart, Chart, Column, Table, Text};
 use tumble_drawing::Label;
-use tumble_mech::Balance;
-use tumble_scene::Sheet;
+use tumble_mech::{Balance, Equations, Kind};
+use tumble_scene::{Sheet, Study};
 
 use super::names::quantity;
-use crate::figures::balance::sheet;
+use super::words;
+use crate::figures::energies::sheet;
 use crate::results::Case;
 use crate::results::CaseBalance;
 
-const RESIDUAL: &str = "Residual of the energy";
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
 const NOTHING: f64 = 1e-15;
 
-pub(super) fn of(case: &Case) -> Option<BalancePart> {
+pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
     Some(BalancePart {
         intro: vec![
@@ -22,10 +22,16 @@ pub(super) fn of(case: &Case) -> Option<BalancePart> {
              What is left is the residual: rounding, and what the integration left out."
                 .into(),
         ],
-        tables: vec![balances(balance), contributions(balance)],
+        tables: vec![balances(balance), contributions(study, &case.run.equations, balance)],
         plots: vec![
-            Chart::over_time(sheet(balance, "Energies", Sheet::Energies), "Energies"),
-            Chart::over_time(sheet(balance, RESIDUAL, Sheet::Residual), RESIDUAL),
+            Chart::over_time(
+                sheet(balance, "Energies", Sheet::Energies),
+                "Kinetic, potential and total energy over time.",
+            ),
+            Chart::over_time(
+                sheet(balance, "Residual of the energy", Sheet::Residual),
+                "Energy that the works of the loads do not account for, over time.",
+            ),
         ],
     })
 }
@@ -55,7 +61,19 @@ fn seen(value: f64, of: &Balance) -> Text {
     quantity(if value.abs() < NOTHING * of.scale { 0.0 } else { value }, "")
 }
 
-fn contributions(balance: &CaseBalance) -> Table {
+/// How a load has done its work, where it is not by its force along the way.
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Work => "",
+        Kind::Conservative => " (potential)",
+        Kind::Driven => " (moved from outside)",
+        Kind::Impact => " (impacts)",
+        Kind::ParameterJump => " (change of a parameter)",
+        Kind::Release => " (release)",
+    }
+}
+
+fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) -> Table {
     let with = |words: &str, unit: &str| Text::from(format!("{words} (")).and(Label::unit(unit)).and(")");
     let columns = vec![
         Column::words("Load"),
@@ -65,7 +83,7 @@ fn contributions(balance: &CaseBalance) -> Table {
         Column::numbers(with("Angular impulse", "N*m*s")),
     ];
     let mut table = Table::new("What every load did", columns);
-    for (name, contribution) in &balance.contributions {
+    for (_, contribution) in &balance.contributions {
         let ([x, y], angular) = (&balance.total.momentum, &balance.total.angular_momentum);
         let cells = [
             seen(contribution.work, &balance.energy),
@@ -75,7 +93,9 @@ fn contributions(balance: &CaseBalance) -> Table {
         ];
         // What has done nothing is not told, such as a floor that does not move.
         if cells.iter().any(|cell| cell.to_plain() != "0") {
-            table.rows.push(std::iter::once(Text::from(name.as_str())).chain(cells).collect());
+            let load = words::load(study, equations, &contribution.load, contribution.body);
+            let name = Text::from(format!("{load}{}", kind(contribution.kind)));
+            table.rows.push(std::iter::once(name).chain(cells).collect());
         }
     }
     if balance.contributions.iter().any(|(_, contribution)| !contribution.counts()) {

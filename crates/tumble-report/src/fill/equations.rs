@@ -39,13 +39,24 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
         ModeEquations {
             name: match modes.len() {
                 1 => Text::default(),
-                _ => Text::from(words::mode(study, &case.run.equations, mode)).capitalised(),
+                _ => words::mode(study, &case.run.equations, mode).into(),
             },
             holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
             equations: blocks,
         }
     });
-    shown.collect()
+    let told = shown.fold(vec![], told_once).into_iter();
+    told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
+}
+
+/// Modes of the same equations are told together.
+fn told_once(mut told: Vec<ModeEquations>, next: ModeEquations) -> Vec<ModeEquations> {
+    let is_same = |known: &&mut ModeEquations| known.equations == next.equations && known.holds == next.holds;
+    match told.iter_mut().find(is_same) {
+        Some(known) => known.name = known.name.clone().and(", or ").and(next.name),
+        None => told.push(next),
+    }
+    told
 }
 
 /// The modes in which the motion has stayed: at the instant of the start there may be another one.
@@ -133,7 +144,7 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
 /// What `alpha` is where the equation of motion above says `theta''`.
 fn second_rate(study: &Study, names: &Names, motion: &Motion) -> Option<Definition> {
     let alpha = study.model.bodies[motion.body].kinematics().alpha_symbol();
-    let is_read = motion.lines.iter().any(|line| line.right.symbols().contains(&alpha));
+    let is_read = motion.shown()?.lines.iter().any(|line| line.formula.symbols().contains(&alpha));
     let is_told = motion.follows && is_read && study.model.bodies.len() == 1;
     let symbol = Formula::symbol(names.shown(&alpha.name));
     let equation = Formula::equation(symbol, second(names, study, motion.body).symbol);
@@ -463,84 +474,4 @@ fn sizes(study: &Study, formula: &Expr) -> Vec<Expr> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scenes::{motions_in, motions_of};
-    use tumble_expr::Dimension;
-    use tumble_ode::Side;
-
-    /// Rounding of formulas in another order of operations.
-    const ROUNDING: f64 = 1e-9;
-
-    /// Two contacts that last.
-    const LADDER: &str = r#"version = 1
-        world.gravity = "9.81 m/s^2"
-        run.until = "1 s"
-        [body.ladder]
-        rod = { from = [0, "2 m"], to = [0, "-2 m"] }
-        mass = "12 kg"
-        start = { at = ["1 m", "sqrt(3)*(1 m)"], angle = "30 deg" }
-        [surface.floor]
-        through = [0, 0]
-        rigid = { restitution = 0 }
-        [surface.wall]
-        through = [0, 0]
-        normal = [1, 0]
-        rigid = { restitution = 0 }
-    "#;
-
-    /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
-    #[test]
-    fn printed_equations_are_those_that_were_integrated() {
-        let scenes = crate::scenes::all();
-        let mut compared = 0;
-        let ladder = motions_in("ladder", LADDER.as_bytes(), &tumble_scene::NoFiles);
-        for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder, crate::scenes::laws()]) {
-            let case = &cases[0];
-            let study = study.with(&case.parameters);
-            let names = Names::of(&study).expect("names");
-            for mode in 0..case.run.trajectory().modes.len().min(MOST_MODES) {
-                for motion in motions(&study, &names, case, &case.run.trajectory().modes[mode]) {
-                    compared += compare(case, mode, &motion);
-                }
-            }
-        }
-        assert!(compared > 20, "{compared}");
-    }
-
-    fn compare(case: &Case, mode: usize, motion: &Motion) -> usize {
-        let trajectory = &case.run.trajectory();
-        let shown = motion.shown().expect("it can be shown");
-        let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
-        let seats = seats_of(case, mode, pieces.first().copied());
-        let mut compared = 0;
-        for (line, Line { left, is, .. }) in shown.lines.iter().zip(&motion.lines) {
-            let right = case.run.equations.in_states(&trajectory.modes[mode], is);
-            let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * &right);
-            // Places of joints are states of this mode alone.
-            let both = [&line.formula, &integrated].map(|formula| seats.apply(formula));
-            let mut both = case.run.observe(&both).expect("formulas of the states");
-            for piece in &pieces {
-                let middle = 0.5 * (piece.start + piece.end);
-                let values = both.at(middle, Side::After).expect("within the run");
-                let scale = values[1].abs().max(1e-3);
-                assert!((values[0] - values[1]).abs() <= ROUNDING * scale, "{values:?}: {}", shown.text());
-                compared += 1;
-            }
-        }
-        compared
-    }
-
-    /// The numbers that the places of joints are in a mode.
-    fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Substitution {
-        let symbols = case.run.equations.states(&case.run.trajectory().modes[mode]);
-        let values = piece.map(|piece| piece.states_at(piece.end)).unwrap_or_default();
-        let mut seats = Substitution::default();
-        let places = symbols
-            .into_iter()
-            .zip(values)
-            .filter(|(symbol, _)| symbol.dimension == Dimension::LENGTH && symbol.name.contains(".seat_"));
-        places.for_each(|(symbol, value)| seats.insert(symbol, value * tumble_expr::units::M));
-        seats
-    }
-}
+mod tests;

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use crate::report::{BodyRow, Identify, Quantity, Text};
+use crate::report::{BodyRow, Identify, QuantityRow, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
 use tumble_mech::{Body, Extreme, Shape};
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, SweepAxis, Swept, When};
 
 use super::alike;
-use super::names::{Names, quantity};
+use super::names::{MASS, Names, quantity};
 use super::sizes;
 use crate::figures::symbols;
 use crate::results::Case;
@@ -20,6 +20,8 @@ use crate::results::{is_angle, unit};
 const VECTORS: [(&str, &str, &str); 2] = [(".x", ".y", "centre of mass"), (".vx", ".vy", "velocity")];
 /// So many values of a swept parameter are all said.
 const MOST_VALUES: usize = 5;
+/// A component of less than this part of its vector is zero but for rounding.
+const NOTHING: f64 = 1e-15;
 /// In a scene of more bodies, what is zero at the start is not listed.
 const FEW_BODIES: usize = 2;
 
@@ -62,13 +64,13 @@ fn bodies(study: &Study, names: &Names) -> Result<Vec<BodyRow>, CaseError> {
 
 fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> {
     let mass = body.mass_properties();
-    let given = |name: &str, symbol: &str, formula: &Expr, unit: &str| -> Result<Quantity, CaseError> {
-        let found = Quantity {
+    let given = |name: &str, symbol: &str, formula: &Expr, unit: &str| -> Result<QuantityRow, CaseError> {
+        let found = QuantityRow {
             name: name.into(),
             symbol: Text::symbol(symbol),
             value: quantity(study.number(formula)?, ""),
             unit: unit.to_owned(),
-            ..Quantity::default()
+            ..QuantityRow::default()
         };
         // A number, or a parameter, says all by itself.
         let is_formula =
@@ -82,7 +84,7 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
             given("mass", mass_symbol(names, &mass.mass), &mass.mass, "kg")?,
             given("centre of mass, x", "x_c", mass.centre.x(), "m")?,
             given("centre of mass, y", "y_c", mass.centre.y(), "m")?,
-            inertia(study, names, body, given("moment of inertia about it", "I", &mass.inertia, "kg*m^2")?)?,
+            inertia(study, names, body, given("moment of inertia", "I", &mass.inertia, "kg*m^2")?)?,
         ],
     })
 }
@@ -91,12 +93,12 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
 fn mass_symbol<'n>(names: &'n Names, mass: &'n Expr) -> &'n str {
     match mass.node() {
         Node::Symbol(parameter) => names.shown(&parameter.name),
-        _ => "M",
+        _ => MASS,
     }
 }
 
 /// By the formula of the shape, where the scene has numbers for its sizes.
-fn inertia(study: &Study, names: &Names, body: &Body, found: Quantity) -> Result<Quantity, CaseError> {
+fn inertia(study: &Study, names: &Names, body: &Body, found: QuantityRow) -> Result<QuantityRow, CaseError> {
     let by_shape = sizes::inertia(study, names, body, "I")?;
     Ok(by_shape.map_or(found.clone(), |shown| found.by(shown.symbol).noted(shown.meaning)))
 }
@@ -120,18 +122,18 @@ fn shape(body: &Body) -> String {
     }
 }
 
-fn parameters(study: &Study, names: &Names) -> Result<Vec<Quantity>, CaseError> {
+fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseError> {
     let all = study.model.parameters.formulas();
     all.map(|(symbol, formula)| {
         let value = study.number(&symbol.clone().into())?;
-        let found = Quantity {
+        let found = QuantityRow {
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
             unit: unit_of(study, symbol),
-            ..Quantity::default()
+            ..QuantityRow::default()
         };
         Ok(match swept(study, &symbol.name) {
-            Some(values) => Quantity { value: values, unit: String::new(), ..found },
+            Some(values) => QuantityRow { value: values, unit: String::new(), ..found },
             None if formula.symbols().is_empty() => found,
             None => found.by(names.written(formula)),
         })
@@ -165,7 +167,7 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
 }
 
 /// The states just before anything happens: positions and velocities as vectors, and of many bodies what is not zero.
-fn initial(study: &Study, names: &Names, case: &Case) -> Vec<Quantity> {
+fn initial(study: &Study, names: &Names, case: &Case) -> Vec<QuantityRow> {
     let run = &case.run;
     let states = run.equations.states(&run.equations.idle_mode());
     let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
@@ -175,7 +177,7 @@ fn initial(study: &Study, names: &Names, case: &Case) -> Vec<Quantity> {
     let rows = states.iter().filter_map(|state| start(study, names, state, &values));
     let (told, zero): (Vec<_>, Vec<_>) =
         rows.partition(|(_, is_zero)| !is_zero || study.model.bodies.len() <= FEW_BODIES);
-    let others = Quantity { name: "all others".into(), value: "0".into(), ..Quantity::default() };
+    let others = QuantityRow { name: "all others".into(), value: "0".into(), ..QuantityRow::default() };
     told.into_iter().map(|(row, _)| row).chain((!zero.is_empty()).then_some(others)).collect()
 }
 
@@ -185,7 +187,7 @@ fn start(
     names: &Names,
     state: &Symbol,
     values: &BTreeMap<&str, f64>,
-) -> Option<(Quantity, bool)> {
+) -> Option<(QuantityRow, bool)> {
     let vector = VECTORS.iter().find_map(|(x, y, words)| {
         let owner = state.name.strip_suffix(x).or_else(|| state.name.strip_suffix(y))?;
         let other = format!("{owner}{y}");
@@ -203,7 +205,10 @@ fn start(
             let pair = |x: Text, y: Text| Text::from("(").and(x).and(", ").and(y).and(")");
             let [x, y] = [value(&state.name), value(&other)];
             let symbol = pair(names.label(&state.name).into(), names.label(&other).into());
-            (format!("{words}{of}"), symbol, pair(quantity(x, ""), quantity(y, "")), x == 0.0 && y == 0.0)
+            let seen = |value: f64| if value.abs() < NOTHING * x.hypot(y) { 0.0 } else { value };
+            let values = [x, y].map(|value| quantity(seen(value), ""));
+            let [shown_x, shown_y] = values;
+            (format!("{words}{of}"), symbol, pair(shown_x, shown_y), x == 0.0 && y == 0.0)
         }
         None => {
             let words = symbols::words(study, &state.name).unwrap_or_else(|| state.name.to_string());
@@ -213,7 +218,7 @@ fn start(
     };
     let (name, symbol, value, is_zero) = found;
     let unit = unit(state.dimension, is_angle(state));
-    Some((Quantity { name: name.into(), symbol, value, unit, ..Quantity::default() }, is_zero))
+    Some((QuantityRow { name: name.into(), symbol, value, unit, ..QuantityRow::default() }, is_zero))
 }
 
 /// What the scene and its figures ask for.

@@ -1,6 +1,6 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use crate::report::{Block, BodyModel, Definition, ForceRow, Math, ModelPart, Picture, Text};
+use crate::report::{Block, BodyModel, ForceRow, Math, ModelPart, Picture, Text};
 use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
     Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
@@ -10,7 +10,7 @@ use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
 use super::equations;
-use super::names::{Names, math, words};
+use super::names::{MASS, Names, math, words};
 use super::words::spoken;
 use crate::figures::{air, free_bodies, instants, symbols};
 use crate::results::Case;
@@ -31,10 +31,11 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     let bodies: Vec<BodyModel> = bodies.collect::<Result<_, _>>()?;
     let mut modes = equations::modes(study, names, case, &kinds);
     // What the laws have said the equations do not say again.
+    let rows = bodies.iter().flat_map(|body| &body.forces).flat_map(|row| row.law.iter().chain(&row.torque));
     let laws = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.definitions);
-    let said: Vec<&Definition> = laws.collect();
+    let said: Vec<&Math> = rows.chain(laws.map(|definition| &definition.symbol)).collect();
     let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
-    equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&definition)));
+    equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&&definition.symbol)));
     Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
 }
 
@@ -59,7 +60,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
             "The plane is horizontal: weight and support cancel out of it.",
         ),
         (!model.pivots.is_empty() && model.joints.is_empty(), "Pivots have no friction."),
-        (!model.joints.is_empty(), "Pivots and joints have no friction, and do not give way."),
+        (!model.joints.is_empty(), "Pivots and joints are rigid and have no friction."),
         (
             model.joints.iter().any(|joint| joint.from.is_some()),
             "What joins bodies on the way does so in no time: an impact without rebound.",
@@ -106,7 +107,7 @@ fn diagrams(study: &Study, case: &Case, body: usize) -> Result<Vec<Picture>, Cas
     let sheets = if asked.is_empty() { vec![&own] } else { asked };
     let picture = |asked: &FreeBody| -> Result<Picture, CaseError> {
         let sheet = free_bodies::sheet(study, case, asked)?;
-        let picture = Picture::new(sheet.svg(), Text::from(free_bodies::caption(&sheet, name)));
+        let picture = Picture::new(sheet.svg(), Text::from(free_bodies::caption(study, &sheet, name)));
         Ok(if asked.name.is_empty() { picture } else { picture.stored(format!("{}.svg", asked.name)) })
     };
     sheets.into_iter().map(picture).collect()
@@ -203,16 +204,19 @@ fn row(
 ) -> ForceRow {
     let term = terms[0];
     let symbol = symbols::force(study, &term.load, term.law);
+    let law = law(study, names, equations, term, stated, &symbol);
+    let mut torque = torque(names, terms, stated, &symbol);
+    torque.retain(|line| !law.iter().skip(1).any(|said| said == line));
     ForceRow {
         name: name_of(study, equations, term).into(),
         symbol: math(&signed(&symbol, is_opposite(term) || is_on_other(equations, term))),
-        law: law(study, names, equations, term, stated, &symbol),
+        law,
         point: if terms.len() > 1 || stated.is_some_and(is_spread) {
             "every point of it".into()
         } else {
             point(equations, term).into()
         },
-        torque: torque(names, terms, stated, &symbol),
+        torque,
     }
 }
 
@@ -259,7 +263,11 @@ fn law(
         // Its symbol is in it: an equation would say it twice.
         return vec![math(&names.vector(vector))];
     }
-    names.stated(Formula::symbol(symbol), &right, &term.load)
+    let names = if term.law == Law::Weight { &names.with_mass() } else { names };
+    let mut lines = names.stated(Formula::symbol(symbol), &right, &term.load);
+    // The table of bodies says it.
+    lines.retain(|line| !line.text.starts_with(&format!("{MASS} = ")));
+    lines
 }
 
 /// What a contact pushes with along the normal, or rubs with along the surface; nothing says how strongly a rigid one pushes.
@@ -296,7 +304,7 @@ fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec
     let slips = names.equation(symbol, &-(&friction.kinetic * &normal * way));
     let own = Formula::Bars(Box::new(Formula::symbol(symbol)));
     let holds = names.relation(own, Operator::LessEqual, &(&friction.of_rest * &normal));
-    vec![slips, words("while it slips with s"), holds, words("while it does not")]
+    vec![slips, words("while it slips with the speed s"), holds, words("while it sticks")]
 }
 
 /// The couple against rolling while it turns with the rate omega against the other, and its bound while it does not.
@@ -427,6 +435,9 @@ fn name_of(study: &Study, equations: &Equations, term: &Term) -> String {
 
 /// Where a force acts, in words.
 fn point(equations: &Equations, term: &Term) -> String {
+    if term.law.is_couple() {
+        return String::new();
+    }
     if term.arm.components().iter().all(is_identically_zero) {
         return "the centre of mass".to_owned();
     }
@@ -440,7 +451,6 @@ fn point(equations: &Equations, term: &Term) -> String {
         (_, Some((name, _))) => format!("{} of {}", symbols::the(name), symbols::the(&body.name)),
         (Law::Contact | Law::Friction, None) => "the point of contact".to_owned(),
         (Law::Reaction, None) => term.load.clone(),
-        (law, None) if law.is_couple() => String::new(),
         _ => "its point of action".to_owned(),
     }
 }
@@ -478,7 +488,7 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     let [ax, ay] = kinematics.acceleration_symbols();
     let left =
         |factor: &Expr, symbol: &Symbol| Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
-    let (m, inertia) = (&mass.mass, &mass.inertia);
+    let (m, inertia) = (&names.mass(&mass.mass), &mass.inertia);
     // The right sides are accelerations: the factor of the left side is multiplied on.
     let mut lines = vec![(left(m, &ax), component(0) / m), (left(m, &ay), component(1) / m)];
     if !is_identically_zero(inertia) {
@@ -520,113 +530,4 @@ fn distinct(terms: Vec<Term>) -> Vec<Term> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scenes::motions_of;
-    use tumble_expr::{Expr, Substitution, language::Value};
-    use tumble_mech::Mode;
-
-    /// Integrals of the board are summed over this many pieces by Simpson's rule, those of the program by its own: where the wind on
-    /// a line changes its sign, the first is off by about the cube of a piece.
-    const PIECES: u32 = 200;
-    const QUADRATURE: f64 = 1e-6;
-    /// States that are tried for each law.
-    const STATES: usize = 8;
-
-    /// Numbers between -1 and 1 in no order.
-    fn number(state: usize, index: usize) -> f64 {
-        let turned =
-            (state as f64 + 1.0) * 0.618_033_988_749_895 + (index as f64 + 1.0) * 0.754_877_666_246_693;
-        2.0 * (turned * 7.0).fract() - 1.0
-    }
-
-    /// Force and torque of a load, and the same as the board says them.
-    fn both(terms: &[&Term], stated: &Statement) -> Option<Vec<(Expr, Expr)>> {
-        let sum =
-            |part: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + part(term));
-        let mut found = vec![];
-        let force = match &stated.force {
-            Some(force) => match force.value(PIECES)? {
-                Value::Vector(force) => Some(force),
-                Value::Scalar(_) => return None,
-            },
-            None => None,
-        };
-        if let Some(force) = &force {
-            found.push((force.x().clone(), sum(&|term| term.force.x().clone())));
-            found.push((force.y().clone(), sum(&|term| term.force.y().clone())));
-        }
-        let torque = match (&stated.torque, force) {
-            (Some(torque), _) => match torque.value(PIECES)? {
-                Value::Scalar(torque) => torque,
-                Value::Vector(_) => return None,
-            },
-            (None, force) => terms[0].arm.cross_planar(&force?),
-        };
-        found.push((torque, sum(&Term::torque)));
-        Some(found)
-    }
-
-    /// In every scene and mode, what each law says has the value of the terms that are integrated, at states of all kinds.
-    #[test]
-    fn what_laws_say_is_what_is_integrated() {
-        let mut compared = 0;
-        for (study, cases) in
-            crate::scenes::all().map(|scene| motions_of(&scene)).chain([crate::scenes::laws()])
-        {
-            for case in &cases {
-                let study = study.with(&case.parameters);
-                for mode in &case.run.trajectory().modes {
-                    compared += compare(&study, case, mode);
-                }
-            }
-        }
-        assert!(compared > 500, "{compared}");
-    }
-
-    fn compare(study: &Study, case: &Case, mode: &Mode) -> usize {
-        let equations = &case.run.equations;
-        let terms = equations.shown_terms(mode);
-        let mut compared = 0;
-        for stated in equations.shown_statements(mode) {
-            let own: Vec<&Term> =
-                terms.iter().filter(|term| term.body == stated.body && term.load == stated.load).collect();
-            let pairs = both(&own, &stated).expect("vectors and numbers where they belong");
-            for state in 0..STATES {
-                let mut here = Substitution::default();
-                for (index, symbol) in equations.states(mode).into_iter().enumerate() {
-                    here.insert(symbol.clone(), number(state, index) * one(&symbol));
-                }
-                here.insert(
-                    Symbol::new("t", tumble_expr::Dimension::TIME),
-                    (1.0 + number(state, 99)) * tumble_expr::units::S,
-                );
-                for (said, integrated) in &pairs {
-                    let values =
-                        [said, integrated].map(|formula| here.apply(&equations.in_states(mode, formula)));
-                    let values = study.model.parameters.evaluate(&values).expect("numbers");
-                    // The ways between many bodies may be parallel at such a state: then the rows of their contacts depend on each
-                    // other, and what keeps them has no value, said or integrated.
-                    if values.iter().all(|value| value.is_nan()) && !study.model.contacts.is_empty() {
-                        continue;
-                    }
-                    let scale = values[1].abs().max(1e-3);
-                    assert!(
-                        (values[0] - values[1]).abs() <= QUADRATURE * scale,
-                        "{}: {values:?}",
-                        stated.load
-                    );
-                    compared += 1;
-                }
-            }
-        }
-        compared
-    }
-
-    /// One of its unit.
-    fn one(symbol: &Symbol) -> Expr {
-        use tumble_expr::units::{M, S};
-        let units = [1.0 * M, 1.0 * M / S, 1.0 / S];
-        units.into_iter().find(|unit| unit.dimension() == Ok(symbol.dimension)).unwrap_or_else(Expr::one)
-    }
-}
+mod tests;

@@ -3,15 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::report::{Block, Definition, Math, Text};
-use tumble_drawing::{Label, numeral};
+use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
 use tumble_mech::Gravity;
-use tumble_notation::{Left, Notation, Operator, Shown, latex, mathml_in_pieces, text};
+use tumble_notation::{Left, Notation, Operator, Shown};
 use tumble_scene::Study;
 
 use crate::figures::symbols;
 use crate::results::CaseError;
 
+/// The letter of a mass that is a sum.
+pub(super) const MASS: &str = "M";
 /// The letter of gravity.
 const GRAVITY: &str = "g";
 /// Digits of numbers in running text.
@@ -24,6 +26,8 @@ pub(crate) struct Names {
     /// Without names for moments of inertia.
     plain: Notation,
     notation: Notation,
+    /// Of the only body, where it is a sum.
+    mass: Option<(&'static str, Expr)>,
     /// By body, where they are worth a name.
     inertias: Vec<Option<(String, Expr)>>,
     /// What the scene's own quantities are shown as.
@@ -52,12 +56,13 @@ impl Names {
         for (name, formula) in scene_s_own(study, &symbols) {
             plain = plain.define(name, &formula);
         }
-        let mut notation = plain.clone();
-        for (name, inertia) in inertias.iter().flatten() {
-            notation = notation.define(name, inertia);
-        }
         let taken = taken(study, &symbols);
-        let mut names = Self { symbols, plain, notation, inertias, taken, by_shape: vec![] };
+        let mass = mass(study, &taken);
+        let mut notation = plain.clone();
+        for (name, formula) in inertias.iter().flatten() {
+            notation = notation.define(name, formula);
+        }
+        let mut names = Self { symbols, plain, notation, mass, inertias, taken, by_shape: vec![] };
         let mut by_shape = vec![];
         for (body, inertia) in study.model.bodies.iter().zip(&names.inertias) {
             let Some((name, _)) = inertia else { continue };
@@ -70,12 +75,22 @@ impl Names {
 
     /// Those for the formulas of one body: another one's moment of inertia may have the same formula, and is not meant.
     pub(crate) fn of_body(&self, body: usize) -> Self {
-        let plain = self.plain.clone();
-        let notation = match &self.inertias[body] {
-            Some((name, inertia)) => plain.clone().define(name, inertia),
-            None => plain.clone(),
-        };
-        Self { plain, notation, ..self.clone() }
+        let own = self.inertias[body].iter();
+        let notation = own.fold(self.plain.clone(), |all, (name, inertia)| all.define(name, inertia));
+        Self { notation, ..self.clone() }
+    }
+
+    /// The same with a name for the mass of the only body, which the table of bodies explains.
+    pub(crate) fn with_mass(&self) -> Self {
+        let notation =
+            self.mass.iter().fold(self.notation.clone(), |all, (name, mass)| all.define(*name, mass));
+        Self { notation, ..self.clone() }
+    }
+
+    /// The mass of a body as laws have it: by its name, if it has one.
+    pub(crate) fn mass(&self, mass: &Expr) -> Expr {
+        let named = |(name, _): &(&str, Expr)| Symbol::new(*name, Dimension::MASS).into();
+        self.mass.as_ref().map_or_else(|| mass.clone(), named)
     }
 
     /// The same with a name for the moment of inertia about the centre, which equations about a pivot do not need.
@@ -202,12 +217,12 @@ fn block(title: Text, shown: Result<Shown, tumble_notation::MathError>) -> Block
 
 /// The same in the notations of a report.
 pub(crate) fn math(formula: &tumble_notation::Math) -> Math {
-    Math { mathml: mathml_in_pieces(formula), latex: latex(formula), text: text(formula) }
+    formula.into()
 }
 
 /// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
 pub(crate) fn words(words: &str) -> Math {
-    Math { text: words.to_owned(), ..Math::default() }
+    Math::words(words)
 }
 
 /// A value with its unit.
@@ -217,7 +232,7 @@ pub(crate) fn quantity(value: f64, unit: &str) -> Text {
 
 /// The same to so many digits.
 pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
-    let number = numeral::significant(value, digits);
+    let number = Label::number(value, digits);
     match unit.is_empty() {
         true => number.into(),
         // The sign of degrees stands at the number.
@@ -249,6 +264,13 @@ fn scene_s_own(study: &Study, symbols: &BTreeMap<String, String>) -> Vec<(String
         own.push((GRAVITY.to_owned(), g.clone()));
     }
     own
+}
+
+/// The mass of the only body if it is the sum of those of parts: M, unless something else is called so.
+fn mass(study: &Study, taken: &BTreeSet<String>) -> Option<(&'static str, Expr)> {
+    let [only] = &study.model.bodies[..] else { return None };
+    let mass = only.mass_properties().mass;
+    (mass.symbols().len() > 1 && !taken.contains(MASS)).then_some((MASS, mass))
 }
 
 /// By body, a moment of inertia that is worth a name: the parameter's that is one, else I. `notation` shows every symbol by its

@@ -1,7 +1,7 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
 use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
-use tumble_drawing::{Label, numeral};
+use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Mode, Parameters, Record, Run};
 use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twice, polynomial_in};
@@ -26,25 +26,7 @@ const DIGITS: usize = 6;
 
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, CaseError> {
     let told = telling(cases);
-    let mut phases: Vec<Phase> = vec![];
-    for case in told.iter().take(MOST_RUNS) {
-        let study = study.with(&case.parameters);
-        let own = self::phases(&study, names, case)?;
-        let label = |phase: Phase| match case.label.as_str() {
-            "" => Phase { name: phase.name.capitalised(), ..phase },
-            label => Phase {
-                name: Text::from(format!("{label}: ")).capitalised().and(phase.name.clone()),
-                ..phase
-            },
-        };
-        // What other runs have said in symbols they do not say again.
-        let told = |phase: Phase| match phases.iter().any(|known| known.symbols == phase.symbols) {
-            true => Phase { symbols: vec![], ..phase },
-            false => phase,
-        };
-        let own: Vec<Phase> = own.into_iter().map(told).map(label).collect();
-        phases.extend(own);
-    }
+    let phases = phases_of_runs(study, names, &told)?;
     let is_exact = |case: &Case| case.run.work().exact_steps == case.run.work().steps;
     let intro = match (phases.is_empty(), cases.iter().all(is_exact)) {
         (false, true) => {
@@ -66,6 +48,30 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
             )
             .collect(),
     })
+}
+
+/// The closed forms of all runs, each once: what is the same in several is told of them together.
+fn phases_of_runs(study: &Study, names: &Names, told: &[&Case]) -> Result<Vec<Phase>, CaseError> {
+    let mut found: Vec<(Vec<&str>, Phase)> = vec![];
+    for case in told.iter().take(MOST_RUNS) {
+        for phase in self::phases(&study.with(&case.parameters), names, case)? {
+            match found.iter_mut().find(|(_, known)| *known == phase) {
+                Some((labels, _)) => labels.push(&case.label),
+                None => found.push((vec![&case.label], phase)),
+            }
+        }
+    }
+    let mut phases: Vec<Phase> = vec![];
+    for (labels, phase) in found {
+        let runs = if labels.len() == told.len() { "all runs".to_owned() } else { labels.join("; ") };
+        let name = if told.len() > 1 { Text::from(format!("{runs}: ")) } else { Text::default() };
+        // What other runs have said in symbols they do not say again.
+        let is_said = phases.iter().any(|known| known.symbols == phase.symbols);
+        let symbols = if is_said { vec![] } else { phase.symbols };
+        let name = name.and(phase.name).capitalised();
+        phases.push(Phase { name, symbols, ..phase });
+    }
+    Ok(phases)
 }
 
 /// What is not in the table of runs.
@@ -100,7 +106,7 @@ fn how(cases: &[&Case]) -> Table {
         let points = case.run.quadrature.as_ref().map(|found| found.nodes.to_string());
         vec![
             case.label.as_str().into(),
-            format!("{:e}", case.accuracy.value()).into(),
+            quantity(case.accuracy.value(), ""),
             case.run.order().to_string().into(),
             work.steps.to_string().into(),
             work.exact_steps.to_string().into(),
@@ -346,14 +352,21 @@ fn with_numbers(
             (false, true) => Some(Formula::Operator(Operator::Minus)),
             (false, false) => Some(Formula::Operator(Operator::Plus)),
         });
-        let number = Formula::Number(numeral::significant(value.abs(), DIGITS).to_plain());
+        let number = Formula::Number(Label::number(value.abs(), DIGITS).to_plain());
         let unit = unit(coefficient.dimension().unwrap_or(symbol.dimension), is_angle(symbol));
         let power = match degree {
             0 => None,
             1 => Some(time.clone()),
             _ => Some(Formula::Power(Box::new(time.clone()), Box::new(Formula::Number(degree.to_string())))),
         };
-        parts.push(Formula::Product([number].into_iter().chain(in_unit(&unit)).chain(power).collect()));
+        let quantity = Formula::Product([number].into_iter().chain(in_unit(&unit)).collect());
+        parts.push(match power {
+            Some(power) if !unit.is_empty() => {
+                Formula::Product(vec![Formula::Brackets(Box::new(quantity)), power])
+            }
+            Some(power) => Formula::Product(vec![quantity, power]),
+            None => quantity,
+        });
     }
     if parts.len() == 2 {
         parts.push(Formula::Number("0".to_owned()));
@@ -367,5 +380,4 @@ fn in_unit(unit: &str) -> Option<Formula> {
 }
 
 #[cfg(test)]
-#[path = "solve/tests.rs"]
 mod tests;

@@ -1,6 +1,6 @@
 //! What a report says of a sweep as a whole.
 
-use tumble_drawing::{CurveFigure, numeral};
+use tumble_drawing::{CurveFigure, Label};
 use tumble_mech::Extreme;
 use tumble_scene::{Question, Study};
 
@@ -35,7 +35,7 @@ pub(super) fn maps(study: &Study, survey: &Survey) -> Vec<Picture> {
     let picture = |(name, figure): (String, tumble_drawing::MapFigure)| {
         let (least, greatest) = bounds(&figure.cells);
         let [x, y, z] = [&figure.x, &figure.y, &figure.z].map(|axis| axis.title().to_plain());
-        let [least, greatest] = [least, greatest].map(|value| numeral::significant(value, DIGITS).to_plain());
+        let [least, greatest] = [least, greatest].map(|value| Label::number(value, DIGITS).to_plain());
         let words = format!("{z} over {x} and {y}: from {least} to {greatest}.");
         let caption = "A cell for each run; the ring is about the best.";
         Picture::new(figure.svg().described(words), caption).stored(format!("{name}.svg"))

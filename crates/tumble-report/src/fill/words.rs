@@ -43,15 +43,8 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
     for (index, contact_mode) in &mode.contacts {
         let pair = &equations.pairs()[*index];
-        let (verb, to, point) = (
-            verb(*contact_mode, grip(equations, mode, *index), pair),
-            against(study, pair),
-            point(study, pair),
-        );
-        match groups.iter_mut().find(|(known, other, _)| *known == verb && *other == to) {
-            Some((.., points)) => points.push(point),
-            None => groups.push((verb, to, vec![point])),
-        }
+        let does = (verb(*contact_mode, grip(equations, mode, *index), pair), against(study, pair));
+        add(&mut groups, does, point(study, pair));
     }
     if groups.len() > MOST_GROUPS {
         return counted(&groups);
@@ -144,10 +137,29 @@ pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
     format!("contact with {other}")
 }
 
-/// All that happens at an instant.
+/// All that happens at an instant; points that do the same are told together.
 pub(super) fn event(study: &Study, equations: &Equations, record: &Record) -> String {
-    let all: Vec<String> = record.happened.iter().map(|one| happening(study, equations, one)).collect();
-    all.join(", ")
+    let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
+    let mut others: Vec<String> = vec![];
+    for one in &record.happened {
+        match *one {
+            Happening::Contact { pair, change } => {
+                let pair = &equations.pairs()[pair];
+                add(&mut groups, (changes(change), against(study, pair)), point(study, pair));
+            }
+            _ => others.push(happening(study, equations, one)),
+        }
+    }
+    let contacts = groups.iter().map(|(verb, to, points)| group(*verb, to, points));
+    others.into_iter().chain(contacts).collect::<Vec<_>>().join(", ")
+}
+
+/// One more point that does this to that.
+fn add(groups: &mut Vec<(Verb, String, Vec<String>)>, (verb, to): (Verb, String), point: String) {
+    match groups.iter_mut().find(|(known, other, _)| *known == verb && *other == to) {
+        Some((.., points)) => points.push(point),
+        None => groups.push((verb, to, vec![point])),
+    }
 }
 
 fn happening(study: &Study, equations: &Equations, happening: &Happening) -> String {
@@ -162,31 +174,71 @@ fn happening(study: &Study, equations: &Equations, happening: &Happening) -> Str
             format!("{joint} {}", if holds { "begins to hold" } else { "lets go" })
         }
         Happening::Impulse(impulse) => format!("impulse {}", spoken(&study.model.impulses[impulse].name)),
-        Happening::Contact { pair, change } => {
-            let pair = &equations.pairs()[pair];
-            format!("{} {} {}", point(study, pair), changes(change), against(study, pair))
-        }
+        Happening::Contact { pair, .. } => equations.pairs()[pair].name.clone(),
         Happening::Rest => "all is at rest".to_owned(),
         Happening::Singular => "the joints pass a singular configuration".to_owned(),
     }
 }
 
-fn changes(change: Change) -> &'static str {
+fn changes(change: Change) -> Verb {
     match change {
-        Change::Impact => "strikes",
-        Change::Zeno => "bounces no higher than can be followed on",
-        Change::Start => "begins to touch",
-        Change::End => "leaves",
-        Change::Slides => "begins to slide on",
-        Change::Stops => "stops turning on",
-        Change::Turns => "begins to turn on",
-        Change::Sticks => "sticks to",
-        Change::Rolls => "begins to roll on",
-        Change::Clear => "is out of",
+        Change::Impact => ["strikes", "strike"],
+        Change::Zeno => {
+            ["bounces no higher than can be followed on", "bounce no higher than can be followed on"]
+        }
+        Change::Start => ["begins to touch", "begin to touch"],
+        Change::End => ["leaves", "leave"],
+        Change::Slides => ["begins to slide on", "begin to slide on"],
+        Change::Stops => ["stops turning on", "stop turning on"],
+        Change::Turns => ["begins to turn on", "begin to turn on"],
+        Change::Sticks => ["sticks to", "stick to"],
+        Change::Rolls => ["begins to roll on", "begin to roll on"],
+        Change::Clear => ["is out of", "are out of"],
     }
+}
+
+/// What a load is called where its work and impulse are told, with its body where there are several.
+pub(super) fn load(study: &Study, equations: &Equations, name: &str, body: Option<usize>) -> String {
+    let is_of = |pair: &&Pair| pair.name == symbols::rubbed(name);
+    let Some(pair) = equations.pairs().iter().find(is_of) else {
+        let of = body.filter(|_| study.model.bodies.len() > 1);
+        let on = of.map(|body| format!(" on {}", symbols::the(&study.model.bodies[body].name)));
+        return spoken(name) + &on.unwrap_or_default();
+    };
+    let friction = if symbols::rubbed(name) == name { "" } else { "friction of " };
+    let is_other = pair.other.is_some() && pair.other == body;
+    let (by, on) = (against(study, pair), point(study, pair));
+    if is_other { format!("{friction}{on} on {by}") } else { format!("{friction}{by} on {on}") }
 }
 
 /// A name of the scene as it is spoken.
 pub(super) fn spoken(name: &str) -> String {
     name.replace(['-', '_'], " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::event;
+    use crate::scenes::{all, motions_of};
+
+    /// What happens at each event of the first run of a scene.
+    fn events(scene: &str) -> Vec<String> {
+        let folder = all().find(|path| path.to_string_lossy().contains(scene)).expect("a scene");
+        let (study, cases) = motions_of(&folder);
+        let run = &cases[0].run;
+        run.events().map(|one| event(&study, &run.equations, &one.record)).collect()
+    }
+
+    #[test]
+    fn points_that_do_the_same_are_told_together() {
+        assert_eq!(
+            events("16-bench"),
+            ["the left, the middle and the right begin to touch the floor".to_owned()]
+        );
+        let falling = events("10-falling-rod");
+        assert!(
+            falling.iter().any(|text| text.starts_with("the foot and the head strike the floor")),
+            "{falling:?}"
+        );
+    }
 }

@@ -16,7 +16,7 @@ pub fn motion(animation: &Animation) -> String {
     html::motion(animation)
 }
 
-/// The first case of a motion, for a small picture.
+/// The case of a motion that shows most, for a small picture.
 pub fn living(animation: &Animation) -> String {
     html::living(animation)
 }

@@ -1,14 +1,14 @@
 //! The report as Markdown, with LaTeX between dollar signs and links to figure files.
 
-use super::analyze::{Analyze, RunAnalysis};
-use super::identify::Identify;
 use super::markup::Markup;
 use super::math::{Block, Definition, Math};
-use super::model::{BodyModel, ModeEquations, ModelPart};
+use super::parts::Identify;
+use super::parts::{Analyze, RunAnalysis};
+use super::parts::{BodyModel, ModeEquations, ModelPart};
+use super::parts::{Phase, Solve};
 use super::picture::{Chart, Picture};
 use super::prose::Text;
 use super::rows;
-use super::solve::{Phase, Solve};
 use super::table::{Align, Table};
 use super::{LESSON, Report};
 use crate::site::url;

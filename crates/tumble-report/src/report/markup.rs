@@ -3,7 +3,7 @@
 use super::math::Math;
 use super::prose::{Piece, Text};
 use tumble_drawing::font::Face;
-use tumble_drawing::text::{Label, Level, Run};
+use tumble_drawing::text::{Label, Level, Span};
 
 /// A language in which running text is written.
 pub(super) trait Markup {
@@ -43,7 +43,7 @@ pub(super) trait Markup {
 
     /// A label with its italics, subscripts and superscripts.
     fn label(label: &Label) -> String {
-        let run = |run: &Run| Self::leveled(run.level, Self::faced(run.face, Self::words(&run.text)));
+        let run = |run: &Span| Self::leveled(run.level, Self::faced(run.face, Self::words(&run.text)));
         label.runs.iter().map(run).collect()
     }
 }

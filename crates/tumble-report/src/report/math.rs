@@ -1,16 +1,31 @@
-//! Mathematics that arrives ready made, and blocks of it.
+//! Mathematics as notation writes it, and blocks of it.
 
 use super::prose::Text;
+use tumble_notation::{latex, mathml_in_pieces, text};
 
 /// A formula in three notations of the same content.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Math {
-    /// One or more `math` elements of MathML, between which a line may be broken; what is none is shown as `text` instead.
-    pub mathml: String,
+    /// One or more `math` elements of MathML, between which a line may be broken; what has none is shown as `text`. Only notation
+    /// writes it, so that it stands in pages as it is.
+    pub(crate) mathml: String,
     /// The formula in LaTeX, without dollar signs.
-    pub latex: String,
+    pub(crate) latex: String,
     /// The formula in words or plain signs, for screen readers and where MathML fails.
-    pub text: String,
+    pub(crate) text: String,
+}
+
+impl Math {
+    /// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
+    pub fn words(words: &str) -> Self {
+        Self { text: words.to_owned(), ..Self::default() }
+    }
+}
+
+impl From<&tumble_notation::Math> for Math {
+    fn from(formula: &tumble_notation::Math) -> Self {
+        Self { mathml: mathml_in_pieces(formula), latex: latex(formula), text: text(formula) }
+    }
 }
 
 /// Lines of mathematics with the meaning of their symbols.

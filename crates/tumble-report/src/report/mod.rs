@@ -6,40 +6,36 @@
 //! Every text is shown as it is; none is ever run.
 //!
 //! ```
-//! use tumble_report::report::{Quantity, Report, Text};
+//! use tumble_report::report::{QuantityRow, Report, Text};
 //!
 //! let mut report = Report { title: "A thrown rod".to_owned(), ..Report::default() };
-//! report.identify.parameters.push(Quantity::number("length", "L", 1.0, "m"));
+//! report.identify.parameters.push(QuantityRow::number("length", "L", 1.0, "m"));
 //! report.analyze.findings.push(Text::words("It lands after 1.2 s."));
 //! let page = report.html();
 //! assert!(page.contains("It lands after 1.2 s."));
 //! ```
 
-mod analyze;
 mod html;
-mod identify;
 pub mod json;
 pub mod live;
 mod markdown;
 mod markup;
 mod math;
-mod mathml;
-mod model;
+mod parts;
 mod picture;
 mod play;
 mod prose;
 mod rows;
-mod solve;
 mod table;
 
-pub use analyze::{Analyze, BalancePart, Check, RunAnalysis};
-pub use identify::{BodyRow, Identify, Quantity};
 pub use math::{Block, Definition, Math};
-pub use model::{BodyModel, ForceRow, ModeEquations, ModelPart};
+pub use parts::{
+    Analyze, BalancePart, BodyModel, BodyRow, CheckRow, ForceRow, Identify, ModeEquations, ModelPart, Phase,
+    QuantityRow, RunAnalysis, Solve,
+};
 pub use picture::{Chart, Picture};
 pub use play::Lab;
 pub use prose::{Piece, Text};
-pub use solve::{Phase, Solve};
 pub use table::{Align, Column, Table};
 
 use crate::site::Ways;

@@ -1,9 +1,9 @@
 //! What has a form of its own in a report, as plain tables.
 
-use crate::report::analyze::Check;
-use crate::report::identify::{BodyRow, Quantity};
 use crate::report::math::Math;
-use crate::report::model::ForceRow;
+use crate::report::parts::CheckRow;
+use crate::report::parts::ForceRow;
+use crate::report::parts::{BodyRow, QuantityRow};
 use crate::report::prose::Text;
 use crate::report::table::{Column, Table};
 use tumble_drawing::text::Label;
@@ -23,7 +23,7 @@ fn body(body: &BodyRow) -> Vec<Text> {
 }
 
 /// `I = m L^2/12 = 0.08 kg m^2`, with a remark; the formula says its own left side.
-fn property(quantity: &Quantity) -> Text {
+fn property(quantity: &QuantityRow) -> Text {
     let left = quantity.formula.as_ref().map_or_else(|| quantity.symbol.clone(), shown);
     let space = if quantity.formula.is_some() { " =\u{a0}" } else { "\u{a0}=\u{a0}" };
     let left = if left.is_empty() { left } else { left.and(space) };
@@ -33,14 +33,14 @@ fn property(quantity: &Quantity) -> Text {
 }
 
 /// Quantities with their values.
-pub(super) fn quantities(caption: &str, quantities: &[Quantity]) -> Table {
+pub(super) fn quantities(caption: &str, quantities: &[QuantityRow]) -> Table {
     let columns = ["Quantity", "Symbol", "Value", "Remark"].map(Column::words);
     let rows = quantities.iter().map(|one| quantity(one).into());
     rows.fold(Table::new(caption, columns.into()), Table::row)
 }
 
 /// Name, symbol, value after what it is computed by, remark.
-fn quantity(quantity: &Quantity) -> [Text; 4] {
+fn quantity(quantity: &QuantityRow) -> [Text; 4] {
     let formula = quantity.formula.as_ref().map(|formula| shown(formula).and(" = "));
     [
         quantity.name.clone(),
@@ -51,7 +51,7 @@ fn quantity(quantity: &Quantity) -> [Text; 4] {
 }
 
 /// The value with its unit.
-fn value(quantity: &Quantity) -> Text {
+fn value(quantity: &QuantityRow) -> Text {
     let space = if quantity.unit.is_empty() || quantity.unit == "deg" { "" } else { "\u{a0}" };
     quantity.value.clone().and(space).and(Label::unit(&quantity.unit))
 }
@@ -83,9 +83,9 @@ pub(super) fn forces(forces: &[ForceRow]) -> Table {
 }
 
 /// Checks with their results.
-pub(super) fn checks(checks: &[Check]) -> Table {
+pub(super) fn checks(checks: &[CheckRow]) -> Table {
     let columns = ["Check", "Expected", "Found", "Within", "Result"].map(Column::words);
-    let row = |check: &Check| {
+    let row = |check: &CheckRow| {
         let result = if check.passed { "passed" } else { "FAILED" };
         let [expected, found, within] = [&check.expected, &check.found, &check.within].map(Clone::clone);
         vec![check.what.clone(), expected, found, within, result.into()]

@@ -9,8 +9,8 @@ use tumble_scene::Diagnostics;
 
 use crate::results::CheckResult;
 use crate::results::FindResult;
-use crate::results::balance;
 use crate::results::case::{Case, folder};
+use crate::results::case_balance;
 use crate::results::digits::Held;
 use crate::results::equilibrium;
 
@@ -54,7 +54,7 @@ pub struct Finished {
     /// Times that impacts following each other ever faster have ended in contact.
     pub zeno_sequences: usize,
     /// Energy, momentum and what changed them; `None` where only numbers were asked for.
-    pub balance: Option<balance::Summary>,
+    pub balance: Option<case_balance::Summary>,
 }
 
 /// Something that happened in a run.
@@ -93,7 +93,7 @@ impl Finished {
             states: run.last_states(),
             contacts: run.contacts().len(),
             zeno_sequences: run.zeno_sequences(),
-            balance: case.balance.as_ref().map(balance::Summary::of),
+            balance: case.balance.as_ref().map(case_balance::Summary::of),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The runs of a study and what they came to: the answers that a scene asks for, its claims, warnings, the balance.
 
-pub(crate) mod balance;
 pub(crate) mod case;
+pub(crate) mod case_balance;
 pub(crate) mod checks;
 mod combinations;
 pub(crate) mod digits;
@@ -21,8 +21,8 @@ pub(crate) mod telling;
 mod told;
 pub(crate) mod works;
 
-pub use balance::{ABOUT, CaseBalance, Summary as BalanceSummary};
 pub use case::{Case, Missing, Runs, folder};
+pub use case_balance::{ABOUT, CaseBalance, Summary as BalanceSummary};
 pub use checks::CheckResult;
 pub use combinations::Combinations;
 pub use digits::Held;

@@ -12,6 +12,7 @@ use std::sync::atomic::Ordering;
 use thiserror::Error;
 use tumble_report::results::Finished;
 use tumble_report::site::{Entry, GALLERY_SEAL, Index, Link, Page, Ways, url};
+use tumble_report::tables::OF_RUN;
 
 use crate::output::{Kind, OutputError, Single, shown};
 use crate::pipeline::{self, Options, Outcome, PipelineError};
@@ -171,9 +172,8 @@ impl Site {
     }
 
     fn entry(&self, name: &str, outcome: &Outcome) -> Entry {
-        let tables = outcome.cases.iter().flat_map(|case| {
-            ["trajectory.csv", "events.csv", "balance.csv"].map(|table| format!("{}/{table}", case.folder()))
-        });
+        let tables =
+            outcome.cases.iter().flat_map(|case| OF_RUN.map(|table| format!("{}/{table}", case.folder())));
         let link = |file: String| Link { path: format!("{name}/{file}"), text: file };
         let lesson = self.documents.lesson(name);
         let happens = lesson.map(markdown::first_paragraph);

@@ -3,7 +3,6 @@
 //! Everything is written aside and put in place whole, under a lock, so that a run that fails or is killed leaves the
 //! last results as they were.
 
-mod decimal;
 mod file;
 mod folder;
 mod hash;

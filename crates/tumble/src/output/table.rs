@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
+use tumble_report::tables::quoted;
 
-use super::decimal::Decimal;
 use super::hash::Hash;
 use super::{Folder, OutputError, attempt};
+use crate::pipeline::PipelineError;
 
 /// A file of a folder.
 pub(super) struct Sink {
@@ -42,15 +43,13 @@ impl Write for Sink {
 
 /// Bytes of a table that are written at once.
 const BLOCK: usize = 1 << 16;
-/// What a cell of text is put in quotes for: a reader would take it for the end of the cell, or of the row.
-const SPECIAL: [char; 4] = [',', '"', '\n', '\r'];
 
 /// A table of a folder, as CSV (RFC 4180, with rows that end in a line feed).
 pub(crate) struct Table<'f> {
     folder: &'f Folder,
     name: String,
     sink: Sink,
-    decimal: Decimal,
+    digits: zmij::Buffer,
     /// What is not written yet; each cell ends in a comma, the last one of a row in a line feed.
     buffer: Vec<u8>,
 }
@@ -59,41 +58,7 @@ impl<'f> Table<'f> {
     /// Begins the table of that name in a folder.
     pub(crate) fn begin(folder: &'f Folder, name: &str) -> Result<Self, OutputError> {
         let (sink, buffer) = (folder.sink(name)?, Vec::with_capacity(2 * BLOCK));
-        Ok(Self { folder, name: name.to_owned(), sink, decimal: Decimal::default(), buffer })
-    }
-
-    /// Writes a row of text.
-    pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) -> Result<(), OutputError> {
-        cells.into_iter().for_each(|cell| self.text(&cell));
-        self.end_row()
-    }
-
-    /// Writes a cell of the row that is being written.
-    pub(crate) fn text(&mut self, cell: &str) {
-        if cell.contains(SPECIAL) {
-            self.buffer.push(b'"');
-            self.buffer.extend_from_slice(cell.replace('"', "\"\"").as_bytes());
-            self.buffer.push(b'"');
-        } else {
-            self.buffer.extend_from_slice(cell.as_bytes());
-        }
-        self.buffer.push(b',');
-    }
-
-    /// Writes cells of the row that is being written: the shortest decimals that read back as the same numbers.
-    pub(crate) fn numbers(&mut self, values: &[f64]) {
-        for value in values {
-            self.buffer.extend_from_slice(self.decimal.of(*value));
-            self.buffer.push(b',');
-        }
-    }
-
-    /// Ends the row that is being written.
-    pub(crate) fn end_row(&mut self) -> Result<(), OutputError> {
-        if let Some(end) = self.buffer.last_mut() {
-            *end = b'\n';
-        }
-        if self.buffer.len() < BLOCK { Ok(()) } else { self.write() }
+        Ok(Self { folder, name: name.to_owned(), sink, digits: zmij::Buffer::new(), buffer })
     }
 
     fn write(&mut self) -> Result<(), OutputError> {
@@ -107,6 +72,33 @@ impl<'f> Table<'f> {
     pub(crate) fn finish(mut self) -> Result<(), OutputError> {
         self.write()?;
         self.folder.wrote(&self.name, self.sink);
+        Ok(())
+    }
+}
+
+impl tumble_report::tables::Table for Table<'_> {
+    type Error = PipelineError;
+
+    fn text(&mut self, cell: &str) {
+        self.buffer.extend_from_slice(quoted(cell).as_bytes());
+        self.buffer.push(b',');
+    }
+
+    /// The shortest decimals that read back as the same numbers.
+    fn numbers(&mut self, values: &[f64]) {
+        for value in values {
+            self.buffer.extend_from_slice(self.digits.format(*value).as_bytes());
+            self.buffer.push(b',');
+        }
+    }
+
+    fn end_row(&mut self) -> Result<(), PipelineError> {
+        if let Some(end) = self.buffer.last_mut() {
+            *end = b'\n';
+        }
+        if self.buffer.len() >= BLOCK {
+            self.write()?;
+        }
         Ok(())
     }
 }

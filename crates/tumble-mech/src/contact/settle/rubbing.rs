@@ -312,7 +312,7 @@ impl Settling<'_> {
         let held = found.map_or(some, |found| &found.held);
         for (index, (patch, grip)) in patches.iter().zip(&grips).enumerate() {
             let (position, row) = patch.contacts[0];
-            let is_one = patch.contacts.len() == 1 && some.len() > 1 && held.contains(&position);
+            let is_one = patch.contacts.len() == 1 && held.len() > 1 && held.contains(&position);
             let own = &self.equations.pairs()[self.slipping(row)];
             if !(is_one && matches!(grip, Grip::Slides(_))) || own.is_rolling() || own.is_central() {
                 continue;
@@ -477,7 +477,7 @@ impl Settling<'_> {
         let modes = some.iter().filter_map(contact_mode).collect();
         let stop = self.rough(&found.held, patches, self.rates());
         let stop = stop.stopped(&found.grips, &found.held).ok_or_else(|| self.unsolved("contact"))?;
-        self.apply(&stop.pushes, jump)?;
+        self.stop(&stop.pushes, jump)?;
         Ok(modes)
     }
 

@@ -26,12 +26,13 @@ pub(super) fn touched(seen: &Seen<'_>) -> Vec<Said> {
     surfaces.filter_map(|surface| touched_by(seen, &surface.name)).collect()
 }
 
-/// Each point of the body that touches counts.
+/// Each point of the body that comes to touch counts; what stands there from the start has not come.
 fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let pairs = seen.run.equations.pairs();
     let place = format!("{surface}.{}.", seen.name());
     let own = |contact: &Contact| pairs[contact.pair].name.starts_with(&place);
-    let contacts = joined(seen.run.contacts().into_iter().filter(own));
+    let (there, contacts): (Vec<Contact>, Vec<Contact>) =
+        joined(seen.run.contacts().into_iter().filter(own)).into_iter().partition(|one| one.start == 0.0);
     let first = contacts.first()?;
     let by = |pair: usize| pairs[pair].name[place.len()..].to_owned();
     let mut points: Vec<String> = contacts.iter().map(|contact| by(contact.pair)).collect();
@@ -43,13 +44,17 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
     let mut value = match contacts.len() {
         1 => Text::from(format!("once, {by}at ")),
+        2 => Text::from(format!("twice, {by}first at ")),
         several => Text::from(format!("{several} times, {by}first at ")),
     };
     value = value.and(seen.event_time(first.start));
-    if let Some(last) = contacts.iter().rfind(|contact| contact.is_open) {
-        value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on");
+    match contacts.iter().rfind(|contact| contact.is_open) {
+        Some(last) if last.start == first.start => value = value.and(", and stays there"),
+        Some(last) => value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on"),
+        None => {}
     }
-    Some(Said::new(format!("{} touches {} ", seen.called(), symbols::the(surface)), value))
+    let already = if there.is_empty() { "" } else { "from the start, and anew " };
+    Some(Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value))
 }
 
 /// What the first contact that ends did to the speed of the centre and to the spin.
@@ -87,7 +92,7 @@ pub(super) fn rolls(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     };
     let before = format!("{} slides on {} and rolls from ", seen.called(), surface_of(seen, contact));
     let value = seen.event_time(time).and(" on; until then friction changes ").and(changes);
-    Ok(Some(Said::new(before, value)))
+    Ok(Some(Said::new(before, value).leading()))
 }
 
 /// What it touches: a surface, or the other body.
@@ -138,7 +143,7 @@ pub(super) fn lost(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
         let (point, surface) = (symbols::the(point), symbols::the(surface));
         let before =
             format!("{point} of {} leaves {surface}, which presses on it no more, at ", seen.called());
-        found.push(Said::new(before, value));
+        found.push(Said::new(before, value).leading());
     }
     Ok(found)
 }

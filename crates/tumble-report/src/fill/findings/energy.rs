@@ -19,6 +19,8 @@ const SHARE: usize = 2;
 /// What loads of one kind have done together: all points of a body that touch one surface, with friction apart.
 struct Done {
     name: String,
+    /// What it acts on, in a sentence.
+    body: String,
     work: f64,
     error: Option<f64>,
 }
@@ -31,14 +33,15 @@ pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
     let (lost, gained) = (sum(-1.0), sum(1.0));
     let said = |done: &Done| {
         let (does, whole, what) = match done.work < 0.0 {
-            true => ("takes out", lost, "of all that is taken out"),
-            false => ("puts in", gained, "of all that is put in"),
+            true => ("takes energy from", lost, "of all that is lost"),
+            false => ("gives energy to", gained, "of all that is gained"),
         };
         let value = with_digits(done.work.abs(), done.error, "J");
         let percent = quantity_to(100.0 * done.work.abs() / whole, SHARE, "");
         let is_alone = done.work.abs() > (1.0 - MATTERS) * whole;
         let share = Text::from(", ").and(percent).and(format!(" % {what}"));
-        Said::new(format!("{} {does} ", done.name), if is_alone { value } else { value.and(share) })
+        let Done { name, body, .. } = done;
+        Said::new(format!("{name} {does} {body}: "), if is_alone { value } else { value.and(share) })
     };
     let pass = |done: &Done| Said::new(done.name.clone(), with_digits(done.work, done.error, "J"));
     let told = all.iter().filter(|done| matters(done.work)).map(said);
@@ -49,9 +52,10 @@ pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
 fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
     let counted = balance.contributions.iter().enumerate().filter(|(_, (_, one))| one.counts());
     let entries: Vec<(Done, &Contribution)> = counted
-        .map(|(index, (name, one))| {
+        .map(|(index, (_, one))| {
             let error = balance.work_errors.as_ref().map(|errors| errors[index]);
-            (Done { name: name_of(study, name, one), work: one.work, error }, one)
+            let body = called(study, one);
+            (Done { name: name_of(study, one), body, work: one.work, error }, one)
         })
         .collect();
     let (mut passed, mut all): (Vec<Done>, Vec<Done>) = (vec![], vec![]);
@@ -72,35 +76,40 @@ fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
 }
 
 fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
-    let name = |one: &Contribution| {
-        one.body.map_or_else(String::new, |body| symbols::the(&study.model.bodies[body].name))
-    };
     let how = if to.kind == Kind::Impact { " by impacts" } else { "" };
-    let words = format!("{} passes on from {} to {}{how} ", symbols::the(&to.load), name(from), name(to));
-    Done { name: words, work: done.work, error: done.error }
+    let (joint, from, body) = (symbols::the(&to.load), called(study, from), called(study, to));
+    let name = format!("{joint} passes energy from {from} to {body}{how}: ");
+    Done { name, body, work: done.work, error: done.error }
+}
+
+/// The body that something acts on.
+fn called(study: &Study, one: &Contribution) -> String {
+    one.body.map_or_else(|| "the motion".to_owned(), |body| symbols::the(&study.model.bodies[body].name))
 }
 
 /// Works of one name are one, and so are their errors.
 fn add(all: &mut Vec<Done>, done: &Done) {
-    match all.iter_mut().find(|same| same.name == done.name) {
+    match all.iter_mut().find(|same| same.name == done.name && same.body == done.body) {
         Some(same) => {
             same.work += done.work;
             same.error = same.error.zip(done.error).map(|(a, b)| a + b);
         }
-        None => all.push(Done { name: done.name.clone(), ..*done }),
+        None => all.push(Done { name: done.name.clone(), body: done.body.clone(), ..*done }),
     }
 }
 
-/// `The normal force of floor in impacts of rod`, `Friction of floor on block`; other loads by their own name.
-fn name_of(study: &Study, name: &str, one: &Contribution) -> String {
-    let body = one.body.map_or("", |body| study.model.bodies[body].name.as_str());
-    let surface = one.load.split('.').next().unwrap_or_default();
+/// `the normal force in impacts on the floor`, `friction on the floor`; other loads by their own name.
+fn name_of(study: &Study, one: &Contribution) -> String {
+    let touched = one.load.split('.').next().unwrap_or_default();
+    let is_surface = study.model.surfaces.iter().any(|surface| surface.name == touched);
+    // Contacts of bodies with each other are no place.
+    let on = if is_surface { format!(" on {}", symbols::the(touched)) } else { String::new() };
     match (one.law, one.kind) {
-        (Some(Law::Friction), Kind::Impact) => format!("Friction of {surface} in impacts of {body}"),
-        (Some(Law::Friction), _) => format!("Friction of {surface} on {body}"),
-        (Some(Law::Rolling), _) => format!("Rolling resistance of {surface} on {body}"),
-        (Some(Law::Contact), Kind::Impact) => format!("The normal force of {surface} in impacts of {body}"),
-        (Some(Law::Contact), Kind::Work) => format!("{surface} on {body}"),
-        _ => name.to_owned(),
+        (Some(Law::Friction), Kind::Impact) => format!("friction in impacts{on}"),
+        (Some(Law::Friction), _) => format!("friction{on}"),
+        (Some(Law::Rolling), _) => format!("rolling resistance{on}"),
+        (Some(Law::Contact), Kind::Impact) => format!("the normal force in impacts{on}"),
+        (Some(Law::Contact), _) => symbols::the(touched),
+        _ => symbols::the(&one.load),
     }
 }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | asked | each `[find.NAME]` of the scene, first |
 //! | [`throw`] | a free body's centre stops rising; how far it gets, if that is more than its own size; where it would be without air; whether air bears its weight |
-//! | [`turning`] | a body has turned by at least one full turn; a pivoted body turns back at intervals that agree; its small swings beside the gusts |
+//! | [`turning`] | a body has turned by at least one full turn; how far a pivoted body swings; it turns back at intervals that agree; its small swings beside the gusts |
 //! | [`contacts`] | a body has touched a surface; what its first contact did to its speed and spin, and friction until it rolls; a lasting contact is lost |
 //! | [`rest`] | nothing moves faster than a small part of its greatest speed, up to the end |
 //! | [`energy`] | the work of loads of one kind that have no potential is more than a part of the energies in the run; what joints pass on |
@@ -21,8 +21,8 @@ mod seen;
 mod throw;
 mod turning;
 
-use tumble_mech::Gravity;
-use tumble_scene::Study;
+use tumble_mech::{Extreme, Gravity};
+use tumble_scene::{Study, When};
 
 use super::names::quantity;
 use super::sweep;
@@ -32,7 +32,7 @@ use crate::report::Text;
 use crate::results::{Case, CaseError, FindResult, Runs};
 
 use said::Said;
-pub(super) use said::with_digits;
+pub(super) use said::{ALL_VERIFIED, with_digits};
 use seen::Seen;
 
 pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Text>, CaseError> {
@@ -52,17 +52,25 @@ pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Te
 /// What the scene asks for.
 fn asked(study: &Study, case: &Case) -> Vec<Text> {
     let symbols = symbols::all(study);
-    let text = |find: &FindResult| {
-        let words = Text::from(format!("{}: ", spoken(&find.name))).capitalised();
+    let text = |(find, which): (&FindResult, Option<Extreme>)| {
+        let words = match which {
+            Some(Extreme::Greatest) => "The greatest ".into(),
+            Some(Extreme::Least) => "The least ".into(),
+            None => Text::from(format!("{}: ", spoken(&find.name))).capitalised(),
+        };
         let words = words.and(symbols::called(study, &symbols, &find.that));
         let at = |words: Text| words.and(", at ").and(quantity(find.at, "s")).and(".");
         match find.open() {
             _ if !find.is_reached() => words.and(": not reached, its time does not come in this motion."),
             Some(open) => at(words.and(format!(" {open}"))),
-            None => at(words.and(" = ").and(with_digits(find.value, find.error, &find.unit))),
+            None => at(words.and(" is ").and(with_digits(find.value, find.error, &find.unit))),
         }
     };
-    case.finds.iter().map(text).collect()
+    let which = study.finds.iter().map(|find| match find.at {
+        When::Extreme { which, .. } => Some(which),
+        When::End | When::At(_) => None,
+    });
+    case.finds.iter().zip(which).map(text).collect()
 }
 
 /// What is striking in one run.
@@ -80,6 +88,9 @@ fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
         }
         found.extend(turning::rotations(&seen)?);
         if !is_free {
+            // What is asked for says how far, in scenes that ask.
+            let swings = if study.finds.is_empty() { turning::swings(&seen)? } else { None };
+            found.extend(swings);
             found.extend(turning::small_swings(&seen)?);
             found.extend(turning::period(&seen)?);
         }

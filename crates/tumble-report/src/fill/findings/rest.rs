@@ -25,10 +25,8 @@ pub(super) fn of(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
                 }
                 None => (after, Some(after - before)),
             };
-            Some(Said::new(
-                format!("{} rests up to the end from ", seen.called()),
-                with_digits(time, error, "s"),
-            ))
+            let value = with_digits(time, error, "s").and(" on");
+            Some(Said::new(format!("{} is at rest from ", seen.called()), value).leading())
         }
         _ => None,
     })

@@ -5,7 +5,7 @@ use crate::fill::names::{quantity, quantity_to};
 use crate::report::Text;
 use crate::results::{Case, digits};
 
-/// Digits that are read; more are counted.
+/// Digits that are read.
 const READ: usize = 6;
 
 /// A finding: words that runs have in common, and the value that they may differ in.
@@ -56,33 +56,34 @@ fn sentence(same: &[(&Case, &Said)], runs: usize) -> Text {
     let said = match (is_one, same.len() == runs) {
         (true, true) => whole(first.value.clone()),
         (true, false) => {
-            whole(first.value.clone()).and(", ").and(listed(same.iter().map(|(case, _)| label(case)), "; "))
+            let labels = listed(same.iter().map(|(case, _)| case_label(case).into()), "; ");
+            whole(first.value.clone()).and(" (").and(labels).and(")")
         }
         (false, _) => {
-            let value = |(case, said): &(&Case, &Said)| said.value.clone().and(", ").and(label(case));
+            let value =
+                |(case, said): &(&Case, &Said)| said.value.clone().and(" (").and(case_label(case)).and(")");
             whole(listed(same.iter().map(value), "; "))
         }
     };
     said.and(".").capitalised()
 }
 
-/// `with T = 2 s`; the scene's own words for a run as they are.
-fn label(case: &Case) -> Text {
-    let with = if case.label.contains(" = ") { "with " } else { "" };
-    Text::from(with).and(case_label(case))
-}
-
 fn listed(parts: impl Iterator<Item = Text>, between: &str) -> Text {
     parts.reduce(|all, next| all.and(between).and(next)).unwrap_or_default()
 }
 
-/// A value to its verified digits, at most so many as are read, and how many those are.
+/// What holds of all numbers in findings.
+pub(in crate::fill) const ALL_VERIFIED: &str =
+    "Every digit shown is verified; where fewer than six are, their number is said.";
+
+/// A value to its verified digits, at most so many as are read; where there are fewer, how many.
 pub(in crate::fill) fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
     let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
     if error == 0.0 {
         return quantity(value, unit);
     }
     let held = digits::digits(value, error);
+    let shown = quantity_to(value, held.clamp(1, READ), unit);
     let plural = if held == 1 { "" } else { "s" };
-    quantity_to(value, held.clamp(1, READ), unit).and(format!(" ({held} digit{plural})"))
+    if held < READ { shown.and(format!(" ({held} digit{plural})")) } else { shown }
 }

@@ -92,7 +92,7 @@ pub(super) fn without_air(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     }
     let said = parts.into_iter().reduce(|all, next| all.and(" and ").and(next));
     let when = Text::from(" after ").and(quantity(until, "s"));
-    let before = format!("Beside the same throw without air, {} is ", seen.called());
+    let before = format!("Compared with the same throw without air, {} is ", seen.called());
     Ok(said.map(|value| Said::new(before, value.and(when)).leading()))
 }
 

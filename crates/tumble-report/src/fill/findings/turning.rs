@@ -3,11 +3,13 @@
 use std::f64::consts::TAU;
 
 use tumble_expr::{Dimension, Expr, Node, Substitution, Symbol, Unary, is_identically_zero};
-use tumble_mech::{Gravity, place_symbols};
+use tumble_mech::{Extreme, Gravity, place_symbols};
+use tumble_ode::Side;
 
 use super::said::{Said, with_digits};
 use super::seen::Seen;
 use crate::fill::names::quantity_to;
+use crate::report::Text;
 use crate::results::CaseError;
 
 /// Relative difference within which intervals are one period.
@@ -27,6 +29,21 @@ pub(super) fn rotations(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let said =
         Said::new(format!("{} turns {way} by ", seen.called()), with_digits(turns.abs(), error, "rev"));
     Ok((turns.abs() >= 1.0).then_some(said))
+}
+
+/// How far a pivoted body swings to both sides, where it does not turn over.
+pub(super) fn swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
+    let angle = seen.body.kinematics().angle();
+    let far = |which| -> Result<Option<(f64, Text)>, CaseError> {
+        let Ok(Some(peak)) = seen.run.extreme(&angle, which, [0.0, seen.end()]) else { return Ok(None) };
+        let error = seen.error(peak.time, &angle)?.map(f64::to_degrees);
+        Ok(Some((peak.value, with_digits(peak.value.to_degrees(), error, "deg"))))
+    };
+    let (Some((low, least)), Some((high, greatest))) = (far(Extreme::Least)?, far(Extreme::Greatest)?) else {
+        return Ok(None);
+    };
+    let said = Said::new(format!("{} swings between ", seen.called()), least.and(" and ").and(greatest));
+    Ok((high - low > 0.0 && high - low < TAU).then_some(said))
 }
 
 /// It turns back at intervals that agree to [`REPEATS`].
@@ -50,7 +67,7 @@ pub(super) fn small_swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let Some(swing) = swing(seen)? else { return Ok(None) };
     let shown = |period: f64| quantity_to(period, DIGITS, "s");
     let before = format!("Small swings of {} would take ", seen.called());
-    let before = crate::report::Text::from(before).and(shown(swing)).and(" without air");
+    let before = Text::from(before).and(shown(swing)).and(" without air");
     Ok(match gusts(seen)? {
         Some(gusts) => {
             let times = quantity_to(gusts / swing, RATIO, "").and(" times as long");
@@ -116,9 +133,11 @@ fn angular_rates(formula: &Expr, time: &Symbol, found: &mut Vec<Expr>) {
 fn repeats(seen: &Seen<'_>, wind: &[Expr], period: f64) -> Result<bool, CaseError> {
     for component in wind {
         let values = seen.values(component)?;
+        let mut observer = seen.run.observe(std::slice::from_ref(component))?;
+        let mut later = |time: f64| observer.at(time + period, Side::After).map_or(f64::NAN, |at| at[0]);
         let most = values.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
         for (time, value) in values.iter().take_while(|(time, _)| time + period <= seen.end()) {
-            if (seen.at(time + period, component)? - value).abs() > SAME_AIR * most {
+            if (later(*time) - value).abs() > SAME_AIR * most {
                 return Ok(false);
             }
         }

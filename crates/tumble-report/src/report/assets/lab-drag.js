@@ -9,14 +9,26 @@ class LivePlayer extends Player {
   constructor(figure, data, grips) {
     super(figure, data);
     Object.assign(this, { grips, ghosts: [], pins: [], held: this.boxes(), settled: this.cases });
-    const bar = this.live.querySelector(".bar");
-    this.speedsShown = this.check(bar, "Velocities", false);
+    this.speedsShown = this.check(this.bar, "Velocities", false);
     this.energyBox = make("div", { class: "energy", role: "img", hidden: "" }, this.live);
+    // What can be dragged is in it.
+    this.svg.setAttribute("role", "group");
     this.layOut();
   }
 
   boxes() {
     return [...super.boxes(), ...(this.held ?? [])];
+  }
+
+  /** While something is dragged the picture keeps its scale: what follows it must not run away from the pointer. */
+  fit() {
+    super.fit();
+    Object.assign(this, this.frozen);
+  }
+
+  /** Seconds that an arrow of a velocity is long. */
+  arrowTime() {
+    return this.frozen?.arrow ?? (ARROW_PART * this.duration || 1);
   }
 
   /** What comes next is of another scene: nothing of this one is compared with it. */
@@ -39,11 +51,8 @@ class LivePlayer extends Player {
     this.ghosts = this.settled;
     this.cases = data.cases.map(readMotion);
     this.settled = this.cases;
-    if (this.chooser) {
-      this.chooser.parentElement.hidden = this.cases.length < 2;
-      const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
-      this.chooser.replaceChildren(...this.cases.map((motion, i) => new Option(name(motion, i), i)));
-    }
+    this.svg.setAttribute("aria-label", data.description);
+    this.offer();
     this.choose(Math.min(this.index, this.cases.length - 1));
   }
 
@@ -65,6 +74,7 @@ class LivePlayer extends Player {
   }
 
   build() {
+    const held = this.svg.querySelector(".grip:focus")?.getAttribute("aria-label");
     super.build();
     if (!this.grips) return;
     this.ghostLayer = draw("g", { class: "ghosts" });
@@ -74,6 +84,8 @@ class LivePlayer extends Player {
     this.ghostParts = [...this.pins, ...(this.ghosts.length ? [{ label: "", motion: this.ghosts[Math.min(this.index, this.ghosts.length - 1)] }] : [])].map((one) => this.buildGhost(one));
     this.drawGrips();
     this.draw();
+    // Who moves it by keys goes on.
+    if (held) this.gripLayer.querySelector(`[aria-label=${JSON.stringify(held)}]`)?.focus({ preventScroll: true });
   }
 
   buildGhost({ label, motion }) {
@@ -84,7 +96,7 @@ class LivePlayer extends Player {
       if (path.length) draw("path", { class: "trail", style, d: `M${path.join("L")}` }, layer);
       const group = draw("g", { class: "body", style }, layer);
       for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
-      const name = label ? drawLabel(layer, [[label, "", ""]], { class: "halo" }) : null;
+      const name = label && i === 0 ? drawLabel(this.ghostLayer, [[label, "", ""]], { class: "halo" }) : null;
       return { body, group, name };
     });
     return { motion, parts };
@@ -105,7 +117,10 @@ class LivePlayer extends Player {
     if (!Number.isFinite(x + y)) return;
     const turned = (-body.angle[i] * 180) / Math.PI;
     group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turned.toFixed(2)})`);
-    name?.setAttribute("transform", `translate(${x.toFixed(2)} ${(y - 8).toFixed(2)})`);
+    // Beside the body, and within the picture.
+    const left = x < this.size[0] / 2 ? 14 : -14;
+    name?.setAttribute("text-anchor", left > 0 ? "start" : "end");
+    name?.setAttribute("transform", `translate(${(x + left).toFixed(2)} ${(y + 22).toFixed(2)})`);
   }
 
   drawSpeeds() {
@@ -117,7 +132,7 @@ class LivePlayer extends Player {
     if (!(span > 0)) return;
     for (const [i, body] of this.motion.bodies.entries()) {
       const from = this.pixel(body.x[low], body.y[low]);
-      const by = [body.x, body.y].map((values) => ((values[high] - values[low]) / span) * ARROW_PART * this.duration * this.scale);
+      const by = [body.x, body.y].map((values) => ((values[high] - values[low]) / span) * this.arrowTime() * this.scale);
       const to = [from[0] + by[0], from[1] - by[1]];
       if (![...from, ...to].every(Number.isFinite)) continue;
       drawTip(this.speedLayer, from, to, `var(--c${i % 7})`);
@@ -173,6 +188,8 @@ class LivePlayer extends Player {
     event.stopPropagation();
     this.pause();
     this.seek(this.start);
+    const { scale, middle, size } = this;
+    this.frozen = { scale, middle, size, arrow: this.arrowTime() };
     const move = (moved) => {
       const box = this.svg.getBoundingClientRect();
       const unit = this.size[0] / box.width;
@@ -184,6 +201,8 @@ class LivePlayer extends Player {
       removeEventListener("pointermove", move);
       removeEventListener("pointerup", end);
       removeEventListener("pointercancel", end);
+      this.frozen = null;
+      this.layOut();
     };
     addEventListener("pointermove", move);
     addEventListener("pointerup", end);
@@ -228,7 +247,7 @@ class LivePlayer extends Player {
   }
 
   speedGrip(centre, name, knobs, index) {
-    const long = ARROW_PART * this.duration || 1;
+    const long = this.arrowTime();
     const tip = centre.map((at, k) => at + knobs[k].value() * long);
     drawTip(this.gripLayer, this.pixel(...centre), this.pixel(...tip), `var(--c${index % 7})`);
     this.grip(tip, `Start velocity of ${name}`, knobs, (at) => knobs.map((knob, k) => [knob, (at[k] - centre[k]) / long]));

@@ -48,6 +48,7 @@ class Sections {
       const player = new Player(figure, motions[Number(figure.dataset.motion)]);
       if (clock.value !== null) player.seek(clock.value);
     }
+    reachable(section);
     section.querySelectorAll("[data-long]").forEach(foldTable);
     section.querySelectorAll(".cases").forEach((box) => new Tabs(box));
   }

@@ -35,10 +35,28 @@ function packed(texts) {
   return bytes;
 }
 
-function begin({ name, scene, set, files, shown }) {
+/** What the program said when it went wrong. */
+let failure = null;
+
+function failed(from, bytes) {
+  failure = new TextDecoder().decode(new Uint8Array(engine.memory.buffer, from, bytes));
+}
+
+/** Why a run has broken off, in words for whoever asked for it. */
+function why(error) {
+  const words = String(error?.message ?? error);
+  if (failure !== null) return `That is a fault of the program, not of the scene. Please report it with the scene: ${failure}`;
+  if (/stack|recursion|out of bounds/i.test(words)) return "The scene is nested more deeply than a page can follow.";
+  if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+    return "It needs more memory than a page has. A shorter time or fewer runs need less, and the command has all memory of the machine.";
+  return words;
+}
+
+function begin({ name, scene, set, files, shown, tables }) {
   const settings = set.flatMap(([key, text]) => ["set", key, text]);
   const beside = files.flatMap(([key, text]) => ["file", key, text]);
-  const bytes = packed([name, scene, ...settings, ...beside, "shown", String(shown)]);
+  const last = tables ? ["tables", ""] : [];
+  const bytes = packed([name, scene, ...settings, ...beside, "shown", String(shown), ...last]);
   const room = engine.room(bytes.length);
   new Uint8Array(engine.memory.buffer, room, bytes.length).set(bytes);
   return engine.begin() === 1;
@@ -56,7 +74,7 @@ function attempt(request, act) {
     act();
   } catch (error) {
     wanted = null;
-    postMessage({ id: request.id, broken: String(error.message ?? error) });
+    postMessage({ id: request.id, broken: why(error) });
     close();
   }
 }
@@ -108,12 +126,20 @@ async function unpack(packed) {
   close();
 }
 
+async function instantiate(module) {
+  try {
+    engine = (await WebAssembly.instantiate(module, { lab: { reached, failed } })).exports;
+  } catch (error) {
+    postMessage({ id: wanted?.id, broken: why(error) });
+    return close();
+  }
+  if (wanted) start(wanted);
+}
+
 onmessage = async ({ data }) => {
   if (data.packed) return unpack(data.packed);
   if (data.module) {
-    const instance = await WebAssembly.instantiate(data.module, { lab: { reached } });
-    engine = instance.exports;
-    if (wanted) start(wanted);
+    await instantiate(data.module);
   } else {
     wanted = data;
     if (engine) next.port2.postMessage(data.id);

@@ -6,6 +6,9 @@ const KNOB_STEPS = 1000;
 /** Digits of a value that a slider or a drag sets. */
 const KNOB_DIGITS = 4;
 
+/** What a page shows of a run. */
+const SHOWN = ["scene", "run", "sketch", "motion", "energy", "report"];
+
 /** One value that may be changed: its slider, its field, and where it is. */
 class Control {
   constructor(knob, parent, changed) {
@@ -13,7 +16,8 @@ class Control {
     const row = make("div", { class: "knob" }, parent);
     const id = `knob-${knob.name}`;
     const label = make("label", { for: id }, row);
-    label.textContent = knob.name;
+    // Long names break at their dots.
+    knob.name.split(/(?<=\.)/).forEach((part, i) => label.append(...(i ? [make("wbr", {})] : []), part));
     this.slider = make("input", { type: "range", min: 0, max: KNOB_STEPS, step: "any", "aria-label": knob.name }, row);
     this.field = make("input", { type: "text", id, size: 10, spellcheck: "false", autocomplete: "off" }, row);
     this.slider.addEventListener("input", () => this.slide());
@@ -113,13 +117,15 @@ class Lab {
     const sides = make("div", { class: "sides" }, this.box);
     const view = make("div", { class: "view" }, sides);
     this.board = make("div", { class: "board" }, sides);
+    const result = make("div", { class: "result" }, sides);
     if (DATA.motions.length) this.buildPlayer(view);
     this.status = make("p", { class: "status note", role: "status" }, view);
     this.progress = make("progress", { max: 1, value: 0, hidden: "", "aria-label": "Progress of the run" }, view);
     this.stop = this.button(view, "Stop", () => this.runs.stop());
     this.stop.hidden = true;
     this.said = make("div", { class: "said", role: "alert", hidden: "" }, view);
-    this.told = make("pre", { class: "told", hidden: "" }, view);
+    this.told = make("pre", { class: "told", hidden: "" }, result);
+    reachable(this.box);
     this.buildBoard();
   }
 
@@ -198,7 +204,7 @@ class Lab {
       this.edit(SETTINGS.scene);
     });
     this.button(bar, "Save scene.toml", () => this.saveScene());
-    this.button(bar, "Save tables (CSV)", () => save("tables.csv", "text/csv", tablesAsText()));
+    this.button(bar, "Save tables (CSV)", () => this.askTables());
     if (!this.player) return;
     this.button(bar, "Save picture (SVG)", () => save("picture.svg", "image/svg+xml", pictureOf(this.player.svg).text));
     this.button(bar, "Save picture (PNG)", async () => save("picture.png", "image/png", await dotsOf(pictureOf(this.player.svg))));
@@ -210,6 +216,17 @@ class Lab {
     const settings = left.map(([name, text]) => `--set "${name}=${text}"`).join(" ");
     this.editor.state.textContent = left.length ? `Not in the text, because its place there is no plain value: run it with ${settings}.` : "";
     save("scene.toml", "application/toml", scene);
+  }
+
+  /** The tables that the command writes, of the run that is shown: it is made once more. */
+  askTables() {
+    this.runs.ask({ ...(this.shown ?? this.request()), brief: false, tables: true });
+    this.status.textContent = "The tables are being made.";
+  }
+
+  async saveTables(files) {
+    save(`${SETTINGS.name}.zip`, "application/zip", await zipped(files));
+    this.status.textContent = `Saved ${SETTINGS.name}.zip: ${files.length} tables.`;
   }
 
   /** Another scene: it runs, and what it does not have is no longer set. */
@@ -262,10 +279,15 @@ class Lab {
     return [...this.set].map(([name, text]) => `${name} = ${text}`).join(", ") || "as given";
   }
 
-  ask() {
+  request() {
     const { name, files } = SETTINGS;
-    this.asked = [...this.set];
-    this.runs.ask({ name, scene: this.scene, set: this.asked, files, shown: this.player?.index ?? 0, brief: EMBEDDED });
+    return { name, scene: this.scene, set: [...this.set], files, shown: this.player?.index ?? 0, brief: EMBEDDED };
+  }
+
+  ask() {
+    const request = this.request();
+    this.asked = request.set;
+    this.runs.ask(request);
     clearTimeout(this.linking);
     this.linking = setTimeout(() => this.link(), 400);
   }
@@ -312,8 +334,9 @@ class Lab {
     if (is) this.patience = setTimeout(() => (this.stop.hidden = this.progress.hidden = false), 300);
   }
 
-  /** What becomes of the newest request. */
+  /** What becomes of the newest request; one for tables shows nothing else. */
   hear(kind, value) {
+    if (this.runs?.wanted?.tables && SHOWN.includes(kind)) return;
     const act = {
       began: () => {
         this.lines = [];
@@ -327,10 +350,11 @@ class Lab {
       motion: () => this.takeMotion(value.motion),
       energy: () => this.takeEnergy(value.cases),
       report: () => this.sections.show(value.parts),
+      tables: () => this.saveTables(value.files),
       mistakes: () => this.refuse(value),
       refused: () => this.refuse(value),
       stopped: () => this.end("Stopped. The last run that ended is shown."),
-      broken: () => this.end(`The run has failed (${value}). The last run that ended is shown.`),
+      broken: () => this.end(`The run has broken off. ${value} The last run that ended is shown.`),
       done: () => this.busy(false),
     }[kind];
     act?.();
@@ -350,6 +374,7 @@ class Lab {
   }
 
   takeMotion(motion) {
+    this.shown = this.runs.wanted;
     showSaid(this.said, { list: this.warnings });
     this.editor.tell({ list: this.warnings }, this.scene);
     if (this.edited) this.editor.state.textContent = "The scene is right: what is shown is its run.";

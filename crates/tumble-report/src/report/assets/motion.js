@@ -59,17 +59,35 @@ class Player {
     this.speed = this.select(bar, "Speed", this.speeds.map((speed) => `${shown(speed, 3)}\u00a0×`));
     const far = (speed) => Math.abs(Math.log(speed / this.wanted));
     this.speed.selectedIndex = this.speeds.reduce((best, s, i) => (far(s) < far(this.speeds[best]) ? i : best), 0);
-    if (this.cases.length > 1) {
-      const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
-      this.chooser = this.select(bar, "Case", this.cases.map(name));
-      this.chooser.addEventListener("change", () => {
-        this.choose(this.chooser.selectedIndex);
-        chosenCase.set(this.index, this);
-      });
-    }
-    if (this.cases.some((motion) => motion.forces.length)) this.forces = this.check(bar, "Forces", false);
-    if (this.cases.some((motion) => motion.bodies.some((body) => body.trail))) this.trails = this.check(bar, "Paths", true);
+    this.bar = bar;
+    this.offer();
     this.words = make("p", { class: "note" }, this.live);
+  }
+
+  /** What there is to choose of these motions; what was offered and is not there stays out of sight. */
+  offer() {
+    const hasTrail = (motion) => motion.bodies.some((body) => body.trail);
+    const there = {
+      chooser: this.cases.length > 1,
+      forces: this.cases.some((motion) => motion.forces.length),
+      trails: this.cases.some(hasTrail),
+    };
+    if (there.chooser) this.chooser ??= this.addChooser();
+    if (there.forces) this.forces ??= this.check(this.bar, "Forces", false);
+    if (there.trails) this.trails ??= this.check(this.bar, "Paths", true);
+    for (const [name, is] of Object.entries(there)) if (this[name]) this[name].parentElement.hidden = !is;
+    if (!there.chooser) return;
+    const name = (motion, i) => plain(motion.name) || `Case ${i + 1}`;
+    this.chooser.replaceChildren(...this.cases.map((motion, i) => new Option(name(motion, i), i)));
+  }
+
+  addChooser() {
+    const chooser = this.select(this.bar, "Case", []);
+    chooser.addEventListener("change", () => {
+      this.choose(chooser.selectedIndex);
+      chosenCase.set(this.index, this);
+    });
+    return chooser;
   }
 
   select(bar, title, names) {
@@ -140,8 +158,17 @@ class Player {
     return this.cases.map((motion) => motion.box).filter((box) => box);
   }
 
-  /** Scales for the width at hand; the same for all cases. */
   layOut() {
+    this.fit();
+    const [width, height] = this.size;
+    this.arrows = new ArrowScale(this.cases, 0.3 * Math.min(width, height));
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.svg.setAttribute("height", height);
+    this.build();
+  }
+
+  /** Scales for the width at hand; the same for all cases. */
+  fit() {
     const boxes = this.boxes();
     const bound = (k, pick, otherwise) => (boxes.length ? pick(...boxes.map((box) => box[k])) : otherwise);
     const low = [bound(0, Math.min, 0), bound(1, Math.min, 0)];
@@ -155,10 +182,6 @@ class Player {
     this.scale = Math.min(width / wide, height / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
-    this.arrows = new ArrowScale(this.cases, 0.3 * Math.min(width, height));
-    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.svg.setAttribute("height", height);
-    this.build();
   }
 
   pixel(x, y) {

@@ -2,34 +2,16 @@
 
 const LEFT = 74, RIGHT = 14, TOP = 14, BELOW = 46;
 
-/** Round steps that are no finer than `least`; multiples of pi where asked. */
-function tickStep(least, pi) {
-  const base = pi ? least / Math.PI : least;
-  const power = 10 ** Math.floor(Math.log10(base));
-  const steps = pi && base < 1.01 ? [1 / 12, 1 / 6, 1 / 4, 1 / 2, 1] : [1, 2, 5, 10].map((m) => m * power);
-  const step = steps.find((s) => s >= base * 0.999) ?? steps[steps.length - 1];
-  return pi ? (base < 1 / 12 ? null : step * Math.PI) : step;
-}
-
-function piText(n, step) {
-  const twelfths = Math.round((n * step * 12) / Math.PI);
-  if (twelfths === 0) return "0";
-  const divisor = (a, b) => (b ? divisor(b, a % b) : a);
-  const common = divisor(Math.abs(twelfths), 12);
-  const [top, bottom] = [Math.abs(twelfths) / common, 12 / common];
-  return `${twelfths < 0 ? "−" : ""}${top === 1 ? "" : top}π${bottom === 1 ? "" : `/${bottom}`}`;
-}
-
-/** Places and texts of ticks over a range `[low, high]` for about `wanted` of them. */
-function ticks([low, high], wanted, pi) {
+/** Places and texts of ticks over a range `[low, high]` for about `wanted` of them, at round steps. */
+function ticks([low, high], wanted) {
   const least = (high - low) / Math.max(wanted, 1);
-  const multiple = pi ? tickStep(least, true) : null;
-  const step = multiple ?? tickStep(least, false);
+  const power = 10 ** Math.floor(Math.log10(least));
+  const step = power * ([1, 2, 5].find((m) => m * power >= least * 0.999) ?? 10);
   const result = [];
   for (let n = Math.ceil(low / step - 1e-9); n * step <= high + 1e-9 * step && result.length < 60; n += 1) {
     const size = Math.max(Math.abs(low), Math.abs(high));
     const digits = Math.max(1, Math.floor(Math.log10(size)) - Math.floor(Math.log10(step) + 1e-9) + 2);
-    result.push([n * step, multiple ? piText(n, step) : shown(n === 0 ? 0 : n * step, digits)]);
+    result.push([n * step, shown(n === 0 ? 0 : n * step, digits)]);
   }
   return result;
 }
@@ -231,12 +213,12 @@ class Plot {
   drawTicks(width, height) {
     const [xs, ys] = this.window;
     const [bottom, right] = [height - BELOW, width - RIGHT];
-    for (const [value, text] of ticks(xs, (width - LEFT) / 90, this.data.x.pi)) {
+    for (const [value, text] of ticks(xs, (width - LEFT) / 90)) {
       const [x] = this.pixel(value, ys[0]);
       draw("line", { class: "grid", x1: x, x2: x, y1: TOP, y2: bottom }, this.svg);
       draw("text", { x, y: bottom + 17, "text-anchor": "middle" }, this.svg).textContent = text;
     }
-    for (const [value, text] of ticks(ys, (height - BELOW) / 50, this.data.y.pi)) {
+    for (const [value, text] of ticks(ys, (height - BELOW) / 50)) {
       const [, y] = this.pixel(xs[0], value);
       draw("line", { class: "grid", x1: LEFT, x2: right, y1: y, y2: y }, this.svg);
       draw("text", { x: LEFT - 6, y: y + 5, "text-anchor": "end" }, this.svg).textContent = text;

@@ -10,7 +10,6 @@ use tumble_drawing::font::Face;
 use tumble_drawing::text::{Label, Level};
 use tumble_drawing::theme::LineStyle;
 use tumble_drawing::thin::{simplified, thinned};
-use tumble_drawing::ticks::Ticking;
 
 /// Steps over the range of the data: values keep five digits of it, a hundred times what a screen shows.
 const STEPS: f64 = 1e5;
@@ -62,7 +61,6 @@ fn axis(axis: &Axis) -> String {
         ("title", label(&axis.title())),
         ("name", label(&axis.label)),
         ("unit", label(&Label::unit(&axis.unit))),
-        ("pi", (axis.ticking == Ticking::Pi).to_string()),
         ("range", range),
     ])
 }

@@ -7,11 +7,10 @@ use super::page::Page;
 use crate::report::picture::{Chart, Picture};
 use crate::report::prose::Text;
 use tumble_drawing::Animation;
+use tumble_drawing::Label;
 use tumble_drawing::curves::{CurveFigure, Series};
-use tumble_drawing::numeral::significant;
 use tumble_drawing::scale::Range;
 use tumble_drawing::svg::Svg;
-use tumble_drawing::text::Label;
 
 /// Digits of numbers in descriptions.
 const DIGITS: usize = 4;
@@ -109,5 +108,5 @@ fn curve(figure: &CurveFigure, series: &Series) -> String {
 }
 
 fn shown(value: f64) -> String {
-    significant(value, DIGITS).to_plain()
+    Label::number(value, DIGITS).to_plain()
 }

@@ -2,7 +2,6 @@
 
 use crate::report::markup::Markup;
 use crate::report::math::{Block, Definition, Math};
-use crate::report::mathml;
 use crate::report::prose::Text;
 use tumble_drawing::svg::escape;
 use tumble_drawing::text::Label;
@@ -30,15 +29,14 @@ pub(super) fn label(label: &Label) -> String {
     Html::label(label)
 }
 
-/// A formula; its text stands in where the MathML cannot be shown.
+/// A formula; its text stands where it has no MathML.
 pub(super) fn math(math: &Math) -> String {
-    let spoken = escape(&math.text);
-    if mathml::is_harmless(&math.mathml) {
-        let named = if spoken.is_empty() { String::new() } else { format!(" aria-label=\"{spoken}\"") };
-        return format!("<span class=\"math\" role=\"math\"{named}>{}</span>", math.mathml.trim());
+    let (mathml, spoken) = (&math.mathml, escape(&math.text));
+    match (mathml.is_empty(), spoken.is_empty()) {
+        (true, true) => String::new(),
+        (true, false) => format!("<span class=\"math plain\">{spoken}</span>"),
+        (false, _) => format!("<span class=\"math\" role=\"math\" aria-label=\"{spoken}\">{mathml}</span>"),
     }
-    let shown = if math.text.is_empty() { escape(&math.latex) } else { spoken };
-    if shown.is_empty() { shown } else { format!("<span class=\"math plain\">{shown}</span>") }
 }
 
 /// A block of formulas with the meaning of its symbols.

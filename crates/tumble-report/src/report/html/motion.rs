@@ -2,8 +2,8 @@
 
 use super::data::{label, mark};
 use crate::report::json::{Grid, list, number, object, string};
-use tumble_drawing::free_body::{NamedPoint, Round, Surface};
-use tumble_drawing::numeral::significant;
+use tumble_drawing::Label;
+use tumble_drawing::free_body::{Ground, NamedPoint, Round};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
 use tumble_drawing::svg::Svg;
@@ -65,7 +65,8 @@ fn description(animation: &Animation) -> String {
 
 fn ends(body: &MovingBody) -> Option<String> {
     let place = |pose: &Pose| {
-        let [x, y, degrees] = [pose.x, pose.y, pose.angle.to_degrees()].map(|v| significant(v, 3).to_plain());
+        let [x, y, degrees] =
+            [pose.x, pose.y, pose.angle.to_degrees()].map(|v| Label::number(v, 3).to_plain());
         format!("({x}, {y}) m at {degrees} degrees")
     };
     let (first, last) = (body.poses.first()?, body.poses.last()?);
@@ -73,17 +74,29 @@ fn ends(body: &MovingBody) -> Option<String> {
     Some(format!("{name} moves from {} to {}.", place(first), place(last)))
 }
 
-/// A motion for a page that is there already; who cannot see it is told with the sections.
+/// A motion for a page that is there already.
 pub(in crate::report) fn motion(animation: &Animation) -> String {
-    motion_data(animation, "")
+    motion_data(animation, &description(animation))
 }
 
-/// The first case alone, small: no forces, and no more frames than a small picture needs.
+/// One case alone, small: no forces, and no more frames than a small picture needs.
 pub(in crate::report) fn living(animation: &Animation) -> String {
-    let case = animation.cases.first().map(|motion| MovingCase { forces: vec![], ..motion.clone() });
+    let case = telling(&animation.cases).map(|motion| MovingCase { forces: vec![], ..motion.clone() });
     let small = Animation { cases: case.into_iter().collect(), ..animation.clone() };
     let description = description(&small);
     data_of(&small, &description, LIVING_FRAMES)
+}
+
+/// The case that shows most: the one in which bodies come about furthest, and of equals the first.
+fn telling(cases: &[MovingCase]) -> Option<&MovingCase> {
+    let room = |motion: &MovingCase| motion.bodies.iter().map(covered).sum::<f64>();
+    cases.iter().rev().max_by(|a, b| room(a).total_cmp(&room(b)))
+}
+
+/// How far apart the places are that a body comes to, with all of it.
+fn covered(body: &MovingBody) -> f64 {
+    let alone = MovingCase { bodies: vec![body.clone()], ..MovingCase::default() };
+    alone.extent().map_or(0.0, |[left, low, right, high]| (right - left).hypot(high - low))
 }
 
 /// All cases of a motion.
@@ -185,7 +198,7 @@ fn force(force: &MovingForce, frames: &[usize]) -> String {
     ])
 }
 
-fn surface(surface: &Surface) -> String {
+fn surface(surface: &Ground) -> String {
     let numbers = surface.point.into_iter().chain(surface.normal).chain(surface.reach).map(number);
     let round = |round: Round| list([number(round.radius), u8::from(round.hollow).to_string()]);
     let round = surface.round.map_or_else(|| "null".to_owned(), round);
@@ -210,6 +223,22 @@ mod tests {
         assert!(kept.len() <= MOST_FRAMES + 3);
         assert!(kept.contains(&0) && kept.contains(&99_999));
         assert!(kept.contains(&33_333) && kept.contains(&33_334));
+    }
+
+    #[test]
+    fn the_case_that_moves_is_shown_and_not_the_one_that_hardly_does() {
+        let case = |name: &str, far: f64| {
+            let pose = |x: f64| Pose { x, ..Pose::default() };
+            let body = MovingBody { poses: vec![pose(0.0), pose(far)], ..MovingBody::default() };
+            MovingCase {
+                name: tumble_drawing::Label::plain(name),
+                bodies: vec![body],
+                ..MovingCase::default()
+            }
+        };
+        let cases = [case("a", 0.1), case("b", 2.0), case("c", 2.0), case("d", f64::NAN)];
+        assert_eq!(telling(&cases).map(|motion| motion.name.to_plain()), Some("b".to_owned()));
+        assert!(telling(&[]).is_none());
     }
 
     #[test]

@@ -9,12 +9,13 @@ use tumble_drawing::svg::escape;
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
 
 /// Scripts in the order in which they run.
-const SCRIPTS: [&str; 5] = [
+const SCRIPTS: [&str; 6] = [
     include_str!("../assets/common.js"),
     include_str!("../assets/plots.js"),
     include_str!("../assets/arrows.js"),
     include_str!("../assets/motion.js"),
     include_str!("../assets/folds.js"),
+    include_str!("../assets/scroll.js"),
 ];
 
 /// Names of the four moves with their anchors.

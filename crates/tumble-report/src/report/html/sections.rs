@@ -1,15 +1,18 @@
 //! The sections of the page, in order.
 
-use super::inline::{block, label, paragraphs, tagged, text};
+use super::inline::{block, label, list, paragraphs, tagged, text};
 use super::page::Page;
-use super::tables::{checks, facts, table, titled_list};
-use crate::report::analyze::{Analyze, BalancePart, Check, RunAnalysis};
-use crate::report::identify::Identify;
+use super::tables::{checks, facts, table, titled};
 use crate::report::math::Block;
-use crate::report::model::{BodyModel, ModeEquations, ModelPart};
+use crate::report::parts::Identify;
+use crate::report::parts::{Analyze, BalancePart, CheckRow, RunAnalysis};
+use crate::report::parts::{BodyModel, ModeEquations, ModelPart};
+use crate::report::parts::{Phase, Solve};
 use crate::report::rows::{bodies, forces, quantities};
-use crate::report::solve::{Phase, Solve};
 use crate::report::table::Table;
+
+/// Pixels: letters in a wider drawing would be too small beside something else.
+const COLUMN: f64 = 700.0;
 
 impl Page {
     /// What is given and what is sought.
@@ -18,7 +21,7 @@ impl Page {
         let numbers =
             [quantities("Parameters", &identify.parameters), quantities("At the start", &identify.initial)];
         let given = [table(&bodies(&identify.bodies)), tagged("div", "beside", &tables(&numbers))].concat();
-        let sought = titled_list("Sought", &identify.sought);
+        let sought = titled("Sought", &list(&identify.sought));
         pair([paragraphs(&identify.intro) + &scene, given + &sought])
     }
 
@@ -27,21 +30,27 @@ impl Page {
         let bodies: String = model.bodies.iter().map(|body| self.body_model(body)).collect();
         let heading = if model.modes.is_empty() { "" } else { "<h3>Equations of motion</h3>\n" };
         let modes = tagged("div", "modes", &model.modes.iter().map(mode).collect::<String>());
-        let assumptions = titled_list("Assumptions", &model.assumptions);
+        let assumptions = titled("Assumptions", &list(&model.assumptions));
         [paragraphs(&model.intro), assumptions, bodies, heading.to_owned(), modes].concat()
     }
 
     fn body_model(&mut self, body: &BodyModel) -> String {
         let diagrams: String = body.diagrams.iter().map(|picture| self.picture(picture)).collect();
-        let forces = table(&forces(&body.forces));
-        let laws = forces + &blocks(&body.laws);
-        tagged("h3", "", &text(&body.name)) + &pair([diagrams, laws])
+        let (forces, laws) = (table(&forces(&body.forces)), blocks(&body.laws));
+        let is_broad = body.diagrams.iter().any(|picture| picture.svg.width > COLUMN);
+        let content = match is_broad {
+            true => diagrams + &pair([forces, laws]),
+            false => pair([diagrams, forces + &laws]),
+        };
+        tagged("h3", "", &text(&body.name)) + &content
     }
 
     /// The solution.
     pub(super) fn solve(&mut self, solve: &Solve) -> String {
         let phases: String = solve.phases.iter().map(phase).collect();
-        [paragraphs(&solve.intro), phases, facts(&solve.method), tables(&solve.tables)].concat()
+        let (how, events) = solve.tables.split_at(solve.tables.len().min(1));
+        let events = tagged("div", "beside", &tables(events));
+        [paragraphs(&solve.intro), phases, facts(&solve.method), tables(how), events].concat()
     }
 
     /// What the solution says.
@@ -51,7 +60,7 @@ impl Page {
         let pictures = self.pictures(&analyze.pictures);
         let comparison = analyze.comparison.as_ref().map(table).unwrap_or_default();
         let cases = self.cases(&analyze.cases);
-        let findings = paragraphs(&analyze.intro) + &titled_list("Findings", &analyze.findings);
+        let findings = titled("Findings", &(paragraphs(&analyze.intro) + &list(&analyze.findings)));
         let checks = titled_checks(&analyze.checks);
         [pair([findings, animation]), plots, pictures, comparison, cases, checks].concat()
     }
@@ -124,7 +133,7 @@ fn tables(tables: &[Table]) -> String {
 }
 
 /// Checks; those that failed are counted in words as well.
-fn titled_checks(all: &[Check]) -> String {
+fn titled_checks(all: &[CheckRow]) -> String {
     let failed = all.iter().filter(|check| !check.passed).count();
     let summary = if failed == 0 {
         String::new()

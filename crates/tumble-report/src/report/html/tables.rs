@@ -1,7 +1,7 @@
 //! Tables as HTML.
 
-use super::inline::{list, tagged, text};
-use crate::report::analyze::Check;
+use super::inline::{tagged, text};
+use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
 use crate::report::table::{Align, Column, Table};
 use tumble_drawing::svg::escape;
@@ -74,7 +74,7 @@ fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool
 }
 
 /// Checks with their results, as signs and words.
-pub(super) fn checks(checks: &[Check]) -> String {
+pub(super) fn checks(checks: &[CheckRow]) -> String {
     let columns = [
         Column::words("Check"),
         Column::words("Expected"),
@@ -82,7 +82,7 @@ pub(super) fn checks(checks: &[Check]) -> String {
         Column::words("Within"),
         Column::words("Result"),
     ];
-    let row = |check: &Check| {
+    let row = |check: &CheckRow| {
         let result = if check.passed {
             "<span class=\"passed\">✓\u{a0}passed</span>"
         } else {
@@ -108,7 +108,7 @@ pub(super) fn facts(facts: &[(Text, Text)]) -> String {
     tagged("dl", "facts", &facts)
 }
 
-/// A list below a heading of its own; nothing for no items.
-pub(super) fn titled_list(title: &str, items: &[Text]) -> String {
-    if items.is_empty() { String::new() } else { format!("<h3>{title}</h3>\n{}", list(items)) }
+/// Content below a heading of its own; nothing for no content.
+pub(super) fn titled(title: &str, content: &str) -> String {
+    if content.is_empty() { String::new() } else { format!("<h3>{title}</h3>\n{content}") }
 }

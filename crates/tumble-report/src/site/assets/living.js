@@ -8,6 +8,8 @@ class Living extends Player {
   constructor(figure, data) {
     super(figure, data);
     this.isStopped = calm.matches;
+    const name = plain(this.motion.name);
+    if (name) make("figcaption", {}, figure).textContent = name;
     this.svg.addEventListener("click", () => (this.isStopped = !this.playing));
     this.button.addEventListener("click", () => (this.isStopped = !this.playing));
     new IntersectionObserver(([{ isIntersecting }]) => this.see(isIntersecting)).observe(figure);

@@ -1,40 +1,36 @@
 //! The runs of a sweep as tables: `runs.csv`, a row a run, and `events.csv`, a row for each event of every run.
 
-use tumble_report::results::{Finished, Happened, is_angle, unit};
 use tumble_scene::{Check, Question, Study, Swept};
 
-use crate::output::{Folder, OutputError, Table};
+use super::{Table, column};
+use crate::results::{Finished, Happened, is_angle, unit};
 
 /// Both tables, while the runs are made.
-pub(crate) struct SweepTables<'f> {
-    runs: Table<'f>,
-    events: Table<'f>,
+#[derive(Debug)]
+pub struct SweepTables<T> {
+    runs: T,
+    events: T,
     /// Places of what is swept among the parameters; `None` is the accuracy.
     swept: Vec<Option<usize>>,
 }
 
-impl<'f> SweepTables<'f> {
-    /// Begins them; `None` where nothing is swept.
-    pub(crate) fn begin(study: &Study, folder: &'f Folder) -> Result<Option<Self>, OutputError> {
-        if study.sweep.is_empty() {
-            return Ok(None);
-        }
-        let mut runs = Table::begin(folder, "runs.csv")?;
+impl<T: Table> SweepTables<T> {
+    /// Begins them, for a study in which something is swept.
+    pub fn begin(study: &Study, mut runs: T, mut events: T) -> Result<Self, T::Error> {
         runs.row(run_columns(study))?;
-        let mut events = Table::begin(folder, "events.csv")?;
         let swept = study.sweep.iter().map(|axis| place(study, &axis.of)).collect();
         let of_event = ["t [s]".to_owned(), "what".to_owned()];
         events.row(which(study).into_iter().chain(of_event))?;
-        Ok(Some(Self { runs, events, swept }))
+        Ok(Self { runs, events, swept })
     }
 
     /// Adds a run; they come in order.
-    pub(crate) fn add(&mut self, run: &Finished) -> Result<(), OutputError> {
+    pub fn add(&mut self, run: &Finished) -> Result<(), T::Error> {
         self.add_run(run)?;
         run.events.iter().try_for_each(|event| self.add_event(run, event))
     }
 
-    fn add_run(&mut self, run: &Finished) -> Result<(), OutputError> {
+    fn add_run(&mut self, run: &Finished) -> Result<(), T::Error> {
         let table = &mut self.runs;
         table.text(&run.folder());
         table.text(&run.label);
@@ -60,7 +56,7 @@ impl<'f> SweepTables<'f> {
         table.end_row()
     }
 
-    fn add_event(&mut self, run: &Finished, event: &Happened) -> Result<(), OutputError> {
+    fn add_event(&mut self, run: &Finished, event: &Happened) -> Result<(), T::Error> {
         let table = &mut self.events;
         table.text(&run.folder());
         for place in &self.swept {
@@ -71,15 +67,14 @@ impl<'f> SweepTables<'f> {
         table.end_row()
     }
 
-    /// Ends both.
-    pub(crate) fn finish(self) -> Result<(), OutputError> {
-        self.runs.finish()?;
-        self.events.finish()
+    /// Both of them, with all rows.
+    pub fn end(self) -> [T; 2] {
+        [self.runs, self.events]
     }
 }
 
 /// Cells of which those are empty that have no number.
-fn numbers<const N: usize>(table: &mut Table<'_>, values: [f64; N]) {
+fn numbers<const N: usize>(table: &mut impl Table, values: [f64; N]) {
     for value in values {
         match value.is_finite() {
             true => table.numbers(&[value]),
@@ -128,9 +123,4 @@ fn run_columns(study: &Study) -> Vec<String> {
     let asked = study.finds.iter().flat_map(find).chain(study.checks.iter().flat_map(check));
     let ends = std::iter::once("end [s]".to_owned()).chain(end);
     first.into_iter().chain(parameters).chain(asked).chain(ends).chain(last).collect()
-}
-
-/// The header of a column; a pure number is in units of 1.
-pub(crate) fn column(name: &str, unit: &str) -> String {
-    format!("{name} [{}]", if unit.is_empty() { "1" } else { unit })
 }

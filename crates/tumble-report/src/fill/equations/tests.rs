@@ -1,0 +1,81 @@
+//! Printed equations are those that were integrated.
+
+use super::*;
+use crate::scenes::{motions_in, motions_of};
+use tumble_expr::Dimension;
+use tumble_ode::Side;
+
+/// Rounding of formulas in another order of operations.
+const ROUNDING: f64 = 1e-9;
+
+/// Two contacts that last.
+const LADDER: &str = r#"version = 1
+    world.gravity = "9.81 m/s^2"
+    run.until = "1 s"
+    [body.ladder]
+    rod = { from = [0, "2 m"], to = [0, "-2 m"] }
+    mass = "12 kg"
+    start = { at = ["1 m", "sqrt(3)*(1 m)"], angle = "30 deg" }
+    [surface.floor]
+    through = [0, 0]
+    rigid = { restitution = 0 }
+    [surface.wall]
+    through = [0, 0]
+    normal = [1, 0]
+    rigid = { restitution = 0 }
+"#;
+
+/// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
+#[test]
+fn printed_equations_are_those_that_were_integrated() {
+    let scenes = crate::scenes::all();
+    let mut compared = 0;
+    let ladder = motions_in("ladder", LADDER.as_bytes(), &tumble_scene::NoFiles);
+    for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder, crate::scenes::laws()]) {
+        let case = &cases[0];
+        let study = study.with(&case.parameters);
+        let names = Names::of(&study).expect("names");
+        for mode in 0..case.run.trajectory().modes.len().min(MOST_MODES) {
+            for motion in motions(&study, &names, case, &case.run.trajectory().modes[mode]) {
+                compared += compare(case, mode, &motion);
+            }
+        }
+    }
+    assert!(compared > 20, "{compared}");
+}
+
+fn compare(case: &Case, mode: usize, motion: &Motion) -> usize {
+    let trajectory = &case.run.trajectory();
+    let shown = motion.shown().expect("it can be shown");
+    let pieces: Vec<_> = trajectory.pieces.iter().filter(|piece| piece.mode == mode).take(20).collect();
+    let seats = seats_of(case, mode, pieces.first().copied());
+    let mut compared = 0;
+    for (line, Line { left, is, .. }) in shown.lines.iter().zip(&motion.lines) {
+        let right = case.run.equations.in_states(&trajectory.modes[mode], is);
+        let integrated = left.factor.as_ref().map_or_else(|| right.clone(), |factor| factor * &right);
+        // Places of joints are states of this mode alone.
+        let both = [&line.formula, &integrated].map(|formula| seats.apply(formula));
+        let mut both = case.run.observe(&both).expect("formulas of the states");
+        for piece in &pieces {
+            let middle = 0.5 * (piece.start + piece.end);
+            let values = both.at(middle, Side::After).expect("within the run");
+            let scale = values[1].abs().max(1e-3);
+            assert!((values[0] - values[1]).abs() <= ROUNDING * scale, "{values:?}: {}", shown.text());
+            compared += 1;
+        }
+    }
+    compared
+}
+
+/// The numbers that the places of joints are in a mode.
+fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Substitution {
+    let symbols = case.run.equations.states(&case.run.trajectory().modes[mode]);
+    let values = piece.map(|piece| piece.states_at(piece.end)).unwrap_or_default();
+    let mut seats = Substitution::default();
+    let places = symbols
+        .into_iter()
+        .zip(values)
+        .filter(|(symbol, _)| symbol.dimension == Dimension::LENGTH && symbol.name.contains(".seat_"));
+    places.for_each(|(symbol, value)| seats.insert(symbol, value * tumble_expr::units::M));
+    seats
+}

@@ -1,0 +1,103 @@
+//! What laws say is what is integrated.
+
+use super::*;
+use crate::scenes::motions_of;
+use tumble_expr::{Expr, Substitution, language::Value};
+use tumble_mech::Mode;
+
+/// Integrals of the board are summed over this many pieces by Simpson's rule, those of the program by its own: where the wind on
+/// a line changes its sign, the first is off by about the cube of a piece.
+const PIECES: u32 = 200;
+const QUADRATURE: f64 = 1e-6;
+/// States that are tried for each law.
+const STATES: usize = 8;
+
+/// Numbers between -1 and 1 in no order.
+fn number(state: usize, index: usize) -> f64 {
+    let turned = (state as f64 + 1.0) * 0.618_033_988_749_895 + (index as f64 + 1.0) * 0.754_877_666_246_693;
+    2.0 * (turned * 7.0).fract() - 1.0
+}
+
+/// Force and torque of a load, and the same as the board says them.
+fn both(terms: &[&Term], stated: &Statement) -> Option<Vec<(Expr, Expr)>> {
+    let sum = |part: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + part(term));
+    let mut found = vec![];
+    let force = match &stated.force {
+        Some(force) => match force.value(PIECES)? {
+            Value::Vector(force) => Some(force),
+            Value::Scalar(_) => return None,
+        },
+        None => None,
+    };
+    if let Some(force) = &force {
+        found.push((force.x().clone(), sum(&|term| term.force.x().clone())));
+        found.push((force.y().clone(), sum(&|term| term.force.y().clone())));
+    }
+    let torque = match (&stated.torque, force) {
+        (Some(torque), _) => match torque.value(PIECES)? {
+            Value::Scalar(torque) => torque,
+            Value::Vector(_) => return None,
+        },
+        (None, force) => terms[0].arm.cross_planar(&force?),
+    };
+    found.push((torque, sum(&Term::torque)));
+    Some(found)
+}
+
+/// In every scene and mode, what each law says has the value of the terms that are integrated, at states of all kinds.
+#[test]
+fn what_laws_say_is_what_is_integrated() {
+    let mut compared = 0;
+    for (study, cases) in crate::scenes::all().map(|scene| motions_of(&scene)).chain([crate::scenes::laws()])
+    {
+        for case in &cases {
+            let study = study.with(&case.parameters);
+            for mode in &case.run.trajectory().modes {
+                compared += compare(&study, case, mode);
+            }
+        }
+    }
+    assert!(compared > 500, "{compared}");
+}
+
+fn compare(study: &Study, case: &Case, mode: &Mode) -> usize {
+    let equations = &case.run.equations;
+    let terms = equations.shown_terms(mode);
+    let mut compared = 0;
+    for stated in equations.shown_statements(mode) {
+        let own: Vec<&Term> =
+            terms.iter().filter(|term| term.body == stated.body && term.load == stated.load).collect();
+        let pairs = both(&own, &stated).expect("vectors and numbers where they belong");
+        for state in 0..STATES {
+            let mut here = Substitution::default();
+            for (index, symbol) in equations.states(mode).into_iter().enumerate() {
+                here.insert(symbol.clone(), number(state, index) * one(&symbol));
+            }
+            here.insert(
+                Symbol::new("t", tumble_expr::Dimension::TIME),
+                (1.0 + number(state, 99)) * tumble_expr::units::S,
+            );
+            for (said, integrated) in &pairs {
+                let values =
+                    [said, integrated].map(|formula| here.apply(&equations.in_states(mode, formula)));
+                let values = study.model.parameters.evaluate(&values).expect("numbers");
+                // The ways between many bodies may be parallel at such a state: then the rows of their contacts depend on each
+                // other, and what keeps them has no value, said or integrated.
+                if values.iter().all(|value| value.is_nan()) && !study.model.contacts.is_empty() {
+                    continue;
+                }
+                let scale = values[1].abs().max(1e-3);
+                assert!((values[0] - values[1]).abs() <= QUADRATURE * scale, "{}: {values:?}", stated.load);
+                compared += 1;
+            }
+        }
+    }
+    compared
+}
+
+/// One of its unit.
+fn one(symbol: &Symbol) -> Expr {
+    use tumble_expr::units::{M, S};
+    let units = [1.0 * M, 1.0 * M / S, 1.0 / S];
+    units.into_iter().find(|unit| unit.dimension() == Ok(symbol.dimension)).unwrap_or_else(Expr::one)
+}

@@ -1,0 +1,132 @@
+//! Tables of runs, cell by cell: what takes the cells decides where they go.
+//!
+//! A run has `trajectory.csv`, `events.csv` and `balance.csv` in its folder, a sweep `runs.csv` and `events.csv` beside them.
+
+use std::borrow::Cow;
+
+use tumble_scene::Study;
+
+use crate::results::{Case, CaseError, Finished, folder};
+
+mod run;
+mod sweep;
+
+pub use run::{balance, events, trajectory};
+pub use sweep::SweepTables;
+
+/// The tables of a run.
+pub const OF_RUN: [&str; 3] = [TRAJECTORY, EVENTS, BALANCE];
+/// The motion.
+pub const TRAJECTORY: &str = "trajectory.csv";
+/// What happened, of a run or of all runs of a sweep.
+pub const EVENTS: &str = "events.csv";
+/// Energies and works.
+pub const BALANCE: &str = "balance.csv";
+/// The runs of a sweep.
+pub const RUNS: &str = "runs.csv";
+
+/// What a cell of text is put in quotes for: a reader would take it for the end of the cell, or of the row.
+const SPECIAL: [char; 4] = [',', '"', '\n', '\r'];
+
+/// What takes the cells of a table, row by row.
+pub trait Table {
+    /// Why it cannot.
+    type Error: From<CaseError>;
+
+    /// Takes a cell of the row at hand.
+    fn text(&mut self, cell: &str);
+
+    /// Takes cells of the row at hand.
+    fn numbers(&mut self, values: &[f64]);
+
+    /// Ends the row at hand.
+    fn end_row(&mut self) -> Result<(), Self::Error>;
+
+    /// Takes a row of text.
+    fn row(&mut self, cells: impl IntoIterator<Item = String>) -> Result<(), Self::Error> {
+        cells.into_iter().for_each(|cell| self.text(&cell));
+        self.end_row()
+    }
+}
+
+/// A cell of text as CSV has it (RFC 4180).
+pub fn quoted(cell: &str) -> Cow<'_, str> {
+    match cell.contains(SPECIAL) {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")).into(),
+        false => cell.into(),
+    }
+}
+
+/// The header of a column; a pure number is in units of 1.
+fn column(name: &str, unit: &str) -> String {
+    format!("{name} [{}]", if unit.is_empty() { "1" } else { unit })
+}
+
+/// A table that is held: rows end in a line feed, and numbers are the shortest decimals that read back as the same.
+#[derive(Default)]
+struct Held {
+    text: String,
+    digits: zmij::Buffer,
+}
+
+impl Table for Held {
+    type Error = CaseError;
+
+    fn text(&mut self, cell: &str) {
+        self.text.push_str(&quoted(cell));
+        self.text.push(',');
+    }
+
+    fn numbers(&mut self, values: &[f64]) {
+        for value in values {
+            self.text.push_str(self.digits.format(*value));
+            self.text.push(',');
+        }
+    }
+
+    fn end_row(&mut self) -> Result<(), CaseError> {
+        self.text.pop();
+        self.text.push('\n');
+        Ok(())
+    }
+}
+
+/// All tables of these runs, each behind its path.
+pub fn all(study: &Study, cases: &[Case]) -> Result<Vec<(String, String)>, CaseError> {
+    let mut tables = vec![];
+    for case in cases {
+        let mut held = [Held::default(), Held::default(), Held::default()];
+        let [motion, happened, energies] = &mut held;
+        trajectory(study, case, motion)?;
+        events(case, happened)?;
+        case.balance.iter().try_for_each(|of_case| balance(of_case, energies))?;
+        let paths = OF_RUN.map(|name| format!("{}/{name}", folder(case.number)));
+        tables
+            .extend(paths.into_iter().zip(held.map(|table| table.text)).filter(|(_, text)| !text.is_empty()));
+    }
+    if !study.sweep.is_empty() {
+        tables.extend(of_sweep(study, cases)?);
+    }
+    Ok(tables)
+}
+
+fn of_sweep(study: &Study, cases: &[Case]) -> Result<[(String, String); 2], CaseError> {
+    let mut sweep = SweepTables::begin(study, Held::default(), Held::default())?;
+    cases.iter().try_for_each(|case| sweep.add(&Finished::of(case)))?;
+    let [runs, events] = sweep.end();
+    Ok([(RUNS.to_owned(), runs.text), (EVENTS.to_owned(), events.text)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_quoted_where_a_reader_would_be_misled() {
+        let mut table = Held::default();
+        table.text("a, \"b\"\n");
+        table.numbers(&[0.1 + 0.2, 1e300, f64::NAN]);
+        let _ = table.end_row();
+        assert_eq!(table.text, "\"a, \"\"b\"\"\n\",0.30000000000000004,1e+300,NaN\n");
+    }
+}

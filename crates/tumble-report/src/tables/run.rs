@@ -1,0 +1,61 @@
+//! The tables of one run.
+
+use tumble_expr::Expr;
+use tumble_scene::Study;
+
+use super::{Table, column};
+use crate::results::{Case, CaseBalance, CaseError, is_angle, sample, unit};
+
+/// A row a time: every quantity that the scene shows.
+pub fn trajectory<T: Table>(study: &Study, case: &Case, table: &mut T) -> Result<(), T::Error> {
+    let study = &study.with(&case.parameters);
+    // The time is the first column.
+    let shown = || study.quantities.iter().filter(|(name, _)| *name != "t");
+    let formulas: Vec<Expr> = shown().map(|(_, quantity)| quantity.formula.clone()).collect();
+    let header = shown().map(|(name, quantity)| column(name, &quantity.unit));
+    let first = ["t [s]".to_owned(), "phase".to_owned()];
+    table.row(first.into_iter().chain(header))?;
+    for row in sample(study, &case.run, &formulas)? {
+        table.numbers(&[row.time]);
+        table.text(&row.phase.to_string());
+        table.numbers(&row.values);
+        table.end_row()?;
+    }
+    Ok(())
+}
+
+/// A row an event: what happened, and every state just before and just after.
+pub fn events<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
+    let run = &case.run;
+    // What some modes have beyond the states of the bodies is the integrator's own.
+    let states = run.equations.states(&run.equations.idle_mode());
+    let columns = ["before", "after"].into_iter().flat_map(|side| {
+        states
+            .iter()
+            .map(move |state| format!("{side} {} [{}]", state.name, unit(state.dimension, is_angle(state))))
+    });
+    let first = ["t [s]".to_owned(), "what".to_owned()];
+    table.row(first.into_iter().chain(columns))?;
+    let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
+    let mut observer = run.observe(&formulas).map_err(CaseError::from)?;
+    for (index, event) in run.events().enumerate() {
+        table.numbers(&[event.time]);
+        table.text(&run.equations.names_of(&event.record).join(", "));
+        for values in observer.at_event(index).into_iter().flatten() {
+            table.numbers(&values);
+        }
+        table.end_row()?;
+    }
+    Ok(())
+}
+
+/// A row a time: energies, and works up to it.
+pub fn balance<T: Table>(balance: &CaseBalance, table: &mut T) -> Result<(), T::Error> {
+    let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
+    table.row(balance.columns.iter().map(units))?;
+    for row in &balance.rows {
+        table.numbers(row);
+        table.end_row()?;
+    }
+    Ok(())
+}
