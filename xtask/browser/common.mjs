@@ -63,16 +63,20 @@ export const forget = () => told.clear();
 /** Numbers as the page shows them. */
 export const numbers = async (page) => (await page.textContent("#play .told")).trim();
 
+/** Milliseconds after which a run that has not ended never does. */
+const LONGEST = 120_000;
+
 /** Does something, and waits until the run that comes of it is over: how it ended. */
 export async function after(page, act) {
-  await page.evaluate(() => {
+  await page.evaluate((longest) => {
     globalThis.settled = new Promise((resolve) => {
+      setTimeout(() => resolve("nothing"), longest);
       lab.hear = (kind, value) => {
         Object.getPrototypeOf(lab).hear.call(lab, kind, value);
         if (["done", "mistakes", "refused", "broken", "stopped"].includes(kind)) resolve(kind);
       };
     });
-  });
+  }, LONGEST);
   await act();
   return page.evaluate(() => globalThis.settled);
 }
