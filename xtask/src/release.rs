@@ -23,9 +23,14 @@ const FONTS: &str = "typst-assets";
 
 /// Every crate, packaged and built from its package.
 pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
-    forget_unpacked(&cargo_home()?.join("registry/src"))?;
+    let folder = workspace.scratch("packages")?;
+    forget(&folder.join("debug/.fingerprint"))?;
+    // Registries in folders, as the one is that cargo packages into, have no host in their names.
+    for registry in named(&cargo_home()?.join("registry/src"), "-")? {
+        forget(&registry)?;
+    }
     let arguments = ["package", "--workspace", "--exclude", "xtask", "--locked", "--allow-dirty"];
-    workspace.cargo(arguments).run()
+    workspace.cargo(arguments).arg("--target-dir").arg(&folder).run()
 }
 
 fn cargo_home() -> Result<PathBuf> {
@@ -33,19 +38,20 @@ fn cargo_home() -> Result<PathBuf> {
     own.or_else(|| Some(env::home_dir()?.join(".cargo"))).context("no home of cargo")
 }
 
-/// Removes what cargo unpacked of our crates when it packaged them before: it takes a package of the same version for the same, and
-/// would build the crates above against the older one. Registries in folders, as the one is that cargo packages into, have no host in
-/// their names.
-fn forget_unpacked(registries: &Path) -> Result<()> {
-    let named = |path: &Path, begin: &str| {
-        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(begin))
-    };
-    for registry in entries(registries)?.iter().filter(|path| named(path, "-")) {
-        for package in entries(registry)?.iter().filter(|path| named(path, "tumble")) {
-            fs::remove_dir_all(package).with_context(|| format!("cannot remove {}", package.display()))?;
-        }
+/// Removes what a folder has of our crates from when they were packaged before, unpacked or built: cargo takes a package of the same
+/// version for the same, and would build the crates above against the older one.
+fn forget(folder: &Path) -> Result<()> {
+    for package in named(folder, "tumble")? {
+        fs::remove_dir_all(&package).with_context(|| format!("cannot remove {}", package.display()))?;
     }
     Ok(())
+}
+
+/// What stands in a folder with a name that begins so.
+fn named(folder: &Path, begin: &str) -> Result<Vec<PathBuf>> {
+    let begins =
+        |path: &PathBuf| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(begin));
+    Ok(entries(folder)?.into_iter().filter(begins).collect())
 }
 
 /// What stands in a folder; nothing where there is none.
