@@ -145,7 +145,7 @@ impl<A: Algebra> Linking<'_, A> {
         let own = self.part(Part::Response(RowOf::Pair(pair), RowOf::Pair(pair))).remove(0);
         let most = self.formula(&Expr::from(1.0 - WEDGED));
         let own = self.algebra.binary(Binary::Mul, most, own);
-        self.with_friction(own, RowOf::Pair(pair), |slip| Part::Response(RowOf::Pair(pair), slip))
+        self.with_friction(own, RowOf::Pair(pair), None, |slip| Part::Response(RowOf::Pair(pair), slip))
     }
 
     /// The same where others hold its bodies too.

@@ -147,7 +147,6 @@ impl<A: Algebra> Linking<'_, A> {
         lights: &[usize],
         smooth: Option<usize>,
     ) -> Vec<Vec<(usize, A::Value)>> {
-        let is_smooth = |row: RowOf| smooth.is_some_and(|pair| row == RowOf::Pair(pair));
         // Bodies have few neighbours: all other entries are zero.
         let mut on_body: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
         for (index, (_, bodies)) in rows.iter().enumerate() {
@@ -158,11 +157,9 @@ impl<A: Algebra> Linking<'_, A> {
             let others: BTreeSet<usize> = bodies.iter().flat_map(|body| &on_body[body]).copied().collect();
             for j in others.into_iter().filter(|j| *j >= i) {
                 let entry = self.part(Part::Response(*row, rows[j].0)).remove(0);
-                let [below, above] =
-                    [(rows[j].0, *row), (*row, rows[j].0)].map(|(of, by)| match is_smooth(by) {
-                        true => entry.clone(),
-                        false => self.with_friction(entry.clone(), by, |slip| Part::Response(of, slip)),
-                    });
+                let [below, above] = [(rows[j].0, *row), (*row, rows[j].0)].map(|(of, by)| {
+                    self.with_friction(entry.clone(), by, smooth, |slip| Part::Response(of, slip))
+                });
                 matrix[j].insert(i, below);
                 matrix[i].insert(j, above);
             }
@@ -172,19 +169,26 @@ impl<A: Algebra> Linking<'_, A> {
                 let row = rows[index].0;
                 let entry = self.part(Part::Torque(row, *body)).remove(0);
                 matrix[index].insert(place, entry.clone());
-                let pushed = match is_smooth(row) {
-                    true => entry,
-                    false => self.with_friction(entry, row, |slip| Part::Torque(slip, *body)),
-                };
+                let pushed = self.with_friction(entry, row, smooth, |slip| Part::Torque(slip, *body));
                 matrix[place].insert(index, pushed);
             }
         }
         matrix.into_iter().map(|row| row.into_iter().collect()).collect()
     }
 
-    /// What a unit of a row's multiplier does, the friction that comes with it included; `of` is the part for friction alone.
-    pub(super) fn with_friction(&mut self, own: A::Value, by: RowOf, of: impl Fn(RowOf) -> Part) -> A::Value {
+    /// What a unit of a row's multiplier does, the friction that comes with it included but for that of a pair that is to be smooth;
+    /// `of` is the part for friction alone.
+    pub(super) fn with_friction(
+        &mut self,
+        own: A::Value,
+        by: RowOf,
+        smooth: Option<usize>,
+        of: impl Fn(RowOf) -> Part,
+    ) -> A::Value {
         let RowOf::Pair(pair) = by else { return own };
+        if smooth == Some(pair) {
+            return own;
+        }
         let pairs = self.equations.pair_list();
         pairs.rubbing(pair).fold(own, |sum, rubbing| {
             let Some(tie) = self.tie(rubbing) else { return sum };
