@@ -5,9 +5,7 @@ mod common;
 use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{
-    Anchor, Body, Change, Friction, Gravity, Happening, Joint, Model, Run, Shape, Start, Surface, time,
-};
+use tumble_mech::{Body, Change, Friction, Gravity, Happening, Model, Run, Shape, Start, Surface, time};
 
 const G: f64 = 9.81;
 
@@ -298,87 +296,6 @@ fn a_ladder_stands_or_slips() {
                 false => assert!(turned < -1e-8, "mu {mu}: {turned}"),
             }
         }
-    }
-}
-
-/// A rod that slips so that friction takes all that a push would move has no motion: it is refused by that name, with the coefficient
-/// from which on it does, `(4 + tan^2)/(3 tan)`.
-#[test]
-fn painleve_s_configuration_is_refused() {
-    let pushed = |tan: f64, mu: f64, speed: f64| {
-        let mut model = leaning(tan.atan(), Friction::new(Expr::from(mu)));
-        let start = model.starts[0].1.clone().velocity([speed * M / S, 0 * M / S]);
-        model.starts[0].1 = start;
-        let accuracy = tumble_ode::Accuracy::new(1e-12).expect("an accuracy");
-        model.simulate_to(&[], 1 * S, accuracy).map(|run| run.end()).map_err(|error| error.to_string())
-    };
-    for tan in [1.5_f64, 2.0, 2.5] {
-        let least = (4.0 + tan * tan) / (3.0 * tan);
-        let refused = pushed(tan, least * (1.0 + 1e-5), -1.0).expect_err("it is wedged");
-        assert!(refused.contains("Painleve"), "{refused}");
-        let from = refused.split("from ").nth(1).and_then(|rest| rest.split(' ').next());
-        close(from.and_then(|number| number.parse().ok()).expect("a coefficient"), least, 1e-14);
-        pushed(tan, least * (1.0 + 1e-5), 1.0).expect("slipping the other way");
-        let below = pushed(tan, least * (1.0 - 1e-5), -1.0);
-        println!("{below:?}");
-        assert!(below.is_ok_and(|end| end == Some(1.0)));
-    }
-}
-
-/// The same rod of two halves that a weld holds together: what a push moves is then what the joint lets it.
-#[test]
-fn painleve_s_configuration_is_refused_among_joints() {
-    let (tan, end) = (2.0_f64, 0.001);
-    let least = (4.0 + tan * tan) / (3.0 * tan);
-    let pushed = |mu: f64, speed: f64| {
-        let half = |name: &str, from: f64| {
-            Body::rod(name, [from * M, 0 * M], [(from + 0.5) * M, 0 * M])
-                .mass(0.5 * KG)
-                .with_point("middle", [0 * M, 0 * M])
-        };
-        let [lower, upper] = [half("lower", -0.5), half("upper", 0.0)];
-        let ends = [&lower, &upper].map(|body| Anchor::Material(body.named_point("middle").expect("given")));
-        let start = |distance: f64| {
-            let at = [distance * tan.atan().cos() * M, distance * tan.atan().sin() * M];
-            Start::default().at(at).angle(Expr::from(tan.atan())).velocity([speed * M / S, 0 * M / S])
-        };
-        let mut model = on_slope(lower, start(0.25), 0.0, 0.0, Friction::new(Expr::from(mu)));
-        model.starts.push((upper.name.clone(), start(0.75)));
-        model.add(upper);
-        model.join(Joint::weld("middle", ends));
-        let accuracy = tumble_ode::Accuracy::new(1e-12).expect("an accuracy");
-        model.simulate_to(&[], end * S, accuracy).map(|run| run.end()).map_err(|error| error.to_string())
-    };
-    let refused = pushed(least * (1.0 + 1e-5), -1.0).expect_err("it is wedged");
-    assert!(refused.contains("Painleve"), "{refused}");
-    let from = refused.split("from ").nth(1).and_then(|rest| rest.split(' ').next());
-    close(from.and_then(|number| number.parse().ok()).expect("a coefficient"), least, 1e-10);
-    assert_eq!(pushed(least * (1.0 + 1e-5), 1.0), Ok(Some(end)), "slipping the other way");
-    assert_eq!(pushed(least * (1.0 - 1e-3), -1.0), Ok(Some(end)));
-}
-
-/// A rod between a rough floor and a smooth ceiling, which its turning presses it against: `N = m g/(2 - mu tan)`, and from `mu = 2/tan` on
-/// it is jammed.
-#[test]
-fn painleve_s_configuration_is_refused_among_contacts() {
-    let tan = 2.0_f64;
-    let angle = tan.atan();
-    let pushed = |mu: f64| {
-        let mut model = leaning(angle, Friction::new(Expr::from(mu)));
-        model.starts[0].1 = model.starts[0].1.clone().velocity([-1 * M / S, 0 * M / S]);
-        let through = [0 * M, angle.sin() * M];
-        model.surface(Surface::new("ceiling", through, [Expr::from(0), Expr::from(-1)], rigid(0.0)));
-        let accuracy = tumble_ode::Accuracy::new(1e-12).expect("an accuracy");
-        model.simulate_to(&[], 0.001 * S, accuracy)
-    };
-    let run = pushed(0.9).expect("it slips");
-    let normal = run.equations.pairs()[0].force_symbol().clone();
-    close(at(&run, 0.0, [normal.into()])[0], G / (2.0 - 0.9 * tan), 1e-9);
-    for mu in [1.0 + 1e-5, 1.2] {
-        let refused = pushed(mu).expect_err("it is wedged").to_string();
-        assert!(refused.contains("Painleve"), "{refused}");
-        let from = refused.split("from ").nth(1).and_then(|rest| rest.split(' ').next());
-        close(from.and_then(|number| number.parse().ok()).expect("a coefficient"), 2.0 / tan, 1e-10);
     }
 }
 

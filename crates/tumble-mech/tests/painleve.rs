@@ -1,12 +1,13 @@
-//! Painleve's configuration where others hold the body too: refused by its name, with the coefficient from which on no force holds it up,
+//! Painleve's configuration, of a rod alone and where others hold it too: refused by its name, with the coefficient from which on no force holds it up,
 //! against closed forms.
 
 mod common;
 
-use common::{close, rigid};
+use common::{at, close, rigid};
 use tumble_expr::Expr;
+use tumble_expr::Vector;
 use tumble_expr::units::{KG, M, S};
-use tumble_mech::{Body, Friction, Gravity, Model, Start, Surface};
+use tumble_mech::{Anchor, Body, Friction, Gravity, Joint, Model, Shape, Start, Surface};
 
 const G: f64 = 9.81;
 
@@ -33,6 +34,11 @@ fn comes_to(model: Model) -> Result<Option<f64>, String> {
     model.simulate_to(&[], 0.1 * S, accuracy).map(|run| run.end()).map_err(|error| error.to_string())
 }
 
+/// From which coefficient on a rod that nothing else holds is refused: `(4 + tan^2)/(3 tan)`.
+fn alone(tan: f64) -> f64 {
+    (4.0 + tan * tan) / (3.0 * tan)
+}
+
 /// Refused just above this coefficient, which it names; not just below, nor the other way round.
 fn check(least: f64, of: impl Fn(f64, f64) -> Model) {
     let refused = comes_to(of(least * (1.0 + 1e-5), -1.0)).expect_err("it is wedged");
@@ -49,7 +55,7 @@ fn check(least: f64, of: impl Fn(f64, f64) -> Model) {
 #[test]
 fn between_a_floor_and_a_wall() {
     for tan in [1.1_f64, 1.3, 2.0] {
-        let (with, without) = (2.0 * (1.0 + tan * tan) / (3.0 * tan), (4.0 + tan * tan) / (3.0 * tan));
+        let (with, without) = (2.0 * (1.0 + tan * tan) / (3.0 * tan), alone(tan));
         check(with.min(without), |mu, speed| {
             let mut model = world();
             let (sin, cos) = tan.atan().sin_cos();
@@ -63,4 +69,70 @@ fn between_a_floor_and_a_wall() {
             model
         });
     }
+}
+
+#[test]
+fn of_a_rod_alone() {
+    for tan in [1.5_f64, 2.0, 2.5] {
+        check(alone(tan), |mu, speed| {
+            let mut model = world();
+            add(&mut model, tan, [speed, 0.0, 0.0]);
+            floor(&mut model, mu);
+            model
+        });
+    }
+}
+
+/// The same rod of two halves that a weld holds together: what a push moves is then what the joint lets it.
+#[test]
+fn of_two_halves_with_a_weld() {
+    let tan = 2.0_f64;
+    check(alone(tan), |mu, speed| {
+        let mut model = world();
+        let (sin, cos) = tan.atan().sin_cos();
+        let ends = [("lower", 0.25, 0.5), ("upper", 0.75, 0.0)].map(|(name, place, middle)| {
+            let start = Start::default().at([place * cos * M, place * sin * M]).angle(Expr::from(tan.atan()));
+            model.starts.push((name.into(), start.velocity([speed * M / S, 0 * M / S])));
+            let half = Body::rod(name, [0 * M, 0 * M], [0.5 * M, 0 * M]).mass(0.5 * KG);
+            let half = model.add(half.with_point("middle", [middle * M, 0 * M]));
+            Anchor::Material(half.named_point("middle").expect("given"))
+        });
+        model.join(Joint::weld("middle", ends));
+        floor(&mut model, mu);
+        model
+    });
+}
+
+/// A rod under a smooth ceiling, against which its turning presses it: `N = m g/(2 - mu tan)`, and from `mu = 2/tan` on it is jammed,
+/// if it would not be without the ceiling before.
+#[test]
+fn between_a_floor_and_a_ceiling() {
+    for tan in [1.2_f64, 2.0, 3.0] {
+        let pushed = |mu: f64, speed: f64| {
+            let mut model = world();
+            add(&mut model, tan, [speed, 0.0, 0.0]);
+            floor(&mut model, mu);
+            let through = [0 * M, tan.atan().sin() * M];
+            model.surface(Surface::new("ceiling", through, [Expr::zero(), -1 * Expr::one()], rigid(0.0)));
+            model
+        };
+        check(alone(tan).min(2.0 / tan), pushed);
+        let mu = 1.8 / tan;
+        let run = pushed(mu, -1.0).simulate(&[], 0.001 * S).expect("it slips");
+        let normal = run.equations.pairs()[0].force_symbol();
+        close(at(&run, 0.0, [normal.into()])[0], G / (2.0 - mu * tan), 1e-9);
+    }
+}
+
+/// Where no push moves a body away it is no paradox: what presses it there is not determined.
+#[test]
+fn a_wheel_whose_axle_is_as_high_as_its_radius_is_refused_for_what_it_is() {
+    let mut model = world();
+    let centre = Vector::planar(0 * M, 0 * M);
+    let wheel = model.add(Body::of_shape("wheel", Shape::Disk { centre, radius: 0.1 * M }).mass(2 * KG));
+    model.pivot_at("axle", &wheel, [0 * M, 0 * M], [0 * M, 0.1 * M]);
+    model.starts.push(("wheel".into(), Start::default().omega(10 / S)));
+    floor(&mut model, 0.3);
+    let refused = comes_to(model).expect_err("it is not determined");
+    assert!(refused.contains("not determined") && !refused.contains("NaN"), "{refused}");
 }

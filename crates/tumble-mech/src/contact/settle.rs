@@ -2,6 +2,7 @@
 
 mod corners;
 mod rubbing;
+mod wedged;
 
 use std::collections::BTreeSet;
 

@@ -100,8 +100,8 @@ fn met(draft: &mut Draft, field: &Field) -> Option<String> {
     }
     let help = suggest::name(&name, "bodies and surfaces", known().map(String::as_str));
     let mistake =
-        Diagnostic::new(Code::UnknownBody, field.span.clone(), format!("there is no body \"{name}\""));
-    draft.note(mistake.label("unknown body").help(help));
+        Diagnostic::new(Code::UnknownBody, field.span.clone(), format!("there is no body or surface \"{name}\""));
+    draft.note(mistake.label("unknown name").help(help));
     None
 }
 

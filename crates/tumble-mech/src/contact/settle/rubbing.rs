@@ -10,7 +10,6 @@ use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Alike, Pair};
 use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::routh::{Refused, Strike};
-use crate::contact::slip::WEDGED;
 use crate::contact::touch::stacked_column;
 use crate::contact::watched::Watched;
 use crate::friction::Restitution;
@@ -87,7 +86,7 @@ impl Settling<'_> {
     }
 
     /// Index of what a row along a surface is of among all pairs.
-    fn slipping(&self, row: usize) -> usize {
+    pub(super) fn slipping(&self, row: usize) -> usize {
         self.touch.slips.pairs[row - self.touch.pairs.len()]
     }
 
@@ -281,80 +280,6 @@ impl Settling<'_> {
         changes.then_some(forced)
     }
 
-    /// Refuses what slips so that friction takes all that a push would move (Painleve).
-    fn refuse_wedged(&self, patches: &[Patch], touched: &Touched, jump: &Jump<Mode>) -> Result<(), Reason> {
-        let slipping = patches.iter().filter_map(|patch| Some((patch, patch.slips?)));
-        let alone = slipping.filter(|(patch, _)| patch.contacts.len() == 1);
-        for (patch, way) in alone {
-            let (position, row) = patch.contacts[0];
-            let response = &self.touch.response;
-            let (own, by) = (response[(position, position)], response[(position, row)]);
-            let left = own - f64::from(way.sign()) * patch.friction[1] * by;
-            if left <= WEDGED * own || touched.wedged.contains(&self.touch.pairs[position]) {
-                return Err(self.wedged(position, [patch.friction[1], own / by.abs()], jump));
-            }
-        }
-        Ok(())
-    }
-
-    /// The same where others hold its bodies too: of what was found, or, where nothing was, of what slips while all others hold.
-    fn refuse_wedged_among(
-        &self,
-        some: &[usize],
-        patches: &[Patch],
-        found: Option<&Pushes>,
-        touched: &Touched,
-        jump: &Jump<Mode>,
-    ) -> Result<(), Reason> {
-        let guess = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
-        let grips: Vec<Grip> =
-            found.map_or_else(|| patches.iter().map(guess).collect(), |found| found.grips.clone());
-        let held = found.map_or(some, |found| &found.held);
-        for (index, (patch, grip)) in patches.iter().zip(&grips).enumerate() {
-            let (position, row) = patch.contacts[0];
-            let is_one = patch.contacts.len() == 1 && held.len() > 1 && held.contains(&position);
-            let own = &self.equations.pairs()[self.slipping(row)];
-            if !(is_one && matches!(grip, Grip::Slides(_))) || own.is_rolling() || own.is_central() {
-                continue;
-            }
-            let mut smooth = patches.to_vec();
-            smooth[index].friction = [0.0; 2];
-            let left = |patches: &[Patch]| self.yielding(held, position, patches, &grips);
-            let Some((own, left)) = left(&smooth).zip(left(patches)) else { continue };
-            if left <= WEDGED * own || touched.wedged.contains(&self.touch.pairs[position]) {
-                let kinetic = patch.friction[1];
-                return Err(self.wedged(position, [kinetic, kinetic * own / (own - left)], jump));
-            }
-        }
-        Ok(())
-    }
-
-    /// How much a push at one of some contacts moves it while the others hold, 1/kg.
-    fn yielding(&self, held: &[usize], position: usize, patches: &[Patch], grips: &[Grip]) -> Option<f64> {
-        let across = self.rough(held, patches, self.accelerations()).across(grips)?;
-        let place = held.iter().position(|known| *known == position)?;
-        let mut unit = DVector::zeros(held.len());
-        unit[place] = 1.0;
-        across.lu().solve(&unit).map(|push| 1.0 / push[place])
-    }
-
-    /// Painleve's configuration by its name.
-    fn wedged(&self, position: usize, [friction, most]: [f64; 2], jump: &Jump<Mode>) -> Reason {
-        let pair = &self.equations.pairs()[self.touch.pairs[position]];
-        let body = &self.equations.model().bodies[pair.body];
-        let formulas = [body.kinematics().angle()];
-        let angle = self
-            .equations
-            .values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)
-            .map_or(f64::NAN, |values| values[0]);
-        Reason::Model(format!(
-            "`{}` slips with the kinetic coefficient {friction} while `{}` is at {angle} rad: from {most} on, friction takes all that a \
-             push of the surface would move there, and no force holds the body up or several do (Painleve's paradox). Take less \
-             friction, another angle or another speed, or a compliant surface",
-            pair.name, body.name
-        ))
-    }
-
     /// Which contacts last, with friction: `some` of `all` that stand still, or all where one would close otherwise.
     pub(super) fn lasting_with_friction(
         &mut self,
@@ -448,7 +373,7 @@ impl Settling<'_> {
     }
 
     /// The problem of some contacts with what they would do without pushes.
-    fn rough(&self, some: &[usize], patches: &[Patch], without: DVector<f64>) -> Rough<'_> {
+    pub(super) fn rough(&self, some: &[usize], patches: &[Patch], without: DVector<f64>) -> Rough<'_> {
         Rough {
             response: &self.touch.response,
             without,
