@@ -99,8 +99,11 @@ fn met(draft: &mut Draft, field: &Field) -> Option<String> {
         return Some(name);
     }
     let help = suggest::name(&name, "bodies and surfaces", known().map(String::as_str));
-    let mistake =
-        Diagnostic::new(Code::UnknownBody, field.span.clone(), format!("there is no body or surface \"{name}\""));
+    let mistake = Diagnostic::new(
+        Code::UnknownBody,
+        field.span.clone(),
+        format!("there is no body or surface \"{name}\""),
+    );
     draft.note(mistake.label("unknown name").help(help));
     None
 }
