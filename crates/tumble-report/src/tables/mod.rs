@@ -25,6 +25,9 @@ pub const BALANCE: &str = "balance.csv";
 /// The runs of a sweep.
 pub const RUNS: &str = "runs.csv";
 
+/// The last column of what is told by time: whether digits are verified then.
+const VERIFIED: &str = "verified";
+
 /// What a cell of text is put in quotes for: a reader would take it for the end of the cell, or of the row.
 const SPECIAL: [char; 4] = [',', '"', '\n', '\r'];
 
@@ -55,6 +58,11 @@ pub fn quoted(cell: &str) -> Cow<'_, str> {
         true => format!("\"{}\"", cell.replace('"', "\"\"")).into(),
         false => cell.into(),
     }
+}
+
+/// A cell of the last column.
+fn verified(is_verified: bool) -> &'static str {
+    if is_verified { "1" } else { "0" }
 }
 
 /// The header of a column; a pure number is in units of 1.
@@ -99,7 +107,7 @@ pub fn all(study: &Study, cases: &[Case]) -> Result<Vec<(String, String)>, CaseE
         let [motion, happened, energies] = &mut held;
         trajectory(study, case, motion)?;
         events(case, happened)?;
-        case.balance.iter().try_for_each(|of_case| balance(of_case, energies))?;
+        balance(case, energies)?;
         let paths = OF_RUN.map(|name| format!("{}/{name}", folder(case.number)));
         tables
             .extend(paths.into_iter().zip(held.map(|table| table.text)).filter(|(_, text)| !text.is_empty()));
