@@ -104,11 +104,13 @@ pub struct Jump<Mode, Record = ()> {
     pub zeros: Vec<(String, usize)>,
     /// A later time, s, at which the system is to be asked again.
     pub wake: Option<f64>,
+    /// By how much later than told it may happen, s.
+    pub early: f64,
 }
 
 impl<Mode, Record: Default> Jump<Mode, Record> {
     /// A jump that changes nothing yet.
     pub fn to(mode: Mode, states: Vec<f64>) -> Self {
-        Self { mode, states, record: Record::default(), stop: false, zeros: vec![], wake: None }
+        Self { mode, states, record: Record::default(), stop: false, zeros: vec![], wake: None, early: 0.0 }
     }
 }

@@ -39,7 +39,7 @@ pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};
 pub use interval::Contact;
 pub use meeting::BodyContact;
-pub(crate) use pair::moves;
+pub(crate) use pair::{Alike, moves};
 pub use pair::{Pair, Rule};
 pub(crate) use pairs::Pairs;
 pub(crate) use slip::WEDGED;

@@ -65,7 +65,7 @@ impl<H: Hybrid> Solver<'_, H> {
             record: jump.record,
             before,
             after: self.states.clone(),
-            blur: self.blur.time,
+            blur: self.blur.time + jump.early,
             mode_before: mode,
             mode_after,
         };

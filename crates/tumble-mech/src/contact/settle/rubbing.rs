@@ -1,9 +1,11 @@
 //! What an instant changes where surfaces have friction: impacts by Routh or all at once, then who sticks and who slides.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
-use super::{BALANCED, Lasting, STANDS, Settling, Touched};
+use super::{BALANCED, Lasting, STANDS, Settling, Slow, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
@@ -360,14 +362,31 @@ impl Settling<'_> {
         turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
     }
 
-    /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.
-    pub(super) fn response_with_friction(&self, some: &[usize]) -> DMatrix<f64> {
+    /// Slips of some contacts that friction stops before they go as far as a bounce is high.
+    pub(super) fn slow(&self, some: &[usize], lowest: f64) -> Slow {
+        let slips = &self.touch.slips;
+        let mut slow = Slow::default();
+        for slip in (0..slips.of.len()).filter(|slip| some.contains(&slips.of[*slip]) && !slips.rolls[*slip])
+        {
+            let (rate, stopping) = (slips.rate[slip].abs(), slips.friction[slip][1] * self.touch.strength);
+            let moves = rate > STANDS * slips.speed[slip];
+            if moves && rate * rate <= 2.0 * stopping * lowest {
+                slow.pairs.insert(slips.pairs[slip]);
+                slow.time = slow.time.max(rate / stopping);
+            }
+        }
+        slow
+    }
+
+    /// Responses along the normals of some contacts, with the friction of those that slip now, but for the slow ones, and with the
+    /// others stuck.
+    pub(super) fn response_with_friction(&self, some: &[usize], slow: &BTreeSet<usize>) -> DMatrix<f64> {
         let (smooth, patches) = (self.response(some), self.patches(some, false));
         if patches.is_empty() {
             return smooth;
         }
-        let grip =
-            |patch: &Patch| self.slips_now(patch, &Touched::default()).map_or(Grip::Sticks, Grip::Slides);
+        let stopped = Touched { stopped: slow.clone(), ..Touched::default() };
+        let grip = |patch: &Patch| self.slips_now(patch, &stopped).map_or(Grip::Sticks, Grip::Slides);
         let grips: Vec<Grip> = patches.iter().map(grip).collect();
         self.rough(some, &patches, self.accelerations()).across(&grips).unwrap_or(smooth)
     }
