@@ -20,27 +20,43 @@ pub(crate) struct Causes {
 }
 
 impl Causes {
-    /// Those of a crossing; indices of guards count the events first.
+    /// Those of a crossing. Where modes have led into each other around a circle, what ended each of them counts as well: forces that are zero
+    /// but for rounding seem to cross it in each, and what holds is a mode in which all of them have.
     pub(crate) fn of(equations: &Equations, at: &Crossing<'_, Mode>) -> Self {
-        let events = equations.events(at.mode).len();
         let mut causes = Self::default();
+        causes.add(equations, at.mode, at.causes);
+        let (now, wakes) = (causes.seen.len(), causes.wakes);
+        for (mode, around) in &at.around {
+            causes.add(equations, mode, around);
+        }
+        causes.wakes = wakes;
+        let mut index = 0;
+        causes.seen.retain(|(_, watched, _)| {
+            index += 1;
+            index <= now || matches!(watched, Watched::Normal | Watched::Cone(_))
+        });
+        causes
+    }
+
+    /// Indices of guards count the events first.
+    fn add(&mut self, equations: &Equations, mode: &Mode, causes: &[Cause]) {
+        let events = equations.events(mode).len();
         let (mut touching, mut apart) = (None, None);
-        for cause in at.causes {
+        for cause in causes {
             match cause {
                 Cause::Guard(guard) if *guard >= events => {
-                    let touching = touching.get_or_insert_with(|| equations.touching(at.mode));
+                    let touching = touching.get_or_insert_with(|| equations.touching(mode));
                     let (pair, watched, _) = touching[guard - events];
-                    causes.seen.push((pair, watched, false));
+                    self.seen.push((pair, watched, false));
                 }
                 Cause::LazyGuard(lazy_guard) => {
-                    let apart = apart.get_or_insert_with(|| equations.apart(at.mode));
-                    causes.seen.push((apart[*lazy_guard], Watched::Gap, true));
+                    let apart = apart.get_or_insert_with(|| equations.apart(mode));
+                    self.seen.push((apart[*lazy_guard], Watched::Gap, true));
                 }
-                Cause::Wake => causes.wakes = true,
+                Cause::Wake => self.wakes = true,
                 Cause::Guard(_) | Cause::Scheduled(_) => {}
             }
         }
-        causes
     }
 }
 
