@@ -7,6 +7,7 @@
 //! It knows nothing of mechanics.
 
 mod active;
+mod affine;
 mod arena;
 mod bernstein;
 mod degree;

@@ -172,7 +172,7 @@ impl Equations {
         joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
     }
 
-    /// By body, those that joints and lasting contacts keep it together with in a mode.
+    /// By body, those that joints, lasting contacts and loads that read forces keep it together with in a mode.
     fn neighbours(&self, mode: &Mode) -> Vec<Vec<usize>> {
         let mut neighbours = vec![vec![]; self.model().bodies.len()];
         for (index, joint) in self.joints().iter().enumerate() {
@@ -184,6 +184,12 @@ impl Equations {
         for (pair, contact_mode) in &mode.contacts {
             if contact_mode.is_lasting() {
                 self.pairs()[*pair].couple(&mut neighbours);
+            }
+        }
+        for (load, term) in self.feeding(mode) {
+            for other in self.readings()[load].bodies.iter().filter(|body| mode.has(**body)) {
+                neighbours[*other].push(term.body);
+                neighbours[term.body].push(*other);
             }
         }
         neighbours

@@ -15,6 +15,7 @@ use crate::contact::{Pairs, moves};
 use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols, total_force};
 use crate::error::{ModelError, ModelErrors};
 use crate::evaluator::Tapes;
+use crate::feedback::{self, Readings};
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
@@ -43,6 +44,8 @@ pub struct Equations {
 struct Parts {
     bodies: Vec<BodyEquations>,
     terms: Vec<Term>,
+    /// By term, the forces of contacts and joints that it reads.
+    readings: Vec<Readings>,
     windows: Vec<Window>,
     pairs: Pairs,
     joints: Vec<JointEquations>,
@@ -126,6 +129,7 @@ impl Equations {
         let (windows, terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
         let joints = JointEquations::all(&model);
+        let readings = feedback::readings(&model, &terms, &pairs.all, &joints)?;
         let components = Components::of(&Couplings {
             model: &model,
             terms: &terms,
@@ -140,7 +144,7 @@ impl Equations {
         let first_states = first_states.collect();
         let built = Built::default();
         let parts =
-            Parts { bodies, terms, windows, pairs, joints, components, first_states, definitions, built };
+            Parts { bodies, terms, readings, windows, pairs, joints, components, first_states, definitions, built };
         let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
@@ -337,6 +341,11 @@ impl Equations {
         &self.parts.terms
     }
 
+    /// By load, the forces of contacts and joints that it reads.
+    pub(crate) fn readings(&self) -> &[Readings] {
+        &self.parts.readings
+    }
+
     /// The same by body.
     pub(crate) fn acting_by_body(&self, mode: &Mode) -> Vec<Vec<&Term>> {
         let mut by_body = vec![vec![]; self.parts.bodies.len()];
@@ -483,6 +492,11 @@ impl BodyEquations {
             force_symbols(&term.load).into_iter().zip(components).collect()
         };
         term.map(by_symbol).unwrap_or_default()
+    }
+
+    /// What a unit of a wrench on the body does to the force of its pivot.
+    pub(crate) fn recoil(&self, by: &Wrench) -> Vector {
+        self.coordinates.recoil(&self.kinematics, &self.mass, by)
     }
 
     /// Force of its pivot along x and y, in accelerations and the sum of all terms by its symbols.

@@ -7,6 +7,7 @@ use crate::error::{ModelError, ModelErrors};
 use crate::mode::Mode;
 use crate::parameters::{Known, Parameters};
 use crate::placement::Placement;
+use crate::uniqueness::Spot;
 
 impl Equations {
     /// Start of a run at time 0 with these parameters, which have the model's names.
@@ -24,6 +25,11 @@ impl Equations {
         let inputs = known.values().to_vec();
         self.assemble(&mut mode, &mut states, &mut compensation, &inputs)?;
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
+        if causes.is_empty() {
+            let now = Spot { mode: &mode, time: 0.0, states: &states, inputs: &inputs };
+            let refused = self.refuse_feedback(now, &[]).err();
+            mistakes.extend(refused.map(|reason| ModelError::Feedback { problem: reason.to_string() }));
+        }
         match mistakes.is_empty() {
             true => {
                 let rounding = parameters.rounding();

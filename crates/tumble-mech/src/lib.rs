@@ -25,6 +25,7 @@ mod error;
 mod evaluator;
 mod event;
 mod extremes;
+mod feedback;
 mod first_forces;
 mod fixed;
 mod forces;

@@ -11,6 +11,7 @@ use crate::link::{Linking, Nodes, Written};
 use crate::load::Moment;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump, Record};
+use crate::uniqueness::Spot;
 
 impl Hybrid for Equations {
     type Mode = Mode;
@@ -59,6 +60,8 @@ impl Hybrid for Equations {
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }
+        let now = Spot { mode: &jump.mode, time: at.time, states: &jump.states, inputs: at.inputs };
+        self.refuse_feedback(now, &[])?;
         jump.record.impulses = self.impulses(impulses, at, &jump)?;
         self.rest(at, &mut jump)?;
         Ok(jump)

@@ -11,11 +11,14 @@ use crate::equations::Equations;
 use crate::impulse::Sizes;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
+use crate::uniqueness::Spot;
 
 /// What the integrator saw of contacts, by pair.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Causes {
     seen: Vec<(usize, Watched, bool)>,
+    /// Forces that loads read and that are determined no more, in the order of their guards.
+    fed: Vec<usize>,
     wakes: bool,
 }
 
@@ -29,8 +32,10 @@ impl Causes {
             match cause {
                 Cause::Guard(guard) if *guard >= events => {
                     let touching = touching.get_or_insert_with(|| equations.touching(at.mode));
-                    let (pair, watched, _) = touching[guard - events];
-                    causes.seen.push((pair, watched, false));
+                    match touching.get(guard - events) {
+                        Some((pair, watched, _)) => causes.seen.push((*pair, *watched, false)),
+                        None => causes.fed.push(guard - events - touching.len()),
+                    }
                 }
                 Cause::LazyGuard(lazy_guard) => {
                     let apart = apart.get_or_insert_with(|| equations.apart(at.mode));
@@ -51,10 +56,14 @@ impl Equations {
         at: &Crossing<'_, Mode>,
         jump: &mut Jump<Mode>,
     ) -> Result<Sizes, Reason> {
-        if self.pairs().is_empty() {
+        if self.pairs().is_empty() && !self.is_fed(&at.mode.bodies) {
             return Ok(Sizes::default());
         }
         let causes = Causes::of(self, at);
+        if !causes.fed.is_empty() {
+            let here = Spot { mode: at.mode, time: at.time, states: at.states, inputs: at.inputs };
+            self.refuse_feedback(here, &causes.fed)?;
+        }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         if causes.wakes {
             self.wake(jump);

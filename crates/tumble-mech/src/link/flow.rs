@@ -6,9 +6,10 @@ use tumble_expr::{Binary, Expr, Symbol, Unary};
 use tumble_ode::{AtZero, Direction, Flow, Guard, Invariant, LazyGuard, ScaleGroup, StateVariable};
 
 use super::algebra::Algebra;
+use super::island::Without;
 use super::linking::Linking;
 use super::names::Name;
-use super::part::{Part, RowOf};
+use super::part::{Part, Pusher, RowOf};
 use crate::contact::{Pair, WEDGED, Watched};
 use crate::coordinates::Measure;
 use crate::event::Event;
@@ -95,6 +96,10 @@ impl<A: Algebra> Linking<'_, A> {
         for (pair, watched, direction) in equations.touching(self.mode) {
             guards.push(self.touching_guard(pair, watched, direction));
         }
+        for (name, formula) in self.too_much_feedback() {
+            let (direction, at_zero) = (Direction::Falling, AtZero::Ends);
+            guards.push(Guard { name, formula, direction, at_zero });
+        }
         guards
     }
 
@@ -142,15 +147,17 @@ impl<A: Algebra> Linking<'_, A> {
         if !self.equations.is_alone(self.mode, pair) {
             return self.wedge_among(pair);
         }
-        let own = self.part(Part::Response(RowOf::Pair(pair), RowOf::Pair(pair))).remove(0);
+        let row = RowOf::Pair(pair);
+        let own = self.part(Part::Response(row, Pusher::Row(row))).remove(0);
         let most = self.formula(&Expr::from(1.0 - WEDGED));
         let own = self.algebra.binary(Binary::Mul, most, own);
-        self.with_friction(own, RowOf::Pair(pair), None, |slip| Part::Response(RowOf::Pair(pair), slip))
+        self.with_friction(own, row, Without::Nothing, |slip| (Part::Response(row, slip), 0))
     }
 
     /// The same where others hold its bodies too.
     fn wedge_among(&mut self, pair: usize) -> A::Value {
-        let [left, own] = [None, Some(pair)].map(|smooth| self.yielding(pair, smooth));
+        let [left, own] =
+            [Without::Nothing, Without::Friction(pair)].map(|without| self.yielding(pair, without));
         let least = self.formula(&Expr::from(WEDGED));
         let least = self.algebra.binary(Binary::Mul, least, own);
         self.algebra.binary(Binary::Sub, left, least)

@@ -65,6 +65,8 @@ struct Words {
     what: [&'static str; 2],
     one: [&'static str; 2],
     dimensions: [Dimension; 2],
+    /// What their formulas may depend on.
+    level: Level,
     example: &'static str,
 }
 
@@ -73,6 +75,7 @@ const FORCE: Words = Words {
     what: ["force", "torque"],
     one: ["a force", "a torque"],
     dimensions: [Dimension::FORCE, Dimension::TORQUE],
+    level: Level::Forces,
     example: "add `force = [\"10 N\", 0]` with `at`, or `torque = \"1 N*m\"`",
 };
 
@@ -81,6 +84,7 @@ const IMPULSE: Words = Words {
     what: ["impulse", "angular impulse"],
     one: ["an impulse", "an angular impulse"],
     dimensions: [Dimension::MOMENTUM, ANGULAR_IMPULSE],
+    level: Level::Motion,
     example: "add `impulse = [\"10 N*s\", 0]` with `at`, or `angular_impulse = \"1 N*m*s\"`",
 };
 
@@ -166,7 +170,7 @@ fn pushed(
     table: &mut Table,
     force: &Field,
 ) -> Option<Application> {
-    let force = draft.vector(force, Want::constant(words.dimensions[0]).at(Level::Motion));
+    let force = draft.vector(force, Want::constant(words.dimensions[0]).at(words.level));
     let at = draft.required_like(table, "at", &format!("\"{}.cm\"", on.unwrap_or("rod")));
     let at = at.zip(on).and_then(|(field, on)| {
         draft.remember(format!("place of `{name}`"), &field.span);
@@ -190,7 +194,7 @@ fn turned(draft: &mut Draft, words: &Words, table: &mut Table, torque: &Field) -
             Diagnostic::new(Code::Exclusive, field.key_span, message).label(format!("only for {a_force}"));
         draft.note(mistake.help("a torque without a force turns a body in the same way wherever it acts"));
     }
-    draft.number(torque, Want::constant(words.dimensions[1]).at(Level::Motion)).map(Application::Torque)
+    draft.number(torque, Want::constant(words.dimensions[1]).at(words.level)).map(Application::Torque)
 }
 
 /// `"rod.tip"`, `{ body = [..] }`, `{ world = [..] }` or `{ from_centre = [..] }`.
