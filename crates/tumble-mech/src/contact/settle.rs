@@ -296,7 +296,7 @@ impl<'a> Settling<'a> {
         }
         let (found, then) = match self.hold(&without, &members) {
             Some(held) => held,
-            None => self.hold(&members, &members).ok_or_else(|| self.unsolved("contact"))?,
+            None => self.hold(&members, &members).ok_or_else(|| self.without_forces(&members, &jump.mode))?,
         };
         self.then = then;
         let held: Vec<usize> = found

@@ -103,6 +103,11 @@ impl Touch {
         self.pushes.as_ref().unwrap_or(&self.response)
     }
 
+    /// Whether loads read forces of contacts or joints.
+    pub(crate) fn is_fed(&self) -> bool {
+        self.pushes.is_some()
+    }
+
     /// What is behind an edge does not touch it.
     fn pass_over(&mut self, has_edge: impl Fn(usize) -> bool) {
         for (position, pair) in self.pairs.iter().enumerate() {

@@ -289,7 +289,10 @@ impl Settling<'_> {
     ) -> Result<Lasting, Reason> {
         let (some, rubbing) = match self.rub([some, all], touched, jump)? {
             Some(rubbing) => (some, rubbing),
-            None => (all, self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?),
+            None => {
+                let found = self.rub([all, all], touched, jump)?;
+                (all, found.ok_or_else(|| self.without_forces(all, &jump.mode))?)
+            }
         };
         self.refuse_undetermined(some, &rubbing)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;

@@ -1,6 +1,6 @@
 //! Contacts that slip where no force of the surface, or more than one, would hold the body up: refused by name.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use super::{Settling, Touched};
@@ -85,9 +85,29 @@ impl Settling<'_> {
             self.touch.pushes()[(position, position)] / self.touch.response[(position, position)]
         };
         let mut jammed = some.iter().map(|position| (*position, part(*position)));
-        let Some((position, left)) = jammed.find(|(_, left)| *left <= WEDGED) else { return Ok(()) };
+        match jammed.find(|(_, left)| *left <= WEDGED) {
+            Some((position, left)) => Err(self.jammed(position, left, mode)),
+            None => Ok(()),
+        }
+    }
+
+    /// Why some contacts have no forces: loads that read them feed back too much of them, or else what nobody knows.
+    pub(super) fn without_forces(&self, some: &[usize], mode: &Mode) -> Reason {
+        let own = |matrix: DMatrix<f64>| match matrix.try_inverse() {
+            Some(inverse) => inverse.diagonal().map(|push| 1.0 / push),
+            None => DVector::zeros(some.len()),
+        };
+        let left = own(self.pushes(some)).component_div(&own(self.response(some)));
+        let least = (0..some.len()).filter(|i| left[*i] <= WEDGED).min_by(|i, j| left[*i].total_cmp(&left[*j]));
+        match least {
+            Some(index) if self.touch.is_fed() => self.jammed(some[index], left[index], mode),
+            _ => self.unsolved("contact"),
+        }
+    }
+
+    fn jammed(&self, position: usize, left: f64, mode: &Mode) -> Reason {
         let force = self.equations.pairs()[self.touch.pairs[position]].force_symbol();
-        Err(Reason::Model(self.equations.jammed(&force, mode, left)))
+        Reason::Model(self.equations.jammed(&force, mode, left))
     }
 
     /// What is held by others so that the surface cannot push it away.
