@@ -34,6 +34,7 @@ mod rounding;
 mod same;
 mod scalar;
 mod shape;
+mod signs;
 mod simplify;
 mod sparse;
 mod substitute;

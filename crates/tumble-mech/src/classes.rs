@@ -108,6 +108,7 @@ impl Signature {
             || equations.windows().iter().any(|window| has(&window.body))
             || components.has_events(group)
             || equations.is_fed(bodies)
+            || equations.brakes().iter().any(|brake| brake.bodies.iter().any(has))
             || bodies.iter().any(|body| meets(equations, *body));
         if is_counted {
             return None;

@@ -43,6 +43,11 @@ pub(crate) struct Readings {
     pub(crate) bodies: Vec<usize>,
 }
 
+/// Symbols of forces that are found with the motion.
+pub(crate) fn forces(model: &Model, pairs: &[Pair], joints: &[JointEquations]) -> HashSet<Symbol> {
+    owners(model, pairs, joints).into_keys().collect()
+}
+
 /// By term, what it reads.
 pub(crate) fn readings(
     model: &Model,
@@ -124,7 +129,7 @@ fn operation(formula: &Expr) -> &'static str {
 }
 
 /// What a load is for each unit of a force that it reads.
-pub(crate) fn wrench(term: &Term, force: &Symbol) -> Wrench {
+pub(crate) fn for_each_unit(term: &Term, force: &Symbol) -> Wrench {
     Wrench {
         body: term.body,
         arm: term.arm.clone(),

@@ -1,6 +1,6 @@
 //! Values to start a run from: checked numbers for the parameters, the states and the mode.
 
-use tumble_ode::Start as NumericStart;
+use tumble_ode::{Reason, Start as NumericStart};
 
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
@@ -25,10 +25,11 @@ impl Equations {
         let inputs = known.values().to_vec();
         self.assemble(&mut mode, &mut states, &mut compensation, &inputs)?;
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
-        if causes.is_empty() {
+        if causes.is_empty() && mistakes.is_empty() {
+            let problem = |reason: Reason| ModelError::Feedback { problem: reason.to_string() };
+            mode = self.braked_at_start(mode, &states, &inputs).map_err(problem)?;
             let now = Spot { mode: &mode, time: 0.0, states: &states, inputs: &inputs };
-            let refused = self.refuse_feedback(now, &[]).err();
-            mistakes.extend(refused.map(|reason| ModelError::Feedback { problem: reason.to_string() }));
+            self.refuse_feedback(now, &[]).map_err(problem)?;
         }
         match mistakes.is_empty() {
             true => {

@@ -9,6 +9,8 @@ mod anchor;
 mod assembly;
 mod balance;
 mod body;
+mod brake;
+mod braking;
 mod cache;
 mod carried;
 mod classes;

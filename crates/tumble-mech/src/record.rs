@@ -41,6 +41,13 @@ pub enum Happening {
         /// How.
         change: Change,
     },
+    /// A load whose sign brakes, such as `-mu*N*sign(v)`, begins to hold, or to give way.
+    Brake {
+        /// Among the equations' brakes.
+        brake: usize,
+        /// Whether it holds from now on.
+        sticks: bool,
+    },
     /// All bodies have come to rest for good.
     Rest,
     /// The joints pass a singular configuration: for this instant they could be kept in more than one way.
@@ -87,6 +94,10 @@ impl Equations {
             Happening::Joint { joint, holds } => {
                 format!("{}.{}", self.model().joints[joint].name, if holds { "start" } else { "end" })
             }
+            Happening::Brake { brake, sticks } => {
+                let change = if sticks { Change::Sticks } else { Change::Slides };
+                format!("{}.{}", self.brakes()[brake].name(), change.word())
+            }
             Happening::Rest => "rest".to_owned(),
             Happening::Singular => "singular".to_owned(),
             Happening::Impulse(impulse) => self.model().impulses[impulse].name.clone(),
@@ -107,8 +118,10 @@ impl Equations {
             .flat_map(|joint| [true, false].map(|holds| Happening::Joint { joint, holds }));
         let impulses = (0..self.model().impulses.len()).map(Happening::Impulse);
         let loads = (0..self.windows().len()).flat_map(ends);
+        let brakes = (0..self.brakes().len())
+            .flat_map(|brake| [true, false].map(|sticks| Happening::Brake { brake, sticks }));
         let whole = [Happening::Rest, Happening::Singular];
-        let mut all = events.chain(loads).chain(joints).chain(impulses).chain(whole);
+        let mut all = events.chain(loads).chain(joints).chain(impulses).chain(brakes).chain(whole);
         all.find(|happening| self.name_of(happening) == name)
     }
 }

@@ -6,6 +6,7 @@ use tumble_expr::Rounding;
 use tumble_ode::{Cause, Crossing, Flow, Hybrid, Program, Reason};
 
 use crate::equations::Equations;
+use crate::contact::Causes;
 use crate::event::Action;
 use crate::link::{Linking, Nodes, Written};
 use crate::load::Moment;
@@ -50,7 +51,13 @@ impl Hybrid for Equations {
         }
         self.capture(at, &mut jump)?;
         let mut impulses = self.couple(&jump.record.happened.clone(), at, &mut jump)?;
-        impulses.add(self.switch_contacts(at, &mut jump)?);
+        let causes = Causes::of(self, at);
+        let braked = causes.braked.clone();
+        if causes.closes() || !impulses.is_empty() {
+            self.release_brakes(&mut jump.mode);
+        }
+        impulses.add(self.switch_contacts(at, causes, &mut jump)?);
+        self.brake(at, &braked, &mut jump)?;
         let known = jump.record.happened.len();
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, at, &mut jump)?;

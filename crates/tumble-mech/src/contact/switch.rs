@@ -1,6 +1,6 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
-use tumble_ode::{Cause, Crossing, Reason};
+use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
@@ -19,6 +19,8 @@ pub(crate) struct Causes {
     seen: Vec<(usize, Watched, bool)>,
     /// Forces that loads read and that are determined no more, in the order of their guards.
     fed: Vec<usize>,
+    /// Brakes with what was seen of them.
+    pub(crate) braked: Vec<(usize, Watched)>,
     wakes: bool,
 }
 
@@ -32,10 +34,7 @@ impl Causes {
             match cause {
                 Cause::Guard(guard) if *guard >= events => {
                     let touching = touching.get_or_insert_with(|| equations.touching(at.mode));
-                    match touching.get(guard - events) {
-                        Some((pair, watched, _)) => causes.seen.push((*pair, *watched, false)),
-                        None => causes.fed.push(guard - events - touching.len()),
-                    }
+                    causes.see(equations, at.mode, touching, guard - events);
                 }
                 Cause::LazyGuard(lazy_guard) => {
                     let apart = apart.get_or_insert_with(|| equations.apart(at.mode));
@@ -49,17 +48,43 @@ impl Causes {
     }
 }
 
+impl Causes {
+    /// What a guard behind those of events says.
+    fn see(
+        &mut self,
+        equations: &Equations,
+        mode: &Mode,
+        touching: &[(usize, Watched, Direction)],
+        guard: usize,
+    ) {
+        let brakes = equations.watched_brakes(mode);
+        match (touching.get(guard), guard.checked_sub(touching.len())) {
+            (Some((pair, watched, _)), _) => self.seen.push((*pair, *watched, false)),
+            (None, Some(behind)) => match brakes.get(behind) {
+                Some((brake, watched, _)) => self.braked.push((*brake, *watched)),
+                None => self.fed.push(behind - brakes.len()),
+            },
+            (None, None) => {}
+        }
+    }
+
+    /// Whether bodies may strike.
+    pub(crate) fn closes(&self) -> bool {
+        self.seen.iter().any(|(_, watched, _)| *watched == Watched::Gap)
+    }
+}
+
 impl Equations {
     /// Deals with all contacts of an instant; `jump` holds what else happens then. The sizes of the impulses.
     pub(crate) fn switch_contacts(
         &self,
         at: &Crossing<'_, Mode>,
+        causes: Causes,
         jump: &mut Jump<Mode>,
     ) -> Result<Sizes, Reason> {
         if self.pairs().is_empty() && !self.is_fed(&at.mode.bodies) {
             return Ok(Sizes::default());
         }
-        let causes = Causes::of(self, at);
         if !causes.fed.is_empty() {
             let here = Spot { mode: at.mode, time: at.time, states: at.states, inputs: at.inputs };
             self.refuse_feedback(here, &causes.fed)?;

@@ -96,11 +96,27 @@ impl<A: Algebra> Linking<'_, A> {
         for (pair, watched, direction) in equations.touching(self.mode) {
             guards.push(self.touching_guard(pair, watched, direction));
         }
+        for (brake, watched, direction) in equations.watched_brakes(self.mode) {
+            guards.push(self.brake_guard(brake, watched, direction));
+        }
         for (name, formula) in self.too_much_feedback() {
             let (direction, at_zero) = (Direction::Falling, AtZero::Ends);
             guards.push(Guard { name, formula, direction, at_zero });
         }
         guards
+    }
+
+    fn brake_guard(&mut self, index: usize, watched: Watched, direction: Direction) -> Guard<A::Value> {
+        let brake = &self.equations.brakes()[index];
+        let formula = self.formula(&brake.watched(watched));
+        let at_zero = match watched {
+            Watched::Cone(_) => AtZero::EndsIfItMoves {
+                response: self.part(Part::Lightness(brake.bodies[0])).remove(0),
+                group: Measure::Length as usize,
+            },
+            _ => AtZero::Begins,
+        };
+        Guard { name: brake.guard_name(watched), formula, direction, at_zero }
     }
 
     fn touching_guard(&mut self, index: usize, watched: Watched, direction: Direction) -> Guard<A::Value> {
@@ -200,7 +216,8 @@ impl<A: Algebra> Linking<'_, A> {
         let joints = equations.rows_by_joint(mode).into_iter();
         let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
         let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip));
-        let rows = rows.chain(contacts).map(Part::Kept);
+        let braked = mode.braked().map(RowOf::Brake);
+        let rows = rows.chain(contacts).chain(braked).map(Part::Kept);
         let parts: Vec<Part> = rows.chain(equations.roots(mode).into_iter().map(Part::Root)).collect();
         let mut invariants = vec![];
         for part in parts {

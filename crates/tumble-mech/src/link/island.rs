@@ -9,6 +9,7 @@ use super::algebra::Algebra;
 use super::linking::Linking;
 use super::names::{Meaning, Name};
 use super::part::{Part, Pusher, RowOf};
+use crate::contact::Grip;
 use crate::equations::Equations;
 use crate::mode::Mode;
 
@@ -88,7 +89,7 @@ impl Islands {
         let joints = equations.rows_by_joint(mode).into_iter();
         let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
         let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip));
-        for row in rows.chain(contacts) {
+        for row in rows.chain(contacts).chain(mode.braked().map(RowOf::Brake)) {
             let bodies = equations.bodies_of(row);
             if let Some(island) = bodies.first().and_then(|body| found.of_body.get(body)) {
                 Rc::make_mut(&mut found.all[*island].system).rows.push((row, bodies));
@@ -177,6 +178,24 @@ impl<A: Algebra> Linking<'_, A> {
         Some(self.algebra.binary(Binary::Mul, tie, normal))
     }
 
+    /// The sign in a brake; zero while it holds, when what it does stands by itself.
+    pub(super) fn sign(&mut self, brake: usize) -> A::Value {
+        match self.mode.brake(brake) {
+            None => {
+                let equations = self.equations;
+                self.formula(&equations.brakes()[brake].rate.sign())
+            }
+            Some(Grip::Slides(way)) => self.formula(&Expr::from(way.sign())),
+            Some(_) => self.algebra.zero(),
+        }
+    }
+
+    /// What keeps the rate of a brake zero; `None` where its bodies are not in the mode.
+    pub(super) fn braking(&mut self, brake: usize) -> Option<A::Value> {
+        let body = *self.equations.brakes()[brake].bodies.iter().find(|body| self.islands.has(**body))?;
+        Some(self.keeping(body, RowOf::Brake(brake)))
+    }
+
     /// Friction of a pair that is tied to its normal force, for each unit of that.
     pub(super) fn tie(&mut self, pair: usize) -> Option<A::Value> {
         let tie = self.equations.tie(self.mode, pair)?;
@@ -243,9 +262,15 @@ impl<A: Algebra> Linking<'_, A> {
         for (i, (row, bodies)) in rows.iter().enumerate() {
             let others: BTreeSet<usize> = bodies.iter().flat_map(|body| &on_body[body]).copied().collect();
             for j in others.into_iter().filter(|j| *j >= i) {
-                let entry = self.part(Part::Response(*row, Pusher::Row(rows[j].0))).remove(0);
-                let [below, above] = [(rows[j].0, *row), (*row, rows[j].0)].map(|(of, by)| {
-                    self.with_friction(entry.clone(), by, without, |slip| (Part::Response(of, slip), 0))
+                let other = rows[j].0;
+                let entry = self.part(Part::Response(*row, Pusher::Row(other))).remove(0);
+                // What brakes does not do so along its rate.
+                let back = match [*row, other].iter().any(|row| matches!(row, RowOf::Brake(_))) {
+                    true => self.part(Part::Response(other, Pusher::Row(*row))).remove(0),
+                    false => entry.clone(),
+                };
+                let [below, above] = [(back, other, *row), (entry, *row, other)].map(|(entry, of, by)| {
+                    self.with_friction(entry, by, without, |slip| (Part::Response(of, slip), 0))
                 });
                 matrix[j].insert(i, below);
                 matrix[i].insert(j, above);
@@ -255,7 +280,11 @@ impl<A: Algebra> Linking<'_, A> {
             for index in on_body.get(&body).into_iter().flatten().copied() {
                 let row = rows[index].0;
                 let entry = self.part(Part::Torque(Pusher::Row(row), body)).remove(0);
-                matrix[index].insert(place, entry.clone());
+                let turning = match row {
+                    RowOf::Brake(_) => self.part(Part::Turning(row, body)).remove(0),
+                    _ => entry.clone(),
+                };
+                matrix[index].insert(place, turning);
                 let pushed = self.with_friction(entry, row, without, |slip| (Part::Torque(slip, body), 0));
                 matrix[place].insert(index, pushed);
             }

@@ -134,6 +134,8 @@ impl<'a, A: Algebra> Linking<'a, A> {
             Meaning::Multiplier { joint, row } => self.multiplier(joint, row).unwrap_or(leaf),
             Meaning::Normal { pair } => self.normal(pair).unwrap_or(leaf),
             Meaning::Friction { pair } => self.friction(pair).unwrap_or(leaf),
+            Meaning::Sign { brake } => self.sign(brake),
+            Meaning::Brake { brake } => self.braking(brake).unwrap_or(leaf),
             Meaning::Acceleration { .. } | Meaning::Reaction { .. } => leaf,
         };
         self.values.insert(name, found.clone());

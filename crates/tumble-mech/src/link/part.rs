@@ -55,6 +55,8 @@ pub(crate) enum Part {
     RowAcceleration(RowOf),
     /// Torque of a unit of something on a body about its centre.
     Torque(Pusher, usize),
+    /// How a row's acceleration follows that of the angle of a body.
+    Turning(RowOf, usize),
     /// What a unit of something on a body does to the force of its pivot, along x and y.
     Recoil(usize, Pusher),
     /// What is zero while a row holds: its position, then its rate, each with its slopes by states.
@@ -72,6 +74,8 @@ pub(crate) enum TermOf {
     /// Friction of a pair.
     Friction(usize, usize),
     Joint(usize, usize),
+    /// What a brake does that holds, by its own order there.
+    Brake(usize, usize),
 }
 
 /// A row, by the index of its pair, or of its joint and its own there.
@@ -82,6 +86,8 @@ pub(crate) enum RowOf {
     Pair(usize),
     /// That it does not slip.
     Slip(usize),
+    /// That the rate of a brake stays zero.
+    Brake(usize),
 }
 
 /// What acts on bodies in proportion to something unknown.
@@ -232,6 +238,7 @@ impl Equations {
             TermOf::Pair(pair, side) => &self.pair_list().terms[pair][side],
             TermOf::Friction(pair, side) => &self.pair_list().frictions[&pair][side],
             TermOf::Joint(joint, index) => &self.joints()[joint].terms[index],
+            TermOf::Brake(brake, index) => &self.brakes()[brake].terms[index],
         }
     }
 
@@ -240,6 +247,7 @@ impl Equations {
             RowOf::Pair(pair) => self.pairs()[pair].row(),
             RowOf::Slip(pair) => self.pairs()[pair].slip_row(),
             RowOf::Joint(joint, row) => self.joints()[joint].rows[row].clone(),
+            RowOf::Brake(brake) => self.brakes()[brake].row.clone(),
         }
     }
 
@@ -279,6 +287,7 @@ impl Equations {
             Part::Response(row, pusher) => vec![self.row_response(&self.row(row), &self.wrenches(pusher))],
             Part::RowAcceleration(row) => vec![self.row(row).acceleration],
             Part::Torque(pusher, body) => vec![torque_on(&self.wrenches(pusher), body)],
+            Part::Turning(row, body) => vec![torque_on(&self.row(row).wrenches, body)],
             Part::Recoil(body, pusher) => self.recoil(body, &self.wrenches(pusher)),
             Part::Kept(_) | Part::Root(_) => unreachable!("they are prepared with their slopes"),
         }
@@ -287,7 +296,7 @@ impl Equations {
     fn kept(&self, of: RowOf) -> Piece {
         let row = self.row(of);
         match of {
-            RowOf::Slip(_) => self.sorted(vec![row.rate], &[row.measure.rate()]),
+            RowOf::Slip(_) | RowOf::Brake(_) => self.sorted(vec![row.rate], &[row.measure.rate()]),
             _ => self.sorted(vec![row.position, row.rate], &[row.measure, row.measure.rate()]),
         }
     }
@@ -307,10 +316,11 @@ impl Equations {
     /// What a unit of something is on bodies.
     fn wrenches(&self, of: Pusher) -> Vec<Wrench> {
         match of {
+            Pusher::Row(RowOf::Brake(brake)) => self.brakes()[brake].pushes.clone(),
             Pusher::Row(row) => self.row(row).wrenches,
             Pusher::Load(load, name) => {
                 let names = self.names();
-                vec![feedback::wrench(&self.loads()[load], names.get(name).0)]
+                vec![feedback::for_each_unit(&self.loads()[load], names.get(name).0)]
             }
         }
     }

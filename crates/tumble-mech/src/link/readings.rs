@@ -144,7 +144,8 @@ impl<A: Algebra> Linking<'_, A> {
     /// where none does.
     pub(super) fn pushes_of(&mut self, island: &[usize], contacts: &[RowOf]) -> Option<Vec<A::Value>> {
         let system = self.islands.together(island);
-        if system.feeding.is_empty() {
+        let is_braked = system.rows.iter().any(|(row, _)| matches!(row, RowOf::Brake(_)));
+        if system.feeding.is_empty() && !is_braked {
             return None;
         }
         let first = system.rows.len();
