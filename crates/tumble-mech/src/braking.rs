@@ -1,17 +1,24 @@
 //! Which brakes hold from an instant on, and which way the others go: see [`crate::brake`].
 
+use nalgebra::DMatrix;
 use tumble_expr::Expr;
 use tumble_ode::{Crossing, Reason};
 
 use crate::brake::Brake;
-use crate::contact::{BALANCED, Grip, STANDS, Watched, Way};
+use crate::contact::{BALANCED, Grip, STANDS, Watched, Way, moves};
+use crate::coordinates::Coordinates;
 use crate::equations::Equations;
 use crate::kinematics::Kinematics;
+use crate::link::RowOf;
 use crate::mode::Mode;
+use crate::parameters::time_symbol;
 use crate::record::{Happening, Jump};
 
 /// Braking that is beyond what it can be by less than this part is all that it can be.
 const FULL: f64 = 1e-11;
+
+/// A row follows from others if less than this part of it is its own.
+const FOLLOWS: f64 = 1e-9;
 
 /// An instant.
 struct Instant<'a> {
@@ -29,9 +36,20 @@ impl Equations {
         mode.brakes.retain(|(_, grip)| *grip != Grip::Sticks);
     }
 
-    /// The mode at the start, with the brakes that hold then.
-    pub(crate) fn braked_at_start(&self, mode: Mode, states: &[f64], inputs: &[f64]) -> Result<Mode, Reason> {
-        Instant { equations: self, time: 0.0, states, inputs, scales: &[] }.choose(&mode, &[])
+    /// Says which brakes hold from the start on.
+    pub(crate) fn brake_at_start(
+        &self,
+        mode: &mut Mode,
+        states: &mut [f64],
+        inputs: &[f64],
+    ) -> Result<(), Reason> {
+        if self.brakes().is_empty() {
+            return Ok(());
+        }
+        let known = states.to_vec();
+        let now = Instant { equations: self, time: 0.0, states: &known, inputs, scales: &[] };
+        *mode = now.choose(mode, &[])?;
+        now.stop(mode, states)
     }
 
     /// Says which brakes hold from now on; `told` is what was seen of them.
@@ -52,8 +70,7 @@ impl Equations {
             self.tell_brake(brake, (at.mode.brake(brake), chosen.brake(brake)), told, jump);
         }
         jump.mode = chosen;
-        self.stop_braked(jump);
-        Ok(())
+        now.stop(&mut jump.mode, &mut jump.states)
     }
 
     /// What a brake does from now on, as an event, and where its rate begins at zero.
@@ -79,16 +96,6 @@ impl Equations {
         };
         if after != Some(Grip::Sticks) {
             jump.zeros.push((self.brakes()[brake].guard_name(Watched::Slip), zeros));
-        }
-    }
-
-    /// Takes out of the states what rounding has left of rates that stay zero.
-    fn stop_braked(&self, jump: &mut Jump<Mode>) {
-        let symbols = self.states(&jump.mode);
-        for (state, symbol) in symbols.iter().enumerate() {
-            if self.is_braked(&jump.mode, symbol) {
-                jump.states[state] = 0.0;
-            }
         }
     }
 }
@@ -127,6 +134,67 @@ impl Instant<'_> {
                 self.brakes()[brake].name()
             ))),
         }
+    }
+
+    /// Takes out of the states what rounding has left of rates that stay zero; what cannot move at all is not integrated.
+    fn stop(&self, mode: &mut Mode, states: &mut [f64]) -> Result<(), Reason> {
+        let equations = self.equations;
+        for (state, symbol) in equations.states(mode).iter().enumerate() {
+            if equations.is_braked(mode, symbol) {
+                states[state] = 0.0;
+            }
+        }
+        let bodies: Vec<usize> =
+            equations.acting_brakes(mode).into_iter().flat_map(|brake| self.brakes()[brake].bodies.clone()).collect();
+        for island in equations.islands(mode, &bodies) {
+            mode.still.retain(|body| !island.contains(body));
+            if self.is_still(mode, &island)? {
+                let velocities = island.iter().flat_map(|body| equations.velocity_states(mode, *body));
+                velocities.for_each(|state| states[state] = 0.0);
+                mode.still.extend(&island);
+                mode.still.sort_unstable();
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether what holds an island, none of which moves, leaves it no motion.
+    fn is_still(&self, mode: &Mode, island: &[usize]) -> Result<bool, Reason> {
+        let equations = self.equations;
+        let braked: Vec<usize> = mode.braked().collect();
+        let joints = equations.independent_rows_of(mode, island).into_iter().map(|(_, row)| row);
+        let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip));
+        let rows = joints.chain(contacts).chain(braked.iter().copied().map(RowOf::Brake));
+        let rows: Vec<RowOf> =
+            rows.filter(|row| equations.bodies_of(*row).iter().any(|body| island.contains(body))).collect();
+        let t = time_symbol();
+        let moves = |row: &RowOf| match row {
+            RowOf::Pair(pair) | RowOf::Slip(pair) => !equations.pairs()[*pair].is_fixed(),
+            RowOf::Joint(joint, _) => equations.model().joints[*joint].world().is_some_and(moves),
+            RowOf::Brake(brake) => self.brakes()[*brake].rate.symbols().contains(&t),
+        };
+        let count: usize = island.iter().map(|body| self.freedoms(mode, *body)).sum();
+        if rows.len() < count || rows.iter().any(moves) || island.iter().any(|body| equations.is_carried(*body)) {
+            return Ok(false);
+        }
+        let rows: Vec<(usize, RowOf)> = rows.into_iter().enumerate().collect();
+        let gradient = equations.numbers_of(mode, &rows, self.time, self.states, self.inputs)?.gradient.dense();
+        // Rows in units of their own.
+        let rows = gradient.row_iter().map(|row| row / row.norm().max(f64::MIN_POSITIVE));
+        let gradient = DMatrix::from_rows(&rows.collect::<Vec<_>>());
+        Ok(gradient.iter().all(|slope| slope.is_finite()) && gradient.rank(FOLLOWS) == count)
+    }
+
+    /// Velocities of a body that something has to hold: a point that does not turn will not.
+    fn freedoms(&self, mode: &Mode, body: usize) -> usize {
+        let velocities = self.equations.velocity_states(mode, body);
+        let is_point = matches!(
+            self.equations.body_equations(body).coordinates,
+            Coordinates::Free { is_point: true }
+        );
+        let turns = velocities.last().is_some_and(|omega| self.states[*omega] != 0.0);
+        let stays = is_point && !turns && !self.equations.is_turned_by_joints(mode, body);
+        velocities.len() - usize::from(stays)
     }
 
     fn brakes(&self) -> &[Brake] {

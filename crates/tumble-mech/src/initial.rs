@@ -27,7 +27,7 @@ impl Equations {
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
         if causes.is_empty() && mistakes.is_empty() {
             let problem = |reason: Reason| ModelError::Feedback { problem: reason.to_string() };
-            mode = self.braked_at_start(mode, &states, &inputs).map_err(problem)?;
+            self.brake_at_start(&mut mode, &mut states, &inputs).map_err(problem)?;
             let now = Spot { mode: &mode, time: 0.0, states: &states, inputs: &inputs };
             self.refuse_feedback(now, &[]).map_err(problem)?;
         }
