@@ -20,12 +20,13 @@ use std::collections::HashSet;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, is_identically_zero};
 use tumble_ode::Direction;
 
-use crate::contact::{Grip, Watched, Way};
+use crate::contact::{Change, Grip, Watched, Way};
 use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::kinematics::Kinematics;
 use crate::mode::Mode;
 use crate::parameters::time_symbol;
+use crate::record::Happening;
 use crate::row::{Row, Wrench};
 use crate::term::{Law, Term};
 
@@ -247,11 +248,6 @@ fn pushed(term: &Term, push: &Wrench, force: &Expr) -> Term {
 }
 
 impl Brake {
-    /// What people call it: its first load.
-    pub(crate) fn name(&self) -> &str {
-        &self.terms[0].load
-    }
-
     /// Name by which the integrator knows what is watched of it.
     pub(crate) fn guard_name(&self, watched: Watched) -> String {
         let what = match watched {
@@ -285,6 +281,20 @@ impl Brake {
 }
 
 impl Equations {
+    /// What people call a brake: its first load.
+    pub fn brake_name(&self, brake: usize) -> &str {
+        &self.brakes()[brake].terms[0].load
+    }
+
+    /// What people call so, by any of its loads: `rub.sticks`.
+    pub(crate) fn named_brake(&self, name: &str) -> Option<Happening> {
+        let (load, word) = name.rsplit_once('.')?;
+        let changes = [(Change::Sticks, true), (Change::Slides, false)];
+        let (_, sticks) = changes.into_iter().find(|(change, _)| change.word() == word)?;
+        let is_of = |brake: &Brake| brake.terms.iter().any(|term| term.load == load);
+        self.brakes().iter().position(is_of).map(|brake| Happening::Brake { brake, sticks })
+    }
+
     /// Brakes that act in a mode.
     pub(crate) fn acting_brakes(&self, mode: &Mode) -> Vec<usize> {
         let acts = |brake: &Brake| {

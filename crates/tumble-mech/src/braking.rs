@@ -131,7 +131,7 @@ impl Instant<'_> {
             Some(brake) => Err(Reason::Model(format!(
                 "the sign of a rate in `{}` has no value here with which the motion obeys it: where it holds it would give way, and where it \
                  gives way it would hold",
-                self.brakes()[brake].name()
+                self.equations.brake_name(brake)
             ))),
         }
     }

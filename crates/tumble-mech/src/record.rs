@@ -96,7 +96,7 @@ impl Equations {
             }
             Happening::Brake { brake, sticks } => {
                 let change = if sticks { Change::Sticks } else { Change::Slides };
-                format!("{}.{}", self.brakes()[brake].name(), change.word())
+                format!("{}.{}", self.brake_name(brake), change.word())
             }
             Happening::Rest => "rest".to_owned(),
             Happening::Singular => "singular".to_owned(),
@@ -118,10 +118,8 @@ impl Equations {
             .flat_map(|joint| [true, false].map(|holds| Happening::Joint { joint, holds }));
         let impulses = (0..self.model().impulses.len()).map(Happening::Impulse);
         let loads = (0..self.windows().len()).flat_map(ends);
-        let brakes = (0..self.brakes().len())
-            .flat_map(|brake| [true, false].map(|sticks| Happening::Brake { brake, sticks }));
         let whole = [Happening::Rest, Happening::Singular];
-        let mut all = events.chain(loads).chain(joints).chain(impulses).chain(brakes).chain(whole);
-        all.find(|happening| self.name_of(happening) == name)
+        let mut all = events.chain(loads).chain(joints).chain(impulses).chain(whole);
+        all.find(|happening| self.name_of(happening) == name).or_else(|| self.named_brake(name))
     }
 }

@@ -175,6 +175,10 @@ fn happening(study: &Study, equations: &Equations, happening: &Happening) -> Str
         }
         Happening::Impulse(impulse) => format!("impulse {}", spoken(&study.model.impulses[impulse].name)),
         Happening::Contact { pair, .. } => equations.pairs()[pair].name.clone(),
+        Happening::Brake { brake, sticks } => {
+            let load = symbols::the(equations.brake_name(brake));
+            format!("{load} {}", if sticks { "begins to hold" } else { "gives way" })
+        }
         Happening::Rest => "all is at rest".to_owned(),
         Happening::Singular => "the joints pass a singular configuration".to_owned(),
     }

@@ -2,7 +2,7 @@
 //! events of a name.
 
 use tumble_expr::{Dimension, Vector};
-use tumble_mech::{Application, AppliedImpulse, Frame, Load, Moment, Place};
+use tumble_mech::{Application, AppliedImpulse, Change, Frame, Load, Moment, Place};
 
 use super::{body, each, event_named as event, points};
 use crate::code::Code;
@@ -105,7 +105,19 @@ fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     if during.is_some() {
         draft.names.happenings.extend(["start", "end"].map(|end| format!("{name}.{end}")));
     }
+    if has_signs(&application) {
+        let changes = [Change::Sticks, Change::Slides].map(|change| format!("{name}.{}", change.word()));
+        draft.names.happenings.extend(changes);
+    }
     draft.model.loads.push(Load { name, body, application, during });
+}
+
+/// Whether what it is may stay at a sign that is zero, as dry friction does.
+fn has_signs(application: &Application) -> bool {
+    match application {
+        Application::Torque(torque) => !torque.signs().is_empty(),
+        Application::Force { force, .. } => force.components().iter().any(|part| !part.signs().is_empty()),
+    }
 }
 
 fn impulse(draft: &mut Draft, field: &Field, table: &mut Table) {
