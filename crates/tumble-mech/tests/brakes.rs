@@ -7,7 +7,7 @@ use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    Action, Application, AppliedImpulse, Body, Change, Event, Forces, Friction, Gravity, Load, Model, Place, Run, Shape,
+    Action, Application, AppliedImpulse, Body, Change, ContactLaw, Event, Forces, Friction, Gravity, Load, Model, Place, Release, Run, Shape,
     Start, Surface, time,
 };
 use tumble_ode::{Direction, Side};
@@ -326,4 +326,33 @@ fn friction_by_a_force_that_changes_with_the_place() {
     let [x, v] = motion(&run, 0, 19.0);
     assert!(v == 0.0 && k * x.abs() <= 0.2 * (2.0 * G - c * x), "{x} {v}");
     close(force(&run, "rub", 19.0)[0], k * x, 1e-12);
+}
+
+/// On a floor that yields, where the normal force follows from the depth: `v = v0 - mu (vy + g t)`, whatever that force does, until it
+/// stops.
+#[test]
+fn on_a_compliant_floor() {
+    let mu = 0.3;
+    let mut model = in_gravity();
+    let ball = model.add(Body::ball("ball", 0.1 * M).mass(2 * KG));
+    let start = Start::default().at([0 * M, 0.1 * M]).velocity([1 * M / S, -0.01 * M / S]);
+    model.starts.push(("ball".into(), start));
+    let law = ContactLaw::Spring {
+        stiffness: 2e4 * N / M,
+        damping: 60 * N * S / M,
+        release: Release::AtZeroForce,
+    };
+    model.surface(Surface::floor("floor", 0 * M, law));
+    let rub = -mu * normal(&model) * speed(&model, 0).sign();
+    model.force("rub", &ball.cm(), Vector::planar(rub, 0 * N));
+    let run = run(model, 2.0, 1e-12);
+    let vy = ball.kinematics().velocity().y().clone();
+    let lost = |t: f64| mu * (at(&run, t, [vy.clone()])[0] + 0.01 + G * t);
+    for t in [0.01, 0.1, 0.3] {
+        close(motion(&run, 0, t)[1], 1.0 - lost(t), 1e-12);
+    }
+    let stops = times(&run, "rub.sticks");
+    assert_eq!(stops.len(), 1, "{:?}", told(&run));
+    close(lost(stops[0]), 1.0, 1e-12);
+    assert_eq!(motion(&run, 0, 2.0)[1], 0.0);
 }

@@ -6,7 +6,7 @@ use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    Action, Anchor, Body, BodyContact, Event, Friction, Gravity, Joint, Load, Model, Part, Place, Run, RunError, Shape, Start,
+    Action, Anchor, Body, BodyContact, Equations, Event, Friction, Gravity, Joint, Load, Model, Part, Place, Run, RunBalance, RunError, Shape, Start,
     Surface, time,
 };
 use tumble_ode::{Accuracy, Direction};
@@ -366,4 +366,74 @@ fn what_is_not_linear_is_refused_by_name() {
     let mut torque = pulled(0.0, 0.0, 0.1, 1.0);
     torque.torque("twist", &block, force);
     assert!(refused(&torque, 1.0).1.contains("torque of `twist`"));
+}
+
+/// A load by the friction of a surface: while it slides that is tied to the normal force, `N (1 + c mu) = m g`; while it sticks it is
+/// what the pull takes, `N = m g - c P`.
+#[test]
+fn a_load_by_the_friction_of_a_surface() {
+    let (mu, c, pull) = (0.5, 0.4, 3.0);
+    for speed in [4.0, 0.0] {
+        let mut model = pulled(pull, 0.0, 0.0, speed);
+        model.loads.truncate(1);
+        let surface = model.surfaces.remove(0);
+        model.surface(surface.with_friction(Friction::new(Expr::from(mu))));
+        let friction = model.pairs().into_iter().filter(|pair| pair.friction.is_some() && !pair.is_rolling());
+        let friction = friction.map(|pair| Expr::from(pair.friction_symbol())).reduce(|a, b| a + b).expect("corners");
+        let block = model.bodies[0].clone();
+        model.force("lift", &block.cm(), Vector::planar(0 * N, -c * &friction));
+        let run = run(model.clone(), 0.2, 1e-13);
+        let [normal, along, v] = at(&run, 0.1, [normal(&model, "floor", "block"), friction, vx(&run)]);
+        let (force, rubs) =
+            if speed > 0.0 { (2.0 * G / (1.0 + c * mu), -mu * 2.0 * G / (1.0 + c * mu)) } else { (2.0 * G - c * pull, -pull) };
+        close(normal, force, 1e-13);
+        close(along, rubs, 1e-13);
+        close(v, if speed > 0.0 { speed + 0.1 * (pull + rubs) / 2.0 } else { 0.0 }, 1e-13);
+    }
+}
+
+/// A ball is driven by the force of another body's hinge: `m v' = c R_x`, `R_x = M a_x` of the rod's centre.
+#[test]
+fn a_load_by_the_hinge_of_another_body() {
+    for by_pivot in [true, false] {
+        let (mut model, rod) = swinging(by_pivot, |_, _| 0 * N * M);
+        let forces: Vec<Expr> = match by_pivot {
+            true => model.pivots[0].force_symbols().map(Expr::from).to_vec(),
+            false => model.joints[0].multipliers().into_iter().map(Expr::from).collect(),
+        };
+        let ball = model.add(Body::ball("ball", 0.1 * M).mass(4 * KG));
+        model.starts.push(("ball".into(), Start::default().at([5 * M, 0 * M])));
+        model.force("drive", &ball.cm(), Vector::planar(0.5 * &forces[0], 0 * N));
+        let run = run(model, 1.5, 1e-13);
+        let speeds = [&rod, &ball].map(|body| body.cm().velocity().x().clone());
+        let [rod, ball] = at(&run, 1.5, speeds);
+        close(ball, 0.5 * rod / 4.0, 1e-12);
+    }
+}
+
+/// What the load does to the energy of the block is its work, to the last digits.
+#[test]
+fn works_of_such_loads_are_counted() {
+    let (pull, angle, mu) = (8.0, 0.5, 0.3);
+    let run = run(pulled(pull, angle, mu, 5.0), 0.5, 1e-13);
+    let balance = RunBalance::of(&run, [0.3, -0.2]).expect("a balance");
+    assert!(balance.energy.relative() < 1e-13 && balance.relative() < 1e-13, "{:?}", balance.energy);
+    let force = 2.0 * G - pull * f64::sin(angle);
+    let way = 5.0 * 0.5 + 0.125 * (pull * f64::cos(angle) - mu * force) / 2.0;
+    let works = balance.contributions.iter().filter(|own| own.load == "rub");
+    close(works.map(|own| own.work).sum(), -mu * force * way, 1e-13);
+}
+
+/// No equilibrium is looked for with them.
+#[test]
+fn equilibria_with_them_are_refused_by_name() {
+    let mut model = pressed(Expr::from(0.5));
+    let found = Equations::new(model.clone()).expect("a model").equilibrium(&model.parameters);
+    assert!(found.expect_err("it depends on a force").to_string().contains("`press` depends on forces"));
+    model.loads.clear();
+    let block = model.bodies[0].clone();
+    let rub = -(1 * N) * block.kinematics().velocity().x().sign();
+    model.force("rub", &block.cm(), Vector::planar(rub, 0 * N));
+    let found = Equations::new(model.clone()).expect("a model").equilibrium(&model.parameters);
+    assert!(found.expect_err("dry friction").to_string().contains("`rub` is dry friction"));
 }
