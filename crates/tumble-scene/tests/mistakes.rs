@@ -269,7 +269,7 @@ const FORMULAS: &[Row] = &[
         "E0562 \"hinge.fx*hinge.fy/(1 N)*L\"",
         "by a product of them",
     ),
-    ("torque = \"0.1 N*m\"", "torque = \"hinge.fx\"", "E0404 hinge.fx", "found a force (N)"),
+    ("torque = \"0.1 N*m\"", "torque = \"hinge.fx\"", "E0404 hinge.fx", "found a force"),
     (
         "at = \"rod.tip\"\nforce",
         "at = { world = [\"hinge.fx/(1 N)*L\", 0] }\nforce",
