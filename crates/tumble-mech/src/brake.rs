@@ -131,11 +131,14 @@ impl Maker<'_> {
         let loads: Vec<(usize, Term)> = replaced.filter(|(_, term)| uses(term)).collect();
         let window = loads.first()?.1.window;
         let slopes = loads.iter().map(|(_, term)| self.slopes(term, &sign)).collect::<Option<Vec<_>>>()?;
-        let factors = self.factors(&slopes).filter(|_| loads.iter().all(|(_, term)| term.window == window))?;
+        let factors =
+            self.factors(&slopes).filter(|_| loads.iter().all(|(_, term)| term.window == window))?;
         let force = Symbol::new(format!("braking {}", self.index), factors.dimension);
         let row = self.row(force.clone());
-        let pushes: Vec<Wrench> = loads.iter().zip(factors.directions).map(|((_, term), push)| wrench(term, push)).collect();
-        let terms = loads.iter().zip(&pushes).map(|((_, term), push)| pushed(term, push, &force.clone().into()));
+        let pushes: Vec<Wrench> =
+            loads.iter().zip(factors.directions).map(|((_, term), push)| wrench(term, push)).collect();
+        let terms =
+            loads.iter().zip(&pushes).map(|((_, term), push)| pushed(term, push, &force.clone().into()));
         let mut bodies: Vec<usize> = row.wrenches.iter().chain(&pushes).map(|wrench| wrench.body).collect();
         bodies.sort_unstable();
         bodies.dedup();
@@ -233,9 +236,8 @@ impl Maker<'_> {
         });
         let changes = changes.filter(|(symbol, _)| used.contains(symbol));
         let by_time = self.rate.derivative(&time_symbol());
-        changes.fold(by_time, |sum, (symbol, change)| {
-            sum + self.rate.derivative(&symbol) * Expr::from(change)
-        })
+        changes
+            .fold(by_time, |sum, (symbol, change)| sum + self.rate.derivative(&symbol) * Expr::from(change))
     }
 }
 
@@ -319,9 +321,7 @@ impl Equations {
 
     /// Whether a state is the rate of a brake that holds.
     pub(crate) fn is_braked(&self, mode: &Mode, state: &Symbol) -> bool {
-        let is_it = |brake: usize| {
-            matches!(self.brakes()[brake].rate.node(), tumble_expr::Node::Symbol(own) if own == state)
-        };
+        let is_it = |brake: usize| matches!(self.brakes()[brake].rate.node(), tumble_expr::Node::Symbol(own) if own == state);
         mode.braked().any(is_it)
     }
 }

@@ -125,7 +125,8 @@ impl Instant<'_> {
             None => Ok(chosen),
             // What was about to give way is held all the same.
             Some(_) if !broken.is_empty() => {
-                let told: Vec<(usize, Watched)> = told.iter().map(|(brake, _)| (*brake, Watched::Slip)).collect();
+                let told: Vec<(usize, Watched)> =
+                    told.iter().map(|(brake, _)| (*brake, Watched::Slip)).collect();
                 self.choose(mode, &told)
             }
             Some(brake) => Err(Reason::Model(format!(
@@ -144,8 +145,11 @@ impl Instant<'_> {
                 states[state] = 0.0;
             }
         }
-        let bodies: Vec<usize> =
-            equations.acting_brakes(mode).into_iter().flat_map(|brake| self.brakes()[brake].bodies.clone()).collect();
+        let bodies: Vec<usize> = equations
+            .acting_brakes(mode)
+            .into_iter()
+            .flat_map(|brake| self.brakes()[brake].bodies.clone())
+            .collect();
         for island in equations.islands(mode, &bodies) {
             mode.still.retain(|body| !island.contains(body));
             if self.is_still(mode, &island)? {
@@ -174,11 +178,15 @@ impl Instant<'_> {
             RowOf::Brake(brake) => self.brakes()[*brake].rate.symbols().contains(&t),
         };
         let count: usize = island.iter().map(|body| self.freedoms(mode, *body)).sum();
-        if rows.len() < count || rows.iter().any(moves) || island.iter().any(|body| equations.is_carried(*body)) {
+        if rows.len() < count
+            || rows.iter().any(moves)
+            || island.iter().any(|body| equations.is_carried(*body))
+        {
             return Ok(false);
         }
         let rows: Vec<(usize, RowOf)> = rows.into_iter().enumerate().collect();
-        let gradient = equations.numbers_of(mode, &rows, self.time, self.states, self.inputs)?.gradient.dense();
+        let gradient =
+            equations.numbers_of(mode, &rows, self.time, self.states, self.inputs)?.gradient.dense();
         // Rows in units of their own.
         let rows = gradient.row_iter().map(|row| row / row.norm().max(f64::MIN_POSITIVE));
         let gradient = DMatrix::from_rows(&rows.collect::<Vec<_>>());
@@ -188,10 +196,8 @@ impl Instant<'_> {
     /// Velocities of a body that something has to hold: a point that does not turn will not.
     fn freedoms(&self, mode: &Mode, body: usize) -> usize {
         let velocities = self.equations.velocity_states(mode, body);
-        let is_point = matches!(
-            self.equations.body_equations(body).coordinates,
-            Coordinates::Free { is_point: true }
-        );
+        let is_point =
+            matches!(self.equations.body_equations(body).coordinates, Coordinates::Free { is_point: true });
         let turns = velocities.last().is_some_and(|omega| self.states[*omega] != 0.0);
         let stays = is_point && !turns && !self.equations.is_turned_by_joints(mode, body);
         velocities.len() - usize::from(stays)

@@ -151,8 +151,19 @@ impl Equations {
         }));
         let first_states = first_states.collect();
         let built = Built::default();
-        let parts =
-            Parts { bodies, terms, readings, brakes, windows, pairs, joints, components, first_states, definitions, built };
+        let parts = Parts {
+            bodies,
+            terms,
+            readings,
+            brakes,
+            windows,
+            pairs,
+            joints,
+            components,
+            first_states,
+            definitions,
+            built,
+        };
         let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
@@ -247,7 +258,7 @@ impl Equations {
     }
 
     pub(crate) fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
-        self.changes(mode).apply(&self.parts.definitions.apply(formula))
+        self.absent(mode).apply(&self.changes(mode).apply(&self.parts.definitions.apply(formula)))
     }
 
     fn terms_with(&self, acting: Vec<&Term>, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {

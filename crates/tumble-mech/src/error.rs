@@ -117,7 +117,8 @@ pub enum ModelError {
     },
     /// A load that depends on forces of contacts or joints otherwise than linearly.
     #[error(
-        "`{load}` depends on {} by {how}: the forces that keep bodies are found together with it from linear equations", listed(read)
+        "`{load}` depends on {} by {how}: the forces that keep bodies are found together with it from linear equations",
+        listed(read)
     )]
     NotLinear {
         /// Name of the load.

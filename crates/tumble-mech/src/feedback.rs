@@ -20,7 +20,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use tumble_expr::{Binary, Expr, Node, Symbol, Unary};
+use tumble_expr::{Binary, Expr, Node, Substitution, Symbol, Unary};
 use tumble_ode::Reason;
 
 use crate::constraints::JointEquations;
@@ -143,9 +143,31 @@ impl Equations {
     pub(crate) fn feeding(&self, mode: &Mode) -> impl Iterator<Item = (usize, &Term)> {
         let reads = self.readings().iter().enumerate().filter(|(_, readings)| !readings.symbols.is_empty());
         let loads = reads.map(|(load, _)| (load, &self.loads()[load]));
-        loads.filter(|(_, term)| {
-            mode.has(term.body) && term.window.is_none_or(|window| mode.windows[window])
-        })
+        loads.filter(|(_, term)| mode.has(term.body) && term.window.is_none_or(|window| mode.windows[window]))
+    }
+
+    /// Forces that loads read and that are nothing in a mode: of what is open, and of joints that do not hold.
+    pub(crate) fn absent(&self, mode: &Mode) -> Substitution {
+        let mut absent = Substitution::default();
+        let read: HashSet<&Symbol> =
+            self.feeding(mode).flat_map(|(load, _)| &self.readings()[load].symbols).collect();
+        if read.is_empty() {
+            return absent;
+        }
+        let mut leave_out = |symbol: Symbol| {
+            if read.contains(&symbol) {
+                absent.insert(symbol, Expr::zero());
+            }
+        };
+        for (index, pair) in self.pairs().iter().enumerate() {
+            if !mode.held().chain(mode.pressed()).any(|held| held == index) {
+                leave_out(pair.force_symbol());
+                leave_out(pair.friction_symbol());
+            }
+        }
+        let joints = self.joints().iter().enumerate().filter(|(joint, _)| !self.holds(mode, *joint));
+        joints.flat_map(|(_, joint)| joint.multipliers().to_vec()).for_each(leave_out);
+        absent
     }
 
     /// Whether a load on any of some bodies reads forces.
@@ -165,7 +187,9 @@ impl Equations {
         let left = self.values(&left, at.mode, at.time, at.states, at.inputs)?;
         let is_wrong = |(index, left): (usize, &f64)| told.contains(&index) || !(*left > WEDGED);
         match left.iter().enumerate().position(is_wrong) {
-            Some(wrong) => Err(Reason::Model(self.undetermined(&fed[wrong].force, &fed[wrong].loads, left[wrong]))),
+            Some(wrong) => {
+                Err(Reason::Model(self.undetermined(&fed[wrong].force, &fed[wrong].loads, left[wrong])))
+            }
             None => self.refuse_open(at),
         }
     }
@@ -194,7 +218,8 @@ impl Equations {
     fn refuse_open(&self, at: Spot<'_>) -> Result<(), Reason> {
         for (load, term) in self.feeding(at.mode) {
             let formulas = [term.force.components(), std::slice::from_ref(&term.couple)].concat();
-            let formulas: Vec<Expr> = formulas.iter().map(|formula| self.changes(at.mode).apply(formula)).collect();
+            let formulas: Vec<Expr> =
+                formulas.iter().map(|formula| self.changes(at.mode).apply(formula)).collect();
             let open = self.spreads(at.mode, at.time, at.states, at.inputs, &formulas)?;
             if open.iter().any(Option::is_some) {
                 let read: Vec<String> =

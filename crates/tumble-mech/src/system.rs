@@ -5,8 +5,8 @@ use std::sync::Arc;
 use tumble_expr::Rounding;
 use tumble_ode::{Cause, Crossing, Flow, Hybrid, Program, Reason};
 
-use crate::equations::Equations;
 use crate::contact::Causes;
+use crate::equations::Equations;
 use crate::event::Action;
 use crate::link::{Linking, Nodes, Written};
 use crate::load::Moment;

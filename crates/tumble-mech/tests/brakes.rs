@@ -7,8 +7,8 @@ use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    Action, Application, AppliedImpulse, Body, Change, ContactLaw, Event, Forces, Friction, Gravity, Load, Model, Place, Release, Run, Shape,
-    Start, Surface, time,
+    Action, Application, AppliedImpulse, Body, Change, ContactLaw, Event, Forces, Friction, Gravity, Load,
+    Model, Place, Release, Run, Shape, Start, Surface, time,
 };
 use tumble_ode::{Direction, Side};
 
@@ -58,7 +58,9 @@ fn normal(model: &Model) -> Expr {
 fn point(mass: f64, speed: f64) -> Model {
     let mut model = Model::new();
     let name = format!("p{}", model.bodies.len());
-    model.starts.push((name.clone(), Start::default().at([0 * M, 0 * M]).velocity([speed * M / S, 0 * M / S])));
+    model
+        .starts
+        .push((name.clone(), Start::default().at([0 * M, 0 * M]).velocity([speed * M / S, 0 * M / S])));
     model.add(Body::point(name).mass(mass * KG));
     model
 }
@@ -128,7 +130,8 @@ fn a_block_stops_holds_and_breaks_away() {
 fn it_is_the_friction_of_surfaces() {
     let pull = || 12 * N * (3 * time() / S).sin();
     for (first, angle) in [(1.0, 0.5), (0.0, -0.3), (-2.0, 0.0)] {
-        let [own, built_in] = [false, true].map(|built_in| run(pulled(first, pull(), angle, 0.35, built_in), 6.0, 1e-13));
+        let [own, built_in] =
+            [false, true].map(|built_in| run(pulled(first, pull(), angle, 0.35, built_in), 6.0, 1e-13));
         let changes = |run: &Run, word: &str| {
             let all = told(run).into_iter();
             let own = all.filter(|(name, time)| *time > 0.0 && name.ends_with(word));
@@ -337,11 +340,8 @@ fn on_a_compliant_floor() {
     let ball = model.add(Body::ball("ball", 0.1 * M).mass(2 * KG));
     let start = Start::default().at([0 * M, 0.1 * M]).velocity([1 * M / S, -0.01 * M / S]);
     model.starts.push(("ball".into(), start));
-    let law = ContactLaw::Spring {
-        stiffness: 2e4 * N / M,
-        damping: 60 * N * S / M,
-        release: Release::AtZeroForce,
-    };
+    let law =
+        ContactLaw::Spring { stiffness: 2e4 * N / M, damping: 60 * N * S / M, release: Release::AtZeroForce };
     model.surface(Surface::floor("floor", 0 * M, law));
     let rub = -mu * normal(&model) * speed(&model, 0).sign();
     model.force("rub", &ball.cm(), Vector::planar(rub, 0 * N));

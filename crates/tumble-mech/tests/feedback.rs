@@ -6,8 +6,8 @@ use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    Action, Anchor, Body, BodyContact, Equations, Event, Friction, Gravity, Joint, Load, Model, Part, Place, Run, RunBalance, RunError, Shape, Start,
-    Surface, time,
+    Action, Anchor, Body, BodyContact, Equations, Event, Friction, Gravity, Joint, Load, Model, Part, Place,
+    Run, RunBalance, RunError, Shape, Start, Surface, time,
 };
 use tumble_ode::{Accuracy, Direction};
 
@@ -89,7 +89,8 @@ fn a_users_friction_is_that_of_surfaces() {
     model.surface(surface.with_friction(Friction::new(Expr::from(mu))));
     let built_in = run(model, 0.4, 1e-13);
     let place = |run: &Run| run.equations.model().bodies[0].kinematics().position().x().clone();
-    let motion = |run: &Run| at(run, 0.4, [place(run), vx(run), normal(run.equations.model(), "floor", "block")]);
+    let motion =
+        |run: &Run| at(run, 0.4, [place(run), vx(run), normal(run.equations.model(), "floor", "block")]);
     for (own, built_in) in motion(&own).into_iter().zip(motion(&built_in)) {
         close(own, built_in, 2e-15);
     }
@@ -167,7 +168,8 @@ fn stepped(mut now: [f64; 2], until: f64, steps: usize, rates: impl Fn([f64; 2])
 /// A rod of 1 m and 1 kg that swings about its upper end, held by a pivot or by a pin, under a torque that its hinge's force makes.
 fn swinging(by_pivot: bool, torque: impl Fn(&Body, [Expr; 2]) -> Expr) -> (Model, Body) {
     let mut model = in_gravity();
-    let rod = Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG).with_point("top", [0 * M, 0 * M]);
+    let rod =
+        Body::rod("rod", [0 * M, 0 * M], [0 * M, -1 * M]).mass(1 * KG).with_point("top", [0 * M, 0 * M]);
     let rod = model.add(rod);
     let place = [0 * M, 0 * M];
     let forces = if by_pivot {
@@ -175,7 +177,10 @@ fn swinging(by_pivot: bool, torque: impl Fn(&Body, [Expr; 2]) -> Expr) -> (Model
         model.pivots[0].force_symbols().to_vec()
     } else {
         let top = Anchor::Material(rod.named_point("top").expect("given"));
-        let joint = Joint { assemble: true, ..Joint::pin("hinge", [top, Anchor::World(Vector::planar(0 * M, 0 * M))]) };
+        let joint = Joint {
+            assemble: true,
+            ..Joint::pin("hinge", [top, Anchor::World(Vector::planar(0 * M, 0 * M))])
+        };
         let forces = joint.multipliers();
         model.join(joint);
         forces
@@ -322,7 +327,8 @@ fn a_joint_that_is_released_is_read_as_nothing() {
     });
     model.force("pull", &free.cm(), Vector::planar(Expr::from(fy), 0 * N));
     let run = run(model, 2.0, 1e-12);
-    let low = run.events().find(|event| !event.record.happened.is_empty()).expect("it comes to hang down").time;
+    let low =
+        run.events().find(|event| !event.record.happened.is_empty()).expect("it comes to hang down").time;
     let speed = free.kinematics().velocity().x().clone();
     let [before] = at(&run, low, [speed.clone()]);
     let [after] = at(&run, 1.9, [speed]);
@@ -379,13 +385,17 @@ fn a_load_by_the_friction_of_a_surface() {
         let surface = model.surfaces.remove(0);
         model.surface(surface.with_friction(Friction::new(Expr::from(mu))));
         let friction = model.pairs().into_iter().filter(|pair| pair.friction.is_some() && !pair.is_rolling());
-        let friction = friction.map(|pair| Expr::from(pair.friction_symbol())).reduce(|a, b| a + b).expect("corners");
+        let friction =
+            friction.map(|pair| Expr::from(pair.friction_symbol())).reduce(|a, b| a + b).expect("corners");
         let block = model.bodies[0].clone();
         model.force("lift", &block.cm(), Vector::planar(0 * N, -c * &friction));
         let run = run(model.clone(), 0.2, 1e-13);
         let [normal, along, v] = at(&run, 0.1, [normal(&model, "floor", "block"), friction, vx(&run)]);
-        let (force, rubs) =
-            if speed > 0.0 { (2.0 * G / (1.0 + c * mu), -mu * 2.0 * G / (1.0 + c * mu)) } else { (2.0 * G - c * pull, -pull) };
+        let (force, rubs) = if speed > 0.0 {
+            (2.0 * G / (1.0 + c * mu), -mu * 2.0 * G / (1.0 + c * mu))
+        } else {
+            (2.0 * G - c * pull, -pull)
+        };
         close(normal, force, 1e-13);
         close(along, rubs, 1e-13);
         close(v, if speed > 0.0 { speed + 0.1 * (pull + rubs) / 2.0 } else { 0.0 }, 1e-13);

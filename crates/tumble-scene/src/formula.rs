@@ -322,9 +322,9 @@ fn misplaced(name: &str, (needed, level): (Level, Level), mut mistake: Diagnosti
         ),
         Level::Motion if needed == Level::Forces => (
             Code::Changing,
-            format!("`{name}` is a force, and has no value at an instant of impact"),
-            "a place or an impulse follows from positions and velocities",
-            "use positions, velocities and the time; the formula of a `[force.NAME]` may name it",
+            format!("`{name}` is a force, on which no place and no impulse can depend"),
+            "follows from all forces at a time",
+            "use positions, velocities and the time here; what a `[force.NAME]` is may depend on it",
         ),
         _ => (
             Code::Acceleration,

@@ -274,7 +274,7 @@ const FORMULAS: &[Row] = &[
         "at = \"rod.tip\"\nforce",
         "at = { world = [\"hinge.fx/(1 N)*L\", 0] }\nforce",
         "E0525 hinge.fx",
-        "has no value at an instant of impact",
+        "no place and no impulse",
     ),
     ("force = [\"w(t)*1 N\", 0]", "force = [\"w(t)\", 0]", "E0404 w(t)", "found a pure number"),
     (

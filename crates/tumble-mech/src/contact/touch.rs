@@ -134,7 +134,12 @@ impl Touch {
 
     fn is_finite(&self) -> bool {
         let slips = self.slips.rate.iter().chain(&self.slips.free);
-        self.rate.iter().chain(&self.free).chain(slips).chain(self.pushes.iter().flatten()).all(|value| value.is_finite())
+        self.rate
+            .iter()
+            .chain(&self.free)
+            .chain(slips)
+            .chain(self.pushes.iter().flatten())
+            .all(|value| value.is_finite())
     }
 
     /// Position of a pair among the island's own.
@@ -214,7 +219,8 @@ impl Equations {
         let near: Vec<usize> = (0..all.len()).filter(is_near).collect();
         let tape = read.tape;
         let places: HashMap<usize, usize> = near.iter().copied().zip(0..).collect();
-        let kept = |slip: &Slipping| Some(Slipping { position: *places.get(&slip.position)?, ..slip.clone() });
+        let kept =
+            |slip: &Slipping| Some(Slipping { position: *places.get(&slip.position)?, ..slip.clone() });
         let pushes = tape.pushes.as_ref().map(|pushes| {
             let along = tape.slips.iter().zip(all.len()..).filter(|(slip, _)| kept(slip).is_some());
             pushes.only(near.iter().copied().chain(along.map(|(_, row)| row)).collect())

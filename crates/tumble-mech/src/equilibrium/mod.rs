@@ -115,7 +115,9 @@ pub enum NoEquilibrium {
         load: String,
     },
     /// A load that reads forces of contacts or joints.
-    #[error("`{load}` depends on forces of contacts or joints, with which no equilibrium is looked for: let the motion come to rest instead")]
+    #[error(
+        "`{load}` depends on forces of contacts or joints, with which no equilibrium is looked for: let the motion come to rest instead"
+    )]
     Fed {
         /// Name of the load.
         load: String,

@@ -152,7 +152,14 @@ impl Equations {
         self.instant_tape((Asked::Gaps, mode), |mode| {
             let mut instant = Instant::new(self, mode, &[]);
             let pairs = pairs.iter().map(|pair| instant.row(RowOf::Pair(*pair))).collect();
-            Ok(InstantTape { tape: instant.tape()?, pairs, slips: vec![], rows: vec![], bodies: 0, pushes: None })
+            Ok(InstantTape {
+                tape: instant.tape()?,
+                pairs,
+                slips: vec![],
+                rows: vec![],
+                bodies: 0,
+                pushes: None,
+            })
         })
     }
 
@@ -163,7 +170,14 @@ impl Equations {
             let rows = rows.into_iter().map(|row| instant.row(row)).collect();
             let bodies = instant.outputs.len();
             mode.bodies.iter().for_each(|body| instant.add_masses(*body));
-            Ok(InstantTape { tape: instant.tape()?, pairs: vec![], slips: vec![], rows, bodies, pushes: None })
+            Ok(InstantTape {
+                tape: instant.tape()?,
+                pairs: vec![],
+                slips: vec![],
+                rows,
+                bodies,
+                pushes: None,
+            })
         })
     }
 

@@ -41,7 +41,8 @@ impl Equations {
 
     /// Bodies with a pivot whose force a load reads.
     pub(super) fn recoiling(&self, load: usize) -> Vec<usize> {
-        let of_pivot = |(_, meaning)| if let Meaning::Reaction { body, .. } = meaning { Some(body) } else { None };
+        let of_pivot =
+            |(_, meaning)| if let Meaning::Reaction { body, .. } = meaning { Some(body) } else { None };
         self.read_by(load).into_iter().filter_map(of_pivot).collect()
     }
 
@@ -62,12 +63,7 @@ impl<A: Algebra> Linking<'_, A> {
     }
 
     /// Equations of the pivots' forces that are read: each is what all that is unknown makes of it.
-    pub(super) fn add_recoils(
-        &mut self,
-        system: &System,
-        without: Without,
-        matrix: &mut Entries<A::Value>,
-    ) {
+    pub(super) fn add_recoils(&mut self, system: &System, without: Without, matrix: &mut Entries<A::Value>) {
         let one = self.formula(&Expr::one());
         let less = self.algebra.unary(Unary::Neg, one);
         for (first, body) in system.places_of_recoils() {
@@ -177,7 +173,8 @@ impl<A: Algebra> Linking<'_, A> {
         columns: Range<usize>,
     ) -> Vec<Vec<A::Value>> {
         let place = |place: &usize| others.binary_search(place).ok();
-        let row = |row: &usize| matrix[*row].iter().filter_map(|(at, entry)| Some((place(at)?, entry.clone())));
+        let row =
+            |row: &usize| matrix[*row].iter().filter_map(|(at, entry)| Some((place(at)?, entry.clone())));
         let among: Entries<A::Value> = others.iter().map(|other| row(other).collect()).collect();
         let right = |column: usize| others.iter().map(|row| self.entry(matrix, *row, column)).collect();
         let rights: Vec<Vec<A::Value>> = columns.map(right).collect();
@@ -230,6 +227,7 @@ fn fed_by(system: &System, body: usize, by: Pusher) -> Vec<(usize, Part, usize)>
     let lights = system.places_of_lights().filter(|(_, own)| *own == body);
     let lights = lights.map(|(place, _)| (place, Part::Torque(by, body), 0));
     let recoils = system.places_of_recoils().filter(|(_, own)| *own == body);
-    let recoils = recoils.flat_map(|(first, _)| [0, 1].map(|which| (first + which, Part::Recoil(body, by), which)));
+    let recoils =
+        recoils.flat_map(|(first, _)| [0, 1].map(|which| (first + which, Part::Recoil(body, by), which)));
     rows.chain(lights).chain(recoils).collect()
 }

@@ -98,7 +98,8 @@ impl Settling<'_> {
             None => DVector::zeros(some.len()),
         };
         let left = own(self.pushes(some)).component_div(&own(self.response(some)));
-        let least = (0..some.len()).filter(|i| left[*i] <= WEDGED).min_by(|i, j| left[*i].total_cmp(&left[*j]));
+        let least =
+            (0..some.len()).filter(|i| left[*i] <= WEDGED).min_by(|i, j| left[*i].total_cmp(&left[*j]));
         match least {
             Some(index) if self.touch.is_fed() => self.jammed(some[index], left[index], mode),
             _ => self.unsolved("contact"),
