@@ -110,7 +110,7 @@ fn friction_by_a_choice_is_refused_where_it_sticks() {
     let error = model.simulate(&[(&block, start)], 5 * S).expect_err("it sticks at 2 s");
     let text = error.to_string();
     assert!(
-        text.contains("stopped at t = 2 s") && text.contains("`block.vx` is zero and stays there"),
+        text.contains("stopped at t = 2 s") && text.contains("is zero and stays there"),
         "{text}"
     );
 }
