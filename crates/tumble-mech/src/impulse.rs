@@ -81,6 +81,14 @@ pub(crate) struct Sizes {
 }
 
 impl Sizes {
+    /// Whether nothing acts.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.normals.is_empty()
+            && self.frictions.is_empty()
+            && self.rows.is_empty()
+            && self.applied.is_empty()
+    }
+
     pub(crate) fn add(&mut self, other: Self) {
         self.normals.extend(other.normals);
         self.frictions.extend(other.frictions);

@@ -16,6 +16,9 @@ pub struct Mode {
     pub contacts: Vec<(usize, ContactMode)>,
     /// How those are held along the surface that a rigid surface with friction holds by a force, in the order of the pairs.
     pub grips: Vec<(usize, Grip)>,
+    /// How loads that brake are held that are signs of rates, by the order of [`crate::Equations::brakes`]; those that are not mentioned
+    /// have the sign that the rate has.
+    pub brakes: Vec<(usize, Grip)>,
     /// Bodies that are held so that they cannot move, in order: nothing of them is integrated.
     pub still: Vec<usize>,
     /// Joints that hold though they did not at the start, or the other way round, in order; see [`crate::Equations::holds`].
@@ -62,6 +65,23 @@ impl Mode {
         self.grips.retain(|(known, _)| *known != pair);
         self.grips.extend(grip.map(|grip| (pair, grip)));
         self.grips.sort_unstable();
+    }
+
+    /// How a brake is held.
+    pub fn brake(&self, brake: usize) -> Option<Grip> {
+        self.brakes.iter().find(|(known, _)| *known == brake).map(|(_, grip)| *grip)
+    }
+
+    /// Gives a brake that grip, or leaves it to the rate.
+    pub(crate) fn set_brake(&mut self, brake: usize, grip: Option<Grip>) {
+        self.brakes.retain(|(known, _)| *known != brake);
+        self.brakes.extend(grip.map(|grip| (brake, grip)));
+        self.brakes.sort_unstable();
+    }
+
+    /// The brakes whose rates stay zero.
+    pub(crate) fn braked(&self) -> impl Iterator<Item = usize> {
+        self.brakes.iter().filter(|(_, grip)| *grip == Grip::Sticks).map(|(brake, _)| *brake)
     }
 
     /// The pairs whose friction is as much as keeps them from slipping.

@@ -46,11 +46,11 @@ pub struct Spread {
 
 /// Where and when.
 #[derive(Clone, Copy)]
-struct Spot<'a> {
-    mode: &'a Mode,
-    time: f64,
-    states: &'a [f64],
-    inputs: &'a [f64],
+pub(crate) struct Spot<'a> {
+    pub(crate) mode: &'a Mode,
+    pub(crate) time: f64,
+    pub(crate) states: &'a [f64],
+    pub(crate) inputs: &'a [f64],
 }
 
 impl Run {

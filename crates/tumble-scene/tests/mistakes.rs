@@ -257,6 +257,25 @@ const FORMULAS: &[Row] = &[
         "E0526 ball.alpha",
         "accelerations follow from the forces",
     ),
+    (
+        "force = [\"w(t)*1 N\", 0]",
+        "force = [\"-0.1*hinge.force\", 0]",
+        "E0562 [\"-0.1*hinge.force\", 0]",
+        "by a length",
+    ),
+    (
+        "torque = \"0.1 N*m\"",
+        "torque = \"hinge.fx*hinge.fy/(1 N)*L\"",
+        "E0562 \"hinge.fx*hinge.fy/(1 N)*L\"",
+        "by a product of them",
+    ),
+    ("torque = \"0.1 N*m\"", "torque = \"hinge.fx\"", "E0404 hinge.fx", "found a force"),
+    (
+        "at = \"rod.tip\"\nforce",
+        "at = { world = [\"hinge.fx/(1 N)*L\", 0] }\nforce",
+        "E0525 hinge.fx",
+        "no place and no impulse",
+    ),
     ("force = [\"w(t)*1 N\", 0]", "force = [\"w(t)\", 0]", "E0404 w(t)", "found a pure number"),
     (
         "force = [\"w(t)*1 N\", 0]",

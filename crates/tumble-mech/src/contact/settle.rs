@@ -328,12 +328,13 @@ impl<'a> Settling<'a> {
         let is_calm = self.impulses.amax() == 0.0;
         let stays = |position: &usize| !(is_calm && touched.lifted.contains(&self.touch.pairs[*position]));
         let without: Vec<usize> = members.iter().copied().filter(stays).collect();
+        self.refuse_jammed(&members, &jump.mode)?;
         if self.is_rough() {
             return self.lasting_with_friction([&without, &members], touched, jump);
         }
         let (found, then) = match self.hold(&without, &members) {
             Some(held) => held,
-            None => self.hold(&members, &members).ok_or_else(|| self.unsolved("contact"))?,
+            None => self.hold(&members, &members).ok_or_else(|| self.without_forces(&members, &jump.mode))?,
         };
         self.then = then;
         let held: Vec<usize> = found
@@ -349,9 +350,9 @@ impl<'a> Settling<'a> {
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
     /// accelerations of all gaps; `None` if one of `all` would close.
     fn hold(&self, some: &[usize], all: &[usize]) -> Option<Held> {
-        let (set, push) = pushing(&self.response(some), &self.some(some, &self.touch.free))?;
+        let (set, push) = pushing(&self.pushes(some), &self.some(some, &self.touch.free))?;
         let push = self.whole(some, &push);
-        let then = self.accelerations() + &self.touch.response * push;
+        let then = self.accelerations() + self.touch.pushes() * push;
         let zero = BALANCED * self.touch.strength;
         if all.iter().any(|position| then[*position] < -zero) {
             return None;
@@ -459,6 +460,12 @@ impl<'a> Settling<'a> {
 
     fn response(&self, some: &[usize]) -> DMatrix<f64> {
         DMatrix::from_fn(some.len(), some.len(), |i, j| self.touch.response[(some[i], some[j])])
+    }
+
+    /// What forces of some contacts do to their accelerations.
+    fn pushes(&self, some: &[usize]) -> DMatrix<f64> {
+        let pushes = self.touch.pushes();
+        DMatrix::from_fn(some.len(), some.len(), |i, j| pushes[(some[i], some[j])])
     }
 
     fn whole(&self, some: &[usize], values: &DVector<f64>) -> DVector<f64> {

@@ -1,6 +1,6 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
-use tumble_ode::{Cause, Crossing, Reason};
+use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
@@ -11,11 +11,16 @@ use crate::equations::Equations;
 use crate::impulse::Sizes;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
+use crate::uniqueness::Spot;
 
 /// What the integrator saw of contacts, by pair.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Causes {
     seen: Vec<(usize, Watched, bool)>,
+    /// Forces that loads read and that are determined no more, in the order of their guards.
+    fed: Vec<usize>,
+    /// Brakes with what was seen of them.
+    pub(crate) braked: Vec<(usize, Watched)>,
     wakes: bool,
 }
 
@@ -23,18 +28,11 @@ impl Causes {
     /// Those of a crossing. Where modes have led into each other around a circle, what ended each of them counts as well: forces that are zero
     /// but for rounding seem to cross it in each, and what holds is a mode in which all of them have.
     pub(crate) fn of(equations: &Equations, at: &Crossing<'_, Mode>) -> Self {
-        let mut causes = Self::default();
+        let [mut causes, mut before] = [Self::default(), Self::default()];
         causes.add(equations, at.mode, at.causes);
-        let (now, wakes) = (causes.seen.len(), causes.wakes);
-        for (mode, around) in &at.around {
-            causes.add(equations, mode, around);
-        }
-        causes.wakes = wakes;
-        let mut index = 0;
-        causes.seen.retain(|(_, watched, _)| {
-            index += 1;
-            index <= now || matches!(watched, Watched::Normal | Watched::Cone(_))
-        });
+        at.around.iter().for_each(|(mode, around)| before.add(equations, mode, around));
+        let is_force = |watched: Watched| matches!(watched, Watched::Normal | Watched::Cone(_));
+        causes.seen.extend(before.seen.into_iter().filter(|(_, watched, _)| is_force(*watched)));
         causes
     }
 
@@ -46,8 +44,7 @@ impl Causes {
             match cause {
                 Cause::Guard(guard) if *guard >= events => {
                     let touching = touching.get_or_insert_with(|| equations.touching(mode));
-                    let (pair, watched, _) = touching[guard - events];
-                    self.seen.push((pair, watched, false));
+                    self.see(equations, mode, touching, guard - events);
                 }
                 Cause::LazyGuard(lazy_guard) => {
                     let apart = apart.get_or_insert_with(|| equations.apart(mode));
@@ -58,6 +55,30 @@ impl Causes {
             }
         }
     }
+
+    /// What a guard behind those of events says.
+    fn see(
+        &mut self,
+        equations: &Equations,
+        mode: &Mode,
+        touching: &[(usize, Watched, Direction)],
+        guard: usize,
+    ) {
+        let brakes = equations.watched_brakes(mode);
+        match (touching.get(guard), guard.checked_sub(touching.len())) {
+            (Some((pair, watched, _)), _) => self.seen.push((*pair, *watched, false)),
+            (None, Some(behind)) => match brakes.get(behind) {
+                Some((brake, watched, _)) => self.braked.push((*brake, *watched)),
+                None => self.fed.push(behind - brakes.len()),
+            },
+            (None, None) => {}
+        }
+    }
+
+    /// Whether bodies may strike.
+    pub(crate) fn closes(&self) -> bool {
+        self.seen.iter().any(|(_, watched, _)| *watched == Watched::Gap)
+    }
 }
 
 impl Equations {
@@ -65,12 +86,16 @@ impl Equations {
     pub(crate) fn switch_contacts(
         &self,
         at: &Crossing<'_, Mode>,
+        causes: Causes,
         jump: &mut Jump<Mode>,
     ) -> Result<Sizes, Reason> {
-        if self.pairs().is_empty() {
+        if self.pairs().is_empty() && !self.is_fed(&at.mode.bodies) {
             return Ok(Sizes::default());
         }
-        let causes = Causes::of(self, at);
+        if !causes.fed.is_empty() {
+            let here = Spot { mode: at.mode, time: at.time, states: at.states, inputs: at.inputs };
+            self.refuse_feedback(here, &causes.fed)?;
+        }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         if causes.wakes {
             self.wake(jump);

@@ -29,8 +29,12 @@ pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String 
     });
     let changed =
         mode.changes.iter().map(|event| format!("after {}", spoken(&study.model.events[*event].name)));
-    let all: Vec<String> =
-        contacts(study, equations, mode).into_iter().chain(joined).chain(acting).chain(changed).collect();
+    let held = mode.brakes.iter().filter(|(_, grip)| *grip == Grip::Sticks);
+    let held = held.map(|(brake, _)| {
+        format!("{} holds, its sign between \u{2212}1 and 1", symbols::the(equations.brake_name(*brake)))
+    });
+    let touching = contacts(study, equations, mode).into_iter();
+    let all: Vec<String> = touching.chain(joined).chain(acting).chain(changed).chain(held).collect();
     match (all.is_empty(), equations.pairs().is_empty()) {
         (false, _) => all.join(", "),
         (true, false) => "nothing touches".to_owned(),
@@ -175,6 +179,10 @@ fn happening(study: &Study, equations: &Equations, happening: &Happening) -> Str
         }
         Happening::Impulse(impulse) => format!("impulse {}", spoken(&study.model.impulses[impulse].name)),
         Happening::Contact { pair, .. } => equations.pairs()[pair].name.clone(),
+        Happening::Brake { brake, sticks } => {
+            let load = symbols::the(equations.brake_name(brake));
+            format!("{load} {}", if sticks { "begins to hold" } else { "gives way" })
+        }
         Happening::Rest => "all is at rest".to_owned(),
         Happening::Singular => "the joints pass a singular configuration".to_owned(),
     }

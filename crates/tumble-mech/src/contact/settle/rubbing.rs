@@ -239,7 +239,7 @@ impl Settling<'_> {
                 patch.slips.is_none_or(|way| f64::from(way.sign()) * found.then[patch.row()] >= -zero)
             })
         };
-        let rough = |patches: &[Patch]| self.rough(some, patches, self.accelerations());
+        let rough = |patches: &[Patch]| self.forces(some, patches);
         let found = forced.and_then(|forced| {
             let rough = rough(&forced);
             rough.solve().filter(|found| moves_as_forced(&rough, found))
@@ -291,7 +291,10 @@ impl Settling<'_> {
     ) -> Result<Lasting, Reason> {
         let (some, rubbing) = match self.rub([some, all], touched, jump)? {
             Some(rubbing) => (some, rubbing),
-            None => (all, self.rub([all, all], touched, jump)?.ok_or_else(|| self.unsolved("contact"))?),
+            None => {
+                let found = self.rub([all, all], touched, jump)?;
+                (all, found.ok_or_else(|| self.without_forces(all, &jump.mode))?)
+            }
         };
         self.refuse_undetermined(some, &rubbing)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;
@@ -322,7 +325,7 @@ impl Settling<'_> {
                 _ => None,
             }
         };
-        let response = |row: usize, column: usize| self.touch.response[(row, column)];
+        let response = |row: usize, column: usize| self.touch.pushes()[(row, column)];
         let held = &found.held;
         if held.is_empty() {
             return Ok(());
@@ -401,6 +404,11 @@ impl Settling<'_> {
             given: DVector::zeros(self.touch.response.nrows()),
             zero: BALANCED * self.touch.strength,
         }
+    }
+
+    /// The problem of the forces of some contacts.
+    pub(super) fn forces(&self, some: &[usize], patches: &[Patch]) -> Rough<'_> {
+        Rough { response: self.touch.pushes(), ..self.rough(some, patches, self.accelerations()) }
     }
 
     /// Contact modes of what was found for some contacts; velocities are made to stand.
