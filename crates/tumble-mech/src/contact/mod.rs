@@ -42,5 +42,6 @@ pub use meeting::BodyContact;
 pub(crate) use pair::moves;
 pub use pair::{Pair, Rule};
 pub(crate) use pairs::Pairs;
+pub(crate) use said::of_surface_and_body;
 pub(crate) use slip::WEDGED;
 pub(crate) use watched::Watched;

@@ -178,7 +178,7 @@ impl Equations {
                             if *way == Way::Forward { Direction::Falling } else { Direction::Rising };
                         found.push((*pair, Watched::Slip, direction));
                     }
-                    if self.is_alone(mode, *pair) || self.may_wedge(mode, *pair) {
+                    if !mode.is_pressed(*pair) && (self.is_alone(mode, *pair) || self.may_wedge(mode, *pair)) {
                         found.push((*pair, Watched::Wedge, Direction::Falling));
                     }
                 }
@@ -211,7 +211,7 @@ impl Equations {
         self.independent_rows_of(mode, &island).len() + contacts.count() <= MOST_WATCHED
     }
 
-    /// The pairs that are held and slip like a pair: of the same body on the same plane.
+    /// The pairs that touch and slip like a pair: of the same body on the same plane.
     pub(crate) fn alike<'a>(&'a self, mode: &'a Mode, pair: usize) -> impl Iterator<Item = usize> + 'a {
         let own = self.pairs()[pair].slips_with(pair);
         mode.grips

@@ -224,12 +224,17 @@ impl Settling<'_> {
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<Option<Rubbing>, Reason> {
-        let mut patches = self.patches(some, true);
+        let pressed = self.pressed(jump);
+        let mut patches = self.patches(&[some, &pressed].concat(), true);
         for patch in &mut patches {
+            if pressed.contains(&patch.contacts[0].0) {
+                self.still_first(patch, |contact| self.is_still(contact, touched));
+            }
             patch.slips = self.slips_now(patch, touched);
         }
-        self.refuse_wedged(&patches, touched, jump)?;
-        let forced = self.forced(&patches, touched);
+        self.refuse_wedged(some, &patches, touched, jump)?;
+        let beginning = self.slipping_from_the_start(some, &patches, jump);
+        let forced = self.forced(&patches, touched, &beginning, jump);
         let zero = BALANCED * self.touch.strength;
         let moves_as_forced = |rough: &Rough<'_>, found: &Pushes| {
             let mut ways = rough.patches.iter().zip(&patches).filter(|(_, own)| own.slips.is_none());
@@ -237,7 +242,10 @@ impl Settling<'_> {
                 patch.slips.is_none_or(|way| f64::from(way.sign()) * found.then[patch.row()] >= -zero)
             })
         };
-        let rough = |patches: &[Patch]| self.rough(some, patches, self.accelerations());
+        let rough = |patches: &[Patch]| Rough {
+            loads: self.loads(),
+            ..self.rough(some, patches, self.accelerations())
+        };
         let found = forced.and_then(|forced| {
             let rough = rough(&forced);
             rough.solve().filter(|found| moves_as_forced(&rough, found))
@@ -256,23 +264,33 @@ impl Settling<'_> {
 
     /// The way that a patch slips before anything is settled, if it does.
     fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
-        let count = self.touch.pairs.len();
-        let is_still = |(_, row): &(usize, usize)| {
-            let (rate, speed) = (self.touch.slips.rate[row - count], self.touch.slips.speed[row - count]);
-            rate.abs() <= STANDS * speed || touched.stopped.contains(&self.slipping(*row))
-        };
-        let is_still = patch.contacts.iter().any(is_still);
-        (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - count]))
+        let is_still = patch.contacts.iter().any(|contact| self.is_still(contact, touched));
+        (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - self.touch.pairs.len()]))
     }
 
-    /// The patches with those that could not hold any more made to slide the way they were about to.
-    fn forced(&self, patches: &[Patch], touched: &Touched) -> Option<Vec<Patch>> {
+    /// Whether a contact, with its row along the surface, does not slip before anything is settled.
+    fn is_still(&self, (_, row): &(usize, usize), touched: &Touched) -> bool {
+        let slip = row - self.touch.pairs.len();
+        let (rate, speed) = (self.touch.slips.rate[slip], self.touch.slips.speed[slip]);
+        rate.abs() <= STANDS * speed || touched.stopped.contains(&self.slipping(*row))
+    }
+
+    /// The patches with those that could not hold any more, or cannot from the start, made to slide the way they were about to.
+    fn forced(
+        &self,
+        patches: &[Patch],
+        touched: &Touched,
+        beginning: &[(usize, Way)],
+        jump: &Jump<Mode>,
+    ) -> Option<Vec<Patch>> {
         let way = |patch: &Patch| {
             let broken = |(_, row): &(usize, usize)| {
                 let pair = self.slipping(*row);
-                touched.broken.iter().find(|(known, _)| *known == pair).map(|(_, way)| *way)
+                let mut broken = touched.broken.iter().chain(beginning);
+                broken.find(|(known, _)| *known == pair).map(|(_, way)| *way)
             };
-            patch.slips.or_else(|| patch.contacts.iter().find_map(broken))
+            let mut contacts = patch.contacts.iter().filter(|_| !self.is_spent(patch, jump));
+            patch.slips.or_else(|| contacts.find_map(broken))
         };
         let forced: Vec<Patch> =
             patches.iter().map(|patch| Patch { slips: way(patch), ..patch.clone() }).collect();
@@ -380,6 +398,7 @@ impl Settling<'_> {
             contacts: some.to_vec(),
             patches: patches.to_vec(),
             given: DVector::zeros(self.touch.response.nrows()),
+            loads: DVector::zeros(self.touch.response.nrows()),
             zero: BALANCED * self.touch.strength,
         }
     }
@@ -416,8 +435,12 @@ impl Settling<'_> {
         let Some(Rubbing { patches, found }) = rubbing else { return };
         for (patch, grip) in patches.iter().zip(&found.grips) {
             let holds = patch.contacts.iter().any(|(_, row)| found.holding.contains(row));
-            let held = patch.contacts.iter().filter(|(position, _)| found.held.contains(position));
-            for (index, (_, row)) in held.enumerate() {
+            let touches = |position: &usize| {
+                found.held.contains(position) || jump.mode.is_pressed(self.touch.pairs[*position])
+            };
+            let held: Vec<&(usize, usize)> =
+                patch.contacts.iter().filter(|(position, _)| touches(position)).collect();
+            for (index, (_, row)) in held.into_iter().enumerate() {
                 let own = match grip {
                     Grip::Sticks if index > 0 || !holds => Grip::Follows,
                     other => *other,
@@ -455,17 +478,22 @@ impl Settling<'_> {
         };
         jump.record.happened.extend(change.map(|change| Happening::Contact { pair, change }));
         if let (Grip::Slides(_), None) = (grip, patch.slips) {
-            let moves = self.then[patch.row()].abs() > BALANCED * self.touch.strength;
-            jump.zeros
-                .push((self.equations.pairs()[pair].guard_name(Watched::Slip), if moves { 1 } else { 2 }));
+            let zeros = self.zeros_of_slip(patch.row(), jump);
+            jump.zeros.push((self.equations.pairs()[pair].guard_name(Watched::Slip), zeros));
         }
     }
 
     /// What is held so that it cannot move is not integrated: it does not creep by what rounding leaves of its forces.
     fn keep_still(&self, found: &Pushes, jump: &mut Jump<Mode>) {
         let held = [&found.held[..], &found.holding].concat();
-        let pairs = self.touch.pairs.iter().enumerate().filter(|(position, _)| found.held.contains(position));
-        let is_fixed = pairs.into_iter().all(|(_, pair)| self.equations.pairs()[*pair].is_fixed());
+        let sticks = |position: usize| {
+            let mut own = self.touch.slips.all_at(position);
+            own.any(|slip| found.holding.contains(&(self.touch.pairs.len() + slip)))
+        };
+        let holds = |position: &usize| found.held.contains(position) || sticks(*position);
+        let mut holding = (0..self.touch.pairs.len()).filter(holds);
+        let is_fixed =
+            holding.all(|position| self.equations.pairs()[self.touch.pairs[position]].is_fixed());
         let of = |body: &usize| self.equations.velocity_states(&jump.mode, *body);
         let velocities: Vec<usize> = self.island.iter().flat_map(of).collect();
         let is_free = self.equations.independent_rows_of(&jump.mode, &self.island).is_empty();
