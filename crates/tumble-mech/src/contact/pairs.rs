@@ -114,8 +114,11 @@ fn of_surface(
             between().pairs(&own, &circle_of_world(&surface.through, &circle.radius))
         }
         _ => {
+            // Of several points that sink in by different depths none is the one to slip at.
+            let is_level = !said.0.is_rigid() && own.rims.len() > 1;
             let pair = |rim: &Rim| {
-                Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?), said.clone()))
+                let of = (rim, rim.point()?);
+                Some(Pair { is_level, ..Pair::new((index, surface), (body_index, body), of, said.clone()) })
             };
             own.rims.iter().filter_map(pair).collect()
         }

@@ -8,8 +8,7 @@
 //! the same way, and where there are few surfaces all choices are tried.
 //!
 //! A compliant surface presses with a force that is known, and part of b: of its contacts only the friction is looked for, with that load
-//! in the place of z_n. The points of one body on it slip alike but for what it turns by their different depths, which are small: that is
-//! left out, so that they stick together, and friction holds them by up to the sum of `mu_s` times their loads.
+//! in the place of z_n: what sticks is held by up to the sum of `mu_s` times the loads of all points that slip alike.
 
 use nalgebra::{DMatrix, DVector};
 

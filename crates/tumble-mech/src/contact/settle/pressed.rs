@@ -33,11 +33,6 @@ impl Settling<'_> {
         DVector::from_fn(self.touch.response.nrows(), |row, _| if row < count { load(row) } else { 0.0 })
     }
 
-    /// Lets the contacts of a patch come first that do not slip: by different depths the others may, by as little as those differ.
-    pub(super) fn still_first(&self, patch: &mut Patch, is_still: impl Fn(&(usize, usize)) -> bool) {
-        patch.contacts.sort_by_key(|contact| !is_still(contact));
-    }
-
     /// Whether nothing presses a patch any more that is about to be let go of: it has no friction to break then.
     pub(super) fn is_spent(&self, patch: &Patch, jump: &Jump<Mode>) -> bool {
         let is_spent = |(position, _): &(usize, usize)| {

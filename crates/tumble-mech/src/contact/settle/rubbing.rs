@@ -227,9 +227,6 @@ impl Settling<'_> {
         let pressed = self.pressed(jump);
         let mut patches = self.patches(&[some, &pressed].concat(), true);
         for patch in &mut patches {
-            if pressed.contains(&patch.contacts[0].0) {
-                self.still_first(patch, |contact| self.is_still(contact, touched));
-            }
             patch.slips = self.slips_now(patch, touched);
         }
         self.refuse_wedged(some, &patches, touched, jump)?;
@@ -264,15 +261,13 @@ impl Settling<'_> {
 
     /// The way that a patch slips before anything is settled, if it does.
     fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
-        let is_still = patch.contacts.iter().any(|contact| self.is_still(contact, touched));
-        (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - self.touch.pairs.len()]))
-    }
-
-    /// Whether a contact, with its row along the surface, does not slip before anything is settled.
-    fn is_still(&self, (_, row): &(usize, usize), touched: &Touched) -> bool {
-        let slip = row - self.touch.pairs.len();
-        let (rate, speed) = (self.touch.slips.rate[slip], self.touch.slips.speed[slip]);
-        rate.abs() <= STANDS * speed || touched.stopped.contains(&self.slipping(*row))
+        let count = self.touch.pairs.len();
+        let is_still = |(_, row): &(usize, usize)| {
+            let (rate, speed) = (self.touch.slips.rate[row - count], self.touch.slips.speed[row - count]);
+            rate.abs() <= STANDS * speed || touched.stopped.contains(&self.slipping(*row))
+        };
+        let is_still = patch.contacts.iter().any(is_still);
+        (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - count]))
     }
 
     /// The patches with those that could not hold any more, or cannot from the start, made to slide the way they were about to.

@@ -1,0 +1,308 @@
+//! Friction on compliant surfaces, where what presses is known: slip, true stick and break-away against closed forms.
+
+mod common;
+
+use common::{at, close, run};
+use tumble_expr::units::{KG, M, N, S};
+use tumble_expr::{Exponent, Expr, Vector};
+use tumble_mech::{
+    Application, AppliedImpulse, Body, Change, ContactLaw, Event, Frame, Friction, Gravity, Happening, Kind, Model,
+    Place, Release, Run, RunBalance, Shape, Start, Surface, time,
+};
+
+const G: f64 = 9.81;
+const MASS: f64 = 2.0;
+const RADIUS: f64 = 0.2;
+
+fn spring(stiffness: f64, damping: f64) -> ContactLaw {
+    let release = Release::AtZeroForce;
+    ContactLaw::Spring { stiffness: stiffness * N / M, damping: damping * N * S / M, release }
+}
+
+/// With so much damping that it comes to rest in hundredths of a second.
+fn damped() -> ContactLaw {
+    spring(1e4, 2.0 * (1e4 * MASS).sqrt())
+}
+
+fn hertz(stiffness: f64, damping: f64) -> ContactLaw {
+    let root = (1 * M).powr(Exponent::new(3, 2));
+    ContactLaw::Hertz { stiffness: stiffness * N / root, damping: damping * S / M }
+}
+
+fn mu(friction: f64) -> Friction {
+    Friction::new(Expr::from(friction))
+}
+
+/// One body on a floor, in gravity.
+fn on_floor(body: Body, start: Start, law: ContactLaw, friction: Friction) -> Model {
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(G * M / (S * S));
+    model.starts.push((body.name.clone(), start));
+    model.add(body.mass(MASS * KG));
+    model.surface(Surface::floor("floor", 0 * M, law).with_friction(friction));
+    model
+}
+
+fn point() -> Body {
+    Body::point("box")
+}
+
+/// A uniform ball.
+fn ball() -> Body {
+    Body::ball("ball", RADIUS * M)
+}
+
+/// At a height, with a velocity along the floor and across it.
+fn start(height: f64, [vx, vy]: [f64; 2]) -> Start {
+    Start::default().at([0 * M, height * M]).velocity([vx * M / S, vy * M / S])
+}
+
+/// x, y, vx, vy, angle, omega of the first body.
+fn state(run: &Run, time: f64) -> [f64; 6] {
+    let body = run.equations.model().bodies[0].kinematics();
+    let (c, v) = (body.position(), body.velocity());
+    at(run, time, [c.x().clone(), c.y().clone(), v.x().clone(), v.y().clone(), body.angle(), body.omega()])
+}
+
+/// Times of a change of any contact.
+fn times(run: &Run, change: Change) -> Vec<f64> {
+    let is_it =
+        |happening: &Happening| matches!(happening, Happening::Contact { change: own, .. } if *own == change);
+    run.events().filter(|event| event.record.happened.iter().any(is_it)).map(|event| event.time).collect()
+}
+
+fn happened(run: &Run) -> Vec<String> {
+    let events = run.events().flat_map(|event| event.record.happened.clone());
+    events.map(|happening| run.equations.name_of(&happening)).collect()
+}
+
+/// Normal force and friction of all contacts together, N.
+fn forces(run: &Run, time: f64) -> [f64; 2] {
+    let pairs = run.equations.pairs();
+    let sum =
+        |of: &dyn Fn(&tumble_mech::Pair) -> Expr| pairs.iter().map(of).reduce(|a, b| a + b).expect("pairs");
+    at(run, time, [sum(&|pair| pair.force_symbol().into()), sum(&|pair| pair.friction_symbol().into())])
+}
+
+/// A push along the floor at a time, kg m/s.
+fn push(model: &mut Model, time_of_it: f64, push: f64) {
+    let name = model.bodies[0].name.clone();
+    model.events.push(Event {
+        name: "push".into(),
+        when: time() - time_of_it * S,
+        direction: tumble_ode::Direction::Rising,
+        action: tumble_mech::Action::Record,
+    });
+    let at = Place::Material(model.bodies[0].cm());
+    let force = Vector::planar(push * N * S, 0 * N * S);
+    let application = Application::Force { at, force, frame: Frame::World };
+    model.impulses.push(AppliedImpulse { name: "kick".into(), body: name, when: "push".into(), application });
+}
+
+/// Put down on a spring without damping, `N = m g (1 - cos w t)`, so `v = v_0 - mu g (t - sin(w t)/w)`: it stops where that is zero, and
+/// does not creep from there on while it goes up and down.
+#[test]
+fn it_stops_while_it_goes_up_and_down() {
+    let (friction, speed, stiffness) = (0.3, 1.0, 1e4_f64);
+    let run = run(on_floor(point(), start(0.0, [speed, 0.0]), spring(stiffness, 0.0), mu(friction)), 0.7, 1e-13);
+    let w = (stiffness / MASS).sqrt();
+    let left = |t: f64| speed - friction * G * (t - (w * t).sin() / w);
+    assert_eq!(times(&run, Change::Slides), [0.0]);
+    let sticks = times(&run, Change::Sticks);
+    assert_eq!(sticks.len(), 1);
+    close(left(sticks[0]), 0.0, 1e-13);
+    for t in [0.01, 0.1, 0.3] {
+        close(state(&run, t)[2], left(t), 1e-13);
+        let normal = MASS * G * (1.0 - (w * t).cos());
+        close(forces(&run, t)[0], normal, 1e-11);
+        close(forces(&run, t)[1], -friction * normal, 1e-11);
+    }
+    let [x, y, vx, ..] = state(&run, 0.5);
+    let [later, higher, ..] = state(&run, 0.66);
+    assert_eq!((vx, x), (0.0, later));
+    assert!((y - higher).abs() > 1e-4);
+    assert_eq!(forces(&run, 0.5)[1], 0.0);
+}
+
+/// `t = v/(mu g)` where `N = m g`, exactly, and from there on nothing moves at all.
+#[test]
+fn a_block_stops() {
+    for law in [damped(), spring(1e7, 2.0 * (1e7 * MASS).sqrt())] {
+        let (friction, speed) = (0.3, 2.0);
+        let mut model = on_floor(point(), start(0.0, [0.0, 0.0]), law, mu(friction));
+        push(&mut model, 2.0, speed * MASS);
+        let run = run(model, 50.0, 1e-13);
+        let stops = times(&run, Change::Sticks);
+        close(stops[stops.len() - 1], 2.0 + speed / (friction * G), 1e-14);
+        close(state(&run, 10.0)[0], speed * speed / (2.0 * friction * G), 1e-13);
+        close(forces(&run, 2.1)[1], -friction * MASS * G, 1e-12);
+        let ([x, _, vx, ..], [later, ..]) = (state(&run, 5.0), state(&run, 50.0));
+        assert_eq!((x, vx), (later, 0.0));
+    }
+}
+
+/// A force that grows evenly: it holds until `k t = mu_s m g`, then `m v' = k t - mu_k m g`.
+#[test]
+fn a_block_breaks_away() {
+    for (of_rest, kinetic) in [(0.5, 0.5), (0.5, 0.3)] {
+        let friction = mu(of_rest).kinetic(Expr::from(kinetic));
+        let mut model = on_floor(point(), start(0.0, [0.0, 0.0]), damped(), friction);
+        let rope = 1.5;
+        let centre = model.bodies[0].cm();
+        model.force("rope", &centre, Vector::planar(rope * N / S * time(), 0 * N));
+        let run = run(model, 10.0, 1e-13);
+        let breaks = of_rest * MASS * G / rope;
+        let slides = times(&run, Change::Slides);
+        close(slides[slides.len() - 1], breaks, 1e-13);
+        assert_eq!(state(&run, 1.0)[0], state(&run, breaks * 0.99)[0]);
+        let speed =
+            |t: f64| (0.5 * rope * (t * t - breaks * breaks) - kinetic * MASS * G * (t - breaks)) / MASS;
+        close(state(&run, 10.0)[2], speed(10.0), 1e-12);
+        close(forces(&run, 0.5 * breaks)[1], -rope * 0.5 * breaks, 1e-13);
+    }
+}
+
+/// Backspin on a floor that gives: it slips until the impulse of friction is `m s/(1 + 1/c)`, s the slip at first, and then rolls with
+/// `v - s c/(1 + c)`.
+#[test]
+fn backspin_returns() {
+    let (friction, speed, spin, c, stiffness) = (0.2, 2.0, 60.0, 0.4, 3e4_f64);
+    let begin = start(RADIUS, [speed, 0.0]).omega(spin / S);
+    let run = run(on_floor(ball(), begin, spring(stiffness, 0.0), mu(friction)), 4.0, 1e-13);
+    let (slip, w) = (speed + spin * RADIUS, (stiffness / MASS).sqrt());
+    let rolls = times(&run, Change::Rolls)[0];
+    let rubbed = friction * G * (rolls - (w * rolls).sin() / w);
+    close(rubbed, slip / (1.0 + 1.0 / c), 1e-12);
+    let [_, _, vx, _, _, omega] = state(&run, 4.0);
+    close(vx, speed - slip * c / (1.0 + c), 1e-12);
+    close(omega, -vx / RADIUS, 1e-12);
+    assert!(vx < 0.0);
+}
+
+/// Floors that a ball bounces from, and which part of its speed it leaves them with, without weight.
+fn bouncy() -> Vec<(ContactLaw, Option<f64>)> {
+    let (stiffness, damping) = (1e4, 30.0);
+    let half = damping / (2.0 * MASS);
+    let w = (stiffness / MASS - half * half).sqrt();
+    let time = (damping * w).atan2(half * damping - stiffness) / w;
+    let e = -(-half * time).exp() * ((w * time).cos() - half / w * (w * time).sin());
+    vec![
+        (spring(stiffness, 0.0), Some(1.0)),
+        (spring(stiffness, damping), Some(e)),
+        (hertz(1e6, 0.0), Some(1.0)),
+        (hertz(1e6, 0.1), None),
+    ]
+}
+
+/// A ball that bounces with spin. Friction is mu times the normal force all the way, and so are their impulses: the speed along the floor
+/// changes by `mu (1 + e) v_n`. With enough friction it comes to roll on the way, and keeps `v - s c/(1 + c)`.
+#[test]
+fn a_ball_bounces_with_spin() {
+    let (speed, spin, down, c) = (1.0, 30.0, 3.0, 0.4);
+    for (law, e) in bouncy() {
+        for friction in [0.1, 0.9] {
+            let begin = start(RADIUS + 0.1, [speed, -down]).omega(spin / S);
+            let mut model = on_floor(ball(), begin, law.clone(), mu(friction));
+            model.gravity = Gravity::Vertical(0 * M / (S * S));
+            let run = run(model, 0.5, 1e-13);
+            let [_, _, vx, vy, _, omega] = state(&run, 0.5);
+            if let Some(e) = e {
+                close(vy, e * down, 1e-12);
+            }
+            let slip = speed + spin * RADIUS;
+            let (slides, rolls) = (friction * (down + vy), slip * c / (1.0 + c));
+            let lost = slides.min(rolls);
+            close(vx, speed - lost, 1e-12);
+            close(omega, spin - lost / (c * RADIUS), 1e-11);
+            assert_eq!(times(&run, Change::Rolls).len(), usize::from(rolls < slides));
+            let ends = run.contacts()[0].end;
+            assert!(run.events().all(|event| event.time <= ends || event.record.happened.len() == 1));
+        }
+    }
+}
+
+/// A rod that comes down on its end without slip: it sticks at once if `mu > 3 sin cos/(1 + 3 sin^2)` by its angle to the floor, and else
+/// slips from the start, with friction mu times the normal force until it leaves.
+#[test]
+fn a_rod_that_lands_slips_from_the_start_or_not_at_all() {
+    let angle = 0.8_f64;
+    let (sin, cos) = angle.sin_cos();
+    let least = 3.0 * sin * cos / (1.0 + 3.0 * sin * sin);
+    for law in [spring(1e8, 0.0), spring(1e8, 10.0), hertz(1e10, 0.0)] {
+        for off in [-1e-2, 1e-2] {
+            let friction = least * (1.0 + off);
+            let rod = Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]);
+            let begin = start(0.5 * sin + 0.001, [0.0, -1.0]).angle(Expr::from(angle));
+            let mut model = on_floor(rod, begin, law.clone(), mu(friction));
+            model.gravity = Gravity::Vertical(0 * M / (S * S));
+            let run = run(model, 0.002, 1e-12);
+            let happened = happened(&run);
+            println!("{happened:?}");
+            let first = if off < 0.0 { "floor.rod.from.slides" } else { "floor.rod.from.sticks" };
+            assert_eq!(happened[..2], ["floor.rod.from.start".to_owned(), first.to_owned()]);
+            if off < 0.0 {
+                let [_, _, vx, vy, ..] = state(&run, 0.002);
+                close(vx.abs(), friction * (vy + 1.0), 1e-11);
+            }
+        }
+    }
+}
+
+/// The balance about a point that nothing is at, every part of which must close.
+#[track_caller]
+fn balanced(run: &Run, tolerance: f64) -> RunBalance {
+    let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
+    println!("{:#?}", balance.contributions);
+    assert!(balance.energy.relative() < tolerance, "{:e}", balance.energy.relative());
+    assert!(balance.relative() < tolerance, "{:e}", balance.relative());
+    balance
+}
+
+/// Work of friction on a run.
+fn rubbed(balance: &RunBalance) -> f64 {
+    let own = balance.contributions.iter().filter(|part| part.load.ends_with(".friction") && part.kind == Kind::Work);
+    own.map(|part| part.work).sum()
+}
+
+/// What friction takes is the kinetic energy that is lost: of a block all of it, of a ball that comes to roll what its slip had,
+/// `m s^2/(2 (1 + 1/c))`.
+#[test]
+fn the_balance_closes() {
+    for (law, _) in bouncy() {
+        let begin = start(RADIUS + 0.1, [1.0, 0.0]).omega(30.0 / S);
+        let run = run(on_floor(ball(), begin, law, mu(0.5)), 2.0, 1e-13);
+        let balance = balanced(&run, 1e-12);
+        let slip = 1.0 + 30.0 * RADIUS;
+        close(rubbed(&balance), -MASS * slip * slip / (2.0 * (1.0 + 1.0 / 0.4)), 1e-11);
+    }
+    let run = run(on_floor(point(), start(0.0, [1.0, 0.0]), spring(1e4, 0.0), mu(0.3)), 0.7, 1e-13);
+    close(rubbed(&balanced(&run, 1e-12)), -0.5 * MASS, 1e-12);
+}
+
+/// A box that stands on its two corners.
+fn plate() -> Body {
+    let centre = Vector::planar(0 * M, 0 * M);
+    Body::of_shape("box", Shape::Box { centre, width: 0.4 * M, height: 0.2 * M })
+}
+
+fn on_slope(slope: f64, law: ContactLaw, friction: f64) -> Model {
+    let (sin, cos) = slope.sin_cos();
+    let begin = Start::default().at([-0.1 * sin * M, 0.1 * cos * M]).angle(Expr::from(slope));
+    let mut model = on_floor(plate(), begin, law.clone(), mu(friction));
+    model.surfaces[0] =
+        Surface::sloping("floor", [0 * M, 0 * M], &Expr::from(slope), law).with_friction(mu(friction));
+    model
+}
+
+#[test]
+fn look_box() {
+    for slope in [0.0, 0.3_f64] {
+        for law in [spring(1e4, 200.0), spring(1e4, 0.0)] {
+            let run = run(on_slope(slope, law, 0.4), 20.0, 1e-12);
+            let all: Vec<String> = happened(&run);
+            println!("{} {:?}", all.len(), &all[..all.len().min(30)]);
+            println!("{:?}", times(&run, Change::Slides));
+            println!("{:?} {:?} {:?} {:?}", state(&run, 5.0), state(&run, 20.0), forces(&run, 10.0), (MASS*G*slope.sin()));
+        }
+    }
+}
