@@ -294,15 +294,87 @@ fn on_slope(slope: f64, law: ContactLaw, friction: f64) -> Model {
     model
 }
 
+/// On a slope that holds it a box comes to stand, with friction `m g sin` and the normal force `m g cos`, and does not creep.
 #[test]
-fn look_box() {
-    for slope in [0.0, 0.3_f64] {
-        for law in [spring(1e4, 200.0), spring(1e4, 0.0)] {
-            let run = run(on_slope(slope, law, 0.4), 20.0, 1e-12);
-            let all: Vec<String> = happened(&run);
-            println!("{} {:?}", all.len(), &all[..all.len().min(30)]);
-            println!("{:?}", times(&run, Change::Slides));
-            println!("{:?} {:?} {:?} {:?}", state(&run, 5.0), state(&run, 20.0), forces(&run, 10.0), (MASS*G*slope.sin()));
+fn a_box_stays_on_a_slope_that_holds_it() {
+    let slope = 0.3_f64;
+    let run = run(on_slope(slope, spring(1e4, 200.0), 0.4), 1000.0, 1e-12);
+    println!("{:?}", happened(&run));
+    let [normal, along] = forces(&run, 10.0);
+    close(normal, MASS * G * slope.cos(), 1e-12);
+    close(along, MASS * G * slope.sin(), 1e-12);
+    let (early, late) = (state(&run, 5.0), state(&run, 1000.0));
+    println!("{early:?} {late:?}");
+    for (early, late) in early.into_iter().zip(late).take(2) {
+        assert!((early - late).abs() < 1e-15, "{early} {late}");
+    }
+    assert!(run.trajectory().events.len() < 6, "{:?}", happened(&run));
+}
+
+/// Down a slope that does not hold it, on both sides of `tan = mu` by a thousandth: it comes to stand or slides on for good.
+#[test]
+fn the_angle_of_repose() {
+    let friction = 0.4_f64;
+    for off in [-1e-3, 1e-3] {
+        let slope = (friction * (1.0 + off)).atan();
+        let run = run(on_slope(slope, spring(1e4, 400.0), friction), 10.0, 1e-12);
+        let [_, _, vx, vy, ..] = state(&run, 10.0);
+        let speed = vx * slope.cos() + vy * slope.sin();
+        match off < 0.0 {
+            true => assert!(speed.abs() < 1e-16, "{speed}"),
+            false => {
+                let [_, _, vx, vy, ..] = state(&run, 5.0);
+                let before = vx * slope.cos() + vy * slope.sin();
+                close(speed - before, -5.0 * G * (slope.sin() - friction * slope.cos()), 1e-10);
+            }
+        }
+    }
+}
+
+/// A body in all that is watched: it never gains energy, friction keeps to its cone and is against the slip, and holds or is all there.
+#[track_caller]
+fn obeys(run: &Run, [of_rest, kinetic]: [f64; 2], until: f64) {
+    let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
+    assert!(balance.energy.relative() < 1e-11, "{:e}", balance.energy.relative());
+    let pairs = run.equations.pairs().to_vec();
+    for step in 0..1000 {
+        let t = until * (f64::from(step) + 0.5) / 1000.0;
+        let mut sums = [0.0; 3];
+        for pair in &pairs {
+            let [gap, slip, normal, along] = at(
+                run,
+                t,
+                [pair.gap(), pair.slip_rate(), pair.force_symbol().into(), pair.friction_symbol().into()],
+            );
+            assert!(normal >= -1e-9, "{normal} {gap} at {t}");
+            assert!(normal == 0.0 || gap <= 1e-12, "{gap} at {t}");
+            assert!(along * slip <= 1e-9, "{along} {slip} at {t}");
+            if normal > 0.0 && slip.abs() > 1e-9 {
+                close(along, -kinetic * normal * slip.signum(), 1e-9);
+            }
+            sums = [sums[0] + normal, sums[1] + along, if normal > 0.0 { slip } else { sums[2] }];
+        }
+        assert!(sums[1].abs() <= of_rest * sums[0] * (1.0 + 1e-9) + 1e-9, "{sums:?} at {t}");
+    }
+}
+
+/// Rods and boxes that are thrown onto compliant floors.
+#[test]
+fn what_is_thrown_obeys_coulomb() {
+    for (index, law) in
+        [spring(1e4, 0.0), spring(1e4, 60.0), hertz(1e6, 0.0), hertz(1e6, 0.2)].into_iter().enumerate()
+    {
+        for (of_rest, kinetic) in [(0.1, 0.1), (0.5, 0.3), (1.5, 1.2)] {
+            let friction = mu(of_rest).kinetic(Expr::from(kinetic));
+            let rod = Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]);
+            for body in [rod, plate()] {
+                let begin = start(1.0, [2.0, 0.0]).angle(Expr::from(0.5 + 0.1 * index as f64)).omega(2 / S);
+                let model = on_floor(body, begin, law.clone(), friction.clone());
+                let run = run(model, 3.0, 1e-11);
+                let happened = happened(&run);
+                println!("{} events {:?}", happened.len(), &happened[..8.min(happened.len())]);
+                obeys(&run, [of_rest, kinetic], 3.0);
+            }
         }
     }
 }
