@@ -4,10 +4,10 @@
 //! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
 //! angle. The rate of slip is `s = t . (v - w)`, with v and w the velocities of the two material points there.
 //!
-//! A compliant surface is pressed in where the gap is negative. Friction acts at that point of a body that meets it by one point only, such
-//! as a ball, which rolls with `v = -omega r`. A body that may meet it by several has them at different depths, and if each slipped by
-//! itself two that stick could not turn against each other. Of such a body friction acts where the surface is when nothing presses it,
-//! at `p - (r + g) n`: all its points have one lever there and slip alike, as they do on a rigid plane.
+//! A compliant surface is pressed in where the gap is negative. Friction acts at the contact point of a body that has only one, such as a
+//! ball, which rolls with `v = -omega r`. A body that has several has them at different depths, and if each stuck by itself it could not
+//! turn. On such a body friction acts where the surface is when nothing presses it, at `p - (r + g) n`: all its points on one plane have one
+//! lever there and slip alike, as they do on a rigid plane.
 //!
 //! Against a circle of radius R about Q, with `d = p - Q`: from outside `g = |d| - L`, `L = R + r`, `n = d/L`; from inside
 //! `g = L - |d|`, `L = R - r`, `n = -d/L`. Rows keep `h = +-(d . d - L^2)/(2 L)` in the place of g, which is zero where g is, with
@@ -461,7 +461,9 @@ impl Pair {
     pub(crate) fn slip_row(&self) -> Row {
         Row {
             multiplier: self.friction_symbol(),
-            wrenches: self.turning_wrenches().unwrap_or_else(|| self.wrenches(&self.tangent(), Self::slip_arm_of)),
+            wrenches: self
+                .turning_wrenches()
+                .unwrap_or_else(|| self.wrenches(&self.tangent(), Self::slip_arm_of)),
             position: Expr::zero(),
             rate: self.slip_rate(),
             acceleration: self.slip_acceleration(),

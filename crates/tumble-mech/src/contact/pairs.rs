@@ -115,7 +115,7 @@ fn of_surface(
         }
         _ => {
             // Of several points that sink in by different depths none is the one to slip at.
-            let is_level = !said.0.is_rigid() && own.rims.len() > 1;
+            let is_level = !said.0.is_rigid() && border.rims.len() > 1;
             let pair = |rim: &Rim| {
                 let of = (rim, rim.point()?);
                 Some(Pair { is_level, ..Pair::new((index, surface), (body_index, body), of, said.clone()) })
@@ -181,7 +181,8 @@ impl Equations {
                             if *way == Way::Forward { Direction::Falling } else { Direction::Rising };
                         found.push((*pair, Watched::Slip, direction));
                     }
-                    if !mode.is_pressed(*pair) && (self.is_alone(mode, *pair) || self.may_wedge(mode, *pair)) {
+                    if !mode.is_pressed(*pair) && (self.is_alone(mode, *pair) || self.may_wedge(mode, *pair))
+                    {
                         found.push((*pair, Watched::Wedge, Direction::Falling));
                     }
                 }

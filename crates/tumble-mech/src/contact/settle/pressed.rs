@@ -37,7 +37,9 @@ impl Settling<'_> {
     pub(super) fn is_spent(&self, patch: &Patch, jump: &Jump<Mode>) -> bool {
         let is_spent = |(position, _): &(usize, usize)| {
             let pair = self.touch.pairs[*position];
-            jump.mode.is_pressed(pair) && self.is_falling(*position, jump) && (self.is_unloaded(*position) || self.is_flat(pair, jump))
+            jump.mode.is_pressed(pair)
+                && self.is_falling(*position, jump)
+                && (self.is_unloaded(*position) || self.is_flat(pair, jump))
         };
         patch.contacts.iter().all(is_spent)
     }
@@ -65,9 +67,8 @@ impl Settling<'_> {
         let roots = self.equations.roots(&jump.mode);
         let base = jump.states.len() - roots.len();
         let place = roots.iter().position(|known| *known == pair);
-        place.is_some_and(|place| {
-            jump.states[base + place] <= SPENT * self.now.scales[Measure::Root as usize]
-        })
+        place
+            .is_some_and(|place| jump.states[base + place] <= SPENT * self.now.scales[Measure::Root as usize])
     }
 
     /// Of what is pressed from now on and does not slip yet, whoever slips from the start, with its way: a compliant surface presses with
@@ -78,9 +79,8 @@ impl Settling<'_> {
         patches: &[Patch],
         jump: &Jump<Mode>,
     ) -> Vec<(usize, Way)> {
-        let begins = |position: usize| {
-            jump.mode.is_pressed(self.touch.pairs[position]) && self.is_unloaded(position)
-        };
+        let begins =
+            |position: usize| jump.mode.is_pressed(self.touch.pairs[position]) && self.is_unloaded(position);
         let growth = self.loads_by(|position| if begins(position) { self.closing(position) } else { 0.0 });
         if growth.amax() == 0.0 {
             return vec![];

@@ -487,8 +487,7 @@ impl Settling<'_> {
         };
         let holds = |position: &usize| found.held.contains(position) || sticks(*position);
         let mut holding = (0..self.touch.pairs.len()).filter(holds);
-        let is_fixed =
-            holding.all(|position| self.equations.pairs()[self.touch.pairs[position]].is_fixed());
+        let is_fixed = holding.all(|position| self.equations.pairs()[self.touch.pairs[position]].is_fixed());
         let of = |body: &usize| self.equations.velocity_states(&jump.mode, *body);
         let velocities: Vec<usize> = self.island.iter().flat_map(of).collect();
         let is_free = self.equations.independent_rows_of(&jump.mode, &self.island).is_empty();
