@@ -42,6 +42,7 @@ pub use meeting::BodyContact;
 pub(crate) use pair::{Alike, moves};
 pub use pair::{Pair, Rule};
 pub(crate) use pairs::Pairs;
+pub(crate) use said::of_surface_and_body;
 pub(crate) use settle::{BALANCED, STANDS};
 pub(crate) use slip::WEDGED;
 pub(crate) use switch::Causes;

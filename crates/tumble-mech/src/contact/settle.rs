@@ -1,6 +1,7 @@
-//! What an instant changes for an island that touches rigid surfaces: impacts, then which contacts last.
+//! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
 mod corners;
+mod pressed;
 mod rubbing;
 mod wedged;
 
@@ -52,7 +53,7 @@ pub(crate) struct Touched {
 }
 
 impl Touched {
-    /// Adds what was seen of a pair of rigid ones.
+    /// Adds what was seen of a pair: of a compliant one, what its friction does.
     pub(crate) fn add(&mut self, pair: usize, watched: Watched) {
         match watched {
             Watched::Normal => _ = self.lifted.insert(pair),
@@ -113,7 +114,7 @@ struct Settling<'a> {
 }
 
 impl Equations {
-    /// Settles the rigid contacts of bodies that joints and contacts make an island now. The impulses of the impact.
+    /// Settles the contacts of bodies that joints and contacts make an island now, but for who is pressed into a compliant surface. The impulses of the impact.
     pub(crate) fn settle(
         &self,
         island: &[usize],
@@ -324,12 +325,16 @@ impl<'a> Settling<'a> {
             Some(Ending { members, .. }) => members.clone(),
             None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
         };
+        let is_pressed = !self.pressed(jump).is_empty();
+        if members.is_empty() && !is_pressed {
+            return Ok(Lasting::default());
+        }
         // An impact at the same instant changes what the forces go on to do: that one was falling says nothing then.
         let is_calm = self.impulses.amax() == 0.0;
         let stays = |position: &usize| !(is_calm && touched.lifted.contains(&self.touch.pairs[*position]));
         let without: Vec<usize> = members.iter().copied().filter(stays).collect();
         self.refuse_jammed(&members, &jump.mode)?;
-        if self.is_rough() {
+        if self.is_rough() || is_pressed {
             return self.lasting_with_friction([&without, &members], touched, jump);
         }
         let (found, then) = match self.hold(&without, &members) {

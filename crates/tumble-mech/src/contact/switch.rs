@@ -110,11 +110,12 @@ impl Equations {
         }
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
-            match (self.pairs()[pair].is_rigid(), watched) {
-                (true, watched) => {
-                    of(pair).into_iter().for_each(|island| {
-                        touched[island].get_or_insert_with(Touched::default).add(pair, watched);
-                    });
+            let is_rigid = self.pairs()[pair].is_rigid();
+            let own = of(pair).filter(|_| is_rigid || self.pairs()[pair].friction.is_some());
+            let own = own.map(|island| touched[island].get_or_insert_with(Touched::default));
+            match (is_rigid, watched) {
+                (true, _) | (_, Watched::Slip | Watched::Cone(_)) => {
+                    own.into_iter().for_each(|touched| touched.add(pair, watched));
                 }
                 (false, _) if closes => self.press(pair, now, jump)?,
                 (false, watched) => self.let_go(pair, watched, now, jump)?,
@@ -143,7 +144,7 @@ impl Equations {
         Ok(self.islands_with(&jump.mode, &jump.mode.bodies, &meeting))
     }
 
-    /// Pairs that last, where loads or parameters change now: what held them may not any more.
+    /// Pairs that last or rub, where loads or parameters change now: what held them may not any more.
     fn still_standing(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> Vec<usize> {
         let is_pushed =
             |happening: &Happening| matches!(happening, Happening::Joint { .. } | Happening::Impulse(_));
@@ -154,7 +155,7 @@ impl Equations {
             return vec![];
         }
         let lasting = at.mode.contacts.iter().filter(|(_, contact_mode)| contact_mode.is_lasting());
-        lasting.map(|(pair, _)| *pair).collect()
+        lasting.map(|(pair, _)| *pair).chain(at.mode.grips.iter().map(|(pair, _)| *pair)).collect()
     }
 
     /// Impacts that were too small to follow have ended.
@@ -209,6 +210,7 @@ impl Equations {
             _ => (None, Change::End),
         };
         jump.mode.set_contact_mode(index, after);
+        jump.mode.set_grip(index, None);
         jump.record.happened.push(Happening::Contact { pair: index, change });
         Ok(())
     }
