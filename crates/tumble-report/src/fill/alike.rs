@@ -21,9 +21,9 @@ pub(super) struct Kind {
 }
 
 impl Kind {
-    /// `b1`, or `b5, and likewise b1, b2, ..., b15`.
+    /// `the rod`, or `b5, and likewise b1, b2, ..., b15`.
     pub(super) fn name(&self, study: &Study) -> String {
-        let name = |body: &usize| study.model.bodies[*body].name.clone();
+        let name = |body: &usize| symbols::the(&study.model.bodies[*body].name);
         let others: Vec<String> = self.bodies.iter().filter(|body| **body != self.shown).map(name).collect();
         let own = name(&self.shown);
         if others.is_empty() { own } else { format!("{own}, and likewise {}", listed(&others)) }

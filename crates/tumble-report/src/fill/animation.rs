@@ -105,7 +105,7 @@ fn marks(study: &Study, run: &Run) -> Vec<Mark> {
     if events.len() > MOST_MARKS {
         return vec![];
     }
-    let what = |event: &Event<Record>| words::event(study, &run.equations, &event.record);
+    let what = |event: &Event<Record>| words::event(study, &run.equations, event);
     events.iter().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect()
 }
 

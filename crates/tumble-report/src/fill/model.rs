@@ -63,7 +63,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
         (!model.joints.is_empty(), "Pivots and joints are rigid and have no friction."),
         (
             model.joints.iter().any(|joint| joint.from.is_some()),
-            "What joins bodies on the way does so in no time: an impact without rebound.",
+            "Bodies that are joined on the way are joined in an instant, by an impact without rebound.",
         ),
         (
             !model.surfaces.is_empty() && !is_rough,
@@ -87,7 +87,7 @@ fn one(study: &Study, names: &Names, [case, drawn]: [&Case; 2], kind: &Kind) -> 
     let body = kind.shown;
     let names = &names.of_body(body);
     Ok(BodyModel {
-        name: kind.name(study).into(),
+        name: Text::from(kind.name(study)).capitalised(),
         diagrams: diagrams(study, drawn, body)?,
         forces: forces(study, names, case, body),
         laws: vec![laws(study, names, case, body)],
@@ -159,13 +159,13 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
 fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
     let kinematics =
         study.model.bodies[study.model.body_index(&applied.body).unwrap_or_default()].kinematics();
-    let name = format!("impulse {}, when “{}” happens", spoken(&applied.name), spoken(&applied.when));
+    let name = format!("impulse of {}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
     let symbol = symbols::impulse(symbols::last(&applied.name));
     let stated = |left: &str, right: Written| names.stated(Formula::symbol(left), &right, &applied.name);
     let (law, point, torque) = match &applied.application {
         Application::Torque(couple) => (
             stated(&symbol, Written::Scalar(couple.clone())),
-            "no point of its own",
+            "",
             vec![math(&Formula::symbol(&symbol))],
         ),
         Application::Force { at, force, frame } => {
@@ -304,7 +304,9 @@ fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec
     let slips = names.equation(symbol, &-(&friction.kinetic * &normal * way));
     let own = Formula::Bars(Box::new(Formula::symbol(symbol)));
     let holds = names.relation(own, Operator::LessEqual, &(&friction.of_rest * &normal));
-    vec![slips, words("while it slips with the speed s"), holds, words("while it sticks")]
+    let with_speed =
+        Formula::Row(vec![Formula::Text("while it slips at\u{a0}".to_owned()), Formula::symbol("s")]);
+    vec![slips, math(&with_speed), holds, words("while it sticks")]
 }
 
 /// The couple against rolling while it turns with the rate omega against the other, and its bound while it does not.
@@ -428,7 +430,7 @@ fn name_of(study: &Study, equations: &Equations, term: &Term) -> String {
         (Law::Contact, Some(pair)) => super::words::contact(study, pair, term.body),
         (Law::Friction, Some(_)) => "friction".to_owned(),
         (Law::Rolling, Some(_)) => "rolling resistance".to_owned(),
-        (Law::Reaction, _) => format!("reaction of {}", term.load),
+        (Law::Reaction, _) => format!("reaction of {}", symbols::joint(&term.load)),
         _ => spoken(&term.load),
     }
 }
@@ -450,7 +452,7 @@ fn point(equations: &Equations, term: &Term) -> String {
         (_, Some((name, _))) if equations.model().bodies.len() == 1 => symbols::the(name),
         (_, Some((name, _))) => format!("{} of {}", symbols::the(name), symbols::the(&body.name)),
         (Law::Contact | Law::Friction, None) => "the point of contact".to_owned(),
-        (Law::Reaction, None) => term.load.clone(),
+        (Law::Reaction, None) => symbols::joint(&term.load),
         _ => "its point of action".to_owned(),
     }
 }

@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::report::{Block, Definition, Math, Text};
 use tumble_drawing::Label;
+use tumble_expr::language::Formula;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
 use tumble_mech::Gravity;
-use tumble_notation::{Left, Notation, Operator, Shown};
+use tumble_notation::{Left, Notation, Operator, Shown, as_written};
 use tumble_scene::Study;
 
 use crate::figures::symbols;
@@ -142,6 +143,16 @@ impl Names {
     /// A formula on one line, as it was written: no name of a body's is in it.
     pub(crate) fn written(&self, formula: &Expr) -> Math {
         on_one_line(&self.plain, formula)
+    }
+
+    /// A formula of the scene as its text has it; what has no symbol stands in words.
+    pub(crate) fn as_written(&self, study: &Study, formula: &Formula) -> Math {
+        let symbol = |name: &str| match self.symbols.get(name) {
+            Some(shown) => tumble_notation::Math::symbol(shown),
+            None if name.contains('.') => tumble_notation::Math::Text(symbols::in_words(study, name)),
+            None => tumble_notation::Math::symbol(name),
+        };
+        math(&as_written(formula, &symbol))
     }
 
     /// What a symbol stands for, on one line: no name of its own making is in it.

@@ -3,7 +3,7 @@
 use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
-use tumble_mech::{Mode, Parameters, Record, Run};
+use tumble_mech::{Divergence, Horizon, Mode, Parameters, Record, Run};
 use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twice, polynomial_in};
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
@@ -11,6 +11,7 @@ use tumble_scene::Study;
 use super::names::{Names, math, quantity};
 use super::sweep;
 use super::words;
+use crate::figures::case_label;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::digits::Held;
@@ -79,8 +80,15 @@ fn method(cases: &[&Case]) -> Vec<(Text, Text)> {
     let mut rows = vec![("Method".into(), "Taylor series, each step checked against the equations".into())];
     for case in cases {
         let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
-        let ends = |reason: String| (of_run("Verified digits end because", cases, case), reason.into());
-        rows.extend(horizon.map(|horizon| ends(horizon.reason.to_string())));
+        let ends = |horizon: &Horizon| match horizon.reason {
+            Divergence::Events { .. } => {
+                let from = Text::from("from ").and(quantity(horizon.time, "s"));
+                from.and(" on other events happen in the check run, or in another order")
+            }
+            _ => horizon.reason.to_string().into(),
+        };
+        let why = || of_run("Verified digits end because", cases, case);
+        rows.extend(horizon.map(|horizon| (why(), ends(horizon))));
         let stopped = |reason: String| (of_run("Stopped", cases, case), reason.into());
         rows.extend(case.refusal.as_ref().map(|refusal| stopped(refusal.to_string())));
     }
@@ -105,7 +113,7 @@ fn how(cases: &[&Case]) -> Table {
         let held = case.trust.as_ref().map(|trust| Held::of(trust).words());
         let points = case.run.quadrature.as_ref().map(|found| found.nodes.to_string());
         vec![
-            case.label.as_str().into(),
+            case_label(case).into(),
             quantity(case.accuracy.value(), ""),
             case.run.order().to_string().into(),
             work.steps.to_string().into(),
@@ -121,16 +129,20 @@ fn how(cases: &[&Case]) -> Table {
 
 /// What is told of one run, with its label where there are several.
 fn of_run(what: &str, cases: &[&Case], case: &Case) -> Text {
-    if cases.len() > 1 { format!("{what}, {}", case.label).into() } else { what.into() }
+    if cases.len() > 1 { labelled(what, case) } else { what.into() }
+}
+
+fn labelled(what: &str, case: &Case) -> Text {
+    if case.label.is_empty() { what.into() } else { Text::from(format!("{what}, ")).and(case_label(case)) }
 }
 
 /// A row an event.
 fn events(study: &Study, case: &Case) -> Table {
-    let caption = if case.label.is_empty() { "Events".to_owned() } else { format!("Events, {}", case.label) };
+    let caption = labelled("Events", case);
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
     let row = |event: &Event<Record>| {
-        let what = words::event(study, &case.run.equations, &event.record);
+        let what = words::event(study, &case.run.equations, event);
         vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
     let mut table = Table::new(caption, columns);

@@ -41,7 +41,8 @@ pub(super) fn quantities(caption: &str, quantities: &[QuantityRow]) -> Table {
 
 /// Name, symbol, value after what it is computed by, remark.
 fn quantity(quantity: &QuantityRow) -> [Text; 4] {
-    let formula = quantity.formula.as_ref().map(|formula| shown(formula).and(" = "));
+    let equals = if quantity.value.is_empty() { "" } else { " = " };
+    let formula = quantity.formula.as_ref().map(|formula| shown(formula).and(equals));
     [
         quantity.name.clone(),
         quantity.symbol.clone(),
