@@ -42,6 +42,8 @@ const TOLERANCE: f64 = 0.04;
 const CENTRE_DOT: f64 = 2.1;
 /// Distance of a label from its body.
 const LABEL_DISTANCE: f64 = 3.0;
+/// So many bodies or more tell their common times once.
+const SEVERAL: usize = 3;
 /// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
 const LABEL_REACH: f64 = 0.5;
 /// Height of a label in units of its text size.
@@ -264,7 +266,14 @@ impl<'a> Scene<'a> {
     /// The labels of all tracks; one that runs share, as at a common start, stands once.
     fn notes(&self) -> Vec<Note<'_>> {
         let mut notes: Vec<Note<'_>> = Vec::new();
-        for (i, track) in self.picture.tracks.iter().enumerate() {
+        let times = |track: &BodyPath| -> Vec<Label> {
+            track.labels(self.picture.instants).into_iter().map(|(_, label)| label).collect()
+        };
+        let tracks = &self.picture.tracks;
+        // Of several bodies with the same times one tells them.
+        let is_told =
+            |i: usize| tracks.len() >= SEVERAL && tracks[..i].iter().any(|other| times(other) == times(&tracks[i]));
+        for (i, track) in tracks.iter().enumerate().filter(|(i, _)| !is_told(*i)) {
             for (pose, label) in track.labels(self.picture.instants) {
                 let same = |note: &&mut Note<'_>| note.label == label && note.pose.centre() == pose.centre();
                 match notes.iter_mut().find(same) {
@@ -277,10 +286,16 @@ impl<'a> Scene<'a> {
     }
 
     fn tag(&self, note: &Note<'_>) -> Tag {
+        let size = Tag::extent(&note.label, SMALL);
+        // By its ends, where it has some, and else beside its middle.
+        let ends: Vec<[f64; 2]> = note.track.shapes.iter().flat_map(|shape| shape.ends(note.pose)).collect();
+        let ends: Vec<[f64; 2]> = ends.into_iter().map(|end| self.axes.pixel(end)).collect();
         let distance = note.track.reach() * self.axes.x.density() * LABEL_REACH + LABEL_DISTANCE;
         let centre = self.axes.pixel(note.pose.centre());
-        let near = about_point(centre, distance, Tag::extent(&note.label, SMALL));
-        Tag::new(note.label.clone(), note.colour.for_text(), vec![centre], near)
+        let by_ends = ends.iter().flat_map(|end| about_point(*end, LABEL_DISTANCE, size));
+        let near = by_ends.chain(about_point(centre, distance, size)).collect();
+        let owner = if ends.is_empty() { vec![centre] } else { ends.clone() };
+        Tag::new(note.label.clone(), note.colour.for_text(), owner, near)
     }
 }
 

@@ -45,16 +45,16 @@ pub const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
 /// Number of colours of series.
 pub const PALETTE_SIZE: usize = 7;
 
-/// Okabe and Ito's palette, told apart by colour-blind readers, without its
-/// yellow, which is too pale for thin lines on white.
+/// Okabe and Ito's palette as far as it stands out from white, and darker tones for the rest: told apart by colour-blind readers. Pages
+/// have the same.
 const PALETTE: [Rgb; PALETTE_SIZE] = [
     Rgb(0x00, 0x72, 0xb2),
     Rgb(0xd5, 0x5e, 0x00),
     Rgb(0x00, 0x9e, 0x73),
-    Rgb(0xcc, 0x79, 0xa7),
+    Rgb(0x7a, 0x3f, 0x53),
     Rgb(0x00, 0x00, 0x00),
-    Rgb(0xe6, 0x9f, 0x00),
-    Rgb(0x56, 0xb4, 0xe9),
+    Rgb(0x70, 0x70, 0x3b),
+    Rgb(0x19, 0x41, 0x6b),
 ];
 
 /// Dash patterns in pixels; the first is a full line. Their number and the
@@ -113,7 +113,7 @@ pub const AIR: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x7d, 0x5b), "6 2.5", 2.2)
 /// Forces that somebody applies.
 pub const APPLIED: ArrowStyle = ArrowStyle::new(Rgb(0x9c, 0x3f, 0x78), "11 2.5", 2.6);
 /// Forces of springs.
-pub const SPRING: ArrowStyle = ArrowStyle::new(Rgb(0x8f, 0x62, 0x00), "2.5 2", 2.6);
+pub const SPRING: ArrowStyle = ArrowStyle::new(Rgb(0x54, 0x3e, 0x24), "2.5 2", 2.6);
 /// Forces of pivots and other supports.
 pub const REACTION: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 2.2);
 /// Sums of forces.

@@ -22,6 +22,8 @@ use crate::theme::{BODY, INK, MOTION, PAPER};
 
 /// Room around everything, as a part of the larger side.
 const PADDING: f64 = 0.15;
+/// A circle of a radius larger than so many times the size of all bodies is not shown as a whole.
+const LARGEST_ROUND: f64 = 12.0;
 /// Greatest width of the picture in pixels: it stands beside what is given, and fits a narrow page.
 const WIDEST: f64 = 440.0;
 /// Length of the fastest velocity, and of the shortest, in pixels.
@@ -190,6 +192,14 @@ impl Layout {
     }
 }
 
+/// Circles of material, as a whole where they are not much larger than everything else.
+fn rounds(scene: &SceneDrawing, points: &[Point]) -> Vec<Point> {
+    let size = Rect::around(points.iter().copied()).map_or(0.0, |all| all.width.max(all.height));
+    let near = scene.surfaces.iter().filter_map(|surface| Some((surface.point, surface.round?.radius)));
+    let near = near.filter(|(_, radius)| *radius <= LARGEST_ROUND * size);
+    near.flat_map(|([x, y], radius)| [[x - radius, y - radius], [x + radius, y + radius]]).collect()
+}
+
 /// Ranges of x and y that hold everything with a place.
 fn ranges(scene: &SceneDrawing) -> Option<[Range; 2]> {
     let bodies = scene.bodies.iter().flat_map(|body| {
@@ -203,6 +213,7 @@ fn ranges(scene: &SceneDrawing) -> Option<[Range; 2]> {
     }
     let feet: Vec<Point> = scene.surfaces.iter().filter_map(|s| s.foot_of_lowest(&points)).collect();
     points.extend(feet);
+    points.extend(rounds(scene, &points));
     let x = Range::of(points.iter().map(|p| p[0]))?;
     let y = Range::of(points.iter().map(|p| p[1]))?;
     // A lone point is shown with a metre around it.

@@ -15,6 +15,8 @@ const POINT_DISTANCE: f64 = 7.0;
 const PIVOT_DISTANCE: f64 = 12.0;
 /// Distance of names from the links they belong to.
 const LINK_DISTANCE: f64 = 11.0;
+/// More bodies than these have no names.
+const MOST_NAMED: usize = 10;
 /// Directions tried around a body, in order of preference.
 const AROUND: [Point; 8] =
     [[0.6, -1.0], [-0.6, -1.0], [0.6, 1.0], [-0.6, 1.0], [1.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 1.0]];
@@ -71,7 +73,9 @@ fn bodies(layout: &Layout) -> Vec<Tag> {
         let frame = Rect::around(owner.iter().copied()).unwrap_or(Rect::centred(at, 0.0, 0.0));
         tag(layout, &body.name, INK, owner, |size| about_body(at, &frame, size))
     };
-    layout.scene.bodies.iter().map(body).collect()
+    let bodies = &layout.scene.bodies;
+    // Of many, those that move have names: others' could not stand by them.
+    bodies.iter().filter(|one| bodies.len() <= MOST_NAMED || one.velocity.is_some()).map(body).collect()
 }
 
 /// Places around the centre, then around the frame of a body.

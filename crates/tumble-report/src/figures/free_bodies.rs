@@ -56,15 +56,16 @@ pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
     let velocity = symbols::velocity(study, body);
     let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
-    let is_impulse = any(&|panel| panel.unit == tumble_drawing::free_body::Unit::impulse());
+    let is_of_impulses =
+        |panel: &FreeBodyDiagram| panel.unit == tumble_drawing::free_body::Unit::impulse();
     let letters = [
         (any(&|panel| !panel.arms.is_empty()), "r", "arm from the centre of mass to where a force acts"),
         (
-            any(&|panel| !panel.couples.is_empty()) && !is_impulse,
+            any(&|panel| !panel.couples.is_empty() && !is_of_impulses(panel)),
             "tau",
             "torque about the centre of mass, counter-clockwise positive",
         ),
-        (is_impulse, "J", "impulse of an instant"),
+        (any(&is_of_impulses), "J", "impulse of an instant"),
         (has(&velocity), &*velocity, "velocity of the centre of mass"),
         (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
         (has("u"), "u", "velocity of the air past the point where it acts"),
@@ -98,7 +99,7 @@ impl Drawing<'_> {
     fn panel(&self, label: &str, time: f64) -> Result<FreeBodyDiagram, CaseError> {
         let body = &self.study.model.bodies[self.body];
         let pose = poses(self.run, body, [time].into_iter())?.pop().unwrap_or_default();
-        let panel = FreeBodyDiagram::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
+        let panel = FreeBodyDiagram::new(Label::plain(&symbols::bare(&body.name)), pose, outlines(self.study, body)?)
             .heading(Label::markup(label))
             .heading(Label::equation("t", &shown(time), "s"));
         let mut panel = match self.impulses(time).next() {
@@ -286,7 +287,7 @@ impl Drawing<'_> {
             let formulas =
                 [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
-            let tangent = Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
+            let tangent = Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&symbols::bare(&surface.name)));
             // Of a polygon only what is touched: its other edges would be drawn beyond their ends.
             let near = if surface.polygon.is_some() { TOUCHED } else { NEAR };
             let is_met = at[4].abs() <= near * reach.max(f64::MIN_POSITIVE)
@@ -301,7 +302,7 @@ impl Drawing<'_> {
     }
 
     fn symbol(&self, name: &str) -> Label {
-        Label::symbol(self.study.symbols.get(name).map_or("theta", String::as_str))
+        Label::symbol(symbols::all(self.study).get(name).map_or("theta", String::as_str))
     }
 }
 

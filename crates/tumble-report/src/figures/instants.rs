@@ -30,6 +30,12 @@ struct Seen {
 /// When, and what is seen there.
 pub(crate) fn of(study: &Study, case: &Case, body: usize) -> Result<Vec<(Instant, String)>, CaseError> {
     let seen = seen(case, body)?;
+    if acting_ever(&seen).is_empty()
+        && let Some(time) = hardest_impact(case, body)
+    {
+        let impact = Instant { text: String::new(), time: time * S };
+        return Ok(vec![(impact, "the largest impulse".to_owned())]);
+    }
     let most = if study.model.bodies.len() > FEW_BODIES { 1 } else { MOST };
     let mut found = largest(study, &seen);
     found.truncate(most);
@@ -40,6 +46,17 @@ pub(crate) fn of(study: &Study, case: &Case, body: usize) -> Result<Vec<(Instant
         (Instant { text: String::new(), time: seen[index].time * S }, label)
     };
     Ok(found.into_iter().map(instant).collect())
+}
+
+/// When the largest impulse acts on a body that nothing else acts on.
+fn hardest_impact(case: &Case, body: usize) -> Option<f64> {
+    let events = case.run.events();
+    let struck = events.filter_map(|event| {
+        let own = event.record.impulses.iter().filter(|impulse| impulse.body == body);
+        let sizes = own.map(|impulse| impulse.impulse[0].hypot(impulse.impulse[1]));
+        Some((sizes.reduce(f64::max)?, event.time))
+    });
+    struck.max_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, time)| time)
 }
 
 /// How many loads there are on the bodies of a run: a run that has them all shows most.

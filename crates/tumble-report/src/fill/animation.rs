@@ -43,7 +43,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
     let times: Vec<f64> = equal_times(run, FRAMES).collect();
     let body = |body: &tumble_mech::Body| -> Result<MovingBody, CaseError> {
         Ok(MovingBody {
-            name: Label::plain(&body.name),
+            name: Label::plain(&symbols::bare(&body.name)),
             outlines: outlines(study, body)?,
             poses: poses(run, body, times.iter().copied())?,
             trail: study.model.pivot_of(&body.name).is_none(),
@@ -95,7 +95,7 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
     let mut found = vec![];
     for pivot in &study.model.pivots {
         let Some(at) = run.observe(pivot.world.components())?.at(0.0, Side::After) else { continue };
-        found.push(NamedPoint { name: Label::plain(&pivot.name), at: [at[0], at[1]] });
+        found.push(NamedPoint { name: Label::plain(&symbols::bare(&pivot.name)), at: [at[0], at[1]] });
     }
     Ok(found)
 }
@@ -160,7 +160,7 @@ fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<Sc
     let moves = values[0].hypot(values[1]) > 0.0 && study.model.pivot_of(&body.name).is_none();
     let rate = (values[2] != 0.0).then(|| (values[2], names.label(&motion.omega_symbol().name)));
     Ok(SceneBody {
-        name: Label::plain(&body.name),
+        name: Label::plain(&symbols::bare(&body.name)),
         pose: poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default(),
         outlines: outlines(study, body)?,
         velocity: moves

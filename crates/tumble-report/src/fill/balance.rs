@@ -14,6 +14,9 @@ use crate::results::CaseBalance;
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
 const NOTHING: f64 = 1e-15;
 
+/// A residual of less than this part of the energies in the run is rounding of the sums.
+const ROUNDING: f64 = 1e-12;
+
 pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
     Some(BalancePart {
@@ -23,16 +26,22 @@ pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
                 .into(),
         ],
         tables: vec![balances(balance), contributions(study, &case.run.equations, balance)],
-        plots: vec![
-            Chart::over_time(
-                sheet(balance, "Energies", Sheet::Energies),
-                "Kinetic, potential and total energy over time.",
-            ),
-            Chart::over_time(
-                sheet(balance, "Residual of the energy", Sheet::Residual),
-                "Energy that the works of the loads do not account for, over time.",
-            ),
-        ],
+        plots: std::iter::once(Chart::over_time(
+            sheet(balance, "Energies", Sheet::Energies),
+            "Kinetic, potential and total energy over time.",
+        ))
+        .chain(residual(balance))
+        .collect(),
+    })
+}
+
+/// What is left of the energy, where it is more than rounding: that is told by the table.
+fn residual(balance: &CaseBalance) -> Option<Chart> {
+    let figure = sheet(balance, "Residual of the energy", Sheet::Residual);
+    let all = figure.series.iter().flat_map(|series| &series.points).map(|point| point[1].abs());
+    let is_seen = all.fold(0.0, f64::max) > ROUNDING * balance.energy.scale;
+    is_seen.then(|| {
+        Chart::over_time(figure, "Energy that the works of the loads do not account for, over time.")
     })
 }
 

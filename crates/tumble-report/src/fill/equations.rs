@@ -15,6 +15,7 @@ use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, math};
 use super::reduced::{self, Reduced, Solved};
 use super::words;
+use crate::figures::symbols;
 use crate::results::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -27,26 +28,40 @@ const MOST_MODES: usize = 6;
 /// The equations of motion in each mode that the motion went through.
 pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
     let modes = lasting(case);
-    let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
+    let told: Vec<usize> = kinds.iter().flat_map(Kind::told).copied().collect();
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
         let mut motions = motions(study, names, case, mode);
-        motions.retain(|motion| is_shown(motion.body));
+        motions.retain(|motion| told.contains(&motion.body));
         let blocks: Vec<Block> =
             motions.iter().filter_map(|motion| equations_of(study, names, motion)).collect();
-        let told =
-            |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
-        let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
+        let is_short = |body: &usize| motions.iter().any(|motion| motion.body == *body && motion.is_short());
+        let holds = match (told.iter().all(is_short), blocks.is_empty()) {
+            (true, _) => "",
+            (false, true) => BY_NAME,
+            (false, false) => OTHERS_BY_NAME,
+        };
+        let blocks = defined_once(blocks);
         ModeEquations {
             name: match modes.len() {
                 1 => Text::default(),
                 _ => words::mode(study, &case.run.equations, mode).into(),
             },
-            holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
+            holds: holds.into(),
             equations: blocks,
         }
     });
     let told = shown.fold(vec![], told_once).into_iter();
     told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
+}
+
+/// What a symbol means is said where it comes first.
+fn defined_once(mut blocks: Vec<Block>) -> Vec<Block> {
+    let mut said: Vec<Definition> = vec![];
+    for block in &mut blocks {
+        block.definitions.retain(|definition| !said.contains(definition));
+        said.extend(block.definitions.iter().cloned());
+    }
+    blocks
 }
 
 /// Modes of the same equations are told together.
@@ -71,6 +86,7 @@ fn lasting(case: &Case) -> Vec<&Mode> {
 /// What is said of equations that Newton's laws state as shortly as can be.
 const BY_NAME: &str =
     "Newton\u{2019}s laws above, with the forces of the table, are the equations of motion.";
+const OTHERS_BY_NAME: &str = "The equations of motion of the bodies that are not listed here are Newton\u{2019}s laws above, with the forces of the table.";
 
 /// The equations of all bodies in a mode: reduced where joints and contacts allow, and then how their forces follow.
 fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion> {
@@ -128,11 +144,11 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
 
 fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
     let shown = motion.shown().filter(|_| motion.is_short())?.clone();
-    let body = &study.model.bodies[motion.body].name;
+    let body = symbols::bare(&study.model.bodies[motion.body].name);
     let title = match (study.model.bodies.len() > 1, motion.follows) {
         (true, true) => format!("{body}, and the forces that hold it"),
         (false, true) => "The forces that hold it follow from".to_owned(),
-        (true, false) => body.clone(),
+        (true, false) => body,
         (false, false) => String::new(),
     };
     let mut block = names.shown_block(title.into(), Ok(shown));
@@ -162,8 +178,8 @@ fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
         own.sort_by(|a, b| a.name.cmp(&b.name));
         let parts = own.iter().map(|symbol| Formula::symbol(names.shown(&symbol.name)));
         let parts: Vec<Vec<Formula>> = parts.map(|part| vec![part]).collect();
-        let body = &point.body.body;
-        let meaning = format!("where {} is on {body}, from its centre of mass, along its axes", joint.name);
+        let (joint, body) = (symbols::joint(&joint.name), symbols::the(&point.body.body));
+        let meaning = format!("where {joint} is on {body}, from its centre of mass, along its axes");
         (!parts.is_empty())
             .then(|| Definition { symbol: math(&Formula::Matrix(parts)), meaning: meaning.into() })
     };

@@ -39,7 +39,7 @@ impl Text {
         self
     }
 
-    /// With a capital letter, if it begins with a word.
+    /// With a capital letter, if it begins with a word: a name with a number, `b11`, stays as it is.
     #[must_use]
     pub fn capitalised(mut self) -> Self {
         let first = match self.pieces.first_mut() {
@@ -49,7 +49,10 @@ impl Text {
             }
             _ => None,
         };
-        if let Some(words) = first {
+        let is_name = |words: &&mut String| {
+            words.split(' ').next().is_some_and(|word| word.contains(|c: char| c.is_ascii_digit()))
+        };
+        if let Some(words) = first.filter(|words| !is_name(words)) {
             let mut letters = words.chars();
             *words = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
         }

@@ -53,8 +53,10 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
         Some(last) => value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on"),
         None => {}
     }
+    let comes_to_stay = contacts.len() > 1 && contacts.iter().any(|contact| contact.is_open);
     let already = if there.is_empty() { "" } else { "from the start, and anew " };
-    Some(Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value))
+    let said = Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value);
+    Some(if comes_to_stay { said.leading() } else { said })
 }
 
 /// What the first contact that ends did to the speed of the centre and to the spin.

@@ -77,7 +77,13 @@ fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
 
 fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
     let how = if to.kind == Kind::Impact { " in an impact" } else { "" };
-    let (joint, from, body) = (symbols::joint(&to.load), called(study, from), called(study, to));
+    let (from, body) = (called(study, from), called(study, to));
+    let joint = match to.law {
+        Some(Law::Contact | Law::Friction) => name_of(study, to),
+        _ => symbols::joint(&to.load),
+    };
+    // Its name says that it was one.
+    let how = if joint.contains("impact") { "" } else { how };
     let name = format!("{joint} passes energy from {from} to {body}{how}: ");
     Done { name, body, work: done.work, error: done.error }
 }

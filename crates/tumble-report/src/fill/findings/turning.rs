@@ -69,7 +69,9 @@ pub(super) fn small_swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let Some(swing) = swing(seen)? else { return Ok(None) };
     let shown = |period: f64| quantity_to(period, DIGITS, "s");
     let before = format!("Small swings of {} would take ", seen.called());
-    let before = Text::from(before).and(shown(swing)).and(" without air");
+    let before = Text::from(before).and(shown(swing));
+    let has_air = seen.laws(seen.end())?.contains("air");
+    let before = if has_air { before.and(" without air") } else { before };
     Ok(match gusts(seen)? {
         Some(gusts) => {
             let times = quantity_to(gusts / swing, RATIO, "").and(" times as long");

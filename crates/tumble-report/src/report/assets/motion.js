@@ -10,6 +10,10 @@ const SLIDER = 1000;
 /** Seconds between pictures for readers who asked for less motion. */
 const CALM = 0.5;
 const HATCH = 8;
+/** Pixels above the motion that are kept for the scale. */
+const STRIP = 30;
+/** About how wide a letter of a name is, in pixels, and how high a line is. */
+const [LETTER, LINE] = [7, 15];
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -178,15 +182,21 @@ class Player {
     const width = Math.max(this.live.clientWidth, 240);
     const wide = size[0] + 2 * room;
     const tall = size[1] + 2 * room;
-    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, tallest());
-    this.scale = Math.min(width / wide, height / tall);
+    const height = Math.min(Math.max((width * tall) / wide + STRIP, 180), 0.75 * width, tallest());
+    this.scale = Math.min(width / wide, (height - STRIP) / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
   }
 
   pixel(x, y) {
     const [width, height] = this.size;
-    return [width / 2 + (x - this.middle[0]) * this.scale, height / 2 - (y - this.middle[1]) * this.scale];
+    return [width / 2 + (x - this.middle[0]) * this.scale, (height + STRIP) / 2 - (y - this.middle[1]) * this.scale];
+  }
+
+  /** Where a pixel is. */
+  place(px, py) {
+    const [width, height] = this.size;
+    return [this.middle[0] + (px - width / 2) / this.scale, this.middle[1] - (py - (height + STRIP) / 2) / this.scale];
   }
 
   /** What does not change while it plays, and the parts that move. */
@@ -196,6 +206,7 @@ class Player {
     this.drawScaleBar();
     this.parts = this.motion.bodies.map((body, i) => this.buildBody(body, i));
     this.linkLayer = draw("g", {}, this.svg);
+    this.named = [];
     for (const point of this.motion.points) this.drawPoint(point);
     this.arrowLayer = draw("g", {}, this.svg);
     this.draw();
@@ -243,7 +254,14 @@ class Player {
   drawPoint({ at, name }) {
     const [x, y] = this.pixel(...at);
     draw("circle", { class: "pin", cx: x, cy: y, r: 3.5 }, this.svg);
-    drawLabel(this.svg, name, { x: x + 8, y: y - 7, class: "halo" });
+    const wide = LETTER * plain(name).length;
+    const places = [[8, -7], [-8 - wide, -7], [8, LINE + 3], [-8 - wide, LINE + 3]].map(([dx, dy]) => [x + dx, y + dy]);
+    const isFree = ([left, at]) => this.named.every((other) => Math.abs(other.at - at) >= LINE || left >= other.left + other.wide || other.left >= left + wide);
+    // Where there is no room the name is left out: the picture of the start has it.
+    const place = places.find(isFree);
+    if (!place) return;
+    this.named.push({ left: place[0], at: place[1], wide });
+    drawLabel(this.svg, name, { x: place[0], y: place[1], class: "halo" });
   }
 
   drawScaleBar() {
@@ -251,6 +269,7 @@ class Player {
     const power = 10 ** Math.floor(Math.log10(most));
     const metres = [5, 2, 1].find((m) => m * power <= most) * power;
     const [x, y, length] = [12, 28, metres * this.scale];
+    draw("rect", { class: "behind", x: 4, y: 4, width: length + 16, height: STRIP }, this.svg);
     draw("path", { class: "link", d: `M${x} ${y - 4}v8m0 -4h${length}m0 -4v8` }, this.svg);
     draw("text", { x: x + length / 2, y: y - 6, "text-anchor": "middle", class: "halo" }, this.svg).textContent =
       `${shown(metres, 3)}\u00a0m`;

@@ -4,7 +4,7 @@ use tumble_expr::language::{BUILTINS, UNITS};
 use tumble_scene::keys;
 
 use crate::report::json::{list, object, string};
-use crate::report::{Lab, live};
+use crate::report::Lab;
 
 pub(super) const STYLE: &str = include_str!("../assets/lab.css");
 
@@ -72,7 +72,7 @@ fn data(lab: &Lab) -> String {
         ("scene", string(&lab.scene)),
         ("files", list(files)),
         ("set", list(set)),
-        ("play", live::play(&lab.play)),
+        ("play", lab.play.clone()),
         ("templates", list(templates)),
         ("words", words()),
     ])

@@ -114,7 +114,7 @@ fn hostile() -> Report {
             scene: HOSTILE.into(),
             files: vec![(HOSTILE.into(), HOSTILE.into())],
             set: vec![(HOSTILE.into(), HOSTILE.into())],
-            play: Play::default(),
+            play: "{}".into(),
             templates: vec![(HOSTILE, HOSTILE)],
         }),
         ways: None,
