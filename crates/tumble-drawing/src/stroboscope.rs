@@ -42,6 +42,8 @@ const TOLERANCE: f64 = 0.04;
 const CENTRE_DOT: f64 = 2.1;
 /// Distance of a label from its body.
 const LABEL_DISTANCE: f64 = 3.0;
+/// Part of the width that a legend may take: letters of other fonts are wider.
+const LEGEND: f64 = 0.9;
 /// So many bodies or more tell their common times once.
 const SEVERAL: usize = 3;
 /// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
@@ -118,7 +120,7 @@ impl<'a> Scene<'a> {
         let wanted = ranges.unwrap_or_default();
         let width = picture_width(wanted);
         let heading = Heading::new(&picture.title, width);
-        let legend = legend(&picture.tracks).map(|legend| legend.spread(width - 2.0 * MARGIN));
+        let legend = legend(&picture.tracks).map(|legend| legend.spread(LEGEND * (width - 2.0 * MARGIN)));
         let above = legend.as_ref().map_or(0.0, |legend| legend.size()[1] + GAP);
         let axes = equal_axes(wanted, width, heading.bottom() + above);
         Self { picture, heading, axes, legend, empty: ranges.is_none() }

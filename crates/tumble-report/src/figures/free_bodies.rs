@@ -72,7 +72,9 @@ pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
     ];
     let shown: Vec<_> =
         letters.iter().filter(|(shown, ..)| *shown).map(|(_, symbol, words)| (*symbol, *words)).collect();
-    Label::plain(&format!("Everything that acts on {}. ", symbols::the(body))).then(instants::meaning(&shown))
+    let row = "Thin arrows in a row: the force along the body; the thick one: their sum. ";
+    let row = if any(&|panel| !panel.spreads.is_empty()) { row } else { "" };
+    Label::plain(&format!("Everything that acts on {}. {row}", symbols::the(body))).then(instants::meaning(&shown))
 }
 
 /// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.
@@ -190,7 +192,7 @@ impl Drawing<'_> {
                 panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
             }
         }
-        panel.side = self.side_view()?;
+        panel.side = self.side_view(&own)?;
         Ok(panel)
     }
 
@@ -221,15 +223,22 @@ impl Drawing<'_> {
         Ok(if is_there { panel.arm(Label::symbol(&symbols::arm(&name)), point) } else { panel })
     }
 
-    /// Weight and support out of a horizontal plane.
-    fn side_view(&self) -> Result<Option<SideView>, CaseError> {
+    /// Weight and support out of a horizontal plane, and what of the other forces is seen from the side.
+    fn side_view(&self, forces: &[Force]) -> Result<Option<SideView>, CaseError> {
         let Gravity::Horizontal(g) = &self.study.model.gravity else { return Ok(None) };
         let body = &self.study.model.bodies[self.body];
         let weight = self.study.number(&(body.mass_properties().mass * g))?;
         let height = self.study.number(&body.reach())?;
         let outlines = outlines(self.study, body)?;
         let [down, up] = ["W", "N"].map(|symbol| (Label::symbol(symbol), weight));
-        Ok((weight > 0.0).then(|| SideView::resting(outlines, height, down, up)))
+        let along = forces.iter().filter(|force| !force.law.is_couple() && force.force[0] != 0.0);
+        let along = along.map(|force| {
+            let symbol = Label::symbol(&symbols::force(self.study, &force.load, force.law));
+            Arrow::new(kind(force.law), symbol, [force.arm[0], height], [force.force[0], 0.0])
+        });
+        let mut view = SideView::resting(outlines, height, down, up);
+        view.forces.extend(along);
+        Ok((weight > 0.0).then_some(view))
     }
 
     /// Impulses on the body of a rigid impact at just this time.

@@ -116,6 +116,12 @@ pub(crate) fn called(study: &Study, symbols: &BTreeMap<String, String>, text: &s
     }
 }
 
+/// Whether a name is one of what an event has left behind, which does not change any more.
+pub(crate) fn is_moment(study: &Study, name: &str) -> bool {
+    let is_event = study.model.events.iter().any(|event| event.name == name);
+    is_name(name) && (name.contains(".contact[") || name.ends_with(".rolls") || is_event)
+}
+
 /// A quantity that has no symbol: `start of contact 1 with the floor`, `work of the spring`.
 pub(crate) fn in_words(study: &Study, name: &str) -> String {
     if let Some((place, rest)) = name.split_once(".contact[")

@@ -185,8 +185,11 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
         true => that,
         false => Text::from(format!("{name}: ")).and(that),
     };
-    let at =
-        if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
+    let is_moment = symbols::is_moment(study, symbols::without_unit(&check.that));
+    let at = match check.at.is_finite() && !is_moment {
+        true => Text::from(" at ").and(quantity(check.at, "s")),
+        false => Text::default(),
+    };
     CheckRow {
         what: what.and(at),
         expected: precise(check.expected, unit),

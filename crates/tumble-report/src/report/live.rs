@@ -62,8 +62,13 @@ pub fn play(study: &Study) -> String {
     let (play, symbols) = (&study.play, symbols::all(study));
     let called = |name: &str| match name.split_once(".start.") {
         Some((body, quantity)) => {
-            let words = symbols::called(study, &symbols, &format!("{body}.{quantity}"));
-            words.then(Label::plain(" at the start"))
+            let name = format!("{body}.{quantity}");
+            // Of several bodies the symbol says of which.
+            let called = match study.model.bodies.len() {
+                1 => symbols::called(study, &symbols, &name),
+                _ => symbols::label(&symbols, &name),
+            };
+            called.then(Label::plain(" at the start"))
         }
         None => symbols::label(&symbols, name),
     };

@@ -246,9 +246,16 @@ class Player {
     draw("path", { class: "hatch", d: strokes }, this.svg);
     draw("path", { class: "ground", d: `M${at(-reach, 0)}L${at(reach, 0)}` }, this.svg);
     // Below the hatching, or above the surface where there is no room.
-    const below = at(0, 22);
-    const place = below[1] < this.size[1] - 8 ? below : at(0, -12);
-    drawLabel(this.svg, name, { x: place[0], y: place[1] + 5, "text-anchor": "middle", class: "halo" });
+    const isWall = Math.abs(ux) > Math.abs(uy);
+    const below = at(0, isWall ? HATCH + 6 : 22);
+    const isRight = below[0] > foot[0];
+    const wide = isWall ? LETTER * plain(name).length : 0;
+    const fits = isWall ? below[0] - (isRight ? 0 : wide) > 0 && below[0] + (isRight ? wide : 0) < this.size[0] : below[1] < this.size[1] - 8;
+    const place = fits ? below : at(0, isWall ? -6 : -12);
+    // Above level ground it stands aside, where it covers least.
+    const isAside = !isWall && !fits && Math.abs(ux) < 0.1;
+    const anchor = isWall ? (isRight === fits ? "start" : "end") : isAside ? "end" : "middle";
+    drawLabel(this.svg, name, { x: isAside ? this.size[0] - 8 : place[0], y: place[1] + 5, "text-anchor": anchor, class: "halo" });
   }
 
   drawPoint({ at, name }) {
