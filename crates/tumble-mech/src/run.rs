@@ -11,7 +11,7 @@ use tumble_ode::{Accuracy, Event, Motion, Reason, Refusal, Side, Work};
 use crate::body::Body;
 use crate::equations::Equations;
 use crate::error::ModelErrors;
-use crate::islands::Refused;
+use crate::islands::{Reached, Refused};
 use crate::kinematics::PointRef;
 use crate::mode::Mode;
 use crate::model::Model;
@@ -255,6 +255,17 @@ impl Run {
         accuracy: Accuracy,
         mut progress: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, RunError> {
+        Self::watched(equations, start, until, accuracy, |reached| progress(reached.time))
+    }
+
+    /// The same for a motion that is looked at on its way.
+    pub(crate) fn watched(
+        equations: Equations,
+        start: tumble_ode::Start<Mode>,
+        until: f64,
+        accuracy: Accuracy,
+        mut progress: impl FnMut(Reached<'_>) -> ControlFlow<()>,
+    ) -> Result<Self, RunError> {
         let (tracks, refused) = equations.follow(&start, until, accuracy, &mut progress);
         let inputs = start.inputs.clone();
         let run = Self { equations, tracks, inputs, quadrature: None, coarser: None };
@@ -284,6 +295,11 @@ impl Run {
             "the bodies come to a singular configuration, in which {joints} can be kept in more than one way: where bars of a loop lie \
              in one line, they may go on either side"
         )))
+    }
+
+    /// Another motion of the same equations.
+    pub(crate) fn beside(&self, tracks: Tracks) -> Self {
+        Self { tracks, coarser: None, ..self.clone() }
     }
 
     /// The run up to a time, s.

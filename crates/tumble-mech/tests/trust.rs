@@ -124,6 +124,16 @@ fn ends_where_the_digits_do() {
     assert!(errors.at(horizon.time + 1e-9).is_none() && errors.last().is_none());
 }
 
+/// Where digits have ended the check runs soon do.
+#[test]
+fn is_not_paid_for_without_digits() {
+    let long = |time: f64| trusted(&bouncing_rod(rigid(1.0)), time, 1e-9);
+    let [(first, short), (second, longer)] = [400.0, 1600.0].map(long);
+    assert_eq!(short.horizon, longer.horizon);
+    assert!(second.work().steps > 3 * first.work().steps);
+    assert_eq!(longer.work().steps, short.work().steps);
+}
+
 /// A flight under a constant force is exact but for rounding, and known to be.
 #[test]
 fn of_a_throw() {

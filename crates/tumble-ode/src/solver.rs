@@ -244,6 +244,12 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.trajectory
     }
 
+    /// The same of a motion that goes on.
+    pub fn so_far(&self) -> Motion<H> {
+        let (scales, rounding) = (self.scales.all().to_vec(), self.scales.rounding().to_vec());
+        Trajectory { scales, rounding, ..self.trajectory.clone() }
+    }
+
     /// Takes one step, and the jump at its end if there is one.
     pub fn advance(&mut self) -> Result<(), Refusal> {
         self.propose()?;

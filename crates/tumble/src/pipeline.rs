@@ -239,7 +239,7 @@ fn write(
         tables::write(study, &case, folder)?;
         if !options.no_figures {
             case.balance = CaseBalance::of(&case)?;
-            case.balance.iter().try_for_each(|balance| tables::write_balance(balance, &case, folder))?;
+            tables::write_balance(&case, folder)?;
         }
         let finished = Finished::of(&case);
         let page = folder.towards(summary::FILE, summary::page(study, &finished))?;

@@ -1,6 +1,6 @@
 //! The tables of runs as files of their folder.
 
-use tumble_report::results::{Case, CaseBalance};
+use tumble_report::results::Case;
 use tumble_report::tables::{self, BALANCE, EVENTS, RUNS, SweepTables, TRAJECTORY};
 use tumble_scene::Study;
 
@@ -14,12 +14,8 @@ pub(crate) fn write(study: &Study, case: &Case, folder: &Folder) -> Result<(), P
 }
 
 /// Writes the balance beside them.
-pub(crate) fn write_balance(
-    balance: &CaseBalance,
-    case: &Case,
-    folder: &Folder,
-) -> Result<(), PipelineError> {
-    one(case, BALANCE, folder, |table| tables::balance(balance, table))
+pub(crate) fn write_balance(case: &Case, folder: &Folder) -> Result<(), PipelineError> {
+    one(case, BALANCE, folder, |table| tables::balance(case, table))
 }
 
 fn one(

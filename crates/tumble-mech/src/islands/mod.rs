@@ -39,7 +39,7 @@ use crate::parameters::time_symbol;
 use crate::record::Happening;
 use crate::singular::Passages;
 use crate::tracks::Track;
-pub(crate) use race::Refused;
+pub(crate) use race::{Reached, Refused};
 
 /// The islands of a component, and what has become of those before them.
 struct Islands<'a> {
@@ -361,6 +361,16 @@ impl<'a> Islands<'a> {
     /// Whether any of them has come to rest.
     fn has_rest(&self) -> bool {
         self.all.iter().any(|island| island.rest.is_some())
+    }
+
+    /// All motions as far as they are found, in the order in which they came to be.
+    fn so_far(&self) -> Vec<Track> {
+        let on_their_way = self.all.iter().map(|Island { born, groups, solver, .. }| {
+            (*born, Track { groups: groups.clone(), motion: solver.so_far().into() })
+        });
+        let mut all: Vec<_> = self.finished.iter().cloned().chain(on_their_way).collect();
+        all.sort_by_key(|(born, _)| *born);
+        all.into_iter().map(|(_, track)| track).collect()
     }
 
     /// All motions in the order in which they came to be, and which of them was refused.

@@ -25,15 +25,32 @@ pub(crate) struct Refused {
     pub(crate) motion: Option<Arc<Motion>>,
 }
 
+/// What motions have come to on their way.
+#[derive(Clone, Copy)]
+pub(crate) struct Reached<'a> {
+    /// What all have come to, s.
+    pub(crate) time: f64,
+    race: &'a Race<'a>,
+}
+
+impl Reached<'_> {
+    /// All motions up to there.
+    pub(crate) fn so_far(self) -> Tracks {
+        let mut tracks = self.race.components.iter().flat_map(Islands::so_far).collect();
+        cut(&mut tracks, Some(self.time));
+        Tracks::new(tracks, false)
+    }
+}
+
 impl Equations {
-    /// The motions from a start, with why they could not all go on to the end, if they could not; `progress` is told the time that
-    /// all have come to.
+    /// The motions from a start, with why they could not all go on to the end, if they could not; `progress` is told what they have
+    /// come to.
     pub(crate) fn follow(
         &self,
         start: &Start<Mode>,
         until: f64,
         accuracy: Accuracy,
-        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+        progress: &mut dyn FnMut(Reached<'_>) -> ControlFlow<()>,
     ) -> (Tracks, Option<Refused>) {
         let places = Places::of(self, start);
         let components = 0..self.components().all().len();
@@ -72,7 +89,7 @@ impl<'a> Race<'a> {
     }
 
     /// Goes on until all have ended.
-    fn run(&mut self, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) {
+    fn run(&mut self, progress: &mut dyn FnMut(Reached<'_>) -> ControlFlow<()>) {
         let mut behind: BinaryHeap<Reverse<(Time, usize)>> = (0..self.components.len())
             .map(|index| Reverse((Time(self.components[index].time()), index)))
             .collect();
@@ -101,7 +118,7 @@ impl<'a> Race<'a> {
         &mut self,
         index: usize,
         next: f64,
-        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+        progress: &mut dyn FnMut(Reached<'_>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         loop {
             let component = &mut self.components[index];
@@ -118,7 +135,8 @@ impl<'a> Race<'a> {
                 self.rest[index] = component.rest();
             }
             let is_last = is_done && next.is_infinite();
-            if progress(time.min(next)).is_break() && !is_last {
+            let reached = Reached { time: time.min(next), race: self };
+            if progress(reached).is_break() && !is_last {
                 return ControlFlow::Break(());
             }
             if is_done || time > next + self.lead || self.end.is_some_and(|end| time >= end) {

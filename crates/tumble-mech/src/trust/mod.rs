@@ -54,7 +54,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use tumble_expr::Expr;
-use tumble_ode::{Accuracy, Side};
+use tumble_ode::{Accuracy, Side, Work};
 
 use crate::balance::{Contribution, RunBalance};
 use crate::cache::Cache;
@@ -245,6 +245,16 @@ impl Trust {
     /// Errors of formulas of the motion along it; `run` is the motion that this is about.
     pub fn errors(&self, run: &Run, formulas: &[Expr]) -> Result<Errors, RunError> {
         self.along(run, formulas)?.errors(formulas)
+    }
+
+    /// What the check runs cost.
+    pub fn work(&self) -> Work {
+        self.checks.iter().map(|(check, _)| check.work()).sum()
+    }
+
+    /// Time up to which anything is known of a formula of the motion, s; infinite where that is all of it.
+    pub fn known_until(&self, run: &Run, formula: &Expr) -> Result<f64, RunError> {
+        Ok(self.along(run, std::slice::from_ref(formula))?.end())
     }
 
     /// Error stated of a formula of the motion at an instant; `None` where nothing can be said of it.

@@ -17,6 +17,7 @@ use tumble_mech::{Body, Happening, Record, Run, Shape};
 use tumble_ode::Side;
 use tumble_scene::{Curve, Diagnostics, Plot, Stroboscope, Study};
 
+use crate::report::END_OF_DIGITS;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::moments::Moments;
@@ -115,8 +116,12 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
             figure.series.push(Series { label: joined(curve, case_label(case)), points, dotted: false });
         }
     }
-    if let ([case], None) = (cases, &plot.x) {
-        mark_events(&mut figure, case);
+    if plot.x.is_none() {
+        let shown = shown(&figure);
+        if let [case] = cases {
+            mark_events(&mut figure, case, shown);
+        }
+        mark_ends_of_digits(&mut figure, cases, shown);
     }
     Ok(figure)
 }
@@ -140,10 +145,24 @@ fn rows(study: &Study, case: &Case, plot: &Plot, formulas: &[Expr]) -> Result<Op
         .transpose()
 }
 
+/// First and last time that curves are of, s.
+fn shown(figure: &CurveFigure) -> [f64; 2] {
+    let times = figure.series.iter().flat_map(|series| &series.points).map(|[time, _]| *time);
+    times.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], time| [from.min(time), to.max(time)])
+}
+
+/// Marks from where on no digit is verified.
+fn mark_ends_of_digits(figure: &mut CurveFigure, cases: &[Case], [from, to]: [f64; 2]) {
+    for case in telling(cases) {
+        let at = case.verified_until();
+        if from <= at && at < to {
+            figure.marks.push(Mark { at, label: joined(Label::plain(END_OF_DIGITS), case_label(case)) });
+        }
+    }
+}
+
 /// Marks what happens along the time axis, unless so much does that no mark could be read.
-fn mark_events(figure: &mut CurveFigure, case: &Case) {
-    let shown = figure.series.iter().flat_map(|series| &series.points).map(|[time, _]| *time);
-    let (from, to) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)));
+fn mark_events(figure: &mut CurveFigure, case: &Case, [from, to]: [f64; 2]) {
     let events = case.run.events();
     let events: Vec<_> = events.filter(|event| from <= event.time && event.time <= to).collect();
     if events.len() > MOST_MARKS {

@@ -19,6 +19,7 @@ use super::words;
 use crate::figures::free_bodies::kind;
 use crate::figures::symbols;
 use crate::figures::{case_label, outlines, poses, surfaces};
+use crate::report::END_OF_DIGITS;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::equal_times;
@@ -55,7 +56,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
         forces: forces(study, run, &times, &bodies)?,
         surfaces: surfaces(study, run, 0.0)?,
         points: points(study, run)?,
-        events: marks(study, run),
+        events: marks(study, case),
         links: links(study, run, &times)?,
         bodies,
         times,
@@ -100,13 +101,19 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
     Ok(found)
 }
 
-fn marks(study: &Study, run: &Run) -> Vec<Mark> {
-    let events: Vec<_> = run.events().collect();
-    if events.len() > MOST_MARKS {
-        return vec![];
-    }
+/// What happens, unless that is too much, and where digits end.
+fn marks(study: &Study, case: &Case) -> Vec<Mark> {
+    let run = &case.run;
     let what = |event: &Event<Record>| words::event(study, &run.equations, event);
-    events.iter().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect()
+    let events: Vec<Mark> =
+        run.events().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect();
+    let mut marks = if events.len() > MOST_MARKS { vec![] } else { events };
+    let at = case.verified_until();
+    if at.is_finite() {
+        let next = marks.partition_point(|mark| mark.at <= at);
+        marks.insert(next, Mark { at, label: Label::plain(END_OF_DIGITS) });
+    }
+    marks
 }
 
 /// Springs and dampers with the places of their ends.

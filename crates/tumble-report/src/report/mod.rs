@@ -33,6 +33,7 @@ pub use parts::{
     Analyze, BalancePart, BodyModel, BodyRow, CheckRow, ForceRow, Identify, ModeEquations, ModelPart, Phase,
     QuantityRow, RunAnalysis, Solve,
 };
+pub(crate) use picture::END_OF_DIGITS;
 pub use picture::{Chart, Picture};
 pub use play::Lab;
 pub use prose::{Piece, Text};

@@ -1,8 +1,12 @@
 //! Figures of a report.
 
 use super::prose::Text;
-use tumble_drawing::curves::CurveFigure;
+use tumble_drawing::Label;
+use tumble_drawing::curves::{CurveFigure, Mark};
 use tumble_drawing::svg::Svg;
+
+/// What a mark says where digits end.
+pub(crate) const END_OF_DIGITS: &str = "verified digits end";
 
 /// A drawing that stands as it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +65,9 @@ impl Chart {
         if !self.caption.is_empty() || x.is_empty() || y.is_empty() {
             return self.caption.clone();
         }
-        let marks = if self.figure.marks.is_empty() { "." } else { "; dashed lines are events." };
+        let end_of_digits = Label::plain(END_OF_DIGITS);
+        let is_event = |mark: &Mark| mark.label != end_of_digits;
+        let marks = if self.figure.marks.iter().any(is_event) { "; dashed lines are events." } else { "." };
         Text::from(y.clone()).and(" over ").and(x.clone()).and(marks).capitalised()
     }
 

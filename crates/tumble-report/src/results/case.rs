@@ -9,6 +9,7 @@ use tumble_scene::{Diagnostics, Study};
 use crate::results::CaseBalance;
 use crate::results::checks::{self, CheckResult};
 use crate::results::combinations::{Combinations, Values};
+use crate::results::digits::Held;
 use crate::results::error::CaseError;
 use crate::results::placed;
 use crate::results::questions::{self, FindResult};
@@ -55,6 +56,16 @@ pub(crate) struct Solution<'a> {
 }
 
 impl Case {
+    /// Time up to which its digits are verified, s: those of all bodies.
+    pub(crate) fn verified_until(&self) -> f64 {
+        self.trust.as_ref().map_or(f64::NEG_INFINITY, |trust| Held::of(trust).verified_until())
+    }
+
+    /// Whether digits are verified at a time, s.
+    pub(crate) fn is_verified(&self, time: f64) -> bool {
+        time <= self.verified_until()
+    }
+
     /// The motion with what is known of its errors.
     pub(crate) fn solution(&self) -> Solution<'_> {
         Solution { run: &self.run, trust: self.trust.as_ref(), is_whole: self.refusal.is_none() }

@@ -23,6 +23,13 @@ pub(crate) fn error(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Op
     Ok(trust.error_at(solution.run, formula, at)?)
 }
 
+/// Whether something is known of a formula up to a time, s, or to the end of the motion if that is earlier.
+pub(crate) fn are_known_to(solution: Solution<'_>, formula: &Expr, time: f64) -> Result<bool, CaseError> {
+    let Some(trust) = solution.trust else { return Ok(true) };
+    let end = solution.run.end().unwrap_or(0.0);
+    Ok(trust.known_until(solution.run, formula)? >= time.min(end))
+}
+
 impl FindResult {
     /// How many digits are verified, or how near it is where none is: `11 digits`, `within 2e-13`, `no digit is known`.
     pub fn certainty(&self) -> String {
@@ -53,6 +60,11 @@ impl Held {
     pub(crate) fn of(trust: &Trust) -> Self {
         let Trust { asked, used, reached, horizon, .. } = trust;
         Self { asked: *asked, used: *used, reached: *reached, horizon: horizon.clone() }
+    }
+
+    /// Time up to which digits are verified, s; infinite where that is the whole motion.
+    pub fn verified_until(&self) -> f64 {
+        self.horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time)
     }
 
     /// In a few words: `11 digits`, `7 digits of the 9 asked for`, `digits up to 12 s`.

@@ -64,6 +64,8 @@ pub struct Happened {
     pub time: f64,
     /// What, in the model's words.
     pub what: Vec<String>,
+    /// Whether digits are verified then.
+    pub is_verified: bool,
 }
 
 impl Finished {
@@ -73,6 +75,7 @@ impl Finished {
         let happened = |event: &tumble_ode::Event<Record>| Happened {
             time: event.time,
             what: run.equations.names_of(&event.record),
+            is_verified: case.is_verified(event.time),
         };
         Self {
             number: case.number,

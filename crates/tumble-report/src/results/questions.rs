@@ -172,11 +172,12 @@ impl<'a> Asked<'a> {
             }
             When::At(instant) => moments.time(instant)?.map(|(time, off)| (time, off, question.side)),
             When::Extreme { which, during } => match moments.window(during.as_ref())?.filter(|_| is_whole) {
-                // At an extreme the value does not change with the time.
+                // At an extreme the value does not change with the time. Where digits end within the window it may be elsewhere.
                 Some(window) => {
                     is_open = solution.run.is_open_within(&that.formula, window)?;
                     let peak = solution.run.extreme(&that.formula, *which, window)?;
-                    peak.map(|peak| (peak.time, Some(0.0), peak.side))
+                    let off = digits::are_known_to(solution, &that.formula, window[1])?.then_some(0.0);
+                    peak.map(|peak| (peak.time, off, peak.side))
                 }
                 None => None,
             },

@@ -3,8 +3,8 @@
 use tumble_expr::Expr;
 use tumble_scene::Study;
 
-use super::{Table, column};
-use crate::results::{Case, CaseBalance, CaseError, is_angle, sample, unit};
+use super::{Table, VERIFIED, column, verified};
+use crate::results::{Case, CaseError, is_angle, sample, unit};
 
 /// A row a time: every quantity that the scene shows.
 pub fn trajectory<T: Table>(study: &Study, case: &Case, table: &mut T) -> Result<(), T::Error> {
@@ -14,11 +14,12 @@ pub fn trajectory<T: Table>(study: &Study, case: &Case, table: &mut T) -> Result
     let formulas: Vec<Expr> = shown().map(|(_, quantity)| quantity.formula.clone()).collect();
     let header = shown().map(|(name, quantity)| column(name, &quantity.unit));
     let first = ["t [s]".to_owned(), "phase".to_owned()];
-    table.row(first.into_iter().chain(header))?;
+    table.row(first.into_iter().chain(header).chain([VERIFIED.to_owned()]))?;
     for row in sample(study, &case.run, &formulas)? {
         table.numbers(&[row.time]);
         table.text(&row.phase.to_string());
         table.numbers(&row.values);
+        table.text(verified(case.is_verified(row.time)));
         table.end_row()?;
     }
     Ok(())
@@ -35,7 +36,7 @@ pub fn events<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
             .map(move |state| format!("{side} {} [{}]", state.name, unit(state.dimension, is_angle(state))))
     });
     let first = ["t [s]".to_owned(), "what".to_owned()];
-    table.row(first.into_iter().chain(columns))?;
+    table.row(first.into_iter().chain(columns).chain([VERIFIED.to_owned()]))?;
     let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
     let mut observer = run.observe(&formulas).map_err(CaseError::from)?;
     for (index, event) in run.events().enumerate() {
@@ -44,17 +45,20 @@ pub fn events<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
         for values in observer.at_event(index).into_iter().flatten() {
             table.numbers(&values);
         }
+        table.text(verified(case.is_verified(event.time)));
         table.end_row()?;
     }
     Ok(())
 }
 
-/// A row a time: energies, and works up to it.
-pub fn balance<T: Table>(balance: &CaseBalance, table: &mut T) -> Result<(), T::Error> {
+/// A row a time: energies, and works up to it; nothing where no balance was made.
+pub fn balance<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
+    let Some(balance) = &case.balance else { return Ok(()) };
     let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
-    table.row(balance.columns.iter().map(units))?;
+    table.row(balance.columns.iter().map(units).chain([VERIFIED.to_owned()]))?;
     for row in &balance.rows {
         table.numbers(row);
+        table.text(verified(case.is_verified(row[0])));
         table.end_row()?;
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use tumble_scene::{Check, Question, Study, Swept};
 
-use super::{Table, column};
+use super::{Table, VERIFIED, column, verified};
 use crate::results::{Finished, Happened, is_angle, unit};
 
 /// Both tables, while the runs are made.
@@ -19,7 +19,7 @@ impl<T: Table> SweepTables<T> {
     pub fn begin(study: &Study, mut runs: T, mut events: T) -> Result<Self, T::Error> {
         runs.row(run_columns(study))?;
         let swept = study.sweep.iter().map(|axis| place(study, &axis.of)).collect();
-        let of_event = ["t [s]".to_owned(), "what".to_owned()];
+        let of_event = ["t [s]", "what", VERIFIED].map(str::to_owned);
         events.row(which(study).into_iter().chain(of_event))?;
         Ok(Self { runs, events, swept })
     }
@@ -47,6 +47,7 @@ impl<T: Table> SweepTables<T> {
         run.states.iter().for_each(|(_, value)| numbers(table, [*value]));
         table.numbers(&[run.accuracy.value()]);
         numbers(table, [run.held.as_ref().map_or(f64::NAN, |held| held.reached)]);
+        numbers(table, [run.held.as_ref().map_or(f64::NAN, |held| held.verified_until().min(run.end))]);
         table.text(&run.work.steps.to_string());
         table.text(&run.events.len().to_string());
         match &run.refusal {
@@ -64,6 +65,7 @@ impl<T: Table> SweepTables<T> {
         }
         table.numbers(&[event.time]);
         table.text(&event.what.join(", "));
+        table.text(verified(event.is_verified));
         table.end_row()
     }
 
@@ -117,7 +119,8 @@ fn run_columns(study: &Study) -> Vec<String> {
         .iter()
         .map(|state| column(&format!("end {}", state.name), &unit(state.dimension, is_angle(state))));
     let first = ["run".to_owned(), "label".to_owned()];
-    let last = ["accuracy", "error reached", "steps", "events", "state"].map(str::to_owned);
+    let last =
+        ["accuracy", "error reached", "verified until [s]", "steps", "events", "state"].map(str::to_owned);
     let parameters = study.model.parameters.symbols();
     let parameters = parameters.iter().map(|symbol| parameter(study, symbol));
     let asked = study.finds.iter().flat_map(find).chain(study.checks.iter().flat_map(check));

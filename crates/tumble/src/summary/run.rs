@@ -164,7 +164,7 @@ fn summary<'a>(study: &Study, case: &'a Finished) -> RunSummary<'a> {
         parameters: parameters(study, case),
         numerics: numerics(study, case),
         end: end(case),
-        events: case.events.iter().map(|Happened { time, what }| Event { time: *time, what }).collect(),
+        events: case.events.iter().map(|Happened { time, what, .. }| Event { time: *time, what }).collect(),
         finds: case.finds.iter().map(find).collect(),
         checks: case.checks.iter().map(check).collect(),
         equilibrium: case.equilibrium.as_ref().map(EquilibriumSummary::of),
@@ -198,7 +198,7 @@ fn numerics(study: &Study, case: &Finished) -> Numerics {
         trust: case.held.as_ref().map(|held| Trust {
             used_accuracy: held.used,
             reached: held.reached,
-            verified_until: held.horizon.as_ref().map_or(case.end, |horizon| horizon.time),
+            verified_until: held.verified_until().min(case.end),
             divergence: held.horizon.as_ref().map(|horizon| horizon.reason.to_string()),
         }),
         quadrature: case.quadrature.map(|found| Quadrature {
