@@ -8,8 +8,8 @@ use crate::curves::no_data;
 use crate::free_body::layout::View;
 use crate::free_body::ring::Ring;
 use crate::free_body::strokes::{Form, Stroke};
-use crate::free_body::{AngleMark, draw};
-use crate::geometry::{Point, along, arc, direction, unit};
+use crate::free_body::draw;
+use crate::geometry::{Point, along, unit};
 use crate::heading::Heading;
 use crate::outline::Pen;
 use crate::placing::Occupancy;
@@ -17,7 +17,7 @@ use crate::placing::{draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
 use crate::stroboscope::{equal_axes, picture_width};
-use crate::svg::{Element, PathData, Svg, circle};
+use crate::svg::{Element, Svg, circle};
 use crate::theme::{BODY, INK, MOTION, PAPER};
 
 /// Room around everything, as a part of the larger side.
@@ -31,9 +31,6 @@ const LONGEST: f64 = 64.0;
 const SHORTEST: f64 = 18.0;
 /// Radius, start and sweep of the arrow of an angular velocity.
 const RING: [f64; 3] = [24.0, 0.5, 3.6];
-/// Length of the arms of an angle, and radius of its arc, in pixels.
-pub(super) const ARM: f64 = 58.0;
-const ARC: f64 = 44.0;
 /// Radius of named points in pixels.
 const POINT: f64 = 2.6;
 
@@ -78,7 +75,6 @@ impl Layout {
         let fields = marks::fields(scene, area, &mut drawn);
         let labels = placed(&tags(self), &drawn, area);
         let mut parts: Vec<Element> = scene.surfaces.iter().filter_map(|s| s.draw(view, area)).collect();
-        parts.extend(scene.angles.iter().flat_map(|angle| self.draw_angle(angle)));
         parts.extend(scene.links.iter().map(|link| marks::link(link.kind, link.ends.map(|p| view.pixel(p)))));
         parts.extend(scene.bodies.iter().flat_map(|body| self.draw_body(body)));
         parts.extend(scene.pivots.iter().map(|pivot| marks::pivot(view.pixel(pivot.at))));
@@ -105,33 +101,6 @@ impl Layout {
         let pen = Pen { colour: BODY, hollow: false };
         let outlines = body.outlines.iter().flat_map(|shape| shape.draw(&body.pose, &self.axes, pen));
         outlines.chain([draw::centre_mark(self.view.pixel(body.pose.centre()))]).collect()
-    }
-
-    fn draw_angle(&self, angle: &AngleMark) -> Vec<Element> {
-        let arms = self.arms(angle).map(|arm| draw::dashed(&arm));
-        let arc = PathData::polyline(&self.arc(angle)).stroke().attr("stroke", INK).attr("stroke-width", 1.0);
-        arms.into_iter().chain([arc]).collect()
-    }
-
-    fn vertex(&self, angle: &AngleMark) -> Point {
-        let first = self.scene.bodies.first().map(|body| body.pose.centre());
-        self.view.pixel(angle.vertex.or(first).unwrap_or_default())
-    }
-
-    pub(super) fn arms(&self, angle: &AngleMark) -> [[Point; 2]; 2] {
-        let vertex = self.vertex(angle);
-        [angle.reference, angle.reference + angle.value]
-            .map(|turn| [vertex, along(vertex, direction(turn), ARM)])
-    }
-
-    /// The arc of an angle on the page.
-    pub(super) fn arc(&self, angle: &AngleMark) -> Vec<Point> {
-        arc(self.vertex(angle), ARC, angle.reference, angle.value % std::f64::consts::TAU)
-    }
-
-    /// Where the label of an angle belongs.
-    pub(super) fn angle_centre(&self, angle: &AngleMark) -> Point {
-        self.vertex(angle)
     }
 
     /// Velocities with the bodies they belong to.
@@ -182,10 +151,6 @@ impl Layout {
         }
         let pivots = self.scene.pivots.iter().map(|pivot| marks::pivot_box(self.view.pixel(pivot.at)));
         pivots.for_each(|place| drawn.add_box(place));
-        for angle in &self.scene.angles {
-            self.arms(angle).into_iter().for_each(|arm| drawn.add_line(arm.to_vec()));
-            drawn.add_line(self.arc(angle));
-        }
         self.strokes().iter().for_each(|(stroke, _)| drawn.add_line(vec![stroke.tail, stroke.head]));
         self.rings().iter().for_each(|(ring, _)| drawn.add_line(ring.points()));
         drawn

@@ -31,7 +31,6 @@ pub(super) fn tags(layout: &Layout) -> Vec<Tag> {
     tags.extend(bodies(layout));
     tags.extend(surfaces(layout));
     tags.extend(links(layout));
-    tags.extend(angles(layout));
     tags.extend(motions(layout));
     tags.retain(|tag| !tag.label.is_empty());
     tags
@@ -111,15 +110,6 @@ fn links(layout: &Layout) -> Vec<Tag> {
         tag(layout, &link.name, INK, vec![a, b], |size| about_point(middle, LINK_DISTANCE, size))
     };
     layout.scene.links.iter().map(link).collect()
-}
-
-fn angles(layout: &Layout) -> Vec<Tag> {
-    let angle = |angle: &crate::free_body::AngleMark| {
-        let arc = layout.arc(angle);
-        let vertex = layout.angle_centre(angle);
-        tag(layout, &angle.symbol, INK, arc.clone(), |size| about_arc(vertex, &arc, size))
-    };
-    layout.scene.angles.iter().map(angle).collect()
 }
 
 fn motions(layout: &Layout) -> Vec<Tag> {

@@ -9,8 +9,8 @@ use tumble_drawing::{
     Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink, Pose, SceneBody,
     SceneDrawing, SceneLink,
 };
-use tumble_expr::{Expr, Substitution};
-use tumble_mech::{Body, Forces, Gravity, Record, Run, joined, place_symbols};
+use tumble_expr::{Expr, Substitution, is_identically_zero};
+use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined, place_symbols};
 use tumble_ode::{Event, Side};
 use tumble_scene::Study;
 
@@ -129,11 +129,17 @@ fn links(study: &Study, run: &Run, times: &[f64]) -> Result<Vec<MovingLink>, Cas
         });
         found.push(MovingLink {
             name: Label::plain(interaction.name()),
-            kind: LinkKind::Spring,
+            kind: if is_stiff(&**interaction) { LinkKind::Spring } else { LinkKind::Damper },
             ends: ends.collect(),
         });
     }
     Ok(found)
+}
+
+/// Whether it is more than a damper.
+fn is_stiff(interaction: &dyn Interaction) -> bool {
+    let stiffness = interaction.dimensions().into_iter().find(|(name, ..)| *name == "stiffness");
+    stiffness.is_none_or(|(_, value, _)| !is_identically_zero(&value))
 }
 
 /// The scene at its start.
@@ -152,7 +158,6 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
         pivots: points(study, run)?,
         points: named_points(study, run)?,
         links: links.collect(),
-        angles: vec![],
         gravity: gravity(study)?,
         wind: wind(study, run)?,
     };

@@ -7,7 +7,7 @@ use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
-use tumble_notation::{Left, Mark, Math as Formula, Notation, Shown};
+use tumble_notation::{Left, Mark, Math, Notation, Shown};
 use tumble_scene::Study;
 
 use super::alike::Kind;
@@ -124,7 +124,7 @@ fn name_alike(motions: &mut [Motion], names: &Names) {
             && line.left.factor.is_none()
             && read.contains(symbol)
         {
-            line.left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+            line.left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
         }
     }
 }
@@ -134,7 +134,7 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
     for (symbol, force) in case.run.equations.shown_ties(mode) {
         let reads =
             |motion: &&mut Motion| motion.lines.iter().any(|line| line.right.symbols().contains(&symbol));
-        let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+        let left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
         let line = Line::new(left, force, symbol.clone());
         if let Some(motion) = motions.iter_mut().find(reads) {
             motion.lines.push(line);
@@ -162,8 +162,8 @@ fn second_rate(study: &Study, names: &Names, motion: &Motion) -> Option<Definiti
     let alpha = study.model.bodies[motion.body].kinematics().alpha_symbol();
     let is_read = motion.shown()?.lines.iter().any(|line| line.formula.symbols().contains(&alpha));
     let is_told = motion.follows && is_read && study.model.bodies.len() == 1;
-    let symbol = Formula::symbol(names.shown(&alpha.name));
-    let equation = Formula::equation(symbol, second(names, study, motion.body).symbol);
+    let symbol = Math::symbol(names.shown(&alpha.name));
+    let equation = Math::equation(symbol, second(names, study, motion.body).symbol);
     is_told.then(|| Definition { symbol: math(&equation), meaning: Text::default() })
 }
 
@@ -176,12 +176,12 @@ fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
         let symbols = point.arm.components().iter().flat_map(Expr::symbols);
         let mut own: Vec<Symbol> = symbols.filter(used).collect();
         own.sort_by(|a, b| a.name.cmp(&b.name));
-        let parts = own.iter().map(|symbol| Formula::symbol(names.shown(&symbol.name)));
-        let parts: Vec<Vec<Formula>> = parts.map(|part| vec![part]).collect();
+        let parts = own.iter().map(|symbol| Math::symbol(names.shown(&symbol.name)));
+        let parts: Vec<Vec<Math>> = parts.map(|part| vec![part]).collect();
         let (joint, body) = (symbols::joint(&joint.name), symbols::the(&point.body.body));
         let meaning = format!("where {joint} is on {body}, from its centre of mass, along its axes");
         (!parts.is_empty())
-            .then(|| Definition { symbol: math(&Formula::Matrix(parts)), meaning: meaning.into() })
+            .then(|| Definition { symbol: math(&Math::Matrix(parts)), meaning: meaning.into() })
     };
     seated.filter_map(definition).collect()
 }
@@ -261,7 +261,7 @@ impl Motion {
         let is_fixed = |formula: &Expr| formula.symbols().iter().all(|symbol| parameters.contains(symbol));
         let is_turning = |symbol: &Symbol| *symbol == study.model.bodies[body].kinematics().alpha_symbol();
         let line = |one: &Reduced| {
-            let shown = Formula::symbol(names.shown(&one.symbol.name));
+            let shown = Math::symbol(names.shown(&one.symbol.name));
             let left = match is_fixed(&one.inertia) && is_turning(&one.symbol) {
                 true => second(names, study, body),
                 false => Left::times(&one.inertia, shown),
@@ -294,7 +294,7 @@ impl Motion {
             terms.fold(Expr::zero(), |sum, term| sum + &term.force[axis])
         };
         let lines = own.iter().flat_map(|(_, symbol, formula)| {
-            let shown = || Formula::symbol(names.shown(&symbol.name));
+            let shown = || Math::symbol(names.shown(&symbol.name));
             let axis = usize::from(*symbol == axes[1]);
             let by_force = Line::new(Left::times(mass, shown()), force(axis) / mass, symbol.clone());
             [by_force, Line::new(Left::symbol(shown()), formula.clone(), symbol.clone())]
@@ -315,7 +315,7 @@ impl Motion {
         let ways = self.notations.iter().filter_map(|notation| notation.equations(&sides).ok());
         let signs = |shown: &Shown| Shown { definitions: vec![], ..shown.clone() }.text().chars().count();
         let mut shown = ways.min_by_key(signs)?;
-        shown.definitions.retain(|line| !matches!(line.left, Some(Formula::Bars(_))));
+        shown.definitions.retain(|line| !matches!(line.left, Some(Math::Bars(_))));
         Some(shown)
     }
 
@@ -345,7 +345,7 @@ fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: No
 /// `theta''`
 fn second(names: &Names, study: &Study, body: usize) -> Left {
     let angle = study.model.bodies[body].kinematics().angle_symbol();
-    Left::symbol(Formula::derivative(names.shown(&angle.name), 2, Mark::Primes))
+    Left::symbol(Math::derivative(names.shown(&angle.name), 2, Mark::Primes))
 }
 
 fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {
@@ -362,7 +362,7 @@ fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -
     let mass = equations.mass_properties(body);
     let terms = if is_solved { vec![] } else { equations.shown_terms(mode) };
     let times = |factor: &Expr, symbol: &Symbol, part: fn(&Term) -> Expr| {
-        let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+        let left = Left::times(factor, Math::symbol(names.shown(&symbol.name)));
         let own = terms.iter().filter(|term| term.body == body);
         let right = match is_solved {
             true => equations.in_states(mode, &symbol.clone().into()),
@@ -393,7 +393,7 @@ fn own_torque(terms: &[Term], body: usize) -> Expr {
 
 /// The left side of what is zero.
 fn nothing() -> Left {
-    Left::symbol(Formula::Number("0".to_owned()))
+    Left::symbol(Math::Number("0".to_owned()))
 }
 
 /// `I_P alpha = sum tau` of a body about its pivot, with the forces of joints by their names; where the pivot moves, less
@@ -402,7 +402,7 @@ fn turned(names: &Names, case: &Case, mode: &Mode, (body, pivot): (usize, &Pivot
     let symbol = case.run.equations.model().bodies[body].kinematics().alpha_symbol();
     let terms = case.run.equations.shown_terms(mode);
     let own: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
-    let left = Left::times(inertia, Formula::symbol(names.shown(&symbol.name)));
+    let left = Left::times(inertia, Math::symbol(names.shown(&symbol.name)));
     Line::new(left, pivot_torque(case, (body, pivot), &own) / inertia, symbol)
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::report::{Block, Definition, Math, Text};
+use crate::report::{Block, Definition, Typeset, Text};
 use tumble_drawing::Label;
 use tumble_expr::language::Formula;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
@@ -119,7 +119,7 @@ impl Names {
     }
 
     /// What a law says, first, and then what the names in it stand for.
-    pub(crate) fn stated(&self, left: tumble_notation::Math, right: &Written, load: &str) -> Vec<Math> {
+    pub(crate) fn stated(&self, left: tumble_notation::Math, right: &Written, load: &str) -> Vec<Typeset> {
         match self.notation.stated(left, right, &|name| self.of_law(name, load)) {
             Ok(lines) => lines.iter().map(math).collect(),
             Err(error) => vec![words(&error.to_string())],
@@ -136,17 +136,17 @@ impl Names {
     }
 
     /// A formula on one line, whatever its length.
-    pub(crate) fn formula(&self, formula: &Expr) -> Math {
+    pub(crate) fn formula(&self, formula: &Expr) -> Typeset {
         on_one_line(&self.notation, formula)
     }
 
     /// A formula on one line, as it was written: no name of a body's is in it.
-    pub(crate) fn written(&self, formula: &Expr) -> Math {
+    pub(crate) fn written(&self, formula: &Expr) -> Typeset {
         on_one_line(&self.plain, formula)
     }
 
     /// A formula of the scene as its text has it; what has no symbol stands in words.
-    pub(crate) fn as_written(&self, study: &Study, formula: &Formula) -> Math {
+    pub(crate) fn as_written(&self, study: &Study, formula: &Formula) -> Typeset {
         let symbol = |name: &str| match self.symbols.get(name) {
             Some(shown) => tumble_notation::Math::symbol(shown),
             None if name.contains('.') => tumble_notation::Math::Text(symbols::in_words(study, name)),
@@ -156,7 +156,7 @@ impl Names {
     }
 
     /// What a symbol stands for, on one line: no name of its own making is in it.
-    pub(crate) fn equation(&self, left: &str, right: &Expr) -> Math {
+    pub(crate) fn equation(&self, left: &str, right: &Expr) -> Typeset {
         let left = Left::symbol(tumble_notation::Math::symbol(left));
         match self.plain.clone().without_automatic_names().equation(left, right) {
             Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
@@ -176,7 +176,7 @@ impl Names {
     }
 
     /// A relation of something to a formula, on one line as it was written.
-    pub(crate) fn relation(&self, left: tumble_notation::Math, operator: Operator, right: &Expr) -> Math {
+    pub(crate) fn relation(&self, left: tumble_notation::Math, operator: Operator, right: &Expr) -> Typeset {
         match self.plain.clone().without_automatic_names().formula(right) {
             Ok(shown) => {
                 let right = shown.lines.into_iter().map(|line| line.right);
@@ -205,7 +205,7 @@ impl Names {
     }
 }
 
-fn on_one_line(notation: &Notation, formula: &Expr) -> Math {
+fn on_one_line(notation: &Notation, formula: &Expr) -> Typeset {
     match notation.clone().without_automatic_names().formula(formula) {
         Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
         Err(error) => words(&error.to_string()),
@@ -227,13 +227,13 @@ fn block(title: Text, shown: Result<Shown, tumble_notation::MathError>) -> Block
 }
 
 /// The same in the notations of a report.
-pub(crate) fn math(formula: &tumble_notation::Math) -> Math {
+pub(crate) fn math(formula: &tumble_notation::Math) -> Typeset {
     formula.into()
 }
 
 /// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
-pub(crate) fn words(words: &str) -> Math {
-    Math::words(words)
+pub(crate) fn words(words: &str) -> Typeset {
+    Typeset::words(words)
 }
 
 /// A value with its unit.

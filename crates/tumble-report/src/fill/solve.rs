@@ -1,10 +1,10 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
-use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
+use crate::report::{Block, Column, Definition, Typeset, Phase, Solve, Table, Text};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Divergence, Horizon, Mode, Parameters, Record, Run};
-use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twice, polynomial_in};
+use tumble_notation::{ClosedForm, Left, Math, Operator, integrate_twice, polynomial_in};
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
 
@@ -312,12 +312,12 @@ fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
 fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Result<Phase, CaseError> {
     let Stretch { mode, begins, elapsed, coordinates, motions } = stretch;
     let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
-    let mut numbers: Vec<Math> = vec![];
+    let mut numbers: Vec<Typeset> = vec![];
     for (coordinate, motion) in coordinates.iter().zip(motions) {
         for (symbol, formula) in
             [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)]
         {
-            let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+            let left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
             lines[coordinate.body].push((left, formula.clone()));
             numbers.push(with_numbers(study, names, symbol, formula, elapsed)?);
         }
@@ -348,10 +348,10 @@ fn with_numbers(
     symbol: &Symbol,
     formula: &Expr,
     elapsed: &Symbol,
-) -> Result<Math, CaseError> {
+) -> Result<Typeset, CaseError> {
     let coefficients = polynomial_in(formula, elapsed).unwrap_or_default();
-    let time = Formula::symbol(&elapsed.name);
-    let mut parts = vec![names.notation().symbol(&symbol.name), Formula::Operator(Operator::Equals)];
+    let time = Math::symbol(&elapsed.name);
+    let mut parts = vec![names.notation().symbol(&symbol.name), Math::Operator(Operator::Equals)];
     for (degree, coefficient) in coefficients.iter().enumerate() {
         let value = study.number(coefficient)?;
         if value == 0.0 {
@@ -359,36 +359,36 @@ fn with_numbers(
         }
         let is_first = parts.len() == 2;
         parts.extend(match (is_first, value < 0.0) {
-            (true, true) => Some(Formula::Operator(Operator::Negative)),
+            (true, true) => Some(Math::Operator(Operator::Negative)),
             (true, false) => None,
-            (false, true) => Some(Formula::Operator(Operator::Minus)),
-            (false, false) => Some(Formula::Operator(Operator::Plus)),
+            (false, true) => Some(Math::Operator(Operator::Minus)),
+            (false, false) => Some(Math::Operator(Operator::Plus)),
         });
-        let number = Formula::Number(Label::number(value.abs(), DIGITS).to_plain());
+        let number = Math::Number(Label::number(value.abs(), DIGITS).to_plain());
         let unit = unit(coefficient.dimension().unwrap_or(symbol.dimension), is_angle(symbol));
         let power = match degree {
             0 => None,
             1 => Some(time.clone()),
-            _ => Some(Formula::Power(Box::new(time.clone()), Box::new(Formula::Number(degree.to_string())))),
+            _ => Some(Math::Power(Box::new(time.clone()), Box::new(Math::Number(degree.to_string())))),
         };
-        let quantity = Formula::Product([number].into_iter().chain(in_unit(&unit)).collect());
+        let quantity = Math::Product([number].into_iter().chain(in_unit(&unit)).collect());
         parts.push(match power {
             Some(power) if !unit.is_empty() => {
-                Formula::Product(vec![Formula::Brackets(Box::new(quantity)), power])
+                Math::Product(vec![Math::Brackets(Box::new(quantity)), power])
             }
-            Some(power) => Formula::Product(vec![quantity, power]),
+            Some(power) => Math::Product(vec![quantity, power]),
             None => quantity,
         });
     }
     if parts.len() == 2 {
-        parts.push(Formula::Number("0".to_owned()));
+        parts.push(Math::Number("0".to_owned()));
     }
-    Ok(math(&Formula::Row(parts)))
+    Ok(math(&Math::Row(parts)))
 }
 
 /// `m/s²` as it is printed; nothing for a pure number.
-fn in_unit(unit: &str) -> Option<Formula> {
-    (!unit.is_empty()).then(|| Formula::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")))
+fn in_unit(unit: &str) -> Option<Math> {
+    (!unit.is_empty()).then(|| Math::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Running text with symbols and formulas in it.
 
-use super::math::Math;
+use super::math::Typeset;
 use tumble_drawing::font::Face;
 use tumble_drawing::text::Label;
 
@@ -12,7 +12,7 @@ pub enum Piece {
     /// A symbol, a quantity or a unit, as figures print it.
     Label(Label),
     /// A formula.
-    Math(Math),
+    Math(Typeset),
 }
 
 /// Running text.
@@ -33,7 +33,7 @@ impl Text {
         Label::symbol(name).into()
     }
 
-    /// The same text with more at its end: words, a [`Label`] or [`Math`].
+    /// The same text with more at its end: words, a [`Label`] or [`Typeset`].
     pub fn and(mut self, more: impl Into<Text>) -> Self {
         self.pieces.extend(more.into().pieces);
         self
@@ -97,8 +97,8 @@ impl From<Label> for Text {
     }
 }
 
-impl From<Math> for Text {
-    fn from(math: Math) -> Self {
+impl From<Typeset> for Text {
+    fn from(math: Typeset) -> Self {
         Self { pieces: vec![Piece::Math(math)] }
     }
 }

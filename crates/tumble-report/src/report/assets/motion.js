@@ -366,7 +366,6 @@ class Player {
       spring: [a, ...zigzag.map((s, i) => at(s, i === 0 || i === 11 ? 0 : i % 2 ? 6 : -6)), b],
       damper: [a, at(0.35, 0), at(0.35, 6), at(0.65, 6), at(0.35, 6), at(0.35, -6), at(0.65, -6), at(0.35, -6), at(0.35, 0),
         at(0.55, 0), at(0.55, 5), at(0.55, -5), at(0.55, 0), b],
-      thread: [a, b],
     }[kind];
     draw("polyline", { class: "link", points: points.join(" ") }, this.linkLayer);
   }
