@@ -7,7 +7,7 @@ use tumble_expr::{Dimension, Exponent, Expr};
 use tumble_mech::place_symbols;
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Label, Severity, Span};
+use crate::diagnostic::{Diagnostic, Severity, Span, Underlined};
 use crate::keys::{Keys, Takes};
 use crate::moments;
 use crate::names::{Level, Names};
@@ -253,7 +253,7 @@ impl Translator<'_> {
     fn one(&self, error: FormulaError) -> Option<Diagnostic> {
         let origin = self.place(&error.place);
         let labels =
-            error.labels.iter().map(|(span, text)| Label { span: origin.map(span), text: text.clone() });
+            error.labels.iter().map(|(span, text)| Underlined { span: origin.map(span), text: text.clone() });
         let mut mistake = Diagnostic {
             severity: Severity::Error,
             code: error.code.into(),
