@@ -26,6 +26,7 @@ use tumble_ode::{Reason, Side};
 
 use crate::contact::{ContactMode, Grip};
 use crate::equations::{Equations, on_body};
+use crate::laws;
 use crate::link::RowOf;
 use crate::mode::Mode;
 use crate::run::{Run, RunError};
@@ -188,14 +189,11 @@ impl Equations {
             let own = &self.pairs()[pair];
             let owner = self.pair_list().owner.get(&pair).copied().unwrap_or(pair);
             let friction = own.friction.as_ref()?.of_rest.clone();
+            let across = place(RowOf::Pair(owner));
+            let known = || laws::compliant::normal_force(own).filter(|_| mode.is_pressed(owner));
+            let normal = across.map(|_| own.force_symbol().into()).or_else(known)?;
             let follows = mode.grip(pair) == Some(Grip::Follows);
-            Some(Cone {
-                normal: place(RowOf::Pair(owner))?,
-                along,
-                friction,
-                patch: own.slips_with(pair),
-                follows,
-            })
+            Some(Cone { friction, normal, across, along, patch: own.slips_with(pair), follows })
         };
         let is_still = |(_, row): &(usize, &RowOf)| match row {
             RowOf::Slip(pair) => mode.grip(*pair).is_some_and(Grip::is_still),
@@ -268,8 +266,11 @@ impl Equations {
         }
         let forces: Vec<Expr> = open.symbols.iter().cloned().map(Expr::from).collect();
         let (found, forces) = (values(std::slice::from_ref(formula))?[0], values(&forces)?);
-        let most: Vec<Expr> = open.cones.iter().map(|cone| cone.friction.clone()).collect();
-        let limits = open.limits(&forces, &values(&most)?);
+        let of_cones = |of: fn(&Cone) -> &Expr| {
+            values(&open.cones.iter().map(|cone| of(cone).clone()).collect::<Vec<_>>())
+        };
+        let (friction, normal) = (of_cones(|cone| &cone.friction)?, of_cones(|cone| &cone.normal)?);
+        let limits = open.limits(&forces, [&friction, &normal]);
         let [down, up] = [-&slopes, slopes].map(|slopes| limits.farthest(&slopes));
         let blur = NOTHING * constant.amax() * forces.amax();
         // Feet that nothing may load are redundant, and bear nothing all the same.

@@ -22,11 +22,16 @@ pub(super) struct Redundancy {
     pub(super) cones: Vec<Cone>,
 }
 
-/// What friction can be where something does not slip: places of the multipliers, and the static coefficient.
+/// What friction can be where something does not slip.
 pub(super) struct Cone {
-    pub(super) normal: usize,
-    pub(super) along: usize,
+    /// Static coefficient.
     pub(super) friction: Expr,
+    /// Normal force, N.
+    pub(super) normal: Expr,
+    /// Place of its multiplier; a compliant surface has none, and pushes as its depth says.
+    pub(super) across: Option<usize>,
+    /// Place of the multiplier of friction.
+    pub(super) along: usize,
     /// What slips alike.
     pub(super) patch: Alike,
     /// Whether it is given no friction, because another point of those has it all.
@@ -52,10 +57,11 @@ impl Redundancy {
         away
     }
 
-    /// What bounds the directions, from forces of which each friction is what it can be.
-    pub(super) fn limits(&self, found: &DVector<f64>, friction: &DVector<f64>) -> Limits {
+    /// What bounds the directions, from forces of which each friction is what it can be; by cone, the static coefficients and the normal
+    /// forces.
+    pub(super) fn limits(&self, found: &DVector<f64>, [friction, normal]: [&DVector<f64>; 2]) -> Limits {
         let kept = self.symbols.len() - self.left_out;
-        let shift = self.shared(found);
+        let shift = self.shared(found, normal);
         let forces = found + &self.directions * &shift;
         // What is left out pushes from nothing on; all else both ways.
         let both_ways = (0..self.left_out).filter(|column| !self.is_contact[kept + column]);
@@ -71,8 +77,14 @@ impl Redundancy {
             (DVector::from_iterator(ways.len(), ways.iter().map(of_way)), left)
         };
         let pushes = (0..kept).filter(|row| self.is_contact[*row]).map(|row| along(&[(row, 1.0)]));
-        let cones = self.cones.iter().zip(friction).flat_map(|(cone, most)| {
-            [1.0, -1.0].map(|way| along(&[(cone.normal, *most), (cone.along, way)]))
+        let cones = self.cones.iter().zip(friction.iter().zip(normal)).flat_map(|(cone, (most, normal))| {
+            [1.0, -1.0].map(|way| match cone.across {
+                Some(across) => along(&[(across, *most), (cone.along, way)]),
+                None => {
+                    let (grows, left) = along(&[(cone.along, way)]);
+                    (grows, left + most * normal)
+                }
+            })
         });
         let size = NOTHING * forces.amax();
         // What is beyond a limit already is not bounded by it.
@@ -88,17 +100,16 @@ impl Redundancy {
 
     /// Along the directions, the way to where points that slip alike share their friction as their normal forces are: the equations give
     /// all of it to one.
-    fn shared(&self, found: &DVector<f64>) -> DVector<f64> {
+    fn shared(&self, found: &DVector<f64>, normal: &DVector<f64>) -> DVector<f64> {
         let kept = self.symbols.len() - self.left_out;
         let mut shift = DVector::zeros(self.left_out);
-        for cone in self.cones.iter().filter(|cone| cone.along >= kept && cone.follows) {
-            let alike = || self.cones.iter().filter(|other| other.patch == cone.patch);
-            let [all, along] = [
-                alike().map(|other| found[other.normal]).sum::<f64>(),
-                alike().map(|other| found[other.along]).sum(),
-            ];
+        let cones = || self.cones.iter().zip(normal);
+        for (cone, own) in cones().filter(|(cone, _)| cone.along >= kept && cone.follows) {
+            let alike = || cones().filter(|(other, _)| other.patch == cone.patch);
+            let all: f64 = alike().map(|(_, normal)| normal).sum();
+            let along: f64 = alike().map(|(other, _)| found[other.along]).sum();
             if all > 0.0 {
-                shift[cone.along - kept] = along * found[cone.normal] / all;
+                shift[cone.along - kept] = along * own / all;
             }
         }
         shift
