@@ -116,6 +116,14 @@ impl Outline {
         }
     }
 
+    /// Where something long ends, in world coordinates.
+    pub(crate) fn ends(&self, pose: &Pose) -> Vec<[f64; 2]> {
+        match self {
+            Outline::Segment { .. } => self.extent(pose),
+            Outline::Circle { .. } | Outline::Polygon(_) | Outline::Point(_) => vec![],
+        }
+    }
+
     /// Lines (world points) that cover the outline well enough to keep labels off it.
     pub fn spokes(&self, pose: &Pose) -> Vec<[f64; 2]> {
         let rim = match self {

@@ -11,14 +11,12 @@ use crate::outline::{Pen, Pose};
 use crate::placing::Occupancy;
 use crate::placing::about_point;
 use crate::placing::{Tag, draw_placed, placed};
-use crate::rect::Rect;
 use crate::scale::Range;
-use crate::scale_bar;
-use crate::svg::{Element, PathData, Svg, circle, line};
+use crate::svg::{Element, PathData, Svg, circle};
 use crate::text::Label;
-use crate::theme::{GAP, GREY, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
+use crate::theme::{GAP, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
 use crate::thin::{pieces, simplified, thinned};
-use crate::track::{BodyPath, Instants};
+use crate::track::BodyPath;
 
 /// Width of the picture in pixels, unless the motion is tall.
 const WIDTH: f64 = 680.0;
@@ -42,22 +40,12 @@ const TOLERANCE: f64 = 0.04;
 const CENTRE_DOT: f64 = 2.1;
 /// Distance of a label from its body.
 const LABEL_DISTANCE: f64 = 3.0;
+/// Part of the width that a legend may take: letters of other fonts are wider.
+const LEGEND: f64 = 0.9;
+/// So many bodies or more tell their common times once.
+const SEVERAL: usize = 3;
 /// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
 const LABEL_REACH: f64 = 0.5;
-/// Height of a label in units of its text size.
-/// Distance of hatching strokes of the ground, and their height.
-const HATCH_STEP: f64 = 9.0;
-const HATCH_DEPTH: f64 = 7.0;
-
-/// How lengths can be read from the picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Reference {
-    /// Axes in metres.
-    #[default]
-    Axes,
-    /// A scale bar below the picture.
-    ScaleBar,
-}
 
 /// A stroboscopic picture with equal scales along both axes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,31 +54,19 @@ pub struct StroboscopicPicture {
     pub title: Label,
     /// Bodies and runs, drawn over each other in order.
     pub tracks: Vec<BodyPath>,
-    /// Height of level ground in metres, drawn hatched.
-    pub ground: Option<f64>,
     /// Half-planes of material, drawn hatched below the bodies.
     pub surfaces: Vec<Ground>,
-    /// Axes or scale bar.
-    pub reference: Reference,
-    /// Fading or numbers.
-    pub instants: Instants,
 }
 
 impl StroboscopicPicture {
     /// The drawing. Without poses and paths it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
-        let scene = Scene::new(self);
-        match self.reference {
-            Reference::Axes => scene.with_axes(),
-            Reference::ScaleBar => scene.with_scale_bar(),
-        }
+        Scene::new(self).svg()
     }
 
     /// Ranges of x and y that hold everything drawn.
     fn ranges(&self) -> Option<[Range; 2]> {
         let mut points: Vec<_> = self.tracks.iter().flat_map(BodyPath::extent).collect();
-        let base = points.first().copied()?;
-        points.extend(self.ground.map(|y| [base[0], y]));
         let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
         let feet: Vec<_> = feet.collect();
         points.extend(feet);
@@ -116,7 +92,7 @@ impl<'a> Scene<'a> {
         let wanted = ranges.unwrap_or_default();
         let width = picture_width(wanted);
         let heading = Heading::new(&picture.title, width);
-        let legend = legend(&picture.tracks).map(|legend| legend.spread(width - 2.0 * MARGIN));
+        let legend = legend(&picture.tracks).map(|legend| legend.spread(LEGEND * (width - 2.0 * MARGIN)));
         let above = legend.as_ref().map_or(0.0, |legend| legend.size()[1] + GAP);
         let axes = equal_axes(wanted, width, heading.bottom() + above);
         Self { picture, heading, axes, legend, empty: ranges.is_none() }
@@ -126,22 +102,8 @@ impl<'a> Scene<'a> {
         self.axes.area.right() + self.axes.margins().right
     }
 
-    fn with_axes(&self) -> Svg {
-        let mut svg = self.page(self.axes.area.bottom() + self.axes.margins().bottom);
-        svg.push(self.axes.draw());
-        svg
-    }
-
-    fn with_scale_bar(&self) -> Svg {
-        let mut svg = self.page(self.axes.area.bottom() + scale_bar::HEIGHT + MARGIN);
-        let right_end = [self.axes.area.right(), self.axes.area.bottom() + GAP];
-        svg.push(scale_bar::draw(right_end, self.axes.x.density(), "m"));
-        svg
-    }
-
-    /// Everything but the axes or the scale bar.
-    fn page(&self, height: f64) -> Svg {
-        let width = self.width();
+    fn svg(&self) -> Svg {
+        let (width, height) = (self.width(), self.axes.area.bottom() + self.axes.margins().bottom);
         let middle = self.axes.area.centre()[0];
         let mut svg = Svg::new(width, height, self.picture.title.to_plain());
         let page = Element::new("rect").attr("width", width).attr("height", height);
@@ -153,41 +115,27 @@ impl<'a> Scene<'a> {
         }));
         svg.push(clipped(self.axes.area, self.motion()));
         svg.children.extend(self.empty.then(|| no_data(&self.axes.area)));
+        svg.push(self.axes.draw());
         svg
     }
 
     fn motion(&self) -> Vec<Element> {
-        let ground = self.picture.ground.map(|y| self.draw_ground(self.axes.y.pixel(y)));
         let tracks = || self.picture.tracks.iter().enumerate();
         let bodies = tracks().map(|(i, track)| self.draw_bodies(i, track));
         let traces = tracks().map(|(i, track)| self.draw_trace(i, track));
         let view = View::of(&self.axes);
         let surfaces = self.surfaces().filter_map(|surface| surface.draw(&view, &self.axes.area));
-        ground.into_iter().chain(surfaces).chain(bodies).chain(traces).chain([self.draw_labels()]).collect()
+        surfaces.chain(bodies).chain(traces).chain([self.draw_labels()]).collect()
     }
 
     fn surfaces(&self) -> impl Iterator<Item = &Ground> {
         self.picture.surfaces.iter().filter(|surface| surface.is_drawable())
     }
 
-    fn draw_ground(&self, y: f64) -> Element {
-        let Rect { x: left, width, .. } = self.axes.area;
-        let right = left + width;
-        let strokes = (0..=(width / HATCH_STEP) as usize).map(|i| {
-            let x = left + i as f64 * HATCH_STEP;
-            line([x, y + HATCH_DEPTH], [x + HATCH_DEPTH, y]).attr("stroke", GREY)
-        });
-        let surface = line([left, y], [right, y]).attr("stroke", INK);
-        Element::new("g").attr("stroke-width", HAIRLINE).children(strokes).child(surface)
-    }
-
     fn draw_bodies(&self, index: usize, track: &BodyPath) -> Element {
         let last = track.poses.len().saturating_sub(1).max(1) as f64;
         let body = |(i, pose): (usize, &Pose)| {
-            let strength = match self.picture.instants {
-                Instants::Fading => FIRST_STRENGTH + (1.0 - FIRST_STRENGTH) * i as f64 / last,
-                Instants::Numbered => 1.0,
-            };
+            let strength = FIRST_STRENGTH + (1.0 - FIRST_STRENGTH) * i as f64 / last;
             let pen = Pen { colour: style(index).colour.strength(strength), hollow: index % 2 == 1 };
             track.shapes.iter().flat_map(|shape| shape.draw(pose, &self.axes, pen)).collect::<Vec<_>>()
         };
@@ -223,9 +171,6 @@ impl<'a> Scene<'a> {
     fn occupancy(&self) -> Occupancy {
         let area = self.axes.area;
         let mut drawn = Occupancy::new(area);
-        if let Some(y) = self.picture.ground.map(|y| self.axes.y.pixel(y)) {
-            drawn.add_box(Rect::new(area.x, y, area.width, HATCH_DEPTH));
-        }
         let view = View::of(&self.axes);
         for strip in self.surfaces().flat_map(|surface| surface.strip(&view, &area)) {
             drawn.add_line(strip.to_vec());
@@ -264,8 +209,15 @@ impl<'a> Scene<'a> {
     /// The labels of all tracks; one that runs share, as at a common start, stands once.
     fn notes(&self) -> Vec<Note<'_>> {
         let mut notes: Vec<Note<'_>> = Vec::new();
-        for (i, track) in self.picture.tracks.iter().enumerate() {
-            for (pose, label) in track.labels(self.picture.instants) {
+        let times =
+            |track: &BodyPath| -> Vec<Label> { track.labels().into_iter().map(|(_, label)| label).collect() };
+        let tracks = &self.picture.tracks;
+        // Of several bodies with the same times one tells them.
+        let is_told = |i: usize| {
+            tracks.len() >= SEVERAL && tracks[..i].iter().any(|other| times(other) == times(&tracks[i]))
+        };
+        for (i, track) in tracks.iter().enumerate().filter(|(i, _)| !is_told(*i)) {
+            for (pose, label) in track.labels() {
                 let same = |note: &&mut Note<'_>| note.label == label && note.pose.centre() == pose.centre();
                 match notes.iter_mut().find(same) {
                     Some(note) => note.colour = INK,
@@ -277,10 +229,16 @@ impl<'a> Scene<'a> {
     }
 
     fn tag(&self, note: &Note<'_>) -> Tag {
+        let size = Tag::extent(&note.label, SMALL);
+        // By its ends, where it has some, and else beside its middle.
+        let ends: Vec<[f64; 2]> = note.track.shapes.iter().flat_map(|shape| shape.ends(note.pose)).collect();
+        let ends: Vec<[f64; 2]> = ends.into_iter().map(|end| self.axes.pixel(end)).collect();
         let distance = note.track.reach() * self.axes.x.density() * LABEL_REACH + LABEL_DISTANCE;
         let centre = self.axes.pixel(note.pose.centre());
-        let near = about_point(centre, distance, Tag::extent(&note.label, SMALL));
-        Tag::new(note.label.clone(), note.colour.for_text(), vec![centre], near)
+        let by_ends = ends.iter().flat_map(|end| about_point(*end, LABEL_DISTANCE, size));
+        let near = by_ends.chain(about_point(centre, distance, size)).collect();
+        let owner = if ends.is_empty() { vec![centre] } else { ends.clone() };
+        Tag::new(note.label.clone(), note.colour.for_text(), owner, near)
     }
 }
 

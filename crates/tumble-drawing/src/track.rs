@@ -20,16 +20,6 @@ pub struct BodyPath {
     pub trace: Vec<[f64; 2]>,
 }
 
-/// How the order of instants is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Instants {
-    /// Earlier instants are paler.
-    #[default]
-    Fading,
-    /// Each instant has its number, counted from 0.
-    Numbered,
-}
-
 impl BodyPath {
     /// The poses that can be drawn.
     pub(crate) fn poses(&self) -> impl Iterator<Item = &Pose> {
@@ -54,21 +44,11 @@ impl BodyPath {
         self.shapes.iter().map(Outline::reach).fold(0.0, f64::max)
     }
 
-    /// The poses that get a label.
-    pub(crate) fn labels(&self, instants: Instants) -> Vec<(&Pose, Label)> {
-        let ends = [self.numbered().next(), self.numbered().last()].map(|end| end.map(|(i, _)| i));
-        let number = |i| (instants == Instants::Numbered).then_some(i);
-        let time = |i, pose: &Pose| ends.contains(&Some(i)).then_some(pose.t);
-        let labelled = self.numbered().map(|(i, pose)| (pose, label(number(i), time(i, pose))));
-        labelled.filter(|(_, label)| !label.is_empty()).collect()
-    }
-}
-
-fn label(number: Option<usize>, time: Option<f64>) -> Label {
-    let number = number.map(|i| Label::plain(&i.to_string()));
-    match (number, time.map(time_label)) {
-        (Some(number), Some(time)) => number.then(Label::plain(" (")).then(time).then(Label::plain(")")),
-        (number, time) => number.or(time).unwrap_or_default(),
+    /// The first and the last pose with their times.
+    pub(crate) fn labels(&self) -> Vec<(&Pose, Label)> {
+        let first = self.poses().next();
+        let last = self.poses().skip(1).last();
+        first.into_iter().chain(last).map(|pose| (pose, time_label(pose.t))).collect()
     }
 }
 
@@ -86,21 +66,15 @@ mod tests {
         BodyPath { poses: times.iter().map(pose).collect(), ..BodyPath::default() }
     }
 
-    fn labels(times: &[f64], instants: Instants) -> Vec<String> {
-        track(times).labels(instants).iter().map(|(_, label)| label.to_plain()).collect()
+    fn labels(times: &[f64]) -> Vec<String> {
+        track(times).labels().iter().map(|(_, label)| label.to_plain()).collect()
     }
 
     #[test]
     fn first_and_last_instants_have_times() {
-        assert_eq!(labels(&[0.0, 0.1, 0.3], Instants::Fading), ["t = 0", "t = 0.3\u{a0}s"]);
-        assert_eq!(labels(&[0.5], Instants::Fading), ["t = 0.5\u{a0}s"]);
-        assert!(labels(&[], Instants::Fading).is_empty());
-    }
-
-    #[test]
-    fn numbers_count_poses_that_cannot_be_drawn() {
-        let shown = labels(&[0.0, f64::NAN, 0.2, 0.3], Instants::Numbered);
-        assert_eq!(shown, ["0 (t = 0)", "2", "3 (t = 0.3\u{a0}s)"]);
+        assert_eq!(labels(&[0.0, 0.1, 0.3]), ["t = 0", "t = 0.3\u{a0}s"]);
+        assert_eq!(labels(&[0.5]), ["t = 0.5\u{a0}s"]);
+        assert!(labels(&[]).is_empty());
     }
 
     #[test]

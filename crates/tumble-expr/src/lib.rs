@@ -7,6 +7,7 @@
 //! It knows nothing of mechanics.
 
 mod active;
+mod affine;
 mod arena;
 mod bernstein;
 mod degree;
@@ -33,6 +34,7 @@ mod rounding;
 mod same;
 mod scalar;
 mod shape;
+mod signs;
 mod simplify;
 mod sparse;
 mod substitute;

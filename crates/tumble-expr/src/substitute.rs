@@ -84,21 +84,26 @@ impl Substitution {
         if let Node::Symbol(symbol) = formula.node() {
             return self.get(symbol).unwrap_or(formula).clone();
         }
-        let same = |old: &&Expr| Arc::ptr_eq(&old.0, &part(old).0);
-        if formula.children().iter().all(same) {
-            return formula.clone();
-        }
-        match formula.node().map(&part) {
-            Node::Unary(op, a) => Expr::unary(op, a),
-            Node::Binary(op, a, b) => Expr::binary(op, a, b),
-            Node::Compare(relation, a, b) => Expr::compare(relation, a, b),
-            Node::Select(a, b, c) => Expr::select(a, b, c),
-            Node::Norm(parts) => Expr::norm(parts),
-            Node::Table(table, a) => Expr::table(&table.0, a),
-            Node::System(shape, parts) => Expr::system(&shape, parts),
-            Node::Unknown(system, row) => Expr::unknown(system, row),
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => formula.clone(),
-        }
+        rebuilt(formula, part)
+    }
+}
+
+/// A formula of other parts; itself where they are the same.
+pub(crate) fn rebuilt(formula: &Expr, part: impl Fn(&Expr) -> Expr) -> Expr {
+    let same = |old: &&Expr| Arc::ptr_eq(&old.0, &part(old).0);
+    if formula.children().iter().all(same) {
+        return formula.clone();
+    }
+    match formula.node().map(&part) {
+        Node::Unary(op, a) => Expr::unary(op, a),
+        Node::Binary(op, a, b) => Expr::binary(op, a, b),
+        Node::Compare(relation, a, b) => Expr::compare(relation, a, b),
+        Node::Select(a, b, c) => Expr::select(a, b, c),
+        Node::Norm(parts) => Expr::norm(parts),
+        Node::Table(table, a) => Expr::table(&table.0, a),
+        Node::System(shape, parts) => Expr::system(&shape, parts),
+        Node::Unknown(system, row) => Expr::unknown(system, row),
+        Node::Number(_) | Node::Pi | Node::Symbol(_) => formula.clone(),
     }
 }
 

@@ -113,7 +113,7 @@ impl Session {
             ("kind", string("scene")),
             ("title", string(&study.title)),
             ("said", live::said(&study.warnings())),
-            ("play", live::play(&study.play)),
+            ("play", live::play(&study)),
         ];
         self.study = Some(study);
         Ok((Stage::Sketch, Some(object(parts))))

@@ -98,7 +98,8 @@ fn meets(equations: &Equations, body: usize) -> bool {
 }
 
 impl Signature {
-    /// `None` where a group has what is counted among all: joints, events, loads that do not always act; and where its bodies meet each other.
+    /// `None` where a group has what is counted among all: joints, events, loads that do not always act, or that read forces; and where its bodies
+    /// meet each other.
     fn of(equations: &Equations, group: usize) -> Option<Self> {
         let components = equations.components();
         let bodies = &components.groups()[group];
@@ -106,6 +107,8 @@ impl Signature {
         let is_counted = equations.joints().iter().any(|joint| joint.bodies.iter().any(has))
             || equations.windows().iter().any(|window| has(&window.body))
             || components.has_events(group)
+            || equations.is_fed(bodies)
+            || equations.brakes().iter().any(|brake| brake.bodies.iter().any(has))
             || bodies.iter().any(|body| meets(equations, *body));
         if is_counted {
             return None;

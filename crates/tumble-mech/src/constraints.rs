@@ -88,6 +88,7 @@ impl Equations {
             windows: windows.map(|(window, acts)| *acts && has(&window.body)).collect(),
             changes: mode.changes.clone(),
             grips: some_pairs(&mode.grips, |pair| self.pairs()[pair].bodies().all(|body| has(&body))),
+            brakes: some_pairs(&mode.brakes, |brake| self.brakes()[brake].bodies.iter().all(has)),
             still: some_of(&mode.still, has),
             contacts: mode
                 .contacts
@@ -121,6 +122,8 @@ impl Equations {
         contacts.sort_unstable();
         let mut grips: Vec<_> = modes.iter().flat_map(|mode| &mode.grips).copied().collect();
         grips.sort_unstable();
+        let mut brakes: Vec<_> = modes.iter().flat_map(|mode| &mode.brakes).copied().collect();
+        brakes.sort_unstable();
         Mode {
             bodies: all(|mode| &mode.bodies),
             windows: self.windows().iter().enumerate().map(acts).collect(),
@@ -128,6 +131,7 @@ impl Equations {
             changes: modes.first().map(|mode| mode.changes.clone()).unwrap_or_default(),
             contacts,
             grips,
+            brakes,
             still: all(|mode| &mode.still),
             switched: all(|mode| &mode.switched),
             redundant: all(|mode| &mode.redundant),
@@ -154,6 +158,7 @@ impl Equations {
     pub(crate) fn bodies_of(&self, row: RowOf) -> Vec<usize> {
         match row {
             RowOf::Pair(pair) | RowOf::Slip(pair) => self.pairs()[pair].bodies().collect(),
+            RowOf::Brake(brake) => self.brakes()[brake].bodies.clone(),
             RowOf::Joint(joint, row) => {
                 self.joints()[joint].rows[row].wrenches.iter().map(|wrench| wrench.body).collect()
             }
@@ -172,7 +177,7 @@ impl Equations {
         joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
     }
 
-    /// By body, those that joints and lasting contacts keep it together with in a mode.
+    /// By body, those that joints, lasting contacts and loads that read forces keep it together with in a mode.
     fn neighbours(&self, mode: &Mode) -> Vec<Vec<usize>> {
         let mut neighbours = vec![vec![]; self.model().bodies.len()];
         for (index, joint) in self.joints().iter().enumerate() {
@@ -184,6 +189,18 @@ impl Equations {
         for (pair, contact_mode) in &mode.contacts {
             if contact_mode.is_lasting() {
                 self.pairs()[*pair].couple(&mut neighbours);
+            }
+        }
+        for (load, term) in self.feeding(mode) {
+            for other in self.readings()[load].bodies.iter().filter(|body| mode.has(**body)) {
+                neighbours[*other].push(term.body);
+                neighbours[term.body].push(*other);
+            }
+        }
+        for brake in mode.braked() {
+            for two in self.brakes()[brake].bodies.windows(2) {
+                neighbours[two[0]].push(two[1]);
+                neighbours[two[1]].push(two[0]);
             }
         }
         neighbours

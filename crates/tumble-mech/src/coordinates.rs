@@ -279,6 +279,14 @@ impl Coordinates {
         }
     }
 
+    /// What a unit of a wrench on the body does to the force of its pivot.
+    pub(crate) fn recoil(&self, body: &Kinematics, mass: &MassProperties, by: &Wrench) -> Vector {
+        let Self::Pivoted { arm, .. } = self else { return Vector::planar(Expr::zero(), Expr::zero()) };
+        let from_pivot = PointRef { body: body.clone(), arm: arm.clone() }.world_arm();
+        let alpha = by.torque_about(&from_pivot) / inertia_about_pivot(arm, mass);
+        &mass.mass * alpha * from_pivot.perpendicular() - &by.force
+    }
+
     /// The pivot's force on the body, given the force of all other terms and the acceleration.
     pub(crate) fn reaction(
         &self,

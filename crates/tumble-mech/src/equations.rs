@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
 use tumble_ode::Program;
 
+use crate::brake::{self, Brake};
 use crate::cache::Cache;
 use crate::classes::Classes;
 use crate::components::{Components, Couplings};
@@ -15,6 +16,7 @@ use crate::contact::{Pairs, moves};
 use crate::coordinates::{Coordinates, Measure, StateRate, force_symbols, total_force};
 use crate::error::{ModelError, ModelErrors};
 use crate::evaluator::Tapes;
+use crate::feedback::{self, Readings};
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
@@ -43,6 +45,9 @@ pub struct Equations {
 struct Parts {
     bodies: Vec<BodyEquations>,
     terms: Vec<Term>,
+    /// By term, the forces of contacts and joints that it reads.
+    readings: Vec<Readings>,
+    brakes: Vec<Brake>,
     windows: Vec<Window>,
     pairs: Pairs,
     joints: Vec<JointEquations>,
@@ -123,7 +128,7 @@ impl Equations {
         for body in &bodies {
             body.coordinates.define(&body.kinematics, &mut definitions);
         }
-        let (windows, terms) = terms(&model, &bodies);
+        let (windows, mut terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
         let joints = JointEquations::all(&model);
         let components = Components::of(&Couplings {
@@ -132,6 +137,13 @@ impl Equations {
             pairs: &pairs.all,
             joints: joints.iter().map(|joint| (&joint.bodies[..], joint.symbols())).collect(),
         });
+        let motions: Vec<&Kinematics> = bodies.iter().map(|body| &body.kinematics).collect();
+        let brakes = brake::all(&mut terms, &motions, &feedback::forces(&model, &pairs.all, &joints));
+        for brake in &brakes {
+            let sign = definitions.apply(&brake.rate.sign());
+            definitions.insert(brake.sign.clone(), sign);
+        }
+        let readings = feedback::readings(&model, &terms, &pairs.all, &joints)?;
         let states = bodies.iter().map(|body| body.coordinates.count());
         let first_states = std::iter::once(0).chain(states.scan(0, |before, states| {
             *before += states;
@@ -139,8 +151,19 @@ impl Equations {
         }));
         let first_states = first_states.collect();
         let built = Built::default();
-        let parts =
-            Parts { bodies, terms, windows, pairs, joints, components, first_states, definitions, built };
+        let parts = Parts {
+            bodies,
+            terms,
+            readings,
+            brakes,
+            windows,
+            pairs,
+            joints,
+            components,
+            first_states,
+            definitions,
+            built,
+        };
         let equations = Self { model: Arc::new(model), parts: Arc::new(parts), rounding: Rounding::NEAREST };
         equations.check_points_turn()?;
         Ok(equations)
@@ -217,13 +240,16 @@ impl Equations {
     /// The terms that act in a mode, reactions of pivots included, in the states of the mode.
     pub fn terms(&self, mode: &Mode) -> Vec<Term> {
         let definitions = self.definitions_of(mode);
-        self.terms_with(mode, |formula| definitions.apply(formula))
+        self.terms_with(self.acting(mode), mode, |formula| definitions.apply(formula))
     }
 
     /// The terms that act in a mode as a reader wants to see them: places and velocities in the states, accelerations
     /// and the forces of contacts by their symbols.
     pub fn shown_terms(&self, mode: &Mode) -> Vec<Term> {
-        self.terms_with(mode, |formula| self.shown(mode, formula))
+        // What a brake does while it holds is what its law says otherwise.
+        let is_law = |(term, _): &(TermOf, bool)| !matches!(term, TermOf::Brake(..));
+        let acting = self.acting_terms(mode).filter(is_law).map(|(term, _)| self.term(term)).collect();
+        self.terms_with(acting, mode, |formula| self.shown(mode, formula))
     }
 
     /// A formula of the bodies' motion with what is not a state in those that are; accelerations stay symbols.
@@ -232,11 +258,11 @@ impl Equations {
     }
 
     pub(crate) fn shown(&self, mode: &Mode, formula: &Expr) -> Expr {
-        self.changes(mode).apply(&self.parts.definitions.apply(formula))
+        self.absent(mode).apply(&self.changes(mode).apply(&self.parts.definitions.apply(formula)))
     }
 
-    fn terms_with(&self, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {
-        let (acting, by_body) = (self.acting(mode), self.acting_by_body(mode));
+    fn terms_with(&self, acting: Vec<&Term>, mode: &Mode, shown: impl Fn(&Expr) -> Expr) -> Vec<Term> {
+        let by_body = self.acting_by_body(mode);
         let reactions = mode.bodies.iter().filter_map(|&index| {
             let body = &self.parts.bodies[index];
             let force = total_force(&by_body[index]);
@@ -317,7 +343,10 @@ impl Equations {
         let sides = |pair: usize| 0..self.pairs()[pair].bodies().count();
         let across =
             move |pair: usize, keeps: bool| sides(pair).map(move |side| (TermOf::Pair(pair, side), keeps));
-        let along = move |pair: usize| sides(pair).map(move |side| (TermOf::Friction(pair, side), true));
+        let along = move |pair: usize| {
+            let keeps = !mode.has_known_friction(pair);
+            sides(pair).map(move |side| (TermOf::Friction(pair, side), keeps))
+        };
         let pressed = mode.pressed().flat_map(move |pair| across(pair, false));
         let held = mode.held().flat_map(move |pair| across(pair, true));
         let rubbing = mode.rubbing().flat_map(along);
@@ -325,7 +354,11 @@ impl Equations {
         let of_joint = |(joint, known): (usize, &JointEquations)| {
             (0..known.terms.len()).map(move |term| (TermOf::Joint(joint, term), true)).collect::<Vec<_>>()
         };
-        loads.chain(pressed).chain(held).chain(rubbing).chain(joints.flat_map(of_joint))
+        let of_brake = |brake: usize| {
+            (0..self.parts.brakes[brake].terms.len()).map(move |term| (TermOf::Brake(brake, term), true))
+        };
+        let braked = mode.braked().flat_map(of_brake);
+        loads.chain(pressed).chain(held).chain(rubbing).chain(joints.flat_map(of_joint)).chain(braked)
     }
 
     pub(crate) fn acting(&self, mode: &Mode) -> Vec<&Term> {
@@ -335,6 +368,11 @@ impl Equations {
     /// All terms that are not of contacts or joints.
     pub(crate) fn loads(&self) -> &[Term] {
         &self.parts.terms
+    }
+
+    /// By load, the forces of contacts and joints that it reads.
+    pub(crate) fn readings(&self) -> &[Readings] {
+        &self.parts.readings
     }
 
     /// The same by body.
@@ -350,7 +388,7 @@ impl Equations {
         let bodies = mode.bodies.iter().flat_map(|body| {
             let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[*body];
             let is_still = mode.still.binary_search(body).is_ok();
-            let rate = move |state: StateRate| match is_still {
+            let rate = move |state: StateRate| match is_still || self.is_braked(mode, &state.symbol) {
                 true => StateRate { rate: Expr::zero(), ..state },
                 false => state,
             };
@@ -395,6 +433,11 @@ impl Equations {
             self.parts.pairs.all.iter().flat_map(|pair| [pair.force_symbol(), pair.friction_symbol()]);
         let read = formula.symbols();
         bodies.chain(pivots).chain(joints).chain(pairs).any(|symbol| read.contains(&symbol))
+    }
+
+    /// Signs of rates in loads, that may stay zero.
+    pub(crate) fn brakes(&self) -> &[Brake] {
+        &self.parts.brakes
     }
 
     pub(crate) fn joints(&self) -> &[JointEquations] {
@@ -483,6 +526,11 @@ impl BodyEquations {
             force_symbols(&term.load).into_iter().zip(components).collect()
         };
         term.map(by_symbol).unwrap_or_default()
+    }
+
+    /// What a unit of a wrench on the body does to the force of its pivot.
+    pub(crate) fn recoil(&self, by: &Wrench) -> Vector {
+        self.coordinates.recoil(&self.kinematics, &self.mass, by)
     }
 
     /// Force of its pivot along x and y, in accelerations and the sum of all terms by its symbols.

@@ -115,6 +115,25 @@ pub enum ModelError {
         /// What is wrong then.
         mistake: Box<ModelError>,
     },
+    /// A load that depends on forces of contacts or joints otherwise than linearly.
+    #[error(
+        "`{load}` depends on {} by {how}: the forces that keep bodies are found together with it from linear equations",
+        listed(read)
+    )]
+    NotLinear {
+        /// Name of the load.
+        load: String,
+        /// Symbols of those forces.
+        read: Vec<String>,
+        /// What it does with them.
+        how: &'static str,
+    },
+    /// Forces that loads read and that are not determined at the start.
+    #[error("at the start: {problem}")]
+    Feedback {
+        /// Which, and why.
+        problem: String,
+    },
     /// A value that is infinite or not a number.
     #[error("{what} is {value}: it must be a finite number")]
     NotFinite {
@@ -219,12 +238,6 @@ pub enum ModelError {
         what: String,
         /// By how much.
         below: f64,
-    },
-    /// Friction of a surface that is not rigid.
-    #[error("surface `{surface}` is compliant and has friction: there is friction of rigid surfaces only")]
-    CompliantFriction {
-        /// Its name.
-        surface: String,
     },
     /// A body that starts inside a surface.
     #[error("`{body}` starts {depth} m inside `{surface}`, by its point `{feature}`")]

@@ -1,12 +1,13 @@
 //! Values to start a run from: checked numbers for the parameters, the states and the mode.
 
-use tumble_ode::Start as NumericStart;
+use tumble_ode::{Reason, Start as NumericStart};
 
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
 use crate::mode::Mode;
 use crate::parameters::{Known, Parameters};
 use crate::placement::Placement;
+use crate::uniqueness::Spot;
 
 impl Equations {
     /// Start of a run at time 0 with these parameters, which have the model's names.
@@ -24,6 +25,12 @@ impl Equations {
         let inputs = known.values().to_vec();
         self.assemble(&mut mode, &mut states, &mut compensation, &inputs)?;
         let causes = self.first_contacts(&mode, &states, &inputs, &mut mistakes)?;
+        if causes.is_empty() && mistakes.is_empty() {
+            let problem = |reason: Reason| ModelError::Feedback { problem: reason.to_string() };
+            self.brake_at_start(&mut mode, &mut states, &inputs).map_err(problem)?;
+            let now = Spot { mode: &mode, time: 0.0, states: &states, inputs: &inputs };
+            self.refuse_feedback(now, &[]).map_err(problem)?;
+        }
         match mistakes.is_empty() {
             true => {
                 let rounding = parameters.rounding();

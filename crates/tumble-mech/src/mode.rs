@@ -14,8 +14,11 @@ pub struct Mode {
     pub changes: Vec<usize>,
     /// Which pairs touch and how, in the order of the pairs; those not mentioned are open.
     pub contacts: Vec<(usize, ContactMode)>,
-    /// How those are held along the surface that a rigid surface with friction holds by a force, in the order of the pairs.
+    /// How those are held along the surface that press on one with friction, in the order of the pairs.
     pub grips: Vec<(usize, Grip)>,
+    /// How loads that brake are held that are signs of rates, by the order of [`crate::Equations::brakes`]; those that are not mentioned
+    /// have the sign that the rate has.
+    pub brakes: Vec<(usize, Grip)>,
     /// Bodies that are held so that they cannot move, in order: nothing of them is integrated.
     pub still: Vec<usize>,
     /// Joints that hold though they did not at the start, or the other way round, in order; see [`crate::Equations::holds`].
@@ -51,6 +54,16 @@ impl Mode {
         Some(self.contacts[at].1)
     }
 
+    /// Whether a pair is pressed into a compliant surface.
+    pub(crate) fn is_pressed(&self, pair: usize) -> bool {
+        self.contact_mode(pair) == Some(ContactMode::Pressed)
+    }
+
+    /// Whether the friction of a pair follows from the states, as its normal force does: it slips on a compliant surface.
+    pub(crate) fn has_known_friction(&self, pair: usize) -> bool {
+        self.is_pressed(pair) && self.grip(pair) != Some(Grip::Sticks)
+    }
+
     /// How a pair is held along its surface; `None` without friction or where it is not held.
     pub fn grip(&self, pair: usize) -> Option<Grip> {
         let at = self.grips.binary_search_by_key(&pair, |(known, _)| *known).ok()?;
@@ -62,6 +75,23 @@ impl Mode {
         self.grips.retain(|(known, _)| *known != pair);
         self.grips.extend(grip.map(|grip| (pair, grip)));
         self.grips.sort_unstable();
+    }
+
+    /// How a brake is held.
+    pub fn brake(&self, brake: usize) -> Option<Grip> {
+        self.brakes.iter().find(|(known, _)| *known == brake).map(|(_, grip)| *grip)
+    }
+
+    /// Gives a brake that grip, or leaves it to the rate.
+    pub(crate) fn set_brake(&mut self, brake: usize, grip: Option<Grip>) {
+        self.brakes.retain(|(known, _)| *known != brake);
+        self.brakes.extend(grip.map(|grip| (brake, grip)));
+        self.brakes.sort_unstable();
+    }
+
+    /// The brakes whose rates stay zero.
+    pub(crate) fn braked(&self) -> impl Iterator<Item = usize> {
+        self.brakes.iter().filter(|(_, grip)| *grip == Grip::Sticks).map(|(brake, _)| *brake)
     }
 
     /// The pairs whose friction is as much as keeps them from slipping.

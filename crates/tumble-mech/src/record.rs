@@ -41,6 +41,13 @@ pub enum Happening {
         /// How.
         change: Change,
     },
+    /// A load whose sign brakes, such as `-mu*N*sign(v)`, begins to hold, or to give way.
+    Brake {
+        /// Among the equations' brakes.
+        brake: usize,
+        /// Whether it holds from now on.
+        sticks: bool,
+    },
     /// All bodies have come to rest for good.
     Rest,
     /// The joints pass a singular configuration: for this instant they could be kept in more than one way.
@@ -87,6 +94,10 @@ impl Equations {
             Happening::Joint { joint, holds } => {
                 format!("{}.{}", self.model().joints[joint].name, if holds { "start" } else { "end" })
             }
+            Happening::Brake { brake, sticks } => {
+                let change = if sticks { Change::Sticks } else { Change::Slides };
+                format!("{}.{}", self.brake_name(brake), change.word())
+            }
             Happening::Rest => "rest".to_owned(),
             Happening::Singular => "singular".to_owned(),
             Happening::Impulse(impulse) => self.model().impulses[impulse].name.clone(),
@@ -109,6 +120,6 @@ impl Equations {
         let loads = (0..self.windows().len()).flat_map(ends);
         let whole = [Happening::Rest, Happening::Singular];
         let mut all = events.chain(loads).chain(joints).chain(impulses).chain(whole);
-        all.find(|happening| self.name_of(happening) == name)
+        all.find(|happening| self.name_of(happening) == name).or_else(|| self.named_brake(name))
     }
 }

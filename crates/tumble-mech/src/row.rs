@@ -50,11 +50,9 @@ impl Wrench {
     }
 }
 
-impl Row {
-    /// Torque of a unit of its multiplier on a body about the centre of mass.
-    pub(crate) fn torque_on(&self, body: usize) -> Expr {
-        let centre = Vector::planar(Expr::zero(), Expr::zero());
-        let own = self.wrenches.iter().filter(|wrench| wrench.body == body);
-        own.fold(Expr::zero(), |sum, wrench| sum + wrench.torque_about(&centre))
-    }
+/// Torque of some wrenches on a body about its centre of mass.
+pub(crate) fn torque_on(wrenches: &[Wrench], body: usize) -> Expr {
+    let centre = Vector::planar(Expr::zero(), Expr::zero());
+    let own = wrenches.iter().filter(|wrench| wrench.body == body);
+    own.fold(Expr::zero(), |sum, wrench| sum + wrench.torque_about(&centre))
 }

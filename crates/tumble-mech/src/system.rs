@@ -5,12 +5,14 @@ use std::sync::Arc;
 use tumble_expr::Rounding;
 use tumble_ode::{Cause, Crossing, Flow, Hybrid, Program, Reason};
 
+use crate::contact::Causes;
 use crate::equations::Equations;
 use crate::event::Action;
 use crate::link::{Linking, Nodes, Written};
 use crate::load::Moment;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump, Record};
+use crate::uniqueness::Spot;
 
 impl Hybrid for Equations {
     type Mode = Mode;
@@ -49,7 +51,13 @@ impl Hybrid for Equations {
         }
         self.capture(at, &mut jump)?;
         let mut impulses = self.couple(&jump.record.happened.clone(), at, &mut jump)?;
-        impulses.add(self.switch_contacts(at, &mut jump)?);
+        let causes = Causes::of(self, at);
+        let braked = causes.braked.clone();
+        if causes.closes() || !impulses.is_empty() {
+            self.release_brakes(&mut jump.mode);
+        }
+        impulses.add(self.switch_contacts(at, causes, &mut jump)?);
+        self.brake(at, &braked, &mut jump)?;
         let known = jump.record.happened.len();
         for event in self.carried_across(at, &jump)? {
             self.pass_event(event, at, &mut jump)?;
@@ -59,6 +67,8 @@ impl Hybrid for Equations {
         if jump.mode.changes != at.mode.changes {
             self.refuse_changes(&jump.mode.changes, at.inputs)?;
         }
+        let now = Spot { mode: &jump.mode, time: at.time, states: &jump.states, inputs: at.inputs };
+        self.refuse_feedback(now, &[])?;
         jump.record.impulses = self.impulses(impulses, at, &jump)?;
         self.rest(at, &mut jump)?;
         Ok(jump)

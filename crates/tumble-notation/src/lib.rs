@@ -23,6 +23,7 @@
 //! ```
 
 mod algebra;
+mod as_written;
 mod board;
 mod closed_form;
 mod error;
@@ -41,6 +42,7 @@ mod spelling;
 mod symbol;
 mod text;
 
+pub use as_written::as_written;
 pub use closed_form::{ClosedForm, integrate_twice, polynomial_in};
 pub use error::MathError;
 pub use font::{FAMILY, page_font};

@@ -20,7 +20,7 @@ pub struct Source {
 
 /// A part of a source and what is to be said of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Label {
+pub struct Underlined {
     /// Where it is.
     pub span: Span,
     /// What it is; may be empty.
@@ -49,7 +49,7 @@ pub struct Diagnostic {
     /// Index of the source that the labels count in.
     pub source: usize,
     /// The parts that are wrong.
-    pub labels: Vec<Label>,
+    pub labels: Vec<Underlined>,
     /// How to put it right.
     pub help: Option<String>,
 }
@@ -57,7 +57,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A mistake at a place in the scene.
     pub(crate) fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
-        let labels = vec![Label { span, text: String::new() }];
+        let labels = vec![Underlined { span, text: String::new() }];
         let (severity, message) = (Severity::Error, message.into());
         Self { severity, code, message, source: 0, labels, help: None }
     }
@@ -72,7 +72,7 @@ impl Diagnostic {
 
     /// The same with one more place.
     pub(crate) fn also(mut self, span: Span, text: impl Into<String>) -> Self {
-        self.labels.push(Label { span, text: text.into() });
+        self.labels.push(Underlined { span, text: text.into() });
         self
     }
 
@@ -101,7 +101,7 @@ impl Diagnostic {
     }
 
     fn printable(&self, source: &Shown) -> Self {
-        let label = |label: &Label| Label {
+        let label = |label: &Underlined| Underlined {
             span: source.place(label.span.start)..source.place(label.span.end),
             text: printable(&label.text).into_owned(),
         };

@@ -7,7 +7,7 @@ use tumble_expr::{Dimension, Exponent, Expr};
 use tumble_mech::place_symbols;
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Label, Severity, Span};
+use crate::diagnostic::{Diagnostic, Severity, Span, Underlined};
 use crate::keys::{Keys, Takes};
 use crate::moments;
 use crate::names::{Level, Names};
@@ -253,7 +253,7 @@ impl Translator<'_> {
     fn one(&self, error: FormulaError) -> Option<Diagnostic> {
         let origin = self.place(&error.place);
         let labels =
-            error.labels.iter().map(|(span, text)| Label { span: origin.map(span), text: text.clone() });
+            error.labels.iter().map(|(span, text)| Underlined { span: origin.map(span), text: text.clone() });
         let mut mistake = Diagnostic {
             severity: Severity::Error,
             code: error.code.into(),
@@ -299,14 +299,14 @@ impl Translator<'_> {
         let exists = self.names.scope(Level::Output).value(name).is_some() || !name.contains('.');
         match self.names.level_of(name) {
             Some(needed) if needed > level && (exists || level < Level::Motion) => {
-                Some(misplaced(name, level, mistake))
+                Some(misplaced(name, (needed, level), mistake))
             }
             _ => Some(mistake),
         }
     }
 }
 
-fn misplaced(name: &str, level: Level, mut mistake: Diagnostic) -> Diagnostic {
+fn misplaced(name: &str, (needed, level): (Level, Level), mut mistake: Diagnostic) -> Diagnostic {
     let (code, message, label, help) = match level {
         Level::Constant => (
             Code::Changing,
@@ -320,11 +320,17 @@ fn misplaced(name: &str, level: Level, mut mistake: Diagnostic) -> Diagnostic {
             "this course is given before the run starts",
             "use the time `t`, numbers and parameters only",
         ),
+        Level::Motion if needed == Level::Forces => (
+            Code::Changing,
+            format!("`{name}` is a force, on which no place and no impulse can depend"),
+            "follows from all forces at a time",
+            "use positions, velocities and the time here; what a `[force.NAME]` is may depend on it",
+        ),
         _ => (
             Code::Acceleration,
             "a force cannot depend on an acceleration".to_owned(),
             "accelerations follow from the forces",
-            "use positions, velocities and the time",
+            "use positions, velocities, the time, and forces of contacts and joints",
         ),
     };
     (mistake.code, mistake.message) = (code, message);

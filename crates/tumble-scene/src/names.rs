@@ -18,8 +18,10 @@ pub(crate) enum Level {
     Constant,
     /// The time: what is given before the run as a course of time.
     Time,
-    /// Positions and velocities: what forces may depend on.
+    /// Positions and velocities.
     Motion,
+    /// Forces of contacts and joints too: what forces may depend on.
+    Forces,
     /// Accelerations too: what can be shown.
     Output,
 }
@@ -37,7 +39,7 @@ const ACCELERATIONS: &[&str] = &["ax", "ay", "alpha"];
 /// The names of a scene.
 #[derive(Default)]
 pub(crate) struct Names {
-    scopes: [Scope; 4],
+    scopes: [Scope; 5],
     claimed: BTreeMap<String, (&'static str, Span)>,
     /// The names of all bodies, known before anything of them is read.
     pub(crate) bodies: Vec<String>,
@@ -109,8 +111,8 @@ impl Names {
             "t" => Some(Level::Time),
             _ if of_body && ACCELERATIONS.contains(&last) => Some(Level::Output),
             _ if of_body => Some(Level::Motion),
-            _ if self.joints.iter().any(|joint| joint == first_word(name)) => Some(Level::Output),
-            _ if of_surface && matches!(last, "normal" | "friction" | "rolling") => Some(Level::Output),
+            _ if self.joints.iter().any(|joint| joint == first_word(name)) => Some(Level::Forces),
+            _ if of_surface && matches!(last, "normal" | "friction" | "rolling") => Some(Level::Forces),
             _ if of_surface && matches!(last, "gap" | "slip") => Some(Level::Motion),
             _ => None,
         }

@@ -72,10 +72,10 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
         let sum = |of: Vec<Symbol>| of.into_iter().map(Expr::from).reduce(|a, b| a + b);
         let rough = of_surface.iter().filter(|pair| pair.friction.is_some());
         if let Some(all) = sum(of_surface.iter().map(|pair| pair.force_symbol()).collect()) {
-            names.define(Level::Output, &format!("{}.normal", surface.name), &all);
+            names.define(Level::Forces, &format!("{}.normal", surface.name), &all);
         }
         if let Some(all) = sum(rough.map(|pair| pair.friction_symbol()).collect()) {
-            names.define(Level::Output, &format!("{}.friction", surface.name), &all);
+            names.define(Level::Forces, &format!("{}.friction", surface.name), &all);
             define_slips(names, &surface.name);
         }
         names.touching.insert(surface.name.clone());
@@ -110,11 +110,11 @@ pub(crate) fn define_captures(names: &mut Names, model: &Model) {
 /// Names of one pair; `bodies` is that of all pairs of the same bodies.
 fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
     names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
-    names.define(Level::Output, &format!("{}.normal", pair.name), &pair.force_symbol().into());
+    names.define(Level::Forces, &format!("{}.normal", pair.name), &pair.force_symbol().into());
     if pair.friction.is_some() {
         define_slips(names, &pair.name);
         define_slips(names, &bodies);
-        names.define(Level::Output, &format!("{}.friction", pair.name), &pair.friction_symbol().into());
+        names.define(Level::Forces, &format!("{}.friction", pair.name), &pair.friction_symbol().into());
         names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
     }
     names.touching.extend([pair.name.clone(), bodies]);
@@ -124,7 +124,7 @@ fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
 fn define_resistances(names: &mut Names, model: &Model, resisting: &[Pair]) {
     for pair in resisting {
         let couple = pair.rolling_couple().unwrap_or_else(Expr::zero);
-        names.define(Level::Output, &format!("{}.rolling", pair.name), &couple);
+        names.define(Level::Forces, &format!("{}.rolling", pair.name), &couple);
         let bodies = pair.bodies().map(|body| model.bodies[body].name.as_str());
         let rule = match pair.rule {
             Rule::Surface(surface) => &model.surfaces[surface].name,
@@ -145,8 +145,8 @@ fn define_slips(names: &mut Names, place: &str) {
 /// Gives what a joint does its names: `hinge.fx`, `hinge.fy`, `hinge.force`, of a weld `joint.torque`.
 pub(crate) fn define_joint(names: &mut Names, joint: &str, multipliers: Vec<Symbol>) {
     let force = Vector::planar(multipliers[0].clone().into(), multipliers[1].clone().into());
-    names.define(Level::Output, &format!("{joint}.force"), &force.norm());
-    multipliers.into_iter().for_each(|symbol| define_symbol(names, Level::Output, symbol));
+    names.define(Level::Forces, &format!("{joint}.force"), &force.norm());
+    multipliers.into_iter().for_each(|symbol| define_symbol(names, Level::Forces, symbol));
 }
 
 /// Names everything that does work, once the model is complete.

@@ -7,7 +7,7 @@ use miette::{
     SourceSpan, SpanContents,
 };
 
-use crate::diagnostic::{Diagnostic, Diagnostics, Label, Severity, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Source, Underlined};
 
 /// This many mistakes are shown; the rest is counted.
 const SHOWN: usize = 50;
@@ -60,7 +60,7 @@ impl Diagnostics {
 
 /// Whether a line that would be drawn is longer than the drawing can count.
 fn is_wide(diagnostic: &Diagnostic, text: &str) -> bool {
-    let touched = |label: &Label| {
+    let touched = |label: &Underlined| {
         let start = text[..label.span.start].rmatch_indices('\n').nth(1).map_or(0, |(at, _)| at + 1);
         let end = text[label.span.end..]
             .match_indices('\n')

@@ -3,7 +3,7 @@
 use std::path::{Component, Path};
 
 use tumble_drawing::Animation;
-use tumble_report::report::{Lab, Report};
+use tumble_report::report::{Lab, Report, live};
 use tumble_report::results::Runs;
 use tumble_report::site::Ways;
 use tumble_scene::Study;
@@ -81,7 +81,7 @@ fn lab(source: &Source, study: &Study, options: &Options) -> Option<Lab> {
         scene: String::from_utf8_lossy(&source.bytes).into_owned(),
         files: source.beside.clone(),
         set: options.set.clone(),
-        play: study.play.clone(),
+        play: live::play(study),
         templates: options.site.iter().flat_map(|site| site.templates.iter().copied()).collect(),
     })
 }

@@ -24,12 +24,8 @@ pub(super) fn describe(scene: &SceneDrawing) -> String {
         let kind = match link.kind {
             LinkKind::Spring => "Spring",
             LinkKind::Damper => "Damper",
-            LinkKind::Thread => "Thread",
         };
         format!("{kind} {} from {} to {}.", name(&link.name, ""), place(link.ends[0]), place(link.ends[1]))
-    }));
-    parts.extend(scene.angles.iter().map(|angle| {
-        format!("Angle {} of {} degrees.", name(&angle.symbol, ""), number(angle.value.to_degrees()))
     }));
     parts.extend(
         scene.gravity.iter().map(|(g, label)| format!("Gravity {} {} m/s².", name(label, ""), pair(*g))),

@@ -5,11 +5,11 @@ use super::tags::tags;
 use super::{SceneBody, SceneDrawing};
 use crate::axes::{Axes, clipped};
 use crate::curves::no_data;
+use crate::free_body::draw;
 use crate::free_body::layout::View;
 use crate::free_body::ring::Ring;
 use crate::free_body::strokes::{Form, Stroke};
-use crate::free_body::{AngleMark, draw};
-use crate::geometry::{Point, along, arc, direction, unit};
+use crate::geometry::{Point, along, unit};
 use crate::heading::Heading;
 use crate::outline::Pen;
 use crate::placing::Occupancy;
@@ -17,11 +17,13 @@ use crate::placing::{draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
 use crate::stroboscope::{equal_axes, picture_width};
-use crate::svg::{Element, PathData, Svg, circle};
+use crate::svg::{Element, Svg, circle};
 use crate::theme::{BODY, INK, MOTION, PAPER};
 
 /// Room around everything, as a part of the larger side.
 const PADDING: f64 = 0.15;
+/// A circle of a radius larger than so many times the size of all bodies is not shown as a whole.
+const LARGEST_ROUND: f64 = 12.0;
 /// Greatest width of the picture in pixels: it stands beside what is given, and fits a narrow page.
 const WIDEST: f64 = 440.0;
 /// Length of the fastest velocity, and of the shortest, in pixels.
@@ -29,9 +31,6 @@ const LONGEST: f64 = 64.0;
 const SHORTEST: f64 = 18.0;
 /// Radius, start and sweep of the arrow of an angular velocity.
 const RING: [f64; 3] = [24.0, 0.5, 3.6];
-/// Length of the arms of an angle, and radius of its arc, in pixels.
-pub(super) const ARM: f64 = 58.0;
-const ARC: f64 = 44.0;
 /// Radius of named points in pixels.
 const POINT: f64 = 2.6;
 
@@ -76,7 +75,6 @@ impl Layout {
         let fields = marks::fields(scene, area, &mut drawn);
         let labels = placed(&tags(self), &drawn, area);
         let mut parts: Vec<Element> = scene.surfaces.iter().filter_map(|s| s.draw(view, area)).collect();
-        parts.extend(scene.angles.iter().flat_map(|angle| self.draw_angle(angle)));
         parts.extend(scene.links.iter().map(|link| marks::link(link.kind, link.ends.map(|p| view.pixel(p)))));
         parts.extend(scene.bodies.iter().flat_map(|body| self.draw_body(body)));
         parts.extend(scene.pivots.iter().map(|pivot| marks::pivot(view.pixel(pivot.at))));
@@ -103,33 +101,6 @@ impl Layout {
         let pen = Pen { colour: BODY, hollow: false };
         let outlines = body.outlines.iter().flat_map(|shape| shape.draw(&body.pose, &self.axes, pen));
         outlines.chain([draw::centre_mark(self.view.pixel(body.pose.centre()))]).collect()
-    }
-
-    fn draw_angle(&self, angle: &AngleMark) -> Vec<Element> {
-        let arms = self.arms(angle).map(|arm| draw::dashed(&arm));
-        let arc = PathData::polyline(&self.arc(angle)).stroke().attr("stroke", INK).attr("stroke-width", 1.0);
-        arms.into_iter().chain([arc]).collect()
-    }
-
-    fn vertex(&self, angle: &AngleMark) -> Point {
-        let first = self.scene.bodies.first().map(|body| body.pose.centre());
-        self.view.pixel(angle.vertex.or(first).unwrap_or_default())
-    }
-
-    pub(super) fn arms(&self, angle: &AngleMark) -> [[Point; 2]; 2] {
-        let vertex = self.vertex(angle);
-        [angle.reference, angle.reference + angle.value]
-            .map(|turn| [vertex, along(vertex, direction(turn), ARM)])
-    }
-
-    /// The arc of an angle on the page.
-    pub(super) fn arc(&self, angle: &AngleMark) -> Vec<Point> {
-        arc(self.vertex(angle), ARC, angle.reference, angle.value % std::f64::consts::TAU)
-    }
-
-    /// Where the label of an angle belongs.
-    pub(super) fn angle_centre(&self, angle: &AngleMark) -> Point {
-        self.vertex(angle)
     }
 
     /// Velocities with the bodies they belong to.
@@ -180,14 +151,18 @@ impl Layout {
         }
         let pivots = self.scene.pivots.iter().map(|pivot| marks::pivot_box(self.view.pixel(pivot.at)));
         pivots.for_each(|place| drawn.add_box(place));
-        for angle in &self.scene.angles {
-            self.arms(angle).into_iter().for_each(|arm| drawn.add_line(arm.to_vec()));
-            drawn.add_line(self.arc(angle));
-        }
         self.strokes().iter().for_each(|(stroke, _)| drawn.add_line(vec![stroke.tail, stroke.head]));
         self.rings().iter().for_each(|(ring, _)| drawn.add_line(ring.points()));
         drawn
     }
+}
+
+/// Circles of material, as a whole where they are not much larger than everything else.
+fn rounds(scene: &SceneDrawing, points: &[Point]) -> Vec<Point> {
+    let size = Rect::around(points.iter().copied()).map_or(0.0, |all| all.width.max(all.height));
+    let near = scene.surfaces.iter().filter_map(|surface| Some((surface.point, surface.round?.radius)));
+    let near = near.filter(|(_, radius)| *radius <= LARGEST_ROUND * size);
+    near.flat_map(|([x, y], radius)| [[x - radius, y - radius], [x + radius, y + radius]]).collect()
 }
 
 /// Ranges of x and y that hold everything with a place.
@@ -203,6 +178,7 @@ fn ranges(scene: &SceneDrawing) -> Option<[Range; 2]> {
     }
     let feet: Vec<Point> = scene.surfaces.iter().filter_map(|s| s.foot_of_lowest(&points)).collect();
     points.extend(feet);
+    points.extend(rounds(scene, &points));
     let x = Range::of(points.iter().map(|p| p[0]))?;
     let y = Range::of(points.iter().map(|p| p[1]))?;
     // A lone point is shown with a metre around it.

@@ -47,13 +47,12 @@ pub(super) fn pivot_box(at: Point) -> Rect {
     Rect::new(at[0] - 1.4 * half, at[1] - 4.0, 2.8 * half, height + 10.0)
 }
 
-/// A spring, damper or thread between two points of the page.
+/// A spring or damper between two points of the page.
 pub(crate) fn link(kind: LinkKind, [a, b]: [Point; 2]) -> Element {
     let axis = minus(b, a);
     let side = turned(unit(axis).unwrap_or([1.0, 0.0]));
     let at = |part: f64, off: f64| along(plus(a, times(axis, part)), side, off);
     let path = match kind {
-        LinkKind::Thread => PathData::polyline(&[a, b]),
         LinkKind::Spring => PathData::polyline(&spring(&at)),
         LinkKind::Damper => {
             let mut path = PathData::polyline(&[a, at(0.35, 0.0)]);

@@ -10,7 +10,7 @@ mod tests;
 
 use layout::Layout;
 
-use crate::free_body::{AngleMark, Ground, NamedPoint};
+use crate::free_body::{Ground, NamedPoint};
 use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::svg::Svg;
@@ -29,10 +29,8 @@ pub struct SceneDrawing {
     pub pivots: Vec<NamedPoint>,
     /// Other points with names.
     pub points: Vec<NamedPoint>,
-    /// Springs, dampers and threads.
+    /// Springs and dampers.
     pub links: Vec<SceneLink>,
-    /// Angles marked by arcs.
-    pub angles: Vec<AngleMark>,
     /// Acceleration of gravity (m/s^2, x to the right, y up) and what stands beside its arrow.
     pub gravity: Option<([f64; 2], Label)>,
     /// Velocity of the air (m/s) and what stands beside its arrows.
@@ -62,8 +60,6 @@ pub enum LinkKind {
     Spring,
     /// A cylinder with a piston.
     Damper,
-    /// A straight line.
-    Thread,
 }
 
 /// Something between two points of a scene.
@@ -98,10 +94,6 @@ impl SceneDrawing {
         scene.pivots.retain(|point| seen(&point.at));
         scene.points.retain(|point| seen(&point.at));
         scene.links.retain(|link| link.ends.iter().all(seen));
-        scene.angles.retain(|angle| {
-            let vertex = angle.vertex.unwrap_or_default();
-            seen(&vertex) && seen(&[angle.reference, angle.value])
-        });
         scene.gravity = scene.gravity.filter(|(v, _)| seen(v));
         scene.wind = scene.wind.filter(|(v, _)| seen(v));
         scene

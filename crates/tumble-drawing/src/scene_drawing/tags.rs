@@ -15,6 +15,8 @@ const POINT_DISTANCE: f64 = 7.0;
 const PIVOT_DISTANCE: f64 = 12.0;
 /// Distance of names from the links they belong to.
 const LINK_DISTANCE: f64 = 11.0;
+/// More bodies than these have no names.
+const MOST_NAMED: usize = 10;
 /// Directions tried around a body, in order of preference.
 const AROUND: [Point; 8] =
     [[0.6, -1.0], [-0.6, -1.0], [0.6, 1.0], [-0.6, 1.0], [1.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 1.0]];
@@ -29,7 +31,6 @@ pub(super) fn tags(layout: &Layout) -> Vec<Tag> {
     tags.extend(bodies(layout));
     tags.extend(surfaces(layout));
     tags.extend(links(layout));
-    tags.extend(angles(layout));
     tags.extend(motions(layout));
     tags.retain(|tag| !tag.label.is_empty());
     tags
@@ -71,7 +72,9 @@ fn bodies(layout: &Layout) -> Vec<Tag> {
         let frame = Rect::around(owner.iter().copied()).unwrap_or(Rect::centred(at, 0.0, 0.0));
         tag(layout, &body.name, INK, owner, |size| about_body(at, &frame, size))
     };
-    layout.scene.bodies.iter().map(body).collect()
+    let bodies = &layout.scene.bodies;
+    // Of many, those that move have names: others' could not stand by them.
+    bodies.iter().filter(|one| bodies.len() <= MOST_NAMED || one.velocity.is_some()).map(body).collect()
 }
 
 /// Places around the centre, then around the frame of a body.
@@ -107,15 +110,6 @@ fn links(layout: &Layout) -> Vec<Tag> {
         tag(layout, &link.name, INK, vec![a, b], |size| about_point(middle, LINK_DISTANCE, size))
     };
     layout.scene.links.iter().map(link).collect()
-}
-
-fn angles(layout: &Layout) -> Vec<Tag> {
-    let angle = |angle: &crate::free_body::AngleMark| {
-        let arc = layout.arc(angle);
-        let vertex = layout.angle_centre(angle);
-        tag(layout, &angle.symbol, INK, arc.clone(), |size| about_arc(vertex, &arc, size))
-    };
-    layout.scene.angles.iter().map(angle).collect()
 }
 
 fn motions(layout: &Layout) -> Vec<Tag> {

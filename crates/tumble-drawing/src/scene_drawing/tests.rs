@@ -21,7 +21,6 @@ fn scene() -> SceneDrawing {
             kind: LinkKind::Spring,
             ends: [[-1.0, 2.5], [-0.1, 1.7]],
         }],
-        angles: vec![AngleMark::horizontal(Label::symbol("theta"), 0.6)],
         gravity: Some(([0.0, -9.81], Label::symbol("g"))),
         wind: Some(([3.0, 0.0], Label::symbol("w"))),
     }

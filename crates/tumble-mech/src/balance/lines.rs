@@ -194,7 +194,7 @@ fn terms(equations: &Equations, mode: &Mode) -> Vec<(Term, Vector)> {
                 let pair = &equations.pairs()[pair];
                 if pair.other.is_some() { pair.material_velocity() } else { rate(&pair.through) }
             }
-            TermOf::Pair(..) | TermOf::Friction(..) | TermOf::Load(_) => {
+            TermOf::Pair(..) | TermOf::Friction(..) | TermOf::Load(_) | TermOf::Brake(..) => {
                 let motion = model.bodies[term.body].kinematics();
                 motion.velocity() + motion.omega() * term.arm.perpendicular()
             }

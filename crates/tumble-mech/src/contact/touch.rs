@@ -15,7 +15,7 @@ use crate::contact::settle::BALANCED;
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
-use crate::link::{InstantTape, Measured, Slipping};
+use crate::link::{InstantTape, Measured, Pushes, Slipping};
 use crate::mode::Mode;
 use crate::restrained::{Gradients, respond};
 
@@ -64,10 +64,14 @@ pub(crate) struct Touch {
     pub(crate) strength: f64,
     /// Restitution of each; zero where the surface is compliant.
     pub(crate) restitution: DVector<f64>,
+    /// Forces of those that are pressed into compliant surfaces, N; zero of all others, and of a surface that pulls.
+    pub(crate) loads: DVector<f64>,
     /// Of those with friction, along their surfaces.
     pub(crate) slips: Slips,
     /// Change of rate i by a unit impulse at j, 1/kg; rates of gaps come first, then those of slips.
     pub(crate) response: DMatrix<f64>,
+    /// The same of accelerations by unit forces, where loads read these: an impact does not know such loads.
+    pushes: Option<DMatrix<f64>>,
     /// Change of each velocity state by a unit impulse at j.
     kicks: DMatrix<f64>,
     /// Index of each velocity state.
@@ -96,6 +100,16 @@ impl Touch {
         }
     }
 
+    /// What unit forces of contacts that last do to accelerations, 1/kg.
+    pub(crate) fn pushes(&self) -> &DMatrix<f64> {
+        self.pushes.as_ref().unwrap_or(&self.response)
+    }
+
+    /// Whether loads read forces of contacts or joints.
+    pub(crate) fn is_fed(&self) -> bool {
+        self.pushes.is_some()
+    }
+
     /// What is behind an edge does not touch it.
     fn pass_over(&mut self, has_edge: impl Fn(usize) -> bool) {
         for (position, pair) in self.pairs.iter().enumerate() {
@@ -111,8 +125,10 @@ impl Touch {
         let accelerations = self.free.iter_mut().chain(&mut self.slips.free);
         for (row, acceleration) in accelerations.enumerate() {
             if self.response[(row, row)] <= DEPENDENT * free[(row, row)] {
-                self.response.fill_row(row, 0.0);
-                self.response.fill_column(row, 0.0);
+                for matrix in std::iter::once(&mut self.response).chain(&mut self.pushes) {
+                    matrix.fill_row(row, 0.0);
+                    matrix.fill_column(row, 0.0);
+                }
                 *acceleration = if acceleration.abs() <= zero { 0.0 } else { *acceleration };
             }
         }
@@ -120,7 +136,9 @@ impl Touch {
 
     fn is_finite(&self) -> bool {
         let slips = self.slips.rate.iter().chain(&self.slips.free);
-        self.rate.iter().chain(&self.free).chain(slips).all(|value| value.is_finite())
+        let pushes = self.pushes.iter().flatten();
+        let all = self.rate.iter().chain(&self.loads).chain(&self.free).chain(slips).chain(pushes);
+        all.into_iter().all(|value| value.is_finite())
     }
 
     /// Position of a pair among the island's own.
@@ -175,7 +193,9 @@ impl Equations {
             strength: (rows.abs() * inverse.component_mul(&pushed) + accelerations).max(),
             free,
             restitution: read.column(&|pair| pair.end() + 1),
+            loads: read.column(&|pair| pair.end() + 2).map(|load| load.max(0.0)),
             response: &rows * &kicks,
+            pushes: tape.pushes.as_ref().map(|pushes| read.pushes(pushes)),
             slips: Slips { speed: speeds(pairs.len(), &slips.rate), ..slips },
             pairs,
             kicks,
@@ -199,15 +219,17 @@ impl Equations {
         let near: Vec<usize> = (0..all.len()).filter(is_near).collect();
         let tape = read.tape;
         let places: HashMap<usize, usize> = near.iter().copied().zip(0..).collect();
-        let slips = tape
-            .slips
-            .iter()
-            .filter_map(|slip| Some(Slipping { position: *places.get(&slip.position)?, ..slip.clone() }));
-        let slips = slips.collect();
+        let kept =
+            |slip: &Slipping| Some(Slipping { position: *places.get(&slip.position)?, ..slip.clone() });
+        let pushes = tape.pushes.as_ref().map(|pushes| {
+            let along = tape.slips.iter().zip(all.len()..).filter(|(slip, _)| kept(slip).is_some());
+            pushes.only(near.iter().copied().chain(along.map(|(_, row)| row)).collect())
+        });
+        let slips = tape.slips.iter().filter_map(kept).collect();
         let pairs = near.iter().map(|position| tape.pairs[*position].clone()).collect();
         let near = near.into_iter().map(|position| all[position]).collect();
         let (rows, bodies) = (tape.rows.clone(), tape.bodies);
-        (near, InstantTape { tape: Arc::clone(&tape.tape), pairs, slips, rows, bodies })
+        (near, InstantTape { tape: Arc::clone(&tape.tape), pairs, slips, rows, bodies, pushes })
     }
 
     /// Pairs of bodies that touch or nearly do, whether or not they last.
@@ -285,7 +307,7 @@ impl Numbers<'_> {
     fn gaps(&self, limits: impl Iterator<Item = usize>) -> DVector<f64> {
         let gaps = self.tape.pairs.iter().zip(limits).map(|(pair, limits)| {
             let gap = carried(self.jets, pair.position);
-            let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 2 + limit));
+            let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 3 + limit));
             if limits.all(|limit| limit >= 0.0) { gap } else { f64::INFINITY }
         });
         DVector::from_iterator(self.tape.pairs.len(), gaps)
@@ -299,6 +321,10 @@ impl Numbers<'_> {
     /// Largest extent of a body, m; it stands behind two numbers by velocity.
     fn size(&self) -> f64 {
         self.jets.value_of(self.tape.bodies + 2 * self.dofs)
+    }
+
+    fn pushes(&self, of: &Pushes) -> DMatrix<f64> {
+        DMatrix::from_fn(of.count(), of.count(), |row, column| self.jets.value_of(of.place(row, column)))
     }
 
     fn masses(&self) -> DVector<f64> {

@@ -106,6 +106,22 @@ pub enum NoEquilibrium {
         /// Name of the pair.
         contact: String,
     },
+    /// A load that is the sign of a rate holds in many poses.
+    #[error(
+        "`{load}` is dry friction, and what it holds rests in many poses beside each other: let the motion go on until \"rest\" instead"
+    )]
+    Braked {
+        /// Name of the load.
+        load: String,
+    },
+    /// A load that reads forces of contacts or joints.
+    #[error(
+        "`{load}` depends on forces of contacts or joints, with which no equilibrium is looked for: let the motion come to rest instead"
+    )]
+    Fed {
+        /// Name of the load.
+        load: String,
+    },
     /// Contacts that neither push nor let go.
     #[error("contacts near the start do not settle on which of them push")]
     Contacts,
@@ -140,8 +156,14 @@ impl Equations {
 
     fn refuse_friction(&self, mode: &Mode) -> Result<(), NoEquilibrium> {
         let mut touching = mode.contacts.iter().map(|(pair, _)| &self.pairs()[*pair]);
-        match touching.find(|pair| pair.friction.is_some()) {
-            Some(pair) => Err(NoEquilibrium::Rough { contact: pair.name.clone() }),
+        if let Some(pair) = touching.find(|pair| pair.friction.is_some()) {
+            return Err(NoEquilibrium::Rough { contact: pair.name.clone() });
+        }
+        if let Some(brake) = self.acting_brakes(mode).first() {
+            return Err(NoEquilibrium::Braked { load: self.brake_name(*brake).to_owned() });
+        }
+        match self.feeding(mode).next() {
+            Some((_, term)) => Err(NoEquilibrium::Fed { load: term.load.clone() }),
             None => Ok(()),
         }
     }

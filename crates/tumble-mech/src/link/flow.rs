@@ -6,9 +6,10 @@ use tumble_expr::{Binary, Expr, Symbol, Unary};
 use tumble_ode::{AtZero, Direction, Flow, Guard, Invariant, LazyGuard, ScaleGroup, StateVariable};
 
 use super::algebra::Algebra;
+use super::island::Without;
 use super::linking::Linking;
 use super::names::Name;
-use super::part::{Part, RowOf};
+use super::part::{Part, Pusher, RowOf};
 use crate::contact::{Pair, WEDGED, Watched};
 use crate::coordinates::Measure;
 use crate::event::Event;
@@ -95,7 +96,27 @@ impl<A: Algebra> Linking<'_, A> {
         for (pair, watched, direction) in equations.touching(self.mode) {
             guards.push(self.touching_guard(pair, watched, direction));
         }
+        for (brake, watched, direction) in equations.watched_brakes(self.mode) {
+            guards.push(self.brake_guard(brake, watched, direction));
+        }
+        for (name, formula) in self.too_much_feedback() {
+            let (direction, at_zero) = (Direction::Falling, AtZero::Ends);
+            guards.push(Guard { name, formula, direction, at_zero });
+        }
         guards
+    }
+
+    fn brake_guard(&mut self, index: usize, watched: Watched, direction: Direction) -> Guard<A::Value> {
+        let brake = &self.equations.brakes()[index];
+        let formula = self.formula(&brake.watched(watched));
+        let at_zero = match watched {
+            Watched::Cone(_) => AtZero::EndsIfItMoves {
+                response: self.part(Part::Lightness(brake.bodies[0])).remove(0),
+                group: Measure::Length as usize,
+            },
+            _ => AtZero::Begins,
+        };
+        Guard { name: brake.guard_name(watched), formula, direction, at_zero }
     }
 
     fn touching_guard(&mut self, index: usize, watched: Watched, direction: Direction) -> Guard<A::Value> {
@@ -142,15 +163,17 @@ impl<A: Algebra> Linking<'_, A> {
         if !self.equations.is_alone(self.mode, pair) {
             return self.wedge_among(pair);
         }
-        let own = self.part(Part::Response(RowOf::Pair(pair), RowOf::Pair(pair))).remove(0);
+        let row = RowOf::Pair(pair);
+        let own = self.part(Part::Response(row, Pusher::Row(row))).remove(0);
         let most = self.formula(&Expr::from(1.0 - WEDGED));
         let own = self.algebra.binary(Binary::Mul, most, own);
-        self.with_friction(own, RowOf::Pair(pair), None, |slip| Part::Response(RowOf::Pair(pair), slip))
+        self.with_friction(own, row, Without::Nothing, |slip| (Part::Response(row, slip), 0))
     }
 
     /// The same where others hold its bodies too.
     fn wedge_among(&mut self, pair: usize) -> A::Value {
-        let [left, own] = [None, Some(pair)].map(|smooth| self.yielding(pair, smooth));
+        let [left, own] =
+            [Without::Nothing, Without::Friction(pair)].map(|without| self.yielding(pair, without));
         let least = self.formula(&Expr::from(WEDGED));
         let least = self.algebra.binary(Binary::Mul, least, own);
         self.algebra.binary(Binary::Sub, left, least)
@@ -193,7 +216,8 @@ impl<A: Algebra> Linking<'_, A> {
         let joints = equations.rows_by_joint(mode).into_iter();
         let rows = joints.filter(|(index, _)| !mode.redundant.contains(index)).map(|(_, row)| row);
         let contacts = mode.held().map(RowOf::Pair).chain(mode.sticking().map(RowOf::Slip));
-        let rows = rows.chain(contacts).map(Part::Kept);
+        let braked = mode.braked().map(RowOf::Brake);
+        let rows = rows.chain(contacts).chain(braked).map(Part::Kept);
         let parts: Vec<Part> = rows.chain(equations.roots(mode).into_iter().map(Part::Root)).collect();
         let mut invariants = vec![];
         for part in parts {

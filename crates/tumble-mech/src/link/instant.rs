@@ -32,7 +32,8 @@ pub(crate) enum Asked {
 #[derive(Clone, Debug)]
 pub(crate) struct InstantTape {
     pub(crate) tape: Arc<Tape>,
-    /// Behind each of these stand the gap's acceleration, the restitution and what must not be negative while they touch.
+    /// Behind each of these stand the gap's acceleration, the restitution, the force if a compliant surface exerts one, and what must not be
+    /// negative while they touch.
     pub(crate) pairs: Vec<Measured>,
     /// Of those with friction, by their order among the pairs, the rate along the surface; behind each of these stand its derivative
     /// and both coefficients.
@@ -40,6 +41,35 @@ pub(crate) struct InstantTape {
     pub(crate) rows: Vec<Measured>,
     /// Where numbers of bodies begin.
     pub(crate) bodies: usize,
+    /// What unit forces do, where loads read any.
+    pub(crate) pushes: Option<Pushes>,
+}
+
+/// Where the numbers stand of what unit forces at pairs, then along surfaces, do to the acceleration of each, row by row.
+#[derive(Clone, Debug)]
+pub(crate) struct Pushes {
+    first: usize,
+    /// How many there are in a row.
+    columns: usize,
+    /// Those that are asked about.
+    of: Vec<usize>,
+}
+
+impl Pushes {
+    /// The same where some are asked about.
+    pub(crate) fn only(&self, of: Vec<usize>) -> Self {
+        Self { of, ..self.clone() }
+    }
+
+    /// How many are asked about.
+    pub(crate) fn count(&self) -> usize {
+        self.of.len()
+    }
+
+    /// Where the number of a row and column stands.
+    pub(crate) fn place(&self, row: usize, column: usize) -> usize {
+        self.first + self.of[row] * self.columns + self.of[column]
+    }
 }
 
 /// What rubs where a pair touches: its friction, or its resistance against rolling.
@@ -99,19 +129,21 @@ impl Equations {
         let asked = Asked::Island(island.to_vec());
         self.instant_tape((asked, mode.without_support(self.pairs(), island)), |mode| {
             let mut instant = Instant::new(self, mode, island);
+            let contacts: Vec<RowOf> = pairs.iter().map(|pair| RowOf::Pair(*pair)).collect();
             let rough = pairs.iter().copied().enumerate();
             let rough = rough.filter(|(_, pair)| self.pairs()[*pair].friction.is_some());
             let pairs = pairs.iter().map(|pair| instant.pair(*pair)).collect();
             let rough = rough
                 .flat_map(|(position, pair)| self.pair_list().rubbing(pair).map(move |own| (position, own)));
-            let slips = rough
+            let slips: Vec<Slipping> = rough
                 .map(|(position, own)| Slipping { position, pair: own, row: instant.slip(own) })
                 .collect();
             let rows = self.independent_rows_of(mode, island).into_iter();
             let rows: Vec<Measured> = rows.map(|(_, row)| instant.row(row)).collect();
             let bodies = instant.outputs.len();
             instant.add_bodies(island, !rows.is_empty());
-            Ok(InstantTape { tape: instant.tape()?, pairs, slips, rows, bodies })
+            let pushes = instant.pushes(island, &contacts, &slips);
+            Ok(InstantTape { tape: instant.tape()?, pairs, slips, rows, bodies, pushes })
         })
     }
 
@@ -121,7 +153,14 @@ impl Equations {
         self.instant_tape((Asked::Gaps, mode), |mode| {
             let mut instant = Instant::new(self, mode, &[]);
             let pairs = pairs.iter().map(|pair| instant.row(RowOf::Pair(*pair))).collect();
-            Ok(InstantTape { tape: instant.tape()?, pairs, slips: vec![], rows: vec![], bodies: 0 })
+            Ok(InstantTape {
+                tape: instant.tape()?,
+                pairs,
+                slips: vec![],
+                rows: vec![],
+                bodies: 0,
+                pushes: None,
+            })
         })
     }
 
@@ -132,7 +171,14 @@ impl Equations {
             let rows = rows.into_iter().map(|row| instant.row(row)).collect();
             let bodies = instant.outputs.len();
             mode.bodies.iter().for_each(|body| instant.add_masses(*body));
-            Ok(InstantTape { tape: instant.tape()?, pairs: vec![], slips: vec![], rows, bodies })
+            Ok(InstantTape {
+                tape: instant.tape()?,
+                pairs: vec![],
+                slips: vec![],
+                rows,
+                bodies,
+                pushes: None,
+            })
         })
     }
 
@@ -194,6 +240,10 @@ impl<'a> Instant<'a> {
         let restitution = self.linking.equations.pairs()[index].law.restitution();
         let restitution = restitution.cloned().unwrap_or_else(Expr::zero);
         self.outputs.push(self.linking.formula(&restitution));
+        match self.linking.mode.is_pressed(index) {
+            true => self.add(Part::Pressed(index)),
+            false => self.outputs.push(self.linking.formula(&Expr::zero())),
+        }
         self.add(Part::Holding(index));
         measured
     }
@@ -207,6 +257,15 @@ impl<'a> Instant<'a> {
             self.outputs.push(coefficient);
         }
         measured
+    }
+
+    fn pushes(&mut self, island: &[usize], pairs: &[RowOf], slips: &[Slipping]) -> Option<Pushes> {
+        let along = slips.iter().map(|slip| RowOf::Slip(slip.pair));
+        let contacts: Vec<RowOf> = pairs.iter().copied().chain(along).collect();
+        let (first, columns) = (self.outputs.len(), contacts.len());
+        let numbers = self.linking.pushes_of(island, &contacts)?;
+        self.outputs.extend(numbers);
+        Some(Pushes { first, columns, of: (0..columns).collect() })
     }
 
     fn add(&mut self, part: Part) {

@@ -92,14 +92,14 @@ impl<'a, A: Algebra> Linking<'a, A> {
     pub(super) fn exports_with(
         &mut self,
         piece: &Piece,
-        mut other: impl FnMut(&mut Self, Meaning) -> Option<A::Value>,
+        other: impl Fn(Name, Meaning) -> Option<A::Value>,
     ) -> Vec<A::Value> {
         let names = Arc::clone(&self.names);
         let mut imports = Vec::with_capacity(piece.imports().len());
         for import in piece.imports() {
             imports.push(match import.name {
                 None => self.algebra.leaf(&import.symbol),
-                Some(name) => other(self, names.get(name).1).unwrap_or_else(|| self.value(name)),
+                Some(name) => other(name, names.get(name).1).unwrap_or_else(|| self.value(name)),
             });
         }
         self.algebra.link(piece, &imports)
@@ -125,11 +125,17 @@ impl<'a, A: Algebra> Linking<'a, A> {
             Meaning::Acceleration { body, which } if self.mode.has(body) => self.acceleration(body, which),
             Meaning::Total { body, which } => self.total(body)[which].clone(),
             Meaning::Reaction { body, which } if self.mode.has(body) => {
+                if self.islands.unknowns.contains(&name) {
+                    self.solve_about(body);
+                    return self.values[&name].clone();
+                }
                 self.part(Part::Reaction(body)).swap_remove(which)
             }
             Meaning::Multiplier { joint, row } => self.multiplier(joint, row).unwrap_or(leaf),
             Meaning::Normal { pair } => self.normal(pair).unwrap_or(leaf),
             Meaning::Friction { pair } => self.friction(pair).unwrap_or(leaf),
+            Meaning::Sign { brake } => self.sign(brake),
+            Meaning::Brake { brake } => self.braking(brake).unwrap_or(leaf),
             Meaning::Acceleration { .. } | Meaning::Reaction { .. } => leaf,
         };
         self.values.insert(name, found.clone());
@@ -174,9 +180,13 @@ impl<'a, A: Algebra> Linking<'a, A> {
         self.or_nothing(total)
     }
 
-    /// What the terms do that are not there to keep rows.
+    /// What the terms do that are not there to keep rows; of loads that read forces, what they do without them.
     pub(super) fn given(&mut self, body: usize) -> [A::Value; 3] {
-        let total = self.given_total(body);
+        let given = self.acting.get(&body).map(|acting| acting.given.clone()).unwrap_or_default();
+        let total = given.into_iter().fold(None, |total, term| {
+            let own = self.without_feedback(term);
+            Some(self.plus(total, own))
+        });
         self.or_nothing(total)
     }
 
@@ -186,7 +196,12 @@ impl<'a, A: Algebra> Linking<'a, A> {
     }
 
     fn with(&mut self, total: Option<[A::Value; 3]>, term: TermOf) -> [A::Value; 3] {
-        let mut own = self.part(Part::Term(term)).into_iter();
+        let own = self.part(Part::Term(term));
+        self.plus(total, own)
+    }
+
+    fn plus(&mut self, total: Option<[A::Value; 3]>, own: Vec<A::Value>) -> [A::Value; 3] {
+        let mut own = own.into_iter();
         let mut next = || own.next().expect("a force and a torque");
         match total {
             None => [next(), next(), next()],

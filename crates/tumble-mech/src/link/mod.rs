@@ -12,8 +12,9 @@ mod island;
 mod linking;
 mod names;
 mod part;
+mod readings;
 
 pub(crate) use algebra::{Nodes, Written};
-pub(crate) use instant::{InstantTape, InstantTapes, Measured, Slipping};
+pub(crate) use instant::{InstantTape, InstantTapes, Measured, Pushes, Slipping};
 pub(crate) use linking::Linking;
 pub(crate) use part::{Library, RowOf, TermOf, total};

@@ -32,6 +32,10 @@ pub(crate) enum Meaning {
     Normal { pair: usize },
     /// The same along its surface.
     Friction { pair: usize },
+    /// The sign in a brake.
+    Sign { brake: usize },
+    /// What keeps its rate zero.
+    Brake { brake: usize },
 }
 
 /// All symbols of the motion, the time and the parameters.
@@ -46,6 +50,7 @@ pub(crate) struct Names {
     normals: Vec<Name>,
     /// Of pairs with friction.
     frictions: HashMap<usize, Name>,
+    brakes: Vec<Name>,
 }
 
 /// Names of what belongs to a body.
@@ -98,6 +103,12 @@ impl Names {
             for (symbol, _) in &joint.seat {
                 names.add(symbol.clone(), Meaning::Leaf);
             }
+        }
+        for (index, brake) in equations.brakes().iter().enumerate() {
+            let sign = names.add(brake.sign.clone(), Meaning::Sign { brake: index });
+            let force = names.add(brake.row.multiplier.clone(), Meaning::Brake { brake: index });
+            brake.bodies.iter().for_each(|body| names.of_bodies[*body].forces.extend([sign, force]));
+            names.brakes.push(force);
         }
         names
     }
@@ -152,6 +163,7 @@ impl Names {
             RowOf::Joint(joint, row) => self.multipliers[joint][row],
             RowOf::Pair(pair) => self.normals[pair],
             RowOf::Slip(pair) => self.frictions[&pair],
+            RowOf::Brake(brake) => self.brakes[brake],
         }
     }
 

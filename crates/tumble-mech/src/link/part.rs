@@ -12,9 +12,10 @@ use super::names::{Name, Names, totals};
 use crate::cache::Cache;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
+use crate::feedback;
 use crate::laws::compliant;
 use crate::parameters::time_symbol;
-use crate::row::Row;
+use crate::row::{Row, Wrench, torque_on};
 use crate::term::Term;
 
 /// What there are equations of. None of them depends on a mode.
@@ -48,12 +49,16 @@ pub(crate) enum Part {
     Lightness(usize),
     /// The length that a body's places are measured against.
     Size(usize),
-    /// What a unit of one row's multiplier does to another's acceleration.
-    Response(RowOf, RowOf),
+    /// What a unit of something does to a row's acceleration.
+    Response(RowOf, Pusher),
     /// Acceleration of a row, in the accelerations of its bodies.
     RowAcceleration(RowOf),
-    /// Torque of a unit of a row's multiplier on a body about its centre.
-    Torque(RowOf, usize),
+    /// Torque of a unit of something on a body about its centre.
+    Torque(Pusher, usize),
+    /// How a row's acceleration follows that of the angle of a body.
+    Turning(RowOf, usize),
+    /// What a unit of something on a body does to the force of its pivot, along x and y.
+    Recoil(usize, Pusher),
     /// What is zero while a row holds: its position, then its rate, each with its slopes by states.
     Kept(RowOf),
     /// What is zero while the root of a pair's depth is a state, with its slopes.
@@ -69,6 +74,8 @@ pub(crate) enum TermOf {
     /// Friction of a pair.
     Friction(usize, usize),
     Joint(usize, usize),
+    /// What a brake does that holds, by its own order there.
+    Brake(usize, usize),
 }
 
 /// A row, by the index of its pair, or of its joint and its own there.
@@ -79,6 +86,17 @@ pub(crate) enum RowOf {
     Pair(usize),
     /// That it does not slip.
     Slip(usize),
+    /// That the rate of a brake stays zero.
+    Brake(usize),
+}
+
+/// What acts on bodies in proportion to something unknown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Pusher {
+    /// What keeps a row, for each unit of its multiplier.
+    Row(RowOf),
+    /// A load, by its index, for each unit of a force that it reads.
+    Load(usize, Name),
 }
 
 /// Formulas, ready to be linked.
@@ -220,6 +238,7 @@ impl Equations {
             TermOf::Pair(pair, side) => &self.pair_list().terms[pair][side],
             TermOf::Friction(pair, side) => &self.pair_list().frictions[&pair][side],
             TermOf::Joint(joint, index) => &self.joints()[joint].terms[index],
+            TermOf::Brake(brake, index) => &self.brakes()[brake].terms[index],
         }
     }
 
@@ -228,6 +247,7 @@ impl Equations {
             RowOf::Pair(pair) => self.pairs()[pair].row(),
             RowOf::Slip(pair) => self.pairs()[pair].slip_row(),
             RowOf::Joint(joint, row) => self.joints()[joint].rows[row].clone(),
+            RowOf::Brake(brake) => self.brakes()[brake].row.clone(),
         }
     }
 
@@ -264,9 +284,11 @@ impl Equations {
             Part::Slopes(pair) => self.gap_slopes(pair).unwrap_or_default(),
             Part::Lightness(body) => vec![1 / &self.mass_properties(body).mass],
             Part::Size(body) => vec![self.model().bodies[body].reach() * 2],
-            Part::Response(i, j) => vec![self.row_response(&self.row(i), &self.row(j))],
+            Part::Response(row, pusher) => vec![self.row_response(&self.row(row), &self.wrenches(pusher))],
             Part::RowAcceleration(row) => vec![self.row(row).acceleration],
-            Part::Torque(row, body) => vec![self.row(row).torque_on(body)],
+            Part::Torque(pusher, body) => vec![torque_on(&self.wrenches(pusher), body)],
+            Part::Turning(row, body) => vec![torque_on(&self.row(row).wrenches, body)],
+            Part::Recoil(body, pusher) => self.recoil(body, &self.wrenches(pusher)),
             Part::Kept(_) | Part::Root(_) => unreachable!("they are prepared with their slopes"),
         }
     }
@@ -274,7 +296,7 @@ impl Equations {
     fn kept(&self, of: RowOf) -> Piece {
         let row = self.row(of);
         match of {
-            RowOf::Slip(_) => self.sorted(vec![row.rate], &[row.measure.rate()]),
+            RowOf::Slip(_) | RowOf::Brake(_) => self.sorted(vec![row.rate], &[row.measure.rate()]),
             _ => self.sorted(vec![row.position, row.rate], &[row.measure, row.measure.rate()]),
         }
     }
@@ -291,8 +313,27 @@ impl Equations {
         all.map(|all| all.concat())
     }
 
-    fn row_response(&self, i: &Row, j: &Row) -> Expr {
-        let both = i.wrenches.iter().flat_map(|own| j.wrenches.iter().map(move |other| (own, other)));
+    /// What a unit of something is on bodies.
+    fn wrenches(&self, of: Pusher) -> Vec<Wrench> {
+        match of {
+            Pusher::Row(RowOf::Brake(brake)) => self.brakes()[brake].pushes.clone(),
+            Pusher::Row(row) => self.row(row).wrenches,
+            Pusher::Load(load, name) => {
+                let names = self.names();
+                vec![feedback::for_each_unit(&self.loads()[load], names.get(name).0)]
+            }
+        }
+    }
+
+    fn recoil(&self, body: usize, wrenches: &[Wrench]) -> Vec<Expr> {
+        let own = wrenches.iter().filter(|wrench| wrench.body == body);
+        let none = Vector::planar(Expr::zero(), Expr::zero());
+        let sum = own.fold(none, |sum, wrench| sum + self.body_equations(body).recoil(wrench));
+        sum.components().to_vec()
+    }
+
+    fn row_response(&self, row: &Row, pushed: &[Wrench]) -> Expr {
+        let both = row.wrenches.iter().flat_map(|own| pushed.iter().map(move |other| (own, other)));
         let shared = both.filter(|(own, other)| own.body == other.body);
         let each = shared.map(|(own, other)| self.body_equations(own.body).response(own, other));
         each.fold(Expr::zero(), |sum, response| sum + response)
@@ -395,7 +436,8 @@ mod tests {
         let row = |joint: usize| RowOf::Joint(joint, 0);
         assert_eq!(class(Part::Kept(row(1))), class(Part::Kept(row(2))));
         assert_eq!(class(Part::RowAcceleration(row(1))), class(Part::RowAcceleration(row(3))));
-        assert_eq!(class(Part::Response(row(0), row(1))), class(Part::Response(row(0), row(1))));
+        let response = |i: usize, j: usize| Part::Response(row(i), Pusher::Row(row(j)));
+        assert_eq!(class(response(0, 1)), class(response(0, 1)));
         assert_eq!(class(Part::Acceleration(0)), class(Part::Acceleration(2)));
         assert_ne!(class(Part::Acceleration(0)), class(Part::Acceleration(3)));
         // The hook holds the first: there is one body less.

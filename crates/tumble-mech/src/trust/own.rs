@@ -93,6 +93,9 @@ impl Own {
             }
             Happening::Impulse(impulse) => model.body_index(&model.impulses[*impulse].body).is_some_and(has),
             Happening::Contact { pair, .. } => self.equations.pairs()[*pair].bodies().any(has),
+            Happening::Brake { brake, .. } => {
+                self.equations.brakes()[*brake].bodies.iter().any(|body| has(*body))
+            }
             // They are told of with those that come to rest last.
             Happening::Rest => false,
             Happening::Singular => true,

@@ -156,7 +156,8 @@ fn powered(math: &Math, base: &Math, exponent: &Math) -> Vec<Part> {
 fn raised(inside: &Math, exponent: &Math) -> Vec<Part> {
     let fence = Part::fence("postfix", ")", is_tall(inside));
     let close = Part {
-        shown: format!("<msup>{}{}</msup>", fence.shown, element(exponent)),
+        // In a row of its own it grows.
+        shown: format!("<msup><mrow>{}</mrow>{}</msup>", fence.shown, element(exponent)),
         width: fence.width + SCRIPT * width(exponent),
         begins: false,
     };

@@ -56,22 +56,25 @@ pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
     let velocity = symbols::velocity(study, body);
     let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
-    let is_impulse = any(&|panel| panel.unit == tumble_drawing::free_body::Unit::impulse());
+    let is_of_impulses = |panel: &FreeBodyDiagram| panel.unit == tumble_drawing::free_body::Unit::impulse();
     let letters = [
         (any(&|panel| !panel.arms.is_empty()), "r", "arm from the centre of mass to where a force acts"),
         (
-            any(&|panel| !panel.couples.is_empty()) && !is_impulse,
+            any(&|panel| !panel.couples.is_empty() && !is_of_impulses(panel)),
             "tau",
             "torque about the centre of mass, counter-clockwise positive",
         ),
-        (is_impulse, "J", "impulse of an instant"),
+        (any(&is_of_impulses), "J", "impulse of an instant"),
         (has(&velocity), &*velocity, "velocity of the centre of mass"),
         (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
         (has("u"), "u", "velocity of the air past the point where it acts"),
     ];
     let shown: Vec<_> =
         letters.iter().filter(|(shown, ..)| *shown).map(|(_, symbol, words)| (*symbol, *words)).collect();
-    Label::plain(&format!("Everything that acts on {}. ", symbols::the(body))).then(instants::meaning(&shown))
+    let row = "Thin arrows in a row: the force along the body; the thick one: their sum. ";
+    let row = if any(&|panel| !panel.spreads.is_empty()) { row } else { "" };
+    Label::plain(&format!("Everything that acts on {}. {row}", symbols::the(body)))
+        .then(instants::meaning(&shown))
 }
 
 /// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.
@@ -98,9 +101,10 @@ impl Drawing<'_> {
     fn panel(&self, label: &str, time: f64) -> Result<FreeBodyDiagram, CaseError> {
         let body = &self.study.model.bodies[self.body];
         let pose = poses(self.run, body, [time].into_iter())?.pop().unwrap_or_default();
-        let panel = FreeBodyDiagram::new(Label::plain(&body.name), pose, outlines(self.study, body)?)
-            .heading(Label::markup(label))
-            .heading(Label::equation("t", &shown(time), "s"));
+        let panel =
+            FreeBodyDiagram::new(Label::plain(&symbols::bare(&body.name)), pose, outlines(self.study, body)?)
+                .heading(Label::markup(label))
+                .heading(Label::equation("t", &shown(time), "s"));
         let mut panel = match self.impulses(time).next() {
             None => self.moving(self.with_forces(panel, time)?, time)?,
             Some(_) => self.impulses(time).fold(panel.impulses(), |panel, one| self.with_impulse(panel, one)),
@@ -189,7 +193,7 @@ impl Drawing<'_> {
                 panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
             }
         }
-        panel.side = self.side_view()?;
+        panel.side = self.side_view(&own)?;
         Ok(panel)
     }
 
@@ -220,15 +224,22 @@ impl Drawing<'_> {
         Ok(if is_there { panel.arm(Label::symbol(&symbols::arm(&name)), point) } else { panel })
     }
 
-    /// Weight and support out of a horizontal plane.
-    fn side_view(&self) -> Result<Option<SideView>, CaseError> {
+    /// Weight and support out of a horizontal plane, and what of the other forces is seen from the side.
+    fn side_view(&self, forces: &[Force]) -> Result<Option<SideView>, CaseError> {
         let Gravity::Horizontal(g) = &self.study.model.gravity else { return Ok(None) };
         let body = &self.study.model.bodies[self.body];
         let weight = self.study.number(&(body.mass_properties().mass * g))?;
         let height = self.study.number(&body.reach())?;
         let outlines = outlines(self.study, body)?;
         let [down, up] = ["W", "N"].map(|symbol| (Label::symbol(symbol), weight));
-        Ok((weight > 0.0).then(|| SideView::resting(outlines, height, down, up)))
+        let along = forces.iter().filter(|force| !force.law.is_couple() && force.force[0] != 0.0);
+        let along = along.map(|force| {
+            let symbol = Label::symbol(&symbols::force(self.study, &force.load, force.law));
+            Arrow::new(kind(force.law), symbol, [force.arm[0], height], [force.force[0], 0.0])
+        });
+        let mut view = SideView::resting(outlines, height, down, up);
+        view.forces.extend(along);
+        Ok((weight > 0.0).then_some(view))
     }
 
     /// Impulses on the body of a rigid impact at just this time.
@@ -286,7 +297,8 @@ impl Drawing<'_> {
             let formulas =
                 [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
-            let tangent = Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&surface.name));
+            let tangent =
+                Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&symbols::bare(&surface.name)));
             // Of a polygon only what is touched: its other edges would be drawn beyond their ends.
             let near = if surface.polygon.is_some() { TOUCHED } else { NEAR };
             let is_met = at[4].abs() <= near * reach.max(f64::MIN_POSITIVE)
@@ -301,7 +313,7 @@ impl Drawing<'_> {
     }
 
     fn symbol(&self, name: &str) -> Label {
-        Label::symbol(self.study.symbols.get(name).map_or("theta", String::as_str))
+        Label::symbol(symbols::all(self.study).get(name).map_or("theta", String::as_str))
     }
 }
 

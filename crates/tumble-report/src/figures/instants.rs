@@ -18,6 +18,9 @@ const FEW_BODIES: usize = 3;
 /// A force below this part of the largest, or one that varies by less, has no largest.
 const SMALL: f64 = 1e-6;
 
+/// A force that is never less than this part of its largest has no smallest that is worth a diagram.
+const VARIES: f64 = 0.7;
+
 /// A load by its name with its law.
 type Load = (String, Law);
 
@@ -30,16 +33,36 @@ struct Seen {
 /// When, and what is seen there.
 pub(crate) fn of(study: &Study, case: &Case, body: usize) -> Result<Vec<(Instant, String)>, CaseError> {
     let seen = seen(case, body)?;
+    if acting_ever(&seen).is_empty()
+        && let Some(time) = hardest_impact(case, body)
+    {
+        let impact = Instant { text: String::new(), time: time * S };
+        return Ok(vec![(impact, "the largest impulse".to_owned())]);
+    }
     let most = if study.model.bodies.len() > FEW_BODIES { 1 } else { MOST };
     let mut found = largest(study, &seen);
     found.truncate(most);
     together(study, &seen, &mut found);
+    if found.len() == 1 {
+        found.extend(smallest(study, &seen));
+    }
     found.truncate(most);
     found.sort_by_key(|(index, _)| *index);
     let instant = |(index, label): (usize, String)| {
         (Instant { text: String::new(), time: seen[index].time * S }, label)
     };
     Ok(found.into_iter().map(instant).collect())
+}
+
+/// When the largest impulse acts on a body that nothing else acts on.
+fn hardest_impact(case: &Case, body: usize) -> Option<f64> {
+    let events = case.run.events();
+    let struck = events.filter_map(|event| {
+        let own = event.record.impulses.iter().filter(|impulse| impulse.body == body);
+        let sizes = own.map(|impulse| impulse.impulse[0].hypot(impulse.impulse[1]));
+        Some((sizes.reduce(f64::max)?, event.time))
+    });
+    struck.max_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, time)| time)
 }
 
 /// How many loads there are on the bodies of a run: a run that has them all shows most.
@@ -101,6 +124,24 @@ fn largest(study: &Study, seen: &[Seen]) -> Vec<(usize, String)> {
         }
     }
     found
+}
+
+/// Where the load that varies most is smallest, of those that always act.
+fn smallest(study: &Study, seen: &[Seen]) -> Option<(usize, String)> {
+    let of = |(load, law): &Load| {
+        let sizes: Vec<f64> = seen
+            .iter()
+            .map(|seen| seen.forces.iter().find(|force| force.load == *load).map_or(0.0, size))
+            .collect();
+        let (index, least) = sizes.iter().enumerate().min_by(|one, other| one.1.total_cmp(other.1))?;
+        let most = sizes.iter().copied().fold(0.0, f64::max);
+        let varies = *least > 0.0 && *least < VARIES * most;
+        varies.then(|| (least / most, index, symbols::force(study, load, *law)))
+    };
+    let loads = acting_ever(seen);
+    let found = loads.iter().filter(|(_, law)| *law != Law::Weight).filter_map(of);
+    let (_, index, symbol) = found.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    Some((index, format!("smallest ${symbol}$")))
 }
 
 /// The middle of the first stretch of each set of loads that no diagram shows yet.

@@ -276,7 +276,7 @@ pub(crate) fn picture(
         for index in &stroboscope.bodies {
             let body = &study.model.bodies[*index];
             let mut track = track(&study, &case.run, stroboscope, body)?;
-            let name = if several { Label::plain(&body.name) } else { Label::default() };
+            let name = if several { Label::plain(&symbols::bare(&body.name)) } else { Label::default() };
             track.label = joined(name, case_label(case));
             picture.tracks.push(track);
         }
@@ -326,7 +326,7 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Ground
         let formulas = [surface.through.components(), surface.normal.components()].concat();
         let formulas: Vec<Expr> = formulas.into_iter().chain(radius).chain(corners).collect();
         let Some(at) = run.observe(&formulas)?.at(time, Side::After) else { continue };
-        let (point, name) = ([at[0], at[1]], Label::plain(&surface.name));
+        let (point, name) = ([at[0], at[1]], Label::plain(&symbols::bare(&surface.name)));
         match (&surface.circle, &surface.polygon) {
             (Some(circle), _) => {
                 found.push(Ground::round(point, Round { radius: at[4], hollow: circle.inside }, name));

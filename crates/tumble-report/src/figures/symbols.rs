@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_drawing::Label;
+use tumble_expr::language::is_name;
 use tumble_expr::{Node, Symbol, Unary, is_identically_zero};
 use tumble_mech::{Application, Frame, Gravity, Law};
 use tumble_scene::Study;
@@ -86,7 +87,7 @@ pub(crate) fn label(symbols: &BTreeMap<String, String>, text: &str) -> Label {
         label = label.then(match symbols.get(piece).filter(|_| is_name) {
             Some(symbol) => Label::symbol(symbol),
             None if is_name && !piece.contains('.') => Label::symbol(piece),
-            None => Label::plain(piece),
+            None => Label::plain(&piece.replace('-', "\u{2212}").replace('*', "\u{b7}")),
         });
         rest = after;
     }
@@ -104,10 +105,54 @@ pub(crate) fn words(study: &Study, text: &str) -> Option<String> {
 
 /// What a quantity is called in a sentence: words and symbol where it has them, `angle θ`.
 pub(crate) fn called(study: &Study, symbols: &BTreeMap<String, String>, text: &str) -> Label {
+    let name = without_unit(text);
+    if is_name(name) && name.contains('.') && !symbols.contains_key(name) {
+        return Label::plain(&in_words(study, name));
+    }
     let label = label(symbols, text);
     match words(study, text) {
         Some(words) => Label::plain(&format!("{words} ")).then(label),
         None => label,
+    }
+}
+
+/// Whether a name is one of what an event has left behind, which does not change any more.
+pub(crate) fn is_moment(study: &Study, name: &str) -> bool {
+    let is_event = study.model.events.iter().any(|event| event.name == name);
+    is_name(name) && (name.contains(".contact[") || name.ends_with(".rolls") || is_event)
+}
+
+/// A quantity that has no symbol: `start of contact 1 with the floor`, `work of the spring`.
+pub(crate) fn in_words(study: &Study, name: &str) -> String {
+    if let Some((place, rest)) = name.split_once(".contact[")
+        && let Some((number, part)) = rest.split_once("].")
+    {
+        let part = match part {
+            "impulse.x" => "horizontal impulse",
+            "impulse.y" => "vertical impulse",
+            other => other,
+        };
+        return format!("{part} of contact {number} {}", touching(study, place, "with"));
+    }
+    let Some((owner, last)) = name.rsplit_once('.') else { return format!("time of “{name}”") };
+    match noun(study, name) {
+        Some(noun) if owner.contains('.') => format!("{noun} {}", touching(study, owner, "on")),
+        Some(noun) => format!("{noun} of {}", holder(study, owner).unwrap_or_else(|| the(owner))),
+        None if last == "rolls" => format!("beginning of rolling {}", touching(study, owner, "on")),
+        None => format!("{last} of {}", the(owner)),
+    }
+}
+
+/// What touches and where: `with the floor` of `floor`, `of corner 2 with the floor` of `floor.block.corner2`.
+fn touching(study: &Study, place: &str, with: &str) -> String {
+    let parts: Vec<&str> = place.split('.').collect();
+    match parts[..] {
+        [contact, a, b] if study.model.contacts.iter().any(|known| known.name == contact) => {
+            format!("of {} {with} {}", the(a), the(b))
+        }
+        [surface, body] | [surface, body, "rim"] => format!("of {} {with} {}", the(body), the(surface)),
+        [surface, _, point] => format!("of {} {with} {}", the(point), the(surface)),
+        _ => format!("{with} {}", the(place)),
     }
 }
 
@@ -123,7 +168,7 @@ pub(crate) fn noun(study: &Study, text: &str) -> Option<&'static str> {
 }
 
 /// Without the unit that a value is asked for in.
-fn without_unit(text: &str) -> &str {
+pub(crate) fn without_unit(text: &str) -> &str {
     text.rsplit_once(" in ").map_or(text, |(formula, _)| formula)
 }
 
@@ -136,6 +181,26 @@ pub(crate) fn the(name: &str) -> String {
         (true, true) => format!("the {}", name.replace(['_', '-'], " ")),
         (true, false) => format!("{} {}", stem.replace(['_', '-'], " ").trim_end(), &name[stem.len()..]),
     }
+}
+
+/// A body or point in a list or a picture: `rod`, `link 6`.
+pub(crate) fn bare(name: &str) -> String {
+    let spoken = the(name);
+    spoken.strip_prefix("the ").map(str::to_owned).unwrap_or(spoken)
+}
+
+/// A pivot or joint in running text: `the hinge`, `joint 3`, but `pin A`.
+pub(crate) fn joint(name: &str) -> String {
+    let spoken = the(name);
+    let is_letter = spoken.starts_with(|c: char| c.is_uppercase());
+    if is_letter { format!("pin {spoken}") } else { spoken }
+}
+
+/// The pivot or joint of this name in running text, if it is one.
+pub(crate) fn holder(study: &Study, name: &str) -> Option<String> {
+    let pivots = study.model.pivots.iter().map(|pivot| &pivot.name);
+    let mut all = pivots.chain(study.model.joints.iter().map(|joint| &joint.name));
+    all.any(|known| known == name).then(|| joint(name))
 }
 
 /// The user's own symbol for a load, or the usual letter with the load's name.

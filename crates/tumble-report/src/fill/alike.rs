@@ -7,7 +7,7 @@ use crate::figures::symbols;
 use crate::results::Case;
 
 /// So many like bodies are each shown; of more than these, one.
-const MOST_SHOWN: usize = 5;
+const MOST_SHOWN: usize = 3;
 /// So many names are all said; of more than these, the first two and the last.
 const MOST_NAMED: usize = 4;
 
@@ -18,12 +18,19 @@ pub(super) struct Kind {
     pub shown: usize,
     /// All of them, in order.
     pub bodies: Vec<usize>,
+    /// Joints hold them: the equations of one say nothing of the others'.
+    pub is_joined: bool,
 }
 
 impl Kind {
-    /// `b1`, or `b5, and likewise b1, b2, ..., b15`.
+    /// The bodies whose equations of motion are told.
+    pub(super) fn told(&self) -> &[usize] {
+        if self.is_joined { &self.bodies } else { std::slice::from_ref(&self.shown) }
+    }
+
+    /// `the rod`, or `b5, and likewise b1, b2, ..., b15`.
     pub(super) fn name(&self, study: &Study) -> String {
-        let name = |body: &usize| study.model.bodies[*body].name.clone();
+        let name = |body: &usize| symbols::the(&study.model.bodies[*body].name);
         let others: Vec<String> = self.bodies.iter().filter(|body| **body != self.shown).map(name).collect();
         let own = name(&self.shown);
         if others.is_empty() { own } else { format!("{own}, and likewise {}", listed(&others)) }
@@ -36,14 +43,17 @@ pub(super) fn kinds(study: &Study, case: &Case) -> Vec<Kind> {
     for body in 0..study.model.bodies.len() {
         let (likeness, loads) = likeness(study, case, body);
         let same = found.iter_mut().find(|(other, ..)| *other == likeness);
-        match same.filter(|_| !likeness.is_joined) {
+        match same {
             Some((_, kind, most)) => {
                 kind.bodies.push(body);
                 if loads > *most {
                     (kind.shown, *most) = (body, loads);
                 }
             }
-            None => found.push((likeness, Kind { shown: body, bodies: vec![body] }, loads)),
+            None => {
+                let is_joined = likeness.is_joined;
+                found.push((likeness, Kind { shown: body, bodies: vec![body], is_joined }, loads));
+            }
         }
     }
     let mut kinds: Vec<Kind> = found.into_iter().flat_map(|(_, kind, _)| parted(kind)).collect();
@@ -56,7 +66,8 @@ fn parted(kind: Kind) -> Vec<Kind> {
     if kind.bodies.len() > MOST_SHOWN {
         return vec![kind];
     }
-    kind.bodies.into_iter().map(|body| Kind { shown: body, bodies: vec![body] }).collect()
+    let one = |body: &usize| Kind { shown: *body, bodies: vec![*body], ..kind };
+    kind.bodies.iter().map(one).collect()
 }
 
 /// What bodies share that are alike.
@@ -66,7 +77,6 @@ struct Likeness {
     properties: String,
     /// The loads on it; of contacts, what stands in the scene.
     loads: Vec<String>,
-    /// A body in a linkage is like no other.
     is_joined: bool,
     /// The scene asks for its diagram.
     is_asked: bool,
@@ -85,6 +95,7 @@ fn likeness(study: &Study, case: &Case, body: usize) -> (Likeness, usize) {
     all.dedup_by(|one, other| one.0 == other.0);
     let count = all.len();
     let mut loads: Vec<String> = all.iter().map(|(load, law)| stated_as(load, *law)).collect();
+    loads.sort();
     loads.dedup();
     let joints = &study.model.joints;
     let likeness = Likeness {
@@ -102,6 +113,8 @@ fn stated_as(load: &str, law: Law) -> String {
     let pair = symbols::rubbed(load);
     match law {
         Law::Contact | Law::Friction | Law::Rolling => pair.split('.').next().unwrap_or(pair).to_owned(),
+        // One pin is like another.
+        Law::Reaction => "joint".to_owned(),
         _ => load.to_owned(),
     }
 }
@@ -140,7 +153,7 @@ mod tests {
 
     #[test]
     fn of_many_that_are_alike_one_is_shown() {
-        assert_eq!(kinds_of(7, &[]), [Kind { shown: 0, bodies: (0..7).collect() }]);
+        assert_eq!(kinds_of(7, &[]), [Kind { shown: 0, bodies: (0..7).collect(), is_joined: false }]);
         assert_eq!(kinds_of(3, &[]).len(), 3);
     }
 
@@ -148,7 +161,7 @@ mod tests {
     fn what_acts_makes_a_difference() {
         let kinds = kinds_of(8, &[2]);
         assert_eq!(kinds[0].bodies, [0, 2, 3, 4, 5, 6, 7]);
-        assert_eq!(kinds[1], Kind { shown: 1, bodies: vec![1] });
+        assert_eq!(kinds[1], Kind { shown: 1, bodies: vec![1], is_joined: false });
     }
 
     #[test]

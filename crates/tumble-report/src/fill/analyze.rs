@@ -3,6 +3,7 @@
 use crate::report::{Analyze, Chart, CheckRow, Column, Picture, RunAnalysis, Table, Text};
 use tumble_drawing::Label;
 use tumble_expr::Expr;
+use tumble_expr::language::{is_name, parse};
 use tumble_mech::Extreme;
 use tumble_ode::Side;
 use tumble_scene::{Instant, Study};
@@ -165,25 +166,30 @@ fn one(study: &Study, names: &Names, case: &Case) -> Result<RunAnalysis, CaseErr
     })
 }
 
-/// What is claimed of what: in words, or as a formula.
+/// What is claimed of what: in words, or as the formula was written.
 fn asked(study: &Study, names: &Names, check: &CheckResult) -> Text {
-    let claim = study.checks.iter().find(|claim| claim.question.name == check.name);
-    // Moments and counts, `floor.contact[2].start`, have no symbols.
-    let has_symbols =
-        |formula: &&Expr| formula.symbols().iter().all(|one| !names.shown(&one.name).contains('.'));
-    let formula = claim.map(|claim| &claim.question.that.quantity.formula).filter(has_symbols);
-    match formula.filter(|_| symbols::words(study, &check.that).is_none()) {
-        Some(formula) => names.written(formula).into(),
-        None => symbols::called(study, &symbols::all(study), &check.that).into(),
-    }
+    let text = symbols::without_unit(&check.that);
+    let formula = parse(text).ok().filter(|_| !is_name(text));
+    formula.map_or_else(
+        || symbols::called(study, &symbols::all(study), text).into(),
+        |formula| names.as_written(study, &formula).into(),
+    )
 }
 
 fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     let unit = check.unit.as_str();
     let that = asked(study, names, check);
-    let what = Text::from(format!("{}: ", spoken(&check.name))).and(that);
-    let at =
-        if check.at.is_finite() { Text::from(" at ").and(quantity(check.at, "s")) } else { Text::default() };
+    let name = spoken(&check.name);
+    // A name that says the same says nothing.
+    let what = match that.to_plain().contains(&name) {
+        true => that,
+        false => Text::from(format!("{name}: ")).and(that),
+    };
+    let is_moment = symbols::is_moment(study, symbols::without_unit(&check.that));
+    let at = match check.at.is_finite() && !is_moment {
+        true => Text::from(" at ").and(quantity(check.at, "s")),
+        false => Text::default(),
+    };
     CheckRow {
         what: what.and(at),
         expected: precise(check.expected, unit),

@@ -9,8 +9,8 @@ use tumble_drawing::{
     Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink, Pose, SceneBody,
     SceneDrawing, SceneLink,
 };
-use tumble_expr::{Expr, Substitution};
-use tumble_mech::{Body, Forces, Gravity, Record, Run, joined, place_symbols};
+use tumble_expr::{Expr, Substitution, is_identically_zero};
+use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined, place_symbols};
 use tumble_ode::{Event, Side};
 use tumble_scene::Study;
 
@@ -44,7 +44,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
     let times: Vec<f64> = equal_times(run, FRAMES).collect();
     let body = |body: &tumble_mech::Body| -> Result<MovingBody, CaseError> {
         Ok(MovingBody {
-            name: Label::plain(&body.name),
+            name: Label::plain(&symbols::bare(&body.name)),
             outlines: outlines(study, body)?,
             poses: poses(run, body, times.iter().copied())?,
             trail: study.model.pivot_of(&body.name).is_none(),
@@ -96,7 +96,7 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
     let mut found = vec![];
     for pivot in &study.model.pivots {
         let Some(at) = run.observe(pivot.world.components())?.at(0.0, Side::After) else { continue };
-        found.push(NamedPoint { name: Label::plain(&pivot.name), at: [at[0], at[1]] });
+        found.push(NamedPoint { name: Label::plain(&symbols::bare(&pivot.name)), at: [at[0], at[1]] });
     }
     Ok(found)
 }
@@ -104,7 +104,7 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
 /// What happens, unless that is too much, and where digits end.
 fn marks(study: &Study, case: &Case) -> Vec<Mark> {
     let run = &case.run;
-    let what = |event: &Event<Record>| words::event(study, &run.equations, &event.record);
+    let what = |event: &Event<Record>| words::event(study, &run.equations, event);
     let events: Vec<Mark> =
         run.events().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect();
     let mut marks = if events.len() > MOST_MARKS { vec![] } else { events };
@@ -129,11 +129,17 @@ fn links(study: &Study, run: &Run, times: &[f64]) -> Result<Vec<MovingLink>, Cas
         });
         found.push(MovingLink {
             name: Label::plain(interaction.name()),
-            kind: LinkKind::Spring,
+            kind: if is_stiff(&**interaction) { LinkKind::Spring } else { LinkKind::Damper },
             ends: ends.collect(),
         });
     }
     Ok(found)
+}
+
+/// Whether it is more than a damper.
+fn is_stiff(interaction: &dyn Interaction) -> bool {
+    let stiffness = interaction.dimensions().into_iter().find(|(name, ..)| *name == "stiffness");
+    stiffness.is_none_or(|(_, value, _)| !is_identically_zero(&value))
 }
 
 /// The scene at its start.
@@ -152,7 +158,6 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
         pivots: points(study, run)?,
         points: named_points(study, run)?,
         links: links.collect(),
-        angles: vec![],
         gravity: gravity(study)?,
         wind: wind(study, run)?,
     };
@@ -167,7 +172,7 @@ fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<Sc
     let moves = values[0].hypot(values[1]) > 0.0 && study.model.pivot_of(&body.name).is_none();
     let rate = (values[2] != 0.0).then(|| (values[2], names.label(&motion.omega_symbol().name)));
     Ok(SceneBody {
-        name: Label::plain(&body.name),
+        name: Label::plain(&symbols::bare(&body.name)),
         pose: poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default(),
         outlines: outlines(study, body)?,
         velocity: moves

@@ -12,7 +12,7 @@ use crate::results::Case;
 use crate::results::CaseBalance;
 
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
-const NOTHING: f64 = 1e-15;
+const NOTHING: f64 = 1e-14;
 
 pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
@@ -23,16 +23,24 @@ pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
                 .into(),
         ],
         tables: vec![balances(balance), contributions(study, &case.run.equations, balance)],
-        plots: vec![
-            Chart::over_time(
-                sheet(balance, "Energies", Sheet::Energies),
-                "Kinetic, potential and total energy over time.",
-            ),
-            Chart::over_time(
-                sheet(balance, "Residual of the energy", Sheet::Residual),
-                "Energy that the works of the loads do not account for, over time.",
-            ),
-        ],
+        plots: energies(study, balance).into_iter().chain(residual(balance, case.accuracy.value())).collect(),
+    })
+}
+
+/// The energies, where the scene does not show them by itself.
+fn energies(study: &Study, balance: &CaseBalance) -> Option<Chart> {
+    let is_asked = study.balances.iter().any(|asked| asked.show == Sheet::Energies);
+    let figure = || sheet(balance, "Energies", Sheet::Energies);
+    (!is_asked).then(|| Chart::over_time(figure(), "Kinetic, potential and total energy over time."))
+}
+
+/// What is left of the energy, where it is more than the accuracy asked for: less is told by the table.
+fn residual(balance: &CaseBalance, accuracy: f64) -> Option<Chart> {
+    let figure = sheet(balance, "Residual of the energy", Sheet::Residual);
+    let all = figure.series.iter().flat_map(|series| &series.points).map(|point| point[1].abs());
+    let is_seen = all.fold(0.0, f64::max) > accuracy * balance.energy.scale;
+    is_seen.then(|| {
+        Chart::over_time(figure, "Energy that the works of the loads do not account for, over time.")
     })
 }
 

@@ -7,7 +7,7 @@ use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
-use tumble_notation::{Left, Mark, Math as Formula, Notation, Shown};
+use tumble_notation::{Left, Mark, Math, Notation, Shown};
 use tumble_scene::Study;
 
 use super::alike::Kind;
@@ -15,6 +15,7 @@ use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, math};
 use super::reduced::{self, Reduced, Solved};
 use super::words;
+use crate::figures::symbols;
 use crate::results::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -27,26 +28,40 @@ const MOST_MODES: usize = 6;
 /// The equations of motion in each mode that the motion went through.
 pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
     let modes = lasting(case);
-    let is_shown = |body: usize| kinds.iter().any(|kind| kind.shown == body);
+    let told: Vec<usize> = kinds.iter().flat_map(Kind::told).copied().collect();
     let shown = modes.iter().take(MOST_MODES).map(|mode| {
         let mut motions = motions(study, names, case, mode);
-        motions.retain(|motion| is_shown(motion.body));
+        motions.retain(|motion| told.contains(&motion.body));
         let blocks: Vec<Block> =
             motions.iter().filter_map(|motion| equations_of(study, names, motion)).collect();
-        let told =
-            |body: &usize| blocks.iter().any(|_| motions.iter().any(|m| m.body == *body && m.is_short()));
-        let by_name = kinds.iter().filter(|kind| !told(&kind.shown)).count();
+        let is_short = |body: &usize| motions.iter().any(|motion| motion.body == *body && motion.is_short());
+        let holds = match (told.iter().all(is_short), blocks.is_empty()) {
+            (true, _) => "",
+            (false, true) => BY_NAME,
+            (false, false) => OTHERS_BY_NAME,
+        };
+        let blocks = defined_once(blocks);
         ModeEquations {
             name: match modes.len() {
                 1 => Text::default(),
                 _ => words::mode(study, &case.run.equations, mode).into(),
             },
-            holds: if by_name > 0 { BY_NAME.into() } else { Text::default() },
+            holds: holds.into(),
             equations: blocks,
         }
     });
     let told = shown.fold(vec![], told_once).into_iter();
     told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
+}
+
+/// What a symbol means is said where it comes first.
+fn defined_once(mut blocks: Vec<Block>) -> Vec<Block> {
+    let mut said: Vec<Definition> = vec![];
+    for block in &mut blocks {
+        block.definitions.retain(|definition| !said.contains(definition));
+        said.extend(block.definitions.iter().cloned());
+    }
+    blocks
 }
 
 /// Modes of the same equations are told together.
@@ -71,6 +86,7 @@ fn lasting(case: &Case) -> Vec<&Mode> {
 /// What is said of equations that Newton's laws state as shortly as can be.
 const BY_NAME: &str =
     "Newton\u{2019}s laws above, with the forces of the table, are the equations of motion.";
+const OTHERS_BY_NAME: &str = "The equations of motion of the bodies that are not listed here are Newton\u{2019}s laws above, with the forces of the table.";
 
 /// The equations of all bodies in a mode: reduced where joints and contacts allow, and then how their forces follow.
 fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion> {
@@ -108,7 +124,7 @@ fn name_alike(motions: &mut [Motion], names: &Names) {
             && line.left.factor.is_none()
             && read.contains(symbol)
         {
-            line.left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+            line.left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
         }
     }
 }
@@ -118,7 +134,7 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
     for (symbol, force) in case.run.equations.shown_ties(mode) {
         let reads =
             |motion: &&mut Motion| motion.lines.iter().any(|line| line.right.symbols().contains(&symbol));
-        let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+        let left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
         let line = Line::new(left, force, symbol.clone());
         if let Some(motion) = motions.iter_mut().find(reads) {
             motion.lines.push(line);
@@ -128,11 +144,11 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
 
 fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
     let shown = motion.shown().filter(|_| motion.is_short())?.clone();
-    let body = &study.model.bodies[motion.body].name;
+    let body = symbols::bare(&study.model.bodies[motion.body].name);
     let title = match (study.model.bodies.len() > 1, motion.follows) {
         (true, true) => format!("{body}, and the forces that hold it"),
         (false, true) => "The forces that hold it follow from".to_owned(),
-        (true, false) => body.clone(),
+        (true, false) => body,
         (false, false) => String::new(),
     };
     let mut block = names.shown_block(title.into(), Ok(shown));
@@ -146,8 +162,8 @@ fn second_rate(study: &Study, names: &Names, motion: &Motion) -> Option<Definiti
     let alpha = study.model.bodies[motion.body].kinematics().alpha_symbol();
     let is_read = motion.shown()?.lines.iter().any(|line| line.formula.symbols().contains(&alpha));
     let is_told = motion.follows && is_read && study.model.bodies.len() == 1;
-    let symbol = Formula::symbol(names.shown(&alpha.name));
-    let equation = Formula::equation(symbol, second(names, study, motion.body).symbol);
+    let symbol = Math::symbol(names.shown(&alpha.name));
+    let equation = Math::equation(symbol, second(names, study, motion.body).symbol);
     is_told.then(|| Definition { symbol: math(&equation), meaning: Text::default() })
 }
 
@@ -160,12 +176,12 @@ fn seats(study: &Study, names: &Names, motion: &Motion) -> Vec<Definition> {
         let symbols = point.arm.components().iter().flat_map(Expr::symbols);
         let mut own: Vec<Symbol> = symbols.filter(used).collect();
         own.sort_by(|a, b| a.name.cmp(&b.name));
-        let parts = own.iter().map(|symbol| Formula::symbol(names.shown(&symbol.name)));
-        let parts: Vec<Vec<Formula>> = parts.map(|part| vec![part]).collect();
-        let body = &point.body.body;
-        let meaning = format!("where {} is on {body}, from its centre of mass, along its axes", joint.name);
+        let parts = own.iter().map(|symbol| Math::symbol(names.shown(&symbol.name)));
+        let parts: Vec<Vec<Math>> = parts.map(|part| vec![part]).collect();
+        let (joint, body) = (symbols::joint(&joint.name), symbols::the(&point.body.body));
+        let meaning = format!("where {joint} is on {body}, from its centre of mass, along its axes");
         (!parts.is_empty())
-            .then(|| Definition { symbol: math(&Formula::Matrix(parts)), meaning: meaning.into() })
+            .then(|| Definition { symbol: math(&Math::Matrix(parts)), meaning: meaning.into() })
     };
     seated.filter_map(definition).collect()
 }
@@ -245,7 +261,7 @@ impl Motion {
         let is_fixed = |formula: &Expr| formula.symbols().iter().all(|symbol| parameters.contains(symbol));
         let is_turning = |symbol: &Symbol| *symbol == study.model.bodies[body].kinematics().alpha_symbol();
         let line = |one: &Reduced| {
-            let shown = Formula::symbol(names.shown(&one.symbol.name));
+            let shown = Math::symbol(names.shown(&one.symbol.name));
             let left = match is_fixed(&one.inertia) && is_turning(&one.symbol) {
                 true => second(names, study, body),
                 false => Left::times(&one.inertia, shown),
@@ -278,7 +294,7 @@ impl Motion {
             terms.fold(Expr::zero(), |sum, term| sum + &term.force[axis])
         };
         let lines = own.iter().flat_map(|(_, symbol, formula)| {
-            let shown = || Formula::symbol(names.shown(&symbol.name));
+            let shown = || Math::symbol(names.shown(&symbol.name));
             let axis = usize::from(*symbol == axes[1]);
             let by_force = Line::new(Left::times(mass, shown()), force(axis) / mass, symbol.clone());
             [by_force, Line::new(Left::symbol(shown()), formula.clone(), symbol.clone())]
@@ -299,7 +315,7 @@ impl Motion {
         let ways = self.notations.iter().filter_map(|notation| notation.equations(&sides).ok());
         let signs = |shown: &Shown| Shown { definitions: vec![], ..shown.clone() }.text().chars().count();
         let mut shown = ways.min_by_key(signs)?;
-        shown.definitions.retain(|line| !matches!(line.left, Some(Formula::Bars(_))));
+        shown.definitions.retain(|line| !matches!(line.left, Some(Math::Bars(_))));
         Some(shown)
     }
 
@@ -329,7 +345,7 @@ fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: No
 /// `theta''`
 fn second(names: &Names, study: &Study, body: usize) -> Left {
     let angle = study.model.bodies[body].kinematics().angle_symbol();
-    Left::symbol(Formula::derivative(names.shown(&angle.name), 2, Mark::Primes))
+    Left::symbol(Math::derivative(names.shown(&angle.name), 2, Mark::Primes))
 }
 
 fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {
@@ -346,7 +362,7 @@ fn free(names: &Names, case: &Case, mode: &Mode, body: usize, is_solved: bool) -
     let mass = equations.mass_properties(body);
     let terms = if is_solved { vec![] } else { equations.shown_terms(mode) };
     let times = |factor: &Expr, symbol: &Symbol, part: fn(&Term) -> Expr| {
-        let left = Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+        let left = Left::times(factor, Math::symbol(names.shown(&symbol.name)));
         let own = terms.iter().filter(|term| term.body == body);
         let right = match is_solved {
             true => equations.in_states(mode, &symbol.clone().into()),
@@ -377,7 +393,7 @@ fn own_torque(terms: &[Term], body: usize) -> Expr {
 
 /// The left side of what is zero.
 fn nothing() -> Left {
-    Left::symbol(Formula::Number("0".to_owned()))
+    Left::symbol(Math::Number("0".to_owned()))
 }
 
 /// `I_P alpha = sum tau` of a body about its pivot, with the forces of joints by their names; where the pivot moves, less
@@ -386,7 +402,7 @@ fn turned(names: &Names, case: &Case, mode: &Mode, (body, pivot): (usize, &Pivot
     let symbol = case.run.equations.model().bodies[body].kinematics().alpha_symbol();
     let terms = case.run.equations.shown_terms(mode);
     let own: Vec<Term> = terms.into_iter().filter(|term| term.body == body).collect();
-    let left = Left::times(inertia, Formula::symbol(names.shown(&symbol.name)));
+    let left = Left::times(inertia, Math::symbol(names.shown(&symbol.name)));
     Line::new(left, pivot_torque(case, (body, pivot), &own) / inertia, symbol)
 }
 

@@ -1,6 +1,6 @@
 //! What is given and what is sought.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::report::{BodyRow, Identify, QuantityRow, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
@@ -32,7 +32,7 @@ pub(super) fn of(study: &Study, names: &Names, case: &Case) -> Result<Identify, 
         bodies: bodies(study, names)?,
         parameters: parameters(study, names)?,
         initial: initial(study, names, case),
-        sought: sought(study, names),
+        sought: sought(study),
     })
 }
 
@@ -55,7 +55,7 @@ fn bodies(study: &Study, names: &Names) -> Result<Vec<BodyRow>, CaseError> {
         rows.iter_mut().for_each(|(row, _)| drop(row.properties.drain(1..3)));
     }
     let named = |(row, names): (BodyRow, Vec<String>)| BodyRow {
-        name: alike::listed(&names).into(),
+        name: alike::listed(&names.iter().map(|name| symbols::bare(name)).collect::<Vec<_>>()).into(),
         shape: if names.len() > 1 { Text::from("each ").and(row.shape) } else { row.shape },
         properties: row.properties,
     };
@@ -125,18 +125,21 @@ fn shape(body: &Body) -> String {
 fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseError> {
     let all = study.model.parameters.formulas();
     all.map(|(symbol, formula)| {
-        let value = study.number(&symbol.clone().into())?;
+        let (value, unit) = read(study.number(&symbol.clone().into())?, unit_of(study, symbol));
         let found = QuantityRow {
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
-            unit: unit_of(study, symbol),
+            unit,
             ..QuantityRow::default()
         };
-        Ok(match swept(study, &symbol.name) {
+        let found = match swept(study, &symbol.name) {
             Some(values) => QuantityRow { value: values, unit: String::new(), ..found },
             None if formula.symbols().is_empty() => found,
             None => found.by(names.written(formula)),
-        })
+        };
+        // Its value is that of one run.
+        let varies = found.formula.is_some() && depends_on_swept(study, symbol);
+        Ok(if varies { QuantityRow { value: Text::default(), unit: String::new(), ..found } } else { found })
     })
     .collect()
 }
@@ -157,6 +160,24 @@ fn swept(study: &Study, parameter: &str) -> Option<Text> {
     Some(all.join(", ").into())
 }
 
+/// Whether a parameter is computed from one that is swept.
+fn depends_on_swept(study: &Study, parameter: &Symbol) -> bool {
+    let all: HashMap<&Symbol, &Expr> = study.model.parameters.formulas().collect();
+    let mut open = vec![parameter.clone()];
+    while let Some(symbol) = open.pop() {
+        if swept(study, &symbol.name).is_some() {
+            return true;
+        }
+        open.extend(all.get(&symbol).into_iter().flat_map(|formula| formula.symbols()));
+    }
+    false
+}
+
+/// Angles are read in degrees.
+fn read(value: f64, unit: String) -> (f64, String) {
+    if unit == "rad" { (value.to_degrees(), "deg".to_owned()) } else { (value, unit) }
+}
+
 /// Nothing for a pure number.
 fn unit_of(study: &Study, parameter: &Symbol) -> String {
     let is_angle = study.angles.contains(&*parameter.name);
@@ -169,7 +190,15 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
 /// The states just before anything happens: positions and velocities as vectors, and of many bodies what is not zero.
 fn initial(study: &Study, names: &Names, case: &Case) -> Vec<QuantityRow> {
     let run = &case.run;
-    let states = run.equations.states(&run.equations.idle_mode());
+    let mut states = run.equations.states(&run.equations.idle_mode());
+    let points =
+        study.model.bodies.iter().filter(|body| is_identically_zero(&body.mass_properties().inertia));
+    let turning: Vec<Symbol> = points
+        .map(|body| body.kinematics())
+        .flat_map(|own| [own.angle_symbol(), own.omega_symbol()])
+        .collect();
+    // A point does not turn.
+    states.retain(|state| !turning.contains(state));
     let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
     let values = run.observe(&formulas).ok().and_then(|mut observer| observer.at(0.0, Side::Before));
     let values: BTreeMap<&str, f64> =
@@ -213,20 +242,20 @@ fn start(
         None => {
             let words = symbols::words(study, &state.name).unwrap_or_else(|| state.name.to_string());
             let own = value(&state.name);
-            (words, names.label(&state.name).into(), quantity(own, ""), own == 0.0)
+            let shown =
+                if is_angle(state) && state.dimension == Dimension::NONE { own.to_degrees() } else { own };
+            (words, names.label(&state.name).into(), quantity(shown, ""), own == 0.0)
         }
     };
     let (name, symbol, value, is_zero) = found;
-    let unit = unit(state.dimension, is_angle(state));
+    let unit = read(0.0, unit(state.dimension, is_angle(state))).1;
     Some((QuantityRow { name: name.into(), symbol, value, unit, ..QuantityRow::default() }, is_zero))
 }
 
 /// What the scene and its figures ask for.
-fn sought(study: &Study, names: &Names) -> Vec<Text> {
-    let called = |text: &str| {
-        let words = symbols::words(study, text).map_or_else(String::new, |words| words + " ");
-        Text::from(words).and(names.label(text))
-    };
+fn sought(study: &Study) -> Vec<Text> {
+    let all = symbols::all(study);
+    let called = |text: &str| Text::from(symbols::called(study, &all, text));
     let find = |question: &Question| {
         let when = match question.at {
             When::Extreme { which: Extreme::Greatest, .. } => "the greatest ",

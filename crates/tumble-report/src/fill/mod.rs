@@ -19,7 +19,7 @@ mod sweep;
 mod texts;
 mod words;
 
-use crate::report::{Math, Report, Text};
+use crate::report::{Report, Text, Typeset};
 use tumble_scene::Study;
 
 use crate::results::{CaseError, Runs};
@@ -55,7 +55,7 @@ pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {
 /// What stands in the table of bodies the laws do not say again.
 fn say_once(report: &mut Report) {
     let properties = report.identify.bodies.iter().flat_map(|body| &body.properties);
-    let said: Vec<&Math> = properties.filter_map(|property| property.formula.as_ref()).collect();
+    let said: Vec<&Typeset> = properties.filter_map(|property| property.formula.as_ref()).collect();
     let laws = report.model.bodies.iter_mut().flat_map(|body| &mut body.laws);
     laws.for_each(|law| law.definitions.retain(|definition| !said.contains(&&definition.symbol)));
 }

@@ -1,11 +1,11 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use crate::report::{Block, BodyModel, ForceRow, Math, ModelPart, Picture, Text};
+use crate::report::{Block, BodyModel, ForceRow, ModelPart, Picture, Text, Typeset};
 use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
     Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
 };
-use tumble_notation::{Left, Math as Formula, Operator};
+use tumble_notation::{Left, Math, Operator};
 use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
@@ -33,7 +33,7 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     // What the laws have said the equations do not say again.
     let rows = bodies.iter().flat_map(|body| &body.forces).flat_map(|row| row.law.iter().chain(&row.torque));
     let laws = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.definitions);
-    let said: Vec<&Math> = rows.chain(laws.map(|definition| &definition.symbol)).collect();
+    let said: Vec<&Typeset> = rows.chain(laws.map(|definition| &definition.symbol)).collect();
     let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
     equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&&definition.symbol)));
     Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
@@ -63,7 +63,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
         (!model.joints.is_empty(), "Pivots and joints are rigid and have no friction."),
         (
             model.joints.iter().any(|joint| joint.from.is_some()),
-            "What joins bodies on the way does so in no time: an impact without rebound.",
+            "Bodies that are joined on the way are joined in an instant, by an impact without rebound.",
         ),
         (
             !model.surfaces.is_empty() && !is_rough,
@@ -87,7 +87,7 @@ fn one(study: &Study, names: &Names, [case, drawn]: [&Case; 2], kind: &Kind) -> 
     let body = kind.shown;
     let names = &names.of_body(body);
     Ok(BodyModel {
-        name: kind.name(study).into(),
+        name: Text::from(kind.name(study)).capitalised(),
         diagrams: diagrams(study, drawn, body)?,
         forces: forces(study, names, case, body),
         laws: vec![laws(study, names, case, body)],
@@ -159,22 +159,21 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
 fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
     let kinematics =
         study.model.bodies[study.model.body_index(&applied.body).unwrap_or_default()].kinematics();
-    let name = format!("impulse {}, when “{}” happens", spoken(&applied.name), spoken(&applied.when));
+    let name =
+        format!("impulse of {}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
     let symbol = symbols::impulse(symbols::last(&applied.name));
-    let stated = |left: &str, right: Written| names.stated(Formula::symbol(left), &right, &applied.name);
+    let stated = |left: &str, right: Written| names.stated(Math::symbol(left), &right, &applied.name);
     let (law, point, torque) = match &applied.application {
-        Application::Torque(couple) => (
-            stated(&symbol, Written::Scalar(couple.clone())),
-            "no point of its own",
-            vec![math(&Formula::symbol(&symbol))],
-        ),
+        Application::Torque(couple) => {
+            (stated(&symbol, Written::Scalar(couple.clone())), "", vec![math(&Math::symbol(&symbol))])
+        }
         Application::Force { at, force, frame } => {
             let turned =
                 if *frame == Frame::Body { rotated(force, &kinematics.angle()) } else { force.clone() };
             let arm = Written::named(&symbols::arm(&symbol), Written::Vector(at.arm(&kinematics)));
             let acts = Written::named(&symbol, Written::Vector(turned.clone()));
             let torque =
-                names.stated(Formula::symbol(&symbols::torque(&symbol)), &arm.cross(acts), &applied.name);
+                names.stated(Math::symbol(&symbols::torque(&symbol)), &arm.cross(acts), &applied.name);
             (
                 stated(&symbol, Written::Vector(turned)),
                 "its point of action",
@@ -182,7 +181,7 @@ fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
             )
         }
     };
-    ForceRow { name: name.into(), symbol: math(&Formula::symbol(&symbol)), law, point: point.into(), torque }
+    ForceRow { name: name.into(), symbol: math(&Math::symbol(&symbol)), law, point: point.into(), torque }
 }
 
 fn loads_of(terms: &[Term], body: usize) -> Vec<String> {
@@ -241,7 +240,7 @@ fn law(
     term: &Term,
     stated: Option<&Statement>,
     symbol: &str,
-) -> Vec<Math> {
+) -> Vec<Typeset> {
     let said = stated.and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
     let is_of = |pair: &&Pair| pair.name == symbols::rubbed(&term.load);
     let touches = matches!(term.law, Law::Contact | Law::Friction | Law::Rolling);
@@ -264,7 +263,7 @@ fn law(
         return vec![math(&names.vector(vector))];
     }
     let names = if term.law == Law::Weight { &names.with_mass() } else { names };
-    let mut lines = names.stated(Formula::symbol(symbol), &right, &term.load);
+    let mut lines = names.stated(Math::symbol(symbol), &right, &term.load);
     // The table of bodies says it.
     lines.retain(|line| !line.text.starts_with(&format!("{MASS} = ")));
     lines
@@ -277,17 +276,16 @@ fn contact(
     term: &Term,
     said: Option<&Written>,
     (symbol, is_on_other): (&str, bool),
-) -> Vec<Math> {
+) -> Vec<Typeset> {
     let letter = if term.law == Law::Friction { "t" } else { "n" };
-    let acts = Formula::Product(vec![Formula::symbol(symbol), Formula::symbol(letter)]);
-    let acts =
-        if is_on_other { Formula::Row(vec![Formula::Operator(Operator::Negative), acts]) } else { acts };
+    let acts = Math::Product(vec![Math::symbol(symbol), Math::symbol(letter)]);
+    let acts = if is_on_other { Math::Row(vec![Math::Operator(Operator::Negative), acts]) } else { acts };
     if term.law == Law::Rolling {
         return resistance(names, pair, (symbol, is_on_other));
     }
     let Some(said) = said else { return vec![math(&acts)] };
     let mut lines = names.stated(acts.clone(), said, &term.load);
-    if pair.law.is_rigid() || is_on_other {
+    if pair.law.is_rigid() || is_on_other || term.law == Law::Friction {
         // It says that it is along a direction, and no more; how strongly is said for the first body.
         lines[0] = math(&acts);
     }
@@ -297,29 +295,30 @@ fn contact(
 }
 
 /// Friction while it slips with the rate s, and its bound while it does not.
-fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec<Math> {
+fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec<Typeset> {
     let slip = Symbol::new("s", tumble_expr::Dimension::SPEED);
     let way = Expr::unary(Unary::Sign, slip.into());
     let normal: Expr = pair.force_symbol().into();
     let slips = names.equation(symbol, &-(&friction.kinetic * &normal * way));
-    let own = Formula::Bars(Box::new(Formula::symbol(symbol)));
+    let own = Math::Bars(Box::new(Math::symbol(symbol)));
     let holds = names.relation(own, Operator::LessEqual, &(&friction.of_rest * &normal));
-    vec![slips, words("while it slips with the speed s"), holds, words("while it sticks")]
+    let with_speed = Math::Row(vec![Math::Text("while it slips at\u{a0}".to_owned()), Math::symbol("s")]);
+    vec![slips, math(&with_speed), holds, words("while it sticks")]
 }
 
 /// The couple against rolling while it turns with the rate omega against the other, and its bound while it does not.
-fn resistance(names: &Names, pair: &Pair, (symbol, is_on_other): (&str, bool)) -> Vec<Math> {
+fn resistance(names: &Names, pair: &Pair, (symbol, is_on_other): (&str, bool)) -> Vec<Typeset> {
     let Some(length) = pair.friction.as_ref().and_then(|friction| friction.rolling.as_ref()) else {
         return vec![];
     };
-    let own = Formula::symbol(symbol);
+    let own = Math::symbol(symbol);
     if is_on_other {
-        return vec![math(&Formula::Row(vec![Formula::Operator(Operator::Negative), own]))];
+        return vec![math(&Math::Row(vec![Math::Operator(Operator::Negative), own]))];
     }
     let turning = Symbol::new("omega", tumble_expr::Dimension::ANGULAR_RATE);
     let most = length * Expr::from(pair.force_symbol());
     let turns = names.equation(symbol, &-(&most * Expr::unary(Unary::Sign, turning.into())));
-    let holds = names.relation(Formula::Bars(Box::new(own.clone())), Operator::LessEqual, &most);
+    let holds = names.relation(Math::Bars(Box::new(own.clone())), Operator::LessEqual, &most);
     vec![
         math(&own),
         turns,
@@ -347,23 +346,23 @@ fn is_on_other(equations: &Equations, term: &Term) -> bool {
 }
 
 /// A symbol, or its opposite.
-fn signed(symbol: &str, is_opposite: bool) -> Formula {
-    let symbol = Formula::symbol(symbol);
+fn signed(symbol: &str, is_opposite: bool) -> Math {
+    let symbol = Math::symbol(symbol);
     match is_opposite {
-        true => Formula::Row(vec![Formula::Operator(Operator::Negative), symbol]),
+        true => Math::Row(vec![Math::Operator(Operator::Negative), symbol]),
         false => symbol,
     }
 }
 
 /// The torque about the centre of mass: as the law says it, by its formula if that is short, or as arm and force.
-fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &str) -> Vec<Math> {
+fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &str) -> Vec<Typeset> {
     let term = terms[0];
-    let own = Formula::symbol(&symbols::torque(symbol));
+    let own = Math::symbol(&symbols::torque(symbol));
     if let Some(Statement { force: Some(_), torque: Some(torque), .. }) = stated {
         return names.stated(own, torque, &term.load).into_iter().take(1).collect();
     }
     if term.law.is_couple() {
-        return vec![math(&Formula::symbol(symbol))];
+        return vec![math(&Math::symbol(symbol))];
     }
     let has_arm = !term.arm.components().iter().all(is_identically_zero);
     if !has_arm {
@@ -377,7 +376,7 @@ fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &s
                 return vec![formula];
             }
             let arm = Written::Vector(term.arm.clone());
-            let arm = names.stated(Formula::symbol(&symbols::arm(symbol)), &arm, &term.load);
+            let arm = names.stated(Math::symbol(&symbols::arm(symbol)), &arm, &term.load);
             return [vec![names.equation(&symbols::torque(symbol), &term.torque())], arm].concat();
         }
     }
@@ -428,7 +427,7 @@ fn name_of(study: &Study, equations: &Equations, term: &Term) -> String {
         (Law::Contact, Some(pair)) => super::words::contact(study, pair, term.body),
         (Law::Friction, Some(_)) => "friction".to_owned(),
         (Law::Rolling, Some(_)) => "rolling resistance".to_owned(),
-        (Law::Reaction, _) => format!("reaction of {}", term.load),
+        (Law::Reaction, _) => format!("reaction of {}", symbols::joint(&term.load)),
         _ => spoken(&term.load),
     }
 }
@@ -450,7 +449,7 @@ fn point(equations: &Equations, term: &Term) -> String {
         (_, Some((name, _))) if equations.model().bodies.len() == 1 => symbols::the(name),
         (_, Some((name, _))) => format!("{} of {}", symbols::the(name), symbols::the(&body.name)),
         (Law::Contact | Law::Friction, None) => "the point of contact".to_owned(),
-        (Law::Reaction, None) => term.load.clone(),
+        (Law::Reaction, None) => symbols::joint(&term.load),
         _ => "its point of action".to_owned(),
     }
 }
@@ -486,8 +485,7 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     });
     let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);
     let [ax, ay] = kinematics.acceleration_symbols();
-    let left =
-        |factor: &Expr, symbol: &Symbol| Left::times(factor, Formula::symbol(names.shown(&symbol.name)));
+    let left = |factor: &Expr, symbol: &Symbol| Left::times(factor, Math::symbol(names.shown(&symbol.name)));
     let (m, inertia) = (&names.mass(&mass.mass), &mass.inertia);
     // The right sides are accelerations: the factor of the left side is multiplied on.
     let mut lines = vec![(left(m, &ax), component(0) / m), (left(m, &ay), component(1) / m)];

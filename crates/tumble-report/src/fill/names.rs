@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::report::{Block, Definition, Math, Text};
+use crate::report::{Block, Definition, Text, Typeset};
 use tumble_drawing::Label;
+use tumble_expr::language::Formula;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
 use tumble_mech::Gravity;
-use tumble_notation::{Left, Notation, Operator, Shown};
+use tumble_notation::{Left, Notation, Operator, Shown, as_written};
 use tumble_scene::Study;
 
 use crate::figures::symbols;
@@ -118,7 +119,7 @@ impl Names {
     }
 
     /// What a law says, first, and then what the names in it stand for.
-    pub(crate) fn stated(&self, left: tumble_notation::Math, right: &Written, load: &str) -> Vec<Math> {
+    pub(crate) fn stated(&self, left: tumble_notation::Math, right: &Written, load: &str) -> Vec<Typeset> {
         match self.notation.stated(left, right, &|name| self.of_law(name, load)) {
             Ok(lines) => lines.iter().map(math).collect(),
             Err(error) => vec![words(&error.to_string())],
@@ -135,17 +136,27 @@ impl Names {
     }
 
     /// A formula on one line, whatever its length.
-    pub(crate) fn formula(&self, formula: &Expr) -> Math {
+    pub(crate) fn formula(&self, formula: &Expr) -> Typeset {
         on_one_line(&self.notation, formula)
     }
 
     /// A formula on one line, as it was written: no name of a body's is in it.
-    pub(crate) fn written(&self, formula: &Expr) -> Math {
+    pub(crate) fn written(&self, formula: &Expr) -> Typeset {
         on_one_line(&self.plain, formula)
     }
 
+    /// A formula of the scene as its text has it; what has no symbol stands in words.
+    pub(crate) fn as_written(&self, study: &Study, formula: &Formula) -> Typeset {
+        let symbol = |name: &str| match self.symbols.get(name) {
+            Some(shown) => tumble_notation::Math::symbol(shown),
+            None if name.contains('.') => tumble_notation::Math::Text(symbols::in_words(study, name)),
+            None => tumble_notation::Math::symbol(name),
+        };
+        math(&as_written(formula, &symbol))
+    }
+
     /// What a symbol stands for, on one line: no name of its own making is in it.
-    pub(crate) fn equation(&self, left: &str, right: &Expr) -> Math {
+    pub(crate) fn equation(&self, left: &str, right: &Expr) -> Typeset {
         let left = Left::symbol(tumble_notation::Math::symbol(left));
         match self.plain.clone().without_automatic_names().equation(left, right) {
             Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
@@ -165,7 +176,7 @@ impl Names {
     }
 
     /// A relation of something to a formula, on one line as it was written.
-    pub(crate) fn relation(&self, left: tumble_notation::Math, operator: Operator, right: &Expr) -> Math {
+    pub(crate) fn relation(&self, left: tumble_notation::Math, operator: Operator, right: &Expr) -> Typeset {
         match self.plain.clone().without_automatic_names().formula(right) {
             Ok(shown) => {
                 let right = shown.lines.into_iter().map(|line| line.right);
@@ -194,7 +205,7 @@ impl Names {
     }
 }
 
-fn on_one_line(notation: &Notation, formula: &Expr) -> Math {
+fn on_one_line(notation: &Notation, formula: &Expr) -> Typeset {
     match notation.clone().without_automatic_names().formula(formula) {
         Ok(shown) => shown.lines.first().map(|line| math(&line.math())).unwrap_or_default(),
         Err(error) => words(&error.to_string()),
@@ -216,13 +227,13 @@ fn block(title: Text, shown: Result<Shown, tumble_notation::MathError>) -> Block
 }
 
 /// The same in the notations of a report.
-pub(crate) fn math(formula: &tumble_notation::Math) -> Math {
+pub(crate) fn math(formula: &tumble_notation::Math) -> Typeset {
     formula.into()
 }
 
 /// Words in the place of a formula: they are no mathematics, and their lines break as those of words do.
-pub(crate) fn words(words: &str) -> Math {
-    Math::words(words)
+pub(crate) fn words(words: &str) -> Typeset {
+    Typeset::words(words)
 }
 
 /// A value with its unit.

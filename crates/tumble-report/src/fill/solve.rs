@@ -1,16 +1,17 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
-use crate::report::{Block, Column, Definition, Math, Phase, Solve, Table, Text};
+use crate::report::{Block, Column, Definition, Phase, Solve, Table, Text, Typeset};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
-use tumble_mech::{Mode, Parameters, Record, Run};
-use tumble_notation::{ClosedForm, Left, Math as Formula, Operator, integrate_twice, polynomial_in};
+use tumble_mech::{Divergence, Horizon, Mode, Parameters, Record, Run};
+use tumble_notation::{ClosedForm, Left, Math, Operator, integrate_twice, polynomial_in};
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
 
 use super::names::{Names, math, quantity};
 use super::sweep;
 use super::words;
+use crate::figures::case_label;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::digits::Held;
@@ -79,8 +80,15 @@ fn method(cases: &[&Case]) -> Vec<(Text, Text)> {
     let mut rows = vec![("Method".into(), "Taylor series, each step checked against the equations".into())];
     for case in cases {
         let horizon = case.trust.as_ref().and_then(|trust| trust.horizon.as_ref());
-        let ends = |reason: String| (of_run("Verified digits end because", cases, case), reason.into());
-        rows.extend(horizon.map(|horizon| ends(horizon.reason.to_string())));
+        let ends = |horizon: &Horizon| match horizon.reason {
+            Divergence::Events { .. } => {
+                let from = Text::from("from ").and(quantity(horizon.time, "s"));
+                from.and(" on other events happen in the check run, or in another order")
+            }
+            _ => horizon.reason.to_string().into(),
+        };
+        let why = || of_run("Verified digits end because", cases, case);
+        rows.extend(horizon.map(|horizon| (why(), ends(horizon))));
         let stopped = |reason: String| (of_run("Stopped", cases, case), reason.into());
         rows.extend(case.refusal.as_ref().map(|refusal| stopped(refusal.to_string())));
     }
@@ -105,7 +113,7 @@ fn how(cases: &[&Case]) -> Table {
         let held = case.trust.as_ref().map(|trust| Held::of(trust).words());
         let points = case.run.quadrature.as_ref().map(|found| found.nodes.to_string());
         vec![
-            case.label.as_str().into(),
+            case_label(case).into(),
             quantity(case.accuracy.value(), ""),
             case.run.order().to_string().into(),
             work.steps.to_string().into(),
@@ -121,16 +129,20 @@ fn how(cases: &[&Case]) -> Table {
 
 /// What is told of one run, with its label where there are several.
 fn of_run(what: &str, cases: &[&Case], case: &Case) -> Text {
-    if cases.len() > 1 { format!("{what}, {}", case.label).into() } else { what.into() }
+    if cases.len() > 1 { labelled(what, case) } else { what.into() }
+}
+
+fn labelled(what: &str, case: &Case) -> Text {
+    if case.label.is_empty() { what.into() } else { Text::from(format!("{what}, ")).and(case_label(case)) }
 }
 
 /// A row an event.
 fn events(study: &Study, case: &Case) -> Table {
-    let caption = if case.label.is_empty() { "Events".to_owned() } else { format!("Events, {}", case.label) };
+    let caption = labelled("Events", case);
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
     let row = |event: &Event<Record>| {
-        let what = words::event(study, &case.run.equations, &event.record);
+        let what = words::event(study, &case.run.equations, event);
         vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
     let mut table = Table::new(caption, columns);
@@ -300,12 +312,12 @@ fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
 fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Result<Phase, CaseError> {
     let Stretch { mode, begins, elapsed, coordinates, motions } = stretch;
     let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
-    let mut numbers: Vec<Math> = vec![];
+    let mut numbers: Vec<Typeset> = vec![];
     for (coordinate, motion) in coordinates.iter().zip(motions) {
         for (symbol, formula) in
             [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)]
         {
-            let left = Left::symbol(Formula::symbol(names.shown(&symbol.name)));
+            let left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
             lines[coordinate.body].push((left, formula.clone()));
             numbers.push(with_numbers(study, names, symbol, formula, elapsed)?);
         }
@@ -336,10 +348,10 @@ fn with_numbers(
     symbol: &Symbol,
     formula: &Expr,
     elapsed: &Symbol,
-) -> Result<Math, CaseError> {
+) -> Result<Typeset, CaseError> {
     let coefficients = polynomial_in(formula, elapsed).unwrap_or_default();
-    let time = Formula::symbol(&elapsed.name);
-    let mut parts = vec![names.notation().symbol(&symbol.name), Formula::Operator(Operator::Equals)];
+    let time = Math::symbol(&elapsed.name);
+    let mut parts = vec![names.notation().symbol(&symbol.name), Math::Operator(Operator::Equals)];
     for (degree, coefficient) in coefficients.iter().enumerate() {
         let value = study.number(coefficient)?;
         if value == 0.0 {
@@ -347,36 +359,34 @@ fn with_numbers(
         }
         let is_first = parts.len() == 2;
         parts.extend(match (is_first, value < 0.0) {
-            (true, true) => Some(Formula::Operator(Operator::Negative)),
+            (true, true) => Some(Math::Operator(Operator::Negative)),
             (true, false) => None,
-            (false, true) => Some(Formula::Operator(Operator::Minus)),
-            (false, false) => Some(Formula::Operator(Operator::Plus)),
+            (false, true) => Some(Math::Operator(Operator::Minus)),
+            (false, false) => Some(Math::Operator(Operator::Plus)),
         });
-        let number = Formula::Number(Label::number(value.abs(), DIGITS).to_plain());
+        let number = Math::Number(Label::number(value.abs(), DIGITS).to_plain());
         let unit = unit(coefficient.dimension().unwrap_or(symbol.dimension), is_angle(symbol));
         let power = match degree {
             0 => None,
             1 => Some(time.clone()),
-            _ => Some(Formula::Power(Box::new(time.clone()), Box::new(Formula::Number(degree.to_string())))),
+            _ => Some(Math::Power(Box::new(time.clone()), Box::new(Math::Number(degree.to_string())))),
         };
-        let quantity = Formula::Product([number].into_iter().chain(in_unit(&unit)).collect());
+        let quantity = Math::Product([number].into_iter().chain(in_unit(&unit)).collect());
         parts.push(match power {
-            Some(power) if !unit.is_empty() => {
-                Formula::Product(vec![Formula::Brackets(Box::new(quantity)), power])
-            }
-            Some(power) => Formula::Product(vec![quantity, power]),
+            Some(power) if !unit.is_empty() => Math::Product(vec![Math::Brackets(Box::new(quantity)), power]),
+            Some(power) => Math::Product(vec![quantity, power]),
             None => quantity,
         });
     }
     if parts.len() == 2 {
-        parts.push(Formula::Number("0".to_owned()));
+        parts.push(Math::Number("0".to_owned()));
     }
-    Ok(math(&Formula::Row(parts)))
+    Ok(math(&Math::Row(parts)))
 }
 
 /// `m/s²` as it is printed; nothing for a pure number.
-fn in_unit(unit: &str) -> Option<Formula> {
-    (!unit.is_empty()).then(|| Formula::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")))
+fn in_unit(unit: &str) -> Option<Math> {
+    (!unit.is_empty()).then(|| Math::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")))
 }
 
 #[cfg(test)]

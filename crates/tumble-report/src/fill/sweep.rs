@@ -87,7 +87,7 @@ fn word(which: Extreme) -> &'static str {
 fn place_words(place: &Place, unit: &str) -> Text {
     let at = place.best.at;
     let Some([low, high]) = place.between else {
-        return quantity(at, unit).and(", where the runs end");
+        return quantity(at, unit).and(", an end of the sweep");
     };
     if place.made == 0 {
         let between = Text::from(", between its neighbours ").and(quantity(low, unit)).and(" and ");

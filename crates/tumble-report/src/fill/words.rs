@@ -2,6 +2,7 @@
 
 use tumble_expr::is_identically_zero;
 use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Pair, Record};
+use tumble_ode::Event;
 use tumble_scene::Study;
 
 use crate::figures::symbols;
@@ -10,9 +11,11 @@ use crate::figures::symbols;
 const MOST_GROUPS: usize = 3;
 /// More contacts of one group than these are counted.
 const MOST_NAMED: usize = 4;
+/// More groups than these that change at one instant are counted, where bodies meet each other.
+const MOST_CHANGES: usize = 5;
 
 /// What a contact does, of one point and of several.
-type Verb = [&'static str; 2];
+type Verb = [String; 2];
 
 /// What touches and what acts while a mode lasts.
 pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String {
@@ -24,13 +27,17 @@ pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String 
     let joints = study.model.joints.iter().enumerate();
     let changing = joints.filter(|(_, joint)| joint.from.is_some() || joint.until.is_some());
     let joined = changing.map(|(index, joint)| match equations.holds(mode, index) {
-        true => format!("{} holds", symbols::the(&joint.name)),
-        false => format!("without {}", symbols::the(&joint.name)),
+        true => format!("{} holds", symbols::joint(&joint.name)),
+        false => format!("without {}", symbols::joint(&joint.name)),
     });
     let changed =
         mode.changes.iter().map(|event| format!("after {}", spoken(&study.model.events[*event].name)));
-    let all: Vec<String> =
-        contacts(study, equations, mode).into_iter().chain(joined).chain(acting).chain(changed).collect();
+    let held = mode.brakes.iter().filter(|(_, grip)| *grip == Grip::Sticks);
+    let held = held.map(|(brake, _)| {
+        format!("{} holds, its sign between \u{2212}1 and 1", symbols::the(equations.brake_name(*brake)))
+    });
+    let touching = contacts(study, equations, mode).into_iter();
+    let all: Vec<String> = touching.chain(joined).chain(acting).chain(changed).chain(held).collect();
     match (all.is_empty(), equations.pairs().is_empty()) {
         (false, _) => all.join(", "),
         (true, false) => "nothing touches".to_owned(),
@@ -49,11 +56,11 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     if groups.len() > MOST_GROUPS {
         return counted(&groups);
     }
-    groups.iter().map(|(verb, to, points)| group(*verb, to, points)).collect()
+    groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect()
 }
 
 /// `the tail and the tip press on the floor`
-fn group(verb: Verb, to: &str, points: &[String]) -> String {
+fn group(verb: &Verb, to: &str, points: &[String]) -> String {
     match points {
         [only] => format!("{only} {} {to}", verb[0]),
         many if many.len() > MOST_NAMED => format!("{} points {} {to}", many.len(), verb[1]),
@@ -66,7 +73,7 @@ fn group(verb: Verb, to: &str, points: &[String]) -> String {
 fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = vec![];
     for ([_, several], _, points) in groups {
-        let word = several.split(' ').next().unwrap_or(several);
+        let word = several.split(' ').next().unwrap_or_default();
         match counts.iter_mut().find(|(known, _)| *known == word) {
             Some((_, count)) => *count += points.len(),
             None => counts.push((word, points.len())),
@@ -88,20 +95,17 @@ fn grip(equations: &Equations, mode: &Mode, pair: usize) -> Option<Grip> {
 }
 
 fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
-    match (contact_mode, grip) {
-        (ContactMode::Pressed, _) => ["presses on", "press on"],
+    let verb = match (contact_mode, grip) {
+        (ContactMode::Pressed, None) => ["presses on", "press on"],
         (ContactMode::Released, _) => ["is let go by", "are let go by"],
         (ContactMode::Settling, _) => ["settles on", "settle on"],
-        (ContactMode::Resting, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => {
-            ["rolls on", "roll on"]
-        }
-        (ContactMode::Resting, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
-        (ContactMode::Resting, Some(Grip::Slides(_))) => ["slides on", "slide on"],
-        (ContactMode::Resting, Some(Grip::Strains(_))) => {
-            ["is on the point of sliding on", "are on the point of sliding on"]
-        }
-        (ContactMode::Resting | ContactMode::Idle, _) => ["touches", "touch"],
-    }
+        (ContactMode::Resting, None) | (ContactMode::Idle, _) => ["touches", "touch"],
+        (_, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => ["rolls on", "roll on"],
+        (_, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
+        (_, Some(Grip::Slides(_))) => ["slides on", "slide on"],
+        (_, Some(Grip::Strains(_))) => ["is on the point of sliding on", "are on the point of sliding on"],
+    };
+    verb.map(str::to_owned)
 }
 
 fn is_round(pair: &Pair) -> bool {
@@ -138,20 +142,63 @@ pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
 }
 
 /// All that happens at an instant; points that do the same are told together.
-pub(super) fn event(study: &Study, equations: &Equations, record: &Record) -> String {
-    let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
-    let mut others: Vec<String> = vec![];
-    for one in &record.happened {
+pub(super) fn event(study: &Study, equations: &Equations, event: &Event<Record>) -> String {
+    let mut changed: Vec<(usize, Vec<Change>)> = vec![];
+    let mut told: Vec<String> = vec![];
+    for one in &event.record.happened {
         match *one {
-            Happening::Contact { pair, change } => {
-                let pair = &equations.pairs()[pair];
-                add(&mut groups, (changes(change), against(study, pair)), point(study, pair));
-            }
-            _ => others.push(happening(study, equations, one)),
+            Happening::Contact { pair, change } => match changed.iter_mut().find(|(of, _)| *of == pair) {
+                Some((_, changes)) => changes.push(change),
+                None => changed.push((pair, vec![change])),
+            },
+            _ => told.push(happening(study, equations, one)),
         }
     }
-    let contacts = groups.iter().map(|(verb, to, points)| group(*verb, to, points));
-    others.into_iter().chain(contacts).collect::<Vec<_>>().join(", ")
+    let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
+    for (pair, changes) in changed {
+        let pair = &equations.pairs()[pair];
+        add(&mut groups, (all_of(&changes, event.time == 0.0), against(study, pair)), point(study, pair));
+    }
+    told.extend(match groups.len() > MOST_CHANGES {
+        true => pairs_of_bodies(&groups),
+        false => groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect(),
+    });
+    told.join(", ")
+}
+
+/// `the cue strikes b1, 30 pairs of bodies strike and leave each other`
+fn pairs_of_bodies(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
+    let mut kinds: Vec<(&Verb, usize, String)> = vec![];
+    for (verb, to, points) in groups {
+        match kinds.iter_mut().find(|(known, ..)| *known == verb) {
+            Some((_, count, _)) => *count += points.len(),
+            None => kinds.push((verb, points.len(), group(verb, to, points))),
+        }
+    }
+    let one = |(verb, count, only): (&Verb, usize, String)| match count {
+        1 => only,
+        _ => format!("{count} pairs of bodies {} each other", verb[1]),
+    };
+    kinds.into_iter().map(one).collect()
+}
+
+/// All that one contact does at an instant: `strikes and sticks to`. What holds from then on tells that it touches.
+fn all_of(changes: &[Change], is_start: bool) -> Verb {
+    let lasts = |change: &Change| matches!(change, Change::Slides | Change::Sticks | Change::Rolls);
+    let is_told = |change: &&Change| **change != Change::Start || !changes.iter().any(lasts);
+    let stays = changes.contains(&Change::Impact);
+    let verbs: Vec<[&str; 2]> = changes
+        .iter()
+        .filter(is_told)
+        .map(|change| match change {
+            Change::Start if stays => ["stays on", "stay on"],
+            Change::Start if is_start => ["touches", "touch"],
+            Change::Slides if is_start => ["slides on", "slide on"],
+            Change::Rolls if is_start => ["rolls on", "roll on"],
+            other => changes_to(*other),
+        })
+        .collect();
+    [0, 1].map(|number| verbs.iter().map(|verb| verb[number]).collect::<Vec<_>>().join(" and "))
 }
 
 /// One more point that does this to that.
@@ -170,17 +217,23 @@ fn happening(study: &Study, equations: &Equations, happening: &Happening) -> Str
             format!("{load} {}", if ends { "ends" } else { "begins" })
         }
         Happening::Joint { joint, holds } => {
-            let joint = symbols::the(&study.model.joints[joint].name);
+            let joint = symbols::joint(&study.model.joints[joint].name);
             format!("{joint} {}", if holds { "begins to hold" } else { "lets go" })
         }
-        Happening::Impulse(impulse) => format!("impulse {}", spoken(&study.model.impulses[impulse].name)),
+        Happening::Impulse(impulse) => {
+            format!("{} gives its impulse", symbols::the(&study.model.impulses[impulse].name))
+        }
         Happening::Contact { pair, .. } => equations.pairs()[pair].name.clone(),
+        Happening::Brake { brake, sticks } => {
+            let load = symbols::the(equations.brake_name(brake));
+            format!("{load} {}", if sticks { "begins to hold" } else { "gives way" })
+        }
         Happening::Rest => "all is at rest".to_owned(),
         Happening::Singular => "the joints pass a singular configuration".to_owned(),
     }
 }
 
-fn changes(change: Change) -> Verb {
+fn changes_to(change: Change) -> [&'static str; 2] {
     match change {
         Change::Impact => ["strikes", "strike"],
         Change::Zeno => {
@@ -203,7 +256,7 @@ pub(super) fn load(study: &Study, equations: &Equations, name: &str, body: Optio
     let Some(pair) = equations.pairs().iter().find(is_of) else {
         let of = body.filter(|_| study.model.bodies.len() > 1);
         let on = of.map(|body| format!(" on {}", symbols::the(&study.model.bodies[body].name)));
-        return spoken(name) + &on.unwrap_or_default();
+        return symbols::holder(study, name).unwrap_or_else(|| spoken(name)) + &on.unwrap_or_default();
     };
     let friction = if symbols::rubbed(name) == name { "" } else { "friction of " };
     let is_other = pair.other.is_some() && pair.other == body;
@@ -226,18 +279,18 @@ mod tests {
         let folder = all().find(|path| path.to_string_lossy().contains(scene)).expect("a scene");
         let (study, cases) = motions_of(&folder);
         let run = &cases[0].run;
-        run.events().map(|one| event(&study, &run.equations, &one.record)).collect()
+        run.events().map(|one| event(&study, &run.equations, one)).collect()
     }
 
     #[test]
     fn points_that_do_the_same_are_told_together() {
-        assert_eq!(
-            events("16-bench"),
-            ["the left, the middle and the right begin to touch the floor".to_owned()]
-        );
+        assert_eq!(events("16-bench"), ["the left, the middle and the right touch the floor".to_owned()]);
         let falling = events("10-falling-rod");
         assert!(
-            falling.iter().any(|text| text.starts_with("the foot and the head strike the floor")),
+            falling
+                .iter()
+                .any(|text| text
+                    .contains("the foot strikes the floor, the head strikes and stays on the floor")),
             "{falling:?}"
         );
     }

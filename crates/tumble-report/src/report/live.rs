@@ -1,7 +1,9 @@
 //! What a page is sent while it plays: the parts of a report as the page itself has them, and what is to be said, as JSON.
 
-use tumble_drawing::Animation;
-use tumble_scene::{Diagnostic, Diagnostics, Label, Play, Preset, Severity};
+use tumble_drawing::{Animation, Label};
+use tumble_scene::{Diagnostic, Diagnostics, Preset, Severity, Study, Underlined};
+
+use crate::figures::symbols;
 
 use super::json::{list, number, object, string};
 use super::{Report, html};
@@ -46,7 +48,7 @@ fn said_one(all: &Diagnostics, one: &Diagnostic) -> String {
 }
 
 /// Where a label is, in the units that scripts count texts in.
-fn place(text: &str, label: &Label) -> String {
+fn place(text: &str, label: &Underlined) -> String {
     let units = |to: usize| text.get(..to).map_or(0, |before| before.encode_utf16().count());
     object([
         ("from", units(label.span.start).to_string()),
@@ -55,11 +57,25 @@ fn place(text: &str, label: &Label) -> String {
     ])
 }
 
-/// What may be changed.
-pub fn play(play: &Play) -> String {
+/// What may be changed in a scene, with what it is called: by its symbol, or in words.
+pub fn play(study: &Study) -> String {
+    let (play, symbols) = (&study.play, symbols::all(study));
+    let called = |name: &str| match name.split_once(".start.") {
+        Some((body, quantity)) => {
+            let name = format!("{body}.{quantity}");
+            // Of several bodies the symbol says of which.
+            let called = match study.model.bodies.len() {
+                1 => symbols::called(study, &symbols, &name),
+                _ => symbols::label(&symbols, &name),
+            };
+            called.then(Label::plain(" at the start"))
+        }
+        None => symbols::label(&symbols, name),
+    };
     let knob = |knob: &tumble_scene::Knob| {
         object([
             ("name", string(&knob.name)),
+            ("label", html::label(&called(&knob.name))),
             ("text", string(&knob.text)),
             ("value", number(knob.value)),
             ("unit", string(&knob.unit)),

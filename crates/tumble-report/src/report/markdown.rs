@@ -1,7 +1,7 @@
 //! The report as Markdown, with LaTeX between dollar signs and links to figure files.
 
 use super::markup::Markup;
-use super::math::{Block, Definition, Math};
+use super::math::{Block, Definition, Typeset};
 use super::parts::Identify;
 use super::parts::{Analyze, RunAnalysis};
 use super::parts::{BodyModel, ModeEquations, ModelPart};
@@ -78,7 +78,7 @@ impl Markup for Markdown {
         escape(text)
     }
 
-    fn math(formula: &Math) -> String {
+    fn math(formula: &Typeset) -> String {
         math(formula)
     }
 }
@@ -88,18 +88,18 @@ fn text(text: &Text) -> String {
 }
 
 /// LaTeX without what would end the formula or begin HTML.
-fn latex(math: &Math) -> Option<String> {
+fn latex(math: &Typeset) -> Option<String> {
     let latex = math.latex.trim();
     let line = latex.replace(['\n', '\r', '\u{2028}', '\u{2029}'], " ");
     let safe = line.replace('<', "\\lt ").replace('>', "\\gt ");
     (!latex.is_empty() && !latex.contains('$')).then_some(safe)
 }
 
-fn math(math: &Math) -> String {
+fn math(math: &Typeset) -> String {
     latex(math).map_or_else(|| escape(&math.text), |latex| format!("${latex}$"))
 }
 
-fn display(math: &Math) -> String {
+fn display(math: &Typeset) -> String {
     latex(math).map_or_else(|| escape(&math.text), |latex| format!("$$\n{latex}\n$$"))
 }
 
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn formulas_become_latex_and_figures_links() {
         let mut report = Report { title: "A rod".into(), ..Report::default() };
-        let law = Math { latex: "m a = F".into(), text: "m a = F".into(), ..Math::default() };
+        let law = Typeset { latex: "m a = F".into(), text: "m a = F".into(), ..Typeset::default() };
         report.model.modes.push(ModeEquations {
             equations: vec![Block { lines: vec![law.clone()], ..Block::default() }],
             ..ModeEquations::default()
@@ -295,7 +295,7 @@ mod tests {
         assert!(
             !shown.contains('<') && shown.contains("\\[a\\]\\(javascript\\:b\\) \\*\\*c\\*\\* \\$d\\$ \\# e")
         );
-        let breakout = Math { latex: "a$</script>$b".into(), text: "a".into(), ..Math::default() };
+        let breakout = Typeset { latex: "a$</script>$b".into(), text: "a".into(), ..Typeset::default() };
         assert_eq!(math(&breakout), "a");
     }
 }

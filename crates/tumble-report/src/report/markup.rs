@@ -1,6 +1,6 @@
 //! What the forms of a report have in common in writing running text.
 
-use super::math::Math;
+use super::math::Typeset;
 use super::prose::{Piece, Text};
 use tumble_drawing::font::Face;
 use tumble_drawing::text::{Label, Level, Span};
@@ -11,7 +11,7 @@ pub(super) trait Markup {
     fn words(text: &str) -> String;
 
     /// A formula in a line of text.
-    fn math(math: &Math) -> String;
+    fn math(math: &Typeset) -> String;
 
     /// In italics or bold.
     fn faced(face: Face, words: String) -> String {

@@ -28,7 +28,7 @@ mod prose;
 mod rows;
 mod table;
 
-pub use math::{Block, Definition, Math};
+pub use math::{Block, Definition, Typeset};
 pub use parts::{
     Analyze, BalancePart, BodyModel, BodyRow, CheckRow, ForceRow, Identify, ModeEquations, ModelPart, Phase,
     QuantityRow, RunAnalysis, Solve,

@@ -1,6 +1,6 @@
 //! The four moves of a report: what each of its parts holds.
 
-use super::math::{Block, Math};
+use super::math::{Block, Typeset};
 use super::picture::{Chart, Picture};
 use super::prose::Text;
 use super::table::Table;
@@ -49,7 +49,7 @@ pub struct QuantityRow {
     /// Its unit as scenes write it, for instance `kg*m^2`; may be empty.
     pub unit: String,
     /// The formula by which it was computed.
-    pub formula: Option<Math>,
+    pub formula: Option<Typeset>,
     /// Anything else, for instance "given" or where it comes from; may be empty.
     pub note: Text,
 }
@@ -68,7 +68,7 @@ impl QuantityRow {
     }
 
     /// With the formula by which it was computed.
-    pub fn by(mut self, formula: Math) -> Self {
+    pub fn by(mut self, formula: Typeset) -> Self {
         self.formula = Some(formula);
         self
     }
@@ -112,13 +112,13 @@ pub struct ForceRow {
     /// Its name, for instance "weight".
     pub name: Text,
     /// Its symbol.
-    pub symbol: Math,
+    pub symbol: Typeset,
     /// Its law, then what the names in it stand for.
-    pub law: Vec<Math>,
+    pub law: Vec<Typeset>,
     /// Where it acts.
     pub point: Text,
     /// Its torque about the centre of mass, likewise.
-    pub torque: Vec<Math>,
+    pub torque: Vec<Typeset>,
 }
 
 /// The equations of motion while the contacts do not change.

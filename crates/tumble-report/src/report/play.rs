@@ -1,7 +1,5 @@
 //! What a page that plays needs beside the report: the engine, and what it runs.
 
-use tumble_scene::Play;
-
 /// The engine, and the scene that it runs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lab {
@@ -15,8 +13,8 @@ pub struct Lab {
     pub files: Vec<(String, Vec<u8>)>,
     /// What the command line has set.
     pub set: Vec<(String, String)>,
-    /// What may be changed.
-    pub play: Play,
+    /// What may be changed, as [`live::play`](super::live::play) tells the page.
+    pub play: String,
     /// Scenes to begin with, each with what it is.
     pub templates: Vec<(&'static str, &'static str)>,
 }

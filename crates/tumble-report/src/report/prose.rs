@@ -1,6 +1,6 @@
 //! Running text with symbols and formulas in it.
 
-use super::math::Math;
+use super::math::Typeset;
 use tumble_drawing::font::Face;
 use tumble_drawing::text::Label;
 
@@ -12,7 +12,7 @@ pub enum Piece {
     /// A symbol, a quantity or a unit, as figures print it.
     Label(Label),
     /// A formula.
-    Math(Math),
+    Math(Typeset),
 }
 
 /// Running text.
@@ -33,13 +33,13 @@ impl Text {
         Label::symbol(name).into()
     }
 
-    /// The same text with more at its end: words, a [`Label`] or [`Math`].
+    /// The same text with more at its end: words, a [`Label`] or [`Typeset`].
     pub fn and(mut self, more: impl Into<Text>) -> Self {
         self.pieces.extend(more.into().pieces);
         self
     }
 
-    /// With a capital letter, if it begins with a word.
+    /// With a capital letter, if it begins with a word: a name with a number, `b11`, stays as it is.
     #[must_use]
     pub fn capitalised(mut self) -> Self {
         let first = match self.pieces.first_mut() {
@@ -49,7 +49,10 @@ impl Text {
             }
             _ => None,
         };
-        if let Some(words) = first {
+        let is_name = |words: &&mut String| {
+            words.split(' ').next().is_some_and(|word| word.contains(|c: char| c.is_ascii_digit()))
+        };
+        if let Some(words) = first.filter(|words| !is_name(words)) {
             let mut letters = words.chars();
             *words = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
         }
@@ -94,8 +97,8 @@ impl From<Label> for Text {
     }
 }
 
-impl From<Math> for Text {
-    fn from(math: Math) -> Self {
+impl From<Typeset> for Text {
+    fn from(math: Typeset) -> Self {
         Self { pieces: vec![Piece::Math(math)] }
     }
 }

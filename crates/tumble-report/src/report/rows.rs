@@ -1,6 +1,6 @@
 //! What has a form of its own in a report, as plain tables.
 
-use crate::report::math::Math;
+use crate::report::math::Typeset;
 use crate::report::parts::CheckRow;
 use crate::report::parts::ForceRow;
 use crate::report::parts::{BodyRow, QuantityRow};
@@ -41,7 +41,8 @@ pub(super) fn quantities(caption: &str, quantities: &[QuantityRow]) -> Table {
 
 /// Name, symbol, value after what it is computed by, remark.
 fn quantity(quantity: &QuantityRow) -> [Text; 4] {
-    let formula = quantity.formula.as_ref().map(|formula| shown(formula).and(" = "));
+    let equals = if quantity.value.is_empty() { "" } else { " = " };
+    let formula = quantity.formula.as_ref().map(|formula| shown(formula).and(equals));
     [
         quantity.name.clone(),
         quantity.symbol.clone(),
@@ -56,14 +57,14 @@ fn value(quantity: &QuantityRow) -> Text {
     quantity.value.clone().and(space).and(Label::unit(&quantity.unit))
 }
 
-fn shown(math: &Math) -> Text {
+fn shown(math: &Typeset) -> Text {
     math.clone().into()
 }
 
 /// A law with what its names stand for, each on a line of its own.
-fn stated(lines: &[Math]) -> Text {
+fn stated(lines: &[Typeset]) -> Text {
     let between = |index: usize| if index == 1 { "\nwith " } else { "\n" };
-    let add = |text: Text, (index, line): (usize, &Math)| match index {
+    let add = |text: Text, (index, line): (usize, &Typeset)| match index {
         0 => text.and(line.clone()),
         _ => text.and(between(index)).and(line.clone()),
     };

@@ -30,7 +30,9 @@ impl SweptAxis {
                 (name.as_str(), symbol.map_or(Dimension::NONE, |symbol| symbol.dimension))
             }
         };
-        let si = || (unit(dimension, study.angles.contains(name)), 1.0);
+        let is_pure = dimension == Dimension::NONE && !study.angles.contains(name);
+        let own = if is_pure { String::new() } else { unit(dimension, study.angles.contains(name)) };
+        let si = || (own, 1.0);
         let (unit, size) = axis.values.unit().unwrap_or_else(si);
         let value = |value: tumble_scene::SweepValue| Ok(study.number(&value.value)? / size);
         let values = axis.values.iter().map(value).collect::<Result<_, CaseError>>()?;

@@ -128,6 +128,7 @@ fn of_sweep(study: &Study, cases: &[Case]) -> Result<[(String, String); 2], Case
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenes::motions_in;
 
     #[test]
     fn cells_are_quoted_where_a_reader_would_be_misled() {
@@ -136,5 +137,34 @@ mod tests {
         table.numbers(&[0.1 + 0.2, 1e300, f64::NAN]);
         let _ = table.end_row();
         assert_eq!(table.text, "\"a, \"\"b\"\"\n\",0.30000000000000004,1e+300,NaN\n");
+    }
+
+    /// A rod that stands on its tip falls in a direction that nobody knows.
+    #[test]
+    fn tables_say_where_digits_end() {
+        let scene = r#"
+            version = 1
+            [world]
+            gravity = "9.81 m/s^2"
+            [body.rod]
+            rod = { from = [0, 0], to = [0, "1 m"] }
+            mass = "1 kg"
+            points = { foot = [0, 0] }
+            start = { angle = "1e-9 rad" }
+            [pin.hinge]
+            between = ["rod.foot", { world = [0, 0] }]
+            [run]
+            until = "30 s"
+        "#;
+        let (study, cases) = motions_in("rod", scene.as_bytes(), &tumble_scene::NoFiles);
+        let end = cases[0].verified_until();
+        assert!((5.0..25.0).contains(&end), "{end} s");
+        let tables = all(&study, &cases).expect("tables");
+        let (_, motion) = tables.iter().find(|(path, _)| path.ends_with(TRAJECTORY)).expect("a motion");
+        for row in motion.lines().skip(1) {
+            let cells: Vec<&str> = row.split(',').collect();
+            let time: f64 = cells[0].parse().expect("a time");
+            assert_eq!(cells.last(), Some(&verified(time <= end)), "{time} s");
+        }
     }
 }

@@ -2,7 +2,7 @@
 //! events of a name.
 
 use tumble_expr::{Dimension, Vector};
-use tumble_mech::{Application, AppliedImpulse, Frame, Load, Moment, Place};
+use tumble_mech::{Application, AppliedImpulse, Change, Frame, Load, Moment, Place};
 
 use super::{body, each, event_named as event, points};
 use crate::code::Code;
@@ -65,6 +65,8 @@ struct Words {
     what: [&'static str; 2],
     one: [&'static str; 2],
     dimensions: [Dimension; 2],
+    /// What their formulas may depend on.
+    level: Level,
     example: &'static str,
 }
 
@@ -73,6 +75,7 @@ const FORCE: Words = Words {
     what: ["force", "torque"],
     one: ["a force", "a torque"],
     dimensions: [Dimension::FORCE, Dimension::TORQUE],
+    level: Level::Forces,
     example: "add `force = [\"10 N\", 0]` with `at`, or `torque = \"1 N*m\"`",
 };
 
@@ -81,6 +84,7 @@ const IMPULSE: Words = Words {
     what: ["impulse", "angular impulse"],
     one: ["an impulse", "an angular impulse"],
     dimensions: [Dimension::MOMENTUM, ANGULAR_IMPULSE],
+    level: Level::Motion,
     example: "add `impulse = [\"10 N*s\", 0]` with `at`, or `angular_impulse = \"1 N*m*s\"`",
 };
 
@@ -101,7 +105,19 @@ fn load(draft: &mut Draft, field: &Field, table: &mut Table) {
     if during.is_some() {
         draft.names.happenings.extend(["start", "end"].map(|end| format!("{name}.{end}")));
     }
+    if has_signs(&application) {
+        let changes = [Change::Sticks, Change::Slides].map(|change| format!("{name}.{}", change.word()));
+        draft.names.happenings.extend(changes);
+    }
     draft.model.loads.push(Load { name, body, application, during });
+}
+
+/// Whether what it is may stay at a sign that is zero, as dry friction does.
+fn has_signs(application: &Application) -> bool {
+    match application {
+        Application::Torque(torque) => !torque.signs().is_empty(),
+        Application::Force { force, .. } => force.components().iter().any(|part| !part.signs().is_empty()),
+    }
 }
 
 fn impulse(draft: &mut Draft, field: &Field, table: &mut Table) {
@@ -166,7 +182,7 @@ fn pushed(
     table: &mut Table,
     force: &Field,
 ) -> Option<Application> {
-    let force = draft.vector(force, Want::constant(words.dimensions[0]).at(Level::Motion));
+    let force = draft.vector(force, Want::constant(words.dimensions[0]).at(words.level));
     let at = draft.required_like(table, "at", &format!("\"{}.cm\"", on.unwrap_or("rod")));
     let at = at.zip(on).and_then(|(field, on)| {
         draft.remember(format!("place of `{name}`"), &field.span);
@@ -190,7 +206,7 @@ fn turned(draft: &mut Draft, words: &Words, table: &mut Table, torque: &Field) -
             Diagnostic::new(Code::Exclusive, field.key_span, message).label(format!("only for {a_force}"));
         draft.note(mistake.help("a torque without a force turns a body in the same way wherever it acts"));
     }
-    draft.number(torque, Want::constant(words.dimensions[1]).at(Level::Motion)).map(Application::Torque)
+    draft.number(torque, Want::constant(words.dimensions[1]).at(words.level)).map(Application::Torque)
 }
 
 /// `"rod.tip"`, `{ body = [..] }`, `{ world = [..] }` or `{ from_centre = [..] }`.

@@ -5,7 +5,7 @@ use tumble_expr::language::{
 };
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::Parameters;
-use tumble_scene::{Diagnostic, Diagnostics, Label, Severity, Source};
+use tumble_scene::{Diagnostic, Diagnostics, Severity, Source, Underlined};
 
 use super::say::{colour, say, tell, width, wrapped};
 use crate::commands::Ending;
@@ -141,7 +141,7 @@ fn rendered(text: &str, mistakes: Vec<FormulaError>) -> String {
         code: mistake.code.into(),
         message: mistake.message,
         source: 0,
-        labels: mistake.labels.into_iter().map(|(span, text)| Label { span, text }).collect(),
+        labels: mistake.labels.into_iter().map(|(span, text)| Underlined { span, text }).collect(),
         help: mistake.help,
     });
     let sources = vec![Source { name: "the quantity".to_owned(), text: text.to_owned() }];

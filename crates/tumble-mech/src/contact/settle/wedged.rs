@@ -1,6 +1,6 @@
 //! Contacts that slip where no force of the surface, or more than one, would hold the body up: refused by name.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use super::{Settling, Touched};
@@ -14,18 +14,20 @@ use crate::record::Jump;
 const IMMOVABLE: f64 = 1e-12;
 
 impl Settling<'_> {
-    /// Refuses what slips so that friction takes all that a push would move (Painleve).
+    /// Refuses what slips so that friction takes all that a push would move (Painleve), of some contacts that pushes hold.
     pub(super) fn refuse_wedged(
         &self,
+        some: &[usize],
         patches: &[Patch],
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<(), Reason> {
         let slipping = patches.iter().filter_map(|patch| Some((patch, patch.slips?)));
-        let alone = slipping.filter(|(patch, _)| patch.contacts.len() == 1);
+        let alone =
+            slipping.filter(|(patch, _)| matches!(patch.contacts[..], [(only, _)] if some.contains(&only)));
         for (patch, way) in alone {
             let (position, row) = patch.contacts[0];
-            let response = &self.touch.response;
+            let response = self.touch.pushes();
             let (own, by) = (response[(position, position)], response[(position, row)]);
             if own <= IMMOVABLE * response[(row, row)] {
                 return Err(self.immovable(position));
@@ -72,11 +74,43 @@ impl Settling<'_> {
 
     /// How much a push at one of some contacts moves it while the others hold, 1/kg.
     fn yielding(&self, held: &[usize], position: usize, patches: &[Patch], grips: &[Grip]) -> Option<f64> {
-        let across = self.rough(held, patches, self.accelerations()).across(grips)?;
+        let across = self.forces(held, patches).across(grips)?;
         let place = held.iter().position(|known| *known == position)?;
         let mut unit = DVector::zeros(held.len());
         unit[place] = 1.0;
         across.lu().solve(&unit).map(|push| 1.0 / push[place])
+    }
+
+    /// Refuses contacts whose force is fed back by loads that read it so much that it moves nothing away.
+    pub(super) fn refuse_jammed(&self, some: &[usize], mode: &Mode) -> Result<(), Reason> {
+        let part = |position: usize| {
+            self.touch.pushes()[(position, position)] / self.touch.response[(position, position)]
+        };
+        let mut jammed = some.iter().map(|position| (*position, part(*position)));
+        match jammed.find(|(_, left)| *left <= WEDGED) {
+            Some((position, left)) => Err(self.jammed(position, left, mode)),
+            None => Ok(()),
+        }
+    }
+
+    /// Why some contacts have no forces: loads that read them feed back too much of them, or else what nobody knows.
+    pub(super) fn without_forces(&self, some: &[usize], mode: &Mode) -> Reason {
+        let own = |matrix: DMatrix<f64>| match matrix.try_inverse() {
+            Some(inverse) => inverse.diagonal().map(|push| 1.0 / push),
+            None => DVector::zeros(some.len()),
+        };
+        let left = own(self.pushes(some)).component_div(&own(self.response(some)));
+        let least =
+            (0..some.len()).filter(|i| left[*i] <= WEDGED).min_by(|i, j| left[*i].total_cmp(&left[*j]));
+        match least {
+            Some(index) if self.touch.is_fed() => self.jammed(some[index], left[index], mode),
+            _ => self.unsolved("contact"),
+        }
+    }
+
+    fn jammed(&self, position: usize, left: f64, mode: &Mode) -> Reason {
+        let force = self.equations.pairs()[self.touch.pairs[position]].force_symbol();
+        Reason::Model(self.equations.jammed(&force, mode, left))
     }
 
     /// What is held by others so that the surface cannot push it away.

@@ -7,7 +7,7 @@ use super::said::Said;
 use super::seen::Seen;
 use crate::figures::symbols;
 use crate::fill::alike;
-use crate::fill::names::{quantity, quantity_to};
+use crate::fill::names::quantity_to;
 use crate::report::Text;
 use crate::results::CaseError;
 
@@ -53,8 +53,10 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
         Some(last) => value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on"),
         None => {}
     }
+    let comes_to_stay = contacts.len() > 1 && contacts.iter().any(|contact| contact.is_open);
     let already = if there.is_empty() { "" } else { "from the start, and anew " };
-    Some(Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value))
+    let said = Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value);
+    Some(if comes_to_stay { said.leading() } else { said })
 }
 
 /// What the first contact that ends did to the speed of the centre and to the spin.
@@ -127,25 +129,40 @@ fn changes(seen: &Seen<'_>, from: (f64, Side), to: (f64, Side)) -> Result<Option
     Ok(parts.reduce(|all, next| all.and(" and ").and(next)))
 }
 
-/// A contact that has lasted ends, and no other of that point begins at once.
+/// A contact with a surface that has lasted ends: no impact takes the point away, and no other contact of it begins at once.
 pub(super) fn lost(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
     let mut found = vec![];
     let (angle, pairs) = (seen.body.kinematics().angle(), seen.run.equations.pairs());
+    let begins = seen.at(0.0, &angle)?;
     for contact in joined(seen.contacts().into_iter()) {
-        if contact.is_open || contact.end - contact.start < LASTS * seen.end() || contact.end >= seen.end() {
+        let lasts = contact.end - contact.start >= LASTS * seen.end();
+        let pair = &pairs[contact.pair];
+        if contact.is_open || !lasts || contact.end >= seen.end() || pair.other.is_some() {
             continue;
         }
-        let mut names = pairs[contact.pair].name.split('.');
+        if is_struck(seen, contact.end) {
+            continue;
+        }
+        let mut names = pair.name.split('.');
         let (surface, _, point) = (names.next(), names.next(), names.next());
-        let [surface, point] = [surface, point].map(Option::unwrap_or_default);
-        let turned = seen.at(contact.end, &angle)?.to_degrees();
-        let value = seen.event_time(contact.end).and(", when it has turned to ").and(quantity(turned, "deg"));
-        let (point, surface) = (symbols::the(point), symbols::the(surface));
+        let [surface, point] = [surface, point].map(|name| symbols::the(name.unwrap_or_default()));
+        let mut value = seen.event_time(contact.end);
+        if seen.at(contact.end, &angle)? != begins {
+            let turned = seen.known_in(contact.end, &angle, ("deg", f64::to_degrees))?;
+            value = value.and(", when it has turned to ").and(turned);
+        }
         let before =
             format!("{point} of {} leaves {surface}, which presses on it no more, at ", seen.called());
         found.push(Said::new(before, value).leading());
     }
     Ok(found)
+}
+
+/// Whether the body is struck at an instant.
+fn is_struck(seen: &Seen<'_>, time: f64) -> bool {
+    let events = seen.run.events().filter(|event| event.time == time);
+    let mut impulses = events.flat_map(|event| &event.record.impulses);
+    impulses.any(|impulse| impulse.body == seen.index)
 }
 
 /// Contacts of one point that follow on each other at once, such as an impact and the rest that it leads to, as one.

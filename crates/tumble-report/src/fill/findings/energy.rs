@@ -76,8 +76,14 @@ fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
 }
 
 fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
-    let how = if to.kind == Kind::Impact { " by impacts" } else { "" };
-    let (joint, from, body) = (symbols::the(&to.load), called(study, from), called(study, to));
+    let how = if to.kind == Kind::Impact { " in an impact" } else { "" };
+    let (from, body) = (called(study, from), called(study, to));
+    let joint = match to.law {
+        Some(Law::Contact | Law::Friction) => name_of(study, to),
+        _ => symbols::joint(&to.load),
+    };
+    // Its name says that it was one.
+    let how = if joint.contains("impact") { "" } else { how };
     let name = format!("{joint} passes energy from {from} to {body}{how}: ");
     Done { name, body, work: done.work, error: done.error }
 }
@@ -110,6 +116,6 @@ fn name_of(study: &Study, one: &Contribution) -> String {
         (Some(Law::Rolling), _) => format!("rolling resistance{on}"),
         (Some(Law::Contact), Kind::Impact) => format!("the normal force in impacts{on}"),
         (Some(Law::Contact), _) => symbols::the(touched),
-        _ => symbols::the(&one.load),
+        _ => symbols::holder(study, &one.load).unwrap_or_else(|| symbols::the(&one.load)),
     }
 }

@@ -101,6 +101,7 @@ fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
         found.extend(rest::of(&seen)?);
     }
     found.extend(energy::of(study, case));
+    found.retain(Said::is_known);
     Ok(found)
 }
 

@@ -26,6 +26,11 @@ impl Said {
         Self { leads: true, ..self }
     }
 
+    /// Whether what it says is known: of some values no digit is.
+    pub(super) fn is_known(&self) -> bool {
+        !self.value.to_plain().contains(UNKNOWN)
+    }
+
     fn has_words_of(&self, other: &Self) -> bool {
         self.before.to_plain() == other.before.to_plain()
     }
@@ -76,11 +81,17 @@ fn listed(parts: impl Iterator<Item = Text>, between: &str) -> Text {
 pub(in crate::fill) const ALL_VERIFIED: &str =
     "Every digit shown is verified; where fewer than six are, their number is said.";
 
-/// A value to its verified digits, at most so many as are read; where there are fewer, how many.
+/// What is said of a value without digits.
+const UNKNOWN: &str = "(no digit is known)";
+
+/// A value to its verified digits, at most so many as are read; where there are fewer, how many. What is less than its error is zero.
 pub(in crate::fill) fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
-    let Some(error) = error else { return quantity(value, unit).and(" (no digit is known)") };
+    let Some(error) = error else { return quantity(value, unit).and(format!(" {UNKNOWN}")) };
     if error == 0.0 {
         return quantity(value, unit);
+    }
+    if value.abs() <= error {
+        return quantity(0.0, unit);
     }
     let held = digits::digits(value, error);
     let shown = quantity_to(value, held.clamp(1, READ), unit);

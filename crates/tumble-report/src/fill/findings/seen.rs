@@ -86,7 +86,17 @@ impl Seen<'_> {
 
     /// A value with its digits.
     pub(super) fn known(&self, time: f64, formula: &Expr, unit: &str) -> Result<Text, CaseError> {
-        Ok(with_digits(self.at(time, formula)?, self.error(time, formula)?, unit))
+        self.known_in(time, formula, (unit, |value| value))
+    }
+
+    /// The same in another unit.
+    pub(super) fn known_in(
+        &self,
+        time: f64,
+        formula: &Expr,
+        (unit, to): (&str, fn(f64) -> f64),
+    ) -> Result<Text, CaseError> {
+        Ok(with_digits(to(self.at(time, formula)?), self.error(time, formula)?.map(to), unit))
     }
 
     /// An instant at which a quantity is zero, with its digits.

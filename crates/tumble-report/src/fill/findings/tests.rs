@@ -85,7 +85,7 @@ fn points_of_one_body_on_one_surface_are_one_work() {
     assert_eq!(found.iter().filter(|text| text.contains("takes energy")).count(), 1, "{found:?}");
     let found = found_in("11-double-pendulum");
     assert!(
-        has(&found, "The elbow passes energy from the lower to the upper: 1.96478 J")
+        has(&found, "The elbow passes energy from the forearm to the arm: 1.96478 J")
             && !has(&found, "gives energy"),
         "{found:?}"
     );

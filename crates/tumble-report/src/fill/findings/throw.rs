@@ -14,6 +14,8 @@ use crate::results::CaseError;
 const MOST_LISTED: usize = 3;
 /// Part of the weight that is left over of it and the air at terminal speed.
 const BALANCED: f64 = 0.01;
+/// Part of the farthest it gets that it is away at the end where that is told.
+const FARTHEST: f64 = 0.9;
 /// Part of the way from which on it matters what the air did to it.
 const MATTERS: f64 = 1e-3;
 
@@ -47,15 +49,18 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     Ok(value.map(|value| Said::new(before, value.and(more))))
 }
 
-/// It is farther from its start, to the side, than its own size.
+/// It is farther from its start, to the side, than its own size, and about as far as it has ever been: what swings is anywhere at the end.
 pub(super) fn range(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let x = seen.body.kinematics().position().x().clone();
     let distance = seen.at(seen.end(), &x)? - seen.at(0.0, &x)?;
     let size = seen.study.number(&(seen.body.reach() * 2))?;
+    let start = seen.at(0.0, &x)?;
+    let farthest = seen.values(&x)?.iter().map(|(_, at)| (at - start).abs()).fold(0.0, f64::max);
     let side = if distance > 0.0 { "right" } else { "left" };
     let value = with_digits(distance.abs(), seen.error(seen.end(), &x)?, "m");
     let said = Said::new(format!("{} gets to the {side} of where it began by ", seen.called()), value);
-    Ok((distance.abs() > size.max(f64::MIN_POSITIVE)).then_some(said))
+    let is_far = distance.abs() > size.max(f64::MIN_POSITIVE) && distance.abs() >= FARTHEST * farthest;
+    Ok(is_far.then_some(said))
 }
 
 /// Nothing but weight and air acts from the start to the first contact: beside it the parabola of the same throw.

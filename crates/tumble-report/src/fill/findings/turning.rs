@@ -16,6 +16,8 @@ use crate::results::CaseError;
 const REPEATS: f64 = 1e-7;
 /// Relative difference within which the air is the same a period later: what rounding of the time makes of it.
 const SAME_AIR: f64 = 1e-9;
+/// Less than this, rad, is no swing: a body that hangs still turns by rounding.
+const NO_SWING: f64 = 1e-9;
 /// Digits of periods that a formula gives, and of their ratio.
 const DIGITS: usize = 4;
 const RATIO: usize = 3;
@@ -43,7 +45,7 @@ pub(super) fn swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
         return Ok(None);
     };
     let said = Said::new(format!("{} swings between ", seen.called()), least.and(" and ").and(greatest));
-    Ok((high - low > 0.0 && high - low < TAU).then_some(said))
+    Ok((high - low > NO_SWING && high - low < TAU).then_some(said))
 }
 
 /// It turns back at intervals that agree to [`REPEATS`].
@@ -67,7 +69,9 @@ pub(super) fn small_swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let Some(swing) = swing(seen)? else { return Ok(None) };
     let shown = |period: f64| quantity_to(period, DIGITS, "s");
     let before = format!("Small swings of {} would take ", seen.called());
-    let before = Text::from(before).and(shown(swing)).and(" without air");
+    let before = Text::from(before).and(shown(swing));
+    let has_air = seen.laws(seen.end())?.contains("air");
+    let before = if has_air { before.and(" without air") } else { before };
     Ok(match gusts(seen)? {
         Some(gusts) => {
             let times = quantity_to(gusts / swing, RATIO, "").and(" times as long");

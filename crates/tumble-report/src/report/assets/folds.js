@@ -13,7 +13,7 @@ function foldTable(box) {
     words.textContent = folded ? `${hidden} more rows. ` : "";
   };
   button.addEventListener("click", () => set(!box.classList.contains("folded")));
-  box.after(line);
+  box.append(line);
   set(true);
 }
 

@@ -194,7 +194,7 @@ class LivePlayer extends Player {
       const box = this.svg.getBoundingClientRect();
       const unit = this.size[0] / box.width;
       const px = [(moved.clientX - box.left) * unit, (moved.clientY - box.top) * unit];
-      const at = [this.middle[0] + (px[0] - this.size[0] / 2) / this.scale, this.middle[1] - (px[1] - this.size[1] / 2) / this.scale];
+      const at = this.place(...px);
       this.grips.set(set(at));
     };
     const end = () => {

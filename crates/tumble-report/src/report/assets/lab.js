@@ -15,10 +15,8 @@ class Control {
     Object.assign(this, { knob, changed, number: knob.value });
     const row = make("div", { class: "knob" }, parent);
     const id = `knob-${knob.name}`;
-    const label = make("label", { for: id }, row);
-    // Long names break at their dots.
-    knob.name.split(/(?<=\.)/).forEach((part, i) => label.append(...(i ? [make("wbr", {})] : []), part));
-    this.slider = make("input", { type: "range", min: 0, max: KNOB_STEPS, step: "any", "aria-label": knob.name }, row);
+    addLabel(make("label", { for: id, title: knob.name }, row), knob.label);
+    this.slider = make("input", { type: "range", min: 0, max: KNOB_STEPS, step: "any", "aria-label": plain(knob.label) }, row);
     this.field = make("input", { type: "text", id, size: 10, spellcheck: "false", autocomplete: "off" }, row);
     this.slider.addEventListener("input", () => this.slide());
     this.field.addEventListener("change", () => this.changed(this, this.field.value.trim()));
@@ -276,7 +274,8 @@ class Lab {
 
   /** What is different now: `T = 2 s, m = 3 kg`. */
   label() {
-    return [...this.set].map(([name, text]) => `${name} = ${text}`).join(", ") || "as given";
+    const called = (name) => plain(this.controls.get(name)?.knob.label ?? [[name]]);
+    return [...this.set].map(([name, text]) => `${called(name)} = ${text}`).join(", ") || "as given";
   }
 
   request() {

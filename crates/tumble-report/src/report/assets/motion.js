@@ -10,6 +10,10 @@ const SLIDER = 1000;
 /** Seconds between pictures for readers who asked for less motion. */
 const CALM = 0.5;
 const HATCH = 8;
+/** Pixels above the motion that are kept for the scale. */
+const STRIP = 30;
+/** About how wide a letter of a name is, in pixels, and how high a line is. */
+const [LETTER, LINE] = [7, 15];
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -178,15 +182,21 @@ class Player {
     const width = Math.max(this.live.clientWidth, 240);
     const wide = size[0] + 2 * room;
     const tall = size[1] + 2 * room;
-    const height = Math.min(Math.max((width * tall) / wide, 180), 0.75 * width, tallest());
-    this.scale = Math.min(width / wide, height / tall);
+    const height = Math.min(Math.max((width * tall) / wide + STRIP, 180), 0.75 * width, tallest());
+    this.scale = Math.min(width / wide, (height - STRIP) / tall);
     this.middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
     this.size = [width, height];
   }
 
   pixel(x, y) {
     const [width, height] = this.size;
-    return [width / 2 + (x - this.middle[0]) * this.scale, height / 2 - (y - this.middle[1]) * this.scale];
+    return [width / 2 + (x - this.middle[0]) * this.scale, (height + STRIP) / 2 - (y - this.middle[1]) * this.scale];
+  }
+
+  /** Where a pixel is. */
+  place(px, py) {
+    const [width, height] = this.size;
+    return [this.middle[0] + (px - width / 2) / this.scale, this.middle[1] - (py - (height + STRIP) / 2) / this.scale];
   }
 
   /** What does not change while it plays, and the parts that move. */
@@ -196,6 +206,7 @@ class Player {
     this.drawScaleBar();
     this.parts = this.motion.bodies.map((body, i) => this.buildBody(body, i));
     this.linkLayer = draw("g", {}, this.svg);
+    this.named = [];
     for (const point of this.motion.points) this.drawPoint(point);
     this.arrowLayer = draw("g", {}, this.svg);
     this.draw();
@@ -235,15 +246,29 @@ class Player {
     draw("path", { class: "hatch", d: strokes }, this.svg);
     draw("path", { class: "ground", d: `M${at(-reach, 0)}L${at(reach, 0)}` }, this.svg);
     // Below the hatching, or above the surface where there is no room.
-    const below = at(0, 22);
-    const place = below[1] < this.size[1] - 8 ? below : at(0, -12);
-    drawLabel(this.svg, name, { x: place[0], y: place[1] + 5, "text-anchor": "middle", class: "halo" });
+    const isWall = Math.abs(ux) > Math.abs(uy);
+    const below = at(0, isWall ? HATCH + 6 : 22);
+    const isRight = below[0] > foot[0];
+    const wide = isWall ? LETTER * plain(name).length : 0;
+    const fits = isWall ? below[0] - (isRight ? 0 : wide) > 0 && below[0] + (isRight ? wide : 0) < this.size[0] : below[1] < this.size[1] - 8;
+    const place = fits ? below : at(0, isWall ? -6 : -12);
+    // Above level ground it stands aside, where it covers least.
+    const isAside = !isWall && !fits && Math.abs(ux) < 0.1;
+    const anchor = isWall ? (isRight === fits ? "start" : "end") : isAside ? "end" : "middle";
+    drawLabel(this.svg, name, { x: isAside ? this.size[0] - 8 : place[0], y: place[1] + 5, "text-anchor": anchor, class: "halo" });
   }
 
   drawPoint({ at, name }) {
     const [x, y] = this.pixel(...at);
     draw("circle", { class: "pin", cx: x, cy: y, r: 3.5 }, this.svg);
-    drawLabel(this.svg, name, { x: x + 8, y: y - 7, class: "halo" });
+    const wide = LETTER * plain(name).length;
+    const places = [[8, -7], [-8 - wide, -7], [8, LINE + 3], [-8 - wide, LINE + 3]].map(([dx, dy]) => [x + dx, y + dy]);
+    const isFree = ([left, at]) => this.named.every((other) => Math.abs(other.at - at) >= LINE || left >= other.left + other.wide || other.left >= left + wide);
+    // Where there is no room the name is left out: the picture of the start has it.
+    const place = places.find(isFree);
+    if (!place) return;
+    this.named.push({ left: place[0], at: place[1], wide });
+    drawLabel(this.svg, name, { x: place[0], y: place[1], class: "halo" });
   }
 
   drawScaleBar() {
@@ -251,6 +276,7 @@ class Player {
     const power = 10 ** Math.floor(Math.log10(most));
     const metres = [5, 2, 1].find((m) => m * power <= most) * power;
     const [x, y, length] = [12, 28, metres * this.scale];
+    draw("rect", { class: "behind", x: 4, y: 4, width: length + 16, height: STRIP }, this.svg);
     draw("path", { class: "link", d: `M${x} ${y - 4}v8m0 -4h${length}m0 -4v8` }, this.svg);
     draw("text", { x: x + length / 2, y: y - 6, "text-anchor": "middle", class: "halo" }, this.svg).textContent =
       `${shown(metres, 3)}\u00a0m`;
@@ -340,7 +366,6 @@ class Player {
       spring: [a, ...zigzag.map((s, i) => at(s, i === 0 || i === 11 ? 0 : i % 2 ? 6 : -6)), b],
       damper: [a, at(0.35, 0), at(0.35, 6), at(0.65, 6), at(0.35, 6), at(0.35, -6), at(0.65, -6), at(0.35, -6), at(0.35, 0),
         at(0.55, 0), at(0.55, 5), at(0.55, -5), at(0.55, 0), b],
-      thread: [a, b],
     }[kind];
     draw("polyline", { class: "link", points: points.join(" ") }, this.linkLayer);
   }

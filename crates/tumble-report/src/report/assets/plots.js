@@ -1,6 +1,6 @@
 // Curves to look into: values under the pointer, zoom, curves switched off and on.
 
-const LEFT = 74, RIGHT = 14, TOP = 14, BELOW = 46;
+const LEFT = 84, RIGHT = 14, TOP = 14, BELOW = 46;
 
 /** Places and texts of ticks over a range `[low, high]` for about `wanted` of them, at round steps. */
 function ticks([low, high], wanted) {
@@ -225,7 +225,7 @@ class Plot {
     }
     const middle = [(LEFT + right) / 2, (TOP + bottom) / 2];
     drawLabel(this.svg, this.data.x.title, { class: "name", x: middle[0], y: height - 8, "text-anchor": "middle" });
-    const turn = `translate(15 ${middle[1]}) rotate(-90)`;
+    const turn = `translate(11 ${middle[1]}) rotate(-90)`;
     drawLabel(this.svg, this.data.y.title, { class: "name", transform: turn, "text-anchor": "middle" });
   }
 

@@ -23,7 +23,7 @@ const WIDE: f64 = 1e7;
 const COLUMNS: f64 = 1000.0;
 
 /// A label as `[[text, face, level], ...]`.
-pub(super) fn label(label: &Label) -> String {
+pub(in crate::report) fn label(label: &Label) -> String {
     list(label.runs.iter().map(|run| {
         let face = match run.face {
             Face::Regular => "",

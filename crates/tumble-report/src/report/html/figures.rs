@@ -59,8 +59,7 @@ impl Page {
         self.motions.push(motion_data(animation, &description));
         let content = format!("<div class=\"sheet still\">{drawing}</div>\n");
         let data = format!("motion\" data-motion=\"{}", self.motions.len() - 1);
-        let title: Text = animation.title.clone().into();
-        format!("<h3>Motion</h3>\n{}", self.figure(&data, &content, &title))
+        format!("<h3>Motion</h3>\n{}", self.figure(&data, &content, &span(animation)))
     }
 
     fn inline(&mut self, svg: &Svg) -> String {
@@ -76,6 +75,16 @@ impl Page {
             text(caption)
         )
     }
+}
+
+/// From when to when a motion goes; on paper it is that of its first case.
+fn span(animation: &Animation) -> Text {
+    let ends = animation.cases.iter().flat_map(|case| [case.times.first(), case.times.last()]).flatten();
+    let ends = Range::of(ends.copied()).unwrap_or_default();
+    let [from, to] = [ends.low, ends.high].map(shown);
+    let first = animation.cases.first().filter(|_| animation.cases.len() > 1).map(|case| case.name.clone());
+    let words = Text::from(format!("The motion from {from} to {to}\u{a0}s"));
+    first.map_or(words.clone(), |name| words.and(", ").and(name)).and(".")
 }
 
 /// The curves in words.

@@ -1,7 +1,7 @@
 //! Words, labels and formulas as HTML.
 
 use crate::report::markup::Markup;
-use crate::report::math::{Block, Definition, Math};
+use crate::report::math::{Block, Definition, Typeset};
 use crate::report::prose::Text;
 use tumble_drawing::svg::escape;
 use tumble_drawing::text::Label;
@@ -14,7 +14,7 @@ impl Markup for Html {
         text.split('\n').map(escape).collect::<Vec<_>>().join("<br>")
     }
 
-    fn math(formula: &Math) -> String {
+    fn math(formula: &Typeset) -> String {
         math(formula)
     }
 }
@@ -30,7 +30,7 @@ pub(super) fn label(label: &Label) -> String {
 }
 
 /// A formula; its text stands where it has no MathML.
-pub(super) fn math(math: &Math) -> String {
+pub(super) fn math(math: &Typeset) -> String {
     let (mathml, spoken) = (&math.mathml, escape(&math.text));
     match (mathml.is_empty(), spoken.is_empty()) {
         (true, true) => String::new(),

@@ -3,8 +3,8 @@
 use tumble_expr::language::{BUILTINS, UNITS};
 use tumble_scene::keys;
 
+use crate::report::Lab;
 use crate::report::json::{list, object, string};
-use crate::report::{Lab, live};
 
 pub(super) const STYLE: &str = include_str!("../assets/lab.css");
 
@@ -72,7 +72,7 @@ fn data(lab: &Lab) -> String {
         ("scene", string(&lab.scene)),
         ("files", list(files)),
         ("set", list(set)),
-        ("play", live::play(&lab.play)),
+        ("play", lab.play.clone()),
         ("templates", list(templates)),
         ("words", words()),
     ])

@@ -11,5 +11,6 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
+pub(super) use data::label;
 pub(super) use motion::{living, motion};
 pub(super) use page::{page, parts};

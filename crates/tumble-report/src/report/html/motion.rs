@@ -179,7 +179,6 @@ fn link(link: &MovingLink, frames: &[usize]) -> String {
     let kind = match link.kind {
         LinkKind::Spring => "spring",
         LinkKind::Damper => "damper",
-        LinkKind::Thread => "thread",
     };
     let column = |end: usize, k: usize| at_frames(&link.ends, frames, |ends| ends[end][k]);
     let ends = list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)]);

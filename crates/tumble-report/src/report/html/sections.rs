@@ -98,7 +98,8 @@ impl Page {
     fn balance(&mut self, balance: &BalancePart, level: u8) -> String {
         let plots = self.plots(&balance.plots);
         let heading = format!("<h{level}>Energy and momentum balance</h{level}>\n");
-        [heading, paragraphs(&balance.intro), tables(&balance.tables), plots].concat()
+        let accounts = format!("<div>{}</div>\n{plots}", tables(&balance.tables));
+        [heading, paragraphs(&balance.intro), tagged("div", "accounts", &accounts)].concat()
     }
 }
 

@@ -64,7 +64,9 @@ fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool
         let heading = escape(&columns[*i].heading.to_plain());
         let name = if names { format!(" data-name=\"{heading}\"") } else { String::new() };
         match n {
-            0 => format!("<th scope=\"row\"{class}>{content}</th>"),
+            // What is no name has the name of its column.
+            0 if class.is_empty() => format!("<th scope=\"row\">{content}</th>"),
+            0 => format!("<th scope=\"row\"{class}{name}>{content}</th>"),
             _ => format!("<td{class}{name}>{content}</td>"),
         }
     };

@@ -5,7 +5,6 @@ use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::svg::Svg;
 use tumble_drawing::{Animation, MovingBody, MovingCase, MovingForce, MovingLink};
 use tumble_drawing::{Axis, Label};
-use tumble_scene::Play;
 
 /// Ends every kind of context that it could stand in.
 const HOSTILE: &str = "</script></style></title></svg></math><script>alert(1)</script><img src=x onerror=alert(1)>\"'><!--\u{2028}]]>";
@@ -18,7 +17,7 @@ fn label() -> Label {
     Label::plain(HOSTILE)
 }
 
-fn formula() -> Math {
+fn formula() -> Typeset {
     let [symbol, text] =
         [tumble_notation::Math::symbol(HOSTILE), tumble_notation::Math::Text(HOSTILE.to_owned())];
     (&tumble_notation::Math::Row(vec![symbol, text])).into()
@@ -114,7 +113,7 @@ fn hostile() -> Report {
             scene: HOSTILE.into(),
             files: vec![(HOSTILE.into(), HOSTILE.into())],
             set: vec![(HOSTILE.into(), HOSTILE.into())],
-            play: Play::default(),
+            play: "{}".into(),
             templates: vec![(HOSTILE, HOSTILE)],
         }),
         ways: None,
@@ -251,7 +250,7 @@ fn long_tables_fold_after_twenty_rows() {
 
 #[test]
 fn formulas_speak() {
-    let math = Math::from(&tumble_notation::Math::symbol("theta"));
+    let math = Typeset::from(&tumble_notation::Math::symbol("theta"));
     let report = Report { intro: vec![math.into()], ..Report::default() };
     assert!(report.html().contains("<span class=\"math\" role=\"math\" aria-label=\"θ\"><math"));
 }

@@ -1,0 +1,82 @@
+//! Whether formulas are sums of some symbols, each times what has none of them.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use crate::expr::{Binary, Expr, Inner, Node, Symbol, Unary};
+use crate::hashing::FastMap;
+
+impl Expr {
+    /// The first part of the formula in which these symbols are not just added up, each times what has none of them; `None` where
+    /// the whole is such a sum.
+    pub fn nonlinear_part(&self, symbols: &HashSet<Symbol>) -> Option<Self> {
+        // Whether a part has any of the symbols.
+        let mut known: FastMap<*const Inner, bool> = FastMap::default();
+        let mut pending = vec![self];
+        while let Some(next) = pending.last().copied() {
+            let missing = |part: &&Self| !known.contains_key(&Arc::as_ptr(&part.0));
+            let parts: Vec<&Self> = next.children().into_iter().filter(missing).collect();
+            if parts.is_empty() {
+                let of = |part: &Self| known[&Arc::as_ptr(&part.0)];
+                let own = matches!(next.node(), Node::Symbol(symbol) if symbols.contains(symbol));
+                let any = own || next.children().into_iter().any(of);
+                if any && !is_linear(next, of) {
+                    return Some(next.clone());
+                }
+                known.insert(Arc::as_ptr(&next.0), any);
+                pending.pop();
+            } else {
+                pending.extend(parts);
+            }
+        }
+        None
+    }
+}
+
+/// Whether an operation adds up what some of its parts have; `of` says which have any.
+fn is_linear(formula: &Expr, of: impl Fn(&Expr) -> bool) -> bool {
+    match formula.node() {
+        Node::Symbol(_) | Node::Unary(Unary::Neg, _) => true,
+        Node::Binary(Binary::Add | Binary::Sub, ..) => true,
+        Node::Binary(Binary::Mul, a, b) => !(of(a) && of(b)),
+        Node::Binary(Binary::Div, _, b) => !of(b),
+        Node::Select(condition, ..) => !of(condition),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Dimension;
+
+    #[test]
+    fn sums_with_any_factors_are_linear() {
+        let [a, b, x] = ["a", "b", "x"].map(|name| Expr::symbol(name, Dimension::NONE));
+        let symbols: HashSet<Symbol> = [&a, &b].into_iter().flat_map(Expr::symbols).collect();
+        let linear = [
+            -(&a * x.sign() + &b / (x.sin() + 2)) * x.abs() + x.powi(3),
+            Expr::select(Expr::compare(crate::Relation::Less, x.clone(), Expr::one()), a.clone(), b.clone()),
+            x.sqrt(),
+        ];
+        for formula in linear {
+            assert!(formula.nonlinear_part(&symbols).is_none());
+        }
+        let part = Expr::norm(vec![a.clone(), x.clone()]);
+        let nonlinear = [
+            (&x + &part * 2, part),
+            (&a * &b, &a * &b),
+            (&x / &a, &x / &a),
+            (a.abs() * &x, a.abs()),
+            (
+                Expr::select(Expr::compare(crate::Relation::Less, a.clone(), b.clone()), x.clone(), b),
+                Expr::compare(crate::Relation::Less, a.clone(), Expr::symbol("b", Dimension::NONE)),
+            ),
+            (a.sign(), a.sign()),
+        ];
+        for (formula, part) in nonlinear {
+            let found = formula.nonlinear_part(&symbols).expect("not linear");
+            assert!(crate::is_renamed(&[found], &[part], |a, b| a == b));
+        }
+    }
+}
