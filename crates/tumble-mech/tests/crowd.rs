@@ -4,6 +4,10 @@
 
 mod common;
 
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
 use common::{at, rigid};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
@@ -164,4 +168,55 @@ fn many_random_disks_gain_nothing_and_pass_through_nothing() {
 fn many_random_rough_disks_gain_nothing_and_pass_through_nothing() {
     let from = asked("FROM", 0);
     attack_all(from..from + asked("COUNT", 40), true);
+}
+
+/// Disks of many sizes that fall in a box, with friction 0.3 and restitution 0.5, from a grid in which they are a little aside.
+fn pile(count: usize) -> Model {
+    let mut dice = Dice(17);
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+    let columns = (count as f64).sqrt().ceil();
+    let grid = 2.0 * SIDE / columns;
+    for index in 0..count {
+        let r = grid * dice.between(0.3, 0.45);
+        let (column, row) = (index as f64 % columns, (index as f64 / columns).floor());
+        let aside = dice.between(-1.0, 1.0) * (0.5 * grid - r);
+        let place = [(column + 0.5) * grid - SIDE + aside, (row + 0.5) * grid - SIDE];
+        let name = format!("d{index}");
+        model.starts.push((name.clone(), Start::default().at(place.map(|part| part * M))));
+        let shape = Shape::Disk { centre: Vector::planar(0 * M, 0 * M), radius: r * M };
+        model.add(Body::of_shape(name, shape).mass((r / grid).powi(2) * KG));
+    }
+    let friction = Some(Friction::new(Expr::from(0.3)));
+    for (name, x, y) in [("left", 1, 0), ("right", -1, 0), ("floor", 0, 1)] {
+        let through = [-SIDE * f64::from(x) * M, -SIDE * f64::from(y) * M];
+        let wall = Surface::new(name, through, [Expr::from(x), Expr::from(y)], rigid(0.5));
+        model.surface(Surface { friction: friction.clone(), ..wall });
+    }
+    model.contact(BodyContact { friction, ..BodyContact::of_all("hit", Expr::from(0.5)) });
+    model.stops_at_rest = true;
+    model
+}
+
+/// `COUNT` disks, 200 of them if nothing else is said, fall until all of them rest, for at most `UNTIL` s and `SECONDS` of this test.
+#[test]
+#[ignore = "takes longer than anybody waits"]
+fn a_pile_of_disks_comes_to_rest() {
+    let (count, until) = (asked("COUNT", 200) as usize, asked("UNTIL", 20) as f64);
+    let patience = Duration::from_secs(asked("SECONDS", 3600));
+    let (begun, told) = (Instant::now(), Cell::new(0.0));
+    let model = pile(count);
+    let accuracy = Accuracy::new(1e-9).expect("an accuracy");
+    let found = Run::refined(model.clone(), &model.parameters, until, accuracy, |time| {
+        if time >= told.get() {
+            println!("{time:.4} s after {:.1} s", begun.elapsed().as_secs_f64());
+            told.set(time + 0.01);
+        }
+        if begun.elapsed() > patience { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    let run = found.map_err(|error| error.to_string()).expect("a motion");
+    println!("{} events after {:.1} s", run.events().count(), begun.elapsed().as_secs_f64());
+    let end = run.end().expect("it is not empty");
+    assert!(run.rest().expect("a motion").is_some_and(|rest| rest <= end), "it moves at {end} s");
+    assert!(deepest(&run, end) > -DEEP * SIDE);
 }

@@ -161,14 +161,14 @@ impl Equations {
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let tape = self.island_tape(island, mode, &all)?;
-        let jets = to_first_order(&tape, states, now);
+        let jets = to_first_order(&tape, (states, &velocities), now);
         let (pairs, tape) =
             self.near(mode, &all, &Numbers { tape: &tape, jets: &jets, dofs: velocities.len() });
         let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
         let read = Numbers { tape: &tape, jets: &jets, dofs: velocities.len() };
         let (inverse, pushed) = (read.of_bodies(0), read.of_bodies(1));
         let (rows, slips) =
-            (read.rows(), Slips::read(&tape.slips, &self.pair_list().owner, |output| jets.value_of(output)));
+            (read.rows(), Slips::read(&tape.slips, &self.pair_list().owner, |output| carried(&jets, output)));
         let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
@@ -269,16 +269,23 @@ impl Equations {
     }
 }
 
-/// The tape's numbers; gaps are differences of much larger numbers, and what the carries add to them is found to first order.
-fn to_first_order(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Jets<f64> {
+/// The tape's numbers; gaps and normals of bodies are made of differences of much larger numbers, and what rounding has left out of places is
+/// found to first order. Velocities are as they are: what an impulse makes zero is zero.
+fn to_first_order(tape: &InstantTape, (states, velocities): (&[f64], &[usize]), now: Now<'_>) -> Jets<f64> {
     let mut jets = Jets::new(Arc::clone(&tape.tape), 1, now.inputs);
     jets.start(now.time, states, Branches::Free);
     for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
-        jets.set(leaf, 1, *compensation);
+        jets.set(leaf, 1, if velocities.contains(&leaf) { 0.0 } else { *compensation });
     }
     jets.set(states.len(), 1, 0.0);
     jets.extend(1);
     jets
+}
+
+/// A number with what rounding left out of places.
+fn carried(jets: &Jets<f64>, output: usize) -> f64 {
+    let series = jets.output(output);
+    if series[1].is_finite() { series[0] + series[1] } else { series[0] }
 }
 
 /// The numbers of a tape at an instant.
@@ -292,16 +299,16 @@ struct Numbers<'a> {
 impl Numbers<'_> {
     /// One of each pair.
     fn column(&self, of: &dyn Fn(&Measured) -> usize) -> DVector<f64> {
-        let values = self.tape.pairs.iter().map(|pair| self.jets.value_of(of(pair)));
+        let values = self.tape.pairs.iter().map(|pair| carried(self.jets, of(pair)));
         DVector::from_iterator(self.tape.pairs.len(), values)
     }
 
     /// `limits` is how many each of them has.
     fn gaps(&self, limits: impl Iterator<Item = usize>) -> DVector<f64> {
         let gaps = self.tape.pairs.iter().zip(limits).map(|(pair, limits)| {
-            let series = self.jets.output(pair.position);
+            let gap = carried(self.jets, pair.position);
             let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 3 + limit));
-            if limits.all(|limit| limit >= 0.0) { series[0] + series[1] } else { f64::INFINITY }
+            if limits.all(|limit| limit >= 0.0) { gap } else { f64::INFINITY }
         });
         DVector::from_iterator(self.tape.pairs.len(), gaps)
     }
@@ -326,7 +333,7 @@ impl Numbers<'_> {
 
     fn gradients<'r>(&self, rows: impl Iterator<Item = &'r Measured>) -> Gradients {
         let slopes = |row: &Measured| {
-            let all = row.slopes().map(|(dof, at)| (dof, self.jets.value_of(at)));
+            let all = row.slopes().map(|(dof, at)| (dof, carried(self.jets, at)));
             all.filter(|(_, slope)| *slope != 0.0).collect()
         };
         Gradients { rows: rows.map(slopes).collect(), columns: self.dofs }

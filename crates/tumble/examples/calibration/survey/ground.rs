@@ -44,13 +44,20 @@ impl Ground {
         let is_sloped = setup.draw.chance(sloped);
         let size = if is_sloped { setup.draw.sign() * setup.draw.between(SLOPES[0], SLOPES[1]) } else { 0.0 };
         let slope = setup.angle("slope", size);
-        let foot = ["foot_x", "foot_y"].map(|name| setup.shift(name));
+        // Far above the origin x is known on a slope to the rounding of y only, and its error does not say so.
+        let foot_y = if is_sloped { setup.given("foot_y", 0.0, LENGTH) } else { setup.shift("foot_y") };
+        let foot = [setup.shift("foot_x"), foot_y];
         Self { mass, gravity, slope, foot }
     }
 
     /// Where the ground is given.
     pub(crate) fn x(&self) -> &Given {
         &self.foot[0]
+    }
+
+    /// How far from the origin it is, m.
+    pub(crate) fn far(&self) -> f64 {
+        self.foot[0].near().hypot(self.foot[1].near())
     }
 
     /// Weight along the ground and across it, for a mass of one.

@@ -18,8 +18,10 @@ use super::super::real::Real;
 use super::super::setup::{At, Problem, Setup};
 use super::super::units::{FORCE, RATE, SPEED, TIME};
 
-/// Distances from the threshold, in parts of it; nearer the rounding of the slope decides.
+/// Distances from the threshold, in parts of it; ...
 const APART: [f64; 2] = [1e-10, 0.5];
+/// ... and in units of what rounding of a place far from the origin is in radii: nearer, it decides.
+const ROUNDED: f64 = 1e3;
 /// Ends of runs, in the problem's own size.
 const ENDS: [f64; 2] = [0.1, 10.0];
 
@@ -28,7 +30,9 @@ pub(super) fn make(mut setup: Setup) -> Problem {
     let round = Round::random(&mut setup);
     let (radius, k) = (&round.radius.value, &round.inertia);
     let part = k / (k + 1);
-    let apart = setup.draw.sign() * setup.draw.log_between(APART[0], APART[1]);
+    let blur = f64::EPSILON * ground.far() / round.radius.near();
+    let least = APART[0] + ROUNDED * blur;
+    let apart = setup.draw.sign() * setup.draw.log_between(least.min(APART[1]), APART[1]);
     let apart = format!("{apart:.2e}");
     let (share, slope) = (round.share(), &ground.slope);
     setup.parameter("mu", &format!("(1 + {apart})*abs(tan({slope}))*{share}"));
