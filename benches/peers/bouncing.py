@@ -7,7 +7,7 @@ import warnings
 from systems import ball, ball_reference, ball_rest, rod, rod_reference
 from tables import error, rough, show, timed
 
-PEERS = ["tumble", "heyoka", "scipy", "pymunk", "box2d", "pybullet", "mujoco"]
+PEERS = ["tumble", "heyoka", "scipy", "siconos", "rapier", "pymunk", "box2d", "pybullet", "mujoco"]
 
 
 def cases(peers):

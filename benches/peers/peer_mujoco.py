@@ -4,7 +4,7 @@ import math
 
 import mujoco
 
-from stepping import follow
+from stepping import bouncing, follow
 
 NAME = f"MuJoCo {mujoco.__version__}"
 # Default contacts; contacts whose damping gives the restitution, so many steps long; the same with small steps.
@@ -12,6 +12,11 @@ SETTINGS = {
     "default contacts, step 2 ms": (2e-3, None, "Euler"),
     "elastic contacts, step 2 ms": (2e-3, 10, "Euler"),
     "elastic contacts, step 0.1 ms, RK4": (1e-4, 10, "RK4"),
+}
+# The same for friction, and the way out that its documentation names for creep: elliptic cones and further iterations against slip.
+ROUGH = {
+    **SETTINGS,
+    "default contacts, step 2 ms, elliptic cones, noslip": (2e-3, None, "Euler", 'cone="elliptic" noslip_iterations="10"'),
 }
 # How much of a contact is the spring and damper given: as near to all of it as MuJoCo takes.
 IMPEDANCE = 0.9999
@@ -42,31 +47,48 @@ def contact(restitution, step, steps):
     return f'solref="{-(frequency**2)} {-damping}" solimp="{IMPEDANCE} {IMPEDANCE} 0.001"'
 
 
-def bounce(bouncer, setting, times):
-    step, steps, integrator = setting
-    law = contact(bouncer.restitution, step, steps)
-    feet = "".join(
-        f'<geom type="sphere" size="{bouncer.radius}" pos="{foot} 0 0" condim="1" {law}/>' for foot in bouncer.feet
-    )
+def motion(stage, setting, times):
+    step, steps, integrator, *more = setting
+    law = contact(stage.restitution, step, steps)
+    touch = f'condim="{3 if stage.friction else 1}" friction="{stage.friction} 0 0" {law}'
+    bodies = "".join(drawn(piece, touch) for piece in stage.pieces)
+    floor = f'<geom type="plane" size="100 100 1" pos="0 0 {stage.floor}" euler="0 {-stage.slope} 0" {touch}/>'
     model = mujoco.MjModel.from_xml_string(f"""
       <mujoco>
-        <option timestep="{step}" integrator="{integrator}" gravity="0 0 {-bouncer.gravity}"/>
-        <worldbody>
-          <geom type="plane" size="100 100 1" pos="0 0 {bouncer.floor}" condim="1" {law}/>
-          <body>
-            <joint type="slide" axis="1 0 0"/>
-            <joint type="slide" axis="0 0 1"/>
-            <joint type="hinge" axis="0 -1 0"/>
-            <inertial pos="0 0 0" mass="{bouncer.mass}"
-              diaginertia="{bouncer.inertia} {bouncer.inertia} {bouncer.inertia}"/>
-            {feet}
-          </body>
-        </worldbody>
+        <compiler angle="radian"/>
+        <option timestep="{step}" integrator="{integrator}" gravity="0 0 {-stage.gravity}" {" ".join(more)}/>
+        <worldbody>{floor if stage.floor is not None else ""}{bodies}</worldbody>
       </mujoco>""")
     data = mujoco.MjData(model)
-    data.qpos[:], data.qvel[:] = bouncer.start[:3], bouncer.start[3:]
+    for number, piece in enumerate(stage.pieces):
+        if piece.hook:
+            data.qpos[number], data.qvel[number] = piece.start[2], piece.start[5]
+        else:
+            data.qpos[3 * number : 3 * number + 3], data.qvel[3 * number : 3 * number + 3] = piece.start[:3], piece.start[3:]
 
-    def state():
-        return (*data.qpos.tolist(), *data.qvel.tolist())
+    def states():
+        places, rates = data.qpos.tolist(), data.qvel.tolist()
+        if stage.pieces[0].hook:
+            return [(0.0, 0.0, place, 0.0, 0.0, rate) for place, rate in zip(places, rates)]
+        return [(*places[i : i + 3], *rates[i : i + 3]) for i in range(0, len(places), 3)]
 
-    return follow(bouncer, step, times, lambda: mujoco.mj_step(model, data), state)
+    return follow(stage, step, times, lambda: mujoco.mj_step(model, data), states)
+
+
+def drawn(piece, touch):
+    """A body in the plane of x and z. One on a hook has its angle as its only coordinate, so its states are angles alone."""
+    shapes = "".join(f'<geom type="sphere" size="{piece.radius}" pos="{foot} 0 0" {touch}/>' for foot in piece.feet)
+    if piece.box:
+        width, height = piece.box
+        shapes = f'<geom type="box" size="{width / 2} 0.1 {height / 2}" {touch}/>'
+    joints = '<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint type="hinge" axis="0 -1 0"/>'
+    x, y, angle, *_ = piece.start
+    place = "0 0 0"
+    if piece.hook:
+        joints = f'<joint type="hinge" axis="0 -1 0" pos="0 0 {piece.hook}"/>'
+        place = f"{x - piece.hook * math.sin(angle)} 0 {y + piece.hook * math.cos(angle) - piece.hook}"
+    inertia = f'<inertial pos="0 0 0" mass="{piece.mass}" diaginertia="{" ".join([str(piece.inertia)] * 3)}"/>'
+    return f'<body pos="{place}">{joints}{inertia}{shapes}</body>'
+
+
+bounce = bouncing(motion)

@@ -1,15 +1,17 @@
 """tumble: writes a scene, runs the command on it and reads summary.json."""
 
 import json
+import math
 import os
 import subprocess
 import tempfile
 from pathlib import Path
 
+from stepping import bouncing
 from systems import REPOSITORY, Motion
 
 COMMAND = os.environ.get("TUMBLE", str(REPOSITORY / "target/release/tumble"))
-NAME = subprocess.run([COMMAND, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+NAME = subprocess.run([COMMAND, "--version"], capture_output=True, text=True, check=True).stdout.split(" (")[0].strip()
 SETTINGS = {"accuracy 1e-9, the default": 1e-9, "accuracy 1e-12": 1e-12}
 # What is read off the run: a check that always holds.
 ALWAYS = 1e9
@@ -38,56 +40,89 @@ within = "{ALWAYS} {unit}"
 
 def checks(body, times):
     return "".join(
-        check(f"{state}-{number}", f"{body}.{state}", unit, time)
+        check(f"{body}-{state}-{number}", f"{body}.{state}", unit, time)
         for number, time in enumerate(times)
         for state, unit in STATES.items()
     )
 
 
-def at_times(found, times):
-    """The states that the checks have found."""
+def at_times(found, count, times):
+    """The states of so many bodies that the checks have found."""
     values = {one["name"]: one["found"] for one in found["checks"]}
-    return {time: tuple(values[f"{state}-{number}"] for state in STATES) for number, time in enumerate(times)}
 
+    def state(number, body):
+        return tuple(values[f"body{body}-{state}-{number}"] for state in STATES)
 
-def shape(bouncer):
-    """The scene's body: a thin rod between its feet, or a ball."""
-    if len(bouncer.feet) == 1:
-        return f'ball = {{ radius = "{bouncer.radius} m" }}'
-    left, right = bouncer.feet
-    return (
-        f'rod = {{ from = ["{left} m", 0], to = ["{right} m", 0] }}\n'
-        f'points.tail = ["{left} m", 0]\npoints.tip = ["{right} m", 0]'
-    )
+    return {time: [state(number, body) for body in range(count)] for number, time in enumerate(times)}
 
 
 def start(x, y, angle, vx, vy, omega):
     """The value of a body's key of that name."""
-    motion = f'velocity = ["{vx} m/s", "{vy} m/s"], angle = "{angle} rad", omega = "{omega} rad/s"'
-    return f'{{ at = ["{x} m", "{y} m"], {motion} }}'
+    motion = f'velocity = ["{vx!r} m/s", "{vy!r} m/s"], angle = "{angle!r} rad", omega = "{omega!r} rad/s"'
+    return f'{{ at = ["{x!r} m", "{y!r} m"], {motion} }}'
 
 
-def bounce(bouncer, accuracy, times):
+def body(number, piece):
+    """A rod with round ends at its feet, a ball or a box, and its hook."""
+    if piece.box:
+        width, height = piece.box
+        shape = f'box = {{ width = "{width!r} m", height = "{height!r} m" }}'
+    elif len(piece.feet) == 1:
+        shape = f'ball = {{ radius = "{piece.radius!r} m" }}'
+    else:
+        left, right = piece.feet
+        shape = f'rod = {{ from = ["{left} m", 0], to = ["{right} m", 0], end_radius = "{piece.radius} m" }}'
+    x, y, angle, *_ = piece.start
+    hook = (x - piece.hook * math.sin(angle), y + piece.hook * math.cos(angle))
+    held = f"""
+[pivot.hook{number}]
+body = "body{number}"
+point = [0, "{piece.hook!r} m"]
+world = ["{hook[0]!r} m", "{hook[1]!r} m"]
+"""
+    begin = f'{{ angle = "{angle!r} rad" }}' if piece.hook else start(*piece.start)
+    return f"""
+[body.body{number}]
+{shape}
+mass = "{piece.mass!r} kg"
+start = {begin}
+{held if piece.hook else ""}"""
+
+
+IMPACTS = 'impacts = "sequential"'
+
+
+def motion(stage, accuracy, times):
+    rigid = f"rigid = {{ restitution = {stage.restitution!r}, friction = {stage.friction!r} }}"
+    meets = f'[contact.row]\nbetween = "all"\n{rigid}' if len(stage.pieces) > 1 else ""
+    floor = f'[surface.floor]\nthrough = [0, "{stage.floor!r} m"]\nslope = "{stage.slope!r} rad"\n{rigid}'
     found = run(f"""
 version = 1
-title = "Bounces"
+title = "A stage"
 [world]
-gravity = "{bouncer.gravity} m/s^2"
-[body.body]
-{shape(bouncer)}
-mass = "{bouncer.mass} kg"
-start = {start(*bouncer.start)}
-[surface.floor]
-through = [0, 0]
-rigid = {{ restitution = {bouncer.restitution} }}
+gravity = "{stage.gravity} m/s^2"
+{IMPACTS if len(stage.pieces) > 1 else ""}
+{"".join(body(number, piece) for number, piece in enumerate(stage.pieces))}
+{floor if stage.floor is not None else ""}
+{meets}
 [run]
-until = "{bouncer.until} s"
+until = "{stage.until!r} s"
 accuracy = {accuracy}
-{checks("body", times)}""")
-    struck = [event["time"] for event in found["events"] for what in event["what"] if what.endswith(".impact")]
-    rest = [event["time"] for event in found["events"] for what in event["what"] if what.endswith(".start")]
-    note = f", rests from {rest[-1]!r} s on" if rest else ""
-    return Motion(at_times(found, times), struck, f"{len(struck)} impacts{note}")
+{"".join(checks(f"body{number}", times) for number in range(len(stage.pieces)))}""")
+    events = {what: event["time"] for event in reversed(found["events"]) for what in event["what"]}
+    struck = [event["time"] for event in found["events"] if any(what.endswith(".impact") for what in event["what"])]
+    states = at_times(found, len(stage.pieces), times)
+    return Motion(states, impacts=struck, events=events, note=told(found["events"]))
+
+
+def told(events):
+    """Impacts, and when a motion has come to rest."""
+    struck = [event["time"] for event in events for what in event["what"] if what.endswith(".impact")]
+    rest = [event["time"] for event in events for what in event["what"] if what.endswith(".start")]
+    return f"{len(struck)} impacts" + (f", rests from {rest[-1]!r} s on" if rest else "")
+
+
+bounce = bouncing(motion)
 
 
 def pendulum(system, accuracy):

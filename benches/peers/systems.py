@@ -6,7 +6,7 @@ wind and a thrown rod in air, with the reference numbers of the tests, crates/tu
 
 import json
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -73,8 +73,12 @@ class Motion:
     """What a tool found: states (x, y, angle, vx, vy, omega) at the times asked for, and its bounces."""
 
     states: dict
-    bounces: list  # times, as far as the tool tells
+    bounces: list = field(default_factory=list)  # times, as far as the tool tells
     note: str = ""
+    path: list = field(default_factory=list)  # times and states, step by step, or none
+    impacts: list = field(default_factory=list)  # their times, where the tool locates them
+    events: dict = field(default_factory=dict)  # times by name, where the tool locates them
+    spent: float | None = None  # processor time in s, where the tool measures it itself
 
 
 def rod_reference(restitution, time):

@@ -14,6 +14,8 @@ const REFERENCES: &[(&str, &str)] = &[
     ("references/elastic.py", "crates/tumble/tests/reference/elastic.json"),
     ("references/chains.py", "crates/tumble/tests/reference/chains.json"),
     ("references/linkages.py", "crates/tumble/tests/reference/linkages.json"),
+    ("references/rough.py", "crates/tumble/tests/reference/rough.json"),
+    ("references/painleve.py", "crates/tumble/tests/reference/painleve.json"),
 ];
 
 const REQUIREMENTS: &str = "references/requirements.txt";

@@ -343,7 +343,10 @@ impl Equations {
         let sides = |pair: usize| 0..self.pairs()[pair].bodies().count();
         let across =
             move |pair: usize, keeps: bool| sides(pair).map(move |side| (TermOf::Pair(pair, side), keeps));
-        let along = move |pair: usize| sides(pair).map(move |side| (TermOf::Friction(pair, side), true));
+        let along = move |pair: usize| {
+            let keeps = !mode.has_known_friction(pair);
+            sides(pair).map(move |side| (TermOf::Friction(pair, side), keeps))
+        };
         let pressed = mode.pressed().flat_map(move |pair| across(pair, false));
         let held = mode.held().flat_map(move |pair| across(pair, true));
         let rubbing = mode.rubbing().flat_map(along);

@@ -239,12 +239,6 @@ pub enum ModelError {
         /// By how much.
         below: f64,
     },
-    /// Friction of a surface that is not rigid.
-    #[error("surface `{surface}` is compliant and has friction: there is friction of rigid surfaces only")]
-    CompliantFriction {
-        /// Its name.
-        surface: String,
-    },
     /// A body that starts inside a surface.
     #[error("`{body}` starts {depth} m inside `{surface}`, by its point `{feature}`")]
     Inside {

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use tumble_expr::{Expr, Vector};
 use tumble_ode::{Crossing, Reason};
 
+use crate::contact::Pair;
 use crate::equations::Equations;
 use crate::kinematics::rotated;
 use crate::load::{Application, Frame};
@@ -126,8 +127,11 @@ impl Equations {
         let along = sizes.frictions.iter().map(|(index, size)| (Source::Friction(*index), *index, *size));
         for (source, index, impulse) in across.chain(along) {
             let pair = &self.pairs()[index];
-            let direction = if source == Source::Pair(index) { pair.normal.clone() } else { pair.tangent() };
-            let arms = pair.bodies().flat_map(|body| pair.arm_of(body).components().to_vec());
+            let (direction, arm): (_, fn(&Pair, usize) -> Vector) = match source {
+                Source::Pair(_) => (pair.normal.clone(), Pair::arm_of),
+                _ => (pair.tangent(), Pair::slip_arm_of),
+            };
+            let arms = pair.bodies().flat_map(|body| arm(pair, body).components().to_vec());
             let formulas: Vec<Expr> = direction.components().iter().cloned().chain(arms).collect();
             let values = self.values(&formulas, at.mode, at.time, at.states, at.inputs)?;
             let (direction, arms) = values.split_at(2);

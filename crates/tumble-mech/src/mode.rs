@@ -14,7 +14,7 @@ pub struct Mode {
     pub changes: Vec<usize>,
     /// Which pairs touch and how, in the order of the pairs; those not mentioned are open.
     pub contacts: Vec<(usize, ContactMode)>,
-    /// How those are held along the surface that a rigid surface with friction holds by a force, in the order of the pairs.
+    /// How those are held along the surface that press on one with friction, in the order of the pairs.
     pub grips: Vec<(usize, Grip)>,
     /// How loads that brake are held that are signs of rates, by the order of [`crate::Equations::brakes`]; those that are not mentioned
     /// have the sign that the rate has.
@@ -52,6 +52,16 @@ impl Mode {
     pub fn contact_mode(&self, pair: usize) -> Option<ContactMode> {
         let at = self.contacts.binary_search_by_key(&pair, |(known, _)| *known).ok()?;
         Some(self.contacts[at].1)
+    }
+
+    /// Whether a pair is pressed into a compliant surface.
+    pub(crate) fn is_pressed(&self, pair: usize) -> bool {
+        self.contact_mode(pair) == Some(ContactMode::Pressed)
+    }
+
+    /// Whether the friction of a pair follows from the states, as its normal force does: it slips on a compliant surface.
+    pub(crate) fn has_known_friction(&self, pair: usize) -> bool {
+        self.is_pressed(pair) && self.grip(pair) != Some(Grip::Sticks)
     }
 
     /// How a pair is held along its surface; `None` without friction or where it is not held.

@@ -5,10 +5,11 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::{Vector, is_identically_zero};
 
 use crate::body::Body;
-use crate::contact::{BodyContact, Feature, moves};
+use crate::contact::{BodyContact, Feature, moves, of_surface_and_body};
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
+use crate::friction::Friction;
 use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
 use crate::joint::Joint;
@@ -18,7 +19,7 @@ use crate::parameters::time_symbol;
 use crate::shape::Shape;
 use crate::start::Start;
 use crate::stated::Stated;
-use crate::surface::{ContactLaw, Surface, is_at};
+use crate::surface::{Surface, is_at};
 
 impl Model {
     /// All mistakes that show before any number is known: names and dimensions.
@@ -55,7 +56,6 @@ impl<'m> Structure<'m> {
     fn mistakes(&self) -> Vec<ModelError> {
         let model = self.model;
         let mut mistakes: Vec<ModelError> = model.bodies.iter().filter_map(nothing).collect();
-        mistakes.extend(model.bodies.iter().filter_map(|body| self.of_friction(body)));
         mistakes.extend(model.bodies.is_empty().then_some(ModelError::Empty));
         mistakes.extend(self.same_names());
         mistakes.extend(model.pivots.iter().flat_map(|pivot| self.of_pivot(pivot)));
@@ -157,11 +157,34 @@ impl<'m> Structure<'m> {
         let is_cornered = path.into_iter().any(|path| path.branches_on(&[time_symbol()]));
         let what = format!("surface `{}`", surface.name);
         let cornered = is_cornered.then_some(ModelError::CorneredPath { what });
-        let compliant = (surface.friction.is_some() && !matches!(surface.law, ContactLaw::Rigid { .. }))
-            .then(|| ModelError::CompliantFriction { surface: surface.name.clone() });
         let met = surface.on.iter().flatten().filter(|name| !self.can_touch(name));
         let met = met.filter_map(|name| self.unknown_body(name));
-        cornered.into_iter().chain(compliant).chain(met).chain(self.of_outline(surface)).collect()
+        let of_law = self.of_friction(surface);
+        cornered.into_iter().chain(of_law).chain(met).chain(self.of_outline(surface)).collect()
+    }
+
+    /// Friction of a compliant surface, whoever says it, that has no law.
+    fn of_friction(&self, surface: &Surface) -> Option<ModelError> {
+        if surface.law.is_rigid() {
+            return None;
+        }
+        let met = self.model.bodies.iter().filter(|body| surface.meets(body));
+        let said = met.filter_map(|body| of_surface_and_body(self.model, surface, body).1);
+        let said: Vec<Friction> = said.chain(surface.friction.clone()).collect();
+        let wrong = |problem: &str, cure| of_rule(&surface.name, problem.to_owned(), cure);
+        let rolling = said.iter().any(|friction| friction.rolling.is_some()).then(|| {
+            wrong(
+                "is compliant, and what rolls on it would be resisted: only rigid surfaces resist rolling",
+                "leave `rolling` out, or make the surface `rigid`",
+            )
+        });
+        let pulls = (!said.is_empty() && surface.law.may_pull()).then(|| {
+            wrong(
+                "has friction, and pulls before it lets go `\"at the surface\"`: there is no friction of what pulls",
+                "write `release = \"at zero force\"`, or leave the friction or the damping out",
+            )
+        });
+        rolling.or(pulls)
     }
 
     /// What circles and polygons are not there for.
@@ -247,10 +270,13 @@ impl<'m> Structure<'m> {
                 "write a `[weld.NAME]` with `from`, which an event makes, of the body's point and a place",
             )
         });
-        let compliant = surfaces.iter().find(|surface| !surface.law.is_rigid()).map(|surface| {
-            let problem =
-                format!("is of `{}`, which is compliant: its own law is all there is", surface.name);
-            wrong(problem, "make the surface `rigid`, or leave the contact out")
+        let compliant = surfaces.iter().find(|surface| !surface.law.is_rigid());
+        let compliant = compliant.filter(|_| contact.restitution.is_some()).map(|surface| {
+            let problem = format!(
+                "has a restitution and is of `{}`, which is compliant: its damping says what comes back",
+                surface.name
+            );
+            wrong(problem, "leave `restitution` out, or make the surface `rigid`")
         });
         let couples = contact.on_surfaces(self.model);
         let apart = couples
@@ -291,17 +317,6 @@ impl<'m> Structure<'m> {
         bodies
             .chain(surfaces.map(|[surface, own]| [model.surfaces[surface].name.as_str(), body(own)]))
             .collect()
-    }
-
-    /// Friction that a body has of its own where it meets what has none.
-    fn of_friction(&self, body: &Body) -> Option<ModelError> {
-        let mut surfaces = self.model.surfaces.iter().filter(|surface| !surface.law.is_rigid());
-        let compliant = surfaces.find(|surface| body.friction.is_some() && surface.meets(body))?;
-        let problem = format!(
-            "has friction and meets `{}`, which is compliant: there is friction of rigid surfaces only",
-            compliant.name
-        );
-        Some(of_rule(&body.name, problem, "make the surface `rigid`, or leave the friction out"))
     }
 
     fn is_surface(&self, name: &str) -> bool {

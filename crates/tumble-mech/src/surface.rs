@@ -21,7 +21,7 @@ pub struct Surface {
     pub polygon: Option<Vec<Vector>>,
     /// What happens where a body touches it.
     pub law: ContactLaw,
-    /// Dry friction along it; none where nothing is said. Only a rigid surface has it.
+    /// Dry friction along it; none where nothing is said.
     pub friction: Option<Friction>,
     /// What meets it: names of bodies, `rod`, and of single points by which a body touches, `rod.tip`; `None` is all.
     pub on: Option<Vec<String>>,
@@ -184,6 +184,11 @@ impl ContactLaw {
     /// Whether what is let go may still be inside the surface.
     pub(crate) fn releases_early(&self) -> bool {
         matches!(self, Self::Spring { damping, release: Release::AtZeroForce, .. } if !is_identically_zero(damping))
+    }
+
+    /// Whether it may pull before it lets go.
+    pub(crate) fn may_pull(&self) -> bool {
+        matches!(self, Self::Spring { damping, release: Release::AtSurface, .. } if !is_identically_zero(damping))
     }
 
     /// What is left of a velocity of approach by a rigid surface.

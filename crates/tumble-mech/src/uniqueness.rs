@@ -3,34 +3,34 @@
 //! forces of a unit of each multiplier, all lambda with one `G lambda` make one motion; two of them differ by a vector of the null
 //! space of G. Each row k that was left out gives a vector of it, `e_k - sum c_i e_i` with `g_k = sum c_i g_i` over the rows that
 //! are kept. A quantity is unique where its gradient by lambda is orthogonal to these, N. One that is linear in lambda lies between
-//! the least and the greatest value of all `lambda_0 + N y` in which no contact pulls: two linear programs.
+//! the least and the greatest value of all `lambda_0 + N y` in which no contact pulls and friction is what it can be, `|F| <= mu_s N` at
+//! each point that does not slip: two linear programs. Friction of what slips goes with its normal force.
 //! # Symbols and units
-//! lambda multipliers of contacts and joints (N or N m), lambda_0 those that the equations have found.
+//! lambda multipliers of contacts and joints (N or N m), lambda_0 those that the equations have found; F friction, N normal force (N), mu_s
+//! static coefficient.
 //! # Sign and frame
-//! A contact pushes with lambda >= 0; a joint's multipliers may have any sign, and so may friction of what sticks, whose limits are
-//! not looked at.
+//! A contact pushes with lambda >= 0; a joint's multipliers may have any sign.
 //! # Validity
 //! Rigid bodies; what bears how much of a load is a question of how little they yield. The reaction of a pivot follows from all
 //! other forces.
 //! # Source
 //! Statical indeterminacy; null space of the equilibrium matrix.
 //! # Checked by
-//! `tests/uniqueness.rs`: benches and beams on more supports than they need, cranks beside each other.
+//! `tests/uniqueness.rs`: benches and beams on more supports than they need, cranks beside each other, a ladder that is rough at both ends.
+
+mod redundancy;
 
 use nalgebra::{DMatrix, DVector};
-use tumble_expr::{Expr, Substitution, Symbol, Unit, is_identically_zero};
+use tumble_expr::{Expr, Substitution, Symbol, is_identically_zero};
 use tumble_ode::{Reason, Side};
 
 use crate::contact::{ContactMode, Grip};
 use crate::equations::{Equations, on_body};
-use crate::linear_program::greatest;
 use crate::link::RowOf;
 use crate::mode::Mode;
 use crate::run::{Run, RunError};
+use redundancy::{Cone, Redundancy, shares};
 
-/// A row that was left out follows from the others to this part of its size: a little more than the root of what contacts are told
-/// apart by, where pivots are squares.
-const FOLLOWS: f64 = 1e-4;
 /// Parts of a sum, or of a row, below this are rounding of places that joints and contacts keep to 1e-12 and better.
 const NOTHING: f64 = 1e-9;
 
@@ -42,16 +42,6 @@ pub struct Spread {
     pub least: f64,
     /// Greatest such value, or infinity.
     pub greatest: f64,
-}
-
-/// Multipliers of which some are more than needed.
-struct Redundancy {
-    symbols: Vec<Symbol>,
-    is_contact: Vec<bool>,
-    /// How many of them, at the end, belong to rows that are left out.
-    left_out: usize,
-    /// By multiplier and row left out: what changes no motion.
-    directions: DMatrix<f64>,
 }
 
 /// Where and when.
@@ -163,7 +153,7 @@ impl Equations {
         let joints = self.rows_by_joint(mode);
         let left_out = joints.iter().filter(|(index, _)| is_left_out(index));
         let bodies = left_out.flat_map(|(_, row)| self.bodies_of(*row));
-        let without = idle(mode).chain(following(mode));
+        let without = idle(mode).chain(borne(mode));
         let bodies: Vec<usize> = bodies.chain(without.flat_map(|pair| self.pairs()[pair].bodies())).collect();
         if bodies.is_empty() {
             return Ok(None);
@@ -180,21 +170,60 @@ impl Equations {
         let mut all: Vec<(RowOf, bool)> = of_joints(false).into_iter().chain(contacts).collect();
         all.retain(|(row, _)| is_own(row));
         let kept = all.len();
-        let contacts = idle(mode).map(of_pair).chain(following(mode).map(of_slip));
-        all.extend(of_joints(true).into_iter().chain(contacts));
+        let contacts = idle(mode).map(of_pair).chain(borne(mode).map(of_slip));
+        let left_out = of_joints(true).into_iter().chain(contacts);
+        all.extend(left_out.filter(|(row, _)| is_own(row)));
         let (rows, is_contact): (Vec<RowOf>, Vec<bool>) = all.into_iter().unzip();
         let directions = self.directions(spot, &rows, kept)?;
+        let cones = self.cones(mode, &rows);
         let symbols: Vec<Symbol> = rows.into_iter().map(|row| self.row(row).multiplier).collect();
-        Ok(Some(Redundancy { left_out: symbols.len() - kept, symbols, is_contact, directions }))
+        Ok(Some(Redundancy { left_out: symbols.len() - kept, symbols, is_contact, directions, cones }))
+    }
+
+    /// What friction can be at the points of some rows that do not slip.
+    fn cones(&self, mode: &Mode, rows: &[RowOf]) -> Vec<Cone> {
+        let place = |of: RowOf| rows.iter().position(|row| *row == of);
+        let cone = |(along, row): (usize, &RowOf)| {
+            let RowOf::Slip(pair) = *row else { return None };
+            let own = &self.pairs()[pair];
+            let owner = self.pair_list().owner.get(&pair).copied().unwrap_or(pair);
+            let friction = own.friction.as_ref()?.of_rest.clone();
+            let follows = mode.grip(pair) == Some(Grip::Follows);
+            Some(Cone {
+                normal: place(RowOf::Pair(owner))?,
+                along,
+                friction,
+                patch: own.slips_with(pair),
+                follows,
+            })
+        };
+        let is_still = |(_, row): &(usize, &RowOf)| match row {
+            RowOf::Slip(pair) => mode.grip(*pair).is_some_and(Grip::is_still),
+            _ => false,
+        };
+        rows.iter().enumerate().filter(is_still).filter_map(cone).collect()
     }
 
     /// By row and row left out, what changes no motion.
     fn directions(&self, spot: Spot<'_>, rows: &[RowOf], kept: usize) -> Result<DMatrix<f64>, Reason> {
-        let rows: Vec<(usize, RowOf)> = rows.iter().copied().enumerate().collect();
-        let numbers = self.numbers_of(spot.mode, &rows, spot.time, spot.states, spot.inputs)?;
+        let tie = |(place, row): (usize, &RowOf)| {
+            let RowOf::Pair(pair) = *row else { return None };
+            let slides = !spot.mode.grip(pair)?.is_still();
+            Some((place, RowOf::Slip(pair), self.tie(spot.mode, pair).filter(|_| slides)?))
+        };
+        let tied: Vec<(usize, RowOf, Expr)> = rows.iter().enumerate().filter_map(tie).collect();
+        let along = tied.iter().map(|(_, row, _)| *row);
+        let numbered: Vec<(usize, RowOf)> = rows.iter().copied().chain(along).enumerate().collect();
+        let numbers = self.numbers_of(spot.mode, &numbered, spot.time, spot.states, spot.inputs)?;
         // In these units a unit of each is as much kinetic energy.
         let unit = numbers.mass.map(|mass| if mass > 0.0 { 1.0 / libm::sqrt(mass) } else { 1.0 });
-        let mut forces = DMatrix::from_diagonal(&unit) * numbers.gradient.dense().transpose();
+        let all = DMatrix::from_diagonal(&unit) * numbers.gradient.dense().transpose();
+        let mut forces = all.columns(0, rows.len()).into_owned();
+        let ties: Vec<Expr> = tied.iter().map(|(.., tie)| tie.clone()).collect();
+        let ties = self.values(&ties, spot.mode, spot.time, spot.states, spot.inputs)?;
+        for (index, ((place, ..), tie)) in tied.iter().zip(ties).enumerate() {
+            forces.column_mut(*place).axpy(tie, &all.column(rows.len() + index), 1.0);
+        }
         if forces.iter().any(|value| !value.is_finite()) {
             return Err(Reason::Model("what keeps bodies here is not known by finite numbers".into()));
         }
@@ -239,7 +268,9 @@ impl Equations {
         }
         let forces: Vec<Expr> = open.symbols.iter().cloned().map(Expr::from).collect();
         let (found, forces) = (values(std::slice::from_ref(formula))?[0], values(&forces)?);
-        let [down, up] = [-&slopes, slopes].map(|slopes| open.farthest(&slopes, &forces));
+        let most: Vec<Expr> = open.cones.iter().map(|cone| cone.friction.clone()).collect();
+        let limits = open.limits(&forces, &values(&most)?);
+        let [down, up] = [-&slopes, slopes].map(|slopes| limits.farthest(&slopes));
         let blur = NOTHING * constant.amax() * forces.amax();
         // Feet that nothing may load are redundant, and bear nothing all the same.
         let is_open = down + up > blur;
@@ -249,70 +280,14 @@ impl Equations {
     }
 }
 
-impl Redundancy {
-    /// How a quantity of this gradient changes along the directions; zero where it does not but for rounding.
-    fn slopes(&self, gradient: &DVector<f64>) -> DVector<f64> {
-        DVector::from_fn(self.left_out, |column, _| {
-            let parts = gradient.component_mul(&self.directions.column(column));
-            let sum = parts.sum();
-            if sum.abs() > NOTHING * parts.abs().sum() { sum } else { 0.0 }
-        })
-    }
-
-    /// All multipliers one unit away.
-    fn elsewhere(&self) -> Substitution {
-        let mut away = Substitution::default();
-        for symbol in &self.symbols {
-            away.insert(symbol.clone(), Expr::from(symbol.clone()) + 1 * Unit(symbol.dimension));
-        }
-        away
-    }
-
-    /// How far a quantity of these slopes can grow before a contact would pull.
-    fn farthest(&self, slopes: &DVector<f64>, forces: &DVector<f64>) -> f64 {
-        let kept = self.symbols.len() - self.left_out;
-        // What is left out pushes from nothing on; of a joint both ways.
-        let both_ways = (0..self.left_out).filter(|column| !self.is_contact[kept + column]);
-        let ways: Vec<(usize, f64)> = (0..self.left_out)
-            .map(|column| (column, 1.0))
-            .chain(both_ways.map(|column| (column, -1.0)))
-            .collect();
-        let bounds: Vec<usize> = (0..kept).filter(|row| self.is_contact[*row]).collect();
-        let a = DMatrix::from_fn(bounds.len(), ways.len(), |row, way| {
-            -ways[way].1 * self.directions[(bounds[row], ways[way].0)]
-        });
-        let d = DVector::from_fn(ways.len(), |way, _| ways[way].1 * slopes[ways[way].0]);
-        greatest(&d, &a, &DVector::from_fn(bounds.len(), |row, _| forces[bounds[row]].max(0.0)))
-    }
-}
-
-/// Of columns of unit length, `e_k - sum c_i e_i` for each of the last ones that is the sum of the first `kept` with the parts c; zero
-/// where it is not.
-fn shares(columns: &DMatrix<f64>, kept: usize) -> DMatrix<f64> {
-    let left_out = columns.ncols() - kept;
-    let mut found = DMatrix::zeros(columns.ncols(), left_out);
-    let known = columns.columns(0, kept).into_owned();
-    let parts = (kept > 0).then(|| known.clone().svd(true, true));
-    for column in 0..left_out {
-        let own = columns.column(kept + column).into_owned();
-        let solved = parts.as_ref().and_then(|parts| parts.solve(&own, NOTHING).ok());
-        let sum = solved.unwrap_or_else(|| DVector::zeros(kept));
-        if (&own - &known * &sum).norm() <= FOLLOWS * own.norm() {
-            let sum = sum.map(|part| if part.abs() <= NOTHING { 0.0 } else { -part });
-            found.view_mut((0, column), (kept, 1)).copy_from(&sum);
-            found[(kept + column, column)] = 1.0;
-        }
-    }
-    found
-}
-
 /// Pairs that stay on a surface without a force.
 fn idle(mode: &Mode) -> impl Iterator<Item = usize> {
     let idle = mode.contacts.iter().filter(|(_, contact_mode)| *contact_mode == ContactMode::Idle);
     idle.map(|(pair, _)| *pair)
 }
 
-/// Pairs that do not slip and are given no friction.
-fn following(mode: &Mode) -> impl Iterator<Item = usize> {
-    mode.grips.iter().filter(|(_, grip)| *grip == Grip::Follows).map(|(pair, _)| *pair)
+/// Pairs that do not slip and whose friction is not what keeps them from it: they have none, or as much as there can be.
+fn borne(mode: &Mode) -> impl Iterator<Item = usize> {
+    let borne = mode.grips.iter().filter(|(_, grip)| matches!(grip, Grip::Follows | Grip::Strains(_)));
+    borne.map(|(pair, _)| *pair)
 }

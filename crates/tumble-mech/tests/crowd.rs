@@ -144,6 +144,13 @@ fn a_pile_does_not_switch_without_end() {
     assert_eq!(attack(1020, false, 1.04), Ok(()));
 }
 
+/// Slips so slow that friction stops them before they have gone as far as a bounce is high do not let what they hold fall, stick, let it fall
+/// again, without end.
+#[test]
+fn a_rough_pile_does_not_rattle_without_end() {
+    assert_eq!(attack(11, true, 1.05), Ok(()));
+}
+
 /// More of the same.
 #[test]
 #[ignore = "takes minutes"]

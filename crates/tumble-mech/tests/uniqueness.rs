@@ -6,7 +6,7 @@ use common::{close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    Anchor, Body, ContactMode, Gravity, Joint, Model, Part, Run, Shape, Spread, Start, Surface,
+    Anchor, Body, ContactMode, Friction, Gravity, Joint, Model, Part, Run, Shape, Spread, Start, Surface,
 };
 use tumble_ode::Side;
 
@@ -270,5 +270,71 @@ fn which_feet_bear_is_not_left_to_rounding() {
         let progress = |_: f64| std::ops::ControlFlow::Continue(());
         let (_, trust) = Run::trusted(&model, &model.parameters, 2.0, accuracy, progress).expect("a motion");
         assert!(trust.horizon.is_none(), "{:?}", trust.horizon);
+    }
+}
+
+fn rough(surface: Surface, friction: f64) -> Surface {
+    Surface { friction: Some(Friction::new(Expr::from(friction))), ..surface }
+}
+
+/// A ladder of 1 kg from a floor to a wall, rough at both ends. With n the push of the wall, the moments about the foot ask for friction of
+/// `m g/2 - n b/a` there, which each cone bounds.
+#[test]
+fn a_ladder_that_is_rough_at_both_ends() {
+    let (a, b, weight) = (3.0, 4.0, G);
+    for (floor, wall) in [(0.4, 0.9), (0.5, 0.5), (0.9, 0.3)] {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(G * M / (S * S));
+        model.add(Body::rod("ladder", [a * M, 0 * M], [0 * M, b * M]).mass(1 * KG));
+        model.surface(rough(Surface::floor("floor", 0 * M, rigid(0.0)), floor));
+        let upright = Surface::new("wall", [0 * M, 0 * M], [Expr::from(1), Expr::from(0)], rigid(0.0));
+        model.surface(rough(upright, wall));
+        let run = run(model, 1.0, 1e-12);
+        let bears = |name: &str| {
+            let mut own = run.equations.pairs().iter().filter(|pair| pair.name.starts_with(name));
+            own.find(|pair| common::at(&run, 0.5, [pair.force_symbol().into()])[0] > 0.0).expect("it bears")
+        };
+        let least = weight * a / 2.0 / (b + wall * a);
+        let by_wall = weight * a / 2.0 / (b - wall * a);
+        let by_floor = floor * weight / 2.0 / (1.0 - floor * b / a);
+        let most = if by_floor > 0.0 { by_wall.min(by_floor) } else { by_wall };
+        between(&run, &bears("wall").force_symbol().into(), least, most);
+        between(&run, &bears("floor").friction_symbol().into(), -most, -least);
+        // Along the wall downwards.
+        let friction = |n: f64| n * b / a - weight / 2.0;
+        between(&run, &bears("wall").friction_symbol().into(), friction(least), friction(most));
+    }
+}
+
+/// A block that sticks to a slope by both corners: what each bears along it is open within both cones, their sum is not.
+#[test]
+fn corners_share_friction_within_their_cones() {
+    let (slope, friction, weight): (f64, f64, f64) = (0.3, 0.5, 2.0 * G);
+    let (sin, cos) = slope.sin_cos();
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(G * M / (S * S));
+    let shape = Shape::Box { centre: Vector::planar(0 * M, 0 * M), width: 2 * M, height: 1 * M };
+    model.add(Body::of_shape("block", shape).mass(2 * KG));
+    let start = Start::default().at([-0.5 * sin * M, 0.5 * cos * M]).angle(Expr::from(slope));
+    model.starts.push(("block".into(), start));
+    let plane = Surface::new("slope", [0 * M, 0 * M], [Expr::from(-sin), Expr::from(cos)], rigid(0.0));
+    model.surface(rough(plane, friction));
+    let run = run(model, 1.0, 1e-12);
+    let held: Vec<_> = run
+        .equations
+        .pairs()
+        .iter()
+        .filter(|pair| common::at(&run, 0.5, [pair.force_symbol().into()])[0] > 0.0)
+        .collect();
+    let normal: Vec<f64> =
+        held.iter().map(|pair| common::at(&run, 0.5, [pair.force_symbol().into()])[0]).collect();
+    close(normal[0] + normal[1], weight * cos, 1e-12);
+    let forces: Vec<Expr> = held.iter().map(|pair| pair.friction_symbol().into()).collect();
+    let all = common::at(&run, 0.5, [&forces[0] + &forces[1]])[0];
+    close(all.abs(), weight * sin, 1e-12);
+    unique(&run, &(&forces[0] + &forces[1]));
+    for (own, other) in [(0, 1), (1, 0)] {
+        let [most, others] = [own, other].map(|index| friction * normal[index]);
+        between(&run, &forces[own], (-most).max(all - others), most.min(all + others));
     }
 }

@@ -109,8 +109,5 @@ fn friction_by_a_choice_is_refused_where_it_sticks() {
     let start = Start::default().at([0 * M, 0 * M]).velocity([6 * M / S, 0 * M / S]);
     let error = model.simulate(&[(&block, start)], 5 * S).expect_err("it sticks at 2 s");
     let text = error.to_string();
-    assert!(
-        text.contains("stopped at t = 2 s") && text.contains("is zero and stays there"),
-        "{text}"
-    );
+    assert!(text.contains("stopped at t = 2 s") && text.contains("is zero and stays there"), "{text}");
 }

@@ -72,6 +72,9 @@ pub struct Crossing<'a, Mode> {
     pub causes: &'a [Cause],
     /// Scales of the groups of states so far.
     pub scales: &'a [f64],
+    /// Jumps of this very instant that have left the states as they are and have come back to this mode, in order: modes that led into each other
+    /// around a circle, with what ended each.
+    pub around: Vec<(&'a Mode, &'a [Cause])>,
 }
 
 /// What ends a flow.
@@ -104,11 +107,13 @@ pub struct Jump<Mode, Record = ()> {
     pub zeros: Vec<(String, usize)>,
     /// A later time, s, at which the system is to be asked again.
     pub wake: Option<f64>,
+    /// By how much later than told it may happen, s.
+    pub early: f64,
 }
 
 impl<Mode, Record: Default> Jump<Mode, Record> {
     /// A jump that changes nothing yet.
     pub fn to(mode: Mode, states: Vec<f64>) -> Self {
-        Self { mode, states, record: Record::default(), stop: false, zeros: vec![], wake: None }
+        Self { mode, states, record: Record::default(), stop: false, zeros: vec![], wake: None, early: 0.0 }
     }
 }

@@ -1,7 +1,7 @@
 //! Whether it is known where a watched function is zero on a stretch.
 //!
 //! It is where its range leaves out zero; where the function is monotone, or bends to one side only, and its signs at the
-//! ends, and at its turn, decide. What is zero at the beginning, with some of its derivatives, is looked at divided by that
+//! ends, and at its turn, decide; or where it ends in a triple zero and its third derivative has one sign. What is zero at the beginning, with some of its derivatives, is looked at divided by that
 //! power of s: `w = s^z v`, and the coefficients of v are enclosed by those of w, z orders up.
 
 use tumble_expr::Interval;
@@ -44,7 +44,10 @@ pub(crate) fn is_settled(bounds: &Bounds<'_>, known: Known<'_>) -> bool {
         return ends.of_monotone(known);
     }
     let bend = divided.range(2).definite_sign();
-    bend != 0.0 && ends.of_bent(bend, bounds, known)
+    if bend != 0.0 {
+        return ends.of_bent(bend, bounds, known);
+    }
+    known.ends_at_zero && ends.flatten_out(divided.range(3).definite_sign(), known)
 }
 
 /// A function divided by the power of s that it begins with.
@@ -98,6 +101,11 @@ impl Ends {
                 if beyond { (known.roots)() == 2 } else { true }
             }
         }
+    }
+
+    /// Of what comes to zero at the end with its slope and its bend, as a cube does, and is zero nowhere before.
+    fn flatten_out(&self, twist: f64, known: Known<'_>) -> bool {
+        self.low * twist < 0.0 && (known.roots)() == 0
     }
 }
 

@@ -214,6 +214,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             inputs: &self.inputs,
             causes: &[],
             scales: self.scales.all(),
+            around: vec![],
         })
     }
 

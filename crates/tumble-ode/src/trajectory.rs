@@ -58,7 +58,7 @@ pub struct Event<Record = ()> {
     pub before: Vec<f64>,
     /// States just after.
     pub after: Vec<f64>,
-    /// By how much rounding errors of what was crossed may have moved the time, s.
+    /// By how much rounding errors of what was crossed may have moved the time, and what was left out before it, s.
     pub blur: f64,
     /// Index in [`Trajectory::modes`] of the mode that ended.
     pub mode_before: usize,

@@ -267,8 +267,8 @@ const MISSING: &[Row] = &[
             "rough",
             "roughness",
         ],
-        "rigid surfaces have friction: `rigid = { restitution = 0.5, friction = 0.3 }` in `[surface.NAME]`; joints, pivots and \
-         compliant surfaces have none yet",
+        "surfaces have friction: `rigid = { restitution = 0.5, friction = 0.3 }` in `[surface.NAME]`, and so in `spring` and `hertz`; \
+         joints and pivots have none yet",
     ),
     (
         &["rolling", "roll", "tyre", "tire"],

@@ -102,7 +102,7 @@ const STRUCTURE: &[Row] = &[
     ("[run]\nuntil = \"5 s\"\naccuracy = 1e-9", "", "E0512", "until = \"10 s\""),
     ("[output]", "[outputs]", "E0510 outputs", "did you mean `output`?"),
     ("[output]", "[quux]\na = 1\n[output]", "E0510 quux", "a scene is made of `version`, `title`"),
-    ("[output]", "[friction]\nmu = 0.3\n[output]", "E0510 friction", "rigid surfaces have friction"),
+    ("[output]", "[friction]\nmu = 0.3\n[output]", "E0510 friction", "surfaces have friction: "),
     ("[output]", "[joint.hinge]\na = 1\n[output]", "E0510 joint", "`[pin.NAME]` lets two bodies turn"),
     ("[output]", "[wind]\na = 1\n[output]", "E0510 wind", "`wind` is a key of `[world]`"),
     ("[output]", "[kind]\na = 1\n[output]", "E0510 kind", "a scene is made of `version`, `title`"),

@@ -134,6 +134,7 @@ impl Between {
             friction: self.friction.clone(),
             opposite,
             limits,
+            is_level: false,
             lever: None,
         }
     }

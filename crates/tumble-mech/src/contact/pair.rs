@@ -4,6 +4,11 @@
 //! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
 //! angle. The rate of slip is `s = t . (v - w)`, with v and w the velocities of the two material points there.
 //!
+//! A compliant surface is pressed in where the gap is negative. Friction acts at the contact point of a body that has only one, such as a
+//! ball, which rolls with `v = -omega r`. A body that has several has them at different depths, and if each stuck by itself it could not
+//! turn. On such a body friction acts where the surface is when nothing presses it, at `p - (r + g) n`: all its points on one plane have one
+//! lever there and slip alike, as they do on a rigid plane.
+//!
 //! Against a circle of radius R about Q, with `d = p - Q`: from outside `g = |d| - L`, `L = R + r`, `n = d/L`; from inside
 //! `g = L - |d|`, `L = R - r`, `n = -d/L`. Rows keep `h = +-(d . d - L^2)/(2 L)` in the place of g, which is zero where g is, with
 //! `h' = n . d'` and `h'' = n . d'' +- d' . d'/L`: polynomials, exact where they touch. If Q is a point of another body, that has the
@@ -87,6 +92,8 @@ pub struct Pair {
     pub(crate) opposite: Opposite,
     /// Where they may touch, if not everywhere.
     pub(crate) limits: Vec<Limit>,
+    /// Whether friction acts where the surface would be if nothing pressed it.
+    pub(crate) is_level: bool,
     /// Set of what stands for the rolling resistance of a pair beside it: the radius, m, by which its couple is a force and its rate a
     /// speed. It has the force of the pair, and no gap of its own.
     pub(crate) lever: Option<Expr>,
@@ -115,6 +122,7 @@ impl Pair {
             friction,
             opposite,
             limits: vec![],
+            is_level: false,
             lever: None,
         }
     }
@@ -216,6 +224,19 @@ impl Pair {
             Opposite::Edge(edge) if edge.is_first => Some(other.world_arm() + &edge.radius * &self.normal),
             Opposite::Edge(_) => Some(self.centre.body.position() - other.body.position() + self.arm()),
         }
+    }
+
+    /// From the first body's centre of mass to where friction acts on it, m, world axes.
+    pub(crate) fn slip_arm(&self) -> Vector {
+        match self.is_level {
+            true => self.centre.world_arm() - &(&self.radius + self.gap()) * &self.normal,
+            false => self.arm(),
+        }
+    }
+
+    /// The same of one of its bodies.
+    pub(crate) fn slip_arm_of(&self, body: usize) -> Vector {
+        if self.is_level { self.slip_arm() } else { self.arm_of(body) }
     }
 
     /// The arm of one of its bodies.
@@ -325,11 +346,16 @@ impl Pair {
             return lever * self.relative(Kinematics::alpha, turning);
         }
         let motion = &self.centre.body;
-        let (omega, arm) = (motion.omega(), self.arm());
+        let (omega, arm) = (motion.omega(), self.slip_arm());
         let normal_turns = self.turning();
         let turning = match &self.opposite {
             Opposite::Edge(edge) if edge.is_first => {
                 self.opposite.velocity(&self.through) - motion.velocity() + &edge.radius * &normal_turns
+            }
+            _ if self.is_level => {
+                let lever = &self.radius + self.gap();
+                let rising = &lever * &normal_turns + &self.gap_rate() * &self.normal;
+                &omega * self.centre.world_arm().perpendicular() - rising
             }
             _ => &omega * self.centre.world_arm().perpendicular() - &self.radius * &normal_turns,
         };
@@ -344,10 +370,10 @@ impl Pair {
         self.material_velocity() - self.opposite.material_velocity(self)
     }
 
-    /// Velocity of the body's material point that touches, m/s.
+    /// Velocity of the body's material point that friction acts at, m/s.
     pub(crate) fn material_velocity(&self) -> Vector {
         let motion = &self.centre.body;
-        motion.velocity() + motion.omega() * self.arm().perpendicular()
+        motion.velocity() + motion.omega() * self.slip_arm().perpendicular()
     }
 
     /// Stands for the force along the surface, N, or for a couple against rolling over its lever, the radius of what rolls.
@@ -397,6 +423,7 @@ impl Pair {
         Term {
             load: format!("{}.friction", self.name),
             law: Law::Friction,
+            arm: self.slip_arm(),
             force: &force * &self.tangent(),
             ..self.term()
         }
@@ -434,7 +461,9 @@ impl Pair {
     pub(crate) fn slip_row(&self) -> Row {
         Row {
             multiplier: self.friction_symbol(),
-            wrenches: self.turning_wrenches().unwrap_or_else(|| self.wrenches(&self.tangent())),
+            wrenches: self
+                .turning_wrenches()
+                .unwrap_or_else(|| self.wrenches(&self.tangent(), Self::slip_arm_of)),
             position: Expr::zero(),
             rate: self.slip_rate(),
             acceleration: self.slip_acceleration(),
@@ -446,7 +475,7 @@ impl Pair {
     pub(crate) fn row(&self) -> Row {
         Row {
             multiplier: self.force_symbol(),
-            wrenches: self.wrenches(&self.normal),
+            wrenches: self.wrenches(&self.normal, Self::arm_of),
             position: self.closing(),
             rate: self.gap_rate(),
             acceleration: self.gap_acceleration(),
@@ -463,10 +492,10 @@ impl Pair {
         Some(self.sides().map(wrench).collect())
     }
 
-    fn wrenches(&self, direction: &Vector) -> Vec<Wrench> {
+    fn wrenches(&self, direction: &Vector, arm: fn(&Self, usize) -> Vector) -> Vec<Wrench> {
         let wrench = |(body, sign)| Wrench {
             body,
-            arm: self.arm_of(body),
+            arm: arm(self, body),
             force: if sign < 0 { -direction } else { direction.clone() },
             couple: Expr::zero(),
         };

@@ -114,8 +114,11 @@ fn of_surface(
             between().pairs(&own, &circle_of_world(&surface.through, &circle.radius))
         }
         _ => {
+            // Of several points that sink in by different depths none is the one to slip at.
+            let is_level = !said.0.is_rigid() && border.rims.len() > 1;
             let pair = |rim: &Rim| {
-                Some(Pair::new((index, surface), (body_index, body), (rim, rim.point()?), said.clone()))
+                let of = (rim, rim.point()?);
+                Some(Pair { is_level, ..Pair::new((index, surface), (body_index, body), of, said.clone()) })
             };
             own.rims.iter().filter_map(pair).collect()
         }
@@ -178,7 +181,8 @@ impl Equations {
                             if *way == Way::Forward { Direction::Falling } else { Direction::Rising };
                         found.push((*pair, Watched::Slip, direction));
                     }
-                    if self.is_alone(mode, *pair) || self.may_wedge(mode, *pair) {
+                    if !mode.is_pressed(*pair) && (self.is_alone(mode, *pair) || self.may_wedge(mode, *pair))
+                    {
                         found.push((*pair, Watched::Wedge, Direction::Falling));
                     }
                 }
@@ -211,7 +215,7 @@ impl Equations {
         self.independent_rows_of(mode, &island).len() + contacts.count() <= MOST_WATCHED
     }
 
-    /// The pairs that are held and slip like a pair: of the same body on the same plane.
+    /// The pairs that touch and slip like a pair: of the same body on the same plane.
     pub(crate) fn alike<'a>(&'a self, mode: &'a Mode, pair: usize) -> impl Iterator<Item = usize> + 'a {
         let own = self.pairs()[pair].slips_with(pair);
         mode.grips

@@ -6,6 +6,9 @@
 //! slides which way, friction is eliminated and what is left is a problem of complementarity along the normals. The choice is found by
 //! letting those slide that cannot hold; where that does not end, the choice that sweeps over single contacts come to is put right in
 //! the same way, and where there are few surfaces all choices are tried.
+//!
+//! A compliant surface presses with a force that is known, and part of b: of its contacts only the friction is looked for, with that load
+//! in the place of z_n: what sticks is held by up to the sum of `mu_s` times the loads of all points that slip alike.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -44,6 +47,8 @@ pub(super) struct Rough<'a> {
     pub(super) patches: Vec<Patch>,
     /// Pushes along the normals that are there anyway.
     pub(super) given: DVector<f64>,
+    /// What presses contacts besides, and is part of b.
+    pub(super) loads: DVector<f64>,
     /// What of w is nothing.
     pub(super) zero: f64,
 }
@@ -63,12 +68,22 @@ pub(super) struct Pushes {
     pub(super) then: DVector<f64>,
 }
 
+/// Friction that is a part of the normal push.
+#[derive(Clone, Copy)]
+struct Tie {
+    /// Row along the surface.
+    row: usize,
+    /// The contact, and its place among those that take part if it does.
+    contact: usize,
+    index: Option<usize>,
+    part: f64,
+}
+
 /// The problem along the normals that is left once friction is eliminated.
 struct Reduced {
     matrix: DMatrix<f64>,
     without: DVector<f64>,
-    /// Friction for each unit of each normal, by row along a surface and contact.
-    friction: Vec<(usize, usize, f64)>,
+    friction: Vec<Tie>,
     holding: Vec<usize>,
     /// What holds, without pushes and for each unit of them.
     held_without: DVector<f64>,
@@ -110,7 +125,8 @@ impl Rough<'_> {
             }
             for patch in &self.patches {
                 for &(contact, row) in &patch.contacts {
-                    let [most, kinetic] = patch.friction.map(|friction| friction * pushes[contact]);
+                    let normal = self.normal(&pushes, contact);
+                    let [most, kinetic] = patch.friction.map(|friction| friction * normal);
                     pushes[row] = match patch.slips {
                         Some(way) => -f64::from(way.sign()) * kinetic,
                         None => self.stopping(row, &pushes).max(-most).min(most),
@@ -130,10 +146,8 @@ impl Rough<'_> {
     }
 
     fn swept_grip(&self, patch: &Patch, pushes: &DVector<f64>, then: &DVector<f64>) -> Grip {
-        let sum = |of: &dyn Fn(&(usize, usize)) -> usize| -> f64 {
-            patch.contacts.iter().map(|contact| pushes[of(contact)]).sum()
-        };
-        let (normal, along) = (sum(&|(contact, _)| *contact), sum(&|(_, row)| *row));
+        let normal = self.normal_of(patch, pushes);
+        let along: f64 = patch.contacts.iter().map(|(_, row)| pushes[*row]).sum();
         let slip = then[patch.row()];
         match patch.slips {
             Some(way) => Grip::Slides(way),
@@ -171,9 +185,12 @@ impl Rough<'_> {
             self.response[(row, self.contacts[index])]
         });
         let mut without = &self.without + self.response * &self.given;
-        for &(row, index, tie) in &friction {
-            columns.column_mut(index).axpy(tie, &self.response.column(row), 1.0);
-            without.axpy(tie * self.given[self.contacts[index]], &self.response.column(row), 1.0);
+        for Tie { row, contact, index, part } in &friction {
+            let along = self.response.column(*row);
+            if let Some(index) = index {
+                columns.column_mut(*index).axpy(*part, &along, 1.0);
+            }
+            without.axpy(part * self.normal(&self.given, *contact), &along, 1.0);
         }
         let holding = self.holding(grips);
         let of = |some: &[usize]| DMatrix::from_fn(some.len(), columns.ncols(), |i, j| columns[(some[i], j)]);
@@ -208,18 +225,28 @@ impl Rough<'_> {
         }
     }
 
-    /// Friction that is tied to normals: row along the surface, index of the contact, part.
-    fn ties(&self, grips: &[Grip]) -> Vec<(usize, usize, f64)> {
+    /// What presses a contact, by the pushes.
+    fn normal(&self, pushes: &DVector<f64>, contact: usize) -> f64 {
+        pushes[contact] + self.loads[contact]
+    }
+
+    /// The same of all that slips alike.
+    fn normal_of(&self, patch: &Patch, pushes: &DVector<f64>) -> f64 {
+        patch.contacts.iter().map(|(contact, _)| self.normal(pushes, *contact)).sum()
+    }
+
+    /// Friction that is tied to normals.
+    fn ties(&self, grips: &[Grip]) -> Vec<Tie> {
         let mut ties = vec![];
         for (patch, grip) in self.patches.iter().zip(grips) {
-            let tie = match grip {
+            let part = match grip {
                 Grip::Slides(way) => -f64::from(way.sign()) * patch.friction[1],
                 Grip::Strains(way) => -f64::from(way.sign()) * patch.friction[0],
                 Grip::Sticks | Grip::Follows => continue,
             };
-            let index = |contact: &usize| self.contacts.iter().position(|known| known == contact);
-            let own = patch.contacts.iter().filter_map(|(contact, row)| Some((*row, index(contact)?, tie)));
-            ties.extend(own);
+            let index = |contact: usize| self.contacts.iter().position(|known| *known == contact);
+            let own = patch.contacts.iter();
+            ties.extend(own.map(|&(contact, row)| Tie { row, contact, index: index(contact), part }));
         }
         ties
     }
@@ -242,8 +269,8 @@ impl Rough<'_> {
         for (index, contact) in self.contacts.iter().enumerate() {
             pushes[*contact] += found[index];
         }
-        for (row, index, tie) in &reduced.friction {
-            pushes[*row] = tie * pushes[self.contacts[*index]];
+        for Tie { row, contact, part, .. } in &reduced.friction {
+            pushes[*row] = part * self.normal(&pushes, *contact);
         }
         let kept = -(reduced.held_without + reduced.held_by * found);
         reduced.holding.iter().zip(&kept).for_each(|(row, push)| pushes[*row] = *push);
@@ -261,7 +288,7 @@ impl Rough<'_> {
     }
 
     fn instead(&self, patch: &Patch, grip: Grip, found: &Pushes) -> Option<Grip> {
-        let normal: f64 = patch.contacts.iter().map(|(contact, _)| found.pushes[*contact]).sum();
+        let normal = self.normal_of(patch, &found.pushes);
         let (row, slip) = (patch.row(), found.then[patch.row()]);
         let slack = self.zero / self.response[(row, row)].max(f64::MIN_POSITIVE);
         match grip {

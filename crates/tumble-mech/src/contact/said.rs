@@ -13,11 +13,8 @@ use crate::surface::{ContactLaw, Surface};
 /// What happens across where they touch, and along.
 pub(crate) type Said = (ContactLaw, Option<Friction>);
 
-/// What counts for a body on a surface; a compliant one has laws of its own.
-pub(super) fn of_surface_and_body(model: &Model, surface: &Surface, body: &Body) -> Said {
-    if !surface.law.is_rigid() {
-        return (surface.law.clone(), surface.friction.clone());
-    }
+/// What counts for a body on a surface; a compliant one has its own law across itself.
+pub(crate) fn of_surface_and_body(model: &Model, surface: &Surface, body: &Body) -> Said {
     let pair = model.contacts.iter().find(|contact| contact.is_of(surface, body));
     let restitution = pair.and_then(|pair| pair.restitution.as_ref()).or(body.restitution.as_ref());
     let of_pair = pair.and_then(|pair| pair.friction.as_ref());

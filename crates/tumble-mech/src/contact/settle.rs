@@ -1,6 +1,7 @@
-//! What an instant changes for an island that touches rigid surfaces: impacts, then which contacts last.
+//! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
 mod corners;
+mod pressed;
 mod rubbing;
 mod wedged;
 
@@ -52,7 +53,7 @@ pub(crate) struct Touched {
 }
 
 impl Touched {
-    /// Adds what was seen of a pair of rigid ones.
+    /// Adds what was seen of a pair: of a compliant one, what its friction does.
     pub(crate) fn add(&mut self, pair: usize, watched: Watched) {
         match watched {
             Watched::Normal => _ = self.lifted.insert(pair),
@@ -67,6 +68,24 @@ impl Touched {
 
 /// Contacts that last, by position, and the accelerations of all gaps then.
 type Held = (Vec<(usize, ContactMode)>, DVector<f64>);
+
+/// Impacts that end by themselves, too low to be followed.
+struct Ending {
+    /// Who takes part, by position.
+    members: Vec<usize>,
+    /// Time until they have ended, s.
+    time: f64,
+    slow: Slow,
+}
+
+/// Slips that end before they are anything.
+#[derive(Default)]
+struct Slow {
+    /// Pairs that slip so.
+    pairs: BTreeSet<usize>,
+    /// Time until the last of them has ended, s.
+    time: f64,
+}
 
 /// What lasts, and how it is held along surfaces with friction.
 #[derive(Default)]
@@ -95,7 +114,7 @@ struct Settling<'a> {
 }
 
 impl Equations {
-    /// Settles the rigid contacts of bodies that joints and contacts make an island now. The impulses of the impact.
+    /// Settles the contacts of bodies that joints and contacts make an island now, but for who is pressed into a compliant surface. The impulses of the impact.
     pub(crate) fn settle(
         &self,
         island: &[usize],
@@ -108,6 +127,9 @@ impl Equations {
         settling.pass_corners(jump)?;
         settling.impact(jump)?;
         let zeno = settling.zeno();
+        let slow = zeno.iter().flat_map(|zeno| &zeno.slow.pairs);
+        let stopped = touched.stopped.iter().chain(slow).copied().collect();
+        let touched = &Touched { stopped, ..touched.clone() };
         let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;
         if zeno.is_none() {
             // Rounding of what stands.
@@ -201,11 +223,10 @@ impl<'a> Settling<'a> {
     }
 
     /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.
-    fn zeno(&self) -> Option<(Vec<usize>, f64)> {
+    fn zeno(&self) -> Option<Ending> {
         if self.impulses.amax() == 0.0 {
             return None;
         }
-        let model = self.equations.model();
         let size = self.touch.size;
         let size = if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
         // What is lower than the rounding of its gap, which is large far from the origin, never ends by itself.
@@ -224,16 +245,33 @@ impl<'a> Settling<'a> {
         let gap = DVector::from_fn(gap.len(), |i, _| if stands(i) || touches(i) { 0.0 } else { gap[i] });
         let rate = DVector::from_fn(rate.len(), |i, _| if stands(i) { 0.0 } else { rate[i] });
         let low: Vec<usize> = (0..self.touch.pairs.len()).filter(may_end).collect();
-        let members = self.ending(low, [&gap, &rate], lowest)?;
+        let ends = |slow: Slow| self.ends(low.clone(), [&gap, &rate], lowest, slow);
+        let as_they_slip = ends(Slow::default());
+        // What slips and will not go as far as a bounce is high sticks; until it does it may let others fall that it holds then.
+        let slow = self.slow(&low, lowest);
+        let as_they_stick = if slow.pairs.is_empty() { None } else { ends(slow) };
+        let count = |ending: &Option<Ending>| ending.as_ref().map_or(0, |ending| ending.members.len());
+        if count(&as_they_stick) > count(&as_they_slip) { as_they_stick } else { as_they_slip }
+    }
+
+    /// How bounces end, of some contacts, with slips that are taken to have stopped; `None` if they do not.
+    fn ends(
+        &self,
+        low: Vec<usize>,
+        [gap, rate]: [&DVector<f64>; 2],
+        lowest: f64,
+        slow: Slow,
+    ) -> Option<Ending> {
+        let members = self.ending(low, [gap, rate], lowest, &slow.pairs)?;
         let zeno = ZenoSequence {
-            rule: model.multiple_impacts,
-            response: &self.response_with_friction(&members),
+            rule: self.equations.model().multiple_impacts,
+            response: &self.response_with_friction(&members, &slow.pairs),
             restitution: &self.some(&members, &self.touch.restitution),
             free: &self.some(&members, &self.touch.free),
             lowest,
         };
-        let time = zeno.remaining(&self.some(&members, &gap), &self.some(&members, &rate))?;
-        (time <= self.next_without(&members)).then_some((members, time))
+        let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate))?;
+        (time <= self.next_without(&members)).then_some(Ending { members, time, slow })
     }
 
     /// Of some contacts those that stand, and those whose bounces are too low to be followed and end before another contact comes: what
@@ -243,9 +281,10 @@ impl<'a> Settling<'a> {
         mut some: Vec<usize>,
         [gap, rate]: [&DVector<f64>; 2],
         lowest: f64,
+        slow: &BTreeSet<usize>,
     ) -> Option<Vec<usize>> {
         loop {
-            let response = self.response_with_friction(&some);
+            let response = self.response_with_friction(&some, slow);
             let free = self.some(&some, &self.touch.free);
             let (_, pushes) = pushing(&response, &free)?;
             let falls = falls(&response, &free, &pushes);
@@ -279,19 +318,23 @@ impl<'a> Settling<'a> {
     fn lasting(
         &mut self,
         touched: &Touched,
-        zeno: Option<&(Vec<usize>, f64)>,
+        zeno: Option<&Ending>,
         jump: &mut Jump<Mode>,
     ) -> Result<Lasting, Reason> {
         let members: Vec<usize> = match zeno {
-            Some((members, _)) => members.clone(),
+            Some(Ending { members, .. }) => members.clone(),
             None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
         };
+        let is_pressed = !self.pressed(jump).is_empty();
+        if members.is_empty() && !is_pressed {
+            return Ok(Lasting::default());
+        }
         // An impact at the same instant changes what the forces go on to do: that one was falling says nothing then.
         let is_calm = self.impulses.amax() == 0.0;
         let stays = |position: &usize| !(is_calm && touched.lifted.contains(&self.touch.pairs[*position]));
         let without: Vec<usize> = members.iter().copied().filter(stays).collect();
         self.refuse_jammed(&members, &jump.mode)?;
-        if self.is_rough() {
+        if self.is_rough() || is_pressed {
             return self.lasting_with_friction([&without, &members], touched, jump);
         }
         let (found, then) = match self.hold(&without, &members) {
@@ -331,13 +374,14 @@ impl<'a> Settling<'a> {
     }
 
     /// Writes what was found into the jump.
-    fn arrange(&self, lasting: Lasting, zeno: Option<(Vec<usize>, f64)>, jump: &mut Jump<Mode>) {
+    fn arrange(&self, lasting: Lasting, zeno: Option<Ending>, jump: &mut Jump<Mode>) {
         let Lasting { modes: lasting, rubbing } = lasting;
         let settles = |time: f64| self.now.time + time > self.now.time;
-        let wake = zeno.as_ref().map(|(_, time)| *time).filter(|time| settles(*time));
+        let wake = zeno.as_ref().map(|zeno| zeno.time).filter(|time| settles(*time));
+        jump.early = zeno.as_ref().map_or(0.0, |zeno| zeno.slow.time).max(jump.early);
         jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
         let mut members: BTreeSet<usize> = self.part.iter().copied().collect();
-        members.extend(zeno.into_iter().flat_map(|(members, _)| members));
+        members.extend(zeno.into_iter().flat_map(|zeno| zeno.members));
         for position in members {
             let index = self.touch.pairs[position];
             let pair = &self.equations.pairs()[index];

@@ -25,30 +25,37 @@ pub(crate) struct Causes {
 }
 
 impl Causes {
-    /// Those of a crossing; indices of guards count the events first.
+    /// Those of a crossing. Where modes have led into each other around a circle, what ended each of them counts as well: forces that are zero
+    /// but for rounding seem to cross it in each, and what holds is a mode in which all of them have.
     pub(crate) fn of(equations: &Equations, at: &Crossing<'_, Mode>) -> Self {
-        let events = equations.events(at.mode).len();
-        let mut causes = Self::default();
+        let [mut causes, mut before] = [Self::default(), Self::default()];
+        causes.add(equations, at.mode, at.causes);
+        at.around.iter().for_each(|(mode, around)| before.add(equations, mode, around));
+        let is_force = |watched: Watched| matches!(watched, Watched::Normal | Watched::Cone(_));
+        causes.seen.extend(before.seen.into_iter().filter(|(_, watched, _)| is_force(*watched)));
+        causes
+    }
+
+    /// Indices of guards count the events first.
+    fn add(&mut self, equations: &Equations, mode: &Mode, causes: &[Cause]) {
+        let events = equations.events(mode).len();
         let (mut touching, mut apart) = (None, None);
-        for cause in at.causes {
+        for cause in causes {
             match cause {
                 Cause::Guard(guard) if *guard >= events => {
-                    let touching = touching.get_or_insert_with(|| equations.touching(at.mode));
-                    causes.see(equations, at.mode, touching, guard - events);
+                    let touching = touching.get_or_insert_with(|| equations.touching(mode));
+                    self.see(equations, mode, touching, guard - events);
                 }
                 Cause::LazyGuard(lazy_guard) => {
-                    let apart = apart.get_or_insert_with(|| equations.apart(at.mode));
-                    causes.seen.push((apart[*lazy_guard], Watched::Gap, true));
+                    let apart = apart.get_or_insert_with(|| equations.apart(mode));
+                    self.seen.push((apart[*lazy_guard], Watched::Gap, true));
                 }
-                Cause::Wake => causes.wakes = true,
+                Cause::Wake => self.wakes = true,
                 Cause::Guard(_) | Cause::Scheduled(_) => {}
             }
         }
-        causes
     }
-}
 
-impl Causes {
     /// What a guard behind those of events says.
     fn see(
         &mut self,
@@ -103,11 +110,12 @@ impl Equations {
         }
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
-            match (self.pairs()[pair].is_rigid(), watched) {
-                (true, watched) => {
-                    of(pair).into_iter().for_each(|island| {
-                        touched[island].get_or_insert_with(Touched::default).add(pair, watched);
-                    });
+            let is_rigid = self.pairs()[pair].is_rigid();
+            let own = of(pair).filter(|_| is_rigid || self.pairs()[pair].friction.is_some());
+            let own = own.map(|island| touched[island].get_or_insert_with(Touched::default));
+            match (is_rigid, watched) {
+                (true, _) | (_, Watched::Slip | Watched::Cone(_)) => {
+                    own.into_iter().for_each(|touched| touched.add(pair, watched));
                 }
                 (false, _) if closes => self.press(pair, now, jump)?,
                 (false, watched) => self.let_go(pair, watched, now, jump)?,
@@ -136,7 +144,7 @@ impl Equations {
         Ok(self.islands_with(&jump.mode, &jump.mode.bodies, &meeting))
     }
 
-    /// Pairs that last, where loads or parameters change now: what held them may not any more.
+    /// Pairs that last or rub, where loads or parameters change now: what held them may not any more.
     fn still_standing(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> Vec<usize> {
         let is_pushed =
             |happening: &Happening| matches!(happening, Happening::Joint { .. } | Happening::Impulse(_));
@@ -147,7 +155,7 @@ impl Equations {
             return vec![];
         }
         let lasting = at.mode.contacts.iter().filter(|(_, contact_mode)| contact_mode.is_lasting());
-        lasting.map(|(pair, _)| *pair).collect()
+        lasting.map(|(pair, _)| *pair).chain(at.mode.grips.iter().map(|(pair, _)| *pair)).collect()
     }
 
     /// Impacts that were too small to follow have ended.
@@ -202,6 +210,7 @@ impl Equations {
             _ => (None, Change::End),
         };
         jump.mode.set_contact_mode(index, after);
+        jump.mode.set_grip(index, None);
         jump.record.happened.push(Happening::Contact { pair: index, change });
         Ok(())
     }

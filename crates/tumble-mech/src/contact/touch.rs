@@ -64,6 +64,8 @@ pub(crate) struct Touch {
     pub(crate) strength: f64,
     /// Restitution of each; zero where the surface is compliant.
     pub(crate) restitution: DVector<f64>,
+    /// Forces of those that are pressed into compliant surfaces, N; zero of all others, and of a surface that pulls.
+    pub(crate) loads: DVector<f64>,
     /// Of those with friction, along their surfaces.
     pub(crate) slips: Slips,
     /// Change of rate i by a unit impulse at j, 1/kg; rates of gaps come first, then those of slips.
@@ -134,12 +136,9 @@ impl Touch {
 
     fn is_finite(&self) -> bool {
         let slips = self.slips.rate.iter().chain(&self.slips.free);
-        self.rate
-            .iter()
-            .chain(&self.free)
-            .chain(slips)
-            .chain(self.pushes.iter().flatten())
-            .all(|value| value.is_finite())
+        let pushes = self.pushes.iter().flatten();
+        let all = self.rate.iter().chain(&self.loads).chain(&self.free).chain(slips).chain(pushes);
+        all.into_iter().all(|value| value.is_finite())
     }
 
     /// Position of a pair among the island's own.
@@ -194,6 +193,7 @@ impl Equations {
             strength: (rows.abs() * inverse.component_mul(&pushed) + accelerations).max(),
             free,
             restitution: read.column(&|pair| pair.end() + 1),
+            loads: read.column(&|pair| pair.end() + 2).map(|load| load.max(0.0)),
             response: &rows * &kicks,
             pushes: tape.pushes.as_ref().map(|pushes| read.pushes(pushes)),
             slips: Slips { speed: speeds(pairs.len(), &slips.rate), ..slips },
@@ -300,7 +300,7 @@ impl Numbers<'_> {
     fn gaps(&self, limits: impl Iterator<Item = usize>) -> DVector<f64> {
         let gaps = self.tape.pairs.iter().zip(limits).map(|(pair, limits)| {
             let series = self.jets.output(pair.position);
-            let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 2 + limit));
+            let mut limits = (0..limits).map(|limit| self.jets.value_of(pair.end() + 3 + limit));
             if limits.all(|limit| limit >= 0.0) { series[0] + series[1] } else { f64::INFINITY }
         });
         DVector::from_iterator(self.tape.pairs.len(), gaps)

@@ -32,7 +32,8 @@ pub(crate) enum Asked {
 #[derive(Clone, Debug)]
 pub(crate) struct InstantTape {
     pub(crate) tape: Arc<Tape>,
-    /// Behind each of these stand the gap's acceleration, the restitution and what must not be negative while they touch.
+    /// Behind each of these stand the gap's acceleration, the restitution, the force if a compliant surface exerts one, and what must not be
+    /// negative while they touch.
     pub(crate) pairs: Vec<Measured>,
     /// Of those with friction, by their order among the pairs, the rate along the surface; behind each of these stand its derivative
     /// and both coefficients.
@@ -239,6 +240,10 @@ impl<'a> Instant<'a> {
         let restitution = self.linking.equations.pairs()[index].law.restitution();
         let restitution = restitution.cloned().unwrap_or_else(Expr::zero);
         self.outputs.push(self.linking.formula(&restitution));
+        match self.linking.mode.is_pressed(index) {
+            true => self.add(Part::Pressed(index)),
+            false => self.outputs.push(self.linking.formula(&Expr::zero())),
+        }
         self.add(Part::Holding(index));
         measured
     }

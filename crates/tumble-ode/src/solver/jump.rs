@@ -4,7 +4,7 @@ use super::Solver;
 use crate::Reason;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::program::Plan;
-use crate::trajectory::Event;
+use crate::trajectory::{Event, Trajectory};
 
 impl<H: Hybrid> Solver<'_, H> {
     pub(super) fn jump_if_due(
@@ -28,6 +28,18 @@ impl<H: Hybrid> Solver<'_, H> {
         if causes.is_empty() { Ok(()) } else { self.jump(mode, causes, true) }
     }
 
+    /// See [`Crossing::around`].
+    fn around(&self, mode: usize) -> Vec<(&H::Mode, &[Cause])> {
+        let Trajectory { events, modes, .. } = &self.trajectory;
+        let is_same = |event: &&Event<H::Record>| event.time == self.time && event.before == event.after;
+        let last = events.iter().rev().take_while(is_same);
+        let Some(length) = last.clone().position(|event| event.mode_before == mode) else { return vec![] };
+        let around = last.take(length + 1).map(|event| (&modes[event.mode_before], &event.causes[..]));
+        let mut around: Vec<_> = around.collect();
+        around.reverse();
+        around
+    }
+
     /// Asks the system what it makes of causes. Guards that have been located are zero now; others have been carried across zero by a jump.
     pub(super) fn jump(&mut self, mode: usize, causes: Vec<Cause>, are_located: bool) -> Result<(), Reason> {
         let jump = self.system.jump(&Crossing {
@@ -38,6 +50,7 @@ impl<H: Hybrid> Solver<'_, H> {
             inputs: &self.inputs,
             causes: &causes,
             scales: self.scales.all(),
+            around: self.around(mode),
         })?;
         let crossed_at = self.engines[mode].crossed_values(&causes, (self.time, &self.states));
         let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
@@ -65,7 +78,7 @@ impl<H: Hybrid> Solver<'_, H> {
             record: jump.record,
             before,
             after: self.states.clone(),
-            blur: self.blur.time,
+            blur: self.blur.time + jump.early,
             mode_before: mode,
             mode_after,
         };

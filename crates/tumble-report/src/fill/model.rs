@@ -287,7 +287,7 @@ fn contact(
     }
     let Some(said) = said else { return vec![math(&acts)] };
     let mut lines = names.stated(acts.clone(), said, &term.load);
-    if pair.law.is_rigid() || is_on_other {
+    if pair.law.is_rigid() || is_on_other || term.law == Law::Friction {
         // It says that it is along a direction, and no more; how strongly is said for the first body.
         lines[0] = math(&acts);
     }

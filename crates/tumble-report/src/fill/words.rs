@@ -93,18 +93,14 @@ fn grip(equations: &Equations, mode: &Mode, pair: usize) -> Option<Grip> {
 
 fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
     match (contact_mode, grip) {
-        (ContactMode::Pressed, _) => ["presses on", "press on"],
+        (ContactMode::Pressed, None) => ["presses on", "press on"],
         (ContactMode::Released, _) => ["is let go by", "are let go by"],
         (ContactMode::Settling, _) => ["settles on", "settle on"],
-        (ContactMode::Resting, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => {
-            ["rolls on", "roll on"]
-        }
-        (ContactMode::Resting, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
-        (ContactMode::Resting, Some(Grip::Slides(_))) => ["slides on", "slide on"],
-        (ContactMode::Resting, Some(Grip::Strains(_))) => {
-            ["is on the point of sliding on", "are on the point of sliding on"]
-        }
-        (ContactMode::Resting | ContactMode::Idle, _) => ["touches", "touch"],
+        (ContactMode::Resting, None) | (ContactMode::Idle, _) => ["touches", "touch"],
+        (_, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => ["rolls on", "roll on"],
+        (_, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
+        (_, Some(Grip::Slides(_))) => ["slides on", "slide on"],
+        (_, Some(Grip::Strains(_))) => ["is on the point of sliding on", "are on the point of sliding on"],
     }
 }
 

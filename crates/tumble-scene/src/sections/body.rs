@@ -28,7 +28,7 @@ const OWN: &[Declared] = &[
         "named points in body coordinates: `points.tip = [x, y]`"),
     may("restitution", Takes::PURE, "the surface's", "0.8", "of its impacts on rigid surfaces, from 0 to 1"),
     may("friction", surface::COEFFICIENTS, "the surface's", "0.3",
-        "dry friction on what is rigid: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
+        "dry friction on what it touches: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
     may("start", Takes::Table(&start::KEYS), "as drawn, at rest", "{ at = [0, \"2 m\"] }",
         "what it starts from, see below"),
 ];

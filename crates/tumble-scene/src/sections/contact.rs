@@ -23,6 +23,8 @@ pub(super) const KEYS: Keys = Keys::of("[contact.NAME]", &[&[
     may("rigid", Takes::Table(&RIGID), "bodies' own", "{ restitution = 0.9 }",
         "as of a surface; without `restitution` or `friction` the lesser of the bodies' own counts, and on a surface the body's own, \
          else the surface's"),
+    may("friction", surface::COEFFICIENTS, "that in `rigid`", "0.3",
+        "dry friction, also on a compliant surface: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
     may("capture", Takes::Flag, "`false`", "true",
         "`true`: bodies that meet stick together for good, as if welded where they touch; without `rigid`"),
 ]]);
@@ -61,10 +63,29 @@ fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
         Some(field) => rigid(draft, &name, &field),
         None => Some((None, None)),
     };
+    let law = match (table.take("friction"), law) {
+        (Some(field), Some(law)) => with_friction(draft, &name, &field, law),
+        (_, law) => law,
+    };
     let (Some(between), Some((restitution, friction)), Some(captures)) = (between, law, captures) else {
         return draft.names.break_name(&name);
     };
     draft.model.contact(BodyContact { name, between, restitution, friction, captures });
+}
+
+/// What happens across where they meet, and along.
+type Law = (Option<Expr>, Option<Friction>);
+
+/// The same with friction that is said beside it.
+fn with_friction(draft: &mut Draft, name: &str, field: &Field, (restitution, inner): Law) -> Option<Law> {
+    let friction = surface::friction(draft, name, field);
+    if inner.is_some() {
+        let message = format!("`{name}` has a `friction` in `rigid` and another beside it");
+        let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
+        draft.note(mistake.label("a second one").help("leave one of them out"));
+        return None;
+    }
+    Some((restitution, Some(friction?)))
 }
 
 /// Names of bodies of which every two meet; `None` is all.
@@ -109,7 +130,7 @@ fn met(draft: &mut Draft, field: &Field) -> Option<String> {
 }
 
 /// Restitution, where it is not the bodies' own, and friction.
-fn rigid(draft: &mut Draft, name: &str, field: &Field) -> Option<(Option<Expr>, Option<Friction>)> {
+fn rigid(draft: &mut Draft, name: &str, field: &Field) -> Option<Law> {
     let mut inner = draft.inline(field, &RIGID)?;
     let restitution =
         inner.take("restitution").map(|field| draft.constant(name, &field, Want::constant(Dimension::NONE)));

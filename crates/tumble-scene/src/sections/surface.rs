@@ -59,11 +59,19 @@ const RIGID: Keys = Keys::of("rigid", &[
     RUBBING,
 ]);
 
+/// Friction along a surface, rigid or compliant.
+pub(super) const FRICTION_ALONG: Declared = may(
+    "friction",
+    COEFFICIENTS,
+    "none",
+    "0.3",
+    "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`",
+);
+
 /// Friction and what goes with it, of whatever is rigid.
 #[rustfmt::skip]
 pub(super) const RUBBING: &[Declared] = &[
-    may("friction", COEFFICIENTS, "none", "0.3",
-        "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
+    FRICTION_ALONG,
     may("rolling", Takes::LENGTH, "none", "\"1 mm\"",
         "rolling resistance, a length: the couple against rolling is at most so much times the normal force; with `friction`"),
     may("law", Takes::Word(&LAWS), "`\"poisson\"`", "\"stronge\"",
@@ -87,6 +95,7 @@ const COMPLIANT: Keys = Keys::of("spring of a surface", &[&[
     must("stiffness", Takes::Quantity(STIFFNESS), "\"1e4 N/m\"", "N/m"),
     must("damping", Takes::Quantity(DAMPING), "0", "kg/s"),
     may("release", Takes::Word(&RELEASES), "`\"at zero force\"`", "\"at the surface\"", "when it lets go"),
+    FRICTION_ALONG,
 ]]);
 
 const RELEASES: [&str; 2] = ["at zero force", "at the surface"];
@@ -95,6 +104,7 @@ const RELEASES: [&str; 2] = ["at zero force", "at the surface"];
 const HERTZ: Keys = Keys::of("hertz", &[&[
     must("stiffness", Takes::Formula, "\"1e6 N/m^(3/2)\"", "N/m^(3/2)"),
     must("damping", Takes::Quantity(SLOWNESS), "0", "s/m"),
+    FRICTION_ALONG,
 ]]);
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
@@ -295,6 +305,14 @@ fn ratio(draft: &mut Draft, field: &Field) -> Option<Restitution> {
     })
 }
 
+/// Friction of what is compliant, if it has any.
+fn along(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Friction>> {
+    match table.take("friction") {
+        Some(field) => friction(draft, name, &field).map(Some),
+        None => Some(None),
+    }
+}
+
 /// One coefficient, or a static and a kinetic one.
 pub(super) fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
     if field.value.as_table().is_none() {
@@ -323,7 +341,9 @@ fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
         "at the surface" => Release::AtSurface,
         _ => Release::AtZeroForce,
     };
-    Some((ContactLaw::Spring { stiffness: stiffness?, damping: damping?, release }, None))
+    let friction = along(draft, name, table);
+    let law = ContactLaw::Spring { stiffness: stiffness?, damping: damping?, release };
+    Some((law, friction?))
 }
 
 fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
@@ -331,7 +351,8 @@ fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
     let stiffness = draft.required(table, "stiffness");
     let stiffness = stiffness.and_then(|field| draft.constant(name, &field, want));
     let damping = draft.coefficient(table, name, "damping");
-    Some((ContactLaw::Hertz { stiffness: stiffness?, damping: damping? }, None))
+    let friction = along(draft, name, table);
+    Some((ContactLaw::Hertz { stiffness: stiffness?, damping: damping? }, friction?))
 }
 
 /// One name or a list of names, of bodies or of single points by which they touch.

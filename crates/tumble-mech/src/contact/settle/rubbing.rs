@@ -1,9 +1,11 @@
 //! What an instant changes where surfaces have friction: impacts by Routh or all at once, then who sticks and who slides.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
-use super::{BALANCED, Lasting, STANDS, Settling, Touched};
+use super::{BALANCED, Lasting, STANDS, Settling, Slow, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
@@ -224,12 +226,14 @@ impl Settling<'_> {
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<Option<Rubbing>, Reason> {
-        let mut patches = self.patches(some, true);
+        let pressed = self.pressed(jump);
+        let mut patches = self.patches(&[some, &pressed].concat(), true);
         for patch in &mut patches {
             patch.slips = self.slips_now(patch, touched);
         }
-        self.refuse_wedged(&patches, touched, jump)?;
-        let forced = self.forced(&patches, touched);
+        self.refuse_wedged(some, &patches, touched, jump)?;
+        let beginning = self.slipping_from_the_start(some, &patches, jump);
+        let forced = self.forced(&patches, touched, &beginning, jump);
         let zero = BALANCED * self.touch.strength;
         let moves_as_forced = |rough: &Rough<'_>, found: &Pushes| {
             let mut ways = rough.patches.iter().zip(&patches).filter(|(_, own)| own.slips.is_none());
@@ -265,14 +269,22 @@ impl Settling<'_> {
         (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - count]))
     }
 
-    /// The patches with those that could not hold any more made to slide the way they were about to.
-    fn forced(&self, patches: &[Patch], touched: &Touched) -> Option<Vec<Patch>> {
+    /// The patches with those that could not hold any more, or cannot from the start, made to slide the way they were about to.
+    fn forced(
+        &self,
+        patches: &[Patch],
+        touched: &Touched,
+        beginning: &[(usize, Way)],
+        jump: &Jump<Mode>,
+    ) -> Option<Vec<Patch>> {
         let way = |patch: &Patch| {
             let broken = |(_, row): &(usize, usize)| {
                 let pair = self.slipping(*row);
-                touched.broken.iter().find(|(known, _)| *known == pair).map(|(_, way)| *way)
+                let mut broken = touched.broken.iter().chain(beginning);
+                broken.find(|(known, _)| *known == pair).map(|(_, way)| *way)
             };
-            patch.slips.or_else(|| patch.contacts.iter().find_map(broken))
+            let mut contacts = patch.contacts.iter().filter(|_| !self.is_spent(patch, jump));
+            patch.slips.or_else(|| contacts.find_map(broken))
         };
         let forced: Vec<Patch> =
             patches.iter().map(|patch| Patch { slips: way(patch), ..patch.clone() }).collect();
@@ -363,14 +375,31 @@ impl Settling<'_> {
         turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
     }
 
-    /// Responses along the normals of some contacts, with the friction of those that slip now and with the others stuck.
-    pub(super) fn response_with_friction(&self, some: &[usize]) -> DMatrix<f64> {
+    /// Slips of some contacts that friction stops before they go as far as a bounce is high.
+    pub(super) fn slow(&self, some: &[usize], lowest: f64) -> Slow {
+        let slips = &self.touch.slips;
+        let mut slow = Slow::default();
+        for slip in (0..slips.of.len()).filter(|slip| some.contains(&slips.of[*slip]) && !slips.rolls[*slip])
+        {
+            let (rate, stopping) = (slips.rate[slip].abs(), slips.friction[slip][1] * self.touch.strength);
+            let moves = rate > STANDS * slips.speed[slip];
+            if moves && rate * rate <= 2.0 * stopping * lowest {
+                slow.pairs.insert(slips.pairs[slip]);
+                slow.time = slow.time.max(rate / stopping);
+            }
+        }
+        slow
+    }
+
+    /// Responses along the normals of some contacts, with the friction of those that slip now, but for the slow ones, and with the
+    /// others stuck.
+    pub(super) fn response_with_friction(&self, some: &[usize], slow: &BTreeSet<usize>) -> DMatrix<f64> {
         let (smooth, patches) = (self.response(some), self.patches(some, false));
         if patches.is_empty() {
             return smooth;
         }
-        let grip =
-            |patch: &Patch| self.slips_now(patch, &Touched::default()).map_or(Grip::Sticks, Grip::Slides);
+        let stopped = Touched { stopped: slow.clone(), ..Touched::default() };
+        let grip = |patch: &Patch| self.slips_now(patch, &stopped).map_or(Grip::Sticks, Grip::Slides);
         let grips: Vec<Grip> = patches.iter().map(grip).collect();
         self.rough(some, &patches, self.accelerations()).across(&grips).unwrap_or(smooth)
     }
@@ -383,13 +412,18 @@ impl Settling<'_> {
             contacts: some.to_vec(),
             patches: patches.to_vec(),
             given: DVector::zeros(self.touch.response.nrows()),
+            loads: DVector::zeros(self.touch.response.nrows()),
             zero: BALANCED * self.touch.strength,
         }
     }
 
     /// The problem of the forces of some contacts.
     pub(super) fn forces(&self, some: &[usize], patches: &[Patch]) -> Rough<'_> {
-        Rough { response: self.touch.pushes(), ..self.rough(some, patches, self.accelerations()) }
+        Rough {
+            response: self.touch.pushes(),
+            loads: self.loads(),
+            ..self.rough(some, patches, self.accelerations())
+        }
     }
 
     /// Contact modes of what was found for some contacts; velocities are made to stand.
@@ -424,8 +458,12 @@ impl Settling<'_> {
         let Some(Rubbing { patches, found }) = rubbing else { return };
         for (patch, grip) in patches.iter().zip(&found.grips) {
             let holds = patch.contacts.iter().any(|(_, row)| found.holding.contains(row));
-            let held = patch.contacts.iter().filter(|(position, _)| found.held.contains(position));
-            for (index, (_, row)) in held.enumerate() {
+            let touches = |position: &usize| {
+                found.held.contains(position) || jump.mode.is_pressed(self.touch.pairs[*position])
+            };
+            let held: Vec<&(usize, usize)> =
+                patch.contacts.iter().filter(|(position, _)| touches(position)).collect();
+            for (index, (_, row)) in held.into_iter().enumerate() {
                 let own = match grip {
                     Grip::Sticks if index > 0 || !holds => Grip::Follows,
                     other => *other,
@@ -463,17 +501,21 @@ impl Settling<'_> {
         };
         jump.record.happened.extend(change.map(|change| Happening::Contact { pair, change }));
         if let (Grip::Slides(_), None) = (grip, patch.slips) {
-            let moves = self.then[patch.row()].abs() > BALANCED * self.touch.strength;
-            jump.zeros
-                .push((self.equations.pairs()[pair].guard_name(Watched::Slip), if moves { 1 } else { 2 }));
+            let zeros = self.zeros_of_slip(patch.row(), jump);
+            jump.zeros.push((self.equations.pairs()[pair].guard_name(Watched::Slip), zeros));
         }
     }
 
     /// What is held so that it cannot move is not integrated: it does not creep by what rounding leaves of its forces.
     fn keep_still(&self, found: &Pushes, jump: &mut Jump<Mode>) {
         let held = [&found.held[..], &found.holding].concat();
-        let pairs = self.touch.pairs.iter().enumerate().filter(|(position, _)| found.held.contains(position));
-        let is_fixed = pairs.into_iter().all(|(_, pair)| self.equations.pairs()[*pair].is_fixed());
+        let sticks = |position: usize| {
+            let mut own = self.touch.slips.all_at(position);
+            own.any(|slip| found.holding.contains(&(self.touch.pairs.len() + slip)))
+        };
+        let holds = |position: &usize| found.held.contains(position) || sticks(*position);
+        let mut holding = (0..self.touch.pairs.len()).filter(holds);
+        let is_fixed = holding.all(|position| self.equations.pairs()[self.touch.pairs[position]].is_fixed());
         let of = |body: &usize| self.equations.velocity_states(&jump.mode, *body);
         let velocities: Vec<usize> = self.island.iter().flat_map(of).collect();
         let is_free = self.equations.independent_rows_of(&jump.mode, &self.island).is_empty();

@@ -14,15 +14,17 @@ use crate::record::Jump;
 const IMMOVABLE: f64 = 1e-12;
 
 impl Settling<'_> {
-    /// Refuses what slips so that friction takes all that a push would move (Painleve).
+    /// Refuses what slips so that friction takes all that a push would move (Painleve), of some contacts that pushes hold.
     pub(super) fn refuse_wedged(
         &self,
+        some: &[usize],
         patches: &[Patch],
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<(), Reason> {
         let slipping = patches.iter().filter_map(|patch| Some((patch, patch.slips?)));
-        let alone = slipping.filter(|(patch, _)| patch.contacts.len() == 1);
+        let alone =
+            slipping.filter(|(patch, _)| matches!(patch.contacts[..], [(only, _)] if some.contains(&only)));
         for (patch, way) in alone {
             let (position, row) = patch.contacts[0];
             let response = self.touch.pushes();

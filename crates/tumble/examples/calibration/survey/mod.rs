@@ -5,6 +5,8 @@ mod bump;
 mod draw;
 mod elliptic;
 pub(crate) mod families;
+mod ground;
+mod impact;
 mod judge;
 mod measure;
 mod oscillator;

@@ -1,13 +1,20 @@
 //! Families of problems with known answers.
 
+mod breaks;
 mod bumps;
 mod compliant;
 mod extremes;
+mod glances;
 mod guards;
 mod impacts;
 mod linear;
 mod lines;
 mod pendulum;
+mod resists;
+mod slopes;
+mod spins;
+mod stops;
+mod strikes;
 mod switches;
 mod throws;
 mod twist;
@@ -46,6 +53,14 @@ pub(crate) const FAMILIES: &[Family] = &[
     Family { name: "plane", make: extremes::plane },
     Family { name: "twist", make: twist::make },
     Family { name: "switches", make: switches::make },
+    Family { name: "stops", make: stops::make },
+    Family { name: "breaks", make: breaks::make },
+    Family { name: "backspin", make: spins::make },
+    Family { name: "slopes", make: slopes::make },
+    Family { name: "resists", make: resists::make },
+    Family { name: "rod-strikes", make: strikes::rod },
+    Family { name: "round-strikes", make: strikes::round },
+    Family { name: "glances", make: glances::make },
 ];
 
 /// What the number of a problem that is drawn anew is raised by.
