@@ -503,3 +503,32 @@ fn what_has_no_law_is_refused() {
         }
     }
 }
+
+/// A box with one foot on rigid ice and the other on a rough mat, which slides: the friction of the mat, at a lever, loads the ice, which holds
+/// its foot by as much as that takes.
+#[test]
+fn friction_of_a_mat_loads_a_rigid_foot() {
+    let begin = start(0.1, [2.0, 0.0]);
+    let mut model = on_floor(plate(), begin, common::rigid(0.0), mu(0.0));
+    model.surfaces[0].on = Some(vec!["box.corner1".into()]);
+    let mat = Surface::floor("mat", 0 * M, spring(1e5, 600.0)).with_friction(mu(0.3));
+    model.surface(Surface { on: Some(vec!["box.corner2".into()]), ..mat });
+    let run = run(model, 0.5, 1e-12);
+    let pairs = run.equations.pairs().to_vec();
+    let [gap, ice, load, along] = at(
+        &run,
+        0.4,
+        [
+            pairs[0].gap(),
+            pairs[0].force_symbol().into(),
+            pairs[1].force_symbol().into(),
+            pairs[1].friction_symbol().into(),
+        ],
+    );
+    assert!(gap.abs() < 1e-14, "{gap}");
+    close(along, -0.3 * load, 1e-12);
+    // At rest but for the way it slides, torques about the centre balance: half the width and half the height, but for the depth.
+    close(ice + load, MASS * G, 1e-4);
+    close(0.2 * (load - ice) + 0.1 * along, 0.0, 1e-2);
+    balanced(&run, 1e-11);
+}
