@@ -209,13 +209,13 @@ impl<'a> Scene<'a> {
     /// The labels of all tracks; one that runs share, as at a common start, stands once.
     fn notes(&self) -> Vec<Note<'_>> {
         let mut notes: Vec<Note<'_>> = Vec::new();
-        let times = |track: &BodyPath| -> Vec<Label> {
-            track.labels().into_iter().map(|(_, label)| label).collect()
-        };
+        let times =
+            |track: &BodyPath| -> Vec<Label> { track.labels().into_iter().map(|(_, label)| label).collect() };
         let tracks = &self.picture.tracks;
         // Of several bodies with the same times one tells them.
-        let is_told =
-            |i: usize| tracks.len() >= SEVERAL && tracks[..i].iter().any(|other| times(other) == times(&tracks[i]));
+        let is_told = |i: usize| {
+            tracks.len() >= SEVERAL && tracks[..i].iter().any(|other| times(other) == times(&tracks[i]))
+        };
         for (i, track) in tracks.iter().enumerate().filter(|(i, _)| !is_told(*i)) {
             for (pose, label) in track.labels() {
                 let same = |note: &&mut Note<'_>| note.label == label && note.pose.centre() == pose.centre();

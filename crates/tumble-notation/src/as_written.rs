@@ -37,7 +37,10 @@ fn quantity(text: &str) -> Math {
     let (number, unit) = (Math::Number(text[..end].to_owned()), text[end..].trim());
     match unit {
         "" => number,
-        unit => Math::Product(vec![number, Math::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·"))]),
+        unit => Math::Product(vec![
+            number,
+            Math::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")),
+        ]),
     }
 }
 

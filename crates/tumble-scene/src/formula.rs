@@ -7,7 +7,7 @@ use tumble_expr::{Dimension, Exponent, Expr};
 use tumble_mech::place_symbols;
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Underlined, Severity, Span};
+use crate::diagnostic::{Diagnostic, Severity, Span, Underlined};
 use crate::keys::{Keys, Takes};
 use crate::moments;
 use crate::names::{Level, Names};

@@ -50,7 +50,7 @@ mod words;
 use draft::Draft;
 
 pub use code::Code;
-pub use diagnostic::{Diagnostic, Diagnostics, Underlined, Severity, Source, Span};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity, Source, Span, Underlined};
 pub use file_names::file_name_fault;
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use moments::Count;

@@ -7,7 +7,7 @@ use miette::{
     SourceSpan, SpanContents,
 };
 
-use crate::diagnostic::{Diagnostic, Diagnostics, Underlined, Severity, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Source, Underlined};
 
 /// This many mistakes are shown; the rest is counted.
 const SHOWN: usize = 50;

@@ -56,8 +56,7 @@ pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
     let velocity = symbols::velocity(study, body);
     let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
-    let is_of_impulses =
-        |panel: &FreeBodyDiagram| panel.unit == tumble_drawing::free_body::Unit::impulse();
+    let is_of_impulses = |panel: &FreeBodyDiagram| panel.unit == tumble_drawing::free_body::Unit::impulse();
     let letters = [
         (any(&|panel| !panel.arms.is_empty()), "r", "arm from the centre of mass to where a force acts"),
         (
@@ -74,7 +73,8 @@ pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
         letters.iter().filter(|(shown, ..)| *shown).map(|(_, symbol, words)| (*symbol, *words)).collect();
     let row = "Thin arrows in a row: the force along the body; the thick one: their sum. ";
     let row = if any(&|panel| !panel.spreads.is_empty()) { row } else { "" };
-    Label::plain(&format!("Everything that acts on {}. {row}", symbols::the(body))).then(instants::meaning(&shown))
+    Label::plain(&format!("Everything that acts on {}. {row}", symbols::the(body)))
+        .then(instants::meaning(&shown))
 }
 
 /// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.
@@ -101,9 +101,10 @@ impl Drawing<'_> {
     fn panel(&self, label: &str, time: f64) -> Result<FreeBodyDiagram, CaseError> {
         let body = &self.study.model.bodies[self.body];
         let pose = poses(self.run, body, [time].into_iter())?.pop().unwrap_or_default();
-        let panel = FreeBodyDiagram::new(Label::plain(&symbols::bare(&body.name)), pose, outlines(self.study, body)?)
-            .heading(Label::markup(label))
-            .heading(Label::equation("t", &shown(time), "s"));
+        let panel =
+            FreeBodyDiagram::new(Label::plain(&symbols::bare(&body.name)), pose, outlines(self.study, body)?)
+                .heading(Label::markup(label))
+                .heading(Label::equation("t", &shown(time), "s"));
         let mut panel = match self.impulses(time).next() {
             None => self.moving(self.with_forces(panel, time)?, time)?,
             Some(_) => self.impulses(time).fold(panel.impulses(), |panel, one| self.with_impulse(panel, one)),
@@ -296,7 +297,8 @@ impl Drawing<'_> {
             let formulas =
                 [pair.point().components(), pair.normal.components(), &[pair.gap()], &pair.within()].concat();
             let Some(at) = self.run.observe(&formulas)?.at(time, Side::After) else { continue };
-            let tangent = Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&symbols::bare(&surface.name)));
+            let tangent =
+                Ground::new([at[0], at[1]], [at[2], at[3]], Label::plain(&symbols::bare(&surface.name)));
             // Of a polygon only what is touched: its other edges would be drawn beyond their ends.
             let near = if surface.polygon.is_some() { TOUCHED } else { NEAR };
             let is_met = at[4].abs() <= near * reach.max(f64::MIN_POSITIVE)

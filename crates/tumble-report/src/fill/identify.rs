@@ -191,9 +191,12 @@ fn unit_of(study: &Study, parameter: &Symbol) -> String {
 fn initial(study: &Study, names: &Names, case: &Case) -> Vec<QuantityRow> {
     let run = &case.run;
     let mut states = run.equations.states(&run.equations.idle_mode());
-    let points = study.model.bodies.iter().filter(|body| is_identically_zero(&body.mass_properties().inertia));
-    let turning: Vec<Symbol> =
-        points.map(|body| body.kinematics()).flat_map(|own| [own.angle_symbol(), own.omega_symbol()]).collect();
+    let points =
+        study.model.bodies.iter().filter(|body| is_identically_zero(&body.mass_properties().inertia));
+    let turning: Vec<Symbol> = points
+        .map(|body| body.kinematics())
+        .flat_map(|own| [own.angle_symbol(), own.omega_symbol()])
+        .collect();
     // A point does not turn.
     states.retain(|state| !turning.contains(state));
     let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
@@ -239,7 +242,8 @@ fn start(
         None => {
             let words = symbols::words(study, &state.name).unwrap_or_else(|| state.name.to_string());
             let own = value(&state.name);
-            let shown = if is_angle(state) && state.dimension == Dimension::NONE { own.to_degrees() } else { own };
+            let shown =
+                if is_angle(state) && state.dimension == Dimension::NONE { own.to_degrees() } else { own };
             (words, names.label(&state.name).into(), quantity(shown, ""), own == 0.0)
         }
     };

@@ -19,7 +19,7 @@ mod sweep;
 mod texts;
 mod words;
 
-use crate::report::{Typeset, Report, Text};
+use crate::report::{Report, Text, Typeset};
 use tumble_scene::Study;
 
 use crate::results::{CaseError, Runs};

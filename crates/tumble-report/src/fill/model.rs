@@ -1,6 +1,6 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
-use crate::report::{Block, BodyModel, ForceRow, Typeset, ModelPart, Picture, Text};
+use crate::report::{Block, BodyModel, ForceRow, ModelPart, Picture, Text, Typeset};
 use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
     Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
@@ -159,15 +159,14 @@ fn forces(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRo
 fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
     let kinematics =
         study.model.bodies[study.model.body_index(&applied.body).unwrap_or_default()].kinematics();
-    let name = format!("impulse of {}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
+    let name =
+        format!("impulse of {}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
     let symbol = symbols::impulse(symbols::last(&applied.name));
     let stated = |left: &str, right: Written| names.stated(Math::symbol(left), &right, &applied.name);
     let (law, point, torque) = match &applied.application {
-        Application::Torque(couple) => (
-            stated(&symbol, Written::Scalar(couple.clone())),
-            "",
-            vec![math(&Math::symbol(&symbol))],
-        ),
+        Application::Torque(couple) => {
+            (stated(&symbol, Written::Scalar(couple.clone())), "", vec![math(&Math::symbol(&symbol))])
+        }
         Application::Force { at, force, frame } => {
             let turned =
                 if *frame == Frame::Body { rotated(force, &kinematics.angle()) } else { force.clone() };
@@ -280,8 +279,7 @@ fn contact(
 ) -> Vec<Typeset> {
     let letter = if term.law == Law::Friction { "t" } else { "n" };
     let acts = Math::Product(vec![Math::symbol(symbol), Math::symbol(letter)]);
-    let acts =
-        if is_on_other { Math::Row(vec![Math::Operator(Operator::Negative), acts]) } else { acts };
+    let acts = if is_on_other { Math::Row(vec![Math::Operator(Operator::Negative), acts]) } else { acts };
     if term.law == Law::Rolling {
         return resistance(names, pair, (symbol, is_on_other));
     }
@@ -304,8 +302,7 @@ fn coulomb(names: &Names, pair: &Pair, friction: &Friction, symbol: &str) -> Vec
     let slips = names.equation(symbol, &-(&friction.kinetic * &normal * way));
     let own = Math::Bars(Box::new(Math::symbol(symbol)));
     let holds = names.relation(own, Operator::LessEqual, &(&friction.of_rest * &normal));
-    let with_speed =
-        Math::Row(vec![Math::Text("while it slips at\u{a0}".to_owned()), Math::symbol("s")]);
+    let with_speed = Math::Row(vec![Math::Text("while it slips at\u{a0}".to_owned()), Math::symbol("s")]);
     vec![slips, math(&with_speed), holds, words("while it sticks")]
 }
 
@@ -488,8 +485,7 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     });
     let torque = torque.fold(Expr::zero(), |sum, torque| sum + torque);
     let [ax, ay] = kinematics.acceleration_symbols();
-    let left =
-        |factor: &Expr, symbol: &Symbol| Left::times(factor, Math::symbol(names.shown(&symbol.name)));
+    let left = |factor: &Expr, symbol: &Symbol| Left::times(factor, Math::symbol(names.shown(&symbol.name)));
     let (m, inertia) = (&names.mass(&mass.mass), &mass.inertia);
     // The right sides are accelerations: the factor of the left side is multiplied on.
     let mut lines = vec![(left(m, &ax), component(0) / m), (left(m, &ay), component(1) / m)];

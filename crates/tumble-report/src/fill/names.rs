@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::report::{Block, Definition, Typeset, Text};
+use crate::report::{Block, Definition, Text, Typeset};
 use tumble_drawing::Label;
 use tumble_expr::language::Formula;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};

@@ -1,6 +1,6 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
-use crate::report::{Block, Column, Definition, Typeset, Phase, Solve, Table, Text};
+use crate::report::{Block, Column, Definition, Phase, Solve, Table, Text, Typeset};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Divergence, Horizon, Mode, Parameters, Record, Run};
@@ -373,9 +373,7 @@ fn with_numbers(
         };
         let quantity = Math::Product([number].into_iter().chain(in_unit(&unit)).collect());
         parts.push(match power {
-            Some(power) if !unit.is_empty() => {
-                Math::Product(vec![Math::Brackets(Box::new(quantity)), power])
-            }
+            Some(power) if !unit.is_empty() => Math::Product(vec![Math::Brackets(Box::new(quantity)), power]),
             Some(power) => Math::Product(vec![quantity, power]),
             None => quantity,
         });

@@ -280,13 +280,13 @@ mod tests {
 
     #[test]
     fn points_that_do_the_same_are_told_together() {
-        assert_eq!(
-            events("16-bench"),
-            ["the left, the middle and the right touch the floor".to_owned()]
-        );
+        assert_eq!(events("16-bench"), ["the left, the middle and the right touch the floor".to_owned()]);
         let falling = events("10-falling-rod");
         assert!(
-            falling.iter().any(|text| text.contains("the foot strikes the floor, the head strikes and stays on the floor")),
+            falling
+                .iter()
+                .any(|text| text
+                    .contains("the foot strikes the floor, the head strikes and stays on the floor")),
             "{falling:?}"
         );
     }

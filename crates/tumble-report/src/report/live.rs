@@ -1,7 +1,7 @@
 //! What a page is sent while it plays: the parts of a report as the page itself has them, and what is to be said, as JSON.
 
 use tumble_drawing::{Animation, Label};
-use tumble_scene::{Diagnostic, Diagnostics, Underlined, Preset, Severity, Study};
+use tumble_scene::{Diagnostic, Diagnostics, Preset, Severity, Study, Underlined};
 
 use crate::figures::symbols;
 

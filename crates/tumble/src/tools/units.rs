@@ -5,7 +5,7 @@ use tumble_expr::language::{
 };
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::Parameters;
-use tumble_scene::{Diagnostic, Diagnostics, Underlined, Severity, Source};
+use tumble_scene::{Diagnostic, Diagnostics, Severity, Source, Underlined};
 
 use super::say::{colour, say, tell, width, wrapped};
 use crate::commands::Ending;

@@ -3,8 +3,8 @@
 use tumble_expr::language::{BUILTINS, UNITS};
 use tumble_scene::keys;
 
-use crate::report::json::{list, object, string};
 use crate::report::Lab;
+use crate::report::json::{list, object, string};
 
 pub(super) const STYLE: &str = include_str!("../assets/lab.css");
 
