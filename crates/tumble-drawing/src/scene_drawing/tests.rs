@@ -42,7 +42,7 @@ fn everything_is_drawn_and_said() {
 fn labels_do_not_cover_each_other() {
     let layout = Layout::new(scene());
     let labels = layout.labels();
-    assert_eq!(labels.len(), 8, "names of body, floor, pivot, point, spring, and three symbols");
+    assert_eq!(labels.len(), 7, "names of body, floor, pivot, point, spring, and two symbols");
     for (i, a) in labels.iter().enumerate() {
         assert!(layout.axes.area.encloses(&a.place), "{:?}", a.label);
         assert!(labels[..i].iter().all(|b| a.place.overlap(&b.place) == 0.0), "{:?}", a.label);
