@@ -185,7 +185,8 @@ impl Equations {
         let fed = Linking::new(self, at.mode, Written).feedback();
         let left: Vec<Expr> = fed.iter().map(|fed| fed.left.clone()).collect();
         let left = self.values(&left, at.mode, at.time, at.states, at.inputs)?;
-        let is_wrong = |(index, left): (usize, &f64)| told.contains(&index) || !(*left > WEDGED);
+        let is_wrong =
+            |(index, left): (usize, &f64)| told.contains(&index) || left.is_nan() || *left <= WEDGED;
         match left.iter().enumerate().position(is_wrong) {
             Some(wrong) => {
                 Err(Reason::Model(self.undetermined(&fed[wrong].force, &fed[wrong].loads, left[wrong])))
