@@ -253,7 +253,7 @@ fn a_sweep_has_a_table_of_its_runs_and_one_of_its_events() {
     assert!((ranges[4] - 0.4).abs() < 1e-9, "{ranges:?}");
     assert!(rows[1..].iter().all(|row| row[state] == "complete"));
     let events = read(&outcome.folder.join("events.csv"));
-    assert_eq!(events.lines().next(), Some("run,v [m/s],up [rad],t [s],what"));
+    assert_eq!(events.lines().next(), Some("run,v [m/s],up [rad],t [s],what,verified"));
     assert_eq!(events.lines().count(), 7);
     let page = read(&outcome.folder.join("report.html"));
     assert!(!page.contains("median"), "six runs are curves");

@@ -3,7 +3,7 @@
 use crate::svg::{Element, PathData, circle, line};
 use crate::theme::{ArrowStyle, GREY, HAIRLINE, INK, PAPER};
 
-use super::ring::Ring;
+use super::circular_arrow::CircularArrow;
 use super::strokes::{Form, Stroke};
 use crate::geometry::{Point, along, arc, length, minus, plus, times, turned, unit};
 
@@ -118,7 +118,7 @@ pub(crate) fn spread(style: ArrowStyle, arrows: &[[Point; 2]]) -> Element {
 }
 
 /// A circular arrow.
-pub(crate) fn ring(ring: &Ring) -> Element {
+pub(crate) fn ring(ring: &CircularArrow) -> Element {
     let (points, forward) = (ring.points(), ring.head_direction());
     let Some(tip) = points.last().copied() else { return Element::new("g") };
     if ring.form == Form::Thin {

@@ -5,7 +5,7 @@ use crate::outline::{Outline, Plane, rod_thickness};
 use crate::rect::Rect;
 
 use super::body::FreeBodyDiagram;
-use super::ring::rings;
+use super::circular_arrow::rings;
 use super::strokes::{spreads, strokes};
 use super::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};

@@ -23,6 +23,7 @@
 
 mod arrow;
 mod body;
+pub(crate) mod circular_arrow;
 mod describe;
 pub(crate) mod draw;
 mod fit;
@@ -30,7 +31,6 @@ mod grid;
 mod key;
 pub(crate) mod layout;
 mod panel;
-pub(crate) mod ring;
 mod set_apart;
 mod sheet;
 mod side;

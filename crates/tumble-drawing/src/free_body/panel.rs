@@ -9,10 +9,10 @@ use crate::text::{Anchor, Label, PlacedText};
 use crate::theme::{BODY, GREY, HAIRLINE, INK, LEADING, PAPER, SMALL};
 
 use super::body::FreeBodyDiagram;
+use super::circular_arrow::{CircularArrow, rings};
 use super::draw;
 use super::fit::{Room, fit, scales};
 use super::layout::{Scales, View, angle_arms, bounds};
-use super::ring::{Ring, rings};
 use super::strokes::{Stroke, arms, spreads, strokes};
 use super::tags::Shown;
 use crate::geometry::Point;
@@ -123,7 +123,7 @@ pub(super) struct Drawing {
     pub(super) area: Rect,
     pub(super) view: View,
     pub(super) strokes: Vec<Stroke>,
-    pub(super) rings: Vec<Ring>,
+    pub(super) rings: Vec<CircularArrow>,
     pub(super) angle_arc: Option<Vec<Point>>,
     pub(super) labels: Vec<Placed>,
 }

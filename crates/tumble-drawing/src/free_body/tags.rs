@@ -7,9 +7,9 @@ use crate::text::Label;
 use crate::theme::{INK, Rgb};
 
 use super::body::FreeBodyDiagram;
+use super::circular_arrow::{CircularArrow, ring_labels};
 use super::draw::{CENTRE_RADIUS, HEAD_WIDTH};
 use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
-use super::ring::{Ring, ring_labels};
 use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
 use super::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, arc, corners, minus, plus, times, unit};
@@ -29,7 +29,7 @@ pub(super) struct Shown<'a> {
     pub(super) view: &'a View,
     pub(super) area: &'a Rect,
     pub(super) strokes: &'a [Stroke],
-    pub(super) rings: &'a [Ring],
+    pub(super) rings: &'a [CircularArrow],
     /// Size of the labels in pixels.
     pub(super) size: f64,
     pub(super) digits: usize,
@@ -78,7 +78,7 @@ impl Shown<'_> {
 
     fn ring_tags(&self) -> Vec<Tag> {
         let labels = ring_labels(self.body, self.digits);
-        let tag = |(ring, label): (&Ring, Label)| {
+        let tag = |(ring, label): (&CircularArrow, Label)| {
             let points = ring.points();
             let mut tag = self.tag(&label, ring.style.colour, points.clone(), true);
             tag.near = about_arc(ring.centre, &points, Tag::extent(&tag.label, self.size));

@@ -5,9 +5,9 @@ use super::tags::tags;
 use super::{SceneBody, SceneDrawing};
 use crate::axes::{Axes, clipped};
 use crate::curves::no_data;
+use crate::free_body::circular_arrow::CircularArrow;
 use crate::free_body::draw;
 use crate::free_body::layout::View;
-use crate::free_body::ring::Ring;
 use crate::free_body::strokes::{Form, Stroke};
 use crate::geometry::{Point, along, unit};
 use crate::heading::Heading;
@@ -123,12 +123,12 @@ impl Layout {
     }
 
     /// Angular velocities with the bodies they belong to.
-    pub(super) fn rings(&self) -> Vec<(Ring, usize)> {
+    pub(super) fn rings(&self) -> Vec<(CircularArrow, usize)> {
         let ring = |(i, body): (usize, &SceneBody)| {
             let (rate, _) = body.rate.as_ref()?;
             let (centre, [radius, start, sweep]) = (self.view.pixel(body.pose.centre()), RING);
             let (start, sweep) = (start * rate.signum(), sweep * rate.signum());
-            Some((Ring { centre, radius, start, sweep, style: MOTION, form: Form::Thin }, i))
+            Some((CircularArrow { centre, radius, start, sweep, style: MOTION, form: Form::Thin }, i))
         };
         self.scene.bodies.iter().enumerate().filter_map(ring).collect()
     }

@@ -119,7 +119,7 @@ fn motions(layout: &Layout) -> Vec<Tag> {
         let ends = [stroke.tail, stroke.head];
         Some(tag(layout, label, MOTION.colour, ends.to_vec(), |size| about_arrow(ends, size)))
     };
-    let rate = |(ring, i): (crate::free_body::ring::Ring, usize)| {
+    let rate = |(ring, i): (crate::free_body::circular_arrow::CircularArrow, usize)| {
         let (_, label) = bodies[i].rate.as_ref()?;
         let points = ring.points();
         Some(tag(layout, label, MOTION.colour, points.clone(), |size| about_arc(ring.centre, &points, size)))

@@ -26,7 +26,7 @@ const HEAD_COST: f64 = 8.0;
 
 /// A circular arrow on the page.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Ring {
+pub(crate) struct CircularArrow {
     pub(crate) centre: Point,
     pub(crate) radius: f64,
     /// Where it starts, in radians from the x axis.
@@ -37,7 +37,7 @@ pub(crate) struct Ring {
     pub(crate) form: Form,
 }
 
-impl Ring {
+impl CircularArrow {
     /// Points along the arrow from tail to head.
     pub(crate) fn points(&self) -> Vec<Point> {
         arc(self.centre, self.radius, self.start, self.sweep)
@@ -52,7 +52,7 @@ impl Ring {
 
 /// The circular arrows of a panel, couples and the angular velocity, turned
 /// so that their heads are clear of other lines.
-pub(crate) fn rings(body: &FreeBodyDiagram, view: &View, strokes: &[Stroke]) -> Vec<Ring> {
+pub(crate) fn rings(body: &FreeBodyDiagram, view: &View, strokes: &[Stroke]) -> Vec<CircularArrow> {
     let couples = body.couples.iter().map(|couple| (couple.value, couple.kind.style(), Form::Full));
     let rate = body.rate.map(|rate| (rate, MOTION, Form::Thin));
     let centre = view.pixel(body.pose.centre());
@@ -60,7 +60,7 @@ pub(crate) fn rings(body: &FreeBodyDiagram, view: &View, strokes: &[Stroke]) -> 
     let ring = |(i, (value, style, form)): (usize, (f64, ArrowStyle, Form))| {
         let (radius, sweep) = (RADIUS + STEP * i as f64, SWEEP * value.signum());
         let hits: Vec<f64> = lines.iter().flat_map(|line| crossings(*line, centre, radius)).collect();
-        Ring { centre, radius, start: clear_start(sweep, &hits), sweep, style, form }
+        CircularArrow { centre, radius, start: clear_start(sweep, &hits), sweep, style, form }
     };
     couples.chain(rate).enumerate().map(ring).collect()
 }
