@@ -251,7 +251,10 @@ fn a_motion_that_is_refused() {
     write(&folder.path().join("block.toml"), BLOCK);
     let (code, said) = ended_in(folder.path(), &["run", "block.toml"]);
     assert_eq!(code, Some(3), "{said}");
-    assert!(said.contains("incomplete: stopped at t = 1 s: `(block.vx - 0)` is zero and stays there"), "{said}");
+    assert!(
+        said.contains("incomplete: stopped at t = 1 s: `(block.vx - 0)` is zero and stays there"),
+        "{said}"
+    );
     let summary = common::read(&folder.path().join("out/block/summary.json"));
     assert!(summary.contains("\"complete\": false"), "{summary}");
 }
