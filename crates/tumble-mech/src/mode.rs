@@ -16,7 +16,7 @@ pub struct Mode {
     pub contacts: Vec<(usize, ContactMode)>,
     /// How those are held along the surface that press on one with friction, in the order of the pairs.
     pub grips: Vec<(usize, Grip)>,
-    /// How loads that brake are held that are signs of rates, by the order of [`crate::Equations::brakes`]; those that are not mentioned
+    /// How loads that brake are held that are signs of rates, by the order of the loads; those that are not mentioned
     /// have the sign that the rate has.
     pub brakes: Vec<(usize, Grip)>,
     /// Bodies that are held so that they cannot move, in order: nothing of them is integrated.

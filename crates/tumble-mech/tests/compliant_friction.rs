@@ -9,6 +9,7 @@ use tumble_mech::{
     Application, AppliedImpulse, Body, Change, ContactLaw, Event, Frame, Friction, Gravity, Happening, Kind,
     Model, Place, Release, Run, RunBalance, Shape, Start, Surface, time,
 };
+use tumble_ode::Side;
 
 const G: f64 = 9.81;
 const MASS: f64 = 2.0;
@@ -310,6 +311,28 @@ fn a_box_stays_on_a_slope_that_holds_it() {
         assert!((early - late).abs() < 1e-15, "{early} {late}");
     }
     assert!(run.trajectory().events.len() < 6, "{:?}", happened(&run));
+}
+
+/// What each corner of it bears along the slope is open within both cones, their sum is not.
+#[test]
+fn corners_of_a_box_share_friction_within_their_cones() {
+    let (slope, friction) = (0.3_f64, 0.4);
+    let run = run(on_slope(slope, spring(1e4, 200.0), friction), 10.0, 1e-12);
+    let pairs = run.equations.pairs();
+    let normal: Vec<f64> = pairs.iter().map(|pair| at(&run, 9.0, [pair.force_symbol().into()])[0]).collect();
+    let held: Vec<usize> = (0..pairs.len()).filter(|pair| normal[*pair] > 0.0).collect();
+    let along: Vec<Expr> = held.iter().map(|pair| pairs[*pair].friction_symbol().into()).collect();
+    let [all] = at(&run, 9.0, [&along[0] + &along[1]]);
+    close(all.abs(), MASS * G * slope.sin(), 1e-11);
+    let spreads =
+        |formulas: &[Expr]| run.spreads(formulas, 9.0, Side::After).expect("formulas of the motion");
+    assert_eq!(spreads(&[&along[0] + &along[1]]), [None]);
+    for (own, other) in [(0, 1), (1, 0)] {
+        let [most, others] = [own, other].map(|index| friction * normal[held[index]]);
+        let found = spreads(&along[own..=own])[0].expect("it is open");
+        close(found.least, (-most).max(all - others), 1e-11);
+        close(found.greatest, most.min(all + others), 1e-11);
+    }
 }
 
 /// Down a slope that does not hold it, on both sides of `tan = mu` by a thousandth: it comes to stand or slides on for good.
