@@ -6,7 +6,8 @@
 // digit, its tables those of the command, sign by sign. A mistake has its code, its place and its cure and leaves the last run; a link holds the state; a long run is stopped, and what
 // is broken costs the run alone; nothing is asked of a network; a page fits a phone, and paper has no controls.
 
-import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import process from "node:process";
@@ -257,6 +258,34 @@ async function site(browser) {
   await start.close();
 }
 
+/** What stands by a button: the scene as it was, a preset, and the same from a host by address, which is asked for nothing else. */
+async function buttons(browser) {
+  const is = (what) => `${browser.name}: ${what}`;
+  const host = createServer((request, answer) => {
+    const file = join(gallery, decodeURIComponent(new URL(request.url, "http://host").pathname));
+    answer.writeHead(existsSync(file) ? 200 : 404, { "Content-Type": "text/html" });
+    answer.end(existsSync(file) ? readFileSync(file) : "");
+  });
+  await new Promise((resolve) => host.listen(0, "127.0.0.1", resolve));
+  const address = `http://127.0.0.1:${host.address().port}/`;
+  const page = await browser.browser.newPage();
+  const asked = [];
+  page.on("request", (request) => /^https?:/.test(request.url()) && asked.push(request.url()));
+  await page.goto(`${address}${FIRST}/report.html`);
+  const scene = join(scenes, FIRST, "scene.toml");
+  const { knob, value } = await moved(page);
+  check(is("a page from a host plays"), (await numbers(page)) === said(tumble, scene, [[knob, value]]));
+  check(is("a host is asked for the page alone"), asked.every((url) => url === `${address}${FIRST}/report.html` || url.endsWith("/favicon.ico")), asked.join());
+  const press = (label) => after(page, () => page.getByRole("button", { name: label, exact: true }).click());
+  check(is("it is reset"), (await press("Reset")) === "done" && (await numbers(page)) === said(tumble, scene));
+  await page.evaluate(() => { document.querySelector("#play .scene").open = true; });
+  const text = `${await page.inputValue("#play textarea")}\n[play.presets.other]\nlabel = "Another"\ntext = "In words."\nset = { ${knob} = "${value}" }\n`;
+  check(is("a preset is written"), (await after(page, () => page.fill("#play textarea", text))) === "done");
+  check(is("a preset is chosen"), (await press("Another")) === "done" && (await numbers(page)) === said(tumble, scene, [[knob, value]]));
+  await page.close();
+  host.close();
+}
+
 /** That requests would be seen, if there were any. */
 async function sees(browser) {
   const page = await opened(browser, report(gallery, FIRST));
@@ -275,7 +304,7 @@ for (const program of programs) {
   const browser = await launched(program);
   await sees(browser);
   for (const name of names) await play(browser, name);
-  for (const one of [edited, dragged, endless, breaks, site]) await one(browser);
+  for (const one of [edited, buttons, dragged, endless, breaks, site]) await one(browser);
   check(`${browser.name}: nothing is asked of a network`, browser.requests.length === 0, browser.requests.join(" "));
   await browser.browser.close();
   console.log(`${browser.name}: ${names.length} scenes`);

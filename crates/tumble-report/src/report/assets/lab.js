@@ -142,12 +142,8 @@ class Lab {
 
   buildBoard() {
     this.buildTemplates(SETTINGS.templates);
-    const { presets } = SETTINGS.play;
-    if (presets.length) {
-      const bar = make("div", { class: "bar", role: "group", "aria-label": "Presets" }, this.board);
-      for (const preset of presets) this.button(bar, preset.label, () => this.choose(preset)).title = preset.text;
-      this.words = make("p", { class: "note" }, this.board);
-    }
+    this.presets = make("div", {}, this.board);
+    this.buildPresets(SETTINGS.play.presets);
     this.knobs = make("div", {}, this.board);
     this.buildKnobs(SETTINGS.play.knobs);
     const bar = make("div", { class: "bar" }, this.board);
@@ -182,6 +178,16 @@ class Lab {
       this.editor.show(scene);
       this.edit(scene);
     });
+  }
+
+  /** The presets of a scene, in the place of those before. */
+  buildPresets(presets) {
+    this.presets.replaceChildren();
+    this.presets.hidden = !presets.length;
+    this.offered = JSON.stringify(presets);
+    const bar = make("div", { class: "bar", role: "group", "aria-label": "Presets" }, this.presets);
+    for (const preset of presets) this.button(bar, preset.label, () => this.choose(preset)).title = preset.text;
+    this.words = make("p", { class: "note" }, this.presets);
   }
 
   /** The sliders of a scene, in the place of those before. */
@@ -262,7 +268,7 @@ class Lab {
     this.set = new Map(SETTINGS.set);
     this.player?.reset();
     this.sections.unpin();
-    if (this.words) this.words.textContent = "";
+    this.words.textContent = "";
     this.ask();
   }
 
@@ -364,6 +370,7 @@ class Lab {
     document.title = document.querySelector("h1").textContent = title;
     const isOther = play.knobs.map((knob) => knob.name).join() !== [...this.controls.keys()].join();
     if (isOther) this.buildKnobs(play.knobs);
+    if (JSON.stringify(play.presets) !== this.offered) this.buildPresets(play.presets);
     for (const knob of play.knobs) this.controls.get(knob.name)?.take(knob);
   }
 
