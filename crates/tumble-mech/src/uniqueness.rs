@@ -175,26 +175,10 @@ impl Equations {
         let left_out = of_joints(true).into_iter().chain(contacts);
         all.extend(left_out.filter(|(row, _)| is_own(row)));
         let (rows, is_contact): (Vec<RowOf>, Vec<bool>) = all.into_iter().unzip();
-        let mut directions = self.directions(spot, &rows, kept)?;
-        self.share_alike(&rows, kept, &mut directions);
+        let directions = self.directions(spot, &rows, kept)?;
         let cones = self.cones(mode, &rows);
         let symbols: Vec<Symbol> = rows.into_iter().map(|row| self.row(row).multiplier).collect();
         Ok(Some(Redundancy { left_out: symbols.len() - kept, symbols, is_contact, directions, cones }))
-    }
-
-    /// What one of the points that slip alike has of their friction another may have as well.
-    fn share_alike(&self, rows: &[RowOf], kept: usize, directions: &mut DMatrix<f64>) {
-        let alike = |row: &RowOf| match row {
-            RowOf::Slip(pair) => Some(self.pairs()[*pair].slips_with(*pair)),
-            _ => None,
-        };
-        for (column, row) in rows[kept..].iter().enumerate() {
-            let Some(own) = alike(row) else { continue };
-            if let Some(first) = rows[..kept].iter().position(|other| alike(other).as_ref() == Some(&own)) {
-                directions.fill_column(column, 0.0);
-                (directions[(first, column)], directions[(kept + column, column)]) = (-1.0, 1.0);
-            }
-        }
     }
 
     /// What friction can be at the points of some rows that do not slip.

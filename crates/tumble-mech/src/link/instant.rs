@@ -218,8 +218,11 @@ impl<'a> Instant<'a> {
     fn row(&mut self, row: RowOf) -> Measured {
         let piece = self.linking.equations.piece(Part::Kept(row));
         let mut values = self.linking.exports(&piece).into_iter();
-        // A slip has no position: its rate comes first.
-        let position = (self.outputs.len() + piece.kept.len()).saturating_sub(2);
+        let position = self.outputs.len();
+        if piece.kept.len() == 1 {
+            // A slip has no position: nothing stands there.
+            self.outputs.push(self.linking.formula(&Expr::zero()));
+        }
         let mut by_velocity = vec![];
         for (_, states) in &piece.kept {
             // The slopes of the position come first, those of the rate take their place.
