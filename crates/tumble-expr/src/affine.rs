@@ -1,35 +1,24 @@
 //! Whether formulas are sums of some symbols, each times what has none of them.
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
-use crate::expr::{Binary, Expr, Inner, Node, Symbol, Unary};
-use crate::hashing::FastMap;
+use crate::expr::{Binary, Expr, Node, Symbol, Unary};
 
 impl Expr {
     /// The first part of the formula in which these symbols are not just added up, each times what has none of them; `None` where
     /// the whole is such a sum.
     pub fn nonlinear_part(&self, symbols: &HashSet<Symbol>) -> Option<Self> {
+        let mut first = None;
         // Whether a part has any of the symbols.
-        let mut known: FastMap<*const Inner, bool> = FastMap::default();
-        let mut pending = vec![self];
-        while let Some(next) = pending.last().copied() {
-            let missing = |part: &&Self| !known.contains_key(&Arc::as_ptr(&part.0));
-            let parts: Vec<&Self> = next.children().into_iter().filter(missing).collect();
-            if parts.is_empty() {
-                let of = |part: &Self| known[&Arc::as_ptr(&part.0)];
-                let own = matches!(next.node(), Node::Symbol(symbol) if symbols.contains(symbol));
-                let any = own || next.children().into_iter().any(of);
-                if any && !is_linear(next, of) {
-                    return Some(next.clone());
-                }
-                known.insert(Arc::as_ptr(&next.0), any);
-                pending.pop();
-            } else {
-                pending.extend(parts);
+        self.folded(|formula, has| {
+            let own = matches!(formula.node(), Node::Symbol(symbol) if symbols.contains(symbol));
+            let any = own || formula.children().into_iter().any(has);
+            if any && first.is_none() && !is_linear(formula, has) {
+                first = Some(formula.clone());
             }
-        }
-        None
+            any
+        });
+        first
     }
 }
 

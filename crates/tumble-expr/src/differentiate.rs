@@ -5,28 +5,14 @@ use std::sync::Arc;
 use num_rational::BigRational;
 use num_traits::One;
 
-use crate::expr::{Binary, Expr, Inner, Node, Symbol, Unary};
-use crate::hashing::FastMap;
+use crate::expr::{Binary, Expr, Node, Symbol, Unary};
 
 impl Expr {
     /// The derivative with respect to `symbol`, all other symbols held fixed; on branches, that of the side that holds.
     ///
     /// Shared parts are differentiated once, and the depth of the formula is not bounded by the stack.
     pub fn derivative(&self, symbol: &Symbol) -> Self {
-        let mut done: FastMap<*const Inner, Self> = FastMap::default();
-        let mut pending = vec![self];
-        while let Some(next) = pending.last().copied() {
-            let missing = |part: &&Self| !done.contains_key(&Arc::as_ptr(&part.0));
-            let parts: Vec<&Self> = next.children().into_iter().filter(missing).collect();
-            if parts.is_empty() {
-                let slope = slope(next, symbol, |part| done[&Arc::as_ptr(&part.0)].clone());
-                done.insert(Arc::as_ptr(&next.0), slope);
-                pending.pop();
-            } else {
-                pending.extend(parts);
-            }
-        }
-        done[&Arc::as_ptr(&self.0)].clone()
+        self.folded(|formula, of| slope(formula, symbol, of))
     }
 }
 

@@ -16,6 +16,7 @@ mod differentiate;
 mod dimension;
 mod drops;
 mod expr;
+mod fold;
 mod graph;
 mod hashing;
 mod jets;

@@ -28,23 +28,10 @@ impl Expr {
 
     /// The formula with a value in the place of each sign of something.
     pub fn with_sign(&self, of: &Self, value: &Self) -> Self {
-        let mut done: FastMap<*const Inner, Self> = FastMap::default();
-        let mut pending = vec![self];
-        while let Some(next) = pending.last().copied() {
-            let missing = |part: &&Self| !done.contains_key(&Arc::as_ptr(&part.0));
-            let parts: Vec<&Self> = next.children().into_iter().filter(missing).collect();
-            if parts.is_empty() {
-                let new = match next.node() {
-                    Node::Unary(Unary::Sign, own) if is_alike(own, of) => value.clone(),
-                    _ => rebuilt(next, |part| done[&Arc::as_ptr(&part.0)].clone()),
-                };
-                done.insert(Arc::as_ptr(&next.0), new);
-                pending.pop();
-            } else {
-                pending.extend(parts);
-            }
-        }
-        done[&Arc::as_ptr(&self.0)].clone()
+        self.folded(|formula, part| match formula.node() {
+            Node::Unary(Unary::Sign, own) if is_alike(own, of) => value.clone(),
+            _ => rebuilt(formula, part),
+        })
     }
 }
 

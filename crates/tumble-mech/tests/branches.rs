@@ -1,6 +1,8 @@
 //! Singular configurations from which more than one motion goes on, or next to which nobody can tell: refused in time, with the joints
 //! and the branches; and what looks like them and is passed.
 
+mod common;
+
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
@@ -67,13 +69,7 @@ impl Linkage {
 
     #[track_caller]
     fn refused(&self, until: f64) -> (f64, String) {
-        let Err(error) = self.run(until) else { panic!("a motion, where more than one goes on") };
-        let time = match &error {
-            RunError::Refused { refusal, .. } => refusal.time,
-            _ => 0.0,
-        };
-        println!("{error}");
-        (time, error.to_string())
+        common::refused(self.run(until))
     }
 }
 

@@ -69,13 +69,7 @@ fn tried(model: &Model, until: f64) -> Result<Run, RunError> {
 /// When a motion is refused, and what is said.
 #[track_caller]
 fn refused(model: &Model, until: f64) -> (f64, String) {
-    let Err(error) = tried(model, until) else { panic!("a motion, where there is none") };
-    let time = match &error {
-        RunError::Refused { refusal, .. } => refusal.time,
-        _ => 0.0,
-    };
-    println!("{error}");
-    (time, error.to_string())
+    common::refused(tried(model, until))
 }
 
 /// The same block with the friction that surfaces have, of which the law is the same.

@@ -3,7 +3,7 @@
 
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, N, S};
-use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Start, Surface, time};
+use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, RunError, Start, Surface, time};
 use tumble_ode::Accuracy;
 
 /// Integrates a model from time 0.
@@ -12,6 +12,18 @@ pub(crate) fn run(model: Model, until: f64, accuracy: f64) -> Run {
     let until = until * tumble_expr::units::S;
     let run = model.simulate_to(&[], until, accuracy).map_err(|error| error.to_string());
     run.expect("a motion without singularities")
+}
+
+/// When a motion is refused, s, and what is said.
+#[track_caller]
+pub(crate) fn refused(found: Result<Run, RunError>) -> (f64, String) {
+    let Err(error) = found else { panic!("a motion, where there is to be none") };
+    let time = match &error {
+        RunError::Refused { refusal, .. } => refusal.time,
+        _ => 0.0,
+    };
+    println!("{error}");
+    (time, error.to_string())
 }
 
 /// Values of formulas at a time.
