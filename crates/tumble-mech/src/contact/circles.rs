@@ -2,6 +2,8 @@
 //!
 //! The circle of a body is about its centre of mass, or about its pivot, where that holds it.
 
+use std::collections::{BTreeSet, HashSet};
+
 use tumble_expr::{Expr, Interval};
 
 use crate::contact::border::{Border, Rim};
@@ -41,6 +43,28 @@ impl Stretch {
     }
 }
 
+/// Two bodies, the lesser first.
+pub(crate) fn couple(a: usize, b: usize) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// Bodies of two lists that are not shown to be apart, of some that may meet.
+pub(crate) fn meeting<'a>(
+    some: &'a [Stretch],
+    others: &'a [Stretch],
+    meet: &'a HashSet<[usize; 2]>,
+) -> impl Iterator<Item = [usize; 2]> + 'a {
+    let both = some.iter().flat_map(move |one| others.iter().map(move |other| (one, other)));
+    let near = both.filter(|(one, other)| !one.is_apart(other));
+    near.map(|(one, other)| couple(one.body, other.body)).filter(|bodies| meet.contains(bodies))
+}
+
+/// The same within one list.
+pub(crate) fn meeting_within(all: &[Stretch], meet: &HashSet<[usize; 2]>) -> HashSet<[usize; 2]> {
+    let each = all.iter().enumerate();
+    each.flat_map(|(index, one)| meeting(std::slice::from_ref(one), &all[index + 1..], meet)).collect()
+}
+
 impl Circles {
     /// Of some bodies, pivots being where they are at an instant.
     pub(crate) fn of(
@@ -51,14 +75,13 @@ impl Circles {
         inputs: &[f64],
     ) -> Self {
         let mut circles: Vec<Option<Circle>> = equations.model().bodies.iter().map(|_| None).collect();
-        let (mut asked, mut formulas, mut places) = (vec![], vec![], vec![]);
-        for body in bodies {
-            if circles[body].is_none() {
-                circles[body] = Some(Circle { pivot: None, radius: f64::INFINITY });
-                asked.push(body);
-                places.push(formulas.len());
-                formulas.extend(circle(equations, body));
-            }
+        // In order: formulas that are the same are compiled once.
+        let asked: BTreeSet<usize> = bodies.into_iter().collect();
+        let (mut formulas, mut places) = (vec![], vec![]);
+        for &body in &asked {
+            circles[body] = Some(Circle { pivot: None, radius: f64::INFINITY });
+            places.push(formulas.len());
+            formulas.extend(circle(equations, body));
         }
         // What has no value is nowhere shown to be apart.
         let Ok(values) = equations.values(&formulas, mode, time, states, inputs) else {
@@ -77,9 +100,9 @@ impl Circles {
         self.0.len()
     }
 
-    /// Whether any body of a mode has one.
-    pub(crate) fn has_any(&self, mode: &Mode) -> bool {
-        mode.bodies.iter().any(|body| self.0[*body].is_some())
+    /// Whether no body has one.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.iter().all(Option::is_none)
     }
 
     /// Those of the bodies of a mode, by the ranges of its states.

@@ -35,7 +35,7 @@ mod zeno;
 
 pub(crate) use border::{Border, Rim};
 pub use change::Change;
-pub(crate) use circles::{Circles, Stretch};
+pub(crate) use circles::{Circles, Stretch, meeting, meeting_within};
 pub use contact_mode::ContactMode;
 pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::Expr;
 use tumble_ode::{Cause, Reason};
 
-use crate::contact::circles::{Circles, Stretch};
+use crate::contact::circles::{Circles, couple, meeting_within};
 use crate::contact::outlines::{Couple, Outlines};
 use crate::contact::pair::{Pair, Rule};
 use crate::equations::Equations;
@@ -68,13 +68,9 @@ impl Equations {
 
     /// Bodies that may meet and are not shown to be apart at the start, the lesser first.
     fn near_each_other(&self, mode: &Mode, states: &[f64], inputs: &[f64]) -> HashSet<[usize; 2]> {
-        let met = self.pairs().iter().filter_map(|pair| Some(couple(pair.body, pair.other?)));
-        let mut met: HashSet<[usize; 2]> = met.collect();
-        let bodies = met.iter().flatten().copied();
-        let circles = Circles::of(self, bodies, mode, (0.0, states), inputs).at(self, mode, states);
-        let by_body: HashMap<usize, &Stretch> = circles.iter().map(|circle| (circle.body, circle)).collect();
-        met.retain(|[a, b]| !by_body[a].is_apart(by_body[b]));
-        met
+        let meet = &self.pair_list().couples;
+        let circles = Circles::of(self, meet.iter().flatten().copied(), mode, (0.0, states), inputs);
+        meeting_within(&circles.at(self, mode, states), meet)
     }
 
     /// What starts inside each other of those that meet by edges; `sizes` are the lengths that their places are made of, m.
@@ -115,11 +111,6 @@ impl Equations {
             },
         }
     }
-}
-
-/// Two bodies, the lesser first.
-fn couple(a: usize, b: usize) -> [usize; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// Of several points of one body inside one surface only the deepest is told of.

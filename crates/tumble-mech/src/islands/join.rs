@@ -115,7 +115,7 @@ impl Islands<'_> {
             }
         }
         let half = [0.5 * (piece.start + piece.end), piece.end];
-        near.join(equations, &near.along(equations, mode, piece, half), &parts, &mut sets);
+        near.join(&near.along(mode, piece, half), &parts, &mut sets);
         joined_parts(parts, sets)
     }
 
@@ -126,8 +126,8 @@ impl Islands<'_> {
         parts: Vec<Vec<usize>>,
     ) -> Vec<Vec<usize>> {
         let mut sets = Sets::new(parts.len());
-        let circles = self.near.at(self.equations, &start.mode, &start.states);
-        self.near.join(self.equations, &circles, &parts, &mut sets);
+        let circles = self.near.at(&start.mode, &start.states);
+        self.near.join(&circles, &parts, &mut sets);
         joined_parts(parts, sets)
     }
 }

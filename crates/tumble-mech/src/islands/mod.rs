@@ -57,7 +57,7 @@ struct Islands<'a> {
     born: usize,
     /// Events that several groups have a part in, and bodies of several that are near each other.
     watches: Vec<Watch>,
-    near: Near,
+    near: Near<'a>,
     /// When all end, if not where they were to, s.
     end: Option<f64>,
     /// Why that is, where it is no event, and which of them is at fault.
@@ -219,7 +219,7 @@ impl<'a> Islands<'a> {
         let end = solver.propose()?;
         let is_loose = is_new
             && groups.len() > 1
-            && near.horizon.is_finite()
+            && near.has_any()
             && solver.now().is_some_and(|now| equations.coupled(now.mode, groups).len() > 1);
         let shorter = solver.time() + near.stride();
         if !is_loose || end <= shorter || shorter <= solver.time() {
@@ -293,7 +293,7 @@ impl<'a> Islands<'a> {
 
     /// Watches the bodies that are near others up to the horizon, of the islands whose next steps are new.
     fn see_who_is_near(&mut self) {
-        if self.near.horizon == f64::INFINITY && self.all.iter().all(|island| island.circles.is_empty()) {
+        if !self.near.has_any() {
             return;
         }
         let stale: Vec<usize> = (0..self.all.len()).filter(|index| self.all[*index].is_stale).collect();
@@ -321,19 +321,19 @@ impl<'a> Islands<'a> {
     /// Where bodies of an island are from one time to another, as far as its next step goes.
     fn circles(&self, index: usize, [from, to]: [f64; 2]) -> Vec<Stretch> {
         let Some(Along { mode, piece }) = self.all[index].along() else { return vec![] };
-        self.near.along(self.equations, &mode, &piece, [from, to.min(piece.end)])
+        self.near.along(&mode, &piece, [from, to.min(piece.end)])
     }
 
     /// Takes the horizon further, and forgets bodies that are far from each other up to there.
     fn look_further(&mut self) {
-        let Self { all, near, equations, .. } = self;
+        let Self { all, near, .. } = self;
         let from = near.horizon;
         let along: Vec<Along> = all.iter().filter_map(Island::along).collect();
-        let circles = |near: &Near, to: f64| {
-            let circles = along.iter().map(|Along { mode, piece }| {
-                near.along(equations, mode, piece, [from.min(piece.end), to.min(piece.end)])
+        let circles = |near: &Near<'_>, to: f64| -> Vec<Stretch> {
+            let circles = along.iter().flat_map(|Along { mode, piece }| {
+                near.along(mode, piece, [from.min(piece.end), to.min(piece.end)])
             });
-            circles.collect::<Vec<_>>()
+            circles.collect()
         };
         near.go_further(&circles);
         let known = circles(near, near.horizon);

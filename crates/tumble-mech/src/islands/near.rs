@@ -9,7 +9,7 @@ use tumble_ode::Piece;
 
 use super::start::Places;
 use super::watch::Along;
-use crate::contact::{Circles, Stretch};
+use crate::contact::{Circles, Stretch, meeting, meeting_within};
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::sets::Sets;
@@ -23,12 +23,11 @@ const NEAREST: f64 = 1e-9;
 /// Bodies that meet and part again take steps of this part of a horizon.
 const STRIDE: f64 = 1.0 / 8.0;
 
-/// Which bodies may meet, where they are, and how far ahead that has been looked at.
-pub(super) struct Near {
-    /// Of those that may meet others.
+/// Where bodies are that may meet, and how far ahead that has been looked at.
+pub(super) struct Near<'a> {
+    equations: &'a Equations,
+    /// Of those that may meet bodies of other groups.
     circles: Circles,
-    /// The lesser body first.
-    meets: HashSet<[usize; 2]>,
     /// s
     pub(super) horizon: f64,
     /// By how much it went further last, s.
@@ -36,66 +35,54 @@ pub(super) struct Near {
     until: f64,
 }
 
-impl Near {
+impl<'a> Near<'a> {
     /// Of the bodies of some groups, as they are at the start.
-    pub(super) fn of(equations: &Equations, groups: &[usize], places: &Places<'_>, until: f64) -> Self {
+    pub(super) fn of(equations: &'a Equations, groups: &[usize], places: &Places<'_>, until: f64) -> Self {
         let start = places.start();
         let group = |body: usize| equations.components().group_of(body);
         let is_own = |body: usize| groups.binary_search(&group(body)).is_ok();
-        let ends = equations.pairs().iter().filter_map(|pair| Some([pair.body, pair.other?]));
-        let meets = ends.filter(|[a, b]| is_own(*a) && is_own(*b) && group(*a) != group(*b));
-        let meets: HashSet<[usize; 2]> = meets.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        let couples = equations.pair_list().couples.iter();
+        let couples = couples.filter(|[a, b]| groups.len() > 1 && is_own(*a) && group(*a) != group(*b));
+        let bodies = couples.flatten().copied();
         let instant = (start.time, &start.states[..]);
-        let bodies = meets.iter().flatten().copied();
         let circles = Circles::of(equations, bodies, &start.mode, instant, &start.inputs);
-        let horizon = if meets.is_empty() { f64::INFINITY } else { start.time };
-        Self { circles, meets, horizon, span: until - start.time, until }
+        let horizon = if circles.is_empty() { f64::INFINITY } else { start.time };
+        Self { equations, circles, horizon, span: until - start.time, until }
+    }
+
+    /// Whether any bodies may meet.
+    pub(super) fn has_any(&self) -> bool {
+        !self.circles.is_empty()
     }
 
     /// Circles of the bodies of a mode from one time to another along a piece.
-    pub(super) fn along(
-        &self,
-        equations: &Equations,
-        mode: &Mode,
-        piece: &Piece,
-        between: [f64; 2],
-    ) -> Vec<Stretch> {
-        let mut ranges = vec![];
-        if self.circles.has_any(mode) {
-            piece.ranges_between(between, &mut ranges);
+    pub(super) fn along(&self, mode: &Mode, piece: &Piece, between: [f64; 2]) -> Vec<Stretch> {
+        if !self.has_any() {
+            return vec![];
         }
-        self.circles.within(equations, mode, |state| ranges[state])
+        let mut ranges = vec![];
+        piece.ranges_between(between, &mut ranges);
+        self.circles.within(self.equations, mode, |state| ranges[state])
     }
 
     /// The same at an instant.
-    pub(super) fn at(&self, equations: &Equations, mode: &Mode, states: &[f64]) -> Vec<Stretch> {
-        self.circles.at(equations, mode, states)
+    pub(super) fn at(&self, mode: &Mode, states: &[f64]) -> Vec<Stretch> {
+        self.circles.at(self.equations, mode, states)
     }
 
     /// Bodies of two lists that may meet and are not shown to be apart, the lesser first.
-    pub(super) fn meeting<'a>(
-        &'a self,
-        some: &'a [Stretch],
-        others: &'a [Stretch],
-    ) -> impl Iterator<Item = [usize; 2]> + 'a {
-        let both = some.iter().flat_map(move |one| others.iter().map(move |other| (one, other)));
-        let near = both.filter(|(one, other)| !one.is_apart(other));
-        let bodies = near.map(|(one, other)| [one.body.min(other.body), one.body.max(other.body)]);
-        bodies.filter(|bodies| self.meets.contains(bodies))
+    pub(super) fn meeting<'b>(
+        &'b self,
+        some: &'b [Stretch],
+        others: &'b [Stretch],
+    ) -> impl Iterator<Item = [usize; 2]> + 'b {
+        meeting(some, others, &self.equations.pair_list().couples)
     }
 
     /// Whether two bodies are apart from one time to another, along what their islands do next.
-    pub(super) fn are_apart(
-        &self,
-        equations: &Equations,
-        [a, b]: [usize; 2],
-        along: &[Along],
-        between: [f64; 2],
-    ) -> bool {
-        let circles: Vec<Stretch> = along
-            .iter()
-            .flat_map(|Along { mode, piece }| self.along(equations, mode, piece, between))
-            .collect();
+    pub(super) fn are_apart(&self, [a, b]: [usize; 2], along: &[Along], between: [f64; 2]) -> bool {
+        let circles = along.iter().flat_map(|Along { mode, piece }| self.along(mode, piece, between));
+        let circles: Vec<Stretch> = circles.collect();
         let of = |body: usize| circles.iter().find(|circle| circle.body == body);
         of(a).zip(of(b)).is_some_and(|(a, b)| a.is_apart(b))
     }
@@ -106,35 +93,23 @@ impl Near {
     }
 
     /// Joins the parts whose bodies may meet and are not shown to be apart.
-    pub(super) fn join(
-        &self,
-        equations: &Equations,
-        circles: &[Stretch],
-        parts: &[Vec<usize>],
-        sets: &mut Sets,
-    ) {
+    pub(super) fn join(&self, circles: &[Stretch], parts: &[Vec<usize>], sets: &mut Sets) {
         let part = |body: usize| {
-            let group = equations.components().group_of(body);
+            let group = self.equations.components().group_of(body);
             parts.iter().position(|groups| groups.binary_search(&group).is_ok())
         };
-        for (index, circle) in circles.iter().enumerate() {
-            for [a, b] in self.meeting(std::slice::from_ref(circle), &circles[index + 1..]) {
-                part(a).zip(part(b)).into_iter().for_each(|(a, b)| sets.join(a, b));
-            }
+        for [a, b] in self.all_meeting(circles) {
+            part(a).zip(part(b)).into_iter().for_each(|(a, b)| sets.join(a, b));
         }
     }
 
-    /// All bodies of islands that may meet and are not shown to be apart.
-    pub(super) fn all_meeting(&self, islands: &[Vec<Stretch>]) -> HashSet<[usize; 2]> {
-        let each = islands.iter().enumerate();
-        each.flat_map(|(index, one)| {
-            islands[index + 1..].iter().flat_map(|other| self.meeting(one, other).collect::<Vec<_>>())
-        })
-        .collect()
+    /// All bodies of a list that may meet and are not shown to be apart.
+    pub(super) fn all_meeting(&self, circles: &[Stretch]) -> HashSet<[usize; 2]> {
+        meeting_within(circles, &self.equations.pair_list().couples)
     }
 
-    /// Takes the horizon further; `circles` says where the bodies of islands are from there up to a time, s.
-    pub(super) fn go_further(&mut self, circles: &impl Fn(&Self, f64) -> Vec<Vec<Stretch>>) {
+    /// Takes the horizon further; `circles` says where the bodies are from there up to a time, s.
+    pub(super) fn go_further(&mut self, circles: &impl Fn(&Self, f64) -> Vec<Stretch>) {
         let from = self.horizon;
         let near = |known: &Self, to: f64| known.all_meeting(&circles(known, to)).len();
         let most = near(self, from) + FEW * self.circles.count() + FEWEST;

@@ -58,7 +58,7 @@ pub(super) struct Along {
 pub(super) struct Sight<'a> {
     pub(super) equations: &'a Equations,
     pub(super) inputs: &'a [f64],
-    pub(super) near: &'a Near,
+    pub(super) near: &'a Near<'a>,
 }
 
 /// Finds ranges of a function in modes beside each other.
@@ -199,7 +199,7 @@ impl Watch {
     ) -> Result<bool, Reason> {
         let event = match self.of {
             Of::Event(event) => event,
-            Of::Bodies(bodies) => return Ok(near.are_apart(equations, bodies, along, between)),
+            Of::Bodies(bodies) => return Ok(near.are_apart(bodies, along, between)),
         };
         let modes: Vec<Mode> = along.iter().map(|along| along.mode.clone()).collect();
         let ranges = match self.ranges.entry(modes) {
