@@ -23,6 +23,9 @@ use crate::model::Model;
 use crate::sets::Sets;
 use crate::term::Term;
 
+/// The symbols of the motion, each with the body that it belongs to, and the other of a pair.
+type Owners = HashMap<Symbol, (usize, Option<usize>)>;
+
 /// The groups and components of a model, and what belongs to which.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Components {
@@ -34,8 +37,8 @@ pub(crate) struct Components {
     of_group: Vec<usize>,
     /// By event, the groups that it reads or acts on, in order; the first where there are none.
     of_event: Vec<Vec<usize>>,
-    /// A body that a symbol of the motion belongs to.
-    owners: HashMap<Symbol, usize>,
+    /// The bodies that a symbol of the motion belongs to.
+    owners: Owners,
 }
 
 /// What may couple bodies, as far as the equations have been set up.
@@ -113,7 +116,8 @@ impl Components {
     pub(crate) fn read_by<'a>(&self, formulas: impl IntoIterator<Item = &'a Expr>) -> Vec<usize> {
         let symbols = formulas.into_iter().flat_map(Expr::symbols);
         let bodies = symbols.filter_map(|symbol| self.owners.get(&symbol));
-        let mut found: Vec<usize> = bodies.map(|body| self.group_of_body[*body]).collect();
+        let bodies = bodies.flat_map(|(body, other)| std::iter::once(*body).chain(*other));
+        let mut found: Vec<usize> = bodies.map(|body| self.group_of_body[body]).collect();
         found.sort_unstable();
         found.dedup();
         if found.is_empty() { vec![0] } else { found }
@@ -154,17 +158,18 @@ impl Equations {
 }
 
 impl Couplings<'_> {
-    /// The symbols of the motion, each with a body that it belongs to.
-    fn owners(&self) -> HashMap<Symbol, usize> {
+    fn owners(&self) -> Owners {
         let mut owners = HashMap::new();
-        let mut own = |symbols: Vec<Symbol>, body: usize| {
-            owners.extend(symbols.into_iter().map(|symbol| (symbol, body)));
+        let mut own_both = |symbols: Vec<Symbol>, bodies: (usize, Option<usize>)| {
+            owners.extend(symbols.into_iter().map(|symbol| (symbol, bodies)));
         };
+        for pair in self.pairs {
+            let symbols = vec![pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()];
+            own_both(symbols, (pair.body, pair.other));
+        }
+        let mut own = |symbols: Vec<Symbol>, body: usize| own_both(symbols, (body, None));
         for (index, body) in self.model.bodies.iter().enumerate() {
             own(body.kinematics().symbols(), index);
-        }
-        for pair in self.pairs {
-            own(vec![pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()], pair.body);
         }
         for (bodies, symbols) in &self.joints {
             own(symbols.clone(), bodies[0]);
@@ -177,7 +182,7 @@ impl Couplings<'_> {
     }
 
     /// Joins what always has a part in each other's motion.
-    fn join(&self, owners: &HashMap<Symbol, usize>, sets: &mut Sets) {
+    fn join(&self, owners: &Owners, sets: &mut Sets) {
         let model = self.model;
         if self.pairs.iter().any(Pair::is_hertzian) {
             sets.join_all();
@@ -223,7 +228,7 @@ impl Couplings<'_> {
     }
 
     /// Whether what may meet is known to be apart by where it is: nothing that an event sets moves it or makes it larger.
-    fn is_apart_at_times(&self, pair: &Pair, owners: &HashMap<Symbol, usize>) -> bool {
+    fn is_apart_at_times(&self, pair: &Pair, owners: &Owners) -> bool {
         let is_moved = |world: &Vector| moves(world) || !read_by(world.components(), owners).is_empty();
         let is_carried = |body: usize| {
             self.model.pivot_of(&self.model.bodies[body].name).is_some_and(|pivot| is_moved(&pivot.world))
@@ -265,7 +270,7 @@ impl Couplings<'_> {
     }
 
     /// Bodies that an event reads or acts on.
-    fn of_event(&self, index: usize, owners: &HashMap<Symbol, usize>) -> Vec<usize> {
+    fn of_event(&self, index: usize, owners: &Owners) -> Vec<usize> {
         let (model, event) = (self.model, &self.model.events[index]);
         if matches!(event.action, Action::Set(_)) {
             return (0..model.bodies.len()).collect();
@@ -294,7 +299,8 @@ impl Couplings<'_> {
 }
 
 /// Bodies whose motion formulas read.
-fn read_by<'a>(formulas: impl IntoIterator<Item = &'a Expr>, owners: &HashMap<Symbol, usize>) -> Vec<usize> {
+fn read_by<'a>(formulas: impl IntoIterator<Item = &'a Expr>, owners: &Owners) -> Vec<usize> {
     let symbols = formulas.into_iter().flat_map(Expr::symbols);
-    symbols.filter_map(|symbol| owners.get(&symbol).copied()).collect()
+    let bodies = symbols.filter_map(|symbol| owners.get(&symbol).copied());
+    bodies.flat_map(|(body, other)| std::iter::once(body).chain(other)).collect()
 }
