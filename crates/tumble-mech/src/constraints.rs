@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use tumble_expr::{Expr, Symbol, is_identically_zero};
 
-use crate::contact::{Grip, Pair};
+use crate::contact::{ContactMode, Grip, Pair};
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::equations::{Equations, Window};
 use crate::joint::{Joint, Side};
@@ -177,7 +177,7 @@ impl Equations {
         joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
     }
 
-    /// By body, those that joints, lasting contacts and loads that read forces keep it together with in a mode.
+    /// By body, those that joints, contacts that push and loads that read forces keep it together with in a mode.
     fn neighbours(&self, mode: &Mode) -> Vec<Vec<usize>> {
         let mut neighbours = vec![vec![]; self.model().bodies.len()];
         for (index, joint) in self.joints().iter().enumerate() {
@@ -187,7 +187,7 @@ impl Equations {
             }
         }
         for (pair, contact_mode) in &mode.contacts {
-            if contact_mode.is_lasting() {
+            if contact_mode.is_lasting() || *contact_mode == ContactMode::Pressed {
                 self.pairs()[*pair].couple(&mut neighbours);
             }
         }

@@ -187,16 +187,9 @@ impl<'m> Structure<'m> {
         rolling.or(pulls)
     }
 
-    /// What circles and polygons are not there for.
+    /// What a polygon cannot be.
     fn of_outline(&self, surface: &Surface) -> Vec<ModelError> {
         let wrong = |problem: &str, cure| of_rule(&surface.name, problem.to_owned(), cure);
-        let what = match (&surface.circle, &surface.polygon) {
-            (Some(_), _) => "is a circle, and circles are rigid",
-            (None, Some(_)) => "is a polygon, and polygons are rigid",
-            (None, None) => return vec![],
-        };
-        let compliant =
-            (!surface.law.is_rigid()).then(|| wrong(what, "write `rigid = { restitution = 0.8 }`"));
         let corners = surface.polygon.iter();
         let moves =
             corners.clone().flatten().any(moves).then(|| {
@@ -206,7 +199,7 @@ impl<'m> Structure<'m> {
             .into_iter()
             .any(|corners| corners.len() < 3)
             .then(|| wrong("has fewer than three corners", "list three corners or more, counter-clockwise"));
-        compliant.into_iter().chain(moves).chain(few).collect()
+        moves.into_iter().chain(few).collect()
     }
 
     fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
@@ -229,7 +222,7 @@ impl<'m> Structure<'m> {
         }
         let couples = contact.couples(self.model);
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
-        let silent = couples.iter().find(|couple| contact.rebound(of(couple)).is_none()).map(of);
+        let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
             let problem =
                 format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);

@@ -35,6 +35,11 @@ pub(crate) struct Border {
 }
 
 impl Border {
+    /// Whether it touches by one circle alone.
+    pub(crate) fn is_round(&self) -> bool {
+        self.rims.len() == 1 && self.edges.is_empty()
+    }
+
     /// That of a body.
     pub(crate) fn of_body(body: &Body) -> Self {
         let (features, sides) = (body.features(), body.sides());

@@ -4,27 +4,30 @@
 //! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
 //! angle. The rate of slip is `s = t . (v - w)`, with v and w the velocities of the two material points there.
 //!
-//! A compliant surface is pressed in where the gap is negative. Friction acts at the contact point of a body that has only one, such as a
-//! ball, which rolls with `v = -omega r`. A body that has several has them at different depths, and if each stuck by itself it could not
-//! turn. On such a body friction acts where the surface is when nothing presses it, at `p - (r + g) n`: all its points on one plane have one
-//! lever there and slip alike, as they do on a rigid plane.
+//! What is compliant is pressed in where the gap is negative. Friction acts on both at one point `p - (r + s g) n` of the line of the
+//! normal force. On a body that touches by one round rim alone, such as a ball, it is on that rim, which rolls with `v = -omega r`; between
+//! two such bodies it is half way, `s = 1/2`. A body that has several contact points has them at different depths, and if each stuck by
+//! itself it could not turn. There friction acts where the plane or edge is when nothing presses it, `s = 1`: all points on it have one
+//! lever there and slip alike, as they do where it is rigid.
 //!
 //! Against a circle of radius R about Q, with `d = p - Q`: from outside `g = |d| - L`, `L = R + r`, `n = d/L`; from inside
 //! `g = L - |d|`, `L = R - r`, `n = -d/L`. Rows keep `h = +-(d . d - L^2)/(2 L)` in the place of g, which is zero where g is, with
 //! `h' = n . d'` and `h'' = n . d'' +- d' . d'/L`: polynomials, exact where they touch. If Q is a point of another body, that has the
-//! opposite forces at `Q +- R n`.
+//! opposite forces at `Q +- R n`. What is compliant is pressed into each other, so there `n = +-d/|d|`, `g' = n . d'` and
+//! `g'' = n . d'' +- (d' . d' - g'^2)/|d|`.
 //! # Symbols and units
 //! g, h (m), n, t (1), p, P, Q, d, r, R, L (m), N, F (N), s (m/s).
 //! # Sign and frame
 //! World axes; n points out of the solid towards the first body, g is positive apart and negative inside.
 //! # Validity
 //! Ends, corners and rims of rigid bodies against planes and circles, which may move, and planes tilt, on given paths; rims and points
-//! against those of other bodies. n has the length one where they touch.
+//! against those of other bodies. Where nothing is compliant n has the length one where they touch.
 //! # Source
 //! Geometry of a circle and a line, or two circles: what a tilting surface moves by along itself is zero where they touch. The laws of
 //! the forces are the surface's.
 //! # Checked by
-//! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`, `tests/meeting.rs`, `tests/bowl.rs`.
+//! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`, `tests/meeting.rs`, `tests/bowl.rs`,
+//! `tests/compliant_bodies.rs`.
 
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written, is_identically_zero};
 
@@ -65,6 +68,17 @@ pub(crate) enum Line {
     None(usize),
 }
 
+/// Where friction acts along the depth of a compliant contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Level {
+    /// On the rim of the circle that touches.
+    Rim,
+    /// Half way between both rims.
+    Middle,
+    /// Where what it meets would be if nothing pressed it.
+    Surface,
+}
+
 /// A point of a body and what it may touch: a surface, or a point of another body.
 #[derive(Clone, Debug)]
 pub struct Pair {
@@ -92,8 +106,8 @@ pub struct Pair {
     pub(crate) opposite: Opposite,
     /// Where they may touch, if not everywhere.
     pub(crate) limits: Vec<Limit>,
-    /// Whether friction acts where the surface would be if nothing pressed it.
-    pub(crate) is_level: bool,
+    /// Where friction acts between the rim of the circle and what it meets, while they are pressed into each other.
+    pub(crate) level: Level,
     /// Set of what stands for the rolling resistance of a pair beside it: the radius, m, by which its couple is a force and its rate a
     /// speed. It has the force of the pair, and no gap of its own.
     pub(crate) lever: Option<Expr>,
@@ -107,7 +121,7 @@ impl Pair {
         (law, friction): Said,
     ) -> Self {
         let opposite = surface.circle.as_ref().map_or(Opposite::Plane, |circle| {
-            Opposite::circle(None, circle.radius.clone(), circle.inside, &rim.radius)
+            Opposite::circle(None, (circle.radius.clone(), circle.inside), &rim.radius, &law)
         });
         Self {
             name: format!("{}.{}.{}", surface.name, body.name, rim.name),
@@ -122,7 +136,7 @@ impl Pair {
             friction,
             opposite,
             limits: vec![],
-            is_level: false,
+            level: Level::Rim,
             lever: None,
         }
     }
@@ -171,7 +185,9 @@ impl Pair {
         let relative = self.centre.acceleration() - self.opposite.acceleration(&self.through);
         if let Opposite::Circle(circle) = &self.opposite {
             let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
-            return dot(&self.normal, &relative) + circle.sign() * dot(&velocity, &velocity) / &circle.reach;
+            let across = circle.across(&velocity, &self.normal);
+            return dot(&self.normal, &relative)
+                + circle.sign() * dot(&velocity, &across) / circle.distance(&self.apart());
         }
         if let Opposite::Edge(edge) = &self.opposite {
             let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
@@ -193,13 +209,20 @@ impl Pair {
             Opposite::Edge(edge) => edge.turning(&self.normal),
             Opposite::Circle(circle) => {
                 let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
-                velocity.map(|part| circle.sign() * part / &circle.reach)
+                let distance = circle.distance(&self.apart());
+                circle.across(&velocity, &self.normal).map(|part| circle.sign() * part / &distance)
             }
         }
     }
 
     /// From the body's centre of mass to the point that touches, m, world axes.
     pub fn arm(&self) -> Vector {
+        self.arm_to(|radius| radius.clone())
+    }
+
+    /// The same to the point of the line of the normal force that is a lever away from the centre of the circle that touches, m; the lever
+    /// is a formula of its radius.
+    fn arm_to(&self, lever: impl Fn(&Expr) -> Expr) -> Vector {
         match &self.opposite {
             Opposite::Edge(edge) if edge.is_first => {
                 let own = self.centre.body.position();
@@ -207,9 +230,9 @@ impl Pair {
                     Some(other) => other.body.position() - own + other.world_arm(),
                     None => &self.through - own,
                 };
-                centre + &edge.radius * &self.normal
+                centre + &lever(&edge.radius) * &self.normal
             }
-            _ => self.centre.world_arm() - &self.radius * &self.normal,
+            _ => self.centre.world_arm() - &lever(&self.radius) * &self.normal,
         }
     }
 
@@ -228,15 +251,28 @@ impl Pair {
 
     /// From the first body's centre of mass to where friction acts on it, m, world axes.
     pub(crate) fn slip_arm(&self) -> Vector {
-        match self.is_level {
-            true => self.centre.world_arm() - &(&self.radius + self.gap()) * &self.normal,
-            false => self.arm(),
+        self.arm_to(|radius| self.lever_of(radius))
+    }
+
+    /// Distance of where friction acts from the centre of a circle of that radius which touches, m.
+    fn lever_of(&self, radius: &Expr) -> Expr {
+        match self.level {
+            Level::Rim => radius.clone(),
+            Level::Middle => radius + self.gap() / 2,
+            Level::Surface => radius + self.gap(),
         }
     }
 
     /// The same of one of its bodies.
     pub(crate) fn slip_arm_of(&self, body: usize) -> Vector {
-        if self.is_level { self.slip_arm() } else { self.arm_of(body) }
+        match self.opposite.point().filter(|_| self.other == Some(body)) {
+            // Both are rubbed at one point, however deep they are in each other.
+            Some(other) if !self.is_rigid() => {
+                self.centre.body.position() - other.body.position() + self.slip_arm()
+            }
+            Some(_) => self.arm_of(body),
+            None => self.slip_arm(),
+        }
     }
 
     /// The arm of one of its bodies.
@@ -348,21 +384,30 @@ impl Pair {
         let motion = &self.centre.body;
         let (omega, arm) = (motion.omega(), self.slip_arm());
         let normal_turns = self.turning();
-        let turning = match &self.opposite {
-            Opposite::Edge(edge) if edge.is_first => {
-                self.opposite.velocity(&self.through) - motion.velocity() + &edge.radius * &normal_turns
-            }
-            _ if self.is_level => {
-                let lever = &self.radius + self.gap();
-                let rising = &lever * &normal_turns + &self.gap_rate() * &self.normal;
-                &omega * self.centre.world_arm().perpendicular() - rising
-            }
-            _ => &omega * self.centre.world_arm().perpendicular() - &self.radius * &normal_turns,
-        };
-        let own =
-            motion.acceleration() + motion.alpha() * arm.perpendicular() + &omega * turning.perpendicular();
+        let own = motion.acceleration()
+            + motion.alpha() * arm.perpendicular()
+            + &omega * self.moving(&normal_turns).perpendicular();
         let tilting = dot(&turned(&normal_turns), &self.slipping());
         dot(&self.tangent(), &(own - self.opposite.material_acceleration(self, &normal_turns))) + tilting
+    }
+
+    /// Velocity of the point where friction acts less that of the body's centre of mass, m/s, while the normal turns so, 1/s.
+    pub(crate) fn moving(&self, turning: &Vector) -> Vector {
+        let motion = &self.centre.body;
+        let lever = |radius: &Expr| {
+            let lever = self.lever_of(radius) * turning;
+            match self.level {
+                Level::Rim => lever,
+                Level::Middle => lever + &(self.gap_rate() / 2) * &self.normal,
+                Level::Surface => lever + &self.gap_rate() * &self.normal,
+            }
+        };
+        match &self.opposite {
+            Opposite::Edge(edge) if edge.is_first => {
+                self.opposite.velocity(&self.through) - motion.velocity() + lever(&edge.radius)
+            }
+            _ => motion.omega() * self.centre.world_arm().perpendicular() - lever(&self.radius),
+        }
     }
 
     /// Velocity of the body's material point less that of the surface, m/s.
@@ -395,13 +440,17 @@ impl Pair {
 
     /// The force on the body.
     pub(crate) fn term(&self) -> Term {
-        let force: Expr = self.force_symbol().into();
+        self.pushed(&self.force_symbol().into())
+    }
+
+    /// A force on the body along the normal, N.
+    fn pushed(&self, force: &Expr) -> Term {
         Term {
             load: self.name.clone(),
             law: Law::Contact,
             body: self.body,
             arm: self.arm(),
-            force: &force * &self.normal,
+            force: force * &self.normal,
             couple: Expr::zero(),
             window: None,
         }
@@ -409,7 +458,12 @@ impl Pair {
 
     /// The forces on both bodies.
     pub(crate) fn terms(&self) -> Vec<Term> {
-        self.on_both(self.term())
+        self.pushed_by(&self.force_symbol().into())
+    }
+
+    /// A force on both bodies along the normal, N.
+    pub(crate) fn pushed_by(&self, force: &Expr) -> Vec<Term> {
+        self.on_both(self.pushed(force), Self::arm_of)
     }
 
     /// The friction on the body.
@@ -431,14 +485,13 @@ impl Pair {
 
     /// The friction on both bodies.
     pub(crate) fn friction_terms(&self) -> Vec<Term> {
-        self.on_both(self.friction_term())
+        self.on_both(self.friction_term(), Self::slip_arm_of)
     }
 
-    fn on_both(&self, own: Term) -> Vec<Term> {
-        let other = self.other.zip(self.other_arm());
-        let other = other.map(|(body, arm)| Term {
+    fn on_both(&self, own: Term, arm: fn(&Self, usize) -> Vector) -> Vec<Term> {
+        let other = self.other.map(|body| Term {
             body,
-            arm,
+            arm: arm(self, body),
             force: -&own.force,
             couple: -&own.couple,
             ..own.clone()

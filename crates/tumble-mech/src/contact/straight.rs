@@ -5,7 +5,8 @@
 //! `g'' = m . (p'' - P'') + 2 m' . (p' - P') + m'' . (p - P)`. Both bodies are pushed at one point, `p - r m`, along m.
 //!
 //! They meet there only where `0 <= u . (p - P) <= L`; beyond its ends the edge's corners do. A corner of a polygon in the place of the
-//! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it. A circle meets a
+//! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it; where the contact
+//! is compliant, a corner beside it may be pressed in deeper, so there the edge may lead through at a small angle. A circle meets a
 //! corner C where it is beyond the ends of both edges, `(p - C) . (q - C) <= 0`.
 //! # Symbols and units
 //! p, P, C, q, r, R, L (m), g (m), m, u (1), omega (1/s), alpha (1/s^2).
@@ -24,10 +25,15 @@ use crate::anchor::rate;
 use crate::contact::border::{Edge, Rim};
 use crate::contact::pair::{dot, turned};
 use crate::kinematics::{Kinematics, PointRef};
+use crate::surface::ContactLaw;
 
 /// Where a contact with an edge ends or begins may be off by this part of the edge's length: what stands flush with an end stays there,
 /// and where one contact gives way to the next neither is missed.
 const FITS: f64 = 1e-11;
+
+/// Sine of the angle by which an edge beside a corner may lead through the edge that it is pressed into: more than any depth makes of it that
+/// is small against the body, and less than that of what comes from the side.
+const LEANS: f64 = 0.25;
 
 /// An edge and a circle: one of them is the first body's.
 #[derive(Clone, Debug)]
@@ -102,7 +108,7 @@ pub(crate) fn outward(edge: &Edge) -> Vector {
 }
 
 /// Where a circle may touch an edge; `apart` is from the first end to its centre.
-pub(crate) fn along_edge(edge: &Edge, rim: &Rim, apart: &Vector) -> Vec<Limit> {
+pub(crate) fn along_edge(edge: &Edge, rim: &Rim, apart: &Vector, law: &ContactLaw) -> Vec<Limit> {
     let (along, length) = edge.along();
     let place = dot(&along, apart);
     let within = |value: Expr| Limit { value, size: length.clone(), ends: true };
@@ -110,7 +116,9 @@ pub(crate) fn along_edge(edge: &Edge, rim: &Rim, apart: &Vector) -> Vec<Limit> {
     let normal = turned(&along);
     let cone = rim.neighbours.iter().map(|next| {
         let way = between(&rim.centre, next);
-        Limit { value: dot(&normal, &way), size: way.norm(), ends: false }
+        let (above, size) = (dot(&normal, &way), way.norm());
+        let value = if law.is_rigid() { above } else { above + LEANS * &size };
+        Limit { value, size, ends: false }
     });
     ends.into_iter().chain(cone).collect()
 }

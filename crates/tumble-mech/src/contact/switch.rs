@@ -110,6 +110,7 @@ impl Equations {
         }
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
+            let mut pressed = None;
             let is_rigid = self.pairs()[pair].is_rigid();
             let own = of(pair).filter(|_| is_rigid || self.pairs()[pair].friction.is_some());
             let own = own.map(|island| touched[island].get_or_insert_with(Touched::default));
@@ -118,9 +119,10 @@ impl Equations {
                     own.into_iter().for_each(|touched| touched.add(pair, watched));
                 }
                 (false, _) if closes => self.press(pair, now, jump)?,
-                (false, watched) => self.let_go(pair, watched, now, jump)?,
+                (false, Watched::Limit(_)) => pressed = self.pass_on(pair, now, jump)?,
+                (false, watched) => pressed = self.let_go(pair, watched, now, jump)?,
             }
-            self.restate(&before, jump);
+            self.restate(&before, pressed, now, jump)?;
         }
         self.refuse_common_beginning(jump)?;
         let mut impulses = Sizes::default();
@@ -168,10 +170,10 @@ impl Equations {
         }
     }
 
-    /// A point meets a compliant surface.
+    /// Two of which one is compliant meet.
     fn press(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
-        let touch = self.touch(&self.island_of(&jump.mode, pair.body), &jump.mode, &jump.states, now)?;
+        let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
         let Some(own) = touch.position(index) else { return Ok(()) };
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
         let closes = if stands { touch.free[own] < 0.0 } else { touch.rate[own] < 0.0 };
@@ -190,14 +192,15 @@ impl Equations {
         Ok(())
     }
 
-    /// A pressed point comes back to the surface, or its force to zero. Where both do so at once but for rounding, it is clear.
+    /// A pressed point comes back to the surface, or its force to zero. Where both do so at once but for rounding, it is clear. Who presses
+    /// again inside, if it does.
     fn let_go(
         &self,
         index: usize,
         watched: Watched,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
-    ) -> Result<(), Reason> {
+    ) -> Result<Option<usize>, Reason> {
         let pair = &self.pairs()[index];
         let (after, change) = match (watched, jump.mode.contact_mode(index)) {
             (Watched::Force, Some(ContactMode::Pressed)) if self.is_at_surface(index, now, jump)? => {
@@ -212,25 +215,87 @@ impl Equations {
         jump.mode.set_contact_mode(index, after);
         jump.mode.set_grip(index, None);
         jump.record.happened.push(Happening::Contact { pair: index, change });
-        Ok(())
+        Ok(Some(index).filter(|_| after == Some(ContactMode::Pressed)))
+    }
+
+    /// A contact leaves where there may be one while it is pressed in. Another of the same two takes over what depth there is, a corner
+    /// from an edge, as the circle goes on about it; else what is stored is lost. Who takes over.
+    fn pass_on(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<Option<usize>, Reason> {
+        let Some(before) = jump.mode.contact_mode(index) else { return Ok(None) };
+        let next = self.next_to(index, now, jump)?;
+        let mut tell = |pair, change| jump.record.happened.push(Happening::Contact { pair, change });
+        match before {
+            ContactMode::Pressed => {
+                tell(index, Change::End);
+                next.into_iter().for_each(|next| tell(next, Change::Start));
+            }
+            _ if next.is_none() => tell(index, Change::Clear),
+            _ => {}
+        }
+        jump.mode.set_contact_mode(index, None);
+        jump.mode.set_grip(index, None);
+        next.into_iter().for_each(|next| jump.mode.set_contact_mode(next, Some(before)));
+        Ok(next)
+    }
+
+    /// Of the pairs of the same two that are not in contact, though they are in each other where that is a contact, the deepest.
+    fn next_to(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<Option<usize>, Reason> {
+        let own = &self.pairs()[index];
+        let is_open = |other: &usize| {
+            let pair = &self.pairs()[*other];
+            let of_same = (pair.rule, pair.body, pair.other) == (own.rule, own.body, own.other);
+            of_same && *other != index && !pair.is_rolling() && jump.mode.contact_mode(*other).is_none()
+        };
+        let others: Vec<usize> = self.pair_list().of_body(own.body).filter(is_open).collect();
+        let mut deepest = (0.0, None);
+        for other in others {
+            let pair = &self.pairs()[other];
+            let formulas = [vec![pair.gap()], pair.within()].concat();
+            let values = self.values(&formulas, &jump.mode, now.time, &jump.states, now.inputs)?;
+            if values[0] < deepest.0 && values[1..].iter().all(|limit| *limit >= 0.0) {
+                deepest = (values[0], Some(other));
+            }
+        }
+        Ok(deepest.1)
+    }
+
+    /// The bodies of a pair with all that is coupled to them.
+    fn island_with(&self, pair: usize, mode: &Mode) -> Vec<usize> {
+        self.islands_with(mode, &[self.pairs()[pair].body], &[pair]).concat()
     }
 
     fn is_at_surface(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
         let touch =
-            self.touch(&self.island_of(&jump.mode, self.pairs()[index].body), &jump.mode, &jump.states, now)?;
+            self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
         Ok(touch.position(index).is_some_and(|own| touch.gap[own].abs() <= touch.blur[own]))
     }
 
-    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those
-    /// that the states are with.
-    fn restate(&self, before: &[usize], jump: &mut Jump<Mode>) {
+    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those that the states are
+    /// with; of what is pressed in as it comes the root is that of its depth.
+    fn restate(
+        &self,
+        before: &[usize],
+        pressed: Option<usize>,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
         let after = self.roots(&jump.mode);
         let base = jump.states.len() - before.len();
-        let kept =
-            |pair: &usize| before.iter().position(|known| known == pair).map(|i| jump.states[base + i]);
-        let roots: Vec<f64> = after.iter().map(|pair| kept(pair).unwrap_or(0.0)).collect();
+        let mut roots = vec![];
+        for pair in after {
+            roots.push(match before.iter().position(|known| *known == pair) {
+                Some(known) => jump.states[base + known],
+                None if pressed == Some(pair) => {
+                    let depth = [-self.pairs()[pair].gap()];
+                    let depth = self.values(&depth, &Mode { contacts: vec![], ..jump.mode.clone() }, now.time, &jump.states[..base], now.inputs)?;
+                    libm::sqrt(depth[0].max(0.0))
+                }
+                None => 0.0,
+            });
+        }
         jump.states.truncate(base);
         jump.states.extend(roots);
+        Ok(())
     }
 
     /// The time transformation of Hertzian contacts is singular where two roots of depths are zero.

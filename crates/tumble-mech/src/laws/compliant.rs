@@ -22,7 +22,6 @@ use crate::contact::Pair;
 use crate::parameters::time_symbol;
 use crate::potential::Potential;
 use crate::statement::{Statement, sum, times};
-use crate::term::Term;
 
 /// Force of a pressed pair along the normal, N, in the body's position and velocity and, for Hertz, the root of the
 /// depth.
@@ -58,10 +57,12 @@ pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
         // The gap is in the formula itself.
         false => (stiffness * (pair.gap() * pair.gap()) / 2, Expr::zero()),
     };
-    let elastic = Term { force: &force * &pair.normal, ..pair.term() };
-    let whole = Potential::of(energy, elastic, vec![stiffness.clone()]);
+    let elastic = pair.pushed_by(&force);
+    let whole = Potential::of(energy, elastic.first()?.clone(), vec![stiffness.clone()]);
     Some(Potential {
         pair: Some(index),
+        body: Some(pair.body).filter(|_| pair.other.is_none()),
+        elastic,
         driven: &whole.driven + by_path,
         is_whole: is_identically_zero(damping),
         ..whole

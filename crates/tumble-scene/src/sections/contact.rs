@@ -70,7 +70,7 @@ fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
     let (Some(between), Some((restitution, friction)), Some(captures)) = (between, law, captures) else {
         return draft.names.break_name(&name);
     };
-    draft.model.contact(BodyContact { name, between, restitution, friction, captures });
+    draft.model.contact(BodyContact { name, between, restitution, compliant: None, friction, captures });
 }
 
 /// What happens across where they meet, and along.

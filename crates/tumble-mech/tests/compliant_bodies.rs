@@ -1,0 +1,196 @@
+//! Compliant contact of bodies with circles, polygons and each other, against closed forms.
+
+mod common;
+
+use common::{at, close, run};
+use tumble_expr::units::{KG, M, N, S};
+use tumble_expr::{Exponent, Expr, Vector};
+use tumble_mech::{
+    Application, AppliedImpulse, Body, BodyContact, Change, ContactLaw, Equations, Event, Frame, Friction, Gravity,
+    Happening, Kind, Model, Place, Release, Run, RunBalance, Shape, Start, Surface, time,
+};
+
+const G: f64 = 9.81;
+const PI: f64 = std::f64::consts::PI;
+
+fn spring(stiffness: f64, damping: f64) -> ContactLaw {
+    let release = Release::AtZeroForce;
+    ContactLaw::Spring { stiffness: stiffness * N / M, damping: damping * N * S / M, release }
+}
+
+fn hertz(stiffness: f64, damping: f64) -> ContactLaw {
+    let root = (1 * M).powr(Exponent::new(3, 2));
+    ContactLaw::Hertz { stiffness: stiffness * N / root, damping: damping * S / M }
+}
+
+fn disk(name: &str, radius: f64, mass: f64) -> Body {
+    Body::of_shape(name, Shape::Disk { centre: place([0.0, 0.0]), radius: radius * M }).mass(mass * KG)
+}
+
+fn plate(name: &str, [width, height]: [f64; 2], mass: f64) -> Body {
+    let shape = Shape::Box { centre: place([0.0, 0.0]), width: width * M, height: height * M };
+    Body::of_shape(name, shape).mass(mass * KG)
+}
+
+fn rod(name: &str, length: f64, end_radius: f64, mass: f64) -> Body {
+    let [from, to] = [-0.5, 0.5].map(|end| place([end * length, 0.0]));
+    Body::of_shape(name, Shape::Rod { from, to, end_radius: end_radius * M }).mass(mass * KG)
+}
+
+fn place([x, y]: [f64; 2]) -> Vector {
+    Vector::planar(x * M, y * M)
+}
+
+fn start(place: [f64; 2], angle: f64, velocity: [f64; 2], omega: f64) -> Start {
+    let start = Start::default().at(place.map(|x| x * M)).velocity(velocity.map(|v| v * M / S));
+    start.angle(Expr::from(angle)).omega(omega / S)
+}
+
+fn model(gravity: f64, bodies: Vec<(Body, Start)>) -> Model {
+    let mut model = Model::new();
+    if gravity > 0.0 {
+        model.gravity = Gravity::Vertical(gravity * M / (S * S));
+    }
+    for (body, start) in bodies {
+        model.starts.push((body.name.clone(), start));
+        model.add(body);
+    }
+    model
+}
+
+/// x, y, angle, vx, vy, omega
+fn motion(run: &Run, body: usize, time: f64) -> [f64; 6] {
+    let body = run.equations.model().bodies[body].kinematics();
+    let (p, v) = (body.position(), body.velocity());
+    at(run, time, [p[0].clone(), p[1].clone(), body.angle(), v[0].clone(), v[1].clone(), body.omega()])
+}
+
+fn happened(run: &Run) -> Vec<String> {
+    let events = run.events().flat_map(|event| event.record.happened.clone());
+    events.map(|happening| run.equations.name_of(&happening)).collect()
+}
+
+/// Two disks of 10 cm and 20 cm, 1 kg and 3 kg, that meet head on along a slanted line with 2 m/s.
+fn head_on(law: ContactLaw) -> Model {
+    let (along, gap) = ([0.6, 0.8], 0.05);
+    let at = |part: f64| along.map(|x| part * x);
+    let mut model = model(
+        0.0,
+        vec![
+            (disk("a", 0.1, 1.0), start(at(-0.3 - gap), 0.0, at(1.5), 0.0)),
+            (disk("b", 0.2, 3.0), start([0.0, 0.0], 0.0, at(-0.5), 0.0)),
+        ],
+    );
+    model.contact(BodyContact::compliant("hit", law));
+    model
+}
+
+const REDUCED: f64 = 0.75;
+const SPEED: f64 = 2.0;
+
+/// Contact time, and the speed with which the two part.
+fn collision(law: ContactLaw) -> (f64, f64, Run) {
+    let run = run(head_on(law), 0.4, 1e-13);
+    let contacts = run.contacts();
+    assert_eq!(contacts.len(), 1);
+    let [a, b] = [0, 1].map(|body| motion(&run, body, 0.4));
+    (contacts[0].end - contacts[0].start, (b[3] - a[3]) * 0.6 + (b[4] - a[4]) * 0.8, run)
+}
+
+/// `pi sqrt(m/k)` with the reduced mass, at any angle; the momentum is kept to the last digits, and nothing turns.
+#[test]
+fn two_disks_on_a_spring() {
+    for stiffness in [1e3, 1e5, 1e7] {
+        let (time, speed, run) = collision(spring(stiffness, 0.0));
+        close(time * (stiffness / REDUCED).sqrt(), PI, 1e-11);
+        close(speed, SPEED, 1e-12);
+        for t in [0.025, 0.03, 0.4] {
+            let [a, b] = [0, 1].map(|body| motion(&run, body, t));
+            for (axis, along) in [(3, 0.6), (4, 0.8)] {
+                close(a[axis] + 3.0 * b[axis], (1.5 - 1.5) * along, 1e-14);
+            }
+            assert!(a[5].abs() < 1e-13 && b[5].abs() < 1e-13);
+        }
+    }
+}
+
+/// Let go where `k d + c d' = 0`; with the damping ratio z the speed that is left is `exp(-z/sqrt(1 - z^2) (pi - atan2(..)))` of it.
+#[test]
+fn two_disks_on_a_damped_spring() {
+    for ratio in [0.05, 0.4, 0.9_f64] {
+        let stiffness = 1e4;
+        let w0 = (stiffness / REDUCED).sqrt();
+        let w = w0 * (1.0 - ratio * ratio).sqrt();
+        let (time, speed, run) = collision(spring(stiffness, 2.0 * ratio * w0 * REDUCED));
+        let phase = (2.0 * ratio * w0 * w).atan2((2.0 * ratio * ratio - 1.0) * w0 * w0);
+        close(time * w, phase, 1e-11);
+        close(speed, SPEED * (-ratio * w0 * time).exp(), 1e-12);
+        assert_eq!(run.contacts().len(), 1);
+    }
+}
+
+/// `T = (4/5) B(2/5, 1/2) d/v` with the largest depth `d = (5 m v^2/(4 k))^(2/5)`.
+#[test]
+fn two_disks_after_hertz() {
+    for stiffness in [1e4, 1e6, 1e9] {
+        let (time, speed, _) = collision(hertz(stiffness, 0.0));
+        let depth = (5.0 * REDUCED * SPEED * SPEED / (4.0 * stiffness)).powf(0.4);
+        let expected = 2.943_275_184_324_704_7 * depth / SPEED;
+        assert!((time / expected - 1.0).abs() < 1e-12, "{time} is not {expected}");
+        close(speed, SPEED, 1e-13);
+    }
+}
+
+/// With Hunt and Crossley's damping the speeds of approach and of parting have one value of `v + ln(1 - c v)/c`: `c v_1 - ln(1 + c v_1)`
+/// before is `-c v_2 - ln(1 - c v_2)` after.
+#[test]
+fn two_disks_after_hunt_and_crossley() {
+    for damping in [0.05, 0.3, 1.5] {
+        let (_, left, _) = collision(hertz(1e6, damping));
+        let before = damping * SPEED - (1.0 + damping * SPEED).ln();
+        let after = -damping * left - (1.0 - damping * left).ln();
+        close(after, before, 1e-11);
+        assert!(left < SPEED);
+    }
+}
+
+/// A disk of 10 cm and 2 kg.
+fn disk_on(surface: Surface, place: [f64; 2], velocity: [f64; 2], omega: f64) -> Model {
+    let mut model = model(G, vec![(disk("disk", 0.1, 2.0), start(place, 0.0, velocity, omega))]);
+    model.surface(surface);
+    model
+}
+
+fn bowl(law: ContactLaw) -> Surface {
+    Surface::bowl("bowl", [0 * M, 0 * M], 1 * M, law)
+}
+
+/// Put down in the middle of a bowl it swings about `m g/k` below; with damping that is where it comes to rest.
+#[test]
+fn a_disk_sinks_into_a_bowl() {
+    let stiffness = 1e4_f64;
+    let (w, depth) = ((stiffness / 2.0).sqrt(), 2.0 * G / stiffness);
+    let swings = run(disk_on(bowl(spring(stiffness, 0.0)), [0.0, -0.9], [0.0, 0.0], 0.0), 1.0, 1e-13);
+    for t in [0.01, 0.5, 0.99] {
+        close(motion(&swings, 0, t)[1], -0.9 - depth * (1.0 - (w * t).cos()), 1e-13);
+    }
+    let rests = run(disk_on(bowl(spring(stiffness, 200.0)), [0.0, -0.9], [0.0, 0.0], 0.0), 1.0, 1e-13);
+    close(motion(&rests, 0, 1.0)[1], -0.9 - depth, 1e-14);
+    let [normal] = at(&rests, 1.0, [rests.equations.pairs()[0].force_symbol().into()]);
+    close(normal, 2.0 * G, 1e-12);
+}
+
+/// About that place it swings to the sides as a pendulum of the length `R - r + m g/k`, and up and down with `sqrt(k/m)`.
+#[test]
+fn a_disk_swings_in_a_bowl() {
+    let stiffness = 1e4_f64;
+    let depth = 2.0 * G / stiffness;
+    let model = disk_on(bowl(spring(stiffness, 0.0)), [0.0, -0.9], [0.0, 0.0], 0.0);
+    let found = Equations::new(model.clone()).expect("a model").equilibrium(&model.parameters);
+    let found = found.expect("an equilibrium");
+    close(found.poses[0].at[1], -0.9 - depth, 1e-14);
+    let expected = [(G / (0.9 + depth)).sqrt(), (stiffness / 2.0).sqrt()];
+    for (found, expected) in found.small_motions.frequencies.iter().zip(expected) {
+        close(*found, expected, 1e-12);
+    }
+}
