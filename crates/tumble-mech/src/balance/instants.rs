@@ -69,14 +69,18 @@ impl Accumulation {
         }
     }
 
-    /// Energy that surfaces keep to themselves when they let go, and that which they have when they push again.
+    /// Energy that is left in what is compliant when it lets go, and that which it has when it pushes again: where it does so inside, or
+    /// where a contact leaves its edge.
     fn add_releases(&mut self, before: &Stored, after: &Stored) {
-        let lets_go = |pair: usize| self.run.equations.pairs()[pair].releases_early();
+        let lets_go = |pair: usize| self.run.equations.pairs()[pair].may_keep_energy();
         let early: Vec<usize> = (0..self.potentials.len())
             .filter(|index| self.potentials[*index].pair.is_some_and(lets_go))
             .collect();
         for index in early {
-            self.add_energy(index, Kind::Release, after.potentials[index] - before.potentials[index]);
+            let change = after.potentials[index] - before.potentials[index];
+            if change.abs() > f64::EPSILON * before.size() {
+                self.add_energy(index, Kind::Release, change);
+            }
         }
     }
 

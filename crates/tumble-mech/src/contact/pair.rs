@@ -328,6 +328,12 @@ impl Pair {
         }
     }
 
+    /// Lengths that its gap is a difference of, added up, m.
+    pub(crate) fn extents(&self) -> Expr {
+        let other = self.opposite.position(&self.through).norm();
+        self.centre.position().norm() + other + &self.radius + self.extent()
+    }
+
     /// Unit vector along the surface, its normal turned clockwise by a right angle.
     pub fn tangent(&self) -> Vector {
         turned(&self.normal)
@@ -591,6 +597,11 @@ impl Pair {
 
     pub(crate) fn is_hertzian(&self) -> bool {
         self.law.is_hertzian()
+    }
+
+    /// Whether it may end while it is pressed in, so that what is stored there stays there.
+    pub(crate) fn may_keep_energy(&self) -> bool {
+        self.releases_early() || !self.limits.is_empty()
     }
 
     /// Whether a body that is let go may still be inside the surface.

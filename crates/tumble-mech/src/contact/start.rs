@@ -12,7 +12,7 @@ use crate::error::ModelError;
 use crate::mode::Mode;
 
 /// A gap within this many ulps of the lengths it is made of is none: bodies are drawn and placed to touch.
-const TOUCHES: f64 = 64.0 * f64::EPSILON;
+pub(crate) const TOUCHES: f64 = 64.0 * f64::EPSILON;
 
 impl Equations {
     /// Pairs that touch at time 0, as causes of a jump before the first step.

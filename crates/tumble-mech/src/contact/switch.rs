@@ -1,10 +1,12 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
+use tumble_expr::Expr;
 use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::settle::{STANDS, Touched};
+use crate::contact::start::TOUCHES;
 use crate::contact::touch::Now;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
@@ -238,7 +240,8 @@ impl Equations {
         Ok(next)
     }
 
-    /// Of the pairs of the same two that are not in contact, though they are in each other where that is a contact, the deepest.
+    /// Of the pairs of the same two that are open, though they are in each other where that is a contact, the deepest that is no deeper than
+    /// a pair: nothing is gained.
     fn next_to(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<Option<usize>, Reason> {
         let own = &self.pairs()[index];
         let is_open = |other: &usize| {
@@ -246,14 +249,17 @@ impl Equations {
             let of_same = (pair.rule, pair.body, pair.other) == (own.rule, own.body, own.other);
             of_same && *other != index && !pair.is_rolling() && jump.mode.contact_mode(*other).is_none()
         };
-        let others: Vec<usize> = self.pair_list().of_body(own.body).filter(is_open).collect();
+        let values =
+            |formulas: &[Expr]| self.values(formulas, &jump.mode, now.time, &jump.states, now.inputs);
+        let known = values(&[-own.gap(), own.extents()])?;
+        let most = known[0] + TOUCHES * known[1];
         let mut deepest = (0.0, None);
-        for other in others {
+        for other in self.pair_list().of_body(own.body).filter(is_open) {
             let pair = &self.pairs()[other];
-            let formulas = [vec![pair.gap()], pair.within()].concat();
-            let values = self.values(&formulas, &jump.mode, now.time, &jump.states, now.inputs)?;
-            if values[0] < deepest.0 && values[1..].iter().all(|limit| *limit >= 0.0) {
-                deepest = (values[0], Some(other));
+            let found = values(&[vec![-pair.gap()], pair.within()].concat())?;
+            let is_contact = found[1..].iter().all(|limit| *limit >= 0.0);
+            if is_contact && found[0] > deepest.0 && found[0] <= most {
+                deepest = (found[0], Some(other));
             }
         }
         Ok(deepest.1)

@@ -52,7 +52,8 @@ pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
     let (energy, by_path) = match pair.is_hertzian() {
         true => {
             let moved = pair.gap().derivative(&time_symbol());
-            (stiffness * Expr::from(pair.root_symbol()).powi(5) * 2 / 5, -(&force * moved))
+            let by_path = if is_identically_zero(&moved) { Expr::zero() } else { -(&force * moved) };
+            (stiffness * Expr::from(pair.root_symbol()).powi(5) * 2 / 5, by_path)
         }
         // The gap is in the formula itself.
         false => (stiffness * (pair.gap() * pair.gap()) / 2, Expr::zero()),
