@@ -188,7 +188,7 @@ impl Equations {
         }
         for (pair, contact_mode) in &mode.contacts {
             if contact_mode.is_lasting() || *contact_mode == ContactMode::Pressed {
-                self.pairs()[*pair].couple(&mut neighbours);
+                self.pairs()[*pair].join(&mut neighbours);
             }
         }
         for (load, term) in self.feeding(mode) {
@@ -219,7 +219,7 @@ impl Equations {
     /// The same where some pairs couple their bodies besides.
     pub(crate) fn islands_with(&self, mode: &Mode, bodies: &[usize], pairs: &[usize]) -> Vec<Vec<usize>> {
         let mut neighbours = self.neighbours(mode);
-        pairs.iter().for_each(|pair| self.pairs()[*pair].couple(&mut neighbours));
+        pairs.iter().for_each(|pair| self.pairs()[*pair].join(&mut neighbours));
         let mut is_placed = vec![false; neighbours.len()];
         let mut found = vec![];
         for &body in bodies {

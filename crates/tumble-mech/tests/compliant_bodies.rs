@@ -256,7 +256,8 @@ fn what_does_not_slip_keeps_its_energy() {
         let first = kept(&run, 0.0);
         let energy = |t: f64| kept(&run, t)[0] + stored(&run, t, &energy);
         let at_first = energy(stretch[0]);
-        assert!(at_first < first[0] - 1e-9, "it slips for a moment before anything presses it");
+        // Before anything presses it, it slips for a moment.
+        assert!(at_first < first[0]);
         for part in [0.01, 0.2, 0.5, 0.8, 0.99] {
             let t = stretch[0] + part * (stretch[1] - stretch[0]);
             close(energy(t) / at_first, 1.0, 1e-12);
@@ -301,10 +302,7 @@ fn a_disk_passes_from_an_edge_to_a_corner() {
     for (law, energy) in both(stiffness) {
         let block = step(&[[-2.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-2.0, 0.0]], law);
         let run = run(disk_on(block, [-0.2, 0.1 + 1e-3], [0.3, 0.0], 0.0), 1.5, 1e-13);
-        let passed = happened(&run);
-        println!("{passed:?}");
-        let passes = passed.windows(2).any(|two| two == ["step.disk.rim.side3.end", "step.disk.rim.corner3.start"]);
-        assert!(passes, "{passed:?}");
+        assert!(passes(&run, "step.disk.rim.side3", "step.disk.rim.corner3"));
         let whole = kept(&run, 0.0)[0];
         for part in 0..150 {
             let t = 0.01 * f64::from(part);
@@ -343,8 +341,8 @@ fn a_box_on_a_step() {
     balanced(&run, 1e-12);
 }
 
-/// A box that slides off a step: first its corner passes the end of the edge, and the corner of the step takes over what is left of the depth,
-/// which is less by the cosine of the angle between their edges. What is lost is said, and nothing is gained.
+/// A box that slides off a step: where its corner passes the end of the edge the corner of the step takes over the depth, whichever way the
+/// box leans, and no energy is lost.
 #[test]
 fn a_box_slides_off_a_step() {
     for (law, energy) in both(2e4) {
@@ -353,11 +351,22 @@ fn a_box_slides_off_a_step() {
         model.surface(block);
         let run = run(model, 0.9, 1e-13);
         println!("{:?}", run.events().map(|e| (e.time, run.equations.names_of(&e.record))).collect::<Vec<_>>());
+        assert!(passes(&run, "step.box.corner2.side3", "step.box.side1.corner3"));
         let balance = balanced(&run, 1e-12);
-        let lost: f64 = balance.contributions.iter().filter(|part| part.kind == Kind::Release).map(|part| part.work).sum();
-        println!("lost {lost}");
-        let _ = energy;
+        assert!(balance.contributions.iter().all(|part| part.kind != Kind::Release));
+        let whole = kept(&run, 0.0)[0];
+        for part in 0..90 {
+            let t = 0.01 * f64::from(part);
+            close(kept(&run, t)[0] + stored(&run, t, &energy), whole, 1e-12);
+        }
     }
+}
+
+/// Whether one contact ends where another begins.
+fn passes(run: &Run, from: &str, to: &str) -> bool {
+    let two = [format!("{from}.end"), format!("{to}.start")];
+    let names = |event| run.equations.names_of(event);
+    run.events().any(|event| names(&event.record).windows(2).any(|own| own == two))
 }
 
 type Energy = Box<dyn Fn(f64) -> f64>;

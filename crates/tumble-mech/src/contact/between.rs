@@ -120,7 +120,7 @@ impl Between {
         };
         let opposite = Opposite::Edge(straight);
         let (centre, through) = (rim.point()?, edge.ends[0].position());
-        let limits = along_edge(edge, rim, &opposite.apart(centre, &through), &self.law);
+        let limits = along_edge(edge, rim, &opposite.apart(centre, &through), (&self.law, false));
         Some(self.pair(name, centre, &rim.radius, (through, outward(edge), opposite), limits))
     }
 
@@ -137,7 +137,7 @@ impl Between {
         };
         let opposite = Opposite::Edge(straight);
         let (start, through) = (edge.ends[0].material()?, rim.centre.position());
-        let limits = along_edge(edge, rim, &-&opposite.apart(start, &through), &self.law);
+        let limits = along_edge(edge, rim, &-&opposite.apart(start, &through), (&self.law, true));
         Some(self.pair(name, start, &edge.radius, (through, -&outward(edge), opposite), limits))
     }
 

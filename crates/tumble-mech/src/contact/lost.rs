@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use tumble_ode::{Accuracy, Piece, Reason, Refusal, Side};
 
 use crate::contact::outlines::{Couple, Outlines};
-use crate::contact::pair::Rule;
+use crate::contact::pair::{Pair, Rule};
 use crate::run::{Run, RunError};
 
 /// Bodies may be in each other by this part of their distance from the origin, or by the accuracy, where that is more: rounding and
@@ -25,7 +25,7 @@ impl Run {
             .pairs()
             .iter()
             .filter(|pair| pair.has_edge() && pair.is_rigid())
-            .map(|pair| (pair.rule, pair.body, pair.other))
+            .map(Pair::couple)
             .collect();
         if met.is_empty() {
             return Ok(self);

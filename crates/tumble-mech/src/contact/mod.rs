@@ -39,6 +39,7 @@ pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};
 pub use interval::Contact;
 pub use meeting::BodyContact;
+pub(crate) use outlines::Couple;
 pub(crate) use pair::{Alike, moves};
 pub use pair::{Pair, Rule};
 pub(crate) use pairs::Pairs;

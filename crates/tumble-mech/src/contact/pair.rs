@@ -35,6 +35,7 @@ use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::border::Rim;
 use crate::contact::opposite::Opposite;
+use crate::contact::outlines::Couple;
 use crate::contact::said::Said;
 use crate::contact::straight::Limit;
 use crate::coordinates::Measure;
@@ -285,8 +286,13 @@ impl Pair {
         std::iter::once(self.body).chain(self.other)
     }
 
+    /// The two that meet by it.
+    pub(crate) fn couple(&self) -> Couple {
+        (self.rule, self.body, self.other)
+    }
+
     /// Makes its bodies neighbours of each other.
-    pub(crate) fn couple(&self, neighbours: &mut [Vec<usize>]) {
+    pub(crate) fn join(&self, neighbours: &mut [Vec<usize>]) {
         if let Some(other) = self.other {
             neighbours[self.body].push(other);
             neighbours[other].push(self.body);

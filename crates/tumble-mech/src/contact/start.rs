@@ -48,7 +48,7 @@ impl Equations {
             let (gap, size) = (next(), next());
             let holds = pair.limits.iter().fold(true, |holds, _| next() >= 0.0 && holds);
             if pair.has_edge() {
-                let most = sizes.entry((pair.rule, pair.body, pair.other)).or_default();
+                let most = sizes.entry(pair.couple()).or_default();
                 *most = most.max(size);
             }
             if !gap.is_finite() {
@@ -80,7 +80,7 @@ impl Equations {
             .map_err(|reason| ModelError::Start { body: "surfaces".into(), problem: reason.to_string() })?;
         let inside = met.iter().filter_map(|known| {
             let depth = outlines.depth(known, &values);
-            let pair = self.pairs().iter().find(|pair| (pair.rule, pair.body, pair.other) == *known)?;
+            let pair = self.pairs().iter().find(|pair| pair.couple() == *known)?;
             (depth > TOUCHES * sizes[known]).then(|| self.inside(pair, depth))
         });
         Ok(inside.collect())

@@ -8,6 +8,11 @@
 //! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it; where the contact
 //! is compliant, a corner beside it may be pressed in deeper, so there the edge may lead through at a small angle. A circle meets a
 //! corner C where it is beyond the ends of both edges, `(p - C) . (q - C) <= 0`.
+//!
+//! What is compliant hands over where depths are equal. A corner p on an edge with the end C, towards which it goes along w, and the edge
+//! from p to q with `s = (q - p)/|q - p|` on which C would be, are pressed in by the same depth where `(w - s) . (C - p) = 0`, the bisector
+//! of the two edges; of q the one that faces the edge is meant, next to p on the way round at the edge's second end. For two corners of no
+//! radius that is the limit instead of the ends; for ends of rods it is one besides.
 //! # Symbols and units
 //! p, P, C, q, r, R, L (m), g (m), m, u (1), omega (1/s), alpha (1/s^2).
 //! # Sign and frame
@@ -19,9 +24,9 @@
 //! # Checked by
 //! `tests/edges.rs`.
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Binary, Expr, Vector, is_identically_zero};
 
-use crate::anchor::rate;
+use crate::anchor::{Anchor, rate};
 use crate::contact::border::{Edge, Rim};
 use crate::contact::pair::{dot, turned};
 use crate::kinematics::{Kinematics, PointRef};
@@ -62,16 +67,23 @@ pub(crate) struct Limit {
     size: Expr,
     /// Whether contact ends where it becomes negative, and does not only begin where it is not.
     ends: bool,
+    /// Whether another contact counts where it is zero.
+    yields: bool,
 }
 
 impl Limit {
     /// Not negative where contact may begin, but for rounding.
-    pub(crate) fn entered(&self) -> &Expr {
-        &self.value
+    pub(crate) fn entered(&self) -> Expr {
+        if self.yields { &self.value - FITS * &self.size } else { self.value.clone() }
     }
 
     /// Not negative where there may be contact, rounding included.
     pub(crate) fn holding(&self) -> Expr {
+        if self.yields { self.entered() } else { self.taken() }
+    }
+
+    /// Not negative where contact may be taken over from another, rounding included.
+    pub(crate) fn taken(&self) -> Expr {
         &self.value + FITS * &self.size
     }
 
@@ -107,20 +119,44 @@ pub(crate) fn outward(edge: &Edge) -> Vector {
     turned(&edge.along().0)
 }
 
-/// Where a circle may touch an edge; `apart` is from the first end to its centre.
-pub(crate) fn along_edge(edge: &Edge, rim: &Rim, apart: &Vector, law: &ContactLaw) -> Vec<Limit> {
+/// Where a circle may touch an edge; `apart` is from the first end to its centre, and the edge is the first body's or not.
+pub(crate) fn along_edge(
+    edge: &Edge,
+    rim: &Rim,
+    apart: &Vector,
+    (law, is_first): (&ContactLaw, bool),
+) -> Vec<Limit> {
     let (along, length) = edge.along();
     let place = dot(&along, apart);
-    let within = |value: Expr| Limit { value, size: length.clone(), ends: true };
-    let ends = [within(place.clone()), within(&length - place)];
+    let ends = [place.clone(), &length - place];
     let normal = turned(&along);
-    let cone = rim.neighbours.iter().map(|next| {
+    let cone = |next: &Anchor| {
         let way = between(&rim.centre, next);
         let (above, size) = (dot(&normal, &way), way.norm());
         let value = if law.is_rigid() { above } else { above + LEANS * &size };
-        Limit { value, size, ends: false }
-    });
-    ends.into_iter().chain(cone).collect()
+        Limit { value, size, ends: false, yields: false }
+    };
+    let within = |value: Expr| Limit { value, size: length.clone(), ends: true, yields: false };
+    let is_sharp = is_identically_zero(&(&rim.radius + &edge.radius));
+    let mut limits = vec![];
+    if law.is_rigid() || rim.neighbours.is_empty() || !is_sharp {
+        limits.extend(ends.map(within));
+    }
+    if !law.is_rigid() {
+        let ways = [-&along, along.clone()];
+        let to_ends = [-apart, &(&length * &along) - apart];
+        let facing = ways.iter().zip(&to_ends).enumerate().filter_map(|(end, (way, to_end))| {
+            let value = rim.facing(end == 1).map(|next| {
+                let own = between(&rim.centre, next);
+                let size = own.norm();
+                dot(&(way - &own.map(|part| part / &size)), to_end) / 2
+            });
+            value.reduce(|a, b| Expr::binary(Binary::Max, a, b))
+        });
+        // Where both corners are at one place only one of the two counts.
+        limits.extend(facing.map(|value| Limit { yields: is_sharp && is_first, ..within(value) }));
+    }
+    limits.into_iter().chain(rim.neighbours.iter().map(cone)).collect()
 }
 
 /// Where a circle may touch one about a corner or an end; `apart` is from there to its centre.
@@ -128,13 +164,13 @@ pub(crate) fn beyond_ends(corner: &Rim, apart: &Vector, reach: &Expr) -> Vec<Lim
     let of = |next| {
         let way = between(&corner.centre, next);
         let length = way.norm();
-        Limit { value: -dot(&way, apart) / length, size: reach.clone(), ends: true }
+        Limit { value: -dot(&way, apart) / length, size: reach.clone(), ends: true, yields: false }
     };
     corner.neighbours.iter().map(of).collect()
 }
 
 /// From one place of a body, or of the world, to another.
-fn between(from: &crate::anchor::Anchor, to: &crate::anchor::Anchor) -> Vector {
+fn between(from: &Anchor, to: &Anchor) -> Vector {
     match (from.material(), to.material()) {
         (Some(from), Some(to)) => crate::kinematics::rotated(&(&to.arm - &from.arm), &from.body.angle()),
         _ => to.position() - from.position(),

@@ -246,7 +246,7 @@ impl Equations {
         let own = &self.pairs()[index];
         let is_open = |other: &usize| {
             let pair = &self.pairs()[*other];
-            let of_same = (pair.rule, pair.body, pair.other) == (own.rule, own.body, own.other);
+            let of_same = pair.couple() == own.couple();
             of_same && *other != index && !pair.is_rolling() && jump.mode.contact_mode(*other).is_none()
         };
         let values =
@@ -256,7 +256,7 @@ impl Equations {
         let mut deepest = (0.0, None);
         for other in self.pair_list().of_body(own.body).filter(is_open) {
             let pair = &self.pairs()[other];
-            let found = values(&[vec![-pair.gap()], pair.within()].concat())?;
+            let found = values(&[vec![-pair.gap()], pair.taken_within()].concat())?;
             let is_contact = found[1..].iter().all(|limit| *limit >= 0.0);
             if is_contact && found[0] > deepest.0 && found[0] <= most {
                 deepest = (found[0], Some(other));
