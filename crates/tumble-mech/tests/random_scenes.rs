@@ -1,11 +1,11 @@
 //! Bodies at random that meet each other, a polygon and walls: they do not get into each other, and their energy does not grow.
 
-use tumble_expr::units::{KG, M, S};
+use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_ode::{Accuracy, Side};
 
 use tumble_mech::{
-    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Run, Shape, Start, Surface,
+    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Release, Run, RunBalance, Shape, Start, Surface,
 };
 
 const G: f64 = 9.81;
@@ -60,13 +60,29 @@ fn shape(draw: &mut Draw) -> Shape {
     }
 }
 
+/// What the bodies of a scene do where they meet.
+#[derive(Clone, Copy)]
+enum Law {
+    Rigid,
+    /// A spring of this stiffness, N/m, and of half the scenes with a damper.
+    Spring(f64),
+}
+
 /// A room with a block on its floor, and bodies above each other in columns.
-fn scene(draw: &mut Draw, bodies: usize) -> Model {
+fn scene(draw: &mut Draw, bodies: usize, law: Law) -> Model {
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(G * M / (S * S));
     let e = if draw.next() < 0.3 { 0.0 } else { draw.between(0.1, 1.0) };
     let friction = (draw.next() < 0.5).then(|| Friction::new(Expr::from(draw.between(0.05, 0.6))));
-    let rigid = || ContactLaw::Rigid { restitution: Expr::from(e) };
+    let damping = if e > 0.5 { 0.0 } else { 40.0 };
+    let rigid = || match law {
+        Law::Rigid => ContactLaw::Rigid { restitution: Expr::from(e) },
+        Law::Spring(stiffness) => ContactLaw::Spring {
+            stiffness: stiffness * N / M,
+            damping: damping * N * S / M,
+            release: Release::AtZeroForce,
+        },
+    };
     let walls = [([0.0, 0.0], [0.0, 1.0]), ([-ROOM, 0.0], [1.0, 0.0]), ([ROOM, 0.0], [-1.0, 0.0])];
     let planes = walls.iter().enumerate().map(|(index, (through, normal))| {
         Surface::new(
@@ -91,7 +107,10 @@ fn scene(draw: &mut Draw, bodies: usize) -> Model {
         model.starts.push((name.clone(), start));
         model.add(Body::of_shape(name, shape(draw)).mass(draw.between(0.2, 2.0) * KG));
     }
-    let contact = BodyContact::of_all("hit", Expr::from(e));
+    let contact = match law {
+        Law::Rigid => BodyContact::of_all("hit", Expr::from(e)),
+        Law::Spring(_) => BodyContact::compliant("hit", rigid()),
+    };
     model.contact(BodyContact { friction, ..contact });
     model
 }
@@ -205,7 +224,7 @@ fn energy(run: &Run) -> Expr {
 fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
     let mut draw = Draw(seed);
     (0..4).for_each(|_| _ = draw.next());
-    let model = scene(&mut draw, bodies);
+    let model = scene(&mut draw, bodies, Law::Rigid);
     let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
     let run = model.simulate_to(&[], until * S, accuracy).map_err(|error| error.to_string())?;
     let mut times: Vec<f64> = (0..=200).map(|index| until * f64::from(index) / 200.0).collect();
@@ -255,5 +274,44 @@ fn many_scenes() {
     };
     let first = asked("SEED", 1);
     let refused = refused(first..first + asked("COUNT", 100));
+    assert!(refused.is_empty(), "{refused:#?}");
+}
+
+/// N/m: bodies that fall on each other are pressed in by millimetres.
+const STIFFNESS: f64 = 1e5;
+
+/// The same where all is compliant: what goes into each other is bounded by the energy that it takes, and where nothing touches all the energy is
+/// there again that no damper and no friction has taken; the balance closes.
+fn compliant(seed: u64) -> Result<(), String> {
+    let mut draw = Draw(seed);
+    (0..4).for_each(|_| _ = draw.next());
+    let model = scene(&mut draw, 2 + (seed as usize % 5), Law::Spring(STIFFNESS));
+    let takes = |law: &ContactLaw| matches!(law, ContactLaw::Spring { damping, .. } if number(&(damping / (1 * N * S / M))) > 0.0);
+    let loses = takes(&model.surfaces[0].law) || model.surfaces[0].friction.is_some();
+    let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
+    let run = model.simulate_to(&[], 1 * S, accuracy).map_err(|error| error.to_string())?;
+    let mut look = Look::new(&run);
+    let [_, whole] = look.at(0.0);
+    let most = (2.0 * whole / STIFFNESS).sqrt();
+    let contacts = run.contacts();
+    let is_free = |t: f64| contacts.iter().all(|contact| t < contact.start || t > contact.end);
+    for part in 0..=400 {
+        let time = f64::from(part) / 400.0;
+        let [deep, energy] = look.at(time);
+        assert!(deep < most, "scene {seed}: {deep:e} deep at {time}");
+        assert!(energy < whole * (1.0 + GROWTH), "scene {seed}: {energy} J of {whole} at {time}");
+        assert!(loses || !is_free(time) || energy > whole * (1.0 - GROWTH), "scene {seed}: {energy} of {whole} at {time}");
+    }
+    let balance = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
+    println!("scene {seed}: {} contacts, loses: {loses}, {:e}", contacts.len(), balance.relative());
+    assert!(balance.relative() < GROWTH && balance.energy.relative() < GROWTH, "scene {seed}: {:e}", balance.relative());
+    Ok(())
+}
+
+#[test]
+fn compliant_bodies_keep_account() {
+    let first = std::env::var("SEED").map_or(1, |number| number.parse().expect("a number"));
+    let count: u64 = std::env::var("COUNT").map_or(12, |number| number.parse().expect("a number"));
+    let refused: Vec<_> = (first..first + count).filter_map(|seed| Some((seed, compliant(seed).err()?))).collect();
     assert!(refused.is_empty(), "{refused:#?}");
 }
