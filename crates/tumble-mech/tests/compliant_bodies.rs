@@ -6,8 +6,8 @@ use common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{
-    Application, AppliedImpulse, Body, BodyContact, Change, ContactLaw, Equations, Event, Frame, Friction, Gravity,
-    Happening, Kind, Model, Place, Release, Run, RunBalance, Shape, Start, Surface, time,
+    Application, AppliedImpulse, Body, BodyContact, Change, ContactLaw, Equations, Event, Frame, Friction,
+    Gravity, Happening, Kind, Model, Place, Release, Run, RunBalance, Shape, Start, Surface, time,
 };
 
 const G: f64 = 9.81;
@@ -251,7 +251,8 @@ fn what_does_not_slip_keeps_its_energy() {
         let contact = model.contacts[0].clone().with_friction(Friction::new(Expr::from(3.0)));
         model.contacts[0] = contact;
         let run = run(model, 1.0, 1e-13);
-        let stretch = [Change::Rolls, Change::Slides].map(|change| *times(&run, change).last().expect("both"));
+        let stretch =
+            [Change::Rolls, Change::Slides].map(|change| *times(&run, change).last().expect("both"));
         assert!(stretch[1] - stretch[0] > 0.5 * (run.contacts()[0].end - run.contacts()[0].start));
         let first = kept(&run, 0.0);
         let energy = |t: f64| kept(&run, t)[0] + stored(&run, t, &energy);
@@ -347,10 +348,14 @@ fn a_box_on_a_step() {
 fn a_box_slides_off_a_step() {
     for (law, energy) in both(2e4) {
         let block = step(&[[-2.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-2.0, 0.0]], law);
-        let mut model = model(G, vec![(plate("box", [0.4, 0.2], 2.0), start([-0.3, 0.102], 0.0, [1.0, 0.0], 0.01))]);
+        let mut model =
+            model(G, vec![(plate("box", [0.4, 0.2], 2.0), start([-0.3, 0.102], 0.0, [1.0, 0.0], 0.01))]);
         model.surface(block);
         let run = run(model, 0.9, 1e-13);
-        println!("{:?}", run.events().map(|e| (e.time, run.equations.names_of(&e.record))).collect::<Vec<_>>());
+        println!(
+            "{:?}",
+            run.events().map(|e| (e.time, run.equations.names_of(&e.record))).collect::<Vec<_>>()
+        );
         assert!(passes(&run, "step.box.corner2.side3", "step.box.side1.corner3"));
         let balance = balanced(&run, 1e-12);
         assert!(balance.contributions.iter().all(|part| part.kind != Kind::Release));

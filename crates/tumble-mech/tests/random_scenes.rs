@@ -5,7 +5,8 @@ use tumble_expr::{Expr, Vector};
 use tumble_ode::{Accuracy, Side};
 
 use tumble_mech::{
-    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Release, Run, RunBalance, Shape, Start, Surface,
+    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Release, Run, RunBalance,
+    Shape, Start, Surface,
 };
 
 const G: f64 = 9.81;
@@ -269,12 +270,17 @@ fn nothing_gets_into_each_other_or_gains_energy() {
 #[test]
 #[ignore = "takes minutes, and finds some that switch without end as they come to rest, such as 94"]
 fn many_scenes() {
+    let refused = refused(asked_for());
+    assert!(refused.is_empty(), "{refused:#?}");
+}
+
+/// Seeds from `SEED` on, `COUNT` of them.
+fn asked_for() -> std::ops::Range<u64> {
     let asked = |name: &str, otherwise: u64| {
         std::env::var(name).map_or(otherwise, |number| number.parse().expect("a number"))
     };
     let first = asked("SEED", 1);
-    let refused = refused(first..first + asked("COUNT", 100));
-    assert!(refused.is_empty(), "{refused:#?}");
+    first..first + asked("COUNT", 100)
 }
 
 /// N/m: bodies that fall on each other are pressed in by millimetres.
@@ -300,18 +306,36 @@ fn compliant(seed: u64) -> Result<(), String> {
         let [deep, energy] = look.at(time);
         assert!(deep < most, "scene {seed}: {deep:e} deep at {time}");
         assert!(energy < whole * (1.0 + GROWTH), "scene {seed}: {energy} J of {whole} at {time}");
-        assert!(loses || !is_free(time) || energy > whole * (1.0 - GROWTH), "scene {seed}: {energy} of {whole} at {time}");
+        assert!(
+            loses || !is_free(time) || energy > whole * (1.0 - GROWTH),
+            "scene {seed}: {energy} of {whole} at {time}"
+        );
     }
     let balance = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
     println!("scene {seed}: {} contacts, loses: {loses}, {:e}", contacts.len(), balance.relative());
-    assert!(balance.relative() < GROWTH && balance.energy.relative() < GROWTH, "scene {seed}: {:e}", balance.relative());
+    assert!(
+        balance.relative() < GROWTH && balance.energy.relative() < GROWTH,
+        "scene {seed}: {:e}",
+        balance.relative()
+    );
     Ok(())
+}
+
+fn refused_compliant(seeds: impl Iterator<Item = u64>) -> Vec<(u64, String)> {
+    seeds.filter_map(|seed| Some((seed, compliant(seed).err()?))).collect()
 }
 
 #[test]
 fn compliant_bodies_keep_account() {
-    let first = std::env::var("SEED").map_or(1, |number| number.parse().expect("a number"));
-    let count: u64 = std::env::var("COUNT").map_or(12, |number| number.parse().expect("a number"));
-    let refused: Vec<_> = (first..first + count).filter_map(|seed| Some((seed, compliant(seed).err()?))).collect();
+    // In 4, 10 and 11 ends of rods and corners came into each other unseen.
+    let refused = refused_compliant([1, 4, 10, 11].into_iter());
+    assert!(refused.is_empty(), "{refused:#?}");
+}
+
+/// Takes minutes, as [`many_scenes`] does.
+#[test]
+#[ignore = "takes minutes"]
+fn many_compliant_scenes() {
+    let refused = refused_compliant(asked_for());
     assert!(refused.is_empty(), "{refused:#?}");
 }

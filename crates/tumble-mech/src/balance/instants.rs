@@ -76,7 +76,8 @@ impl Accumulation {
         for (index, potential) in self.potentials.iter().enumerate() {
             let Some(pair) = potential.pair.map(|pair| &self.run.equations.pairs()[pair]) else { continue };
             let change = after.potentials[index] - before.potentials[index];
-            let known = left.iter_mut().find(|(couple, ..)| !pair.limits.is_empty() && *couple == pair.couple());
+            let known =
+                left.iter_mut().find(|(couple, ..)| !pair.limits.is_empty() && *couple == pair.couple());
             match known {
                 Some((_, of, sum)) => {
                     *of = if change < 0.0 { index } else { *of };

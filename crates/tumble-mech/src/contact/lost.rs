@@ -25,13 +25,8 @@ const LOOKS: u32 = 4;
 impl Run {
     /// The run, unless bodies get into each other on the way: then it is refused, and ends where they were last seen apart.
     pub(crate) fn with_contacts_kept(self, accuracy: Accuracy) -> Result<Self, RunError> {
-        let met: BTreeSet<Couple> = self
-            .equations
-            .pairs()
-            .iter()
-            .filter(|pair| pair.has_edge())
-            .map(Pair::couple)
-            .collect();
+        let met: BTreeSet<Couple> =
+            self.equations.pairs().iter().filter(|pair| pair.has_edge()).map(Pair::couple).collect();
         if met.is_empty() {
             return Ok(self);
         }

@@ -123,7 +123,9 @@ impl Opposite {
         let omega = point.body.omega();
         let own = || &omega * point.world_arm().perpendicular();
         let moving = match self {
-            _ if !pair.is_rigid() => pair.centre.body.velocity() - point.body.velocity() + pair.moving(turning),
+            _ if !pair.is_rigid() => {
+                pair.centre.body.velocity() - point.body.velocity() + pair.moving(turning)
+            }
             Self::Circle(circle) => own() + &(circle.sign() * &circle.radius) * turning,
             Self::Edge(edge) if edge.is_first => own() + &edge.radius * turning,
             _ => pair.centre.velocity() - point.body.velocity() - &pair.radius * turning,

@@ -1,14 +1,8 @@
 //! # Law
 //! A circle of radius r about the body's point p and a surface through P with the unit normal n: the gap is
 //! `g = n . (p - P) - r`, its rates follow by differentiating; the force N >= 0 acts along n at the contact point
-//! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
-//! angle. The rate of slip is `s = t . (v - w)`, with v and w the velocities of the two material points there.
-//!
-//! What is compliant is pressed in where the gap is negative. Friction acts on both at one point `p - (r + s g) n` of the line of the
-//! normal force. On a body that touches by one round rim alone, such as a ball, it is on that rim, which rolls with `v = -omega r`; between
-//! two such bodies it is half way, `s = 1/2`. A body that has several contact points has them at different depths, and if each stuck by
-//! itself it could not turn. There friction acts where the plane or edge is when nothing presses it, `s = 1`: all points on it have one
-//! lever there and slip alike, as they do where it is rigid.
+//! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction acts there along t, n turned clockwise by a right
+//! angle (`slipping`).
 //!
 //! Against a circle of radius R about Q, with `d = p - Q`: from outside `g = |d| - L`, `L = R + r`, `n = d/L`; from inside
 //! `g = L - |d|`, `L = R - r`, `n = -d/L`. Rows keep `h = +-(d . d - L^2)/(2 L)` in the place of g, which is zero where g is, with
@@ -16,7 +10,7 @@
 //! opposite forces at `Q +- R n`. What is compliant is pressed into each other, so there `n = +-d/|d|`, `g' = n . d'` and
 //! `g'' = n . d'' +- (d' . d' - g'^2)/|d|`.
 //! # Symbols and units
-//! g, h (m), n, t (1), p, P, Q, d, r, R, L (m), N, F (N), s (m/s).
+//! g, h (m), n, t (1), p, P, Q, d, r, R, L (m), N (N).
 //! # Sign and frame
 //! World axes; n points out of the solid towards the first body, g is positive apart and negative inside.
 //! # Validity
@@ -37,10 +31,11 @@ use crate::contact::border::Rim;
 use crate::contact::opposite::Opposite;
 use crate::contact::outlines::Couple;
 use crate::contact::said::Said;
+use crate::contact::slipping::Level;
 use crate::contact::straight::Limit;
 use crate::coordinates::Measure;
 use crate::friction::Friction;
-use crate::kinematics::{Kinematics, PointRef};
+use crate::kinematics::PointRef;
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
 use crate::statement::Statement;
@@ -67,17 +62,6 @@ pub(crate) enum Line {
     Edge(Option<usize>, usize),
     /// None: each of these pairs slips on its own.
     None(usize),
-}
-
-/// Where friction acts along the depth of a compliant contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Level {
-    /// On the rim of the circle that touches.
-    Rim,
-    /// Half way between both rims.
-    Middle,
-    /// Where what it meets would be if nothing pressed it.
-    Surface,
 }
 
 /// A point of a body and what it may touch: a surface, or a point of another body.
@@ -204,7 +188,7 @@ impl Pair {
     }
 
     /// How the normal turns, 1/s.
-    fn turning(&self) -> Vector {
+    pub(super) fn turning(&self) -> Vector {
         match &self.opposite {
             Opposite::Plane => rate(&self.normal),
             Opposite::Edge(edge) => edge.turning(&self.normal),
@@ -223,7 +207,7 @@ impl Pair {
 
     /// The same to the point of the line of the normal force that is a lever away from the centre of the circle that touches, m; the lever
     /// is a formula of its radius.
-    fn arm_to(&self, lever: impl Fn(&Expr) -> Expr) -> Vector {
+    pub(super) fn arm_to(&self, lever: impl Fn(&Expr) -> Expr) -> Vector {
         match &self.opposite {
             Opposite::Edge(edge) if edge.is_first => {
                 let own = self.centre.body.position();
@@ -247,32 +231,6 @@ impl Pair {
             }
             Opposite::Edge(edge) if edge.is_first => Some(other.world_arm() + &edge.radius * &self.normal),
             Opposite::Edge(_) => Some(self.centre.body.position() - other.body.position() + self.arm()),
-        }
-    }
-
-    /// From the first body's centre of mass to where friction acts on it, m, world axes.
-    pub(crate) fn slip_arm(&self) -> Vector {
-        self.arm_to(|radius| self.lever_of(radius))
-    }
-
-    /// Distance of where friction acts from the centre of a circle of that radius which touches, m.
-    fn lever_of(&self, radius: &Expr) -> Expr {
-        match self.level {
-            Level::Rim => radius.clone(),
-            Level::Middle => radius + self.gap() / 2,
-            Level::Surface => radius + self.gap(),
-        }
-    }
-
-    /// The same of one of its bodies.
-    pub(crate) fn slip_arm_of(&self, body: usize) -> Vector {
-        match self.opposite.point().filter(|_| self.other == Some(body)) {
-            // Both are rubbed at one point, however deep they are in each other.
-            Some(other) if !self.is_rigid() => {
-                self.centre.body.position() - other.body.position() + self.slip_arm()
-            }
-            Some(_) => self.arm_of(body),
-            None => self.slip_arm(),
         }
     }
 
@@ -367,70 +325,6 @@ impl Pair {
     /// Whether it stands for a rolling resistance.
     pub fn is_rolling(&self) -> bool {
         self.lever.is_some()
-    }
-
-    /// Of the first body less what it turns against, 1/s; `body` is what is known of bodies, `turning` the same of a plane that tilts.
-    fn relative(&self, body: fn(&Kinematics) -> Expr, turning: Expr) -> Expr {
-        let other = match (self.other, self.opposite.point(), &self.opposite) {
-            (Some(_), Some(point), _) => body(&point.body),
-            (_, _, Opposite::Plane) => turning,
-            _ => Expr::zero(),
-        };
-        body(&self.centre.body) - other
-    }
-
-    /// Rate at which the body's point slips along the surface, m/s.
-    pub fn slip_rate(&self) -> Expr {
-        if let Some(lever) = &self.lever {
-            return lever * self.relative(Kinematics::omega, self.normal.cross_planar(&rate(&self.normal)));
-        }
-        dot(&self.tangent(), &self.slipping())
-    }
-
-    /// Its derivative, m/s^2, in the bodies' accelerations.
-    pub fn slip_acceleration(&self) -> Expr {
-        if let Some(lever) = &self.lever {
-            let turning = self.normal.cross_planar(&rate(&rate(&self.normal)));
-            return lever * self.relative(Kinematics::alpha, turning);
-        }
-        let motion = &self.centre.body;
-        let (omega, arm) = (motion.omega(), self.slip_arm());
-        let normal_turns = self.turning();
-        let own = motion.acceleration()
-            + motion.alpha() * arm.perpendicular()
-            + &omega * self.moving(&normal_turns).perpendicular();
-        let tilting = dot(&turned(&normal_turns), &self.slipping());
-        dot(&self.tangent(), &(own - self.opposite.material_acceleration(self, &normal_turns))) + tilting
-    }
-
-    /// Velocity of the point where friction acts less that of the body's centre of mass, m/s, while the normal turns so, 1/s.
-    pub(crate) fn moving(&self, turning: &Vector) -> Vector {
-        let motion = &self.centre.body;
-        let lever = |radius: &Expr| {
-            let lever = self.lever_of(radius) * turning;
-            match self.level {
-                Level::Rim => lever,
-                Level::Middle => lever + &(self.gap_rate() / 2) * &self.normal,
-                Level::Surface => lever + &self.gap_rate() * &self.normal,
-            }
-        };
-        match &self.opposite {
-            Opposite::Edge(edge) if edge.is_first => {
-                self.opposite.velocity(&self.through) - motion.velocity() + lever(&edge.radius)
-            }
-            _ => motion.omega() * self.centre.world_arm().perpendicular() - lever(&self.radius),
-        }
-    }
-
-    /// Velocity of the body's material point less that of the surface, m/s.
-    fn slipping(&self) -> Vector {
-        self.material_velocity() - self.opposite.material_velocity(self)
-    }
-
-    /// Velocity of the body's material point that friction acts at, m/s.
-    pub(crate) fn material_velocity(&self) -> Vector {
-        let motion = &self.centre.body;
-        motion.velocity() + motion.omega() * self.slip_arm().perpendicular()
     }
 
     /// Stands for the force along the surface, N, or for a couple against rolling over its lever, the radius of what rolls.

@@ -138,20 +138,23 @@ pub(crate) fn along_edge(
     };
     let within = |value: Expr| Limit { value, size: length.clone(), ends: true, yields: false };
     let is_sharp = is_identically_zero(&(&rim.radius + &edge.radius));
+    let is_corner = rim.neighbours.len() > 1;
     let mut limits = vec![];
-    if law.is_rigid() || rim.neighbours.is_empty() || !is_sharp {
+    if law.is_rigid() || !(is_sharp && is_corner) {
         limits.extend(ends.map(within));
     }
     if !law.is_rigid() {
-        let ways = [-&along, along.clone()];
-        let to_ends = [-apart, &(&length * &along) - apart];
-        let facing = ways.iter().zip(&to_ends).enumerate().filter_map(|(end, (way, to_end))| {
-            let value = rim.facing(end == 1).map(|next| {
+        let ways = [(-&along, -apart), (along.clone(), &(&length * &along) - apart)];
+        let facing = ways.iter().enumerate().filter_map(|(end, (way, to_end))| {
+            let equal = rim.facing(end == 1).map(|next| {
                 let own = between(&rim.centre, next);
                 let size = own.norm();
-                dot(&(way - &own.map(|part| part / &size)), to_end) / 2
+                let own = own.map(|part| part / &size);
+                let equal = dot(&(way - &own), to_end) / 2;
+                // A rod that goes on beyond the end touches there too, and both push.
+                if is_corner { equal } else { greater(equal, dot(way, &own) * &size) }
             });
-            value.reduce(|a, b| Expr::binary(Binary::Max, a, b))
+            equal.reduce(greater)
         });
         // Where both corners are at one place only one of the two counts.
         limits.extend(facing.map(|value| Limit { yields: is_sharp && is_first, ..within(value) }));
@@ -167,6 +170,10 @@ pub(crate) fn beyond_ends(corner: &Rim, apart: &Vector, reach: &Expr) -> Vec<Lim
         Limit { value: -dot(&way, apart) / length, size: reach.clone(), ends: true, yields: false }
     };
     corner.neighbours.iter().map(of).collect()
+}
+
+fn greater(a: Expr, b: Expr) -> Expr {
+    Expr::binary(Binary::Max, a, b)
 }
 
 /// From one place of a body, or of the world, to another.

@@ -271,8 +271,7 @@ impl Equations {
     }
 
     fn is_at_surface(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
-        let touch =
-            self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
+        let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
         Ok(touch.position(index).is_some_and(|own| touch.gap[own].abs() <= touch.blur[own]))
     }
 
@@ -293,7 +292,13 @@ impl Equations {
                 Some(known) => jump.states[base + known],
                 None if pressed == Some(pair) => {
                     let depth = [-self.pairs()[pair].gap()];
-                    let depth = self.values(&depth, &Mode { contacts: vec![], ..jump.mode.clone() }, now.time, &jump.states[..base], now.inputs)?;
+                    let depth = self.values(
+                        &depth,
+                        &Mode { contacts: vec![], ..jump.mode.clone() },
+                        now.time,
+                        &jump.states[..base],
+                        now.inputs,
+                    )?;
                     libm::sqrt(depth[0].max(0.0))
                 }
                 None => 0.0,
