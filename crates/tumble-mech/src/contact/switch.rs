@@ -5,7 +5,7 @@ use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::settle::{STANDS, Touched};
+use crate::contact::settle::{BALANCED, STANDS, Touched};
 use crate::contact::start::TOUCHES;
 use crate::contact::touch::Now;
 use crate::contact::watched::Watched;
@@ -102,7 +102,7 @@ impl Equations {
         if causes.wakes {
             self.wake(jump);
         }
-        let islands = self.islands_now(&causes, now, jump)?;
+        let (islands, touching) = self.islands_now(&causes, now, jump)?;
         let mut touched = vec![None; islands.len()];
         let of = |pair: usize| {
             islands.iter().position(|island| island.binary_search(&self.pairs()[pair].body).is_ok())
@@ -120,12 +120,15 @@ impl Equations {
                 (true, _) | (_, Watched::Slip | Watched::Cone(_)) => {
                     own.into_iter().for_each(|touched| touched.add(pair, watched));
                 }
-                (false, _) if closes => self.press(pair, now, jump)?,
+                (false, _) if closes => self.press(pair, None, now, jump)?,
                 (false, Watched::Limit(_)) => pressed = self.pass_on(pair, now, jump)?,
                 (false, watched) => pressed = self.let_go(pair, watched, now, jump)?,
             }
             self.restate(&before, pressed, now, jump)?;
         }
+        let before = self.roots(&jump.mode);
+        self.press_behind(&touching, now, jump)?;
+        self.restate(&before, None, now, jump)?;
         self.refuse_common_beginning(jump)?;
         let mut impulses = Sizes::default();
         for (island, touched) in islands.iter().zip(touched) {
@@ -136,16 +139,17 @@ impl Equations {
         Ok(impulses)
     }
 
-    /// What joints, lasting contacts and bodies that meet at this instant make one island.
+    /// What joints, lasting contacts and bodies that meet at this instant make one island; with the pairs of bodies that touch.
     fn islands_now(
         &self,
         causes: &Causes,
         now: Now<'_>,
         jump: &Jump<Mode>,
-    ) -> Result<Vec<Vec<usize>>, Reason> {
-        let mut meeting = self.meeting(&jump.mode, &jump.states, now)?;
-        meeting.extend(causes.seen.iter().map(|(pair, ..)| *pair));
-        Ok(self.islands_with(&jump.mode, &jump.mode.bodies, &meeting))
+    ) -> Result<(Vec<Vec<usize>>, Vec<usize>), Reason> {
+        let touching = self.meeting(&jump.mode, &jump.states, now)?;
+        let seen = causes.seen.iter().map(|(pair, ..)| *pair);
+        let meeting: Vec<usize> = touching.iter().copied().chain(seen).collect();
+        Ok((self.islands_with(&jump.mode, &jump.mode.bodies, &meeting), touching))
     }
 
     /// Pairs that last or rub, where loads or parameters change now: what held them may not any more.
@@ -172,14 +176,55 @@ impl Equations {
         }
     }
 
-    /// Two of which one is compliant meet.
-    fn press(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+    /// What touches bodies that are pressed from now on, and lies still, is pressed with them, though with no force at first: rounding would
+    /// say when it begins. Each one further along has two more derivatives that are zero.
+    fn press_behind(&self, touching: &[usize], now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let begun = jump.record.happened.iter().filter_map(|happening| match happening {
+            Happening::Contact { pair, change: Change::Start } if !self.pairs()[*pair].is_rigid() => {
+                Some(*pair)
+            }
+            _ => None,
+        });
+        let mut last: Vec<usize> = begun.collect();
+        for row in 1.. {
+            let is_next = |pair: &&usize| {
+                let own = &self.pairs()[**pair];
+                let is_open = !own.is_rigid() && jump.mode.contact_mode(**pair).is_none();
+                is_open && last.iter().any(|known| self.pairs()[*known].bodies().any(|body| own.has(body)))
+            };
+            let next: Vec<usize> = touching.iter().filter(is_next).copied().collect();
+            for pair in &next {
+                self.press(*pair, Some(1 + 2 * row), now, jump)?;
+            }
+            last = next.into_iter().filter(|pair| jump.mode.is_pressed(*pair)).collect();
+            if last.is_empty() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Two of which one is compliant meet. Where they touch without speed or force, they are pressed if others begin to press them, `behind`
+    /// with so many derivatives of the gap that are zero.
+    fn press(
+        &self,
+        index: usize,
+        behind: Option<usize>,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
         let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
         let Some(own) = touch.position(index) else { return Ok(()) };
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
-        let closes = if stands { touch.free[own] < 0.0 } else { touch.rate[own] < 0.0 };
-        jump.zeros.push((pair.guard_name(Watched::Gap), if stands { 2 } else { 1 }));
+        let is_calm = stands && touch.free[own].abs() <= BALANCED * touch.strength;
+        let closes = match behind {
+            Some(_) if is_calm => true,
+            _ if stands => touch.free[own] < 0.0,
+            _ => touch.rate[own] < 0.0,
+        };
+        let zeros = behind.filter(|_| is_calm).unwrap_or(if stands { 2 } else { 1 });
+        jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
         if closes && stands && pair.is_hertzian() {
             return Err(Reason::Model(format!(
                 "`{}` touches without speed, and the time transformation of a Hertzian contact cannot start: let it begin a little \
