@@ -6,8 +6,8 @@ use common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{
-    Body, BodyContact, Change, ContactLaw, Equations, Event, Frame, Friction, Gravity, Happening, Kind,
-    Model, Place, Release, Run, RunBalance, Shape, Start, Surface,
+    Body, BodyContact, Change, ContactLaw, Equations, Friction, Gravity, Happening, Kind, Model, Release,
+    Run, RunBalance, Shape, Start, Surface,
 };
 
 const G: f64 = 9.81;
@@ -406,4 +406,51 @@ fn a_cradle_that_yields() {
     let root = 1e5_f64.sqrt();
     close(ends[0] * root, 2.554_812_911_197_490_3, 1e-11);
     close(ends[1] * root, 2.554_812_911_197_490_3 + 0.872_163_339_249_687, 1e-11);
+}
+
+/// A box on a post sinks in by `m g/k`, and its lower edge is met by the post.
+#[test]
+fn a_box_rests_on_a_post() {
+    let (mass, stiffness) = (2.0, 5e4);
+    let post = Surface::circle("post", [0 * M, 0 * M], 0.3 * M, spring(stiffness, 300.0));
+    let mut model =
+        model(G, vec![(plate("box", [0.4, 0.1], mass), start([0.0, 0.35], 0.0, [0.0, 0.0], 0.0))]);
+    model.surface(post.with_friction(Friction::new(Expr::from(0.5))));
+    let run = run(model, 2.0, 1e-13);
+    let [x, y, angle, ..] = motion(&run, 0, 2.0);
+    close(y, 0.35 - mass * G / stiffness, 1e-13);
+    assert!(x.abs() < 1e-12 && angle.abs() < 1e-12, "{x} {angle}");
+    assert_eq!(happened(&run)[0], "post.box.side1.start");
+}
+
+/// A rod with round ends lies on a block that stands on a slope: all of it comes to rest, each on its own contacts, and nothing creeps. Each
+/// presses what is below it by its weight.
+#[test]
+fn what_sticks_on_a_body_does_not_creep() {
+    let slope = 0.3_f64;
+    let up = |along: f64, across: f64| {
+        [along * slope.cos() - across * slope.sin(), along * slope.sin() + across * slope.cos()]
+    };
+    let law = || spring(1e5, 600.0);
+    let mut model = model(
+        G,
+        vec![
+            (plate("block", [0.6, 0.2], 3.0), start(up(0.0, 0.1), slope, [0.0, 0.0], 0.0)),
+            (rod("rod", 0.3, 0.02, 1.0), start(up(0.05, 0.22), slope, [0.0, 0.0], 0.0)),
+        ],
+    );
+    let rough = || Friction::new(Expr::from(0.6));
+    let floor = Surface::sloping("floor", [0 * M, 0 * M], &Expr::from(slope), law());
+    model.surface(Surface { on: Some(vec!["block".into()]), ..floor.with_friction(rough()) });
+    model.contact(BodyContact::compliant("pads", law()).with_friction(rough()));
+    let run = run(model, 3.0, 1e-12);
+    let [early, late] = [2.0, 3.0].map(|t| [0, 1].map(|body| motion(&run, body, t)));
+    for (early, late) in early.iter().flatten().zip(late.iter().flatten()) {
+        assert!((early - late).abs() < 1e-12, "{early} {late}");
+    }
+    let forces = run.equations.pairs().iter().filter(|pair| pair.other.is_some());
+    let sums = forces.map(|pair| at(&run, 3.0, [pair.force_symbol().into(), pair.friction_symbol().into()]));
+    let sum = sums.fold([0.0, 0.0], |sum, own| [sum[0] + own[0].abs(), sum[1] + own[1]]);
+    close(sum[0], G * slope.cos(), 1e-3);
+    close(sum[1].abs(), G * slope.sin(), 1e-3);
 }
