@@ -337,7 +337,7 @@ fn a_box_on_a_step() {
     let energy = |d: f64| 0.5 * stiffness * d * d;
     for part in 0..100 {
         let t = 0.01 * f64::from(part);
-        close(kept(&run, t)[0] + stored(&run, t, &energy), whole, 1e-12);
+        close(kept(&run, t)[0] + stored(&run, t, energy), whole, 1e-12);
     }
     balanced(&run, 1e-12);
 }
