@@ -251,16 +251,16 @@ impl Engine {
     }
 
     /// How much later than `s` a guard is zero by its value, where its series misses that: the terms of a long step's series are
-    /// larger than their sum, and at a modest accuracy they end early.
+    /// larger than their sum, and at a modest accuracy they end early; `known` are the scales, and what rounding left out of the states.
     pub(crate) fn delay(
         &mut self,
         guard: usize,
         expansion: &Expansion,
         s: f64,
-        scales: &Scales,
+        known: (&Scales, &[f64]),
     ) -> Option<f64> {
         if let Some(lazy) = guard.checked_sub(self.system.guards) {
-            return self.lazy_guards.delay(lazy, expansion, s, scales);
+            return self.lazy_guards.delay(lazy, expansion, s, known);
         }
         lazy_guards::delay(&expansion.guards[guard], s, 0.0, |s| self.guard_at(guard, expansion, s))
     }

@@ -10,7 +10,7 @@ mod plan;
 
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Row, Scalar};
+use tumble_expr::{Branches, Jets, LEFT_OUT, Rounded, Rounding, Row, Scalar, rounded_sum};
 
 use crate::enclosure::{Enclosure, Path};
 use crate::expansion::{Expansion, Near};
@@ -177,18 +177,24 @@ impl LazyGuards {
     }
 
     /// How much later than `s` one is zero by its value, where its series misses that by more than the value's
-    /// rounding: the terms of a long step's series are larger than their sum.
+    /// rounding: the terms of a long step's series are larger than their sum, and they are those of the rounded states.
     pub(crate) fn delay(
         &mut self,
         index: usize,
         expansion: &Expansion,
         s: f64,
-        scales: &Scales,
+        (scales, compensation): (&Scales, &[f64]),
     ) -> Option<f64> {
         let Near { series, .. } = expansion.near.iter().find(|near| near.index == index)?;
-        let watch = &mut self.all[index];
-        let rounding = VALUE_ROUNDING * scales.of(watch.group);
-        delay(series, s, rounding, |s| watch.value(expansion, s))
+        let (watch, order) = (&mut self.all[index], self.order);
+        let is_whole = watch.states.iter().all(|state| compensation[*state] == 0.0);
+        if is_whole || order == 0 || expansion.time.is_some() {
+            let rounding = VALUE_ROUNDING * scales.of(watch.group);
+            return delay(series, s, rounding, |s| watch.value(expansion, s));
+        }
+        let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
+        let [all, same] = watch.noise(expansion.start + s, &states, order).ok()?;
+        delay(series, s, all - same, |s| watch.value_beyond(expansion, s, compensation))
     }
 }
 
@@ -323,17 +329,40 @@ impl Watch {
     fn start(&mut self, expansion: &Expansion, compensation: &[f64], order: usize) -> Result<f64, Reason> {
         let compensations: Row = self.states.iter().map(|state| compensation[*state]).collect();
         let states: Row = self.states.iter().map(|state| expansion.states[*state][0]).collect();
+        let is_whole = order == 0 || compensations.iter().all(|compensation| *compensation == 0.0);
+        self.jets(order)?;
+        Ok(self.value_with((expansion.start, 0.0), &states, &compensations, is_whole))
+    }
+
+    /// Value at states, and what is left out of them and of the time adds to first order.
+    fn value_with(
+        &mut self,
+        (time, left_out): (f64, f64),
+        states: &[f64],
+        compensations: &[f64],
+        is_whole: bool,
+    ) -> f64 {
         let offset = self.offset.unwrap_or(0.0);
-        let jets = self.jets(order)?;
-        jets.start(expansion.start, &states, Branches::Free);
-        if order == 0 || compensations.iter().all(|compensation| *compensation == 0.0) {
-            return Ok(jets.value_of(0) + offset);
+        let jets = self.jets.as_mut().expect("a near lazy_guard was evaluated");
+        jets.start(time, states, Branches::Free);
+        if is_whole {
+            return jets.value_of(0) + offset;
         }
-        for (leaf, compensation) in compensations.iter().chain([&0.0]).enumerate() {
+        for (leaf, compensation) in compensations.iter().chain([&left_out]).enumerate() {
             jets.set(leaf, 1, *compensation);
         }
         jets.extend(1);
-        Ok(jets.output(0)[0] + (jets.output(0)[1] + offset))
+        jets.output(0)[0] + (jets.output(0)[1] + offset)
+    }
+
+    /// Value along an expansion at what the states are before they are rounded.
+    fn value_beyond(&mut self, expansion: &Expansion, s: f64, compensation: &[f64]) -> f64 {
+        let beyond = |state: &usize| {
+            let series = &expansion.states[*state];
+            rounded_sum(series[0], polynomial::increment(series, s) + compensation[*state])
+        };
+        let (states, compensations): (Vec<f64>, Vec<f64>) = self.states.iter().map(beyond).unzip();
+        self.value_with(rounded_sum(expansion.start, s), &states, &compensations, false)
     }
 
     /// Its series along an expansion whose start it was just evaluated at.

@@ -85,7 +85,8 @@ impl<H: Hybrid> Solver<'_, H> {
     pub(super) fn polished(&mut self, mode: usize, expansion: &Expansion, step: Step, end: f64) -> Step {
         let guard = |hit: &Hit| if let Hit::Guard(guard) = hit { Some(*guard) } else { None };
         let hit = step.hits.iter().find_map(guard);
-        match hit.and_then(|guard| self.engines[mode].delay(guard, expansion, step.length, &self.scales)) {
+        let known = (&self.scales, &self.compensation[..]);
+        match hit.and_then(|guard| self.engines[mode].delay(guard, expansion, step.length, known)) {
             None => step,
             Some(delay) => self.land(expansion, step.length + delay, end, step.hits),
         }
