@@ -183,7 +183,8 @@ impl Signature {
         });
         self.symbols.extend([pair.force_symbol(), pair.friction_symbol(), pair.root_symbol()]);
         let rolling = equations.pair_list().rolling.get(&index);
-        self.shape.extend([pair.friction.is_some(), rolling.is_some(), pair.is_level].map(usize::from));
+        self.shape.extend([pair.friction.is_some(), rolling.is_some()].map(usize::from));
+        self.shape.push(pair.level as usize);
         self.formulas.extend([pair.gap(), pair.radius.clone()]);
         self.formulas.extend(pair.conditions());
         let arms = [Some(pair.centre.arm.clone()), pair.opposite.point().map(|point| point.arm.clone())];

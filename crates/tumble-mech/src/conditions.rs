@@ -20,7 +20,7 @@ use crate::model::Model;
 use crate::parameters::{Known, Parameters};
 use crate::shape::{Shape, square};
 use crate::stated::Stated;
-use crate::surface::Surface;
+use crate::surface::{ContactLaw, Surface};
 
 /// A moment of inertia about a pivot is nothing if it is this part of what the same mass has at the distances that its lever
 /// is the difference of: so much is left by rounding of a lever that is none.
@@ -397,14 +397,20 @@ fn of_interaction(interaction: &dyn Interaction) -> Vec<Condition> {
 fn of_surface(surface: &Surface) -> Vec<Condition> {
     let name = surface.name.as_str();
     let of = |key: &str, formula: &Expr, must| own(name, format!("{key} of `{name}`"), formula.clone(), must);
-    let law = surface.law.dimensions().into_iter().map(|(key, formula, _)| match key {
-        "restitution" => of(key, formula, Must::LieWithinOne),
-        "stiffness" => of(key, formula, Must::BePositive("N/m")),
-        _ => of(key, formula, Must::NotBeNegative("kg/s")),
-    });
+    let law = of_law(name, &surface.law).into_iter();
     let normal = of("normal", &surface.normal.norm(), Must::Point);
     let radius = surface.circle.iter().map(|circle| of("radius", &circle.radius, Must::BePositive("m")));
     law.chain([normal]).chain(radius).chain(of_friction(name, surface.friction.as_ref())).collect()
+}
+
+fn of_law(name: &str, law: &ContactLaw) -> Vec<Condition> {
+    let of = |key: &str, formula: &Expr, must| own(name, format!("{key} of `{name}`"), formula.clone(), must);
+    let coefficient = |(key, formula, _): (&str, &Expr, _)| match key {
+        "restitution" => of(key, formula, Must::LieWithinOne),
+        "stiffness" => of(key, formula, Must::BePositive("N/m")),
+        _ => of(key, formula, Must::NotBeNegative("kg/s")),
+    };
+    law.dimensions().into_iter().map(coefficient).collect()
 }
 
 fn of_contact(contact: &BodyContact) -> Vec<Condition> {
@@ -412,7 +418,8 @@ fn of_contact(contact: &BodyContact) -> Vec<Condition> {
     let restitution = contact.restitution.iter().map(|restitution| {
         own(name, format!("restitution of `{name}`"), restitution.clone(), Must::LieWithinOne)
     });
-    restitution.chain(of_friction(name, contact.friction.as_ref())).collect()
+    let compliant = contact.compliant.iter().flat_map(|law| of_law(name, law));
+    restitution.chain(compliant).chain(of_friction(name, contact.friction.as_ref())).collect()
 }
 
 fn of_friction(name: &str, friction: Option<&Friction>) -> Vec<Condition> {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use tumble_expr::{Expr, Symbol, is_identically_zero};
 
-use crate::contact::{Grip, Pair};
+use crate::contact::{ContactMode, Grip, Pair};
 use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::equations::{Equations, Window};
 use crate::joint::{Joint, Side};
@@ -177,7 +177,7 @@ impl Equations {
         joints.flat_map(|(_, joint)| joint.seat.iter().map(state)).collect()
     }
 
-    /// By body, those that joints, lasting contacts and loads that read forces keep it together with in a mode.
+    /// By body, those that joints, contacts that push and loads that read forces keep it together with in a mode.
     fn neighbours(&self, mode: &Mode) -> Vec<Vec<usize>> {
         let mut neighbours = vec![vec![]; self.model().bodies.len()];
         for (index, joint) in self.joints().iter().enumerate() {
@@ -187,8 +187,8 @@ impl Equations {
             }
         }
         for (pair, contact_mode) in &mode.contacts {
-            if contact_mode.is_lasting() {
-                self.pairs()[*pair].couple(&mut neighbours);
+            if contact_mode.is_lasting() || *contact_mode == ContactMode::Pressed {
+                self.pairs()[*pair].join(&mut neighbours);
             }
         }
         for (load, term) in self.feeding(mode) {
@@ -219,7 +219,7 @@ impl Equations {
     /// The same where some pairs couple their bodies besides.
     pub(crate) fn islands_with(&self, mode: &Mode, bodies: &[usize], pairs: &[usize]) -> Vec<Vec<usize>> {
         let mut neighbours = self.neighbours(mode);
-        pairs.iter().for_each(|pair| self.pairs()[*pair].couple(&mut neighbours));
+        pairs.iter().for_each(|pair| self.pairs()[*pair].join(&mut neighbours));
         let mut is_placed = vec![false; neighbours.len()];
         let mut found = vec![];
         for &body in bodies {

@@ -16,7 +16,7 @@ use crate::load::{Application, Load, Moment};
 use crate::model::{Gravity, Model};
 use crate::place::Place;
 use crate::start::Start;
-use crate::surface::Surface;
+use crate::surface::{ContactLaw, Surface};
 
 /// A formula of a model.
 pub(crate) struct Stated {
@@ -174,9 +174,7 @@ impl List {
         let name = &surface.name;
         self.add(&format!("surface `{name}`"), surface.through.components(), Dimension::LENGTH);
         self.add(&format!("normal of `{name}`"), surface.normal.components(), Dimension::NONE);
-        for (key, formula, dimension) in surface.law.dimensions() {
-            self.add(&format!("{key} of `{name}`"), [formula], dimension);
-        }
+        self.law(name, &surface.law);
         let radius = surface.circle.iter().map(|circle| &circle.radius);
         self.add(&format!("radius of `{name}`"), radius, Dimension::LENGTH);
         self.friction(name, surface.friction.as_ref());
@@ -185,7 +183,14 @@ impl List {
     fn contact(&mut self, contact: &BodyContact) {
         let name = &contact.name;
         self.add(&format!("restitution of `{name}`"), &contact.restitution, Dimension::NONE);
+        contact.compliant.iter().for_each(|law| self.law(name, law));
         self.friction(name, contact.friction.as_ref());
+    }
+
+    fn law(&mut self, name: &str, law: &ContactLaw) {
+        for (key, formula, dimension) in law.dimensions() {
+            self.add(&format!("{key} of `{name}`"), [formula], dimension);
+        }
     }
 
     fn friction(&mut self, name: &str, friction: Option<&Friction>) {

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::{Vector, is_identically_zero};
 
 use crate::body::Body;
-use crate::contact::{BodyContact, Feature, moves, of_surface_and_body};
+use crate::contact::{BodyContact, Feature, friction_of_bodies, moves, of_surface_and_body};
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
@@ -19,7 +19,7 @@ use crate::parameters::time_symbol;
 use crate::shape::Shape;
 use crate::start::Start;
 use crate::stated::Stated;
-use crate::surface::{Surface, is_at};
+use crate::surface::{ContactLaw, Surface, is_at};
 
 impl Model {
     /// All mistakes that show before any number is known: names and dimensions.
@@ -165,38 +165,14 @@ impl<'m> Structure<'m> {
 
     /// Friction of a compliant surface, whoever says it, that has no law.
     fn of_friction(&self, surface: &Surface) -> Option<ModelError> {
-        if surface.law.is_rigid() {
-            return None;
-        }
         let met = self.model.bodies.iter().filter(|body| surface.meets(body));
         let said = met.filter_map(|body| of_surface_and_body(self.model, surface, body).1);
-        let said: Vec<Friction> = said.chain(surface.friction.clone()).collect();
-        let wrong = |problem: &str, cure| of_rule(&surface.name, problem.to_owned(), cure);
-        let rolling = said.iter().any(|friction| friction.rolling.is_some()).then(|| {
-            wrong(
-                "is compliant, and what rolls on it would be resisted: only rigid surfaces resist rolling",
-                "leave `rolling` out, or make the surface `rigid`",
-            )
-        });
-        let pulls = (!said.is_empty() && surface.law.may_pull()).then(|| {
-            wrong(
-                "has friction, and pulls before it lets go `\"at the surface\"`: there is no friction of what pulls",
-                "write `release = \"at zero force\"`, or leave the friction or the damping out",
-            )
-        });
-        rolling.or(pulls)
+        without_law(&surface.name, &surface.law, &said.chain(surface.friction.clone()).collect::<Vec<_>>())
     }
 
-    /// What circles and polygons are not there for.
+    /// What a polygon cannot be.
     fn of_outline(&self, surface: &Surface) -> Vec<ModelError> {
         let wrong = |problem: &str, cure| of_rule(&surface.name, problem.to_owned(), cure);
-        let what = match (&surface.circle, &surface.polygon) {
-            (Some(_), _) => "is a circle, and circles are rigid",
-            (None, Some(_)) => "is a polygon, and polygons are rigid",
-            (None, None) => return vec![],
-        };
-        let compliant =
-            (!surface.law.is_rigid()).then(|| wrong(what, "write `rigid = { restitution = 0.8 }`"));
         let corners = surface.polygon.iter();
         let moves =
             corners.clone().flatten().any(moves).then(|| {
@@ -206,7 +182,7 @@ impl<'m> Structure<'m> {
             .into_iter()
             .any(|corners| corners.len() < 3)
             .then(|| wrong("has fewer than three corners", "list three corners or more, counter-clockwise"));
-        compliant.into_iter().chain(moves).chain(few).collect()
+        moves.into_iter().chain(few).collect()
     }
 
     fn of_contact(&self, contact: &BodyContact) -> Vec<ModelError> {
@@ -216,6 +192,7 @@ impl<'m> Structure<'m> {
         let mut mistakes: Vec<ModelError> = bodies.filter_map(|name| self.unknown_body(name)).collect();
         mistakes.extend(self.of_surfaces_in(contact));
         mistakes.extend(of_capture(contact));
+        mistakes.extend(self.of_compliant(contact));
         let is_again = |(place, name): &(usize, &String)| names[..*place].contains(name);
         let twice = names.iter().enumerate().filter(is_again);
         mistakes.extend(twice.map(|(_, name)| {
@@ -229,7 +206,7 @@ impl<'m> Structure<'m> {
         }
         let couples = contact.couples(self.model);
         let of = |couple: &[usize; 2]| couple.map(|body| &self.model.bodies[body]);
-        let silent = couples.iter().find(|couple| contact.rebound(of(couple)).is_none()).map(of);
+        let silent = couples.iter().find(|couple| contact.law(of(couple)).is_none()).map(of);
         mistakes.extend(silent.map(|[a, b]| {
             let problem =
                 format!("does not say how `{}` and `{}` rebound, and neither of them does", a.name, b.name);
@@ -253,6 +230,28 @@ impl<'m> Structure<'m> {
             wrong(problem, "give one of them an extent: a rod has an `end_radius`, a point may be a small `disk`")
         }));
         mistakes
+    }
+
+    /// What a compliant contact cannot have.
+    fn of_compliant(&self, contact: &BodyContact) -> Vec<ModelError> {
+        let Some(law) = &contact.compliant else { return vec![] };
+        let wrong = |problem: String, cure| of_rule(&contact.name, problem, cure);
+        let both = contact.restitution.is_some().then(|| {
+            wrong(
+                "has a restitution and is compliant: its damping says what comes back".into(),
+                "leave one of the two out",
+            )
+        });
+        let surface = contact.surfaces(self.model).next().map(|surface| {
+            let problem = format!("is compliant, and `{}` is a surface, which has a law of its own", surface.name);
+            wrong(problem, "say in the surface that it is compliant; a contact with it says friction and restitution only")
+        });
+        let couples = contact.couples(self.model);
+        let said = couples
+            .into_iter()
+            .filter_map(|couple| friction_of_bodies(contact, couple.map(|body| &self.model.bodies[body])));
+        let friction = without_law(&contact.name, law, &said.collect::<Vec<_>>());
+        both.into_iter().chain(surface).chain(friction).collect()
     }
 
     /// What a contact cannot say of surfaces.
@@ -349,9 +348,30 @@ fn of_rule(name: &str, problem: String, cure: &'static str) -> ModelError {
     ModelError::Contact { contact: name.to_owned(), problem, cure }
 }
 
+/// Friction of what is compliant that has no law.
+fn without_law(name: &str, law: &ContactLaw, said: &[Friction]) -> Option<ModelError> {
+    if law.is_rigid() {
+        return None;
+    }
+    let wrong = |problem: &str, cure| of_rule(name, problem.to_owned(), cure);
+    let rolling = said.iter().any(|friction| friction.rolling.is_some()).then(|| {
+        wrong(
+            "is compliant, and what rolls there would be resisted: only what is rigid resists rolling",
+            "leave `rolling` out, or make it `rigid`",
+        )
+    });
+    let pulls = (!said.is_empty() && law.may_pull()).then(|| {
+        wrong(
+            "has friction, and pulls before it lets go `\"at the surface\"`: there is no friction of what pulls",
+            "write `release = \"at zero force\"`, or leave the friction or the damping out",
+        )
+    });
+    rolling.or(pulls)
+}
+
 /// What a contact that captures has no use for.
 fn of_capture(contact: &BodyContact) -> Option<ModelError> {
-    let is_told = contact.restitution.is_some() || contact.friction.is_some();
+    let is_told = contact.restitution.is_some() || contact.compliant.is_some() || contact.friction.is_some();
     let problem = || "captures, and says how bodies rebound or rub: what is captured does neither".to_owned();
     (contact.captures && is_told).then(|| of_rule(&contact.name, problem(), "leave one of the two out"))
 }

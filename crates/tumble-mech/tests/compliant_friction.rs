@@ -504,9 +504,9 @@ fn what_has_no_law_is_refused() {
     let rolling = || mu(0.3).rolling(0.001 * M);
     assert_eq!(refused(&|_| {}), "");
     let told = refused(&|model| model.surfaces[0].friction = Some(rolling()));
-    assert!(told.contains("only rigid surfaces resist rolling"), "{told}");
+    assert!(told.contains("only what is rigid resists rolling"), "{told}");
     let told = refused(&|model| model.bodies[0].friction = Some(rolling()));
-    assert!(told.contains("only rigid surfaces resist rolling"), "{told}");
+    assert!(told.contains("only what is rigid resists rolling"), "{told}");
     let pulling = |damping: f64| ContactLaw::Spring {
         stiffness: 1e4 * N / M,
         damping: damping * N * S / M,

@@ -1,11 +1,12 @@
 //! Bodies at random that meet each other, a polygon and walls: they do not get into each other, and their energy does not grow.
 
-use tumble_expr::units::{KG, M, S};
+use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_ode::{Accuracy, Side};
 
 use tumble_mech::{
-    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Run, Shape, Start, Surface,
+    Body, BodyContact, ContactLaw, Friction, Gravity, Model, Observer, Parameters, Release, Run, RunBalance,
+    Shape, Start, Surface,
 };
 
 const G: f64 = 9.81;
@@ -60,13 +61,29 @@ fn shape(draw: &mut Draw) -> Shape {
     }
 }
 
+/// What the bodies of a scene do where they meet.
+#[derive(Clone, Copy)]
+enum Law {
+    Rigid,
+    /// A spring of this stiffness, N/m, and of half the scenes with a damper.
+    Spring(f64),
+}
+
 /// A room with a block on its floor, and bodies above each other in columns.
-fn scene(draw: &mut Draw, bodies: usize) -> Model {
+fn scene(draw: &mut Draw, bodies: usize, law: Law) -> Model {
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(G * M / (S * S));
     let e = if draw.next() < 0.3 { 0.0 } else { draw.between(0.1, 1.0) };
     let friction = (draw.next() < 0.5).then(|| Friction::new(Expr::from(draw.between(0.05, 0.6))));
-    let rigid = || ContactLaw::Rigid { restitution: Expr::from(e) };
+    let damping = if e > 0.5 { 0.0 } else { 40.0 };
+    let rigid = || match law {
+        Law::Rigid => ContactLaw::Rigid { restitution: Expr::from(e) },
+        Law::Spring(stiffness) => ContactLaw::Spring {
+            stiffness: stiffness * N / M,
+            damping: damping * N * S / M,
+            release: Release::AtZeroForce,
+        },
+    };
     let walls = [([0.0, 0.0], [0.0, 1.0]), ([-ROOM, 0.0], [1.0, 0.0]), ([ROOM, 0.0], [-1.0, 0.0])];
     let planes = walls.iter().enumerate().map(|(index, (through, normal))| {
         Surface::new(
@@ -91,7 +108,10 @@ fn scene(draw: &mut Draw, bodies: usize) -> Model {
         model.starts.push((name.clone(), start));
         model.add(Body::of_shape(name, shape(draw)).mass(draw.between(0.2, 2.0) * KG));
     }
-    let contact = BodyContact::of_all("hit", Expr::from(e));
+    let contact = match law {
+        Law::Rigid => BodyContact::of_all("hit", Expr::from(e)),
+        Law::Spring(_) => BodyContact::compliant("hit", rigid()),
+    };
     model.contact(BodyContact { friction, ..contact });
     model
 }
@@ -205,7 +225,7 @@ fn energy(run: &Run) -> Expr {
 fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
     let mut draw = Draw(seed);
     (0..4).for_each(|_| _ = draw.next());
-    let model = scene(&mut draw, bodies);
+    let model = scene(&mut draw, bodies, Law::Rigid);
     let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
     let run = model.simulate_to(&[], until * S, accuracy).map_err(|error| error.to_string())?;
     let mut times: Vec<f64> = (0..=200).map(|index| until * f64::from(index) / 200.0).collect();
@@ -250,10 +270,72 @@ fn nothing_gets_into_each_other_or_gains_energy() {
 #[test]
 #[ignore = "takes minutes, and finds some that switch without end as they come to rest, such as 94"]
 fn many_scenes() {
+    let refused = refused(asked_for());
+    assert!(refused.is_empty(), "{refused:#?}");
+}
+
+/// Seeds from `SEED` on, `COUNT` of them.
+fn asked_for() -> std::ops::Range<u64> {
     let asked = |name: &str, otherwise: u64| {
         std::env::var(name).map_or(otherwise, |number| number.parse().expect("a number"))
     };
     let first = asked("SEED", 1);
-    let refused = refused(first..first + asked("COUNT", 100));
+    first..first + asked("COUNT", 100)
+}
+
+/// N/m: bodies that fall on each other are pressed in by millimetres.
+const STIFFNESS: f64 = 1e5;
+
+/// The same where all is compliant: what goes into each other is bounded by the energy that it takes, and where nothing touches all the energy is
+/// there again that no damper and no friction has taken; the balance closes.
+fn compliant(seed: u64) -> Result<(), String> {
+    let mut draw = Draw(seed);
+    (0..4).for_each(|_| _ = draw.next());
+    let model = scene(&mut draw, 2 + (seed as usize % 5), Law::Spring(STIFFNESS));
+    let takes = |law: &ContactLaw| matches!(law, ContactLaw::Spring { damping, .. } if number(&(damping / (1 * N * S / M))) > 0.0);
+    let loses = takes(&model.surfaces[0].law) || model.surfaces[0].friction.is_some();
+    let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
+    let run = model.simulate_to(&[], 1 * S, accuracy).map_err(|error| error.to_string())?;
+    let mut look = Look::new(&run);
+    let [_, whole] = look.at(0.0);
+    let most = (2.0 * whole / STIFFNESS).sqrt();
+    let contacts = run.contacts();
+    let is_free = |t: f64| contacts.iter().all(|contact| t < contact.start || t > contact.end);
+    for part in 0..=400 {
+        let time = f64::from(part) / 400.0;
+        let [deep, energy] = look.at(time);
+        assert!(deep < most, "scene {seed}: {deep:e} deep at {time}");
+        assert!(energy < whole * (1.0 + GROWTH), "scene {seed}: {energy} J of {whole} at {time}");
+        assert!(
+            loses || !is_free(time) || energy > whole * (1.0 - GROWTH),
+            "scene {seed}: {energy} of {whole} at {time}"
+        );
+    }
+    let balance = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
+    println!("scene {seed}: {} contacts, loses: {loses}, {:e}", contacts.len(), balance.relative());
+    assert!(
+        balance.relative() < GROWTH && balance.energy.relative() < GROWTH,
+        "scene {seed}: {:e}",
+        balance.relative()
+    );
+    Ok(())
+}
+
+fn refused_compliant(seeds: impl Iterator<Item = u64>) -> Vec<(u64, String)> {
+    seeds.filter_map(|seed| Some((seed, compliant(seed).err()?))).collect()
+}
+
+#[test]
+fn compliant_bodies_keep_account() {
+    // In 4, 10 and 11 ends of rods and corners came into each other unseen.
+    let refused = refused_compliant([1, 4, 10, 11].into_iter());
+    assert!(refused.is_empty(), "{refused:#?}");
+}
+
+/// Takes minutes, as [`many_scenes`] does.
+#[test]
+#[ignore = "takes minutes"]
+fn many_compliant_scenes() {
+    let refused = refused_compliant(asked_for());
     assert!(refused.is_empty(), "{refused:#?}");
 }

@@ -81,7 +81,7 @@ const MISTAKES: &[Row] = &[
         "[run]",
         "[contact.pads]\nbetween = [\"mat\", \"ball\"]\nrigid = { friction = 0.3, rolling = \"1 mm\" }\n[run]",
         "E0538 mat",
-        "only rigid surfaces resist rolling",
+        "only what is rigid resists rolling",
     ),
     (
         "[run]",

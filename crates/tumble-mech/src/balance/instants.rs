@@ -7,7 +7,7 @@ use crate::balance::accumulation::Accumulation;
 use crate::balance::contribution::Kind;
 use crate::balance::lines::Key;
 use crate::balance::stored::{Motion, Stored};
-use crate::contact::ContactMode;
+use crate::contact::{ContactMode, Couple};
 use crate::event::Action;
 use crate::impulse::{Impulse, Source};
 use crate::mode::Mode;
@@ -69,14 +69,27 @@ impl Accumulation {
         }
     }
 
-    /// Energy that surfaces keep to themselves when they let go, and that which they have when they push again.
+    /// Energy that is left in what is compliant when it lets go inside, and that which it has when it pushes again; of contacts that leave
+    /// their edges what no other of the same two takes over.
     fn add_releases(&mut self, before: &Stored, after: &Stored) {
-        let lets_go = |pair: usize| self.run.equations.pairs()[pair].releases_early();
-        let early: Vec<usize> = (0..self.potentials.len())
-            .filter(|index| self.potentials[*index].pair.is_some_and(lets_go))
-            .collect();
-        for index in early {
-            self.add_energy(index, Kind::Release, after.potentials[index] - before.potentials[index]);
+        let mut left: Vec<(Couple, usize, f64)> = vec![];
+        for (index, potential) in self.potentials.iter().enumerate() {
+            let Some(pair) = potential.pair.map(|pair| &self.run.equations.pairs()[pair]) else { continue };
+            let change = after.potentials[index] - before.potentials[index];
+            let known =
+                left.iter_mut().find(|(couple, ..)| !pair.limits.is_empty() && *couple == pair.couple());
+            match known {
+                Some((_, of, sum)) => {
+                    *of = if change < 0.0 { index } else { *of };
+                    *sum += change;
+                }
+                None if pair.may_keep_energy() => left.push((pair.couple(), index, change)),
+                None => {}
+            }
+        }
+        let negligible = f64::EPSILON * before.size();
+        for (_, index, change) in left.into_iter().filter(|(.., change)| change.abs() > negligible) {
+            self.add_energy(index, Kind::Release, change);
         }
     }
 

@@ -6,6 +6,7 @@ use crate::anchor::Anchor;
 use crate::contact::border::{Border, Edge, Rim};
 use crate::contact::opposite::Opposite;
 use crate::contact::pair::{Pair, Rule};
+use crate::contact::slipping::Level;
 use crate::contact::straight::{Limit, Straight, along_edge, beyond_ends, outward};
 use crate::friction::Friction;
 use crate::kinematics::PointRef;
@@ -22,11 +23,35 @@ pub(crate) struct Between {
     pub(crate) friction: Option<Friction>,
 }
 
+/// Where friction of two acts in the depth of a compliant contact, by what of the first meets what of the second.
+struct Levels {
+    circles: Level,
+    on_edges: Level,
+    under_edges: Level,
+}
+
+impl Levels {
+    /// On the rim of what is round, half way between two bodies of one kind, and else where the edge is that is pressed in.
+    fn of(between: &Between, [first, second]: [&Border; 2]) -> Self {
+        if between.law.is_rigid() {
+            return Self { circles: Level::Rim, on_edges: Level::Rim, under_edges: Level::Rim };
+        }
+        let on_edge_of = |rim: &Border| if rim.is_round() { Level::Rim } else { Level::Surface };
+        let circles = match [first.is_round(), second.is_round()] {
+            [true, true] if between.other.is_none() => Level::Rim,
+            [true, false] => Level::Rim,
+            [false, true] => Level::Surface,
+            [true, true] | [false, false] => Level::Middle,
+        };
+        Self { circles, on_edges: on_edge_of(first), under_edges: on_edge_of(second) }
+    }
+}
+
 impl Between {
     /// All their pairs; `first` is of the body.
     pub(crate) fn pairs(&self, first: &Border, second: &Border) -> Vec<Pair> {
-        let is_one = |border: &Border| border.rims.len() == 1 && border.edges.is_empty();
-        let are_one = self.other.is_some() && is_one(first) && is_one(second);
+        let are_one = self.other.is_some() && first.is_round() && second.is_round();
+        let levels = Levels::of(self, [first, second]);
         let named = |one: &str, other: &str| match are_one {
             true => self.name.clone(),
             false => [&self.name, one, other]
@@ -36,19 +61,22 @@ impl Between {
                 .collect::<Vec<_>>()
                 .join("."),
         };
+        let level = |level: Level| move |pair: Pair| Pair { level, ..pair };
         let mut pairs = vec![];
         for one in &first.rims {
             let met = second
                 .rims
                 .iter()
-                .filter_map(|other| self.circles(named(&one.name, &other.name), one, other));
+                .filter_map(|other| self.circles(named(&one.name, &other.name), one, other))
+                .map(level(levels.circles));
             pairs.extend(met);
         }
         for (line, edge) in second.edges.iter().enumerate() {
             let met = first
                 .rims
                 .iter()
-                .filter_map(|rim| self.on_edge(named(&rim.name, &edge.name), rim, edge, line));
+                .filter_map(|rim| self.on_edge(named(&rim.name, &edge.name), rim, edge, line))
+                .map(level(levels.on_edges));
             pairs.extend(met);
         }
         for (line, edge) in first.edges.iter().enumerate() {
@@ -56,7 +84,8 @@ impl Between {
             let met = second
                 .rims
                 .iter()
-                .filter_map(|rim| self.under_edge(named(&edge.name, &rim.name), edge, rim, line));
+                .filter_map(|rim| self.under_edge(named(&edge.name, &rim.name), edge, rim, line))
+                .map(level(levels.under_edges));
             pairs.extend(met);
         }
         pairs
@@ -70,7 +99,7 @@ impl Between {
             return None;
         }
         let other = second.point().cloned();
-        let opposite = Opposite::circle(other, second.radius.clone(), false, &first.radius);
+        let opposite = Opposite::circle(other, (second.radius.clone(), false), &first.radius, &self.law);
         let through = second.centre.position();
         let normal = opposite.normal(centre, &through)?;
         let apart = normal.map(|part| part * &reach);
@@ -92,7 +121,7 @@ impl Between {
         };
         let opposite = Opposite::Edge(straight);
         let (centre, through) = (rim.point()?, edge.ends[0].position());
-        let limits = along_edge(edge, rim, &opposite.apart(centre, &through));
+        let limits = along_edge(edge, rim, &opposite.apart(centre, &through), (&self.law, false));
         Some(self.pair(name, centre, &rim.radius, (through, outward(edge), opposite), limits))
     }
 
@@ -109,7 +138,7 @@ impl Between {
         };
         let opposite = Opposite::Edge(straight);
         let (start, through) = (edge.ends[0].material()?, rim.centre.position());
-        let limits = along_edge(edge, rim, &-&opposite.apart(start, &through));
+        let limits = along_edge(edge, rim, &-&opposite.apart(start, &through), (&self.law, true));
         Some(self.pair(name, start, &edge.radius, (through, -&outward(edge), opposite), limits))
     }
 
@@ -134,7 +163,7 @@ impl Between {
             friction: self.friction.clone(),
             opposite,
             limits,
-            is_level: false,
+            level: Level::Rim,
             lever: None,
         }
     }

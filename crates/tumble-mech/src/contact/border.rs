@@ -35,6 +35,11 @@ pub(crate) struct Border {
 }
 
 impl Border {
+    /// Whether it touches by one circle alone.
+    pub(crate) fn is_round(&self) -> bool {
+        self.rims.len() == 1 && self.edges.is_empty()
+    }
+
     /// That of a body.
     pub(crate) fn of_body(body: &Body) -> Self {
         let (features, sides) = (body.features(), body.sides());
@@ -98,6 +103,13 @@ impl Edge {
 }
 
 impl Rim {
+    /// Of its neighbours those whose edge faces an edge that it is on, at the second end of that, or at the first.
+    pub(crate) fn facing(&self, is_second: bool) -> impl Iterator<Item = &Anchor> {
+        // They stand in pairs, the next on the way round and the one before; a rod has its other end alone.
+        let first = if is_second || self.neighbours.len() == 1 { 0 } else { 1 };
+        self.neighbours.iter().skip(first).step_by(2)
+    }
+
     /// The body's point in its centre.
     pub(crate) fn point(&self) -> Option<&PointRef> {
         self.centre.material()

@@ -1,14 +1,19 @@
-//! What is in each other, though it meets as rigid bodies do: a contact was lost, and the motion is refused from there on.
+//! What is in each other, though it is rigid, or further than its compliant contacts know of: a contact was lost, and the motion is refused
+//! from there on.
 //!
 //! Contacts are located one by one, so this is not how they are found. It is what a motion is held against that has been found: of those
 //! that meet by edges, which have many pairs of features, the convex figures themselves are compared.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
+use tumble_expr::Expr;
 use tumble_ode::{Accuracy, Piece, Reason, Refusal, Side};
 
 use crate::contact::outlines::{Couple, Outlines};
-use crate::contact::pair::Rule;
+use crate::contact::pair::{Pair, Rule};
+use crate::equations::Equations;
+use crate::mode::Mode;
 use crate::run::{Run, RunError};
 
 /// Bodies may be in each other by this part of their distance from the origin, or by the accuracy, where that is more: rounding and
@@ -20,13 +25,8 @@ const LOOKS: u32 = 4;
 impl Run {
     /// The run, unless bodies get into each other on the way: then it is refused, and ends where they were last seen apart.
     pub(crate) fn with_contacts_kept(self, accuracy: Accuracy) -> Result<Self, RunError> {
-        let met: BTreeSet<Couple> = self
-            .equations
-            .pairs()
-            .iter()
-            .filter(|pair| pair.has_edge() && pair.is_rigid())
-            .map(|pair| (pair.rule, pair.body, pair.other))
-            .collect();
+        let met: BTreeSet<Couple> =
+            self.equations.pairs().iter().filter(|pair| pair.has_edge()).map(Pair::couple).collect();
         if met.is_empty() {
             return Ok(self);
         }
@@ -40,7 +40,8 @@ impl Run {
     /// When two are first seen in each other, and when they were last seen apart.
     fn first_lost(&self, met: &[Couple], limit: f64) -> Result<Option<(Refusal, f64)>, RunError> {
         let outlines = Outlines::of(met, self.equations.model());
-        let mut observer = self.observe(&outlines.formulas)?;
+        let yielding = Yielding::of(self, met);
+        let mut observer = self.observe(&[&outlines.formulas[..], &yielding.gaps].concat())?;
         let looks = |piece: &Piece| {
             let (from, to) = (piece.start, piece.end);
             (1..=LOOKS).map(move |part| {
@@ -56,10 +57,11 @@ impl Run {
             if !observer.at_into(time, Side::Before, &mut values) {
                 continue;
             }
-            let size = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let (places, gaps) = values.split_at(outlines.formulas.len());
+            let size = places.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             for couple in met {
-                let depth = outlines.depth(couple, &values);
-                if depth > limit * size {
+                let depth = outlines.depth(couple, places);
+                if depth > limit * size && depth > limit * size + yielding.depth(couple, gaps, time) {
                     return Ok(Some((
                         Refusal { time: apart, reason: self.lost(couple, depth, time) },
                         apart,
@@ -79,10 +81,47 @@ impl Run {
             (None, Rule::Surface(surface)) => &model.surfaces[surface].name,
             (None, Rule::Bodies(contact)) => &model.contacts[contact].name,
         };
+        let is_rigid = |pair: &Pair| pair.couple() == (rule, body, other) && pair.is_rigid();
+        let way_out = match self.equations.pairs().iter().any(is_rigid) {
+            true => "with a restitution of 0, or started a little differently, they may not be",
+            false => "with more stiffness, or started a little differently, they may not be",
+        };
         Reason::Model(format!(
-            "a contact of `{first}` and `{second}` is lost: at {time} s they are {depth:.1e} m in each other; with a restitution of 0, or \
-             started a little differently, they may not be"
+            "a contact of `{first}` and `{second}` is lost: at {time} s they are {depth:.1e} m in each other; {way_out}"
         ))
+    }
+}
+
+/// The compliant contacts of those that meet by edges.
+struct Yielding {
+    /// Each motion with the modes that it has.
+    motions: Vec<Arc<tumble_ode::Motion<Equations>>>,
+    pairs: Vec<(Couple, usize)>,
+    /// Of each of these, m.
+    gaps: Vec<Expr>,
+}
+
+impl Yielding {
+    fn of(run: &Run, met: &[Couple]) -> Self {
+        let pairs = run.equations.pairs();
+        let own = pairs.iter().map(Pair::couple).zip(0..);
+        let own = own.filter(|(couple, pair)| met.contains(couple) && !pairs[*pair].is_rigid());
+        let own: Vec<(Couple, usize)> = own.collect();
+        let gaps = own.iter().map(|(_, pair)| pairs[*pair].gap()).collect();
+        let motions = if own.is_empty() { vec![] } else { run.parts().iter().map(Run::motion).collect() };
+        Self { motions, pairs: own, gaps }
+    }
+
+    /// How deep the contacts are by which two are pressed into each other, or have let go of each other inside, m.
+    fn depth(&self, couple: &Couple, gaps: &[f64], time: f64) -> f64 {
+        let modes = self.motions.iter().filter_map(|motion| {
+            let place = motion.place_at(time, Side::Before)?;
+            Some(&motion.modes[place.mode])
+        });
+        let modes: Vec<&Mode> = modes.collect();
+        let is_in = |pair: usize| modes.iter().any(|mode| mode.contact_mode(pair).is_some());
+        let own = self.pairs.iter().zip(gaps).filter(|((of, pair), _)| of == couple && is_in(*pair));
+        own.fold(0.0, |most, (_, gap)| most.max(-gap))
     }
 }
 

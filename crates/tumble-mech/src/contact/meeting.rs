@@ -13,7 +13,7 @@ use crate::friction::Friction;
 use crate::model::Model;
 use crate::surface::{ContactLaw, Surface};
 
-/// Rigid contacts of bodies with each other, or what is said of bodies on a surface.
+/// Contacts of bodies with each other, or what is said of bodies on a surface.
 #[derive(Clone, Debug)]
 pub struct BodyContact {
     /// Its name.
@@ -24,6 +24,8 @@ pub struct BodyContact {
     /// Impulse while separating over impulse while approaching, 0 to 1; where it is not given, what those that touch say, see
     /// [`crate::Body`].
     pub restitution: Option<Expr>,
+    /// What happens across where they meet if they are compliant there; rigid where nothing is said.
+    pub compliant: Option<ContactLaw>,
     /// Dry friction between them; where it is not given, what those that touch say.
     pub friction: Option<Friction>,
     /// Whether bodies that meet stick together for good.
@@ -43,14 +45,20 @@ impl BodyContact {
             name: name.into(),
             between: None,
             restitution: Some(restitution.into()),
+            compliant: None,
             friction: None,
             captures: false,
         }
     }
 
+    /// Of all bodies of a model, but for those that a joint connects: compliant, without friction.
+    pub fn compliant(name: impl Into<String>, law: ContactLaw) -> Self {
+        Self { restitution: None, compliant: Some(law), ..Self::of_all(name, 0) }
+    }
+
     /// Of all bodies of a model: those that meet stick together for good, as by a weld that begins where they touch.
     pub fn capturing(name: impl Into<String>) -> Self {
-        Self { name: name.into(), between: None, restitution: None, friction: None, captures: true }
+        Self { restitution: None, captures: true, ..Self::of_all(name, 0) }
     }
 
     /// The same with friction.
@@ -75,9 +83,14 @@ impl BodyContact {
         format!("{}.{}.{}", self.name, one.name, other.name)
     }
 
-    /// The restitution of two bodies; `None` where nobody says it.
-    pub(crate) fn rebound(&self, bodies: [&Body; 2]) -> Option<Expr> {
-        if self.captures { Some(Expr::zero()) } else { restitution_of_bodies(self, bodies) }
+    /// What happens where two bodies meet; `None` where nobody says it.
+    pub(crate) fn law(&self, bodies: [&Body; 2]) -> Option<ContactLaw> {
+        if let Some(law) = &self.compliant {
+            return Some(law.clone());
+        }
+        let restitution =
+            if self.captures { Some(Expr::zero()) } else { restitution_of_bodies(self, bodies) };
+        Some(ContactLaw::Rigid { restitution: restitution? })
     }
 
     /// The surfaces that it speaks of.
@@ -110,7 +123,7 @@ impl BodyContact {
                 body: one,
                 other: Some(other),
                 // The model was checked: somebody says how they rebound.
-                law: ContactLaw::Rigid { restitution: self.rebound(bodies)? },
+                law: self.law(bodies)?,
                 friction: friction_of_bodies(self, bodies),
             };
             Some(between.pairs(&borders[one], &borders[other]))

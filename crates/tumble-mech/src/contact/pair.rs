@@ -1,30 +1,27 @@
 //! # Law
 //! A circle of radius r about the body's point p and a surface through P with the unit normal n: the gap is
 //! `g = n . (p - P) - r`, its rates follow by differentiating; the force N >= 0 acts along n at the contact point
-//! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction F acts there along t, n turned clockwise by a right
-//! angle. The rate of slip is `s = t . (v - w)`, with v and w the velocities of the two material points there.
-//!
-//! A compliant surface is pressed in where the gap is negative. Friction acts at the contact point of a body that has only one, such as a
-//! ball, which rolls with `v = -omega r`. A body that has several has them at different depths, and if each stuck by itself it could not
-//! turn. On such a body friction acts where the surface is when nothing presses it, at `p - (r + g) n`: all its points on one plane have one
-//! lever there and slip alike, as they do on a rigid plane.
+//! `p - r n`, and its power is `N g'` less what the moving surface adds. Friction acts there along t, n turned clockwise by a right
+//! angle (`slipping`).
 //!
 //! Against a circle of radius R about Q, with `d = p - Q`: from outside `g = |d| - L`, `L = R + r`, `n = d/L`; from inside
 //! `g = L - |d|`, `L = R - r`, `n = -d/L`. Rows keep `h = +-(d . d - L^2)/(2 L)` in the place of g, which is zero where g is, with
 //! `h' = n . d'` and `h'' = n . d'' +- d' . d'/L`: polynomials, exact where they touch. If Q is a point of another body, that has the
-//! opposite forces at `Q +- R n`.
+//! opposite forces at `Q +- R n`. What is compliant is pressed into each other, so there `n = +-d/|d|`, `g' = n . d'` and
+//! `g'' = n . d'' +- (d' . d' - g'^2)/|d|`.
 //! # Symbols and units
-//! g, h (m), n, t (1), p, P, Q, d, r, R, L (m), N, F (N), s (m/s).
+//! g, h (m), n, t (1), p, P, Q, d, r, R, L (m), N (N).
 //! # Sign and frame
 //! World axes; n points out of the solid towards the first body, g is positive apart and negative inside.
 //! # Validity
 //! Ends, corners and rims of rigid bodies against planes and circles, which may move, and planes tilt, on given paths; rims and points
-//! against those of other bodies. n has the length one where they touch.
+//! against those of other bodies. Where nothing is compliant n has the length one where they touch.
 //! # Source
 //! Geometry of a circle and a line, or two circles: what a tilting surface moves by along itself is zero where they touch. The laws of
 //! the forces are the surface's.
 //! # Checked by
-//! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`, `tests/meeting.rs`, `tests/bowl.rs`.
+//! `tests/bouncing_rod.rs`, `tests/bouncing_ball.rs`, `tests/moving_floor.rs`, `tests/meeting.rs`, `tests/bowl.rs`,
+//! `tests/compliant_bodies.rs`.
 
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written, is_identically_zero};
 
@@ -32,11 +29,13 @@ use crate::anchor::rate;
 use crate::body::Body;
 use crate::contact::border::Rim;
 use crate::contact::opposite::Opposite;
+use crate::contact::outlines::Couple;
 use crate::contact::said::Said;
+use crate::contact::slipping::Level;
 use crate::contact::straight::Limit;
 use crate::coordinates::Measure;
 use crate::friction::Friction;
-use crate::kinematics::{Kinematics, PointRef};
+use crate::kinematics::PointRef;
 use crate::parameters::time_symbol;
 use crate::row::{Row, Wrench};
 use crate::statement::Statement;
@@ -92,8 +91,8 @@ pub struct Pair {
     pub(crate) opposite: Opposite,
     /// Where they may touch, if not everywhere.
     pub(crate) limits: Vec<Limit>,
-    /// Whether friction acts where the surface would be if nothing pressed it.
-    pub(crate) is_level: bool,
+    /// Where friction acts between the rim of the circle and what it meets, while they are pressed into each other.
+    pub(crate) level: Level,
     /// Set of what stands for the rolling resistance of a pair beside it: the radius, m, by which its couple is a force and its rate a
     /// speed. It has the force of the pair, and no gap of its own.
     pub(crate) lever: Option<Expr>,
@@ -107,7 +106,7 @@ impl Pair {
         (law, friction): Said,
     ) -> Self {
         let opposite = surface.circle.as_ref().map_or(Opposite::Plane, |circle| {
-            Opposite::circle(None, circle.radius.clone(), circle.inside, &rim.radius)
+            Opposite::circle(None, (circle.radius.clone(), circle.inside), &rim.radius, &law)
         });
         Self {
             name: format!("{}.{}.{}", surface.name, body.name, rim.name),
@@ -122,7 +121,7 @@ impl Pair {
             friction,
             opposite,
             limits: vec![],
-            is_level: false,
+            level: Level::Rim,
             lever: None,
         }
     }
@@ -171,7 +170,9 @@ impl Pair {
         let relative = self.centre.acceleration() - self.opposite.acceleration(&self.through);
         if let Opposite::Circle(circle) = &self.opposite {
             let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
-            return dot(&self.normal, &relative) + circle.sign() * dot(&velocity, &velocity) / &circle.reach;
+            let across = circle.across(&velocity, &self.normal);
+            return dot(&self.normal, &relative)
+                + circle.sign() * dot(&velocity, &across) / circle.distance(&self.apart());
         }
         if let Opposite::Edge(edge) = &self.opposite {
             let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
@@ -187,19 +188,26 @@ impl Pair {
     }
 
     /// How the normal turns, 1/s.
-    fn turning(&self) -> Vector {
+    pub(super) fn turning(&self) -> Vector {
         match &self.opposite {
             Opposite::Plane => rate(&self.normal),
             Opposite::Edge(edge) => edge.turning(&self.normal),
             Opposite::Circle(circle) => {
                 let velocity = self.centre.velocity() - self.opposite.velocity(&self.through);
-                velocity.map(|part| circle.sign() * part / &circle.reach)
+                let distance = circle.distance(&self.apart());
+                circle.across(&velocity, &self.normal).map(|part| circle.sign() * part / &distance)
             }
         }
     }
 
     /// From the body's centre of mass to the point that touches, m, world axes.
     pub fn arm(&self) -> Vector {
+        self.arm_to(|radius| radius.clone())
+    }
+
+    /// The same to the point of the line of the normal force that is a lever away from the centre of the circle that touches, m; the lever
+    /// is a formula of its radius.
+    pub(super) fn arm_to(&self, lever: impl Fn(&Expr) -> Expr) -> Vector {
         match &self.opposite {
             Opposite::Edge(edge) if edge.is_first => {
                 let own = self.centre.body.position();
@@ -207,9 +215,9 @@ impl Pair {
                     Some(other) => other.body.position() - own + other.world_arm(),
                     None => &self.through - own,
                 };
-                centre + &edge.radius * &self.normal
+                centre + &lever(&edge.radius) * &self.normal
             }
-            _ => self.centre.world_arm() - &self.radius * &self.normal,
+            _ => self.centre.world_arm() - &lever(&self.radius) * &self.normal,
         }
     }
 
@@ -226,19 +234,6 @@ impl Pair {
         }
     }
 
-    /// From the first body's centre of mass to where friction acts on it, m, world axes.
-    pub(crate) fn slip_arm(&self) -> Vector {
-        match self.is_level {
-            true => self.centre.world_arm() - &(&self.radius + self.gap()) * &self.normal,
-            false => self.arm(),
-        }
-    }
-
-    /// The same of one of its bodies.
-    pub(crate) fn slip_arm_of(&self, body: usize) -> Vector {
-        if self.is_level { self.slip_arm() } else { self.arm_of(body) }
-    }
-
     /// The arm of one of its bodies.
     pub(crate) fn arm_of(&self, body: usize) -> Vector {
         self.other_arm().filter(|_| self.other == Some(body)).unwrap_or_else(|| self.arm())
@@ -249,8 +244,13 @@ impl Pair {
         std::iter::once(self.body).chain(self.other)
     }
 
+    /// The two that meet by it.
+    pub(crate) fn couple(&self) -> Couple {
+        (self.rule, self.body, self.other)
+    }
+
     /// Makes its bodies neighbours of each other.
-    pub(crate) fn couple(&self, neighbours: &mut [Vec<usize>]) {
+    pub(crate) fn join(&self, neighbours: &mut [Vec<usize>]) {
         if let Some(other) = self.other {
             neighbours[self.body].push(other);
             neighbours[other].push(self.body);
@@ -292,6 +292,12 @@ impl Pair {
         }
     }
 
+    /// Lengths that its gap is a difference of, added up, m.
+    pub(crate) fn extents(&self) -> Expr {
+        let other = self.opposite.position(&self.through).norm();
+        self.centre.position().norm() + other + &self.radius + self.extent()
+    }
+
     /// Unit vector along the surface, its normal turned clockwise by a right angle.
     pub fn tangent(&self) -> Vector {
         turned(&self.normal)
@@ -321,61 +327,6 @@ impl Pair {
         self.lever.is_some()
     }
 
-    /// Of the first body less what it turns against, 1/s; `body` is what is known of bodies, `turning` the same of a plane that tilts.
-    fn relative(&self, body: fn(&Kinematics) -> Expr, turning: Expr) -> Expr {
-        let other = match (self.other, self.opposite.point(), &self.opposite) {
-            (Some(_), Some(point), _) => body(&point.body),
-            (_, _, Opposite::Plane) => turning,
-            _ => Expr::zero(),
-        };
-        body(&self.centre.body) - other
-    }
-
-    /// Rate at which the body's point slips along the surface, m/s.
-    pub fn slip_rate(&self) -> Expr {
-        if let Some(lever) = &self.lever {
-            return lever * self.relative(Kinematics::omega, self.normal.cross_planar(&rate(&self.normal)));
-        }
-        dot(&self.tangent(), &self.slipping())
-    }
-
-    /// Its derivative, m/s^2, in the bodies' accelerations.
-    pub fn slip_acceleration(&self) -> Expr {
-        if let Some(lever) = &self.lever {
-            let turning = self.normal.cross_planar(&rate(&rate(&self.normal)));
-            return lever * self.relative(Kinematics::alpha, turning);
-        }
-        let motion = &self.centre.body;
-        let (omega, arm) = (motion.omega(), self.slip_arm());
-        let normal_turns = self.turning();
-        let turning = match &self.opposite {
-            Opposite::Edge(edge) if edge.is_first => {
-                self.opposite.velocity(&self.through) - motion.velocity() + &edge.radius * &normal_turns
-            }
-            _ if self.is_level => {
-                let lever = &self.radius + self.gap();
-                let rising = &lever * &normal_turns + &self.gap_rate() * &self.normal;
-                &omega * self.centre.world_arm().perpendicular() - rising
-            }
-            _ => &omega * self.centre.world_arm().perpendicular() - &self.radius * &normal_turns,
-        };
-        let own =
-            motion.acceleration() + motion.alpha() * arm.perpendicular() + &omega * turning.perpendicular();
-        let tilting = dot(&turned(&normal_turns), &self.slipping());
-        dot(&self.tangent(), &(own - self.opposite.material_acceleration(self, &normal_turns))) + tilting
-    }
-
-    /// Velocity of the body's material point less that of the surface, m/s.
-    fn slipping(&self) -> Vector {
-        self.material_velocity() - self.opposite.material_velocity(self)
-    }
-
-    /// Velocity of the body's material point that friction acts at, m/s.
-    pub(crate) fn material_velocity(&self) -> Vector {
-        let motion = &self.centre.body;
-        motion.velocity() + motion.omega() * self.slip_arm().perpendicular()
-    }
-
     /// Stands for the force along the surface, N, or for a couple against rolling over its lever, the radius of what rolls.
     pub fn friction_symbol(&self) -> Symbol {
         let what = if self.is_rolling() { "rolling_force" } else { "friction" };
@@ -395,13 +346,17 @@ impl Pair {
 
     /// The force on the body.
     pub(crate) fn term(&self) -> Term {
-        let force: Expr = self.force_symbol().into();
+        self.pushed(&self.force_symbol().into())
+    }
+
+    /// A force on the body along the normal, N.
+    fn pushed(&self, force: &Expr) -> Term {
         Term {
             load: self.name.clone(),
             law: Law::Contact,
             body: self.body,
             arm: self.arm(),
-            force: &force * &self.normal,
+            force: force * &self.normal,
             couple: Expr::zero(),
             window: None,
         }
@@ -409,7 +364,12 @@ impl Pair {
 
     /// The forces on both bodies.
     pub(crate) fn terms(&self) -> Vec<Term> {
-        self.on_both(self.term())
+        self.pushed_by(&self.force_symbol().into())
+    }
+
+    /// A force on both bodies along the normal, N.
+    pub(crate) fn pushed_by(&self, force: &Expr) -> Vec<Term> {
+        self.on_both(self.pushed(force), Self::arm_of)
     }
 
     /// The friction on the body.
@@ -431,14 +391,13 @@ impl Pair {
 
     /// The friction on both bodies.
     pub(crate) fn friction_terms(&self) -> Vec<Term> {
-        self.on_both(self.friction_term())
+        self.on_both(self.friction_term(), Self::slip_arm_of)
     }
 
-    fn on_both(&self, own: Term) -> Vec<Term> {
-        let other = self.other.zip(self.other_arm());
-        let other = other.map(|(body, arm)| Term {
+    fn on_both(&self, own: Term, arm: fn(&Self, usize) -> Vector) -> Vec<Term> {
+        let other = self.other.map(|body| Term {
             body,
-            arm,
+            arm: arm(self, body),
             force: -&own.force,
             couple: -&own.couple,
             ..own.clone()
@@ -538,6 +497,11 @@ impl Pair {
 
     pub(crate) fn is_hertzian(&self) -> bool {
         self.law.is_hertzian()
+    }
+
+    /// Whether it may end while it is pressed in, so that what is stored there stays there.
+    pub(crate) fn may_keep_energy(&self) -> bool {
+        self.releases_early() || !self.limits.is_empty()
     }
 
     /// Whether a body that is let go may still be inside the surface.

@@ -15,6 +15,7 @@ use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Rule};
 use crate::contact::said::of_surface_and_body;
+use crate::contact::slipping::Level;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
 use crate::link::RowOf;
@@ -143,10 +144,11 @@ fn of_surface(
         }
         _ => {
             // Of several points that sink in by different depths none is the one to slip at.
-            let is_level = !said.0.is_rigid() && border.rims.len() > 1;
+            let is_level = surface.circle.is_none() && !said.0.is_rigid() && border.rims.len() > 1;
+            let level = if is_level { Level::Surface } else { Level::Rim };
             let pair = |rim: &Rim| {
                 let of = (rim, rim.point()?);
-                Some(Pair { is_level, ..Pair::new((index, surface), (body_index, body), of, said.clone()) })
+                Some(Pair { level, ..Pair::new((index, surface), (body_index, body), of, said.clone()) })
             };
             own.rims.iter().filter_map(pair).collect()
         }

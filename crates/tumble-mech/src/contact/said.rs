@@ -32,7 +32,7 @@ pub(crate) fn restitution_of_bodies(contact: &BodyContact, [one, other]: [&Body;
 }
 
 /// Friction of two bodies.
-pub(super) fn friction_of_bodies(contact: &BodyContact, [one, other]: [&Body; 2]) -> Option<Friction> {
+pub(crate) fn friction_of_bodies(contact: &BodyContact, [one, other]: [&Body; 2]) -> Option<Friction> {
     let own = match (&one.friction, &other.friction) {
         (Some(a), Some(b)) => Some(a.lesser(b)),
         (a, b) => a.clone().or(b.clone()),

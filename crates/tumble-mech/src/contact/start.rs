@@ -13,7 +13,7 @@ use crate::error::ModelError;
 use crate::mode::Mode;
 
 /// A gap within this many ulps of the lengths it is made of is none: bodies are drawn and placed to touch.
-const TOUCHES: f64 = 64.0 * f64::EPSILON;
+pub(crate) const TOUCHES: f64 = 64.0 * f64::EPSILON;
 
 impl Equations {
     /// Pairs that touch at time 0, as causes of a jump before the first step.
@@ -49,7 +49,7 @@ impl Equations {
             let (gap, size) = (next(), next());
             let holds = pair.limits.iter().fold(true, |holds, _| next() >= 0.0 && holds);
             if pair.has_edge() {
-                let most = sizes.entry((pair.rule, pair.body, pair.other)).or_default();
+                let most = sizes.entry(pair.couple()).or_default();
                 *most = most.max(size);
             }
             if !gap.is_finite() {
@@ -88,7 +88,7 @@ impl Equations {
             .map_err(|reason| ModelError::Start { body: "surfaces".into(), problem: reason.to_string() })?;
         let inside = met.iter().filter_map(|known| {
             let depth = outlines.depth(known, &values);
-            let pair = self.pairs().iter().find(|pair| (pair.rule, pair.body, pair.other) == *known)?;
+            let pair = self.pairs().iter().find(|pair| pair.couple() == *known)?;
             (depth > TOUCHES * sizes[known]).then(|| self.inside(pair, depth))
         });
         Ok(inside.collect())

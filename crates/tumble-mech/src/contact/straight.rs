@@ -5,8 +5,14 @@
 //! `g'' = m . (p'' - P'') + 2 m' . (p' - P') + m'' . (p - P)`. Both bodies are pushed at one point, `p - r m`, along m.
 //!
 //! They meet there only where `0 <= u . (p - P) <= L`; beyond its ends the edge's corners do. A corner of a polygon in the place of the
-//! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it. A circle meets a
+//! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it; where the contact
+//! is compliant, a corner beside it may be pressed in deeper, so there the edge may lead through at a small angle. A circle meets a
 //! corner C where it is beyond the ends of both edges, `(p - C) . (q - C) <= 0`.
+//!
+//! What is compliant hands over where depths are equal. A corner p on an edge with the end C, towards which it goes along w, and the edge
+//! from p to q with `s = (q - p)/|q - p|` on which C would be, are pressed in by the same depth where `(w - s) . (C - p) = 0`, the bisector
+//! of the two edges; of q the one that faces the edge is meant, next to p on the way round at the edge's second end. For two corners of no
+//! radius that is the limit instead of the ends; for ends of rods it is one besides.
 //! # Symbols and units
 //! p, P, C, q, r, R, L (m), g (m), m, u (1), omega (1/s), alpha (1/s^2).
 //! # Sign and frame
@@ -18,16 +24,21 @@
 //! # Checked by
 //! `tests/edges.rs`.
 
-use tumble_expr::{Expr, Vector};
+use tumble_expr::{Binary, Expr, Vector, is_identically_zero};
 
-use crate::anchor::rate;
+use crate::anchor::{Anchor, rate};
 use crate::contact::border::{Edge, Rim};
 use crate::contact::pair::{dot, turned};
 use crate::kinematics::{Kinematics, PointRef};
+use crate::surface::ContactLaw;
 
 /// Where a contact with an edge ends or begins may be off by this part of the edge's length: what stands flush with an end stays there,
 /// and where one contact gives way to the next neither is missed.
 const FITS: f64 = 1e-11;
+
+/// Sine of the angle by which an edge beside a corner may lead through the edge that it is pressed into: more than any depth makes of it that
+/// is small against the body, and less than that of what comes from the side.
+const LEANS: f64 = 0.25;
 
 /// An edge and a circle: one of them is the first body's.
 #[derive(Clone, Debug)]
@@ -56,16 +67,23 @@ pub(crate) struct Limit {
     size: Expr,
     /// Whether contact ends where it becomes negative, and does not only begin where it is not.
     ends: bool,
+    /// Whether another contact counts where it is zero.
+    yields: bool,
 }
 
 impl Limit {
     /// Not negative where contact may begin, but for rounding.
-    pub(crate) fn entered(&self) -> &Expr {
-        &self.value
+    pub(crate) fn entered(&self) -> Expr {
+        if self.yields { &self.value - FITS * &self.size } else { self.value.clone() }
     }
 
     /// Not negative where there may be contact, rounding included.
     pub(crate) fn holding(&self) -> Expr {
+        if self.yields { self.entered() } else { self.taken() }
+    }
+
+    /// Not negative where contact may be taken over from another, rounding included.
+    pub(crate) fn taken(&self) -> Expr {
         &self.value + FITS * &self.size
     }
 
@@ -101,18 +119,47 @@ pub(crate) fn outward(edge: &Edge) -> Vector {
     turned(&edge.along().0)
 }
 
-/// Where a circle may touch an edge; `apart` is from the first end to its centre.
-pub(crate) fn along_edge(edge: &Edge, rim: &Rim, apart: &Vector) -> Vec<Limit> {
+/// Where a circle may touch an edge; `apart` is from the first end to its centre, and the edge is the first body's or not.
+pub(crate) fn along_edge(
+    edge: &Edge,
+    rim: &Rim,
+    apart: &Vector,
+    (law, is_first): (&ContactLaw, bool),
+) -> Vec<Limit> {
     let (along, length) = edge.along();
     let place = dot(&along, apart);
-    let within = |value: Expr| Limit { value, size: length.clone(), ends: true };
-    let ends = [within(place.clone()), within(&length - place)];
+    let ends = [place.clone(), &length - place];
     let normal = turned(&along);
-    let cone = rim.neighbours.iter().map(|next| {
+    let cone = |next: &Anchor| {
         let way = between(&rim.centre, next);
-        Limit { value: dot(&normal, &way), size: way.norm(), ends: false }
-    });
-    ends.into_iter().chain(cone).collect()
+        let (above, size) = (dot(&normal, &way), way.norm());
+        let value = if law.is_rigid() { above } else { above + LEANS * &size };
+        Limit { value, size, ends: false, yields: false }
+    };
+    let within = |value: Expr| Limit { value, size: length.clone(), ends: true, yields: false };
+    let is_sharp = is_identically_zero(&(&rim.radius + &edge.radius));
+    let is_corner = rim.neighbours.len() > 1;
+    let mut limits = vec![];
+    if law.is_rigid() || !(is_sharp && is_corner) {
+        limits.extend(ends.map(within));
+    }
+    if !law.is_rigid() {
+        let ways = [(-&along, -apart), (along.clone(), &(&length * &along) - apart)];
+        let facing = ways.iter().enumerate().filter_map(|(end, (way, to_end))| {
+            let equal = rim.facing(end == 1).map(|next| {
+                let own = between(&rim.centre, next);
+                let size = own.norm();
+                let own = own.map(|part| part / &size);
+                let equal = dot(&(way - &own), to_end) / 2;
+                // A rod that goes on beyond the end touches there too, and both push.
+                if is_corner { equal } else { greater(equal, dot(way, &own) * &size) }
+            });
+            equal.reduce(greater)
+        });
+        // Where both corners are at one place only one of the two counts.
+        limits.extend(facing.map(|value| Limit { yields: is_sharp && is_first, ..within(value) }));
+    }
+    limits.into_iter().chain(rim.neighbours.iter().map(cone)).collect()
 }
 
 /// Where a circle may touch one about a corner or an end; `apart` is from there to its centre.
@@ -120,13 +167,17 @@ pub(crate) fn beyond_ends(corner: &Rim, apart: &Vector, reach: &Expr) -> Vec<Lim
     let of = |next| {
         let way = between(&corner.centre, next);
         let length = way.norm();
-        Limit { value: -dot(&way, apart) / length, size: reach.clone(), ends: true }
+        Limit { value: -dot(&way, apart) / length, size: reach.clone(), ends: true, yields: false }
     };
     corner.neighbours.iter().map(of).collect()
 }
 
+fn greater(a: Expr, b: Expr) -> Expr {
+    Expr::binary(Binary::Max, a, b)
+}
+
 /// From one place of a body, or of the world, to another.
-fn between(from: &crate::anchor::Anchor, to: &crate::anchor::Anchor) -> Vector {
+fn between(from: &Anchor, to: &Anchor) -> Vector {
     match (from.material(), to.material()) {
         (Some(from), Some(to)) => crate::kinematics::rotated(&(&to.arm - &from.arm), &from.body.angle()),
         _ => to.position() - from.position(),

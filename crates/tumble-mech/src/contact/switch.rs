@@ -1,10 +1,12 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
+use tumble_expr::Expr;
 use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
-use crate::contact::settle::{STANDS, Touched};
+use crate::contact::settle::{BALANCED, STANDS, Touched};
+use crate::contact::start::TOUCHES;
 use crate::contact::touch::Now;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
@@ -100,7 +102,7 @@ impl Equations {
         if causes.wakes {
             self.wake(jump);
         }
-        let islands = self.islands_now(&causes, now, jump)?;
+        let (islands, touching) = self.islands_now(&causes, now, jump)?;
         let mut touched = vec![None; islands.len()];
         let of = |pair: usize| {
             islands.iter().position(|island| island.binary_search(&self.pairs()[pair].body).is_ok())
@@ -110,6 +112,7 @@ impl Equations {
         }
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
+            let mut pressed = None;
             let is_rigid = self.pairs()[pair].is_rigid();
             let own = of(pair).filter(|_| is_rigid || self.pairs()[pair].friction.is_some());
             let own = own.map(|island| touched[island].get_or_insert_with(Touched::default));
@@ -117,11 +120,15 @@ impl Equations {
                 (true, _) | (_, Watched::Slip | Watched::Cone(_)) => {
                     own.into_iter().for_each(|touched| touched.add(pair, watched));
                 }
-                (false, _) if closes => self.press(pair, now, jump)?,
-                (false, watched) => self.let_go(pair, watched, now, jump)?,
+                (false, _) if closes => self.press(pair, None, now, jump)?,
+                (false, Watched::Limit(_)) => pressed = self.pass_on(pair, now, jump)?,
+                (false, watched) => pressed = self.let_go(pair, watched, now, jump)?,
             }
-            self.restate(&before, jump);
+            self.restate(&before, pressed, now, jump)?;
         }
+        let before = self.roots(&jump.mode);
+        self.press_behind(&touching, now, jump)?;
+        self.restate(&before, None, now, jump)?;
         self.refuse_common_beginning(jump)?;
         let mut impulses = Sizes::default();
         for (island, touched) in islands.iter().zip(touched) {
@@ -132,16 +139,17 @@ impl Equations {
         Ok(impulses)
     }
 
-    /// What joints, lasting contacts and bodies that meet at this instant make one island.
+    /// What joints, lasting contacts and bodies that meet at this instant make one island; with the pairs of bodies that touch.
     fn islands_now(
         &self,
         causes: &Causes,
         now: Now<'_>,
         jump: &Jump<Mode>,
-    ) -> Result<Vec<Vec<usize>>, Reason> {
-        let mut meeting = self.meeting(&jump.mode, &jump.states, now)?;
-        meeting.extend(causes.seen.iter().map(|(pair, ..)| *pair));
-        Ok(self.islands_with(&jump.mode, &jump.mode.bodies, &meeting))
+    ) -> Result<(Vec<Vec<usize>>, Vec<usize>), Reason> {
+        let touching = self.meeting(&jump.mode, &jump.states, now)?;
+        let seen = causes.seen.iter().map(|(pair, ..)| *pair);
+        let meeting: Vec<usize> = touching.iter().copied().chain(seen).collect();
+        Ok((self.islands_with(&jump.mode, &jump.mode.bodies, &meeting), touching))
     }
 
     /// Pairs that last or rub, where loads or parameters change now: what held them may not any more.
@@ -168,14 +176,55 @@ impl Equations {
         }
     }
 
-    /// A point meets a compliant surface.
-    fn press(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+    /// What touches bodies that are pressed from now on, and lies still, is pressed with them, though with no force at first: rounding would
+    /// say when it begins. Each one further along has two more derivatives that are zero.
+    fn press_behind(&self, touching: &[usize], now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let begun = jump.record.happened.iter().filter_map(|happening| match happening {
+            Happening::Contact { pair, change: Change::Start } if !self.pairs()[*pair].is_rigid() => {
+                Some(*pair)
+            }
+            _ => None,
+        });
+        let mut last: Vec<usize> = begun.collect();
+        for row in 1.. {
+            let is_next = |pair: &&usize| {
+                let own = &self.pairs()[**pair];
+                let is_open = !own.is_rigid() && jump.mode.contact_mode(**pair).is_none();
+                is_open && last.iter().any(|known| self.pairs()[*known].bodies().any(|body| own.has(body)))
+            };
+            let next: Vec<usize> = touching.iter().filter(is_next).copied().collect();
+            for pair in &next {
+                self.press(*pair, Some(1 + 2 * row), now, jump)?;
+            }
+            last = next.into_iter().filter(|pair| jump.mode.is_pressed(*pair)).collect();
+            if last.is_empty() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Two of which one is compliant meet. Where they touch without speed or force, they are pressed if others begin to press them, `behind`
+    /// with so many derivatives of the gap that are zero.
+    fn press(
+        &self,
+        index: usize,
+        behind: Option<usize>,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
-        let touch = self.touch(&self.island_of(&jump.mode, pair.body), &jump.mode, &jump.states, now)?;
+        let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
         let Some(own) = touch.position(index) else { return Ok(()) };
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
-        let closes = if stands { touch.free[own] < 0.0 } else { touch.rate[own] < 0.0 };
-        jump.zeros.push((pair.guard_name(Watched::Gap), if stands { 2 } else { 1 }));
+        let is_calm = stands && touch.free[own].abs() <= BALANCED * touch.strength;
+        let closes = match behind {
+            Some(_) if is_calm => true,
+            _ if stands => touch.free[own] < 0.0,
+            _ => touch.rate[own] < 0.0,
+        };
+        let zeros = behind.filter(|_| is_calm).unwrap_or(if stands { 2 } else { 1 });
+        jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
         if closes && stands && pair.is_hertzian() {
             return Err(Reason::Model(format!(
                 "`{}` touches without speed, and the time transformation of a Hertzian contact cannot start: let it begin a little \
@@ -190,14 +239,15 @@ impl Equations {
         Ok(())
     }
 
-    /// A pressed point comes back to the surface, or its force to zero. Where both do so at once but for rounding, it is clear.
+    /// A pressed point comes back to the surface, or its force to zero. Where both do so at once but for rounding, it is clear. Who presses
+    /// again inside, if it does.
     fn let_go(
         &self,
         index: usize,
         watched: Watched,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
-    ) -> Result<(), Reason> {
+    ) -> Result<Option<usize>, Reason> {
         let pair = &self.pairs()[index];
         let (after, change) = match (watched, jump.mode.contact_mode(index)) {
             (Watched::Force, Some(ContactMode::Pressed)) if self.is_at_surface(index, now, jump)? => {
@@ -212,25 +262,96 @@ impl Equations {
         jump.mode.set_contact_mode(index, after);
         jump.mode.set_grip(index, None);
         jump.record.happened.push(Happening::Contact { pair: index, change });
-        Ok(())
+        Ok(Some(index).filter(|_| after == Some(ContactMode::Pressed)))
+    }
+
+    /// A contact leaves where there may be one while it is pressed in. Another of the same two takes over what depth there is, a corner
+    /// from an edge, as the circle goes on about it; else what is stored is lost. Who takes over.
+    fn pass_on(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<Option<usize>, Reason> {
+        let Some(before) = jump.mode.contact_mode(index) else { return Ok(None) };
+        let next = self.next_to(index, now, jump)?;
+        let mut tell = |pair, change| jump.record.happened.push(Happening::Contact { pair, change });
+        match before {
+            ContactMode::Pressed => {
+                tell(index, Change::End);
+                next.into_iter().for_each(|next| tell(next, Change::Start));
+            }
+            _ if next.is_none() => tell(index, Change::Clear),
+            _ => {}
+        }
+        jump.mode.set_contact_mode(index, None);
+        jump.mode.set_grip(index, None);
+        next.into_iter().for_each(|next| jump.mode.set_contact_mode(next, Some(before)));
+        Ok(next)
+    }
+
+    /// Of the pairs of the same two that are open, though they are in each other where that is a contact, the deepest that is no deeper than
+    /// a pair: nothing is gained.
+    fn next_to(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<Option<usize>, Reason> {
+        let own = &self.pairs()[index];
+        let is_open = |other: &usize| {
+            let pair = &self.pairs()[*other];
+            let of_same = pair.couple() == own.couple();
+            of_same && *other != index && !pair.is_rolling() && jump.mode.contact_mode(*other).is_none()
+        };
+        let values =
+            |formulas: &[Expr]| self.values(formulas, &jump.mode, now.time, &jump.states, now.inputs);
+        let known = values(&[-own.gap(), own.extents()])?;
+        let most = known[0] + TOUCHES * known[1];
+        let mut deepest = (0.0, None);
+        for other in self.pair_list().of_body(own.body).filter(is_open) {
+            let pair = &self.pairs()[other];
+            let found = values(&[vec![-pair.gap()], pair.taken_within()].concat())?;
+            let is_contact = found[1..].iter().all(|limit| *limit >= 0.0);
+            if is_contact && found[0] > deepest.0 && found[0] <= most {
+                deepest = (found[0], Some(other));
+            }
+        }
+        Ok(deepest.1)
+    }
+
+    /// The bodies of a pair with all that is coupled to them.
+    fn island_with(&self, pair: usize, mode: &Mode) -> Vec<usize> {
+        self.islands_with(mode, &[self.pairs()[pair].body], &[pair]).concat()
     }
 
     fn is_at_surface(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
-        let touch =
-            self.touch(&self.island_of(&jump.mode, self.pairs()[index].body), &jump.mode, &jump.states, now)?;
+        let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
         Ok(touch.position(index).is_some_and(|own| touch.gap[own].abs() <= touch.blur[own]))
     }
 
-    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those
-    /// that the states are with.
-    fn restate(&self, before: &[usize], jump: &mut Jump<Mode>) {
+    /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those that the states are
+    /// with; of what is pressed in as it comes the root is that of its depth.
+    fn restate(
+        &self,
+        before: &[usize],
+        pressed: Option<usize>,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
         let after = self.roots(&jump.mode);
         let base = jump.states.len() - before.len();
-        let kept =
-            |pair: &usize| before.iter().position(|known| known == pair).map(|i| jump.states[base + i]);
-        let roots: Vec<f64> = after.iter().map(|pair| kept(pair).unwrap_or(0.0)).collect();
+        let mut roots = vec![];
+        for pair in after {
+            roots.push(match before.iter().position(|known| *known == pair) {
+                Some(known) => jump.states[base + known],
+                None if pressed == Some(pair) => {
+                    let depth = [-self.pairs()[pair].gap()];
+                    let depth = self.values(
+                        &depth,
+                        &Mode { contacts: vec![], ..jump.mode.clone() },
+                        now.time,
+                        &jump.states[..base],
+                        now.inputs,
+                    )?;
+                    libm::sqrt(depth[0].max(0.0))
+                }
+                None => 0.0,
+            });
+        }
         jump.states.truncate(base);
         jump.states.extend(roots);
+        Ok(())
     }
 
     /// The time transformation of Hertzian contacts is singular where two roots of depths are zero.

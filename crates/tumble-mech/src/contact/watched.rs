@@ -54,12 +54,17 @@ impl Pair {
             }),
             _ => None,
         };
-        self.limits.iter().map(Limit::entered).cloned().chain(is_near).collect()
+        self.limits.iter().map(Limit::entered).chain(is_near).collect()
     }
 
     /// What is not negative where they may touch, m; nothing where they may everywhere.
     pub fn within(&self) -> Vec<Expr> {
         self.limits.iter().map(Limit::holding).collect()
+    }
+
+    /// What is not negative where they may take over from another contact of the same two, m.
+    pub(crate) fn taken_within(&self) -> Vec<Expr> {
+        self.limits.iter().map(Limit::taken).collect()
     }
 
     /// What becomes negative where a contact that lasts ends by leaving where there may be one.

@@ -1,20 +1,23 @@
 //! # Law
-//! A compliant surface pushes with `N = k d + c d'` (spring and damper side by side) or, after Hertz with the
+//! A compliant surface or body pushes with `N = k d + c d'` (spring and damper side by side) or, after Hertz with the
 //! damping of Hunt and Crossley, `N = k d^(3/2) (1 + c d')`, where d is the depth, the gap taken negative.
 //! A damped spring lets go when the force comes down to zero (the surface recovers on its own, slower than the body
 //! leaves) or when the body is back at the undeformed surface; by then the damper has pulled for a moment. The energy is
-//! `V = k d^2 / 2` or, after Hertz, `V = (2/5) k d^(5/2)`.
+//! `V = k d^2 / 2` or, after Hertz, `V = (2/5) k d^(5/2)`. Both of two bodies have the force, on one line: that of the centres of two
+//! circles, and the normal of an edge.
 //! # Symbols and units
 //! N (N), d (m), k (N/m, N/m^(3/2)), c (kg/s, s/m), V (J).
 //! # Sign and frame
-//! N is along the surface's normal, out of the solid.
+//! N is along the pair's normal, out of the solid, on the first body, and against it on another.
 //! # Validity
-//! Depths small against the body; no friction. The power d^(3/2) has no Taylor series at first touch, so a Hertzian
+//! Depths small against the body. Friction is a law of its own. After Hertz the force pulls if others pull the two apart faster than 1/c,
+//! which no rebound does. The power d^(3/2) has no Taylor series at first touch, so a Hertzian
 //! contact runs in a transformed time: with the root w of the depth and `dt = w ds` all rates are polynomials.
 //! # Source
 //! Hooke; Hertz 1882; Hunt and Crossley 1975, "Coefficient of restitution interpreted as damping in vibroimpact".
 //! # Checked by
-//! `tests/compliant.rs`: contact times on a spring with gravity, damped and Hertzian, in closed form; energy.
+//! `tests/compliant.rs`: contact times on a spring with gravity, damped and Hertzian, in closed form; energy;
+//! `tests/compliant_bodies.rs`: the same between bodies, in bowls and at corners.
 
 use tumble_expr::{Expr, Written, is_identically_zero};
 
@@ -22,7 +25,6 @@ use crate::contact::Pair;
 use crate::parameters::time_symbol;
 use crate::potential::Potential;
 use crate::statement::{Statement, sum, times};
-use crate::term::Term;
 
 /// Force of a pressed pair along the normal, N, in the body's position and velocity and, for Hertz, the root of the
 /// depth.
@@ -53,15 +55,18 @@ pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
     let (energy, by_path) = match pair.is_hertzian() {
         true => {
             let moved = pair.gap().derivative(&time_symbol());
-            (stiffness * Expr::from(pair.root_symbol()).powi(5) * 2 / 5, -(&force * moved))
+            let by_path = if is_identically_zero(&moved) { Expr::zero() } else { -(&force * moved) };
+            (stiffness * Expr::from(pair.root_symbol()).powi(5) * 2 / 5, by_path)
         }
         // The gap is in the formula itself.
         false => (stiffness * (pair.gap() * pair.gap()) / 2, Expr::zero()),
     };
-    let elastic = Term { force: &force * &pair.normal, ..pair.term() };
-    let whole = Potential::of(energy, elastic, vec![stiffness.clone()]);
+    let elastic = pair.pushed_by(&force);
+    let whole = Potential::of(energy, elastic.first()?.clone(), vec![stiffness.clone()]);
     Some(Potential {
         pair: Some(index),
+        body: Some(pair.body).filter(|_| pair.other.is_none()),
+        elastic,
         driven: &whole.driven + by_path,
         is_whole: is_identically_zero(damping),
         ..whole

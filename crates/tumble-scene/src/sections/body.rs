@@ -3,7 +3,7 @@
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::{Body, MassProperties, Part};
 
-use super::{each, points, shape, start, surface};
+use super::{each, laws, points, shape, start};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
@@ -27,7 +27,7 @@ const OWN: &[Declared] = &[
     may("points", Takes::Named(&Takes::PLACE), "none", "{ tip = [0, \"1 m\"] }",
         "named points in body coordinates: `points.tip = [x, y]`"),
     may("restitution", Takes::PURE, "the surface's", "0.8", "of its impacts on rigid surfaces, from 0 to 1"),
-    may("friction", surface::COEFFICIENTS, "the surface's", "0.3",
+    may("friction", laws::COEFFICIENTS, "the surface's", "0.3",
         "dry friction on what it touches: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
     may("start", Takes::Table(&start::KEYS), "as drawn, at rest", "{ at = [0, \"2 m\"] }",
         "what it starts from, see below"),
@@ -57,7 +57,7 @@ fn body(draft: &mut Draft, field: &Field, table: &mut Table) {
     let restitution = table
         .take("restitution")
         .and_then(|field| draft.constant(name, &field, Want::constant(Dimension::NONE)));
-    let friction = table.take("friction").and_then(|field| surface::friction(draft, name, &field));
+    let friction = table.take("friction").and_then(|field| laws::friction(draft, name, &field));
     start::read(draft, name, table);
     match (claimed, matter) {
         (Some(()), Some((parts, stated))) => {

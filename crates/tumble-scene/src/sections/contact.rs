@@ -1,9 +1,9 @@
 //! `[contact.NAME]`: bodies that meet each other, and what counts for bodies on a surface.
 
 use tumble_expr::{Dimension, Expr};
-use tumble_mech::{BodyContact, Friction};
+use tumble_mech::{BodyContact, ContactLaw, Friction};
 
-use super::{each, surface};
+use super::{each, laws};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
@@ -23,10 +23,14 @@ pub(super) const KEYS: Keys = Keys::of("[contact.NAME]", &[&[
     may("rigid", Takes::Table(&RIGID), "bodies' own", "{ restitution = 0.9 }",
         "as of a surface; without `restitution` or `friction` the lesser of the bodies' own counts, and on a surface the body's own, \
          else the surface's"),
-    may("friction", surface::COEFFICIENTS, "that in `rigid`", "0.3",
+    may("spring", Takes::Table(&laws::COMPLIANT), "`rigid`", "{ stiffness = \"1e4 N/m\", damping = 0 }",
+        "bodies are compliant where they meet, in proportion to the force"),
+    may("hertz", Takes::Table(&laws::HERTZ), "`rigid`", "{ stiffness = \"1e6 N/m^(3/2)\", damping = 0 }",
+        "the same as two round elastic bodies are"),
+    may("friction", laws::COEFFICIENTS, "that in the law", "0.3",
         "dry friction, also on a compliant surface: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`"),
     may("capture", Takes::Flag, "`false`", "true",
-        "`true`: bodies that meet stick together for good, as if welded where they touch; without `rigid`"),
+        "`true`: bodies that meet stick together for good, as if welded where they touch; without a law"),
 ]]);
 
 const MET: Takes = Takes::Either(&[Takes::BODY, Takes::SURFACE]);
@@ -42,7 +46,7 @@ const RIGID: Keys = Keys::of("rigid of bodies", &[
         "0.9",
         "how much of its speed an impact leaves, from 0 to 1",
     )],
-    surface::RUBBING,
+    laws::RUBBING,
     ],
 );
 
@@ -59,33 +63,59 @@ fn contact(draft: &mut Draft, field: &Field, table: &mut Table) {
     let between = draft.required(table, "between");
     let between = between.and_then(|field| between_of(draft, &name, &field));
     let captures = table.take("capture").map_or(Some(false), |field| draft.flag(&field));
-    let law = match table.take("rigid") {
-        Some(field) => rigid(draft, &name, &field),
-        None => Some((None, None)),
-    };
+    let law = law(draft, &name, table);
     let law = match (table.take("friction"), law) {
         (Some(field), Some(law)) => with_friction(draft, &name, &field, law),
         (_, law) => law,
     };
-    let (Some(between), Some((restitution, friction)), Some(captures)) = (between, law, captures) else {
+    let (Some(between), Some((across, friction)), Some(captures)) = (between, law, captures) else {
         return draft.names.break_name(&name);
     };
-    draft.model.contact(BodyContact { name, between, restitution, friction, captures });
+    let (restitution, compliant) = match across {
+        Some(Across::Restitution(restitution)) => (Some(restitution), None),
+        Some(Across::Compliant(law)) => (None, Some(law)),
+        None => (None, None),
+    };
+    draft.model.contact(BodyContact { name, between, restitution, compliant, friction, captures });
 }
 
-/// What happens across where they meet, and along.
-type Law = (Option<Expr>, Option<Friction>);
+/// What happens across where they meet, as far as it is said, and along.
+type Law = (Option<Across>, Option<Friction>);
+
+enum Across {
+    Restitution(Expr),
+    Compliant(ContactLaw),
+}
+
+/// One of `rigid`, `spring` and `hertz`, or none of them.
+fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
+    let laws: [(_, _, laws::Read<Law>); 3] =
+        [("rigid", &RIGID, rigid), ("spring", &laws::COMPLIANT, spring), ("hertz", &laws::HERTZ, hertz)];
+    Some(laws::one_of(draft, name, table, laws)?.unwrap_or_default())
+}
+
+fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
+    laws::spring(draft, name, table).map(compliant)
+}
+
+fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
+    laws::hertz(draft, name, table).map(compliant)
+}
+
+fn compliant((law, friction): laws::Law) -> Law {
+    (Some(Across::Compliant(law)), friction)
+}
 
 /// The same with friction that is said beside it.
-fn with_friction(draft: &mut Draft, name: &str, field: &Field, (restitution, inner): Law) -> Option<Law> {
-    let friction = surface::friction(draft, name, field);
+fn with_friction(draft: &mut Draft, name: &str, field: &Field, (across, inner): Law) -> Option<Law> {
+    let friction = laws::friction(draft, name, field);
     if inner.is_some() {
-        let message = format!("`{name}` has a `friction` in `rigid` and another beside it");
+        let message = format!("`{name}` has a `friction` in its law and another beside it");
         let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
         draft.note(mistake.label("a second one").help("leave one of them out"));
         return None;
     }
-    Some((restitution, Some(friction?)))
+    Some((across, Some(friction?)))
 }
 
 /// Names of bodies of which every two meet; `None` is all.
@@ -130,15 +160,12 @@ fn met(draft: &mut Draft, field: &Field) -> Option<String> {
 }
 
 /// Restitution, where it is not the bodies' own, and friction.
-fn rigid(draft: &mut Draft, name: &str, field: &Field) -> Option<Law> {
-    let mut inner = draft.inline(field, &RIGID)?;
+fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
     let restitution =
-        inner.take("restitution").map(|field| draft.constant(name, &field, Want::constant(Dimension::NONE)));
-    let friction = surface::rubbing(draft, name, &mut inner);
-    draft.done(inner);
+        table.take("restitution").map(|field| draft.constant(name, &field, Want::constant(Dimension::NONE)));
+    let friction = laws::rubbing(draft, name, table)?;
     match restitution {
-        Some(None) => None,
-        Some(own) => Some((own, friction?)),
-        None => Some((None, friction?)),
+        Some(own) => Some((Some(Across::Restitution(own?)), friction)),
+        None => Some((None, friction)),
     }
 }

@@ -13,6 +13,7 @@ mod free_body;
 pub(crate) mod functions;
 mod header;
 mod joint;
+mod laws;
 mod lift;
 mod output;
 mod parameters;

@@ -1,22 +1,18 @@
 //! `[surface.NAME]`: a floor, wall, slope, bowl or pole, at rest or moving, and what it does to what touches it.
 
-use tumble_expr::{Dimension, Exponent, Expr, Vector};
-use tumble_mech::{ContactLaw, Friction, Release, Restitution, Surface};
+use tumble_expr::{Dimension, Expr, Vector};
+use tumble_mech::Surface;
 
-use super::spring::{DAMPING, STIFFNESS};
-use super::{body, each, shape};
+use super::{body, each, laws, shape};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::formula::Want;
-use crate::keys::{Declared, Keys, Takes, may, must};
+use crate::keys::{Keys, Takes, may, must};
 use crate::names::Level;
 use crate::quantities;
 use crate::suggest;
-
-/// s/m, of Hunt and Crossley's damping.
-const SLOWNESS: Dimension = Dimension::new(-1, 0, 1);
 
 pub(super) const SAYS: &str = "floors, walls, slopes and bowls, and what they do to what touches them";
 
@@ -26,19 +22,19 @@ pub(super) const KEYS: Keys = Keys::of("[surface.NAME]", &[&[
         "a point of a plane, `[x, y]`; it may depend on the time"),
     may("polygon", shape::CORNERS, "this, `through` or `circle`", "[[0, 0], [\"1 m\", 0], [\"1 m\", \"0.5 m\"]]",
         "corners of a convex polygon that is solid inside, counter-clockwise: `[[x, y], [x, y], [x, y]]`, or more. It is at \
-         rest and rigid"),
+         rest"),
     may("circle", Takes::Table(&CIRCLE), "this, `through` or `polygon`", "{ centre = [0, 0], radius = \"1 m\", inside = true }",
         "`{ centre = [x, y], radius = \"1 m\", inside = true }`: met from inside, as a bowl is, or from outside \
-         without `inside`; the centre may depend on the time. It is rigid"),
+         without `inside`; the centre may depend on the time"),
     may("normal", Takes::Vector(Dimension::NONE), "this or `slope`", "[0, 1]",
         "out of the solid, `[x, y]` of any length; it may depend on the time"),
     may("slope", Takes::Angle(Dimension::NONE), "`0`, a floor", "\"30 deg\"",
         "angle by which it rises to the right; it may depend on the time"),
-    may("rigid", Takes::Table(&RIGID), "one of three", "{ restitution = 0.7 }",
+    may("rigid", Takes::Table(&laws::RIGID), "one of three", "{ restitution = 0.7 }",
         "what it does to what touches it: it does not give"),
-    may("spring", Takes::Table(&COMPLIANT), "one of three", "{ stiffness = \"1e4 N/m\", damping = 0 }",
+    may("spring", Takes::Table(&laws::COMPLIANT), "one of three", "{ stiffness = \"1e4 N/m\", damping = 0 }",
         "compliant, in proportion to the force"),
-    may("hertz", Takes::Table(&HERTZ), "one of three", "{ stiffness = \"1e6 N/m^(3/2)\", damping = 0 }",
+    may("hertz", Takes::Table(&laws::HERTZ), "one of three", "{ stiffness = \"1e6 N/m^(3/2)\", damping = 0 }",
         "compliant, as one elastic body pressed against another"),
     may("on", Takes::Either(&[MET, Takes::List(0, Takes::MOST, &MET)]), "all", "\"ball\"",
         "what meets it: a body, `\"ball\"`, a single point of one, `\"rod.tip\"`, or a list of such"),
@@ -51,60 +47,6 @@ const CIRCLE: Keys = Keys::of("circle", &[&[
     must("centre", Takes::PLACE, "[0, 0]", "its centre; it may depend on the time"),
     must("radius", Takes::LENGTH, "\"1 m\"", "a length"),
     may("inside", Takes::Flag, "`false`", "true", "whether it is met from inside, as a bowl is"),
-]]);
-
-#[rustfmt::skip]
-const RIGID: Keys = Keys::of("rigid", &[
-    &[must("restitution", Takes::PURE, "0.7", "how much of its speed an impact leaves, from 0 to 1")],
-    RUBBING,
-]);
-
-/// Friction along a surface, rigid or compliant.
-pub(super) const FRICTION_ALONG: Declared = may(
-    "friction",
-    COEFFICIENTS,
-    "none",
-    "0.3",
-    "dry friction: one coefficient, or `{ static = 0.4, kinetic = 0.3 }`",
-);
-
-/// Friction and what goes with it, of whatever is rigid.
-#[rustfmt::skip]
-pub(super) const RUBBING: &[Declared] = &[
-    FRICTION_ALONG,
-    may("rolling", Takes::LENGTH, "none", "\"1 mm\"",
-        "rolling resistance, a length: the couple against rolling is at most so much times the normal force; with `friction`"),
-    may("law", Takes::Word(&LAWS), "`\"poisson\"`", "\"stronge\"",
-        "what the restitution is the ratio of in an impact with friction: `\"poisson\"` impulses, `\"stronge\"` works, \
-         `\"newton\"` speeds"),
-];
-
-/// Of friction.
-pub(super) const COEFFICIENTS: Takes = Takes::Either(&[Takes::PURE, Takes::Table(&FRICTION)]);
-
-const LAWS: [&str; 3] = ["poisson", "stronge", "newton"];
-
-#[rustfmt::skip]
-const FRICTION: Keys = Keys::of("friction", &[&[
-    must("static", Takes::PURE, "0.4", "greatest friction over the normal force while nothing slips"),
-    must("kinetic", Takes::PURE, "0.3", "friction over the normal force while it slips; not greater"),
-]]);
-
-#[rustfmt::skip]
-const COMPLIANT: Keys = Keys::of("spring of a surface", &[&[
-    must("stiffness", Takes::Quantity(STIFFNESS), "\"1e4 N/m\"", "N/m"),
-    must("damping", Takes::Quantity(DAMPING), "0", "kg/s"),
-    may("release", Takes::Word(&RELEASES), "`\"at zero force\"`", "\"at the surface\"", "when it lets go"),
-    FRICTION_ALONG,
-]]);
-
-const RELEASES: [&str; 2] = ["at zero force", "at the surface"];
-
-#[rustfmt::skip]
-const HERTZ: Keys = Keys::of("hertz", &[&[
-    must("stiffness", Takes::Formula, "\"1e6 N/m^(3/2)\"", "N/m^(3/2)"),
-    must("damping", Takes::Quantity(SLOWNESS), "0", "s/m"),
-    FRICTION_ALONG,
 ]]);
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
@@ -126,7 +68,7 @@ fn surface(draft: &mut Draft, field: &Field, table: &mut Table) {
         (None, Some(field)) => polygon(draft, &name, table, &field),
         (None, None) => plane(draft, &name, table),
     };
-    let law = law(draft, &name, table);
+    let law = laws::of_surface(draft, &name, table);
     let on = table.take("on").map(|field| met(draft, &field));
     let (Some((place, facing)), Some((law, friction)), None | Some(Some(_))) = (form, law, &on) else {
         return draft.names.break_name(&name);
@@ -222,137 +164,6 @@ fn facing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Facing> {
         }
         (None, None) => Some(Facing::Slope(Expr::zero())),
     }
-}
-
-/// What a surface does across itself, and along.
-type Law = (ContactLaw, Option<Friction>);
-
-/// One of `rigid`, `spring` and `hertz`.
-fn law(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    type Read = fn(&mut Draft, &str, &mut Table) -> Option<Law>;
-    let laws: [(&str, &Keys, Read); 3] =
-        [("rigid", &RIGID, rigid), ("spring", &COMPLIANT, spring), ("hertz", &HERTZ, hertz)];
-    let given: Vec<_> =
-        laws.into_iter().filter_map(|(key, keys, read)| Some((keys, read, table.take(key)?))).collect();
-    if let [(.., first), (.., second), ..] = &given[..] {
-        let message = format!("`{}` is both `{}` and `{}`", table.title, first.key, second.key);
-        let mistake = Diagnostic::new(Code::Exclusive, second.key_span.clone(), message);
-        draft.note(mistake.label("a second law").also(first.key_span.clone(), "the first"));
-        return None;
-    }
-    let Some((keys, read, field)) = given.into_iter().next() else {
-        let message = format!("`{}` does not say what it does to what touches it", table.title);
-        let mistake = Diagnostic::new(Code::MissingKey, table.span.clone(), message);
-        let help = "add `rigid = { restitution = 0.7 }`, `spring = { stiffness = \"1e4 N/m\", damping = 0 }` or \
-                    `hertz = { stiffness = \"1e6 N/m^(3/2)\", damping = 0 }`";
-        draft.note(mistake.label("rigid or compliant?").help(help));
-        return None;
-    };
-    let mut inner = draft.inline(&field, keys)?;
-    let law = read(draft, name, &mut inner);
-    draft.done(inner);
-    law
-}
-
-fn rigid(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    let restitution = draft.coefficient(table, name, "restitution");
-    let friction = rubbing(draft, name, table);
-    Some((ContactLaw::Rigid { restitution: restitution? }, friction?))
-}
-
-/// Friction of a rigid contact, if it has any, and what its restitution is the ratio of.
-pub(super) fn rubbing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Friction>> {
-    let (meaning, rolling) = (table.take("law"), table.take("rolling"));
-    let friction = table.take("friction").map(|field| friction(draft, name, &field));
-    if let (None, Some(field)) = (&friction, &rolling) {
-        let message = format!("`{name}` resists rolling, but has no `friction`");
-        let help = "what rolls is held by friction: add `friction = 0.5`, or `friction = 0` where bodies have their own";
-        let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
-        draft.note(mistake.label("nothing rolls here").help(help));
-        return None;
-    }
-    let friction = match rolling {
-        Some(field) => {
-            draft.remember(format!("rolling resistance of `{name}`"), &field.span);
-            let length = draft.number(&field, Want::constant(Dimension::LENGTH));
-            friction.map(|friction| Some(friction?.rolling(length?)))
-        }
-        None => friction,
-    };
-    Some(match (friction, &meaning) {
-        (Some(friction), None) => Some(friction?),
-        (Some(friction), Some(field)) => {
-            let meaning = ratio(draft, field);
-            Some(friction?.restitution(meaning?))
-        }
-        (None, Some(field)) => {
-            let message = format!("`{name}` has a `law` of impacts, but no `friction`");
-            let help = "without friction the three laws are one: add `friction = 0.3`, or leave `law` out";
-            let mistake = Diagnostic::new(Code::Exclusive, field.key_span.clone(), message);
-            draft.note(mistake.label("says nothing here").help(help));
-            return None;
-        }
-        (None, None) => None,
-    })
-}
-
-/// What the restitution is the ratio of.
-fn ratio(draft: &mut Draft, field: &Field) -> Option<Restitution> {
-    Some(match draft.choice(field, &LAWS)? {
-        "stronge" => Restitution::Stronge,
-        "newton" => Restitution::Newton,
-        _ => Restitution::Poisson,
-    })
-}
-
-/// Friction of what is compliant, if it has any.
-fn along(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Option<Friction>> {
-    match table.take("friction") {
-        Some(field) => friction(draft, name, &field).map(Some),
-        None => Some(None),
-    }
-}
-
-/// One coefficient, or a static and a kinetic one.
-pub(super) fn friction(draft: &mut Draft, name: &str, field: &Field) -> Option<Friction> {
-    if field.value.as_table().is_none() {
-        draft.remember(format!("friction of `{name}`"), &field.span);
-        return draft.number(field, Want::constant(Dimension::NONE)).map(Friction::new);
-    }
-    let mut inner = draft.inline(field, &FRICTION)?;
-    let [of_rest, kinetic] = ["static", "kinetic"].map(|key| {
-        let own = draft.required(&mut inner, key)?;
-        draft.remember(format!("{key} friction of `{name}`"), &own.span);
-        draft.number(&own, Want::constant(Dimension::NONE))
-    });
-    draft.remember(format!("friction of `{name}`"), &field.span);
-    draft.done(inner);
-    Some(Friction::new(of_rest?).kinetic(kinetic?))
-}
-
-fn spring(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    let stiffness = draft.coefficient(table, name, "stiffness");
-    let damping = draft.coefficient(table, name, "damping");
-    let release = match table.take("release") {
-        Some(field) => draft.choice(&field, &RELEASES),
-        None => Some("at zero force"),
-    };
-    let release = match release? {
-        "at the surface" => Release::AtSurface,
-        _ => Release::AtZeroForce,
-    };
-    let friction = along(draft, name, table);
-    let law = ContactLaw::Spring { stiffness: stiffness?, damping: damping?, release };
-    Some((law, friction?))
-}
-
-fn hertz(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Law> {
-    let want = Want::constant(Dimension { length: Exponent::new(-1, 2), ..Dimension::FORCE });
-    let stiffness = draft.required(table, "stiffness");
-    let stiffness = stiffness.and_then(|field| draft.constant(name, &field, want));
-    let damping = draft.coefficient(table, name, "damping");
-    let friction = along(draft, name, table);
-    Some((ContactLaw::Hertz { stiffness: stiffness?, damping: damping? }, friction?))
 }
 
 /// One name or a list of names, of bodies or of single points by which they touch.
