@@ -128,6 +128,14 @@ pub enum ModelError {
         /// What it does with them.
         how: &'static str,
     },
+    /// A load jumps where others depend on forces otherwise than linearly.
+    #[error("`{load}` may jump between events, and {} would with it, on which a load depends otherwise than linearly", listed(read))]
+    Jumps {
+        /// Name of the load.
+        load: String,
+        /// Symbols of the forces.
+        read: Vec<String>,
+    },
     /// Forces that loads read and that are not determined at the start.
     #[error("at the start: {problem}")]
     Feedback {

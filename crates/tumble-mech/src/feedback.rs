@@ -172,17 +172,25 @@ impl Equations {
 
     /// Whether a load on any of some bodies reads forces.
     pub(crate) fn is_fed(&self, bodies: &[usize]) -> bool {
-        let loads = self.loads().iter().zip(self.readings());
-        loads.into_iter().any(|(term, readings)| !readings.symbols.is_empty() && bodies.contains(&term.body))
+        let mut loads = self.loads().iter().zip(self.readings());
+        loads.any(|(term, readings)| !readings.symbols.is_empty() && bodies.contains(&term.body))
+            || self.algebraic().iter().any(|known| bodies.contains(&known.body))
     }
 
     /// Refuses forces that loads read and that are not determined: where a guard says so, by its order among those, or where too little is left
     /// of them now; and those that are not unique.
     pub(crate) fn refuse_feedback(&self, at: Spot<'_>, told: &[usize]) -> Result<(), Reason> {
-        if self.feeding(at.mode).next().is_none() {
+        let fed = match self.feeding(at.mode).next() {
+            Some(_) => Linking::new(self, at.mode, Written).feedback(),
+            None => vec![],
+        };
+        if let Some(steep) = told.iter().find_map(|index| index.checked_sub(fed.len())) {
+            let known = &self.algebraic()[self.implicit(at.mode)[steep]];
+            return Err(Reason::Model(self.undetermined(&known.force.name, &known.loads, WEDGED)));
+        }
+        if fed.is_empty() {
             return Ok(());
         }
-        let fed = Linking::new(self, at.mode, Written).feedback();
         let left: Vec<Expr> = fed.iter().map(|fed| fed.left.clone()).collect();
         let left = self.values(&left, at.mode, at.time, at.states, at.inputs)?;
         let is_wrong =
@@ -202,7 +210,7 @@ impl Equations {
         self.undetermined(&force.name, &loads, left)
     }
 
-    fn undetermined(&self, force: &str, loads: &[usize], left: f64) -> String {
+    pub(crate) fn undetermined(&self, force: &str, loads: &[usize], left: f64) -> String {
         let loads = self.load_names(loads);
         let how = match left {
             left if left.abs() <= 2.0 * WEDGED => "no force keeps the bodies, or any does",
@@ -236,7 +244,7 @@ impl Equations {
         Ok(())
     }
 
-    fn load_names(&self, loads: &[usize]) -> String {
+    pub(crate) fn load_names(&self, loads: &[usize]) -> String {
         let mut names: Vec<String> =
             loads.iter().map(|load| format!("`{}`", self.loads()[*load].load)).collect();
         names.dedup();
