@@ -117,7 +117,8 @@ impl Table {
     pub(crate) fn is_stepped(&self) -> bool {
         let ends = [(0, 1, 0.0), (self.knots.len(), self.knots.len() - 1, self.last_width())];
         let falls = |(edge, inner, at): (usize, usize, f64)| {
-            let value = self.segments[inner].iter().rev().fold(0.0, |sum, coefficient| sum * at + coefficient);
+            let value =
+                self.segments[inner].iter().rev().fold(0.0, |sum, coefficient| sum * at + coefficient);
             self.segments[edge] == [0.0; 4] && value != 0.0
         };
         self.degree == 0 || ends.into_iter().any(falls)

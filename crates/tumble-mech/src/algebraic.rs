@@ -72,7 +72,11 @@ pub(crate) fn all(terms: &mut [Term], forces: &HashSet<Symbol>) -> Vec<Algebraic
 }
 
 /// Loads that jump and act on bodies of these groups.
-pub(crate) fn jumps(terms: &[Term], known: &[Algebraic], group_of: impl Fn(usize) -> usize) -> Vec<ModelError> {
+pub(crate) fn jumps(
+    terms: &[Term],
+    known: &[Algebraic],
+    group_of: impl Fn(usize) -> usize,
+) -> Vec<ModelError> {
     let groups: HashSet<usize> = known.iter().map(|known| group_of(known.body)).collect();
     let own = terms.iter().filter(|term| groups.contains(&group_of(term.body)));
     let jumps = own.filter(|term| stated(term).iter().any(Expr::may_jump));
@@ -81,8 +85,9 @@ pub(crate) fn jumps(terms: &[Term], known: &[Algebraic], group_of: impl Fn(usize
     mistakes.collect()
 }
 
-fn stated(term: &Term) -> Vec<Expr> {
-    [term.force.components(), std::slice::from_ref(&term.couple)].concat()
+/// What a load does: along x and y, and the couple.
+pub(crate) fn stated(term: &Term) -> [Expr; 3] {
+    [term.force.x().clone(), term.force.y().clone(), term.couple.clone()]
 }
 
 impl Algebraic {
@@ -113,7 +118,9 @@ impl Equations {
     pub(crate) fn implicit(&self, mode: &Mode) -> Vec<usize> {
         let mut own = self.algebraic_in(mode);
         let mut held = Substitution::default();
-        for brake in self.acting_brakes(mode).into_iter().filter(|brake| mode.brake(*brake) == Some(Grip::Sticks)) {
+        for brake in
+            self.acting_brakes(mode).into_iter().filter(|brake| mode.brake(*brake) == Some(Grip::Sticks))
+        {
             held.insert(self.brakes()[brake].sign.clone(), Expr::zero());
         }
         let acts = |load: usize| self.loads()[load].window.is_none_or(|window| mode.windows[window]);
@@ -166,7 +173,8 @@ impl Slopes {
         let implicit: HashMap<&Symbol, ()> = own.iter().map(|index| (symbol(index), ())).collect();
         let by_state = |force: &Expr| {
             let used = force.symbols();
-            let other = |state: &&StateRate| used.contains(&state.symbol) && !implicit.contains_key(&state.symbol);
+            let other =
+                |state: &&StateRate| used.contains(&state.symbol) && !implicit.contains_key(&state.symbol);
             let slopes = states.iter().filter(other);
             slopes.map(|state| (force.derivative(&state.symbol), state.clone())).collect()
         };

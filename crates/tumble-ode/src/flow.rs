@@ -210,7 +210,12 @@ impl<F> LazyGuard<F> {
 
 impl<F> Invariant<F> {
     fn map<G>(&self, mut of: impl FnMut(&F) -> G) -> Invariant<G> {
-        Invariant { formula: of(&self.formula), slopes: by_state(&self.slopes, of), group: self.group, follows: self.follows }
+        Invariant {
+            formula: of(&self.formula),
+            slopes: by_state(&self.slopes, of),
+            group: self.group,
+            follows: self.follows,
+        }
     }
 }
 

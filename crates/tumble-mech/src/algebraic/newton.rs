@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_expr::{Branches, Jets};
 use tumble_ode::{Crossing, Reason};
 
+use super::stated;
 use crate::contact::WEDGED;
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -100,25 +101,24 @@ impl Equations {
         self.refuse_not_unique(now, &implicit)
     }
 
-    /// Refuses forces that are not unique, as those of three feet on one floor.
+    /// Refuses loads that read forces which are not unique, where the load is not unique for that.
     fn refuse_not_unique(&self, at: Spot<'_>, implicit: &[usize]) -> Result<(), Reason> {
-        let forces = implicit.iter().map(|index| self.algebraic()[*index].force.clone().into());
-        let open = self.spreads(at.mode, at.time, at.states, at.inputs, &forces.collect::<Vec<_>>())?;
-        let Some(index) = open.iter().position(Option::is_some) else { return Ok(()) };
-        let known = &self.algebraic()[implicit[index]];
-        Err(Reason::Model(format!(
-            "{} depends on `{}`, and more contacts or joints bear the load than are needed: how much each of them bears is not \
-             determined, and the motion depends on it. Let one hold less",
-            self.load_names(&known.loads),
-            known.force.name
-        )))
+        for known in implicit.iter().map(|index| &self.algebraic()[*index]) {
+            for load in &known.loads {
+                let term = &self.loads()[*load];
+                let read = std::slice::from_ref(&known.force);
+                self.refuse_open(at, term, read, &stated(term).map(|part| self.in_coordinates(&part)))?;
+            }
+        }
+        Ok(())
     }
 
     /// Why there are no forces, or several.
     fn unsettled(&self, implicit: &[usize], why: Unsettled) -> String {
         let named = |values: &DVector<f64>| {
             let each = implicit.iter().zip(values);
-            let each = each.map(|(index, value)| format!("`{}` = {value}", self.algebraic()[*index].force.name));
+            let each =
+                each.map(|(index, value)| format!("`{}` = {value}", self.algebraic()[*index].force.name));
             each.collect::<Vec<_>>().join(", ")
         };
         let known = |index: usize| &self.algebraic()[implicit[index]];
@@ -134,7 +134,11 @@ impl Equations {
             }
             Unsettled::Undetermined { least, left, values } => {
                 let known = known(least);
-                format!("{}. That is at {}", self.undetermined(&known.force.name, &known.loads, left), named(&values))
+                format!(
+                    "{}. That is at {}",
+                    self.undetermined(&known.force.name, &known.loads, left),
+                    named(&values)
+                )
             }
             Unsettled::None => format!(
                 "no value of `{}` obeys {}, which depends on it: whatever it is, the load makes it another (jamming). Let the load depend \
@@ -150,13 +154,18 @@ impl Equations {
 enum Unsettled {
     Several(Vec<DVector<f64>>),
     /// The loads leave too little of one of the forces.
-    Undetermined { least: usize, left: f64, values: DVector<f64> },
+    Undetermined {
+        least: usize,
+        left: f64,
+        values: DVector<f64>,
+    },
     None,
 }
 
 impl Forces<'_> {
     fn settle(mut self) -> Result<DVector<f64>, Unsettled> {
-        let before = DVector::from_iterator(self.places.len(), self.places.iter().map(|place| self.states[*place]));
+        let before =
+            DVector::from_iterator(self.places.len(), self.places.iter().map(|place| self.states[*place]));
         let mut found: Vec<Found> = vec![];
         if let Some(own) = self.newton(&before) {
             let is_there = (&own.values - &before).amax() <= STILL_THERE * own.values.amax();
@@ -168,13 +177,15 @@ impl Forces<'_> {
         let alone = self.alone();
         for beginning in BEGINNINGS {
             if let Some(own) = self.newton(&(&alone * beginning)) {
-                let is_known = |known: &Found| (&known.values - &own.values).amax() <= ONE * own.values.amax();
+                let is_known =
+                    |known: &Found| (&known.values - &own.values).amax() <= ONE * own.values.amax();
                 if !found.iter().any(is_known) {
                     found.push(own);
                 }
             }
         }
-        let (mut regular, others): (Vec<Found>, Vec<Found>) = found.into_iter().partition(|own| own.left > WEDGED);
+        let (mut regular, others): (Vec<Found>, Vec<Found>) =
+            found.into_iter().partition(|own| own.left > WEDGED);
         match (regular.len(), others.into_iter().next()) {
             (1, _) => Ok(regular.swap_remove(0).values),
             (0, None) => Err(Unsettled::None),

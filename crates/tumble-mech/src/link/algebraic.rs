@@ -33,7 +33,8 @@ impl Equations {
     /// them.
     pub(crate) fn residuals(&self, mode: &Mode) -> Result<Arc<Tape>, Reason> {
         let build = |mode: &Mode| {
-            let layout = tumble_expr::Layout { rounding: tumble_expr::Rounding::NEAREST, ..self.layout(mode) };
+            let layout =
+                tumble_expr::Layout { rounding: tumble_expr::Rounding::NEAREST, ..self.layout(mode) };
             let mut linking = Linking::new(self, mode, Nodes::default());
             let own = self.implicit(mode);
             let mut outputs: Vec<_> = own.iter().map(|index| linking.algebraic_force(*index)).collect();
@@ -102,7 +103,8 @@ impl<A: Algebra> Linking<'_, A> {
         let row = |(place, row): (usize, Vec<A::Value>)| {
             let entry = |(column, slope)| {
                 let less = self.algebra.unary(Unary::Neg, slope);
-                let entry = if column == place { self.algebra.binary(Binary::Add, one.clone(), less) } else { less };
+                let entry =
+                    if column == place { self.algebra.binary(Binary::Add, one.clone(), less) } else { less };
                 (column, entry)
             };
             row.into_iter().enumerate().map(entry).collect()
@@ -118,7 +120,9 @@ impl<A: Algebra> Linking<'_, A> {
         let place = |column: &usize| places.get(&self.names.find(&states[*column].state)?).copied();
         let slopes: Vec<Vec<(usize, A::Value)>> = matrix
             .iter()
-            .map(|row| row.iter().filter_map(|(column, slope)| Some((place(column)?, slope.clone()))).collect())
+            .map(|row| {
+                row.iter().filter_map(|(column, slope)| Some((place(column)?, slope.clone()))).collect()
+            })
             .collect();
         let mut found = vec![];
         for ((index, state), slopes) in own.iter().zip(&states).zip(slopes) {
