@@ -9,7 +9,7 @@
 //! # Sign and frame
 //! Those of the forces.
 //! # Validity
-//! The part that the loads leave of what a unit of a force does to its own equation, `1/(E^-1)_jj`, has to be positive, as where the loads are
+//! The determinant of E has to be positive. The part that the loads leave of what a unit of a force does to its own equation, `1/(E^-1)_jj`, has to be positive, as where the loads are
 //! linear. Of several solutions at an instant the one is continued that was there before; where there was none, several are refused with their
 //! values, as is none. The loads on these bodies must not jump but at events: no `if`, `step` or `sign` of anything but a rate that it brakes.
 //! # Source

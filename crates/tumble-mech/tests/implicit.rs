@@ -216,6 +216,11 @@ fn a_product_of_two_forces() {
     let (time, text) = common::refused(tried(&model, 2.0 * ends));
     close(time, ends, 1e-9);
     assert!(text.contains("is not determined") && text.contains("`on a`"), "{text}");
+    // From a start with two solutions on, of which the greater is no force that keeps a body.
+    let (model, forces) = pressed(|[a, b]| 0.02 / N * a * b);
+    let run = tried(&model, 0.1).map_err(|error| error.to_string()).expect("a motion");
+    let expected = (1.0 - (1.0 - 4.0 * 0.02 * G).sqrt()) / (2.0 * 0.02);
+    at(&run, 0.1, forces).into_iter().for_each(|found| close(found, expected, 1e-12));
     let (model, _) = pressed(|[a, b]| 0.03 / N * a * b);
     let (time, text) = common::refused(tried(&model, 1.0));
     assert!(time == 0.0 && text.contains("no value of") && text.contains("`on a`"), "{text}");

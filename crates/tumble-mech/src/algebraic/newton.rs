@@ -248,6 +248,9 @@ impl Found {
         let key = |left: f64| if left.is_nan() { f64::NEG_INFINITY } else { left };
         let least = all.min_by(|a, b| key(a.1).total_cmp(&key(b.1)));
         let (least, left) = least.unwrap_or((0, 1.0));
+        // Beyond an odd number of folds together the forces are no better off, whatever each does by itself.
+        let determinant = matrix.determinant();
+        let left = if determinant > 0.0 { left } else { left.min(determinant) };
         Self { values, left, least }
     }
 }
