@@ -26,6 +26,18 @@ impl Expr {
         found
     }
 
+    /// Whether it may jump where what it depends on does not: signs, steps, choices and piecewise constant tables.
+    pub fn may_jump(&self) -> bool {
+        self.folded(|formula, part| {
+            let own = match formula.node() {
+                Node::Unary(Unary::Sign | Unary::Step, _) | Node::Select(..) => true,
+                Node::Table(table, _) => table.0.is_stepped(),
+                _ => false,
+            };
+            own || formula.children().into_iter().any(part)
+        })
+    }
+
     /// The formula with a value in the place of each sign of something.
     pub fn with_sign(&self, of: &Self, value: &Self) -> Self {
         self.folded(|formula, part| match formula.node() {

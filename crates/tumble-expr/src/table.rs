@@ -113,6 +113,22 @@ impl Table {
         self.degree
     }
 
+    /// Whether its values jump: those that hold up to the next knot, and those that are zero outside and not at the ends.
+    pub(crate) fn is_stepped(&self) -> bool {
+        let ends = [(0, 1, 0.0), (self.knots.len(), self.knots.len() - 1, self.last_width())];
+        let falls = |(edge, inner, at): (usize, usize, f64)| {
+            let value =
+                self.segments[inner].iter().rev().fold(0.0, |sum, coefficient| sum * at + coefficient);
+            self.segments[edge] == [0.0; 4] && value != 0.0
+        };
+        self.degree == 0 || ends.into_iter().any(falls)
+    }
+
+    fn last_width(&self) -> f64 {
+        let last = self.knots.len() - 1;
+        self.knots[last] - self.knots[last - 1]
+    }
+
     /// Index of the segment that holds at x: 0 before the first knot, each holding from its knot on.
     ///
     /// The last knot is still measured: it belongs to the segment before it, but for values that hold up to the next knot.

@@ -17,6 +17,7 @@
 
 use std::collections::HashSet;
 
+use tumble_expr::units::{M, N};
 use tumble_expr::{Dimension, Expr, Symbol, Vector, is_identically_zero};
 use tumble_ode::Direction;
 
@@ -29,6 +30,9 @@ use crate::parameters::time_symbol;
 use crate::record::Happening;
 use crate::row::{Row, Wrench};
 use crate::term::{Law, Term};
+
+/// Forces where what does not depend on them is looked at, SI units: primes, so that nothing cancels there.
+const SOMEWHERE: [i32; 6] = [3, 7, 13, 19, 29, 37];
 
 /// A sign of a rate in loads.
 #[derive(Clone, Debug)]
@@ -172,6 +176,9 @@ impl Maker<'_> {
             let (limit, dimension) = (Expr::one(), Dimension::NONE);
             return Some(Factors { directions, limit, dimension, is_normal: true });
         };
+        if slopes.iter().flatten().any(|part| part.nonlinear_part(self.forces).is_some()) {
+            return self.factors_of_any(slopes, &read);
+        }
         let without = |formula: &Expr| {
             let mut none = tumble_expr::Substitution::default();
             read.iter().for_each(|symbol| none.insert(symbol.clone(), Expr::zero()));
@@ -207,6 +214,32 @@ impl Maker<'_> {
             limit: if is_alone { limit } else { limit + alone / &leading[0] },
             dimension: first.dimension,
             is_normal,
+        })
+    }
+
+    /// The same where B is no sum of forces: it is the first part of it that has any, times directions.
+    fn factors_of_any(&self, slopes: &[[Expr; 3]], read: &[Symbol]) -> Option<Factors> {
+        let reads = |part: &&Expr| part.symbols().iter().any(|symbol| self.forces.contains(symbol));
+        let leading = slopes.iter().flatten().find(reads)?;
+        let mut somewhere = tumble_expr::Substitution::default();
+        for (value, symbol) in SOMEWHERE.into_iter().cycle().zip(read) {
+            let unit = if symbol.dimension == Dimension::TORQUE { 1 * N * M } else { 1 * N };
+            somewhere.insert(symbol.clone(), value * unit);
+        }
+        let share = |part: &Expr| {
+            if is_identically_zero(&(part - leading)) {
+                return Some(Expr::one());
+            }
+            let share = part / leading;
+            let is_fixed = |symbol: &Symbol| is_identically_zero(&share.derivative(symbol));
+            read.iter().all(is_fixed).then(|| somewhere.apply(&share))
+        };
+        let shares = slopes.iter().map(|[x, y, couple]| Some([share(x)?, share(y)?, share(couple)?]));
+        Some(Factors {
+            directions: shares.collect::<Option<Vec<_>>>()?,
+            limit: leading.clone(),
+            dimension: leading.dimension().ok()?,
+            is_normal: false,
         })
     }
 

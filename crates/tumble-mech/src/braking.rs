@@ -208,7 +208,8 @@ impl Instant<'_> {
     }
 
     fn values(&self, mode: &Mode, formulas: &[Expr]) -> Result<Vec<f64>, Reason> {
-        self.equations.values(formulas, mode, self.time, self.states, self.inputs)
+        let states = self.equations.with_forces(mode, self.time, self.states, self.inputs)?;
+        self.equations.values(formulas, mode, self.time, &states, self.inputs)
     }
 
     /// By brake its rate, and what of it is none.

@@ -75,6 +75,11 @@ impl Components {
         Self { of_event: of_event.collect(), groups, group_of_body, all, of_group, owners }
     }
 
+    /// Says which body a symbol belongs to.
+    pub(crate) fn own(&mut self, symbol: Symbol, body: usize) {
+        self.owners.insert(symbol, body);
+    }
+
     /// Bodies of each group, in order; no body is in two.
     pub(crate) fn groups(&self) -> &[Vec<usize>] {
         &self.groups

@@ -73,6 +73,9 @@ pub(crate) enum Measure {
     AngularRate,
     /// Root of the depth of a Hertzian contact.
     Root,
+    /// Force, or couple, that loads read otherwise than linearly.
+    Force,
+    Torque,
 }
 
 impl Measure {
@@ -86,6 +89,7 @@ impl Measure {
 }
 
 /// A state with its rate, in the body's kinematic symbols.
+#[derive(Clone)]
 pub(crate) struct StateRate {
     pub(crate) symbol: Symbol,
     pub(crate) rate: Expr,

@@ -3,9 +3,10 @@
 use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
-use tumble_expr::{Expr, Rounding, Substitution, Symbol, Vector, is_identically_zero};
+use tumble_expr::{Expr, Rounding, Substitution, Symbol, Tape, Vector, is_identically_zero};
 use tumble_ode::Program;
 
+use crate::algebraic::{self, Algebraic, Slopes};
 use crate::brake::{self, Brake};
 use crate::cache::Cache;
 use crate::classes::Classes;
@@ -48,6 +49,7 @@ struct Parts {
     /// By term, the forces of contacts and joints that it reads.
     readings: Vec<Readings>,
     brakes: Vec<Brake>,
+    algebraic: Vec<Algebraic>,
     windows: Vec<Window>,
     pairs: Pairs,
     joints: Vec<JointEquations>,
@@ -66,6 +68,8 @@ pub(crate) struct Built {
     pub(crate) programs: Cache<(Mode, Rounding), Program>,
     pub(crate) tapes: Tapes,
     pub(crate) instant_tapes: InstantTapes,
+    pub(crate) slopes: Cache<Mode, Slopes>,
+    pub(crate) residuals: Cache<(Mode, Rounding), Tape>,
     /// Events that have set parameters, with the values before them, that leave every value possible.
     pub(crate) sound_changes: Cache<(Vec<usize>, Vec<u64>), ()>,
     pub(crate) sound: Cache<(), Sound>,
@@ -131,17 +135,27 @@ impl Equations {
         let (windows, mut terms) = terms(&model, &bodies);
         let pairs = Pairs::of(&model);
         let joints = JointEquations::all(&model);
-        let components = Components::of(&Couplings {
+        let mut components = Components::of(&Couplings {
             model: &model,
             terms: &terms,
             pairs: &pairs.all,
             joints: joints.iter().map(|joint| (&joint.bodies[..], joint.symbols())).collect(),
         });
         let motions: Vec<&Kinematics> = bodies.iter().map(|body| &body.kinematics).collect();
-        let brakes = brake::all(&mut terms, &motions, &feedback::forces(&model, &pairs.all, &joints));
+        let forces = feedback::forces(&model, &pairs.all, &joints);
+        let brakes = brake::all(&mut terms, &motions, &forces);
         for brake in &brakes {
             let sign = definitions.apply(&brake.rate.sign());
             definitions.insert(brake.sign.clone(), sign);
+        }
+        let algebraic = algebraic::all(&mut terms, &forces);
+        let jumps = algebraic::jumps(&terms, &algebraic, |body| components.group_of(body));
+        if !jumps.is_empty() {
+            return Err(ModelErrors(jumps));
+        }
+        for known in &algebraic {
+            components.own(known.state.clone(), known.body);
+            definitions.insert(known.state.clone(), known.force.clone().into());
         }
         let readings = feedback::readings(&model, &terms, &pairs.all, &joints)?;
         let states = bodies.iter().map(|body| body.coordinates.count());
@@ -156,6 +170,7 @@ impl Equations {
             terms,
             readings,
             brakes,
+            algebraic,
             windows,
             pairs,
             joints,
@@ -382,8 +397,8 @@ impl Equations {
         by_body
     }
 
-    /// The states of a mode: those of the bodies, then where events have made joints, then the roots of the depths of Hertzian
-    /// contacts.
+    /// The states of a mode: those of the bodies, then where events have made joints, then forces that loads read otherwise than linearly,
+    /// then the roots of the depths of Hertzian contacts.
     pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
         let bodies = mode.bodies.iter().flat_map(|body| {
             let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[*body];
@@ -407,7 +422,8 @@ impl Equations {
                 per_parameter: true,
             }
         };
-        bodies.chain(self.seats(mode)).chain(roots.iter().map(root)).collect()
+        let algebraic = self.algebraic_states(mode);
+        bodies.chain(self.seats(mode)).chain(algebraic).chain(roots.iter().map(root)).collect()
     }
 
     /// Pairs whose depth's root is a state of a mode.
@@ -438,6 +454,11 @@ impl Equations {
     /// Signs of rates in loads, that may stay zero.
     pub(crate) fn brakes(&self) -> &[Brake] {
         &self.parts.brakes
+    }
+
+    /// Forces that loads read otherwise than linearly.
+    pub(crate) fn algebraic(&self) -> &[Algebraic] {
+        &self.parts.algebraic
     }
 
     pub(crate) fn joints(&self) -> &[JointEquations] {

@@ -115,18 +115,27 @@ pub enum ModelError {
         /// What is wrong then.
         mistake: Box<ModelError>,
     },
-    /// A load that depends on forces of contacts or joints otherwise than linearly.
+    /// The place where a load acts depends on forces of contacts or joints.
     #[error(
-        "`{load}` depends on {} by {how}: the forces that keep bodies are found together with it from linear equations",
+        "the place of `{load}` depends on {}, which are found with the motion: it has to follow from the motion and the time",
         listed(read)
     )]
-    NotLinear {
+    PlaceByForces {
         /// Name of the load.
         load: String,
         /// Symbols of those forces.
         read: Vec<String>,
-        /// What it does with them.
-        how: &'static str,
+    },
+    /// A load jumps where others depend on forces otherwise than linearly.
+    #[error(
+        "`{load}` may jump between events, and {} would with it, on which a load depends otherwise than linearly",
+        listed(read)
+    )]
+    Jumps {
+        /// Name of the load.
+        load: String,
+        /// Symbols of the forces.
+        read: Vec<String>,
     },
     /// Forces that loads read and that are not determined at the start.
     #[error("at the start: {problem}")]

@@ -9,7 +9,7 @@
 //! # Sign and frame
 //! World axes. A contact's force along its normal is never negative, and zero while it is open; so is what a joint does that does not hold.
 //! # Validity
-//! The load is linear in the forces that it reads, else it is refused by name. Where it feeds back so much of a force that a push there comes
+//! The load is linear in the forces that it reads, else it is one of [`crate::algebraic`]. Where it feeds back so much of a force that a push there comes
 //! to move nothing, or moves it the wrong way, that force is not determined: refused in time. So is a load that reads a force which is
 //! not unique.
 //! # Source
@@ -20,9 +20,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use tumble_expr::{Binary, Expr, Node, Substitution, Symbol, Unary};
+use tumble_expr::{Expr, Substitution, Symbol};
 use tumble_ode::Reason;
 
+use crate::algebraic::stated;
 use crate::constraints::JointEquations;
 use crate::contact::{Pair, WEDGED};
 use crate::equations::Equations;
@@ -92,40 +93,12 @@ fn formulas(term: &Term) -> Vec<Expr> {
     [term.force.components(), std::slice::from_ref(&term.couple), term.arm.components()].concat()
 }
 
-/// That a term is not linear in the forces that it reads.
+/// That forces are read by the place of a term.
 fn mistake(term: &Term, forces: &HashSet<Symbol>) -> Option<ModelError> {
-    let place = term.arm.components().iter().find(|place| reads(place, forces));
-    let stated = term.force.components().iter().chain([&term.couple]);
-    let part = place.cloned().or_else(|| stated.into_iter().find_map(|own| own.nonlinear_part(forces)))?;
-    let mut read: Vec<String> = part
-        .symbols()
-        .iter()
-        .filter(|symbol| forces.contains(symbol))
-        .map(|symbol| symbol.name.to_string())
-        .collect();
+    let used = Expr::symbols_of(term.arm.components());
+    let mut read: Vec<String> = used.intersection(forces).map(|symbol| symbol.name.to_string()).collect();
     read.sort_unstable();
-    let how = if place.is_some() { "its place" } else { operation(&part) };
-    Some(ModelError::NotLinear { load: term.load.clone(), read, how })
-}
-
-fn reads(formula: &Expr, forces: &HashSet<Symbol>) -> bool {
-    formula.symbols().iter().any(|symbol| forces.contains(symbol))
-}
-
-/// What messages call what a formula does last.
-fn operation(formula: &Expr) -> &'static str {
-    match formula.node() {
-        Node::Norm(_) => "a length",
-        Node::Binary(Binary::Mul, ..) => "a product of them",
-        Node::Binary(Binary::Div, ..) => "a quotient",
-        Node::Binary(Binary::Pow, ..) => "a power",
-        Node::Unary(Unary::Sqrt, _) => "a root",
-        Node::Unary(Unary::Abs | Unary::Sign | Unary::Step, _)
-        | Node::Binary(Binary::Min | Binary::Max, ..)
-        | Node::Compare(..)
-        | Node::Select(..) => "a branch",
-        _ => "a function",
-    }
+    (!read.is_empty()).then(|| ModelError::PlaceByForces { load: term.load.clone(), read })
 }
 
 /// What a load is for each unit of a force that it reads.
@@ -172,17 +145,22 @@ impl Equations {
 
     /// Whether a load on any of some bodies reads forces.
     pub(crate) fn is_fed(&self, bodies: &[usize]) -> bool {
-        let loads = self.loads().iter().zip(self.readings());
-        loads.into_iter().any(|(term, readings)| !readings.symbols.is_empty() && bodies.contains(&term.body))
+        let mut loads = self.loads().iter().zip(self.readings());
+        loads.any(|(term, readings)| !readings.symbols.is_empty() && bodies.contains(&term.body))
+            || self.algebraic().iter().any(|known| bodies.contains(&known.body))
     }
 
     /// Refuses forces that loads read and that are not determined: where a guard says so, by its order among those, or where too little is left
     /// of them now; and those that are not unique.
     pub(crate) fn refuse_feedback(&self, at: Spot<'_>, told: &[usize]) -> Result<(), Reason> {
-        if self.feeding(at.mode).next().is_none() {
-            return Ok(());
+        let fed = match self.feeding(at.mode).next() {
+            Some(_) => Linking::new(self, at.mode, Written).feedback(),
+            None => vec![],
+        };
+        if let Some(steep) = told.iter().find_map(|index| index.checked_sub(fed.len())) {
+            let known = &self.algebraic()[self.implicit(at.mode)[steep]];
+            return Err(Reason::Model(self.undetermined(&known.force.name, &known.loads, WEDGED)));
         }
-        let fed = Linking::new(self, at.mode, Written).feedback();
         let left: Vec<Expr> = fed.iter().map(|fed| fed.left.clone()).collect();
         let left = self.values(&left, at.mode, at.time, at.states, at.inputs)?;
         let is_wrong =
@@ -191,7 +169,9 @@ impl Equations {
             Some(wrong) => {
                 Err(Reason::Model(self.undetermined(&fed[wrong].force, &fed[wrong].loads, left[wrong])))
             }
-            None => self.refuse_open(at),
+            None => self.feeding(at.mode).try_for_each(|(load, term)| {
+                self.refuse_open(at, term, &self.readings()[load].symbols, &stated(term))
+            }),
         }
     }
 
@@ -202,7 +182,7 @@ impl Equations {
         self.undetermined(&force.name, &loads, left)
     }
 
-    fn undetermined(&self, force: &str, loads: &[usize], left: f64) -> String {
+    pub(crate) fn undetermined(&self, force: &str, loads: &[usize], left: f64) -> String {
         let loads = self.load_names(loads);
         let how = match left {
             left if left.abs() <= 2.0 * WEDGED => "no force keeps the bodies, or any does",
@@ -215,28 +195,30 @@ impl Equations {
         )
     }
 
-    /// Refuses loads that read forces which are not unique, as those of three feet on one floor, where the load is not unique for that.
-    fn refuse_open(&self, at: Spot<'_>) -> Result<(), Reason> {
-        for (load, term) in self.feeding(at.mode) {
-            let formulas = [term.force.components(), std::slice::from_ref(&term.couple)].concat();
-            let formulas: Vec<Expr> =
-                formulas.iter().map(|formula| self.changes(at.mode).apply(formula)).collect();
-            let open = self.spreads(at.mode, at.time, at.states, at.inputs, &formulas)?;
-            if open.iter().any(Option::is_some) {
-                let read: Vec<String> =
-                    self.readings()[load].symbols.iter().map(|symbol| format!("`{}`", symbol.name)).collect();
-                return Err(Reason::Model(format!(
-                    "`{}` depends on {}, and more contacts or joints bear the load than are needed: how much each of them bears is not \
-                     determined, and the motion depends on it. Let it depend on their sum, or let one hold less",
-                    term.load,
-                    read.join(", ")
-                )));
-            }
+    /// Refuses a load that depends on forces which are not unique, as those of three feet on one floor, where it is not unique for that.
+    pub(crate) fn refuse_open(
+        &self,
+        at: Spot<'_>,
+        term: &Term,
+        read: &[Symbol],
+        formulas: &[Expr],
+    ) -> Result<(), Reason> {
+        let formulas: Vec<Expr> =
+            formulas.iter().map(|formula| self.changes(at.mode).apply(formula)).collect();
+        let open = self.spreads(at.mode, at.time, at.states, at.inputs, &formulas)?;
+        if open.iter().all(Option::is_none) {
+            return Ok(());
         }
-        Ok(())
+        let read: Vec<String> = read.iter().map(|symbol| format!("`{}`", symbol.name)).collect();
+        Err(Reason::Model(format!(
+            "`{}` depends on {}, and more contacts or joints bear the load than are needed: how much each of them bears is not \
+             determined, and the motion depends on it. Let it depend on their sum, or let one hold less",
+            term.load,
+            read.join(", ")
+        )))
     }
 
-    fn load_names(&self, loads: &[usize]) -> String {
+    pub(crate) fn load_names(&self, loads: &[usize]) -> String {
         let mut names: Vec<String> =
             loads.iter().map(|load| format!("`{}`", self.loads()[*load].load)).collect();
         names.dedup();

@@ -19,6 +19,8 @@ impl Equations {
         let mut mistakes = self.value_mistakes(&known);
         let (mut states, mut compensation) = self.initial_states(&known, &mut mistakes)?;
         let mut mode = self.initial_mode(&known, &mut mistakes)?;
+        states.resize(self.algebraic_places(&mode).end, 0.0);
+        compensation.resize(states.len(), 0.0);
         if !mistakes.is_empty() {
             return Err(ModelErrors(mistakes));
         }
@@ -30,6 +32,7 @@ impl Equations {
             self.brake_at_start(&mut mode, &mut states, &inputs).map_err(problem)?;
             let now = Spot { mode: &mode, time: 0.0, states: &states, inputs: &inputs };
             self.refuse_feedback(now, &[]).map_err(problem)?;
+            self.find_forces(&mode, 0.0, &mut states, &inputs).map_err(problem)?;
         }
         match mistakes.is_empty() {
             true => {

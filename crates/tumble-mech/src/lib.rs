@@ -5,6 +5,7 @@
 //! no figure.
 
 mod air;
+mod algebraic;
 mod anchor;
 mod assembly;
 mod balance;

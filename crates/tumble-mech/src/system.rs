@@ -38,6 +38,17 @@ impl Hybrid for Equations {
     /// At one instant windows end before others begin, then come events, which see what was scheduled, then what is captured, then contacts,
     /// which see all forces that act from now on, and last the events that all this has made happen.
     fn jump(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
+        if self.algebraic().is_empty() { self.jump_once(at) } else { self.jump_with_forces(at) }
+    }
+
+    fn held_by(record: &Record) -> usize {
+        record.held()
+    }
+}
+
+impl Equations {
+    /// The same for given values of the forces that loads read otherwise than linearly.
+    pub(crate) fn jump_once(&self, at: &Crossing<'_, Mode>) -> Result<Jump<Mode>, Reason> {
         let mut jump = Jump::to(at.mode.clone(), at.states.to_vec());
         let events = self.events(at.mode);
         for cause in at.causes {
@@ -74,12 +85,6 @@ impl Hybrid for Equations {
         Ok(jump)
     }
 
-    fn held_by(record: &Record) -> usize {
-        record.held()
-    }
-}
-
-impl Equations {
     fn pass_time(&self, index: usize, jump: &mut Jump<Mode>) {
         let due = self.schedule(&jump.mode).nth(index).map(|(window, ends, _)| (window, ends));
         if let Some((window, ends)) = due {

@@ -136,3 +136,31 @@ fn a_wheel_whose_axle_is_as_high_as_its_radius_is_refused_for_what_it_is() {
     let refused = comes_to(model).expect_err("it is not determined");
     assert!(refused.contains("not determined") && !refused.contains("NaN"), "{refused}");
 }
+
+/// Beyond the deciding coefficient, with `A = g - l omega^2 sin` and `B = 1 + 3 cos (cos - mu sin) < 0` (Genot and Brogliato 1999): while A > 0 what presses the
+/// foot is `A/B < 0`, and no motion is possible; while A < 0 the foot lifts off, or slides on under the force `A/B > 0`.
+#[test]
+fn the_possible_motions_are_listed() {
+    let (tan, mu) = (2.0_f64, 1.6);
+    let (sin, cos) = tan.atan().sin_cos();
+    let b = 1.0 + 3.0 * cos * (cos - mu * sin);
+    for omega in [0.0, 6.0] {
+        let a = G - 0.5 * omega * omega * sin;
+        let mut model = world();
+        add(&mut model, tan, [-1.0 - 0.5 * sin * omega, 0.5 * cos * omega, omega]);
+        floor(&mut model, mu);
+        let text = comes_to(model).expect_err("it is wedged");
+        println!("{text}");
+        if a > 0.0 {
+            assert!(text.contains("No motion without an impact is possible"), "{text}");
+            continue;
+        }
+        assert!(text.contains("2 motions are possible") && text.contains("slides backward"), "{text}");
+        let number = |before: &str| {
+            let rest = text.split(before).nth(1).and_then(|rest| rest.split(' ').next());
+            rest.and_then(|number| number.parse::<f64>().ok()).expect("a number")
+        };
+        close(number("the normal force "), a / b, 1e-9);
+        close(number("opens with "), -a, 1e-9);
+    }
+}

@@ -98,6 +98,9 @@ pub struct Invariant<F = Expr> {
     pub slopes: Vec<(usize, F)>,
     /// Index of the [`ScaleGroup`] that its size is measured against.
     pub group: usize,
+    /// Whether the states of the slopes follow from all others by it. Rounding of these does to the function what it likes, and is no
+    /// fault of a step; what is not that must have been integrated over a jump.
+    pub follows: bool,
 }
 
 impl Invariant {
@@ -106,7 +109,7 @@ impl Invariant {
         let used = formula.symbols();
         let own = states.iter().enumerate().filter(|(_, state)| used.contains(*state));
         let slopes = own.map(|(index, state)| (index, formula.derivative(state))).collect();
-        Self { formula, slopes, group }
+        Self { formula, slopes, group, follows: false }
     }
 }
 
@@ -207,7 +210,12 @@ impl<F> LazyGuard<F> {
 
 impl<F> Invariant<F> {
     fn map<G>(&self, mut of: impl FnMut(&F) -> G) -> Invariant<G> {
-        Invariant { formula: of(&self.formula), slopes: by_state(&self.slopes, of), group: self.group }
+        Invariant {
+            formula: of(&self.formula),
+            slopes: by_state(&self.slopes, of),
+            group: self.group,
+            follows: self.follows,
+        }
     }
 }
 

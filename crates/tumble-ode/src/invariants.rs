@@ -19,6 +19,8 @@ use crate::scale::Scales;
 
 /// A step may move an invariant by this part of its scale: a few ulps.
 const ALLOWED: f64 = 1e-14;
+/// The same of what follows from other states: these are known to their tolerance, and it is found from them at the end of the step.
+const ALLOWED_TO_FOLLOW: f64 = 1e-7;
 /// A step whose own error may be this large may move an invariant by this part of it: it is projected out at its end.
 const OF_TOLERANCE: f64 = 0.1;
 /// Below this part of what is allowed, the function's own rounding would be projected into the states.
@@ -65,6 +67,7 @@ struct Product {
 #[derive(Debug)]
 pub(crate) struct Row {
     group: usize,
+    follows: bool,
     /// Index of its value among the outputs; its slopes follow.
     output: usize,
     /// The states that it depends on.
@@ -87,12 +90,13 @@ impl Rows {
     /// Those of some functions of so many states, and what they are evaluated by.
     pub(crate) fn of_all<F: Clone>(invariants: &[Invariant<F>], states: usize) -> (Vec<F>, Self) {
         let (mut outputs, mut list) = (vec![], vec![]);
-        for Invariant { formula, slopes, group } in invariants {
+        for Invariant { formula, slopes, group, follows } in invariants {
             let output = outputs.len();
             outputs.push(formula.clone());
             outputs.extend(slopes.iter().map(|(_, slope)| slope.clone()));
             list.push(Row {
                 group: *group,
+                follows: *follows,
                 output,
                 states: slopes.iter().map(|(state, _)| *state).collect(),
             });
@@ -152,12 +156,8 @@ impl Invariants {
 
     /// How far the worst is from zero, in units of what is allowed and what rounding of the states makes of it.
     fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
-        self.excess_of_step(
-            time,
-            states,
-            scales,
-            &Slack { tolerance: 0.0, off: &[], length: 0.0, rounding: 0.0 },
-        )
+        let none = Slack { tolerance: 0.0, off: &[], length: 0.0, rounding: 0.0 };
+        self.excess_beyond(time, states, scales, &none, ALLOWED)
     }
 
     /// The same at the end of a step.
@@ -168,6 +168,17 @@ impl Invariants {
         scales: &Scales,
         slack: &Slack<'_>,
     ) -> f64 {
+        self.excess_beyond(time, states, scales, slack, ALLOWED_TO_FOLLOW)
+    }
+
+    fn excess_beyond(
+        &mut self,
+        time: f64,
+        states: &[f64],
+        scales: &Scales,
+        slack: &Slack<'_>,
+        allowed_to_follow: f64,
+    ) -> f64 {
         self.values.start(time, states, Branches::Free);
         let part = |row: &Row| {
             let scale = scales.of(row.group);
@@ -176,7 +187,8 @@ impl Invariants {
                 self.values.value_of(row.output + 1 + index).abs()
                     * (off + slack.rounding * states[*state].abs())
             });
-            let allowed = ALLOWED.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
+            let least = if row.follows { allowed_to_follow } else { ALLOWED };
+            let allowed = least.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
             if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
         };
         self.rows.list.iter().map(part).fold(0.0, f64::max)

@@ -99,8 +99,8 @@ tumble_expr::codes! {
     JointOpen = "E0548";
     /// Joints that no pose of their bodies closes.
     JointsDoNotClose = "E0549";
-    /// A load that depends on forces of contacts or joints otherwise than linearly.
-    NotLinear = "E0562";
+    /// A load that jumps while others depend on forces of contacts or joints otherwise than linearly.
+    ByForces = "E0562";
     /// A file outside of the scene's folder.
     FilePath = "E0550";
     /// A file that cannot be read.

@@ -71,7 +71,10 @@ impl Places {
             ModelError::NoForce { load, .. } => about(Code::NoForce, &format!("`{load}`"))
                 .label("has no value at the start")
                 .help("look for a division by what is zero at the start, a root of what is negative, or a table outside its range"),
-            ModelError::NotLinear { load, read, .. } => self.not_linear(load, read, &message),
+            ModelError::Jumps { load, .. } => self.by_load(load, &message).label("jumps").help(
+                "let it act `during` two times or events, or make it go from one value to the other within a short time",
+            ),
+            ModelError::PlaceByForces { load, .. } => self.by_load(load, &message).label("acts at such a place"),
             ModelError::NoSpan { load } => about(Code::NoSpan, &format!("`{load}`"))
                 .label("of no length at the start")
                 .help("start the bodies apart; only a spring of no rest length and no damping may have no length"),
@@ -92,15 +95,11 @@ impl Places {
         }
     }
 
-    /// A load that is not linear in the forces that it depends on.
-    fn not_linear(&self, load: &str, read: &[String], message: &str) -> Diagnostic {
+    /// What is wrong with a load where loads depend on forces of contacts and joints.
+    fn by_load(&self, load: &str, message: &str) -> Diagnostic {
         let stated = ["force", "torque"].map(|what| format!("{what} of `{load}`"));
         let place = stated.iter().find(|what| self.get(what).is_some()).unwrap_or(&stated[0]);
-        let first = read.first().map_or("floor.normal", String::as_str);
-        self.about(Code::NotLinear, place, message).label("not linear in them").help(format!(
-            "write it as a sum in which `{first}` stands as it is, times anything that follows from the motion and the time, such as \
-             `-mu*{first}*sign(rod.omega)`; the force of a contact is never negative and needs no `abs`"
-        ))
+        self.about(Code::ByForces, place, message)
     }
 
     /// A value that cannot be.

@@ -258,16 +258,10 @@ const FORMULAS: &[Row] = &[
         "accelerations follow from the forces",
     ),
     (
-        "force = [\"w(t)*1 N\", 0]",
-        "force = [\"-0.1*hinge.force\", 0]",
-        "E0562 [\"-0.1*hinge.force\", 0]",
-        "by a length",
-    ),
-    (
         "torque = \"0.1 N*m\"",
-        "torque = \"hinge.fx*hinge.fy/(1 N)*L\"",
-        "E0562 \"hinge.fx*hinge.fy/(1 N)*L\"",
-        "by a product of them",
+        "torque = \"if(t < T, 0.1, 0.2)*hinge.force*L\"",
+        "E0562 \"if(t < T, 0.1, 0.2)*hinge.force*L\"",
+        "may jump between events",
     ),
     ("torque = \"0.1 N*m\"", "torque = \"hinge.fx\"", "E0404 hinge.fx", "found a force"),
     (

@@ -1,6 +1,7 @@
 //! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
 mod corners;
+pub(in crate::contact) mod motions;
 mod pressed;
 mod rubbing;
 mod wedged;

@@ -162,8 +162,10 @@ impl Equations {
         if let Some(brake) = self.acting_brakes(mode).first() {
             return Err(NoEquilibrium::Braked { load: self.brake_name(*brake).to_owned() });
         }
-        match self.feeding(mode).next() {
-            Some((_, term)) => Err(NoEquilibrium::Fed { load: term.load.clone() }),
+        let implicit = self.implicit(mode).into_iter().flat_map(|index| &self.algebraic()[index].loads);
+        let implicit = implicit.map(|load| &self.loads()[*load]);
+        match self.feeding(mode).map(|(_, term)| term).chain(implicit).next() {
+            Some(term) => Err(NoEquilibrium::Fed { load: term.load.clone() }),
             None => Ok(()),
         }
     }

@@ -31,12 +31,7 @@ impl<A: Algebra> Linking<'_, A> {
         });
         let states = states.collect();
         let schedule = self.formulas(&equations.scheduled_times(mode));
-        let roots = equations.roots(mode).into_iter();
-        let roots: Vec<A::Value> =
-            roots.map(|pair| self.algebra.leaf(&equations.pairs()[pair].root_symbol())).collect();
-        // The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
-        let time_transformation =
-            roots.into_iter().reduce(|product, root| self.algebra.binary(Binary::Mul, product, root));
+        let time_transformation = self.time_transformation();
         Flow {
             states,
             time: time_symbol(),
@@ -49,6 +44,14 @@ impl<A: Algebra> Linking<'_, A> {
             invariants: self.invariants(&places),
             time_transformation,
         }
+    }
+
+    /// The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
+    pub(super) fn time_transformation(&mut self) -> Option<A::Value> {
+        let roots = self.equations.roots(self.mode).into_iter();
+        let roots: Vec<A::Value> =
+            roots.map(|pair| self.algebra.leaf(&self.equations.pairs()[pair].root_symbol())).collect();
+        roots.into_iter().reduce(|product, root| self.algebra.binary(Binary::Mul, product, root))
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
@@ -67,6 +70,8 @@ impl<A: Algebra> Linking<'_, A> {
             group("speed", &size, true),
             group("angular rate", &one, true),
             group("root of a depth", &zero, false),
+            group("force", &zero, false),
+            group("torque", &zero, false),
         ]
     }
 
@@ -99,7 +104,7 @@ impl<A: Algebra> Linking<'_, A> {
         for (brake, watched, direction) in equations.watched_brakes(self.mode) {
             guards.push(self.brake_guard(brake, watched, direction));
         }
-        for (name, formula) in self.too_much_feedback() {
+        for (name, formula) in self.too_much_feedback().into_iter().chain(self.too_steep()) {
             let (direction, at_zero) = (Direction::Falling, AtZero::Ends);
             guards.push(Guard { name, formula, direction, at_zero });
         }
@@ -230,9 +235,10 @@ impl<A: Algebra> Linking<'_, A> {
                     states.iter().zip(slopes).filter_map(|(state, slope)| Some((*places.get(state)?, slope)));
                 let mut slopes: Vec<(usize, A::Value)> = slopes.collect();
                 slopes.sort_unstable_by_key(|(state, _)| *state);
-                invariants.push(Invariant { formula, slopes, group: *measure as usize });
+                invariants.push(Invariant { formula, slopes, group: *measure as usize, follows: false });
             }
         }
+        invariants.extend(self.algebraic_invariants(places));
         invariants
     }
 }

@@ -136,6 +136,7 @@ impl<'a, A: Algebra> Linking<'a, A> {
             Meaning::Friction { pair } => self.friction(pair).unwrap_or(leaf),
             Meaning::Sign { brake } => self.sign(brake),
             Meaning::Brake { brake } => self.braking(brake).unwrap_or(leaf),
+            Meaning::Rate { index } => self.rate_of_algebraic(index),
             Meaning::Acceleration { .. } | Meaning::Reaction { .. } => leaf,
         };
         self.values.insert(name, found.clone());

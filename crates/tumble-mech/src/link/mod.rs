@@ -6,6 +6,7 @@
 //! makes programs and tapes without looking through a formula, or on formulas, where they are to be read.
 
 mod algebra;
+mod algebraic;
 mod flow;
 mod instant;
 mod island;

@@ -36,6 +36,8 @@ pub(crate) enum Meaning {
     Sign { brake: usize },
     /// What keeps its rate zero.
     Brake { brake: usize },
+    /// Rate of a force that loads read otherwise than linearly, by its index.
+    Rate { index: usize },
 }
 
 /// All symbols of the motion, the time and the parameters.
@@ -103,6 +105,10 @@ impl Names {
             for (symbol, _) in &joint.seat {
                 names.add(symbol.clone(), Meaning::Leaf);
             }
+        }
+        for (index, known) in equations.algebraic().iter().enumerate() {
+            names.add(known.state.clone(), Meaning::Leaf);
+            names.add(known.rate.clone(), Meaning::Rate { index });
         }
         for (index, brake) in equations.brakes().iter().enumerate() {
             let sign = names.add(brake.sign.clone(), Meaning::Sign { brake: index });

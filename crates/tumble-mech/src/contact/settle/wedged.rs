@@ -34,7 +34,8 @@ impl Settling<'_> {
             }
             let left = own - f64::from(way.sign()) * patch.friction[1] * by;
             if left <= WEDGED * own || touched.wedged.contains(&self.touch.pairs[position]) {
-                return Err(self.wedged(position, [patch.friction[1], own / by.abs()], jump));
+                let motions = self.possible_motions(some, patches);
+                return Err(self.wedged(position, [patch.friction[1], own / by.abs()], &motions, jump));
             }
         }
         Ok(())
@@ -66,7 +67,8 @@ impl Settling<'_> {
             let Some((own, left)) = left(&smooth).zip(left(patches)) else { continue };
             if left <= WEDGED * own || touched.wedged.contains(&self.touch.pairs[position]) {
                 let kinetic = patch.friction[1];
-                return Err(self.wedged(position, [kinetic, kinetic * own / (own - left)], jump));
+                let motions = self.possible_motions(some, patches);
+                return Err(self.wedged(position, [kinetic, kinetic * own / (own - left)], &motions, jump));
             }
         }
         Ok(())
@@ -125,7 +127,13 @@ impl Settling<'_> {
     }
 
     /// Painleve's configuration by its name.
-    fn wedged(&self, position: usize, [friction, most]: [f64; 2], jump: &Jump<Mode>) -> Reason {
+    fn wedged(
+        &self,
+        position: usize,
+        [friction, most]: [f64; 2],
+        motions: &str,
+        jump: &Jump<Mode>,
+    ) -> Reason {
         let pair = &self.equations.pairs()[self.touch.pairs[position]];
         let body = &self.equations.model().bodies[pair.body];
         let formulas = [body.kinematics().angle()];
@@ -135,7 +143,7 @@ impl Settling<'_> {
             .map_or(f64::NAN, |values| values[0]);
         Reason::Model(format!(
             "`{}` slips with the kinetic coefficient {friction} while `{}` is at {angle} rad: from {most} on, friction takes all that a \
-             push of the surface would move there, and no force holds the body up or several do (Painleve's paradox). Take less \
+             push of the surface would move there, and no force holds the body up or several do (Painleve's paradox). {motions}. Take less \
              friction, another angle or another speed, or a compliant surface",
             pair.name, body.name
         ))
