@@ -38,7 +38,7 @@ impl Page {
 
     fn plot(&mut self, plot: &Chart) -> String {
         let description = description(plot);
-        let drawing = self.inline(&plot.figure.svg().described(description.clone()));
+        let drawing = self.inline(&plot.figure.small_svg().described(description.clone()));
         self.plots.push(plot_data(plot, &description));
         let (number, title) = (self.plots.len() - 1, plot.figure.title.to_plain());
         let content = format!("<div class=\"sheet still\">{drawing}</div>\n");

@@ -8,6 +8,8 @@ use tumble_drawing::svg::escape;
 
 /// Rows of a long table that are shown at first.
 const FOLD: usize = 20;
+/// Rows of a table that stay together on paper.
+const KEPT: usize = 8;
 
 /// Columns from which on the cells of a row stand below each other where the page is narrow, and on paper.
 const STACKED: usize = 3;
@@ -36,13 +38,14 @@ fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>], stacked: bool) 
     let lines = rows.iter().enumerate();
     let body: String = lines.map(|(n, row)| line(columns, &kept, row, (n >= FOLD, names))).collect();
     let long = if rows.len() > FOLD { " data-long" } else { "" };
+    let many = if rows.len() > KEPT { " many" } else { "" };
     let class = match kept.len() {
         0..=STACKED if !stacked => "table",
         ..=WIDE => "table stack",
         _ => "table stack wide",
     };
     format!(
-        "<div class=\"{class}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
+        "<div class=\"{class}{many}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
         tagged("caption", "", caption)
     )
 }
