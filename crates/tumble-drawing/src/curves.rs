@@ -25,7 +25,7 @@ struct Size {
 /// A picture of its own.
 const ALONE: Size = Size { width: 600.0, height: 300.0 };
 /// One of two beside each other on a sheet of paper: its letters are not made smaller there.
-const BESIDE: Size = Size { width: 390.0, height: 150.0 };
+const BESIDE: Size = Size { width: 390.0, height: 138.0 };
 /// Room above and below the data, as a part of their range.
 const PADDING: f64 = 0.06;
 /// Width of a column in which only the extremes of a curve are kept, in pixels.
