@@ -51,6 +51,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Times => " \\cdot ",
         Operator::Over => "/",
         Operator::Cross => " \\times ",
+        Operator::Dot => " \\cdot ",
     }
 }
 

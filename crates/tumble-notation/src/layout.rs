@@ -19,6 +19,8 @@ pub enum Operator {
     Over,
     /// A vector product.
     Cross,
+    /// A scalar product.
+    Dot,
 }
 
 /// How derivatives by time are marked.

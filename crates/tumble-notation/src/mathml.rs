@@ -138,6 +138,7 @@ fn sign(operator: Operator) -> String {
         Operator::LessEqual => ("infix", "≤"),
         Operator::Times => ("infix", "·"),
         Operator::Cross => ("infix", "×"),
+        Operator::Dot => ("infix", "·"),
         Operator::Over => return "<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">/</mo>".to_owned(),
     };
     format!("<mo form=\"{form}\">{sign}</mo>")

@@ -46,6 +46,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Times => "·",
         Operator::Over => "/",
         Operator::Cross => " × ",
+        Operator::Dot => " · ",
     }
 }
 
