@@ -5,14 +5,17 @@ use tumble_drawing::Label;
 use tumble_mech::{Balance, Equations, Kind};
 use tumble_scene::{Sheet, Study};
 
-use super::names::quantity;
+use super::names::{quantity, quantity_to};
 use super::words;
+use crate::figures::captions;
 use crate::figures::energies::sheet;
 use crate::results::Case;
 use crate::results::CaseBalance;
 
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
 const NOTHING: f64 = 1e-14;
+/// Digits of a residual: none of it is verified, its size is what tells.
+const SIZE: usize = 2;
 
 pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
@@ -31,7 +34,7 @@ pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
 fn energies(study: &Study, balance: &CaseBalance) -> Option<Chart> {
     let is_asked = study.balances.iter().any(|asked| asked.show == Sheet::Energies);
     let figure = || sheet(balance, "Energies", Sheet::Energies);
-    (!is_asked).then(|| Chart::over_time(figure(), "Kinetic, potential and total energy over time."))
+    (!is_asked).then(|| Chart::over_time(figure(), captions::ENERGIES))
 }
 
 /// What is left of the energy, where it is more than the accuracy asked for: less is told by the table.
@@ -39,9 +42,7 @@ fn residual(balance: &CaseBalance, accuracy: f64) -> Option<Chart> {
     let figure = sheet(balance, "Residual of the energy", Sheet::Residual);
     let all = figure.series.iter().flat_map(|series| &series.points).map(|point| point[1].abs());
     let is_seen = all.fold(0.0, f64::max) > accuracy * balance.energy.scale;
-    is_seen.then(|| {
-        Chart::over_time(figure, "Energy that the works of the loads do not account for, over time.")
-    })
+    is_seen.then(|| Chart::over_time(figure, captions::RESIDUAL))
 }
 
 fn balances(balance: &CaseBalance) -> Table {
@@ -55,7 +56,7 @@ fn balances(balance: &CaseBalance) -> Table {
     let row = |name: &str, unit: &str, of: &Balance| {
         let values = [of.start, of.end, of.change].map(|value| seen(value, of));
         let name = Text::from(format!("{name} (")).and(Label::unit(unit)).and(")");
-        std::iter::once(name).chain(values).chain([quantity(of.residual, "")]).collect()
+        std::iter::once(name).chain(values).chain([quantity_to(of.residual, SIZE, "")]).collect()
     };
     let [x, y] = &balance.total.momentum;
     Table::new("", columns)

@@ -250,7 +250,7 @@ fn picture(picture: &Picture) -> String {
 fn plot(plot: &Chart) -> String {
     let title = plot.figure.title.to_plain();
     let alt = if plot.description.is_empty() { &title } else { &plot.description };
-    figure(&plot.file, alt, &plot.shown_caption())
+    figure(&plot.file, alt, &plot.caption)
 }
 
 /// A link to a picture with its caption below; the caption alone if there is no file.
