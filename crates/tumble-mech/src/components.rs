@@ -1,19 +1,19 @@
 //! Which bodies have a part in each other's motion, always or at times, and which never do.
 //!
 //! Bodies of a *group* are always one motion: forces and joints that always act couple them. Bodies of an *island* are one motion now:
-//! a joint that events make or release holds, besides. Bodies of a *component* may ever have a part in each other's motion: an event
-//! reads several of them, or acts on them. No term, row, guard or jump of one component reads a state of another: each is a motion of
+//! they touch or are near it, or a joint that events make or release holds, besides. Bodies of a *component* may ever have a part in each
+//! other's motion: they may meet, an event reads several of them, or acts on them. No term, row, guard or jump of one component reads a state of another: each is a motion of
 //! its own, with its own modes, steps, scales and errors. What all bodies meet alike, a floor or the wind, couples none of them.
 //!
-//! A parameter that an event sets is read by all: its event has a part in the motion of all. Bodies that meet each other are one group. Hertzian contacts share one time
-//! transformation: where there are any, all bodies are one group. So are those of a component whose joints close a loop, which is looked at
-//! as a whole where it is singular.
+//! A parameter that an event sets is read by all: its event has a part in the motion of all. Where there is one, or a body is carried by a
+//! pivot that moves, bodies that may meet are one group. Hertzian contacts share one time transformation: where there are any, all bodies
+//! are one group. So are those of a component whose joints close a loop, which is looked at as a whole where it is singular.
 
 use std::collections::HashMap;
 
 use tumble_expr::{Expr, Symbol, Vector};
 
-use crate::contact::Pair;
+use crate::contact::{Pair, moves};
 use crate::coordinates::force_symbols;
 use crate::equations::Equations;
 use crate::event::Action;
@@ -119,21 +119,35 @@ impl Components {
         if found.is_empty() { vec![0] } else { found }
     }
 
-    /// Whether events read or act on a group alone.
-    pub(crate) fn has_events(&self, group: usize) -> bool {
-        self.of_event.iter().any(|groups| groups[..] == [group])
+    /// The groups of some bodies, in order.
+    pub(crate) fn groups_of(&self, bodies: &[usize]) -> Vec<usize> {
+        let mut groups: Vec<usize> = bodies.iter().map(|body| self.group_of_body[*body]).collect();
+        groups.sort_unstable();
+        groups.dedup();
+        groups
+    }
+
+    /// Whether events read or act on some bodies alone.
+    pub(crate) fn has_events(&self, bodies: &[usize]) -> bool {
+        let groups = self.groups_of(bodies);
+        let is_own = |group: &usize| groups.binary_search(group).is_ok();
+        self.of_event.iter().any(|of| of.iter().all(is_own))
     }
 }
 
 impl Equations {
-    /// Groups of those in a mode that joints which hold now make one motion, in order.
+    /// Groups of those in a mode that joints which hold now, or contacts, make one motion, in order.
     pub(crate) fn coupled(&self, mode: &Mode, groups: &[usize]) -> Vec<Vec<usize>> {
-        let place = |body: &usize| groups.binary_search(&self.components().group_of(*body));
+        let place = |body: usize| groups.binary_search(&self.components().group_of(body)).ok();
         let mut sets = Sets::new(groups.len());
-        for (_, joint) in self.joints().iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint)) {
-            let ends: Vec<usize> = joint.bodies.iter().filter_map(|body| place(body).ok()).collect();
+        let mut join = |bodies: &mut dyn Iterator<Item = usize>| {
+            let ends: Vec<usize> = bodies.filter_map(place).collect();
             ends.windows(2).for_each(|two| sets.join(two[0], two[1]));
+        };
+        for (_, joint) in self.joints().iter().enumerate().filter(|(joint, _)| self.holds(mode, *joint)) {
+            join(&mut joint.bodies.iter().copied());
         }
+        mode.contacts.iter().for_each(|(pair, _)| join(&mut self.pairs()[*pair].bodies()));
         let (islands, _) = sets.in_order();
         islands.into_iter().map(|island| island.into_iter().map(|place| groups[place]).collect()).collect()
     }
@@ -184,7 +198,12 @@ impl Couplings<'_> {
             let friction =
                 friction.flat_map(|own| [&own.of_rest, &own.kinetic].into_iter().chain(&own.rolling));
             let law = pair.law.dimensions().into_iter().map(|(_, formula, _)| formula).chain(friction);
-            read(pair.body, law.chain([&pair.gap()]).collect());
+            let gap = pair.gap();
+            let formulas: Vec<&Expr> = law.chain([&gap]).collect();
+            let is_own = |body: usize| pair.has(body) && self.is_apart_at_times(pair, owners);
+            if !read_by(formulas.iter().copied(), owners).into_iter().all(is_own) {
+                read(pair.body, formulas);
+            }
         }
         for pivot in &model.pivots {
             read(self.body(&pivot.body), pivot.world.components().iter().collect());
@@ -203,8 +222,21 @@ impl Couplings<'_> {
         }
     }
 
-    /// Joins what events give a part in each other's motion, as long as it may be.
+    /// Whether what may meet is known to be apart by where it is: nothing that an event sets moves it or makes it larger.
+    fn is_apart_at_times(&self, pair: &Pair, owners: &HashMap<Symbol, usize>) -> bool {
+        let is_moved = |world: &Vector| moves(world) || !read_by(world.components(), owners).is_empty();
+        let is_carried = |body: usize| {
+            self.model.pivot_of(&self.model.bodies[body].name).is_some_and(|pivot| is_moved(&pivot.world))
+        };
+        let sets = |event: &crate::Event| matches!(event.action, Action::Set(_));
+        !self.model.events.iter().any(sets) && !pair.bodies().any(is_carried)
+    }
+
+    /// Joins what events or contacts give a part in each other's motion, as long as it may be.
     fn join_at_times(&self, events: &[Vec<usize>], sets: &mut Sets) {
+        for pair in self.pairs {
+            pair.other.into_iter().for_each(|other| sets.join(pair.body, other));
+        }
         let joints = self.joints.iter().map(|(of, _)| *of);
         for together in events.iter().map(Vec::as_slice).chain(joints) {
             together.windows(2).for_each(|two| sets.join(two[0], two[1]));

@@ -108,7 +108,7 @@ impl Equations {
     pub fn source_name(&self, source: Source) -> &str {
         match source {
             Source::Pair(pair) => &self.pairs()[pair].name,
-            Source::Friction(pair) => &self.pair_list().frictions[&pair][0].load,
+            Source::Friction(pair) => &self.pair_list().friction_terms(pair)[0].load,
             Source::Pivot(pivot) => &self.model().pivots[pivot].name,
             Source::Joint(joint) => &self.model().joints[joint].name,
             Source::Applied(impulse) => &self.model().impulses[impulse].name,

@@ -138,7 +138,7 @@ impl Equations {
     /// Reactions of pivots by the forces of all contacts and joints, with those that bear nothing.
     fn reactions(&self, mode: &Mode) -> Substitution {
         let mut terms = self.acting(mode);
-        terms.extend(idle(mode).flat_map(|pair| &self.pair_list().terms[pair]));
+        terms.extend(idle(mode).flat_map(|pair| self.pair_list().terms(pair)));
         let mut reactions = Substitution::default();
         for &body in &mode.bodies {
             let found = self.body_equations(body).reaction(body, &on_body(&terms, body));

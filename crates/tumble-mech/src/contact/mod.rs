@@ -8,6 +8,7 @@ mod between;
 mod border;
 mod capture;
 mod change;
+mod circles;
 pub(crate) mod complementarity;
 mod contact_mode;
 mod depth;
@@ -34,6 +35,7 @@ mod zeno;
 
 pub(crate) use border::{Border, Rim};
 pub use change::Change;
+pub(crate) use circles::{Circles, Stretch, meeting, meeting_within};
 pub use contact_mode::ContactMode;
 pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};

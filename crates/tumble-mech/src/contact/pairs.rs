@@ -1,6 +1,7 @@
 //! All pairs of a model, and which of them are watched in a mode, and how.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::sync::OnceLock;
 
 use tumble_expr::{Expr, Symbol};
 use tumble_ode::Direction;
@@ -9,6 +10,7 @@ use crate::body::Body;
 use crate::contact::between::{Between, circle_of_world};
 use crate::contact::border::{Border, Rim};
 use crate::contact::capture::captures;
+use crate::contact::circles::couple;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Rule};
@@ -28,16 +30,24 @@ const MOST_WATCHED: usize = 12;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pairs {
     pub(crate) all: Vec<Pair>,
-    /// By pair, then by body.
-    pub(crate) terms: Vec<Vec<Term>>,
-    /// Of those with friction.
-    pub(crate) frictions: HashMap<usize, Vec<Term>>,
+    /// By pair, once they are asked for: there may be as many pairs as the square of the bodies, of which few ever touch.
+    exerted: Vec<OnceLock<Exerted>>,
     /// The joints that pairs make which capture.
     pub(crate) captures: HashMap<usize, usize>,
     /// What stands for the rolling resistance of pairs, behind all of them, and of which pair each of these is.
     pub(crate) rolling: HashMap<usize, usize>,
     pub(crate) owner: HashMap<usize, usize>,
     of_bodies: Vec<Vec<usize>>,
+    /// Bodies that may meet each other, the lesser first.
+    pub(crate) couples: HashSet<[usize; 2]>,
+}
+
+/// The forces of a pair, by body.
+#[derive(Clone, Debug)]
+struct Exerted {
+    terms: Vec<Term>,
+    /// None without friction.
+    friction: Vec<Term>,
 }
 
 impl Pairs {
@@ -64,11 +74,29 @@ impl Pairs {
             resisting.iter().zip(all.len()..).map(|((index, _), rolling)| (*index, rolling)).collect();
         let owner = rolling.iter().map(|(index, rolling)| (*rolling, *index)).collect();
         all.extend(resisting.into_iter().map(|(_, pair)| pair));
-        let terms = all.iter().map(Pair::terms).collect();
-        let rough = all.iter().enumerate().filter(|(_, pair): &(usize, &Pair)| pair.friction.is_some());
-        let frictions = rough.map(|(index, pair)| (index, pair.friction_terms())).collect();
+        let exerted = all.iter().map(|_| OnceLock::new()).collect();
+        let couples = all.iter().filter_map(|pair| Some([pair.body, pair.other?]));
+        let couples = couples.map(|[a, b]| couple(a, b)).collect();
         let captures = captures(model, &all);
-        Self { all, terms, frictions, captures, rolling, owner, of_bodies }
+        Self { all, exerted, captures, rolling, owner, of_bodies, couples }
+    }
+
+    fn exerted(&self, pair: usize) -> &Exerted {
+        self.exerted[pair].get_or_init(|| {
+            let of = &self.all[pair];
+            let friction = if of.friction.is_some() { of.friction_terms() } else { vec![] };
+            Exerted { terms: of.terms(), friction }
+        })
+    }
+
+    /// The forces of a pair along its normal, by body.
+    pub(crate) fn terms(&self, pair: usize) -> &[Term] {
+        &self.exerted(pair).terms
+    }
+
+    /// Those along its surface; none without friction.
+    pub(crate) fn friction_terms(&self, pair: usize) -> &[Term] {
+        &self.exerted(pair).friction
     }
 
     /// Indices of the pairs of which all bodies are among some that are in order.

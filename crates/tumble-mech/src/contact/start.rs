@@ -1,10 +1,11 @@
 //! Contacts at the start of a run: what touches then, and what would begin inside a surface.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use tumble_expr::Expr;
 use tumble_ode::{Cause, Reason};
 
+use crate::contact::circles::{Circles, couple, meeting_within};
 use crate::contact::outlines::{Couple, Outlines};
 use crate::contact::pair::{Pair, Rule};
 use crate::equations::Equations;
@@ -26,15 +27,15 @@ impl Equations {
         // A foot at the origin is where it is by the body's place and the way from there.
         let extent = |body: &crate::Body| body.kinematics().position().norm() + body.reach();
         let extents: Vec<Expr> = self.model().bodies.iter().map(extent).collect();
-        let formulas: Vec<_> = self
-            .pairs()
-            .iter()
-            .filter(|pair| !pair.is_rolling())
-            .flat_map(|pair| {
-                let size = &extents[pair.body] + pair.through.norm() + &pair.radius + pair.extent();
-                [pair.gap(), size].into_iter().chain(pair.within())
-            })
-            .collect();
+        let near = self.near_each_other(mode, states, inputs);
+        let is_near = |pair: &Pair| pair.other.is_none_or(|other| near.contains(&couple(pair.body, other)));
+        let pairs =
+            || self.pairs().iter().enumerate().filter(|(_, pair)| !pair.is_rolling() && is_near(pair));
+        let formulas = pairs().flat_map(|(_, pair)| {
+            let size = &extents[pair.body] + pair.through.norm() + &pair.radius + pair.extent();
+            [pair.gap(), size].into_iter().chain(pair.within())
+        });
+        let formulas: Vec<Expr> = formulas.collect();
         let values = self.values(&formulas, mode, 0.0, states, inputs).map_err(|reason| match reason {
             Reason::Compile(mistake) => ModelError::Compile { what: "a surface".into(), mistake },
             other => ModelError::Start { body: "surfaces".into(), problem: other.to_string() },
@@ -43,7 +44,7 @@ impl Equations {
         let mut inside: Vec<ModelError> = vec![];
         let mut sizes: HashMap<Couple, f64> = HashMap::new();
         let mut values = values.into_iter();
-        for (index, pair) in self.pairs().iter().enumerate().filter(|(_, pair)| !pair.is_rolling()) {
+        for (index, pair) in pairs() {
             let mut next = || values.next().unwrap_or(f64::NAN);
             let (gap, size) = (next(), next());
             let holds = pair.limits.iter().fold(true, |holds, _| next() >= 0.0 && holds);
@@ -63,6 +64,13 @@ impl Equations {
         inside.extend(self.overlapping(&sizes, mode, (states, inputs))?);
         mistakes.extend(deepest(inside));
         Ok(causes)
+    }
+
+    /// Bodies that may meet and are not shown to be apart at the start, the lesser first.
+    fn near_each_other(&self, mode: &Mode, states: &[f64], inputs: &[f64]) -> HashSet<[usize; 2]> {
+        let meet = &self.pair_list().couples;
+        let circles = Circles::of(self, meet.iter().flatten().copied(), mode, (0.0, states), inputs);
+        meeting_within(&circles.at(self, mode, states), meet)
     }
 
     /// What starts inside each other of those that meet by edges; `sizes` are the lengths that their places are made of, m.

@@ -3,10 +3,11 @@
 use tumble_ode::{Carried, Cause, Handover, Solver};
 
 use super::start::Places;
-use super::watch::Watch;
+use super::watch::Sight;
 use super::{Island, Islands, Meeting};
 use crate::equations::Equations;
 use crate::mode::Mode;
+use crate::sets::Sets;
 use crate::tracks::Track;
 
 impl Islands<'_> {
@@ -47,7 +48,8 @@ impl Islands<'_> {
         let mut handover = joined(self.equations, handovers);
         if *is_now {
             let events = self.equations.events(&handover.start.mode);
-            let is_of = |event: &usize| watches.iter().any(|watch| self.watches[*watch].event == *event);
+            let is_of =
+                |event: &usize| watches.iter().any(|watch| self.watches[*watch].of_event() == Some(*event));
             let guards = events.iter().enumerate().filter(|(_, event)| is_of(event));
             handover.start.causes.extend(guards.map(|(guard, _)| Cause::Guard(guard)));
         }
@@ -76,7 +78,8 @@ impl Islands<'_> {
         }
         let Some(now) = island.solver.now() else { return };
         let parts = self.equations.coupled(now.mode, &island.groups);
-        if parts.len() < 2 || !self.may_part(index, &parts) {
+        let parts = self.far_parts(index, parts);
+        if parts.len() < 2 {
             return;
         }
         let (_, handover) = self.hand_over(index);
@@ -93,15 +96,51 @@ impl Islands<'_> {
         }
     }
 
-    /// Whether no event of several of these parts came near within the last step.
-    fn may_part(&mut self, index: usize, parts: &[Vec<usize>]) -> bool {
-        let Self { all, watches, equations, inputs, .. } = self;
+    /// Parts of an island, those together that came near each other within the later half of the last step, or that an event has to
+    /// do with which did.
+    fn far_parts(&mut self, index: usize, parts: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
+        let Self { all, watches, equations, inputs, near, .. } = self;
         let solver = &all[index].solver;
-        let Some(piece) = solver.trajectory().pieces.last() else { return false };
+        let Some(piece) = solver.trajectory().pieces.last() else { return vec![] };
+        if parts.len() < 2 || piece.time_series.is_some() {
+            return vec![];
+        }
         let mode = &solver.trajectory().modes[piece.mode];
-        let is_between = |watch: &&mut Watch| parts.iter().filter(|part| watch.is_of(part)).count() > 1;
-        watches.iter_mut().filter(is_between).all(|watch| watch.is_far(equations, inputs, mode, piece))
+        let sight = Sight { equations, inputs, near };
+        let mut sets = Sets::new(parts.len());
+        for watch in watches.iter_mut() {
+            let of: Vec<usize> = (0..parts.len()).filter(|part| watch.is_of(&parts[*part])).collect();
+            if of.len() > 1 && !watch.is_far(&sight, mode, piece) {
+                of.windows(2).for_each(|two| sets.join(two[0], two[1]));
+            }
+        }
+        let half = [0.5 * (piece.start + piece.end), piece.end];
+        near.join(&near.along(mode, piece, half), &parts, &mut sets);
+        joined_parts(parts, sets)
     }
+
+    /// Groups in parts, those together whose bodies are near each other at the start.
+    pub(super) fn together(
+        &self,
+        start: &tumble_ode::Start<Mode>,
+        parts: Vec<Vec<usize>>,
+    ) -> Vec<Vec<usize>> {
+        let mut sets = Sets::new(parts.len());
+        let circles = self.near.at(&start.mode, &start.states);
+        self.near.join(&circles, &parts, &mut sets);
+        joined_parts(parts, sets)
+    }
+}
+
+/// Parts that are sets of others.
+fn joined_parts(parts: Vec<Vec<usize>>, sets: Sets) -> Vec<Vec<usize>> {
+    let (sets, _) = sets.in_order();
+    let together = sets.into_iter().map(|of| {
+        let mut groups: Vec<usize> = of.into_iter().flat_map(|part| parts[part].clone()).collect();
+        groups.sort_unstable();
+        groups
+    });
+    together.collect()
 }
 
 /// What several islands hand over to one.

@@ -5,8 +5,8 @@
 //! have proposed reaches beyond, so that a step is shortened at most and no event is ever undone. An event that reads several islands,
 //! or acts on them, is no guard of any of them. It is shown not to come within a step that is taken, by ranges of its function along what
 //! the islands have proposed (`watch`); where that cannot be shown, their steps end there and they are one island for a while, in
-//! whose mode the event is a guard like any other: it is located and carried out as in one motion. An island falls apart where no joint holds
-//! it together and no such event is near.
+//! whose mode the event is a guard like any other: it is located and carried out as in one motion. So are bodies that may meet: circles
+//! about them are shown to be apart (`near`). An island falls apart where no joint or contact holds it together and no such event is near.
 //!
 //! # Symbols and units
 //! Times in s; groups and components as in [`crate::components`].
@@ -26,15 +26,18 @@
 //! `tests/islands.rs`: the same motion as in one island, beside it and against closed forms.
 
 mod join;
+mod near;
 mod race;
 mod start;
 mod watch;
 
 use tumble_ode::{Accuracy, Refusal, Solver};
 
+use crate::contact::Stretch;
 use crate::equations::Equations;
+use crate::islands::near::Near;
 use crate::islands::start::Places;
-use crate::islands::watch::Watch;
+use crate::islands::watch::{Along, Of, Sight, Watch};
 use crate::parameters::time_symbol;
 use crate::record::Happening;
 use crate::singular::Passages;
@@ -52,8 +55,9 @@ struct Islands<'a> {
     /// Each with how many came to be before it.
     finished: Vec<(usize, Track)>,
     born: usize,
-    /// Events that several groups have a part in.
+    /// Events that several groups have a part in, and bodies of several that are near each other.
     watches: Vec<Watch>,
+    near: Near<'a>,
     /// When all end, if not where they were to, s.
     end: Option<f64>,
     /// Why that is, where it is no event, and which of them is at fault.
@@ -77,6 +81,10 @@ struct Island<'a> {
     is_refused: bool,
     /// Steps to be taken before it may fall apart.
     wait: u32,
+    /// Where its bodies are up to the horizon.
+    circles: Vec<Stretch>,
+    /// Whether what it does next has changed since that was looked at.
+    is_stale: bool,
 }
 
 /// Events of several islands that may come.
@@ -109,10 +117,11 @@ impl<'a> Islands<'a> {
             finished: vec![],
             born: 0,
             watches: Watch::all(equations, component, places.start().time),
+            near: Near::of(equations, groups, places, until),
             end: None,
             refused: None,
         };
-        for own in equations.coupled(&places.start().mode, groups) {
+        for own in islands.together(places.start(), equations.coupled(&places.start().mode, groups)) {
             let start = places.of_some(&components.bodies_of(&own));
             islands.add(own, Solver::new(equations, start, until, accuracy), None, 1);
         }
@@ -132,6 +141,8 @@ impl<'a> Islands<'a> {
             end: f64::NEG_INFINITY,
             is_refused,
             wait,
+            circles: vec![],
+            is_stale: true,
         });
         self.born += 1;
         self.disturb(self.all.len() - 1);
@@ -156,6 +167,7 @@ impl<'a> Islands<'a> {
         let Some((next, end)) = self.propose() else { return };
         match self.meeting() {
             Some(meeting) if meeting.time < end => self.merge(&meeting),
+            _ if self.near.horizon < end => self.look_further(),
             _ => self.take(next),
         }
     }
@@ -178,7 +190,7 @@ impl<'a> Islands<'a> {
                     continue;
                 }
             }
-            match self.all[index].solver.propose() {
+            match self.propose_own(index) {
                 Ok(end) => {
                     if self.all[index].end != end {
                         self.all[index].end = end;
@@ -197,6 +209,24 @@ impl<'a> Islands<'a> {
             self.all[next].solver.cut_short(limit);
         }
         Some((next, limit))
+    }
+
+    /// Finds the next step of an island, short where its bodies may soon go different ways; the time at which it ends, s.
+    fn propose_own(&mut self, index: usize) -> Result<f64, Refusal> {
+        let Self { all, near, equations, .. } = self;
+        let Island { solver, groups, .. } = &mut all[index];
+        let is_new = !solver.has_proposal();
+        let end = solver.propose()?;
+        let is_loose = is_new
+            && groups.len() > 1
+            && near.has_any()
+            && solver.now().is_some_and(|now| equations.coupled(now.mode, groups).len() > 1);
+        let shorter = solver.time() + near.stride();
+        if !is_loose || end <= shorter || shorter <= solver.time() {
+            return Ok(end);
+        }
+        solver.cut_short(shorter);
+        solver.propose()
     }
 
     /// Looks ahead for singular configurations, and ends all where an island was refused.
@@ -225,6 +255,7 @@ impl<'a> Islands<'a> {
 
     /// The first event of several islands that may come within the steps that they have proposed.
     fn meeting(&mut self) -> Option<Meeting> {
+        self.see_who_is_near();
         let mut first: Option<Meeting> = None;
         for watch in 0..self.watches.len() {
             if std::mem::take(&mut self.watches[watch].is_stale) {
@@ -241,6 +272,7 @@ impl<'a> Islands<'a> {
 
     /// The events that an island has a part in are to be looked at again.
     fn disturb(&mut self, index: usize) {
+        self.all[index].is_stale = true;
         let groups = &self.all[index].groups;
         for watch in self.watches.iter_mut().filter(|watch| watch.is_of(groups)) {
             watch.is_stale = true;
@@ -259,10 +291,66 @@ impl<'a> Islands<'a> {
         (0..self.all.len()).filter(|index| has(&self.all[*index])).collect()
     }
 
+    /// Watches the bodies that are near others up to the horizon, of the islands whose next steps are new.
+    fn see_who_is_near(&mut self) {
+        if !self.near.has_any() {
+            return;
+        }
+        let stale: Vec<usize> = (0..self.all.len()).filter(|index| self.all[*index].is_stale).collect();
+        for &index in &stale {
+            let (from, to) = (self.all[index].solver.time(), self.near.horizon);
+            self.all[index].circles = self.circles(index, [from, to]);
+        }
+        for index in stale {
+            self.all[index].is_stale = false;
+            for other in (0..self.all.len()).filter(|other| *other != index) {
+                let pairs: Vec<[usize; 2]> =
+                    self.near.meeting(&self.all[index].circles, &self.all[other].circles).collect();
+                let time = self.all[index].solver.time().max(self.all[other].solver.time());
+                pairs.into_iter().for_each(|bodies| self.watch_bodies(bodies, time));
+            }
+        }
+    }
+
+    fn watch_bodies(&mut self, bodies: [usize; 2], time: f64) {
+        if !self.watches.iter().any(|watch| watch.of == Of::Bodies(bodies)) {
+            self.watches.push(Watch::of_bodies(self.equations, bodies, time));
+        }
+    }
+
+    /// Where bodies of an island are from one time to another, as far as its next step goes.
+    fn circles(&self, index: usize, [from, to]: [f64; 2]) -> Vec<Stretch> {
+        let Some(Along { mode, piece }) = self.all[index].along() else { return vec![] };
+        self.near.along(&mode, &piece, [from, to.min(piece.end)])
+    }
+
+    /// Takes the horizon further, and forgets bodies that are far from each other up to there.
+    fn look_further(&mut self) {
+        let Self { all, near, .. } = self;
+        let from = near.horizon;
+        let along: Vec<Along> = all.iter().filter_map(Island::along).collect();
+        let circles = |near: &Near<'_>, to: f64| -> Vec<Stretch> {
+            let circles = along.iter().flat_map(|Along { mode, piece }| {
+                near.along(mode, piece, [from.min(piece.end), to.min(piece.end)])
+            });
+            circles.collect()
+        };
+        near.go_further(&circles);
+        let known = circles(near, near.horizon);
+        let near_each_other = near.all_meeting(&known);
+        self.watches.retain(|watch| match watch.of {
+            Of::Event(_) => true,
+            Of::Bodies(bodies) => near_each_other.contains(&bodies),
+        });
+        for index in 0..self.all.len() {
+            self.disturb(index);
+        }
+    }
+
     /// Looks whether an event may come within the steps that its islands have proposed.
     fn look(&mut self, watch: usize) {
         let of = self.of_watch(watch);
-        let Self { all, watches, equations, inputs, .. } = self;
+        let Self { all, watches, equations, inputs, near, .. } = self;
         let watch = &mut watches[watch];
         if of.len() < 2 {
             return watch.clear();
@@ -273,13 +361,14 @@ impl<'a> Islands<'a> {
             true => island.solver.time(),
             false => island.end,
         });
-        let to = ends.fold(f64::INFINITY, f64::min);
+        let limit = if watch.of_event().is_some() { f64::INFINITY } else { near.horizon };
+        let to = ends.fold(limit, f64::min);
         // One that could not begin has ended all.
         let along = || read.iter().map(|island| island.along()).collect::<Option<Vec<_>>>();
         if !watch.is_settled(to)
             && let Some(along) = along()
         {
-            watch.look(equations, inputs, &along, to);
+            watch.look(&Sight { equations, inputs, near }, &along, to);
         }
     }
 
@@ -325,6 +414,9 @@ impl<'a> Islands<'a> {
     fn carried(&self, index: usize) -> Vec<usize> {
         let time = self.all[index].solver.time();
         let is_carried = |watch: &usize| {
+            if self.watches[*watch].of_event().is_none() {
+                return false;
+            }
             let reads = |island: &usize| self.watches[*watch].reads(&self.all[*island].groups);
             if !reads(&index) {
                 return false;
@@ -348,7 +440,8 @@ impl<'a> Islands<'a> {
     fn rest(&self) -> Option<f64> {
         let t = time_symbol();
         let model = self.equations.model();
-        if self.watches.iter().any(|watch| model.events[watch.event].when.symbols().contains(&t)) {
+        let mut events = self.watches.iter().filter_map(Watch::of_event);
+        if events.any(|event| model.events[event].when.symbols().contains(&t)) {
             return None;
         }
         let rests = self.all.iter().map(|island| {

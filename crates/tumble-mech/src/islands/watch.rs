@@ -1,11 +1,13 @@
-//! An event that several groups have a part in: where it is shown not to come, while they are motions of their own.
+//! An event that several groups have a part in, or two bodies that may meet: where that is shown not to come, while they are motions of
+//! their own.
 
 use std::collections::HashMap;
 
 use tumble_expr::{Branches, Interval, Jets};
-use tumble_ode::{Of, Piece, Reason, Solver};
+use tumble_ode::{Of as Layout, Piece, Reason, Solver};
 
 use super::Island;
+use super::near::Near;
 use crate::carried::is_crossing;
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -15,10 +17,20 @@ use crate::mode::Mode;
 const FINEST: f64 = 1.0 / 64.0;
 /// Islands that meet again and again stay one motion for so many steps at most before they are looked at.
 const LONGEST_WAIT: u32 = 1024;
+/// Bodies that meet each other take short steps then.
+const LONGEST_WAIT_OF_BODIES: u32 = 16;
 
-/// An event that several groups have a part in.
+/// What is watched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Of {
+    Event(usize),
+    /// Whether they touch; the lesser first.
+    Bodies([usize; 2]),
+}
+
+/// An event that several groups have a part in, or bodies of several that may meet.
 pub(super) struct Watch {
-    pub(super) event: usize,
+    pub(super) of: Of,
     groups: Vec<usize>,
     /// Those of them that it reads, in order.
     readers: Vec<usize>,
@@ -38,14 +50,21 @@ pub(super) struct Watch {
 
 /// What an island does next, or did last.
 pub(super) struct Along {
-    mode: Mode,
-    piece: Piece,
+    pub(super) mode: Mode,
+    pub(super) piece: Piece,
+}
+
+/// What it takes to look at a watch.
+pub(super) struct Sight<'a> {
+    pub(super) equations: &'a Equations,
+    pub(super) inputs: &'a [f64],
+    pub(super) near: &'a Near<'a>,
 }
 
 /// Finds ranges of a function in modes beside each other.
 struct Ranges {
     jets: Jets<Interval>,
-    layout: Vec<Of>,
+    layout: Vec<Layout>,
 }
 
 impl Watch {
@@ -55,20 +74,42 @@ impl Watch {
         let of = |event: usize| {
             let groups = components.of_event(event).to_vec();
             let is_own = groups.len() > 1 && components.of_group(groups[0]) == component;
-            is_own.then(|| Self {
-                event,
-                groups,
-                readers: components.read_by([&equations.model().events[event].when]),
-                known_until: start,
-                is_doubtful: false,
-                is_stale: true,
-                parted: f64::NEG_INFINITY,
-                step: 0.0,
-                wait: 1,
-                ranges: HashMap::new(),
+            is_own.then(|| {
+                let readers = components.read_by([&equations.model().events[event].when]);
+                Self::new(Of::Event(event), groups, readers, start)
             })
         };
         (0..equations.model().events.len()).filter_map(of).collect()
+    }
+
+    /// Two bodies that have not met up to a time, s.
+    pub(super) fn of_bodies(equations: &Equations, bodies: [usize; 2], known_until: f64) -> Self {
+        let mut groups = bodies.map(|body| equations.components().group_of(body)).to_vec();
+        groups.sort_unstable();
+        Self::new(Of::Bodies(bodies), groups.clone(), groups, known_until)
+    }
+
+    fn new(of: Of, groups: Vec<usize>, readers: Vec<usize>, known_until: f64) -> Self {
+        Self {
+            of,
+            groups,
+            readers,
+            known_until,
+            is_doubtful: false,
+            is_stale: true,
+            parted: f64::NEG_INFINITY,
+            step: 0.0,
+            wait: 1,
+            ranges: HashMap::new(),
+        }
+    }
+
+    /// The event, if it is one.
+    pub(super) fn of_event(&self) -> Option<usize> {
+        match self.of {
+            Of::Event(event) => Some(event),
+            Of::Bodies(_) => None,
+        }
     }
 
     /// Whether it reads any of these groups.
@@ -92,19 +133,13 @@ impl Watch {
     }
 
     /// Looks whether it may come along what its islands do next, up to a time, s.
-    pub(super) fn look(&mut self, equations: &Equations, inputs: &[f64], along: &[Along], to: f64) {
-        self.known_until = self.excluded_to(equations, inputs, along, [self.known_until, to]);
+    pub(super) fn look(&mut self, sight: &Sight<'_>, along: &[Along], to: f64) {
+        self.known_until = self.excluded_to(sight, along, [self.known_until, to]);
         self.is_doubtful = self.known_until < to;
     }
 
     /// Time up to which its function keeps its sign, from one time on and at most to another, s.
-    fn excluded_to(
-        &mut self,
-        equations: &Equations,
-        inputs: &[f64],
-        along: &[Along],
-        [mut known, to]: [f64; 2],
-    ) -> f64 {
+    fn excluded_to(&mut self, sight: &Sight<'_>, along: &[Along], [mut known, to]: [f64; 2]) -> f64 {
         let mut step = to - known;
         let shortest = FINEST * step;
         while known < to {
@@ -113,7 +148,7 @@ impl Watch {
                 break;
             }
             // What has no formula here is for the equations of all of them to tell.
-            if self.is_excluded(equations, inputs, along, [known, end]).unwrap_or(false) {
+            if self.is_excluded(sight, along, [known, end]).unwrap_or(false) {
                 known = end;
             } else if step <= shortest {
                 break;
@@ -142,37 +177,35 @@ impl Watch {
     /// Those it is of become one motion; steps to be taken before they may be several again.
     pub(super) fn met(&mut self, time: f64) -> u32 {
         let is_soon = time - self.parted < self.step;
-        self.wait = if is_soon { (2 * self.wait).min(LONGEST_WAIT) } else { 1 };
+        let longest = if self.of_event().is_some() { LONGEST_WAIT } else { LONGEST_WAIT_OF_BODIES };
+        self.wait = if is_soon { (2 * self.wait).min(longest) } else { 1 };
         self.wait
     }
 
     /// Whether it did not come near along the later half of the last piece of a motion of all that it is of.
-    pub(super) fn is_far(
-        &mut self,
-        equations: &Equations,
-        inputs: &[f64],
-        mode: &Mode,
-        piece: &Piece,
-    ) -> bool {
+    pub(super) fn is_far(&mut self, sight: &Sight<'_>, mode: &Mode, piece: &Piece) -> bool {
         self.step = piece.end - piece.start;
         let along = [Along { mode: mode.clone(), piece: piece.clone() }];
         let half = [0.5 * (piece.start + piece.end), piece.end];
-        piece.time_series.is_none() && self.excluded_to(equations, inputs, &along, half) == piece.end
+        piece.time_series.is_none() && self.excluded_to(sight, &along, half) == piece.end
     }
 
-    /// Whether its function keeps its sign between two times, s.
+    /// Whether its function keeps its sign between two times, s, or its bodies are apart.
     fn is_excluded(
         &mut self,
-        equations: &Equations,
-        inputs: &[f64],
+        Sight { equations, inputs, near }: &Sight<'_>,
         along: &[Along],
         between: [f64; 2],
     ) -> Result<bool, Reason> {
+        let event = match self.of {
+            Of::Event(event) => event,
+            Of::Bodies(bodies) => return Ok(near.are_apart(bodies, along, between)),
+        };
         let modes: Vec<Mode> = along.iter().map(|along| along.mode.clone()).collect();
         let ranges = match self.ranges.entry(modes) {
             std::collections::hash_map::Entry::Occupied(known) => known.into_mut(),
             std::collections::hash_map::Entry::Vacant(place) => {
-                let ranges = Ranges::new(equations, place.key(), inputs, self.event)?;
+                let ranges = Ranges::new(equations, place.key(), inputs, event)?;
                 place.insert(ranges)
             }
         };
@@ -187,8 +220,10 @@ impl Watch {
         solver: &Solver<'_, Equations>,
         others: &[(Mode, Vec<f64>)],
     ) -> bool {
-        let Some(jump) = solver.trajectory().events.last() else { return false };
-        let event = &equations.model().events[self.event];
+        let (Some(jump), Some(event)) = (solver.trajectory().events.last(), self.of_event()) else {
+            return false;
+        };
+        let event = &equations.model().events[event];
         let modes = &solver.trajectory().modes;
         let value = |mode: &Mode, states: &Vec<f64>| {
             let own = [(mode.clone(), states.clone())];

@@ -122,9 +122,14 @@ impl Equations {
         mode: &Mode,
         pairs: &[usize],
     ) -> Result<Arc<InstantTape>, Reason> {
-        if let Some(twin) = self.twin(mode).filter(|twin| twin.bodies().len() == island.len()) {
-            let pairs: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
-            return self.island_tape(twin.bodies(), &twin.mode(mode), &pairs);
+        if let Some(twin) = self.twin(mode) {
+            let its: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
+            let island: Vec<usize> = island.iter().map(|body| twin.body(*body)).collect();
+            let tape = self.island_tape(&island, &twin.mode(mode), &its)?;
+            return Ok(Arc::new(InstantTape {
+                slips: self.own_slips(&tape.slips, pairs),
+                ..(*tape).clone()
+            }));
         }
         let asked = Asked::Island(island.to_vec());
         self.instant_tape((asked, mode.without_support(self.pairs(), island)), |mode| {
@@ -147,8 +152,23 @@ impl Equations {
         })
     }
 
+    /// What rubs of some pairs, where these are called otherwise.
+    fn own_slips(&self, slips: &[Slipping], pairs: &[usize]) -> Vec<Slipping> {
+        let list = self.pair_list();
+        let own = |slip: &Slipping| {
+            let pair = pairs[slip.position];
+            let pair = if list.owner.contains_key(&slip.pair) { list.rolling[&pair] } else { pair };
+            Slipping { pair, ..slip.clone() }
+        };
+        slips.iter().map(own).collect()
+    }
+
     /// That of the gaps of pairs of bodies: all there are among those of a mode.
     pub(crate) fn gaps_tape(&self, mode: &Mode, pairs: &[usize]) -> Result<Arc<InstantTape>, Reason> {
+        if let Some(twin) = self.twin(mode) {
+            let pairs: Vec<usize> = pairs.iter().map(|pair| twin.pair(*pair)).collect();
+            return self.gaps_tape(&twin.mode(mode), &pairs);
+        }
         let mode = mode.without_support(self.pairs(), &mode.bodies);
         self.instant_tape((Asked::Gaps, mode), |mode| {
             let mut instant = Instant::new(self, mode, &[]);

@@ -235,8 +235,8 @@ impl Equations {
     pub(crate) fn term(&self, of: TermOf) -> &Term {
         match of {
             TermOf::Load(index) => &self.loads()[index],
-            TermOf::Pair(pair, side) => &self.pair_list().terms[pair][side],
-            TermOf::Friction(pair, side) => &self.pair_list().frictions[&pair][side],
+            TermOf::Pair(pair, side) => &self.pair_list().terms(pair)[side],
+            TermOf::Friction(pair, side) => &self.pair_list().friction_terms(pair)[side],
             TermOf::Joint(joint, index) => &self.joints()[joint].terms[index],
             TermOf::Brake(brake, index) => &self.brakes()[brake].terms[index],
         }
