@@ -1,6 +1,6 @@
 //! What the motion says: curves, pictures, balance, checks, and what was found.
 
-use crate::report::{Analyze, Chart, CheckRow, Column, Picture, RunAnalysis, Table, Text};
+use crate::report::{Analyze, Chart, CheckRow, Column, Picture, PrintedTable, RunAnalysis, Text};
 use tumble_drawing::Label;
 use tumble_expr::Expr;
 use tumble_expr::language::{is_name, parse};
@@ -86,7 +86,7 @@ fn comparison(
     names: &Names,
     cases: &[Case],
     told: &[&Case],
-) -> Result<Option<Table>, CaseError> {
+) -> Result<Option<PrintedTable>, CaseError> {
     if cases.len() < 2 {
         return Ok(None);
     }
@@ -110,7 +110,7 @@ fn comparison(
             Column::numbers(head("last")),
         ]);
     }
-    let mut table = Table::new("The runs side by side", columns);
+    let mut table = PrintedTable::new("The runs side by side", columns);
     for case in told {
         let study = study.with(&case.parameters);
         let mut cells = vec![Text::from(figures::case_label(case))];

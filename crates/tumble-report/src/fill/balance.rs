@@ -1,6 +1,6 @@
 //! Energy, momentum, and what changed them, as tables and a figure.
 
-use crate::report::{BalancePart, Chart, Column, Table, Text};
+use crate::report::{BalancePart, Chart, Column, PrintedTable, Text};
 use tumble_drawing::Label;
 use tumble_mech::{Balance, Equations, Kind};
 use tumble_scene::{Sheet, Study};
@@ -45,7 +45,7 @@ fn residual(balance: &CaseBalance, accuracy: f64) -> Option<Chart> {
     is_seen.then(|| Chart::over_time(figure, captions::RESIDUAL))
 }
 
-fn balances(balance: &CaseBalance) -> Table {
+fn balances(balance: &CaseBalance) -> PrintedTable {
     let columns = vec![
         Column::words("Balance"),
         Column::numbers("At the start"),
@@ -59,7 +59,7 @@ fn balances(balance: &CaseBalance) -> Table {
         std::iter::once(name).chain(values).chain([quantity_to(of.residual, SIZE, "")]).collect()
     };
     let [x, y] = &balance.total.momentum;
-    Table::new("", columns)
+    PrintedTable::new("", columns)
         .row(row("Energy", "J", &balance.energy))
         .row(row("Momentum, x", "N*s", x))
         .row(row("Momentum, y", "N*s", y))
@@ -82,7 +82,7 @@ fn kind(kind: Kind) -> &'static str {
     }
 }
 
-fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) -> Table {
+fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) -> PrintedTable {
     let with = |words: &str, unit: &str| Text::from(format!("{words} (")).and(Label::unit(unit)).and(")");
     let columns = vec![
         Column::words("Load"),
@@ -91,7 +91,7 @@ fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) ->
         Column::numbers(with("Impulse, y", "N*s")),
         Column::numbers(with("Angular impulse", "N*m*s")),
     ];
-    let mut table = Table::new("What every load did", columns);
+    let mut table = PrintedTable::new("What every load did", columns);
     for (_, contribution) in &balance.contributions {
         let ([x, y], angular) = (&balance.total.momentum, &balance.total.angular_momentum);
         let cells = [

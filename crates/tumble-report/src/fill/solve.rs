@@ -1,6 +1,6 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
-use crate::report::{Block, Column, Definition, Phase, Solve, Table, Text, Typeset};
+use crate::report::{Block, Column, Definition, Phase, PrintedTable, Solve, Text, Typeset};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Divergence, Happening, Horizon, Mode, Parameters, Record, Run};
@@ -99,7 +99,7 @@ fn method(cases: &[&Case]) -> Vec<(Text, Text)> {
 }
 
 /// How the runs were solved, a row each.
-fn how(cases: &[&Case]) -> Table {
+fn how(cases: &[&Case]) -> PrintedTable {
     let columns = [
         Column::words("Run"),
         Column::numbers("Accuracy asked"),
@@ -127,7 +127,7 @@ fn how(cases: &[&Case]) -> Table {
             held.unwrap_or_default().into(),
         ]
     };
-    cases.iter().map(row).fold(Table::new("How it was solved", columns.into()), Table::row)
+    cases.iter().map(row).fold(PrintedTable::new("How it was solved", columns.into()), PrintedTable::row)
 }
 
 /// What is told of one run, with its label where there are several.
@@ -140,7 +140,7 @@ fn labelled(what: &str, case: &Case) -> Text {
 }
 
 /// A row an event.
-fn events(study: &Study, case: &Case) -> Table {
+fn events(study: &Study, case: &Case) -> PrintedTable {
     let caption = labelled("Events", case);
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
@@ -148,7 +148,7 @@ fn events(study: &Study, case: &Case) -> Table {
         let what = words::event(study, &case.run.equations, event);
         vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
-    let mut table = Table::new(caption, columns);
+    let mut table = PrintedTable::new(caption, columns);
     table.rows = case.run.events().map(row).collect();
     table
 }

@@ -10,7 +10,7 @@ use crate::report::parts::{BodyModel, ModeEquations, ModelPart};
 use crate::report::parts::{Phase, Solve};
 use crate::report::picture::{Chart, Picture};
 use crate::report::rows::{bodies, forces, quantities};
-use crate::report::table::Table;
+use crate::report::table::PrintedTable;
 
 /// Pixels: letters in a wider drawing would be too small beside something else.
 const COLUMN: f64 = 700.0;
@@ -134,7 +134,7 @@ fn blocks(blocks: &[Block]) -> String {
     blocks.iter().map(block).collect()
 }
 
-fn tables(tables: &[Table]) -> String {
+fn tables(tables: &[PrintedTable]) -> String {
     tables.iter().map(table).collect()
 }
 

@@ -3,7 +3,7 @@
 use super::inline::{tagged, text};
 use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
-use crate::report::table::{Align, Column, Table};
+use crate::report::table::{Align, Column, PrintedTable};
 use tumble_drawing::svg::escape;
 
 /// Rows of a long table that are shown at first.
@@ -16,7 +16,7 @@ const STACKED: usize = 3;
 const WIDE: usize = 8;
 
 /// A table of the report.
-pub(super) fn table(table: &Table) -> String {
+pub(super) fn table(table: &PrintedTable) -> String {
     let cell = |row: &Vec<Text>, i: usize| row.get(i).map(text).unwrap_or_default();
     let cells = |row: &Vec<Text>| (0..table.columns.len()).map(|i| cell(row, i)).collect();
     let rows: Vec<Vec<String>> = table.rows.iter().map(cells).collect();
