@@ -31,8 +31,8 @@ const LEAST_TEXT = 11;
 const LEAST_CONTRAST = 4.5;
 // Faults of one kind that are listed for a page.
 const LISTED = 4;
-// What the margins of a report leave of A4, in pixels of 1/96 inch: 180 mm by 263 mm.
-const PAPER = { width: 680, height: 994 };
+// What the margins of a report leave of A4, in pixels of 1/96 inch: 182 mm by 270 mm.
+const PAPER = { width: 688, height: 1020 };
 const LOCAL = /^(file|data|blob|about):/;
 
 function watch(page, faults) {

@@ -15,10 +15,17 @@ use crate::text::{Anchor, Label, PlacedText};
 use crate::theme::{GAP, GREY, HAIRLINE, LEADING, LineStyle, MARGIN, PAPER, SMALL};
 use crate::thin::{pieces, simplified, thinned};
 
-/// Width of the picture in pixels.
-const WIDTH: f64 = 600.0;
-/// Height of the plotting area in pixels.
-const HEIGHT: f64 = 300.0;
+/// Width of a picture, and height of its plotting area, in pixels.
+#[derive(Clone, Copy, Debug)]
+struct Size {
+    width: f64,
+    height: f64,
+}
+
+/// A picture of its own.
+const ALONE: Size = Size { width: 600.0, height: 300.0 };
+/// One of two beside each other on a sheet of paper: its letters are not made smaller there.
+const BESIDE: Size = Size { width: 390.0, height: 138.0 };
 /// Room above and below the data, as a part of their range.
 const PADDING: f64 = 0.06;
 /// Width of a column in which only the extremes of a curve are kept, in pixels.
@@ -108,7 +115,12 @@ impl CurveFigure {
 
     /// The drawing. Without data it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
-        Layout::new(self).draw()
+        Layout::new(self, ALONE).draw()
+    }
+
+    /// The drawing in half the width of a sheet of paper.
+    pub fn small_svg(&self) -> Svg {
+        Layout::new(self, BESIDE).draw()
     }
 
     fn points(&self) -> impl Iterator<Item = [f64; 2]> + Clone {
@@ -145,6 +157,7 @@ impl CurveFigure {
 /// A figure with everything in its place.
 struct Layout<'a> {
     figure: &'a CurveFigure,
+    size: Size,
     heading: Heading,
     axes: Axes,
     bands: Vec<Vec<Vec<[f64; 2]>>>,
@@ -156,12 +169,12 @@ struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    fn new(figure: &'a CurveFigure) -> Self {
-        if let Some(direct) = Self::with_ends(figure) {
+    fn new(figure: &'a CurveFigure, size: Size) -> Self {
+        if let Some(direct) = Self::with_ends(figure, size) {
             return direct;
         }
-        let heading = Heading::new(&figure.title, WIDTH);
-        let mut layout = Self::with_header(figure, heading, 0.0);
+        let heading = Heading::new(&figure.title, size.width);
+        let mut layout = Self::with_header((figure, size), heading, 0.0);
         let Some(legend) = figure.legend() else { return layout };
         let inside = legend.free_place(&layout.axes.area, &layout.occupancy());
         if let Some(place) = inside {
@@ -172,11 +185,11 @@ impl<'a> Layout<'a> {
     }
 
     /// With labels at the ends of the curves, where all of them fit there.
-    fn with_ends(figure: &'a CurveFigure) -> Option<Self> {
+    fn with_ends(figure: &'a CurveFigure, size: Size) -> Option<Self> {
         let labels = figure.series.iter().map(|series| &series.label);
         let all = figure.runs_forward() && labels.clone().all(|label| !label.is_empty());
         let room = ends::room(labels.filter(|_| all))?;
-        let layout = Self::beside(figure, Heading::new(&figure.title, WIDTH), 0.0, room);
+        let layout = Self::beside((figure, size), Heading::new(&figure.title, size.width), 0.0, room);
         let end = |(i, series): (usize, &Series)| {
             let last = series.points.iter().rfind(|p| drawable(p[0]) && drawable(p[1]))?;
             Some(End { label: series.label.clone(), style: LineStyle::of(i), at: layout.axes.pixel(*last) })
@@ -187,15 +200,16 @@ impl<'a> Layout<'a> {
     }
 
     /// The layout with `extra` pixels between the title and the marks.
-    fn with_header(figure: &'a CurveFigure, heading: Heading, extra: f64) -> Self {
-        Self::beside(figure, heading, extra, 0.0)
+    fn with_header(sized: (&'a CurveFigure, Size), heading: Heading, extra: f64) -> Self {
+        Self::beside(sized, heading, extra, 0.0)
     }
 
     /// The same with room to the right of the frame.
-    fn beside(figure: &'a CurveFigure, heading: Heading, extra: f64, room: f64) -> Self {
-        let axes = |top| Axes::fitted([&figure.x, &figure.y], figure.ranges(), WIDTH - room, top, HEIGHT);
+    fn beside((figure, size): (&'a CurveFigure, Size), heading: Heading, extra: f64, room: f64) -> Self {
+        let (names, Size { width, height }) = ([&figure.x, &figure.y], size);
+        let axes = |top| Axes::fitted(names, figure.ranges(), width - room, top, height);
         let top = heading.bottom() + extra;
-        let marks = MarkRows::new(&figure.marks, &axes(top));
+        let marks = MarkRows::new(&figure.marks, &axes(top), width);
         let axes = axes(top + marks.height());
         let forward = figure.runs_forward();
         let curve = |series: &Series| {
@@ -204,14 +218,14 @@ impl<'a> Layout<'a> {
         };
         let curves = figure.series.iter().map(curve).collect();
         let bands = figure.bands.iter().map(|band| outlines(&axes, band)).collect();
-        Self { figure, heading, axes, bands, curves, marks, legend: None, ends: None }
+        Self { figure, size, heading, axes, bands, curves, marks, legend: None, ends: None }
     }
 
     fn with_legend_above(self, legend: Legend) -> Self {
         let legend = legend.spread(self.axes.area.width);
         let [width, height] = legend.size();
         let at = [self.axes.area.centre()[0] - width / 2.0, self.heading.bottom()];
-        let mut layout = Self::with_header(self.figure, self.heading, height + GAP);
+        let mut layout = Self::with_header((self.figure, self.size), self.heading, height + GAP);
         layout.legend = Some((legend, at));
         layout
     }
@@ -228,8 +242,9 @@ impl<'a> Layout<'a> {
 
     fn draw(&self) -> Svg {
         let height = self.axes.area.bottom() + self.axes.margins().bottom;
-        let mut svg = Svg::new(WIDTH, height, self.figure.title.to_plain());
-        let page = Element::new("rect").attr("width", WIDTH).attr("height", height);
+        let width = self.size.width;
+        let mut svg = Svg::new(width, height, self.figure.title.to_plain());
+        let page = Element::new("rect").attr("width", width).attr("height", height);
         svg.push(page.attr("fill", PAPER));
         svg.push(self.marks.draw(&self.axes.area));
         svg.push(clipped(
@@ -323,7 +338,7 @@ struct PlacedMark {
 }
 
 impl MarkRows {
-    fn new(marks: &[Mark], axes: &Axes) -> Self {
+    fn new(marks: &[Mark], axes: &Axes, page: f64) -> Self {
         let mut visible: Vec<_> = marks.iter().filter(|m| axes.x.range.contains(m.at)).collect();
         visible.sort_by(|a, b| a.at.total_cmp(&b.at));
         let mut placed: Vec<PlacedMark> = Vec::new();
@@ -333,7 +348,7 @@ impl MarkRows {
             if placed.last().is_some_and(|last| x - last.x < MARK_MERGE) {
                 continue;
             }
-            let row = row_for(&mut row_ends, x, mark.label.width(SMALL));
+            let row = row_for(&mut row_ends, page, x, mark.label.width(SMALL));
             placed.push(PlacedMark { x, label: mark.label.clone(), row });
         }
         Self { marks: placed }
@@ -362,10 +377,10 @@ impl PlacedMark {
     }
 }
 
-/// The first row with room for a label `width` pixels wide centred at `x`, which then takes it.
-fn row_for(row_ends: &mut [f64], x: f64, width: f64) -> Option<usize> {
+/// The first row with room for a label `width` pixels wide centred at `x`, which then takes it, on a page of some width.
+fn row_for(row_ends: &mut [f64], page: f64, x: f64, width: f64) -> Option<usize> {
     let row = row_ends.iter().position(|end| x - width / 2.0 >= *end)?;
-    let fits = x - width / 2.0 >= MARGIN / 2.0 && x + width / 2.0 <= WIDTH - MARGIN / 2.0;
+    let fits = x - width / 2.0 >= MARGIN / 2.0 && x + width / 2.0 <= page - MARGIN / 2.0;
     row_ends[row] = x + width / 2.0 + MARK_SPACING;
     fits.then_some(row)
 }
@@ -410,7 +425,7 @@ mod tests {
     #[test]
     fn crowded_marks_keep_their_labels_apart() {
         let mut ends = [f64::NEG_INFINITY; MARK_ROWS];
-        let rows: Vec<_> = (0..4).map(|i| row_for(&mut ends, 100.0 + f64::from(i), 30.0)).collect();
+        let rows: Vec<_> = (0..4).map(|i| row_for(&mut ends, 600.0, 100.0 + f64::from(i), 30.0)).collect();
         assert_eq!(rows, [Some(0), Some(1), None, None]);
     }
 

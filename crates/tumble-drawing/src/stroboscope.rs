@@ -18,12 +18,20 @@ use crate::theme::{GAP, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
 use crate::thin::{pieces, simplified, thinned};
 use crate::track::BodyPath;
 
-/// Width of the picture in pixels, unless the motion is tall.
-const WIDTH: f64 = 680.0;
-/// Least width of the picture and bounds of the height of the plotting area.
-const LEAST_WIDTH: f64 = 400.0;
+/// Width of a picture, unless the motion is tall, its least width, and the greatest height of its plotting area, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Size {
+    width: f64,
+    least_width: f64,
+    pub(crate) greatest_height: f64,
+}
+
+/// A picture of its own.
+pub(crate) const ALONE: Size = Size { width: 680.0, least_width: 400.0, greatest_height: 520.0 };
+/// One beside something else on a sheet of paper: its letters are not made smaller there.
+const BESIDE: Size = Size { width: 430.0, least_width: 260.0, greatest_height: 250.0 };
+/// Least height of the plotting area.
 const LEAST_HEIGHT: f64 = 120.0;
-const GREATEST_HEIGHT: f64 = 520.0;
 /// Room around the motion, as a part of the larger side, for the labels of instants.
 const PADDING: f64 = 0.06;
 /// Strength of the colour of the first instant, compared with the last.
@@ -61,7 +69,12 @@ pub struct StroboscopicPicture {
 impl StroboscopicPicture {
     /// The drawing. Without poses and paths it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
-        Scene::new(self).svg()
+        Scene::new(self, ALONE).svg()
+    }
+
+    /// The drawing in half the width of a sheet of paper.
+    pub fn small_svg(&self) -> Svg {
+        Scene::new(self, BESIDE).svg()
     }
 
     /// Ranges of x and y that hold everything drawn.
@@ -87,14 +100,14 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(picture: &'a StroboscopicPicture) -> Self {
+    fn new(picture: &'a StroboscopicPicture, size: Size) -> Self {
         let ranges = picture.ranges();
         let wanted = ranges.unwrap_or_default();
-        let width = picture_width(wanted);
+        let width = picture_width(wanted, size);
         let heading = Heading::new(&picture.title, width);
         let legend = legend(&picture.tracks).map(|legend| legend.spread(LEGEND * (width - 2.0 * MARGIN)));
         let above = legend.as_ref().map_or(0.0, |legend| legend.size()[1] + GAP);
-        let axes = equal_axes(wanted, width, heading.bottom() + above);
+        let axes = equal_axes(wanted, (width, size.greatest_height), heading.bottom() + above);
         Self { picture, heading, axes, legend, empty: ranges.is_none() }
     }
 
@@ -260,17 +273,17 @@ fn legend(tracks: &[BodyPath]) -> Option<Legend> {
 }
 
 /// Pictures of tall motions are narrow.
-pub(crate) fn picture_width([x, y]: [Range; 2]) -> f64 {
-    let width = x.span() / y.span() * GREATEST_HEIGHT;
-    (width + WIDTH / 8.0).clamp(LEAST_WIDTH, WIDTH)
+pub(crate) fn picture_width([x, y]: [Range; 2], size: Size) -> f64 {
+    let width = x.span() / y.span() * size.greatest_height;
+    (width + size.width / 8.0).clamp(size.least_width, size.width)
 }
 
 /// Axes with the same scale in both directions; the shorter range is widened to fill the area.
-pub(crate) fn equal_axes(ranges: [Range; 2], width: f64, top: f64) -> Axes {
+pub(crate) fn equal_axes(ranges: [Range; 2], (width, tallest): (f64, f64), top: f64) -> Axes {
     let (x, y) = (Axis::new(Label::symbol("x"), "m"), Axis::new(Label::symbol("y"), "m"));
     let fitted = |height| Axes::fitted([&x, &y], ranges, width, top, height);
     let height = fitted(LEAST_HEIGHT).area.width * ranges[1].span() / ranges[0].span();
-    let area = fitted(height.clamp(LEAST_HEIGHT, GREATEST_HEIGHT)).area;
+    let area = fitted(height.clamp(LEAST_HEIGHT, tallest)).area;
     let metres = (ranges[0].span() / area.width).max(ranges[1].span() / area.height);
     let ranges = [ranges[0].widened(metres * area.width), ranges[1].widened(metres * area.height)];
     Axes::new([&x, &y], ranges, area)
@@ -297,7 +310,7 @@ mod tests {
     fn scales_are_equal() {
         for ranges in [[(0.0, 12.0), (0.0, 3.0)], [(0.0, 4.0), (0.0, 0.2)], [(0.0, 1.0), (0.0, 50.0)]] {
             let ranges = ranges.map(|(low, high)| Range::new(low, high));
-            let axes = equal_axes(ranges, picture_width(ranges), 40.0);
+            let axes = equal_axes(ranges, (picture_width(ranges, ALONE), ALONE.greatest_height), 40.0);
             assert!((axes.x.density() / axes.y.density() - 1.0).abs() < 1e-9);
             assert!(axes.x.range.contains(ranges[0].high) && axes.y.range.contains(ranges[1].high));
         }
@@ -320,7 +333,7 @@ mod tests {
         let mut picture = flight();
         picture.tracks.push(picture.tracks[0].clone());
         picture.tracks[1].poses.truncate(8);
-        assert_eq!(Scene::new(&picture).notes().len(), 3);
+        assert_eq!(Scene::new(&picture, ALONE).notes().len(), 3);
     }
 
     #[test]

@@ -91,6 +91,10 @@ fn call(name: &str, mut arguments: Vec<Math>) -> Math {
     match (name, &arguments[..]) {
         ("sqrt", [_]) => Math::Root(Box::new(arguments.remove(0))),
         ("abs" | "norm", [_]) => Math::Bars(Box::new(arguments.remove(0))),
+        ("dot", [_, _]) => {
+            let [left, right] = [0, 1].map(|side| as_term(arguments[side].clone()));
+            Math::Row(vec![left, Math::Operator(Operator::Dot), right])
+        }
         _ => Math::Call {
             bare: BARE.contains(&name) && matches!(arguments[..], [Math::Identifier(_)]),
             function: Identifier::parse(name),

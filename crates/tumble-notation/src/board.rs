@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use tumble_expr::{Expr, Named, Symbol, Written};
 
-use crate::layout::{Mark, Math, Operator};
+use crate::layout::{Math, Operator, RateMark};
 use crate::{MathError, Notation};
 
 impl Notation {
@@ -50,7 +50,7 @@ impl Board<'_> {
     /// A name; a prime behind it marks a rate.
     fn name(&self, name: &str) -> Math {
         match name.strip_suffix('\'') {
-            Some(of) => Math::derivative(&(self.shown)(of), 1, Mark::Primes),
+            Some(of) => Math::derivative(&(self.shown)(of), 1, RateMark::Primes),
             None => Math::symbol(&(self.shown)(name)),
         }
     }

@@ -1,6 +1,6 @@
 //! Mathematics as LaTeX, for Markdown.
 
-use crate::layout::{Mark, Math, Operator};
+use crate::layout::{Math, Operator, RateMark};
 use crate::symbol::{self, Identifier};
 
 /// Functions that LaTeX knows by name.
@@ -51,6 +51,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Times => " \\cdot ",
         Operator::Over => "/",
         Operator::Cross => " \\times ",
+        Operator::Dot => " \\cdot ",
     }
 }
 
@@ -114,12 +115,12 @@ fn case((value, condition): &(Math, Option<Math>)) -> String {
     }
 }
 
-fn derivative(of: &Identifier, order: u8, mark: Mark) -> String {
+fn derivative(of: &Identifier, order: u8, mark: RateMark) -> String {
     let plain = head(of);
     let marked = match (mark, order) {
         (_, 0) => plain,
-        (Mark::Dots, 1) => format!("\\dot{{{plain}}}"),
-        (Mark::Dots, 2) => format!("\\ddot{{{plain}}}"),
+        (RateMark::Dots, 1) => format!("\\dot{{{plain}}}"),
+        (RateMark::Dots, 2) => format!("\\ddot{{{plain}}}"),
         _ => {
             let primes = "'".repeat(usize::from(order));
             return format!("{}{primes}", name(of, &plain));
@@ -151,8 +152,8 @@ mod tests {
     fn commands_and_braces() {
         assert_eq!(latex(&Math::symbol("theta")), "\\theta");
         assert_eq!(latex(&Math::symbol("v_max")), "v_{\\mathrm{max}}");
-        assert_eq!(latex(&Math::derivative("theta", 2, Mark::Dots)), "\\ddot{\\theta}");
-        assert_eq!(latex(&Math::derivative("theta", 2, Mark::Primes)), "\\theta''");
+        assert_eq!(latex(&Math::derivative("theta", 2, RateMark::Dots)), "\\ddot{\\theta}");
+        assert_eq!(latex(&Math::derivative("theta", 2, RateMark::Primes)), "\\theta''");
         assert_eq!(latex(&Math::symbol("x").over(Math::digits(2))), "\\frac{x}{2}");
         assert_eq!(latex(&Math::symbol("|u|")), "\\left| u \\right|");
     }

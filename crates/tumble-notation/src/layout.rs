@@ -19,11 +19,13 @@ pub enum Operator {
     Over,
     /// A vector product.
     Cross,
+    /// A scalar product.
+    Dot,
 }
 
 /// How derivatives by time are marked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mark {
+pub enum RateMark {
     /// Dots above the letter.
     Dots,
     /// Primes behind it.
@@ -75,7 +77,7 @@ pub enum Math {
         /// How often; 0 is not at all.
         order: u8,
         /// How it is marked.
-        mark: Mark,
+        mark: RateMark,
     },
     /// Rows of a matrix; a vector has rows of one entry.
     Matrix(Vec<Vec<Self>>),
@@ -116,7 +118,7 @@ impl Math {
     }
 
     /// The derivative of that order of a symbol by time.
-    pub fn derivative(name: &str, order: u8, mark: Mark) -> Self {
+    pub fn derivative(name: &str, order: u8, mark: RateMark) -> Self {
         Self::Derivative { of: Identifier::parse(name), order, mark }
     }
 

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use tumble_expr::{Dimension, Expr, units::S};
-//! use tumble_notation::{Left, Mark, Math, Notation};
+//! use tumble_notation::{Left, Math, Notation, RateMark};
 //!
 //! let (m, g, l) = (
 //!     Expr::symbol("m", Dimension::MASS),
@@ -16,7 +16,7 @@
 //! let theta = Expr::symbol("rod.angle", Dimension::NONE);
 //! let alpha = -(&l / 2 * theta.sin() * (&m * &g)) / (&m * &l * &l / 12 + &m * (&l / 2).powi(2));
 //! let notation = Notation::new().name("rod.angle", "theta").positive(["m", "L"]);
-//! let left = Left::symbol(Math::derivative("theta", 2, Mark::Primes));
+//! let left = Left::symbol(Math::derivative("theta", 2, RateMark::Primes));
 //! let shown = notation.equation(left, &alpha)?;
 //! assert_eq!(shown.text(), "θ″ = −(3 g/(2 L)) sin θ");
 //! # Ok::<(), tumble_notation::MathError>(())
@@ -47,7 +47,7 @@ pub use closed_form::{ClosedForm, integrate_twice, polynomial_in};
 pub use error::MathError;
 pub use font::{FAMILY, page_font};
 pub use latex::latex;
-pub use layout::{Mark, Math, Operator};
+pub use layout::{Math, Operator, RateMark};
 pub use mathml::{mathml, mathml_aligned, mathml_block, mathml_in_pieces};
 pub use notation::{Left, Line, Notation, Shown};
 pub use symbol::{Identifier, is_letter};

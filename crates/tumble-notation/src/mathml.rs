@@ -2,7 +2,7 @@
 
 mod pieces;
 
-use crate::layout::{Mark, Math, Operator};
+use crate::layout::{Math, Operator, RateMark};
 use crate::symbol::{self, Identifier};
 
 /// The space between factors, as on paper.
@@ -138,6 +138,7 @@ fn sign(operator: Operator) -> String {
         Operator::LessEqual => ("infix", "≤"),
         Operator::Times => ("infix", "·"),
         Operator::Cross => ("infix", "×"),
+        Operator::Dot => ("infix", "·"),
         Operator::Over => return "<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">/</mo>".to_owned(),
     };
     format!("<mo form=\"{form}\">{sign}</mo>")
@@ -235,12 +236,12 @@ fn case((value, condition): &(Math, Option<Math>)) -> String {
     )
 }
 
-fn derivative(of: &Identifier, order: u8, mark: Mark) -> String {
+fn derivative(of: &Identifier, order: u8, mark: RateMark) -> String {
     let plain = head(of);
     let dots = ["", "˙", "¨"].get(usize::from(order));
     match (mark, dots) {
         (_, Some(&"")) => name(of),
-        (Mark::Dots, Some(dots)) => {
+        (RateMark::Dots, Some(dots)) => {
             let dotted =
                 format!("<mover>{plain}<mo stretchy=\"false\" style=\"math-depth: 0\">{dots}</mo></mover>");
             with_subscript(&dotted, of)
@@ -288,8 +289,8 @@ mod tests {
             x().over(Math::Root(Box::new(x().raised_to(Math::digits(2))))),
             Math::Cases(vec![(x(), Some(x())), (x(), None)]),
             Math::Matrix(vec![vec![x()]]),
-            Math::derivative("theta_1", 2, Mark::Dots),
-            Math::derivative("theta_1", 3, Mark::Primes),
+            Math::derivative("theta_1", 2, RateMark::Dots),
+            Math::derivative("theta_1", 3, RateMark::Primes),
         ]);
         for tag in mathml_aligned(&[(x(), all)]).split('<').skip(1) {
             let name: String =

@@ -1,6 +1,6 @@
 //! Mathematics on one line of Unicode text.
 
-use crate::layout::{Mark, Math, Operator};
+use crate::layout::{Math, Operator, RateMark};
 use crate::symbol::Identifier;
 
 /// One line, such as `θ″ = −(3 g/(2 L)) sin θ`.
@@ -46,6 +46,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Times => "·",
         Operator::Over => "/",
         Operator::Cross => " × ",
+        Operator::Dot => " · ",
     }
 }
 
@@ -136,11 +137,11 @@ fn case((value, condition): &(Math, Option<Math>)) -> String {
     }
 }
 
-fn derivative(of: &Identifier, order: u8, mark: Mark) -> String {
+fn derivative(of: &Identifier, order: u8, mark: RateMark) -> String {
     let (dots, primes) = (["", "\u{307}", "\u{308}"], ["", "′", "″", "‴"]);
     let known = match mark {
-        Mark::Dots => dots.get(usize::from(order)),
-        Mark::Primes => primes.get(usize::from(order)),
+        RateMark::Dots => dots.get(usize::from(order)),
+        RateMark::Primes => primes.get(usize::from(order)),
     };
     let marks = known.map_or_else(|| "′".repeat(usize::from(order)), |mark| (*mark).to_owned());
     let marked = Identifier { head: format!("{}{marks}", of.head), ..of.clone() };

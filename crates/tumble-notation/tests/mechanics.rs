@@ -4,7 +4,7 @@ mod common;
 
 use common::{assert_same, force, g, length, mass, omega, pure, speed, t};
 use tumble_expr::{Dimension, Expr, Symbol, Vector};
-use tumble_notation::{Left, Mark, Math, Notation, Shown, integrate_twice, polynomial_in};
+use tumble_notation::{Left, Math, Notation, RateMark, Shown, integrate_twice, polynomial_in};
 
 const POSITIVE: [&str; 5] = ["m", "M", "L", "R", "I"];
 
@@ -82,7 +82,7 @@ fn drag_coefficient() -> Expr {
 }
 
 fn theta2() -> Left {
-    Left::symbol(Math::derivative("theta", 2, Mark::Primes))
+    Left::symbol(Math::derivative("theta", 2, RateMark::Primes))
 }
 
 fn shell() -> (Expr, Expr) {
@@ -121,7 +121,7 @@ fn pendulum_with_resistance_at_its_tip() {
         show(&notation(), theta2(), &alpha),
         "θ″ = (3 D/(m L)) √((w − L ω cos θ)² + L² ω² sin² θ) (w cos θ − L ω) − (3 g/(2 L)) sin θ"
     );
-    let left = Left::times(&inertia, Math::derivative("theta", 2, Mark::Dots));
+    let left = Left::times(&inertia, Math::derivative("theta", 2, RateMark::Dots));
     assert_eq!(
         show(&notation(), left, &alpha),
         "(m L²/3) θ̈ = D L √((w − L ω cos θ)² + L² ω² sin² θ) (w cos θ − L ω) − (m g L/2) sin θ"
@@ -144,7 +144,7 @@ fn pendulum_with_normal_resistance() {
         show(&named, theta2(), &alpha),
         "θ″ = (3 D/(m L)) |u| u − (3 g/(2 L)) sin θ\nwhere u = w cos θ − L ω"
     );
-    let left = Left::times(&inertia, Math::derivative("theta", 2, Mark::Primes));
+    let left = Left::times(&inertia, Math::derivative("theta", 2, RateMark::Primes));
     assert_eq!(
         show(&named, left, &alpha),
         "(m L²/3) θ″ = D L |u| u − (m g L/2) sin θ\nwhere u = w cos θ − L ω"

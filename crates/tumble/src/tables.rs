@@ -4,7 +4,7 @@ use tumble_report::results::Case;
 use tumble_report::tables::{self, BALANCE, EVENTS, RUNS, SweepTables, TRAJECTORY};
 use tumble_scene::Study;
 
-use crate::output::{Folder, OutputError, Table};
+use crate::output::{Folder, OutputError, TableFile};
 use crate::pipeline::PipelineError;
 
 /// Writes the motion and its events.
@@ -22,9 +22,9 @@ fn one(
     case: &Case,
     name: &str,
     folder: &Folder,
-    write: impl FnOnce(&mut Table<'_>) -> Result<(), PipelineError>,
+    write: impl FnOnce(&mut TableFile<'_>) -> Result<(), PipelineError>,
 ) -> Result<(), PipelineError> {
-    let mut table = Table::begin(folder, &format!("{}/{name}", case.folder()))?;
+    let mut table = TableFile::begin(folder, &format!("{}/{name}", case.folder()))?;
     write(&mut table)?;
     Ok(table.finish()?)
 }
@@ -33,15 +33,15 @@ fn one(
 pub(crate) fn begin_sweep<'f>(
     study: &Study,
     folder: &'f Folder,
-) -> Result<Option<SweepTables<Table<'f>>>, PipelineError> {
+) -> Result<Option<SweepTables<TableFile<'f>>>, PipelineError> {
     if study.sweep.is_empty() {
         return Ok(None);
     }
-    let [runs, events] = [RUNS, EVENTS].map(|name| Table::begin(folder, name));
+    let [runs, events] = [RUNS, EVENTS].map(|name| TableFile::begin(folder, name));
     SweepTables::begin(study, runs?, events?).map(Some)
 }
 
 /// Ends them.
-pub(crate) fn end_sweep(sweep: SweepTables<Table<'_>>) -> Result<(), OutputError> {
-    sweep.end().into_iter().try_for_each(Table::finish)
+pub(crate) fn end_sweep(sweep: SweepTables<TableFile<'_>>) -> Result<(), OutputError> {
+    sweep.end().into_iter().try_for_each(TableFile::finish)
 }

@@ -16,7 +16,7 @@ use crate::placing::Occupancy;
 use crate::placing::{draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
-use crate::stroboscope::{equal_axes, picture_width};
+use crate::stroboscope::{ALONE, equal_axes, picture_width};
 use crate::svg::{Element, Svg, circle};
 use crate::theme::{BODY, INK, MOTION, PAPER};
 
@@ -47,9 +47,9 @@ impl Layout {
     pub(super) fn new(scene: SceneDrawing) -> Self {
         let ranges = ranges(&scene);
         let wanted = ranges.unwrap_or_default();
-        let width = picture_width(wanted).min(WIDEST);
+        let width = picture_width(wanted, ALONE).min(WIDEST);
         let heading = Heading::new(&scene.title, width);
-        let axes = equal_axes(wanted, width, heading.bottom());
+        let axes = equal_axes(wanted, (width, ALONE.greatest_height), heading.bottom());
         let view = View::of(&axes);
         Self { scene, heading, axes, view, empty: ranges.is_none() }
     }

@@ -8,9 +8,7 @@ use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, 
 use tumble_ode::Side;
 use tumble_scene::{FreeBody, Study};
 
-use crate::figures::{
-    air, case_label, heading, instants, joined as with_label, outlines, poses, surfaces, symbols,
-};
+use crate::figures::{air, case_label, heading, joined as with_label, outlines, poses, surfaces, symbols};
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::moments::Moments;
@@ -49,32 +47,6 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Shee
         sheet.captions.push(Label::plain(&format!("Not in this motion: {}.", missing.join(", "))));
     }
     Ok(sheet)
-}
-
-/// What a sheet shows, in words: whose forces, and what the letters mean that are not forces.
-pub(crate) fn caption(study: &Study, sheet: &Sheet, body: &str) -> Label {
-    let velocity = symbols::velocity(study, body);
-    let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
-    let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
-    let is_of_impulses = |panel: &FreeBodyDiagram| panel.unit == tumble_drawing::free_body::Unit::impulse();
-    let letters = [
-        (any(&|panel| !panel.arms.is_empty()), "r", "arm from the centre of mass to where a force acts"),
-        (
-            any(&|panel| !panel.couples.is_empty() && !is_of_impulses(panel)),
-            "tau",
-            "torque about the centre of mass, counter-clockwise positive",
-        ),
-        (any(&is_of_impulses), "J", "impulse of an instant"),
-        (has(&velocity), &*velocity, "velocity of the centre of mass"),
-        (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
-        (has("u"), "u", "velocity of the air past the point where it acts"),
-    ];
-    let shown: Vec<_> =
-        letters.iter().filter(|(shown, ..)| *shown).map(|(_, symbol, words)| (*symbol, *words)).collect();
-    let row = "Thin arrows in a row: the force along the body; the thick one: their sum. ";
-    let row = if any(&|panel| !panel.spreads.is_empty()) { row } else { "" };
-    Label::plain(&format!("Everything that acts on {}. {row}", symbols::the(body)))
-        .then(instants::meaning(&shown))
 }
 
 /// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.

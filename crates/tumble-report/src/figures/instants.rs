@@ -1,7 +1,6 @@
 //! Instants that tell something of the forces on a body, where the scene names none: each load at its largest, and whatever else
 //! acts together.
 
-use tumble_drawing::Label;
 use tumble_expr::units::S;
 use tumble_mech::{Force, Forces, Law, joined};
 use tumble_ode::Side;
@@ -166,12 +165,4 @@ fn words(study: &Study, set: &[Load]) -> String {
         [only] => format!("{only} alone"),
         [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
     }
-}
-
-/// Symbols with what they mean, as a caption says it.
-pub(crate) fn meaning(symbols: &[(&str, &str)]) -> Label {
-    let one =
-        |(symbol, words): &(&str, &str)| Label::symbol(symbol).then(Label::plain(&format!(": {words}")));
-    let all = symbols.iter().map(one).reduce(|all, next| all.then(Label::plain("; ")).then(next));
-    all.map_or_else(Label::default, |all| all.then(Label::plain(".")))
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod air;
 mod bands;
+pub(crate) mod captions;
 pub(crate) mod energies;
 pub(crate) mod finds;
 pub(crate) mod free_bodies;
@@ -13,10 +14,11 @@ use tumble_drawing::{
     Axis, BodyPath, CurveFigure, Label, Mark, Outline, Pose, Series, StroboscopicPicture, Svg,
 };
 use tumble_expr::{Dimension, Expr, Vector};
-use tumble_mech::{Body, Happening, Record, Run, Shape};
+use tumble_mech::{Body, Run, Shape};
 use tumble_ode::Side;
 use tumble_scene::{Curve, Diagnostics, Plot, Stroboscope, Study};
 
+use crate::fill::words;
 use crate::report::END_OF_DIGITS;
 use crate::results::Case;
 use crate::results::CaseError;
@@ -119,7 +121,7 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
     if plot.x.is_none() {
         let shown = shown(&figure);
         if let [case] = cases {
-            mark_events(&mut figure, case, shown);
+            mark_events(&mut figure, study, case, shown);
         }
         mark_ends_of_digits(&mut figure, cases, shown);
     }
@@ -161,35 +163,17 @@ fn mark_ends_of_digits(figure: &mut CurveFigure, cases: &[Case], [from, to]: [f6
     }
 }
 
-/// Marks what happens along the time axis, unless so much does that no mark could be read.
-fn mark_events(figure: &mut CurveFigure, case: &Case, [from, to]: [f64; 2]) {
+/// Marks what happens along the time axis, but for its ends, unless so much does that no mark could be read.
+fn mark_events(figure: &mut CurveFigure, study: &Study, case: &Case, [from, to]: [f64; 2]) {
     let events = case.run.events();
-    let events: Vec<_> = events.filter(|event| from <= event.time && event.time <= to).collect();
+    let events: Vec<_> = events.filter(|event| from < event.time && event.time < to).collect();
     if events.len() > MOST_MARKS {
         return;
     }
     for event in events {
-        figure.marks.push(Mark { at: event.time, label: Label::plain(&mark(case, &event.record)) });
+        let what = words::event(study, &case.run.equations, event);
+        figure.marks.push(Mark { at: event.time, label: Label::plain(&what) });
     }
-}
-
-/// What happens at an event, short: a point by its own name where there is one surface and one body, and once.
-fn mark(case: &Case, record: &Record) -> String {
-    let equations = &case.run.equations;
-    let model = equations.model();
-    let alone = match (&model.surfaces[..], &model.bodies[..]) {
-        ([surface], [body]) => format!("{}.{}.", surface.name, body.name),
-        _ => String::new(),
-    };
-    let mut shown: Vec<&Happening> = vec![];
-    for happening in &record.happened {
-        if !shown.iter().any(|known| known.is_of_same(happening)) {
-            shown.push(happening);
-        }
-    }
-    let names = shown.into_iter().map(|happening| equations.name_of(happening));
-    let short = names.map(|name| name.strip_prefix(&alone).unwrap_or(&name).to_owned());
-    short.collect::<Vec<_>>().join(", ")
 }
 
 /// What is different about a run: `T = 0.5 s` with its symbol, or the user's words.

@@ -120,7 +120,7 @@ fn stated_as(load: &str, law: Law) -> String {
 }
 
 /// Names in a row; of many, the first two and the last.
-pub(super) fn listed(names: &[String]) -> String {
+pub(crate) fn listed(names: &[String]) -> String {
     match names {
         [] => String::new(),
         [only] => only.clone(),

@@ -1,6 +1,6 @@
 //! What the motion says: curves, pictures, balance, checks, and what was found.
 
-use crate::report::{Analyze, Chart, CheckRow, Column, Picture, RunAnalysis, Table, Text};
+use crate::report::{Analyze, Chart, CheckRow, Column, Picture, PrintedTable, RunAnalysis, Text};
 use tumble_drawing::Label;
 use tumble_expr::Expr;
 use tumble_expr::language::{is_name, parse};
@@ -10,8 +10,8 @@ use tumble_scene::{Instant, Study};
 
 use super::names::{Names, quantity};
 use super::words::spoken;
-use super::{alike, animation, balance, findings, sweep};
-use crate::figures::{self, symbols};
+use super::{animation, balance, findings, sweep};
+use crate::figures::{self, captions, symbols};
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::CheckResult;
@@ -47,14 +47,17 @@ pub(super) fn of(study: &Study, names: &Names, runs: Runs<'_>) -> Result<Analyze
 fn cases(study: &Study, names: &Names, told: &[&Case]) -> Result<Vec<RunAnalysis>, CaseError> {
     let mut cases: Vec<RunAnalysis> =
         told.iter().map(|case| one(study, names, case)).collect::<Result<_, _>>()?;
-    cases.iter_mut().skip(1).flat_map(|case| &mut case.balance).for_each(|balance| balance.intro.clear());
+    for balance in cases.iter_mut().skip(1).flat_map(|case| &mut case.balance) {
+        balance.intro.clear();
+        balance.tables.iter_mut().for_each(|table| table.notes.clear());
+    }
     Ok(cases)
 }
 
 fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, CaseError> {
     let plot = |plot: &tumble_scene::Plot| {
         let figure = figures::curves(study, cases, plot)?;
-        let caption = sweep::what_bands_are(&figure);
+        let caption = captions::curves(&figure);
         let shown = match plot.x {
             None => Chart::over_time(figure, caption),
             Some(_) => Chart::new(figure, caption),
@@ -63,7 +66,8 @@ fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, Ca
     };
     let balances = study.balances.iter().map(|asked| {
         let figure = figures::energies::of(study, told, asked);
-        Ok(Chart::over_time(figure, Text::default()).stored(format!("{}.svg", asked.name)))
+        let caption = captions::curves(&figure);
+        Ok(Chart::over_time(figure, caption).stored(format!("{}.svg", asked.name)))
     });
     study.plots.iter().map(plot).chain(balances).collect()
 }
@@ -71,18 +75,9 @@ fn plots(study: &Study, cases: &[Case], told: &[&Case]) -> Result<Vec<Chart>, Ca
 fn pictures(study: &Study, told: &[&Case]) -> Result<Vec<Picture>, CaseError> {
     let picture = |asked: &tumble_scene::Stroboscope| {
         let svg = figures::picture(study, told, asked)?.svg();
-        Ok(Picture::new(svg, at_equal_times(study, asked)?).stored(format!("{}.svg", asked.name)))
+        Ok(Picture::new(svg, captions::stroboscope(study, asked)?).stored(format!("{}.svg", asked.name)))
     };
     study.stroboscopes.iter().map(picture).collect()
-}
-
-/// What a stroboscopic picture shows.
-fn at_equal_times(study: &Study, asked: &tumble_scene::Stroboscope) -> Result<Text, CaseError> {
-    let names: Vec<String> =
-        asked.bodies.iter().map(|body| symbols::the(&study.model.bodies[*body].name)).collect();
-    let every = quantity(study.number(&asked.every)?, "s");
-    let dotted = if asked.trace { "; dotted: the path of the centre of mass" } else { "" };
-    Ok(Text::from(alike::listed(&names)).capitalised().and(" every ").and(every).and(dotted).and("."))
 }
 
 /// The runs of a sweep side by side.
@@ -91,7 +86,7 @@ fn comparison(
     names: &Names,
     cases: &[Case],
     told: &[&Case],
-) -> Result<Option<Table>, CaseError> {
+) -> Result<Option<PrintedTable>, CaseError> {
     if cases.len() < 2 {
         return Ok(None);
     }
@@ -115,7 +110,7 @@ fn comparison(
             Column::numbers(head("last")),
         ]);
     }
-    let mut table = Table::new("The runs side by side", columns);
+    let mut table = PrintedTable::new("The runs side by side", columns);
     for case in told {
         let study = study.with(&case.parameters);
         let mut cells = vec![Text::from(figures::case_label(case))];

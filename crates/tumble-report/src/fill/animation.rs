@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::report::{Picture, Text};
+use crate::report::Picture;
 use tumble_drawing::curves::Mark;
 use tumble_drawing::free_body::NamedPoint;
 use tumble_drawing::{
@@ -18,7 +18,7 @@ use super::names::Names;
 use super::words;
 use crate::figures::free_bodies::kind;
 use crate::figures::symbols;
-use crate::figures::{case_label, outlines, poses, surfaces};
+use crate::figures::{captions, case_label, outlines, poses, surfaces};
 use crate::report::END_OF_DIGITS;
 use crate::results::Case;
 use crate::results::CaseError;
@@ -161,7 +161,7 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
         gravity: gravity(study)?,
         wind: wind(study, run)?,
     };
-    Ok(Some(Picture::new(drawing.svg(), Text::from("The scene at the start."))))
+    Ok(Some(Picture::new(drawing.svg(), captions::scene(&drawing))))
 }
 
 fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<SceneBody, CaseError> {

@@ -1,18 +1,21 @@
 //! Energy, momentum, and what changed them, as tables and a figure.
 
-use crate::report::{BalancePart, Chart, Column, Table, Text};
+use crate::report::{BalancePart, Chart, Column, PrintedTable, Text};
 use tumble_drawing::Label;
 use tumble_mech::{Balance, Equations, Kind};
 use tumble_scene::{Sheet, Study};
 
-use super::names::quantity;
+use super::names::{quantity, quantity_to};
 use super::words;
+use crate::figures::captions;
 use crate::figures::energies::sheet;
 use crate::results::Case;
 use crate::results::CaseBalance;
 
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
 const NOTHING: f64 = 1e-14;
+/// Digits of a residual: none of it is verified, its size is what tells.
+const SIZE: usize = 2;
 
 pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
@@ -31,7 +34,7 @@ pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
 fn energies(study: &Study, balance: &CaseBalance) -> Option<Chart> {
     let is_asked = study.balances.iter().any(|asked| asked.show == Sheet::Energies);
     let figure = || sheet(balance, "Energies", Sheet::Energies);
-    (!is_asked).then(|| Chart::over_time(figure(), "Kinetic, potential and total energy over time."))
+    (!is_asked).then(|| Chart::over_time(figure(), captions::ENERGIES))
 }
 
 /// What is left of the energy, where it is more than the accuracy asked for: less is told by the table.
@@ -39,12 +42,10 @@ fn residual(balance: &CaseBalance, accuracy: f64) -> Option<Chart> {
     let figure = sheet(balance, "Residual of the energy", Sheet::Residual);
     let all = figure.series.iter().flat_map(|series| &series.points).map(|point| point[1].abs());
     let is_seen = all.fold(0.0, f64::max) > accuracy * balance.energy.scale;
-    is_seen.then(|| {
-        Chart::over_time(figure, "Energy that the works of the loads do not account for, over time.")
-    })
+    is_seen.then(|| Chart::over_time(figure, captions::RESIDUAL))
 }
 
-fn balances(balance: &CaseBalance) -> Table {
+fn balances(balance: &CaseBalance) -> PrintedTable {
     let columns = vec![
         Column::words("Balance"),
         Column::numbers("At the start"),
@@ -55,10 +56,10 @@ fn balances(balance: &CaseBalance) -> Table {
     let row = |name: &str, unit: &str, of: &Balance| {
         let values = [of.start, of.end, of.change].map(|value| seen(value, of));
         let name = Text::from(format!("{name} (")).and(Label::unit(unit)).and(")");
-        std::iter::once(name).chain(values).chain([quantity(of.residual, "")]).collect()
+        std::iter::once(name).chain(values).chain([quantity_to(of.residual, SIZE, "")]).collect()
     };
     let [x, y] = &balance.total.momentum;
-    Table::new("", columns)
+    PrintedTable::new("", columns)
         .row(row("Energy", "J", &balance.energy))
         .row(row("Momentum, x", "N*s", x))
         .row(row("Momentum, y", "N*s", y))
@@ -81,7 +82,7 @@ fn kind(kind: Kind) -> &'static str {
     }
 }
 
-fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) -> Table {
+fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) -> PrintedTable {
     let with = |words: &str, unit: &str| Text::from(format!("{words} (")).and(Label::unit(unit)).and(")");
     let columns = vec![
         Column::words("Load"),
@@ -90,7 +91,7 @@ fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) ->
         Column::numbers(with("Impulse, y", "N*s")),
         Column::numbers(with("Angular impulse", "N*m*s")),
     ];
-    let mut table = Table::new("What every load did", columns);
+    let mut table = PrintedTable::new("What every load did", columns);
     for (_, contribution) in &balance.contributions {
         let ([x, y], angular) = (&balance.total.momentum, &balance.total.angular_momentum);
         let cells = [

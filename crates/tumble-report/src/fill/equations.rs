@@ -7,12 +7,13 @@ use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
-use tumble_notation::{Left, Mark, Math, Notation, Shown};
+use tumble_notation::{Left, Math, Notation, RateMark, Shown};
 use tumble_scene::Study;
 
 use super::alike::Kind;
 use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, math};
+use super::once::{BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
 use super::reduced::{self, Reduced, Solved};
 use super::words;
 use crate::figures::symbols;
@@ -54,26 +55,6 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
     told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
 }
 
-/// What a symbol means is said where it comes first.
-fn defined_once(mut blocks: Vec<Block>) -> Vec<Block> {
-    let mut said: Vec<Definition> = vec![];
-    for block in &mut blocks {
-        block.definitions.retain(|definition| !said.contains(definition));
-        said.extend(block.definitions.iter().cloned());
-    }
-    blocks
-}
-
-/// Modes of the same equations are told together.
-fn told_once(mut told: Vec<ModeEquations>, next: ModeEquations) -> Vec<ModeEquations> {
-    let is_same = |known: &&mut ModeEquations| known.equations == next.equations && known.holds == next.holds;
-    match told.iter_mut().find(is_same) {
-        Some(known) => known.name = known.name.clone().and(", or ").and(next.name),
-        None => told.push(next),
-    }
-    told
-}
-
 /// The modes in which the motion has stayed: at the instant of the start there may be another one.
 fn lasting(case: &Case) -> Vec<&Mode> {
     let trajectory = case.run.trajectory();
@@ -82,11 +63,6 @@ fn lasting(case: &Case) -> Vec<&Mode> {
     };
     (0..trajectory.modes.len()).filter(lasts).map(|number| &trajectory.modes[number]).collect()
 }
-
-/// What is said of equations that Newton's laws state as shortly as can be.
-const BY_NAME: &str =
-    "Newton\u{2019}s laws above, with the forces of the table, are the equations of motion.";
-const OTHERS_BY_NAME: &str = "The equations of motion of the bodies that are not listed here are Newton\u{2019}s laws above, with the forces of the table.";
 
 /// The equations of all bodies in a mode: reduced where joints and contacts allow, and then how their forces follow.
 fn motions(study: &Study, names: &Names, case: &Case, mode: &Mode) -> Vec<Motion> {
@@ -345,7 +321,7 @@ fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: No
 /// `theta''`
 fn second(names: &Names, study: &Study, body: usize) -> Left {
     let angle = study.model.bodies[body].kinematics().angle_symbol();
-    Left::symbol(Math::derivative(names.shown(&angle.name), 2, Mark::Primes))
+    Left::symbol(Math::derivative(names.shown(&angle.name), 2, RateMark::Primes))
 }
 
 fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {

@@ -72,10 +72,10 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
             unit: unit.to_owned(),
             ..QuantityRow::default()
         };
+        let equation = names.equation(symbol, formula);
         // A number, or a parameter, says all by itself.
-        let is_formula =
-            formula.children().len() > 1 && !formula.symbols().is_empty() && !is_identically_zero(formula);
-        Ok(if is_formula { found.by(names.equation(symbol, formula)) } else { found })
+        let is_formula = formula.children().len() > 1 && !formula.symbols().is_empty();
+        Ok(if is_formula && !equation.text.ends_with("= 0") { found.by(equation) } else { found })
     };
     Ok(BodyRow {
         name: body.name.as_str().into(),

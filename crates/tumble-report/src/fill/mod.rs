@@ -12,20 +12,22 @@ mod findings;
 mod identify;
 mod model;
 mod names;
+mod once;
 mod reduced;
 mod sizes;
 mod solve;
 mod sweep;
 mod texts;
-mod words;
+pub(crate) mod words;
 
 use crate::report::{Report, Text, Typeset};
 use tumble_scene::Study;
 
 use crate::results::{CaseError, Runs};
 
+pub(crate) use alike::listed;
 use names::Names;
-pub(crate) use names::quantity_to;
+pub(crate) use names::{quantity, quantity_to};
 
 /// Identify, model, solve, analyze.
 pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {

@@ -11,8 +11,9 @@ use tumble_scene::{FreeBody, Study};
 use super::alike::{self, Kind};
 use super::equations;
 use super::names::{MASS, Names, math, words};
+use super::once;
 use super::words::spoken;
-use crate::figures::{air, free_bodies, instants, symbols};
+use crate::figures::{air, captions, free_bodies, instants, symbols};
 use crate::results::Case;
 use crate::results::CaseError;
 
@@ -27,7 +28,8 @@ pub(super) const MOST_OPERATIONS: usize = 300;
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPart, CaseError> {
     let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
     let kinds = alike::kinds(study, case);
-    let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind));
+    let mut said = vec![];
+    let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind, &mut said));
     let bodies: Vec<BodyModel> = bodies.collect::<Result<_, _>>()?;
     let mut modes = equations::modes(study, names, case, &kinds);
     // What the laws have said the equations do not say again.
@@ -36,6 +38,8 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     let said: Vec<&Typeset> = rows.chain(laws.map(|definition| &definition.symbol)).collect();
     let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
     equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&&definition.symbol)));
+    let laws: Vec<&Typeset> = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.lines).collect();
+    once::say_once(&mut modes, &laws);
     Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
 }
 
@@ -83,19 +87,30 @@ fn assumptions(study: &Study) -> Vec<Text> {
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }
 
-fn one(study: &Study, names: &Names, [case, drawn]: [&Case; 2], kind: &Kind) -> Result<BodyModel, CaseError> {
+fn one(
+    study: &Study,
+    names: &Names,
+    [case, drawn]: [&Case; 2],
+    kind: &Kind,
+    said: &mut Vec<String>,
+) -> Result<BodyModel, CaseError> {
     let body = kind.shown;
     let names = &names.of_body(body);
     Ok(BodyModel {
         name: Text::from(kind.name(study)).capitalised(),
-        diagrams: diagrams(study, drawn, body)?,
+        diagrams: diagrams(study, drawn, body, said)?,
         forces: forces(study, names, case, body),
         laws: vec![laws(study, names, case, body)],
     })
 }
 
 /// Those that the scene asks for, else at instants that tell something.
-fn diagrams(study: &Study, case: &Case, body: usize) -> Result<Vec<Picture>, CaseError> {
+fn diagrams(
+    study: &Study,
+    case: &Case,
+    body: usize,
+    said: &mut Vec<String>,
+) -> Result<Vec<Picture>, CaseError> {
     let name = &study.model.bodies[body].name;
     let asked: Vec<&FreeBody> = study.free_bodies.iter().filter(|sheet| sheet.body == body).collect();
     let own = FreeBody {
@@ -105,12 +120,12 @@ fn diagrams(study: &Study, case: &Case, body: usize) -> Result<Vec<Picture>, Cas
         at: if asked.is_empty() { instants::of(study, case, body)? } else { vec![] },
     };
     let sheets = if asked.is_empty() { vec![&own] } else { asked };
-    let picture = |asked: &FreeBody| -> Result<Picture, CaseError> {
+    let mut picture = |asked: &FreeBody| -> Result<Picture, CaseError> {
         let sheet = free_bodies::sheet(study, case, asked)?;
-        let picture = Picture::new(sheet.svg(), Text::from(free_bodies::caption(study, &sheet, name)));
+        let picture = Picture::new(sheet.svg(), captions::free_bodies(study, &sheet, name, said));
         Ok(if asked.name.is_empty() { picture } else { picture.stored(format!("{}.svg", asked.name)) })
     };
-    sheets.into_iter().map(picture).collect()
+    sheets.into_iter().map(&mut picture).collect()
 }
 
 /// The run for the diagrams: the first of those in which most loads are there.

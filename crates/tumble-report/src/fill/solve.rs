@@ -1,9 +1,9 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
-use crate::report::{Block, Column, Definition, Phase, Solve, Table, Text, Typeset};
+use crate::report::{Block, Column, Definition, Phase, PrintedTable, Solve, Text, Typeset};
 use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
-use tumble_mech::{Divergence, Horizon, Mode, Parameters, Record, Run};
+use tumble_mech::{Divergence, Happening, Horizon, Mode, Parameters, Record, Run};
 use tumble_notation::{ClosedForm, Left, Math, Operator, integrate_twice, polynomial_in};
 use tumble_ode::{Cause, Event};
 use tumble_scene::Study;
@@ -34,7 +34,10 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
             "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form."
         }
         (false, false) => "The following phases are known in closed form; the rest was integrated.",
-        (true, _) => "The equations have no closed form that the program knows: they were integrated.",
+        (true, true) => {
+            "In every mode of the motion the accelerations are constant or polynomials in time: each step is exact."
+        }
+        (true, false) => "The equations have no closed form that the program knows: they were integrated.",
     };
     let mut how = how(&told);
     how.notes.extend(sweep::others_are_in_files(cases, &told));
@@ -96,7 +99,7 @@ fn method(cases: &[&Case]) -> Vec<(Text, Text)> {
 }
 
 /// How the runs were solved, a row each.
-fn how(cases: &[&Case]) -> Table {
+fn how(cases: &[&Case]) -> PrintedTable {
     let columns = [
         Column::words("Run"),
         Column::numbers("Accuracy asked"),
@@ -124,7 +127,7 @@ fn how(cases: &[&Case]) -> Table {
             held.unwrap_or_default().into(),
         ]
     };
-    cases.iter().map(row).fold(Table::new("How it was solved", columns.into()), Table::row)
+    cases.iter().map(row).fold(PrintedTable::new("How it was solved", columns.into()), PrintedTable::row)
 }
 
 /// What is told of one run, with its label where there are several.
@@ -137,7 +140,7 @@ fn labelled(what: &str, case: &Case) -> Text {
 }
 
 /// A row an event.
-fn events(study: &Study, case: &Case) -> Table {
+fn events(study: &Study, case: &Case) -> PrintedTable {
     let caption = labelled("Events", case);
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
@@ -145,7 +148,7 @@ fn events(study: &Study, case: &Case) -> Table {
         let what = words::event(study, &case.run.equations, event);
         vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
-    let mut table = Table::new(caption, columns);
+    let mut table = PrintedTable::new(caption, columns);
     table.rows = case.run.events().map(row).collect();
     table
 }
@@ -163,6 +166,8 @@ struct Coordinate {
 struct Stretch<'r> {
     mode: &'r Mode,
     begins: Expr,
+    /// Whether an event ends it before the run does.
+    ends: bool,
     elapsed: Symbol,
     coordinates: Vec<Coordinate>,
     motions: Vec<ClosedForm>,
@@ -174,7 +179,13 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
     let (mut coordinates, mut begins): (Vec<Coordinate>, _) =
         (starts(), Expr::zero() * tumble_expr::units::S);
     let mut found: Vec<Stretch<'r>> = vec![];
-    for (number, (mode, ends)) in stretches(run).into_iter().take(MOST_PHASES).enumerate() {
+    let stretches = stretches(run);
+    let count = stretches.len();
+    // An impact ends a closed form though the mode stays.
+    let is_jump = |one: &Happening| !matches!(one, Happening::Event(_) | Happening::Rest);
+    let jumps =
+        run.events().filter(|event| event.time > 0.0 && event.record.happened.iter().any(is_jump)).count();
+    for (number, (mode, ends)) in stretches.into_iter().take(MOST_PHASES).enumerate() {
         let elapsed = Symbol::new(elapsed_since(number), Dimension::TIME);
         let Some(motions) = motions(run, mode, &coordinates, &begins, &elapsed) else { break };
         let mut next: Vec<Coordinate> = starts();
@@ -185,7 +196,14 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
                 coordinate.start = (at_end.apply(&motion.position), at_end.apply(&motion.velocity));
             }
         }
-        found.push(Stretch { mode, begins, elapsed, coordinates, motions });
+        found.push(Stretch {
+            mode,
+            begins,
+            ends: number + 1 < count || jumps > 0,
+            elapsed,
+            coordinates,
+            motions,
+        });
         // An end at a time that only the run knows has no formula: the closed forms end there.
         let Some(end) = ends else { break };
         (coordinates, begins) = (next, end);
@@ -310,7 +328,7 @@ fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
 }
 
 fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Result<Phase, CaseError> {
-    let Stretch { mode, begins, elapsed, coordinates, motions } = stretch;
+    let Stretch { mode, begins, ends, elapsed, coordinates, motions } = stretch;
     let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
     let mut numbers: Vec<Typeset> = vec![];
     for (coordinate, motion) in coordinates.iter().zip(motions) {
@@ -332,12 +350,18 @@ fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Re
             last.definitions.push(definition);
         }
     }
+    // A line without a parameter is the same with numbers.
+    let said: Vec<&str> = symbols.iter().flat_map(|block| &block.lines).map(|line| &*line.text).collect();
+    numbers.retain(|line| !said.contains(&&*line.text));
+    let numbers =
+        if numbers.is_empty() { vec![] } else { vec![Block { lines: numbers, ..Default::default() }] };
     let from = study.number(begins)?;
+    let until = if *ends { " to the next event" } else { " on" };
     Ok(Phase {
         name: Text::from(words::mode(study, &case.run.equations, mode)),
-        span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")),
+        span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")).and(until),
         symbols,
-        numbers: vec![Block { lines: numbers, ..Default::default() }],
+        numbers,
     })
 }
 

@@ -7,7 +7,7 @@ use tumble_scene::{Question, Study};
 use super::findings::with_digits;
 use super::names::{quantity, quantity_to};
 use super::words::spoken;
-use crate::figures::{case_label, finds, symbols};
+use crate::figures::{captions, case_label, finds, symbols};
 use crate::report::{Chart, Column, Picture, Text};
 use crate::results::{Case, Equal, FAMILY, FindResult, Located, Place, Runs, Survey, digits};
 
@@ -21,8 +21,7 @@ pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Chart> {
     let caption = |name: &str| {
         let mut own = survey.located.iter().filter(|located| format!("find.{}", located.find) == name);
         let made = own.any(|located| located.place.made > 0);
-        let more = if made { ", with the best of the runs that were made between them" } else { "" };
-        Text::from(format!("What each run of the sweep comes to{more}."))
+        captions::answers(made)
     };
     let plot = |(name, figure): (String, CurveFigure)| {
         Chart::new(figure, caption(&name)).stored(format!("{name}.svg"))
@@ -37,8 +36,7 @@ pub(super) fn maps(study: &Study, survey: &Survey) -> Vec<Picture> {
         let [x, y, z] = [&figure.x, &figure.y, &figure.z].map(|axis| axis.title().to_plain());
         let [least, greatest] = [least, greatest].map(|value| Label::number(value, DIGITS).to_plain());
         let words = format!("{z} over {x} and {y}: from {least} to {greatest}.");
-        let caption = "A cell for each run; the ring is about the best.";
-        Picture::new(figure.svg().described(words), caption).stored(format!("{name}.svg"))
+        Picture::new(figure.svg().described(words), captions::MAP).stored(format!("{name}.svg"))
     };
     finds::maps(study, survey).into_iter().map(picture).collect()
 }
@@ -137,16 +135,6 @@ pub(super) fn others_are_in_files(cases: &[Case], told: &[&Case]) -> Option<Text
     let others = cases.len() - told.len();
     (others > 0)
         .then(|| format!("The other {others} runs stand in runs.csv, their events in events.csv.").into())
-}
-
-/// What the bands of a figure are, where it has any.
-pub(super) fn what_bands_are(figure: &CurveFigure) -> Text {
-    match figure.bands.is_empty() {
-        true => Text::default(),
-        false => "Pale: from the least to the greatest value over all runs that still go on; darker: the half of them in the \
-                  middle; the first line is their median. The others are single runs."
-            .into(),
-    }
 }
 
 /// The heading of an answer's column.

@@ -14,6 +14,9 @@ const MOST_NAMED: usize = 4;
 /// More groups than these that change at one instant are counted, where bodies meet each other.
 const MOST_CHANGES: usize = 5;
 
+/// Words of its own, at most, that one of two sentences has that are told as one.
+const MOST_OWN: usize = 2;
+
 /// What a contact does, of one point and of several.
 type Verb = [String; 2];
 
@@ -43,6 +46,22 @@ pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String 
         (true, false) => "nothing touches".to_owned(),
         (true, true) => "all the time".to_owned(),
     }
+}
+
+/// `the tail settles or slides on the floor`: what two sentences share is said once, where each says little more.
+pub(super) fn either(one: &str, other: &str) -> String {
+    let (first, second): (Vec<&str>, Vec<&str>) = (one.split(' ').collect(), other.split(' ').collect());
+    let shared = |a: &mut dyn Iterator<Item = (&&str, &&str)>| a.take_while(|(a, b)| a == b).count();
+    let before = shared(&mut first.iter().zip(&second));
+    let least = first.len().min(second.len()) - before;
+    let after = shared(&mut first.iter().rev().zip(second.iter().rev())).min(least);
+    let own = |words: &[&str]| words[before..words.len() - after].join(" ");
+    let is_little = |words: &[&str]| (1..=MOST_OWN).contains(&(words.len() - after - before));
+    if before == 0 || !is_little(&first) || !is_little(&second) {
+        return format!("{one}, or {other}");
+    }
+    let [start, end] = [&first[..before], &first[first.len() - after..]].map(|words| words.join(" "));
+    format!("{start} {} or {} {end}", own(&first), own(&second)).trim_end().to_owned()
 }
 
 /// Contacts by what they do and to what; of many groups, how many do what.
@@ -142,7 +161,7 @@ pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
 }
 
 /// All that happens at an instant; points that do the same are told together.
-pub(super) fn event(study: &Study, equations: &Equations, event: &Event<Record>) -> String {
+pub(crate) fn event(study: &Study, equations: &Equations, event: &Event<Record>) -> String {
     let mut changed: Vec<(usize, Vec<Change>)> = vec![];
     let mut told: Vec<String> = vec![];
     for one in &event.record.happened {

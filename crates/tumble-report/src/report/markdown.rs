@@ -9,7 +9,7 @@ use super::parts::{Phase, Solve};
 use super::picture::{Chart, Picture};
 use super::prose::Text;
 use super::rows;
-use super::table::{Align, Table};
+use super::table::{Align, PrintedTable};
 use super::{LESSON, Report};
 use crate::site::url;
 
@@ -35,7 +35,7 @@ pub(super) fn document(report: &Report) -> String {
 /// The forces, laws, equations of motion and closed forms alone, as a part of a document of many scenes.
 pub(super) fn equations(report: &Report) -> String {
     let body = |body: &BodyModel| {
-        let forces = Table { caption: Text::default(), ..rows::forces(&body.forces) };
+        let forces = PrintedTable { caption: Text::default(), ..rows::forces(&body.forces) };
         titled(&heading(3, &body.name), joined([table(&forces), blocks(&body.laws)]))
     };
     let Report { model, solve, .. } = report;
@@ -135,8 +135,8 @@ fn blocks(blocks: &[Block]) -> String {
 }
 
 /// A table with its notes; columns without content are left out.
-fn table(table: &Table) -> String {
-    let Table { columns, rows, .. } = table;
+fn table(table: &PrintedTable) -> String {
+    let PrintedTable { columns, rows, .. } = table;
     let filled = |i: &usize| rows.iter().any(|row| row.get(*i).is_some_and(|cell| !cell.is_empty()));
     let kept: Vec<usize> = (0..columns.len()).filter(filled).collect();
     if kept.is_empty() {
@@ -250,7 +250,7 @@ fn picture(picture: &Picture) -> String {
 fn plot(plot: &Chart) -> String {
     let title = plot.figure.title.to_plain();
     let alt = if plot.description.is_empty() { &title } else { &plot.description };
-    figure(&plot.file, alt, &plot.shown_caption())
+    figure(&plot.file, alt, &plot.caption)
 }
 
 /// A link to a picture with its caption below; the caption alone if there is no file.
@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn tables_have_a_rule_and_one_line_a_row() {
-        let table = Table::new("Events", vec![Column::numbers("t"), Column::words("what")])
+        let table = PrintedTable::new("Events", vec![Column::numbers("t"), Column::words("what")])
             .row(vec!["0.5".into(), "hit | slide\nagain".into()]);
         let shown = super::table(&table);
         assert_eq!(shown, "**Events**\n\n| t | what |\n| ---: | --- |\n| 0\\.5 | hit \\| slide again |");

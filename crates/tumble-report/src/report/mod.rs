@@ -37,7 +37,7 @@ pub(crate) use picture::END_OF_DIGITS;
 pub use picture::{Chart, Picture};
 pub use play::Lab;
 pub use prose::{Piece, Text};
-pub use table::{Align, Column, Table};
+pub use table::{Align, Column, PrintedTable};
 
 use crate::site::Ways;
 

@@ -3,7 +3,7 @@
 use super::math::{Block, Typeset};
 use super::picture::{Chart, Picture};
 use super::prose::Text;
-use super::table::Table;
+use super::table::PrintedTable;
 use tumble_drawing::{Animation, Label};
 
 /// Digits of numbers that are printed from a value.
@@ -142,7 +142,7 @@ pub struct Solve {
     /// How it was integrated, as name and value: accuracy asked, order, steps, rejected steps.
     pub method: Vec<(Text, Text)>,
     /// Events and phases, a table each, or for each case; long ones collapse.
-    pub tables: Vec<Table>,
+    pub tables: Vec<PrintedTable>,
 }
 
 /// A stretch of time with a closed form.
@@ -170,7 +170,7 @@ pub struct Analyze {
     /// Paths and stroboscopic pictures of all cases together.
     pub pictures: Vec<Picture>,
     /// What differs between the cases of a sweep, and what became of it.
-    pub comparison: Option<Table>,
+    pub comparison: Option<PrintedTable>,
     /// What belongs to single cases; one case is shown without its name.
     pub cases: Vec<RunAnalysis>,
     /// Checks that concern no single case.
@@ -193,7 +193,7 @@ pub struct RunAnalysis {
     /// Energy, momentum and their residuals.
     pub balance: Option<BalancePart>,
     /// Other tables.
-    pub tables: Vec<Table>,
+    pub tables: Vec<PrintedTable>,
     /// Its checks.
     pub checks: Vec<CheckRow>,
 }
@@ -204,7 +204,7 @@ pub struct BalancePart {
     /// Paragraphs.
     pub intro: Vec<Text>,
     /// The balances, with their residuals.
-    pub tables: Vec<Table>,
+    pub tables: Vec<PrintedTable>,
     /// Energies over time, residuals over time.
     pub plots: Vec<Chart>,
 }

@@ -1,8 +1,7 @@
 //! Figures of a report.
 
 use super::prose::Text;
-use tumble_drawing::Label;
-use tumble_drawing::curves::{CurveFigure, Mark};
+use tumble_drawing::curves::CurveFigure;
 use tumble_drawing::svg::Svg;
 
 /// What a mark says where digits end.
@@ -57,18 +56,6 @@ impl Chart {
     /// Curves over anything else.
     pub fn new(figure: CurveFigure, caption: impl Into<Text>) -> Self {
         Self { figure, caption: caption.into(), ..Self::default() }
-    }
-
-    /// What stands below it: its own caption, or what is drawn over what.
-    pub(super) fn shown_caption(&self) -> Text {
-        let [x, y] = [&self.figure.x.label, &self.figure.y.label];
-        if !self.caption.is_empty() || x.is_empty() || y.is_empty() {
-            return self.caption.clone();
-        }
-        let end_of_digits = Label::plain(END_OF_DIGITS);
-        let is_event = |mark: &Mark| mark.label != end_of_digits;
-        let marks = if self.figure.marks.iter().any(is_event) { "; dashed lines are events." } else { "." };
-        Text::from(y.clone()).and(" over ").and(x.clone()).and(marks).capitalised()
     }
 
     /// With the path of a file that holds the figure, relative to the report.

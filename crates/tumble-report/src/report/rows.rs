@@ -5,15 +5,18 @@ use crate::report::parts::CheckRow;
 use crate::report::parts::ForceRow;
 use crate::report::parts::{BodyRow, QuantityRow};
 use crate::report::prose::Text;
-use crate::report::table::{Column, Table};
+use crate::report::table::{Column, PrintedTable};
 use tumble_drawing::text::Label;
 
 /// The bodies with their properties, a row each.
-pub(super) fn bodies(bodies: &[BodyRow]) -> Table {
+pub(super) fn bodies(bodies: &[BodyRow]) -> PrintedTable {
     let most = bodies.iter().max_by_key(|body| body.properties.len());
     let names = most.iter().flat_map(|body| &body.properties).map(|property| property.name.clone());
     let columns = std::iter::once("Body".into()).chain(names).map(Column::words).collect();
-    bodies.iter().map(body).fold(Table { stacked: true, ..Table::new("Bodies", columns) }, Table::row)
+    bodies
+        .iter()
+        .map(body)
+        .fold(PrintedTable { stacked: true, ..PrintedTable::new("Bodies", columns) }, PrintedTable::row)
 }
 
 fn body(body: &BodyRow) -> Vec<Text> {
@@ -33,10 +36,10 @@ fn property(quantity: &QuantityRow) -> Text {
 }
 
 /// Quantities with their values.
-pub(super) fn quantities(caption: &str, quantities: &[QuantityRow]) -> Table {
+pub(super) fn quantities(caption: &str, quantities: &[QuantityRow]) -> PrintedTable {
     let columns = ["Quantity", "Symbol", "Value", "Remark"].map(Column::words);
     let rows = quantities.iter().map(|one| quantity(one).into());
-    rows.fold(Table::new(caption, columns.into()), Table::row)
+    rows.fold(PrintedTable::new(caption, columns.into()), PrintedTable::row)
 }
 
 /// Name, symbol, value after what it is computed by, remark.
@@ -72,24 +75,24 @@ fn stated(lines: &[Typeset]) -> Text {
 }
 
 /// The forces on a body.
-pub(super) fn forces(forces: &[ForceRow]) -> Table {
+pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
     let columns = ["Force", "Law", "Torque about the centre of mass"].map(Column::words);
     let row = |force: &ForceRow| {
         let name = force.name.clone().and(" ").and(shown(&force.symbol));
         let name = if force.point.is_empty() { name } else { name.and("\nat ").and(force.point.clone()) };
         vec![name, stated(&force.law), stated(&force.torque)]
     };
-    let table = Table { stacked: true, ..Table::new("Forces and couples", columns.into()) };
-    forces.iter().map(row).fold(table, Table::row)
+    let table = PrintedTable { stacked: true, ..PrintedTable::new("Forces and couples", columns.into()) };
+    forces.iter().map(row).fold(table, PrintedTable::row)
 }
 
 /// Checks with their results.
-pub(super) fn checks(checks: &[CheckRow]) -> Table {
+pub(super) fn checks(checks: &[CheckRow]) -> PrintedTable {
     let columns = ["Check", "Expected", "Found", "Within", "Result"].map(Column::words);
     let row = |check: &CheckRow| {
         let result = if check.passed { "passed" } else { "FAILED" };
         let [expected, found, within] = [&check.expected, &check.found, &check.within].map(Clone::clone);
         vec![check.what.clone(), expected, found, within, result.into()]
     };
-    checks.iter().map(row).fold(Table::new("Checks", columns.into()), Table::row)
+    checks.iter().map(row).fold(PrintedTable::new("Checks", columns.into()), PrintedTable::row)
 }

@@ -35,7 +35,7 @@ impl Column {
 
 /// A table; the first cell of a row names it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Table {
+pub struct PrintedTable {
     /// What the table shows.
     pub caption: Text,
     /// Its columns.
@@ -48,7 +48,7 @@ pub struct Table {
     pub notes: Vec<Text>,
 }
 
-impl Table {
+impl PrintedTable {
     /// A table without rows.
     pub fn new(caption: impl Into<Text>, columns: Vec<Column>) -> Self {
         Self { caption: caption.into(), columns, ..Self::default() }

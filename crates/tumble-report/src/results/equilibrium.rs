@@ -1,6 +1,6 @@
 //! The pose of equilibrium near the start, in words, as data and as a table.
 
-use crate::report::{Column, Table, Text};
+use crate::report::{Column, PrintedTable, Text};
 use serde::Serialize;
 use tumble_mech::{Equilibrium, Growth, SmallMotions, Stability};
 
@@ -95,12 +95,12 @@ pub(crate) fn lines(found: &Equilibrium) -> Vec<String> {
 }
 
 /// Tables for the report.
-pub(crate) fn tables(found: &Equilibrium) -> Vec<Table> {
+pub(crate) fn tables(found: &Equilibrium) -> Vec<PrintedTable> {
     let rows = rows(found);
     let table = |caption: &str, of: &str, what: [&'static str; 3], heads: [&str; 3]| {
         let columns = std::iter::once(Column::words(of)).chain(heads.map(Column::numbers)).collect();
         let own = rows.iter().filter(|row| row.what == what);
-        own.fold(Table::new(caption, columns), |table, row| {
+        own.fold(PrintedTable::new(caption, columns), |table, row| {
             let cells = cleared(row, &rows).map(|value| quantity_to(value, SHOWN, ""));
             table.row(std::iter::once(Text::from(row.name.to_owned())).chain(cells).collect())
         })

@@ -32,7 +32,7 @@ const VERIFIED: &str = "verified";
 const SPECIAL: [char; 4] = [',', '"', '\n', '\r'];
 
 /// What takes the cells of a table, row by row.
-pub trait Table {
+pub trait TableWriter {
     /// Why it cannot.
     type Error: From<CaseError>;
 
@@ -77,7 +77,7 @@ struct Held {
     digits: zmij::Buffer,
 }
 
-impl Table for Held {
+impl TableWriter for Held {
     type Error = CaseError;
 
     fn text(&mut self, cell: &str) {

@@ -3,11 +3,11 @@
 use tumble_expr::Expr;
 use tumble_scene::Study;
 
-use super::{Table, VERIFIED, column, verified};
+use super::{TableWriter, VERIFIED, column, verified};
 use crate::results::{Case, CaseError, is_angle, sample, unit};
 
 /// A row a time: every quantity that the scene shows.
-pub fn trajectory<T: Table>(study: &Study, case: &Case, table: &mut T) -> Result<(), T::Error> {
+pub fn trajectory<T: TableWriter>(study: &Study, case: &Case, table: &mut T) -> Result<(), T::Error> {
     let study = &study.with(&case.parameters);
     // The time is the first column.
     let shown = || study.quantities.iter().filter(|(name, _)| *name != "t");
@@ -26,7 +26,7 @@ pub fn trajectory<T: Table>(study: &Study, case: &Case, table: &mut T) -> Result
 }
 
 /// A row an event: what happened, and every state just before and just after.
-pub fn events<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
+pub fn events<T: TableWriter>(case: &Case, table: &mut T) -> Result<(), T::Error> {
     let run = &case.run;
     // What some modes have beyond the states of the bodies is the integrator's own.
     let states = run.equations.states(&run.equations.idle_mode());
@@ -52,7 +52,7 @@ pub fn events<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
 }
 
 /// A row a time: energies, and works up to it; nothing where no balance was made.
-pub fn balance<T: Table>(case: &Case, table: &mut T) -> Result<(), T::Error> {
+pub fn balance<T: TableWriter>(case: &Case, table: &mut T) -> Result<(), T::Error> {
     let Some(balance) = &case.balance else { return Ok(()) };
     let units = |name: &String| if name == "t" { "t [s]".to_owned() } else { format!("{name} [J]") };
     table.row(balance.columns.iter().map(units).chain([VERIFIED.to_owned()]))?;

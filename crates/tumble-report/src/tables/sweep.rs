@@ -2,7 +2,7 @@
 
 use tumble_scene::{Check, Question, Study, Swept};
 
-use super::{Table, VERIFIED, column, verified};
+use super::{TableWriter, VERIFIED, column, verified};
 use crate::results::{Finished, Happened, is_angle, unit};
 
 /// Both tables, while the runs are made.
@@ -14,7 +14,7 @@ pub struct SweepTables<T> {
     swept: Vec<Option<usize>>,
 }
 
-impl<T: Table> SweepTables<T> {
+impl<T: TableWriter> SweepTables<T> {
     /// Begins them, for a study in which something is swept.
     pub fn begin(study: &Study, mut runs: T, mut events: T) -> Result<Self, T::Error> {
         runs.row(run_columns(study))?;
@@ -76,7 +76,7 @@ impl<T: Table> SweepTables<T> {
 }
 
 /// Cells of which those are empty that have no number.
-fn numbers<const N: usize>(table: &mut impl Table, values: [f64; N]) {
+fn numbers<const N: usize>(table: &mut impl TableWriter, values: [f64; N]) {
     for value in values {
         match value.is_finite() {
             true => table.numbers(&[value]),

@@ -23,7 +23,7 @@ pub(crate) use file::{Kind, Single};
 pub(crate) use folder::Folder;
 pub(crate) use hash::Hash;
 pub use spool::Spool;
-pub(crate) use table::Table;
+pub(crate) use table::TableFile;
 
 /// Why results cannot be written.
 #[derive(Debug, Error)]

@@ -45,7 +45,7 @@ impl Write for Sink {
 const BLOCK: usize = 1 << 16;
 
 /// A table of a folder, as CSV (RFC 4180, with rows that end in a line feed).
-pub(crate) struct Table<'f> {
+pub(crate) struct TableFile<'f> {
     folder: &'f Folder,
     name: String,
     sink: Sink,
@@ -54,7 +54,7 @@ pub(crate) struct Table<'f> {
     buffer: Vec<u8>,
 }
 
-impl<'f> Table<'f> {
+impl<'f> TableFile<'f> {
     /// Begins the table of that name in a folder.
     pub(crate) fn begin(folder: &'f Folder, name: &str) -> Result<Self, OutputError> {
         let (sink, buffer) = (folder.sink(name)?, Vec::with_capacity(2 * BLOCK));
@@ -76,7 +76,7 @@ impl<'f> Table<'f> {
     }
 }
 
-impl tumble_report::tables::Table for Table<'_> {
+impl tumble_report::tables::TableWriter for TableFile<'_> {
     type Error = PipelineError;
 
     fn text(&mut self, cell: &str) {

@@ -97,6 +97,21 @@ pub(super) fn rolls(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     Ok(Some(Said::new(before, value).leading()))
 }
 
+/// A round body slides from the start to the end.
+pub(super) fn slides(seen: &Seen<'_>) -> Option<Said> {
+    let whole = seen.contacts().into_iter().find(|contact| contact.start == 0.0 && contact.is_open)?;
+    let changes = seen.run.events().flat_map(|event| &event.record.happened).filter_map(|one| match *one {
+        Happening::Contact { pair, change } if pair == whole.pair => Some(change),
+        _ => None,
+    });
+    let changes: Vec<Change> = changes.collect();
+    let is_round = seen.run.equations.pairs()[whole.pair].name.ends_with(".rim");
+    let only_slides = changes.iter().all(|change| matches!(change, Change::Start | Change::Slides));
+    let before = format!("{} slides on {} ", seen.called(), surface_of(seen, &whole));
+    (is_round && only_slides && changes.contains(&Change::Slides))
+        .then(|| Said::new(before, "all the time, and does not come to roll".into()).leading())
+}
+
 /// What it touches: a surface, or the other body.
 fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {
     let pair = &seen.run.equations.pairs()[contact.pair];

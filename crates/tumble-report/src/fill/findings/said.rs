@@ -12,18 +12,31 @@ const READ: usize = 6;
 pub(super) struct Said {
     before: Text,
     value: Text,
-    leads: bool,
+    rank: Rank,
+}
+
+/// How much a finding says of the motion.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Rank {
+    Leading,
+    Usual,
+    Trailing,
 }
 
 impl Said {
     /// `before` ends with its space; a full stop follows.
     pub(super) fn new(before: impl Into<Text>, value: Text) -> Self {
-        Self { before: before.into(), value, leads: false }
+        Self { before: before.into(), value, rank: Rank::Usual }
     }
 
     /// One that says more of the motion than the others.
     pub(super) fn leading(self) -> Self {
-        Self { leads: true, ..self }
+        Self { rank: Rank::Leading, ..self }
+    }
+
+    /// One that says less: any motion has it.
+    pub(super) fn trailing(self) -> Self {
+        Self { rank: Rank::Trailing, ..self }
     }
 
     /// Whether what it says is known: of some values no digit is.
@@ -36,7 +49,7 @@ impl Said {
     }
 }
 
-/// The findings of all runs: what leads, those that only some of them have, then the others, in the order of the first run that has each.
+/// The findings of all runs: what leads, what only some of them have, the others, and what trails, in the order of the first run that has each.
 pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
     let mut found: Vec<Vec<(&Case, &Said)>> = vec![];
     for (case, said) in runs.iter().flat_map(|(case, all)| all.iter().map(move |said| (*case, said))) {
@@ -49,7 +62,7 @@ pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
         }
     }
     // What runs differ in comes first: a sweep is made for it.
-    found.sort_by_key(|same| (!same[0].1.leads, same.len() == runs.len()));
+    found.sort_by_key(|same| (same[0].1.rank, same.len() == runs.len()));
     found.iter().map(|same| sentence(same, runs.len())).collect()
 }
 

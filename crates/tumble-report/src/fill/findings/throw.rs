@@ -58,7 +58,8 @@ pub(super) fn range(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let farthest = seen.values(&x)?.iter().map(|(_, at)| (at - start).abs()).fold(0.0, f64::max);
     let side = if distance > 0.0 { "right" } else { "left" };
     let value = with_digits(distance.abs(), seen.error(seen.end(), &x)?, "m");
-    let said = Said::new(format!("{} gets to the {side} of where it began by ", seen.called()), value);
+    let said =
+        Said::new(format!("{} ends to the {side} of where it began, by ", seen.called()), value).trailing();
     let is_far = distance.abs() > size.max(f64::MIN_POSITIVE) && distance.abs() >= FARTHEST * farthest;
     Ok(is_far.then_some(said))
 }

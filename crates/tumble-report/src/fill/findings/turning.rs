@@ -28,8 +28,8 @@ pub(super) fn rotations(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let turns = (seen.at(seen.end(), &angle)? - seen.at(0.0, &angle)?) / TAU;
     let way = if turns > 0.0 { "counter-clockwise" } else { "clockwise" };
     let error = seen.error(seen.end(), &angle)?.map(|error| error / TAU);
-    let said =
-        Said::new(format!("{} turns {way} by ", seen.called()), with_digits(turns.abs(), error, "rev"));
+    let value = with_digits(turns.abs(), error, "rev");
+    let said = Said::new(format!("{} turns {way} by ", seen.called()), value).trailing();
     Ok((turns.abs() >= 1.0).then_some(said))
 }
 

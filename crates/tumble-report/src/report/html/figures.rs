@@ -4,6 +4,7 @@ use super::data::plot_data;
 use super::inline::{tagged, text};
 use super::motion::{motion_data, still};
 use super::page::Page;
+use crate::figures::captions;
 use crate::report::picture::{Chart, Picture};
 use crate::report::prose::Text;
 use tumble_drawing::Animation;
@@ -38,14 +39,14 @@ impl Page {
 
     fn plot(&mut self, plot: &Chart) -> String {
         let description = description(plot);
-        let drawing = self.inline(&plot.figure.svg().described(description.clone()));
+        let drawing = self.inline(&plot.figure.small_svg().described(description.clone()));
         self.plots.push(plot_data(plot, &description));
         let (number, title) = (self.plots.len() - 1, plot.figure.title.to_plain());
         let content = format!("<div class=\"sheet still\">{drawing}</div>\n");
         let name = if title.is_empty() { "Curves".to_owned() } else { title };
         let data =
             format!("plot\" data-plot=\"{number}\" data-name=\"{}", tumble_drawing::svg::escape(&name));
-        self.figure(&data, &content, &plot.shown_caption())
+        self.figure(&data, &content, &plot.caption)
     }
 
     /// A motion: a stroboscopic picture until a script makes it move.
@@ -59,7 +60,7 @@ impl Page {
         self.motions.push(motion_data(animation, &description));
         let content = format!("<div class=\"sheet still\">{drawing}</div>\n");
         let data = format!("motion\" data-motion=\"{}", self.motions.len() - 1);
-        format!("<h3>Motion</h3>\n{}", self.figure(&data, &content, &span(animation)))
+        format!("<h3>Motion</h3>\n{}", self.figure(&data, &content, &captions::motion(animation)))
     }
 
     fn inline(&mut self, svg: &Svg) -> String {
@@ -75,16 +76,6 @@ impl Page {
             text(caption)
         )
     }
-}
-
-/// From when to when a motion goes; on paper it is that of its first case.
-fn span(animation: &Animation) -> Text {
-    let ends = animation.cases.iter().flat_map(|case| [case.times.first(), case.times.last()]).flatten();
-    let ends = Range::of(ends.copied()).unwrap_or_default();
-    let [from, to] = [ends.low, ends.high].map(shown);
-    let first = animation.cases.first().filter(|_| animation.cases.len() > 1).map(|case| case.name.clone());
-    let words = Text::from(format!("The motion from {from} to {to}\u{a0}s"));
-    first.map_or(words.clone(), |name| words.and(", ").and(name)).and(".")
 }
 
 /// The curves in words.

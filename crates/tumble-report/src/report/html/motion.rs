@@ -33,7 +33,7 @@ pub(in crate::report) fn still(animation: &Animation) -> Svg {
         surfaces,
         ..StroboscopicPicture::default()
     };
-    let mut svg = picture.svg().described(description(animation));
+    let mut svg = picture.small_svg().described(description(animation));
     let title = animation.title.to_plain();
     svg.title = if title.is_empty() { "Motion".to_owned() } else { title };
     svg

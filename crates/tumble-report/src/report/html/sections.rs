@@ -8,8 +8,9 @@ use crate::report::parts::Identify;
 use crate::report::parts::{Analyze, BalancePart, CheckRow, RunAnalysis};
 use crate::report::parts::{BodyModel, ModeEquations, ModelPart};
 use crate::report::parts::{Phase, Solve};
+use crate::report::picture::{Chart, Picture};
 use crate::report::rows::{bodies, forces, quantities};
-use crate::report::table::Table;
+use crate::report::table::PrintedTable;
 
 /// Pixels: letters in a wider drawing would be too small beside something else.
 const COLUMN: f64 = 700.0;
@@ -22,7 +23,7 @@ impl Page {
             [quantities("Parameters", &identify.parameters), quantities("At the start", &identify.initial)];
         let given = [table(&bodies(&identify.bodies)), tagged("div", "beside", &tables(&numbers))].concat();
         let sought = titled("Sought", &list(&identify.sought));
-        pair([paragraphs(&identify.intro) + &scene, given + &sought])
+        pair([paragraphs(&identify.intro) + &scene + &sought, given])
     }
 
     /// Forces, laws, equations.
@@ -36,13 +37,14 @@ impl Page {
 
     fn body_model(&mut self, body: &BodyModel) -> String {
         let diagrams: String = body.diagrams.iter().map(|picture| self.picture(picture)).collect();
-        let (forces, laws) = (table(&forces(&body.forces)), blocks(&body.laws));
         let is_broad = body.diagrams.iter().any(|picture| picture.svg.width > COLUMN);
-        let content = match is_broad {
-            true => diagrams + &pair([forces, laws]),
-            false => pair([diagrams, forces + &laws]),
-        };
-        tagged("h3", "", &text(&body.name)) + &content
+        let content = [
+            tagged("div", "diagrams", &diagrams),
+            tagged("div", "forces", &table(&forces(&body.forces))),
+            tagged("div", "laws", &blocks(&body.laws)),
+        ];
+        let class = if is_broad { "acting broad" } else { "acting" };
+        tagged("h3", "", &text(&body.name)) + &tagged("div", class, &content.concat())
     }
 
     /// The solution.
@@ -56,13 +58,18 @@ impl Page {
     /// What the solution says.
     pub(super) fn analyze(&mut self, analyze: &Analyze) -> String {
         let animation = analyze.animation.as_ref().map(|a| self.animation(a)).unwrap_or_default();
-        let plots = self.plots(&analyze.plots);
-        let pictures = self.pictures(&analyze.pictures);
+        let shown = self.shown(&analyze.plots, &analyze.pictures);
         let comparison = analyze.comparison.as_ref().map(table).unwrap_or_default();
         let cases = self.cases(&analyze.cases);
         let findings = titled("Findings", &(paragraphs(&analyze.intro) + &list(&analyze.findings)));
         let checks = titled_checks(&analyze.checks);
-        [pair([findings, animation]), plots, pictures, comparison, cases, checks].concat()
+        [pair([findings, animation]), shown, comparison, cases, checks].concat()
+    }
+
+    /// Curves and drawings.
+    fn shown(&mut self, plots: &[Chart], pictures: &[Picture]) -> String {
+        let content = self.plots(plots) + &self.pictures(pictures);
+        tagged("div", "shown", &content)
     }
 
     /// Cases as panels; scripts turn them into tabs.
@@ -88,11 +95,9 @@ impl Page {
 
     /// What belongs to a case, with headings of the given level.
     fn case(&mut self, case: &RunAnalysis, level: u8) -> String {
-        let plots = self.plots(&case.plots);
-        let pictures = self.pictures(&case.pictures);
+        let shown = self.shown(&case.plots, &case.pictures);
         let balance = case.balance.as_ref().map(|balance| self.balance(balance, level)).unwrap_or_default();
-        [paragraphs(&case.intro), plots, pictures, balance, tables(&case.tables), titled_checks(&case.checks)]
-            .concat()
+        [paragraphs(&case.intro), shown, balance, tables(&case.tables), titled_checks(&case.checks)].concat()
     }
 
     fn balance(&mut self, balance: &BalancePart, level: u8) -> String {
@@ -129,7 +134,7 @@ fn blocks(blocks: &[Block]) -> String {
     blocks.iter().map(block).collect()
 }
 
-fn tables(tables: &[Table]) -> String {
+fn tables(tables: &[PrintedTable]) -> String {
     tables.iter().map(table).collect()
 }
 

@@ -3,18 +3,20 @@
 use super::inline::{tagged, text};
 use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
-use crate::report::table::{Align, Column, Table};
+use crate::report::table::{Align, Column, PrintedTable};
 use tumble_drawing::svg::escape;
 
 /// Rows of a long table that are shown at first.
 const FOLD: usize = 20;
+/// Rows of a table that stay together on paper.
+const KEPT: usize = 8;
 
 /// Columns from which on the cells of a row stand below each other where the page is narrow, and on paper.
 const STACKED: usize = 3;
 const WIDE: usize = 8;
 
 /// A table of the report.
-pub(super) fn table(table: &Table) -> String {
+pub(super) fn table(table: &PrintedTable) -> String {
     let cell = |row: &Vec<Text>, i: usize| row.get(i).map(text).unwrap_or_default();
     let cells = |row: &Vec<Text>| (0..table.columns.len()).map(|i| cell(row, i)).collect();
     let rows: Vec<Vec<String>> = table.rows.iter().map(cells).collect();
@@ -36,13 +38,14 @@ fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>], stacked: bool) 
     let lines = rows.iter().enumerate();
     let body: String = lines.map(|(n, row)| line(columns, &kept, row, (n >= FOLD, names))).collect();
     let long = if rows.len() > FOLD { " data-long" } else { "" };
+    let many = if rows.len() > KEPT { " many" } else { "" };
     let class = match kept.len() {
         0..=STACKED if !stacked => "table",
         ..=WIDE => "table stack",
         _ => "table stack wide",
     };
     format!(
-        "<div class=\"{class}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
+        "<div class=\"{class}{many}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
         tagged("caption", "", caption)
     )
 }

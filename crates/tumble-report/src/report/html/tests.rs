@@ -34,11 +34,11 @@ fn plot() -> Chart {
     Chart { description: HOSTILE.into(), ..Chart::over_time(figure, words()).stored(HOSTILE) }
 }
 
-fn table() -> Table {
+fn table() -> PrintedTable {
     let row = vec![words(), words()];
-    Table {
+    PrintedTable {
         notes: vec![words()],
-        ..Table::new(words(), vec![Column::words(words()), Column::numbers(words())])
+        ..PrintedTable::new(words(), vec![Column::words(words()), Column::numbers(words())])
     }
     .row(row)
 }
@@ -240,7 +240,7 @@ fn every_figure_has_a_number_and_a_description() {
 #[test]
 fn long_tables_fold_after_twenty_rows() {
     let row = |i: usize| vec![Text::words(i.to_string())];
-    let mut table = Table::new("Events", vec![Column::numbers("No.")]);
+    let mut table = PrintedTable::new("Events", vec![Column::numbers("No.")]);
     table.rows = (0..20).map(row).collect();
     let mut report = Report { solve: Solve { tables: vec![table], ..Solve::default() }, ..Report::default() };
     assert!(!report.html().contains("data-long>"));
