@@ -77,7 +77,7 @@ impl Components {
 
     /// Says which body a symbol belongs to.
     pub(crate) fn own(&mut self, symbol: Symbol, body: usize) {
-        self.owners.insert(symbol, body);
+        self.owners.insert(symbol, (body, None));
     }
 
     /// Bodies of each group, in order; no body is in two.
