@@ -30,6 +30,8 @@ const SLACK: f64 = 4.0;
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Rounding errors of a value, in units of the last place of the lengths it is the difference of.
 const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Of what rounding alone makes of a value: less is not worth another step, whose end is rounded too.
+const NOISE: f64 = 32.0;
 /// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
 const BETTER: f64 = 0.5;
 /// Where in a step a series is compared with the value.
@@ -194,7 +196,7 @@ impl LazyGuards {
         }
         let states: Vec<f64> = expansion.states.iter().map(|series| value(series, s)).collect();
         let [all, same] = watch.noise(expansion.start + s, &states, order).ok()?;
-        delay(series, s, all - same, |s| watch.value_beyond(expansion, s, compensation))
+        delay(series, s, NOISE * (all - same), |s| watch.value_beyond(expansion, s, compensation))
     }
 }
 
