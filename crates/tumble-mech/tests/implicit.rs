@@ -244,7 +244,8 @@ fn several_forces_are_refused_with_their_values() {
 /// What a load makes of roots, powers, and the larger of two forces.
 #[test]
 fn any_formula_of_forces() {
-    let cases: [(fn(&Expr) -> Expr, fn(f64) -> f64); 4] = [
+    type Case = (fn(&Expr) -> Expr, fn(f64) -> f64);
+    let cases: [Case; 4] = [
         (|n| (n * (1 * N)).sqrt(), |n| n.sqrt()),
         (|n| n.abs() * 0.5, |n| 0.5 * n),
         (|n| n.powi(3) / (1000 * N * N), |n| n * n * n / 1000.0),

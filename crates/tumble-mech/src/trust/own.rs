@@ -62,12 +62,17 @@ impl Own {
         record.happened.iter().filter(|happening| self.concerns(happening)).copied().collect()
     }
 
-    /// A mode as far as it is theirs.
+    /// A mode as far as it is theirs, with what they touch of others.
     pub(super) fn mode<'a>(&self, mode: &'a Mode) -> Cow<'a, Mode> {
-        match self.is_all(mode) {
-            true => Cow::Borrowed(mode),
-            false => Cow::Owned(self.equations.restricted(mode, &self.bodies)),
+        if self.is_all(mode) {
+            return Cow::Borrowed(mode);
         }
+        let has = |body: usize| self.bodies.binary_search(&body).is_ok();
+        let touches = |pair: usize| self.equations.pairs()[pair].bodies().any(has);
+        let mut own = self.equations.restricted(mode, &self.bodies);
+        own.contacts = mode.contacts.iter().filter(|(pair, _)| touches(*pair)).copied().collect();
+        own.grips = mode.grips.iter().filter(|(pair, _)| touches(*pair)).copied().collect();
+        Cow::Owned(own)
     }
 
     fn is_all(&self, mode: &Mode) -> bool {
