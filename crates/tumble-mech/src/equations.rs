@@ -7,6 +7,7 @@ use tumble_expr::{Expr, Rounding, Substitution, Symbol, Tape, Vector, is_identic
 use tumble_ode::Program;
 
 use crate::algebraic::{self, Algebraic, Slopes};
+use crate::body_equations::BodyEquations;
 use crate::brake::{self, Brake};
 use crate::cache::Cache;
 use crate::classes::Classes;
@@ -21,13 +22,12 @@ use crate::feedback::{self, Readings};
 use crate::interaction::Bodies;
 use crate::kinematics::Kinematics;
 use crate::laws;
-use crate::link::{InstantTapes, Library, Linking, TermOf, Written, total};
+use crate::link::{InstantTapes, Library, Linking, TermOf, Written};
 use crate::load::{Load, Moment};
 use crate::mass::MassProperties;
 use crate::mode::Mode;
 use crate::model::Model;
 use crate::parameters::Parameters;
-use crate::row::Wrench;
 use crate::term::Term;
 
 /// The equations of motion of a model, for every mode and every value of the parameters.
@@ -115,19 +115,13 @@ impl Window {
     }
 }
 
-#[derive(Clone, Debug)]
-pub(crate) struct BodyEquations {
-    pub(crate) kinematics: Kinematics,
-    pub(crate) mass: MassProperties,
-    pub(crate) coordinates: Coordinates,
-}
-
 impl Equations {
     /// The equations of a model whose names and dimensions are in order.
     pub fn new(mut model: Model) -> Result<Self, ModelErrors> {
         model.add_captures();
         model.check()?;
-        let bodies: Vec<BodyEquations> = (0..model.bodies.len()).map(|body| of_body(&model, body)).collect();
+        let bodies: Vec<BodyEquations> =
+            (0..model.bodies.len()).map(|body| BodyEquations::of(&model, body)).collect();
         let mut definitions = Substitution::default();
         for body in &bodies {
             body.coordinates.define(&body.kinematics, &mut definitions);
@@ -531,49 +525,6 @@ impl Equations {
         let mistakes: Vec<ModelError> = mistakes.collect();
         if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
     }
-}
-
-impl BodyEquations {
-    /// What a unit of one wrench on the body does along another.
-    pub(crate) fn response(&self, i: &Wrench, j: &Wrench) -> Expr {
-        self.coordinates.response(&self.kinematics, &self.mass, i, j)
-    }
-
-    /// What its pivot does to it under these terms, by its symbols, in accelerations.
-    pub(crate) fn reaction(&self, index: usize, terms: &[&Term]) -> Vec<(Symbol, Expr)> {
-        let term = self.coordinates.reaction(index, &self.kinematics, &self.mass, &total_force(terms));
-        let by_symbol = |term: Term| {
-            let components = term.force.components().to_vec();
-            force_symbols(&term.load).into_iter().zip(components).collect()
-        };
-        term.map(by_symbol).unwrap_or_default()
-    }
-
-    /// What a unit of a wrench on the body does to the force of its pivot.
-    pub(crate) fn recoil(&self, by: &Wrench) -> Vector {
-        self.coordinates.recoil(&self.kinematics, &self.mass, by)
-    }
-
-    /// Force of its pivot along x and y, in accelerations and the sum of all terms by its symbols.
-    pub(crate) fn reaction_to_all(&self) -> Vec<Expr> {
-        let (force, _) = total(&self.kinematics.body);
-        let term = self.coordinates.reaction(0, &self.kinematics, &self.mass, &force);
-        term.map(|term| term.force.components().to_vec()).unwrap_or_default()
-    }
-
-    /// The accelerations, of the centre along x and y and of the angle, in the sum of all terms by its symbols.
-    pub(crate) fn accelerations(&self) -> Vec<Expr> {
-        let (force, torque) = total(&self.kinematics.body);
-        let (a, alpha) = self.coordinates.accelerations(&self.kinematics, &self.mass, (&force, &torque));
-        vec![a.x().clone(), a.y().clone(), alpha]
-    }
-}
-
-fn of_body(model: &Model, index: usize) -> BodyEquations {
-    let body = &model.bodies[index];
-    let mass = body.mass_properties();
-    let coordinates = Coordinates::of(model.pivot_of(&body.name), &mass);
-    BodyEquations { kinematics: body.kinematics(), mass, coordinates }
 }
 
 /// Every term of the model, and the windows that some of them act in.

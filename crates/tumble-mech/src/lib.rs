@@ -10,6 +10,7 @@ mod anchor;
 mod assembly;
 mod balance;
 mod body;
+mod body_equations;
 mod brake;
 mod braking;
 mod cache;
