@@ -119,3 +119,43 @@ fn collisions_count_pi() {
         close(energy, ratio, 1e-12);
     }
 }
+
+/// Two of four disks meet, the others fly by: no motion is of more than the two, and each is alone before and after.
+#[test]
+fn bodies_are_one_motion_only_where_they_meet() {
+    let all = [
+        (1.0, [-1.0, 0.0], [1.0, 0.0]),
+        (1.0, [1.0, 0.05], [-1.0, 0.0]),
+        (1.0, [0.0, 3.0], [0.3, 0.0]),
+        (1.0, [2.0, 3.0], [0.3, 0.1]),
+    ];
+    let run = run(disks(&all, BodyContact::of_all("hit", 1)), 3.0, 1e-12);
+    assert_eq!(run.contacts().len(), 1);
+    let bodies = |track: &tumble_ode::Motion<tumble_mech::Equations>| track.modes[0].bodies.clone();
+    let of: Vec<Vec<usize>> = run.tracks().map(bodies).collect();
+    assert_eq!(of.iter().filter(|own| own[..] == [0, 1]).count(), 1, "{of:?}");
+    assert!([0, 1].into_iter().all(|body| of.iter().filter(|own| own[..] == [body]).count() == 2), "{of:?}");
+    assert!([2, 3].into_iter().all(|body| of.iter().filter(|own| own[..] == [body]).count() == 1), "{of:?}");
+}
+
+/// Far from the origin places are rounded at every step, and each disk takes several: when they meet does not depend on it.
+#[test]
+fn when_they_meet_does_not_depend_on_where() {
+    let far = [1.4e7, 1e10];
+    let place = |[x, y]: [f64; 2]| [far[0] + x, far[1] + y];
+    // Places and speeds that are exact there.
+    let all =
+        [(1.0, place([-7334.0, 1000.0]), [646.8125, 120.5]), (4.0, place([0.0, 0.0]), [-201.25, -90.0])];
+    let mut model = Model::new();
+    for (index, (mass, place, velocity)) in all.into_iter().enumerate() {
+        let name = format!("d{index}");
+        model.starts.push((name.clone(), start(place, velocity)));
+        model.add(disk(&name, [400.0, 2850.5][index], mass));
+    }
+    model.contact(BodyContact::of_all("hit", Expr::from(0.5)));
+    let run = run(model, 15.19, 1e-9);
+    let ([x, y], [u, v], reach) = ([-7334.0, 1000.0], [848.0625, 210.5], 3250.5);
+    let (a, b, c): (f64, f64, f64) = (u * u + v * v, x * u + y * v, x * x + y * y - reach * reach);
+    let (found, known) = (run.contacts()[0].start, (-b - (b * b - a * c).sqrt()) / a);
+    assert!(run.tracks().len() > 2 && (found - known).abs() < 4e-15 * known, "{found} {known}");
+}
