@@ -2,12 +2,11 @@
 
 mod common;
 
-use common::{at, close, run};
-use tumble_expr::units::{KG, M, N, S};
-use tumble_expr::{Exponent, Expr, Vector};
+use common::{at, balanced, close, disk, model, motion, place, plate, rod, run, start};
+use tumble_expr::units::{M, N, S};
+use tumble_expr::{Exponent, Expr};
 use tumble_mech::{
-    Body, BodyContact, Change, ContactLaw, Equations, Friction, Gravity, Happening, Kind, Model, Release,
-    Run, RunBalance, Shape, Start, Surface,
+    BodyContact, Change, ContactLaw, Equations, Friction, Happening, Kind, Model, Release, Run, Surface,
 };
 
 const G: f64 = 9.81;
@@ -21,48 +20,6 @@ fn spring(stiffness: f64, damping: f64) -> ContactLaw {
 fn hertz(stiffness: f64, damping: f64) -> ContactLaw {
     let root = (1 * M).powr(Exponent::new(3, 2));
     ContactLaw::Hertz { stiffness: stiffness * N / root, damping: damping * S / M }
-}
-
-fn disk(name: &str, radius: f64, mass: f64) -> Body {
-    Body::of_shape(name, Shape::Disk { centre: place([0.0, 0.0]), radius: radius * M }).mass(mass * KG)
-}
-
-fn plate(name: &str, [width, height]: [f64; 2], mass: f64) -> Body {
-    let shape = Shape::Box { centre: place([0.0, 0.0]), width: width * M, height: height * M };
-    Body::of_shape(name, shape).mass(mass * KG)
-}
-
-fn rod(name: &str, length: f64, end_radius: f64, mass: f64) -> Body {
-    let [from, to] = [-0.5, 0.5].map(|end| place([end * length, 0.0]));
-    Body::of_shape(name, Shape::Rod { from, to, end_radius: end_radius * M }).mass(mass * KG)
-}
-
-fn place([x, y]: [f64; 2]) -> Vector {
-    Vector::planar(x * M, y * M)
-}
-
-fn start(place: [f64; 2], angle: f64, velocity: [f64; 2], omega: f64) -> Start {
-    let start = Start::default().at(place.map(|x| x * M)).velocity(velocity.map(|v| v * M / S));
-    start.angle(Expr::from(angle)).omega(omega / S)
-}
-
-fn model(gravity: f64, bodies: Vec<(Body, Start)>) -> Model {
-    let mut model = Model::new();
-    if gravity > 0.0 {
-        model.gravity = Gravity::Vertical(gravity * M / (S * S));
-    }
-    for (body, start) in bodies {
-        model.starts.push((body.name.clone(), start));
-        model.add(body);
-    }
-    model
-}
-
-/// x, y, angle, vx, vy, omega
-fn motion(run: &Run, body: usize, time: f64) -> [f64; 6] {
-    let body = run.equations.model().bodies[body].kinematics();
-    let (p, v) = (body.position(), body.velocity());
-    at(run, time, [p[0].clone(), p[1].clone(), body.angle(), v[0].clone(), v[1].clone(), body.omega()])
 }
 
 fn happened(run: &Run) -> Vec<String> {
@@ -280,16 +237,6 @@ fn times(run: &Run, change: Change) -> Vec<f64> {
     let is_it =
         |happening: &Happening| matches!(happening, Happening::Contact { change: own, .. } if *own == change);
     run.events().filter(|event| event.record.happened.iter().any(is_it)).map(|event| event.time).collect()
-}
-
-/// The balance about a point that nothing is at, every part of which must close.
-#[track_caller]
-fn balanced(run: &Run, tolerance: f64) -> RunBalance {
-    let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
-    println!("{:#?}", balance.contributions);
-    assert!(balance.energy.relative() < tolerance, "{:e}", balance.energy.relative());
-    assert!(balance.relative() < tolerance, "{:e}", balance.relative());
-    balance
 }
 
 fn step(corners: &[[f64; 2]], law: ContactLaw) -> Surface {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{at, close, run};
+use common::{at, balanced, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{
@@ -247,16 +247,6 @@ fn a_rod_that_lands_slips_from_the_start_or_not_at_all() {
             }
         }
     }
-}
-
-/// The balance about a point that nothing is at, every part of which must close.
-#[track_caller]
-fn balanced(run: &Run, tolerance: f64) -> RunBalance {
-    let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
-    println!("{:#?}", balance.contributions);
-    assert!(balance.energy.relative() < tolerance, "{:e}", balance.energy.relative());
-    assert!(balance.relative() < tolerance, "{:e}", balance.relative());
-    balance
 }
 
 /// Work of friction on a run.

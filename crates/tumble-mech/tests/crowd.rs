@@ -8,10 +8,12 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use common::{at, rigid};
+use common::{as_one, at, rigid};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, BodyContact, Friction, Gravity, Model, MultipleImpacts, Run, Shape, Start, Surface};
+use tumble_mech::{
+    At, Body, BodyContact, Friction, Gravity, Model, MultipleImpacts, Run, Shape, Start, Surface,
+};
 use tumble_ode::{Accuracy, Side};
 
 /// Half the side of the box, m.
@@ -126,6 +128,39 @@ fn attack_all(seeds: std::ops::Range<u64>, is_rough: bool) {
     assert!(failed.is_empty(), "{} of {} scenes: {failed:#?}", failed.len(), seeds.end - seeds.start);
 }
 
+/// Where bodies that are motions of their own while they are apart are not where they are as one motion, within the errors stated of both.
+fn differences(seed: u64, is_rough: bool, until: f64) -> Vec<String> {
+    let go = |_| ControlFlow::Continue(());
+    let model = scene(seed, is_rough);
+    let both = [as_one(&model), model].map(|model| {
+        Run::trusted(&model, &model.parameters, until, Accuracy::DEFAULT, go).expect("a motion")
+    });
+    assert!(both[0].0.tracks().len() == 1 && both[1].0.tracks().len() > 1, "{seed}");
+    let mut found = vec![];
+    for body in &both[0].0.equations.model().bodies {
+        let known = body.kinematics();
+        let (place, velocity) = (known.position(), known.velocity());
+        let formulas = [place.x(), place.y(), velocity.x(), velocity.y()].map(Expr::clone);
+        for formula in formulas.into_iter().chain([known.omega()]) {
+            for time in [0.3 * until, 0.7 * until, until] {
+                let instant = At { time, side: Side::Before, off: 0.0 };
+                let known = both.each_ref().map(|(run, trust)| {
+                    let error = trust.error_at(run, &formula, instant).expect("an error")?;
+                    Some((at(run, time, [formula.clone()])[0], error))
+                });
+                // Where either has no digits nothing is said.
+                let [Some((one, b)), Some((apart, a))] = known else { continue };
+                if (apart - one).abs() > a + b {
+                    found.push(format!(
+                        "{seed}: {formula:?} at {time} s is {apart} +- {a:e}, as one {one} +- {b:e}"
+                    ));
+                }
+            }
+        }
+    }
+    found
+}
+
 /// A number from the environment.
 fn asked(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).ok().and_then(|number| number.parse().ok()).unwrap_or(otherwise)
@@ -139,6 +174,22 @@ fn random_disks_gain_nothing_and_pass_through_nothing() {
 #[test]
 fn random_rough_disks_gain_nothing_and_pass_through_nothing() {
     attack_all(0..4, true);
+}
+
+#[test]
+fn disks_apart_move_as_in_one_motion() {
+    let found: Vec<String> = (0..8).flat_map(|seed| differences(seed, seed % 2 == 1, 0.6)).collect();
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+/// More of the same.
+#[test]
+#[ignore = "takes minutes"]
+fn many_disks_apart_move_as_in_one_motion() {
+    let from = asked("FROM", 100);
+    let seeds = from..from + asked("COUNT", 100);
+    let found: Vec<String> = seeds.flat_map(|seed| differences(seed, seed % 2 == 1, 0.8)).collect();
+    assert!(found.is_empty(), "{found:#?}");
 }
 
 /// Two disks part by next to nothing while one of them comes to rest on the floor under a third: what is zero and opens is not taken for

@@ -2,61 +2,17 @@
 
 mod common;
 
-use common::{at, close, rigid, run};
-use tumble_expr::units::{KG, M, S};
-use tumble_expr::{Expr, Vector};
-use tumble_mech::{
-    Body, BodyContact, Change, Friction, Gravity, Happening, Model, Run, RunBalance, Shape, Start, Surface,
-};
+use common::{close, disk, model, motion, place, plate, rigid, rod, run, start};
+use tumble_expr::Expr;
+use tumble_expr::units::{M, S};
+use tumble_mech::{Body, BodyContact, Change, Friction, Happening, Run, RunBalance, Start, Surface};
 
 const G: f64 = 9.81;
-
-fn disk(name: &str, radius: f64, mass: f64) -> Body {
-    Body::of_shape(name, Shape::Disk { centre: place([0.0, 0.0]), radius: radius * M }).mass(mass * KG)
-}
-
-fn plate(name: &str, [width, height]: [f64; 2], mass: f64) -> Body {
-    let shape = Shape::Box { centre: place([0.0, 0.0]), width: width * M, height: height * M };
-    Body::of_shape(name, shape).mass(mass * KG)
-}
-
-fn rod(name: &str, length: f64, end_radius: f64, mass: f64) -> Body {
-    let [from, to] = [-0.5, 0.5].map(|end| place([end * length, 0.0]));
-    Body::of_shape(name, Shape::Rod { from, to, end_radius: end_radius * M }).mass(mass * KG)
-}
-
-fn place([x, y]: [f64; 2]) -> Vector {
-    Vector::planar(x * M, y * M)
-}
-
-fn start(place: [f64; 2], angle: f64, velocity: [f64; 2], omega: f64) -> Start {
-    let start = Start::default().at(place.map(|x| x * M)).velocity(velocity.map(|v| v * M / S));
-    start.angle(Expr::from(angle)).omega(omega / S)
-}
-
-fn model(gravity: f64, bodies: Vec<(Body, Start)>) -> Model {
-    let mut model = Model::new();
-    if gravity > 0.0 {
-        model.gravity = Gravity::Vertical(gravity * M / (S * S));
-    }
-    for (body, start) in bodies {
-        model.starts.push((body.name.clone(), start));
-        model.add(body);
-    }
-    model
-}
 
 fn step(name: &str, corners: &[[f64; 2]], e: f64, friction: f64) -> Surface {
     let corners = corners.iter().map(|corner| place(*corner)).collect();
     let step = Surface::polygon(name, corners, rigid(e));
     if friction > 0.0 { step.with_friction(Friction::new(Expr::from(friction))) } else { step }
-}
-
-/// x, y, angle, vx, vy, omega
-fn motion(run: &Run, body: usize, time: f64) -> [f64; 6] {
-    let body = run.equations.model().bodies[body].kinematics();
-    let (p, v) = (body.position(), body.velocity());
-    at(run, time, [p[0].clone(), p[1].clone(), body.angle(), v[0].clone(), v[1].clone(), body.omega()])
 }
 
 fn slides(happening: &Happening) -> bool {

@@ -1,13 +1,16 @@
 //! Bodies that an event reads together, or acts on, and nothing else couples: each is a motion of its own while no such event is near,
 //! and what happens is what happens to them as one.
 
+mod common;
+
 use std::ops::ControlFlow;
 
+use common::as_one;
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
     Action, Anchor, Application, AppliedImpulse, Body, ContactLaw, Event, Frame, Gravity, Joint, Load, Model,
-    Moment, Place, Run, Spring, Start, Surface, Trust,
+    Moment, Place, Run, Start, Surface, Trust,
 };
 use tumble_ode::{Accuracy, Direction, Side};
 
@@ -41,21 +44,6 @@ fn height(body: &Body) -> Expr {
 
 fn rate(body: &Body) -> Expr {
     body.kinematics().velocity().y().clone()
-}
-
-/// The same bodies as one motion: springs of no stiffness couple them.
-fn as_one(model: &Model) -> Model {
-    let mut model = model.clone();
-    for (index, two) in model.bodies.clone().windows(2).enumerate() {
-        model.interact(Spring {
-            name: format!("nothing{index}"),
-            ends: [Anchor::Material(two[0].cm()), Anchor::Material(two[1].cm())],
-            stiffness: 0 * N / M,
-            rest_length: 0 * M,
-            damping: 0 * N * S / M,
-        });
-    }
-    model
 }
 
 fn trusted(model: &Model, until: f64) -> (Run, Trust) {

@@ -26,14 +26,14 @@ struct Circle {
 }
 
 /// Where the circle of a body is, at an instant or within a stretch of time.
-pub(crate) struct Stretch {
+pub(crate) struct Surrounding {
     pub(crate) body: usize,
     x: Interval,
     y: Interval,
     radius: f64,
 }
 
-impl Stretch {
+impl Surrounding {
     /// Whether this and another have no point in common.
     pub(crate) fn is_apart(&self, other: &Self) -> bool {
         let between = |a: Interval, b: Interval| (a.low - b.high).max(b.low - a.high).max(0.0);
@@ -44,23 +44,23 @@ impl Stretch {
 }
 
 /// Two bodies, the lesser first.
-pub(crate) fn couple(a: usize, b: usize) -> [usize; 2] {
+pub(crate) fn ordered(a: usize, b: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 
 /// Bodies of two lists that are not shown to be apart, of some that may meet.
 pub(crate) fn meeting<'a>(
-    some: &'a [Stretch],
-    others: &'a [Stretch],
+    some: &'a [Surrounding],
+    others: &'a [Surrounding],
     meet: &'a HashSet<[usize; 2]>,
 ) -> impl Iterator<Item = [usize; 2]> + 'a {
     let both = some.iter().flat_map(move |one| others.iter().map(move |other| (one, other)));
     let near = both.filter(|(one, other)| !one.is_apart(other));
-    near.map(|(one, other)| couple(one.body, other.body)).filter(|bodies| meet.contains(bodies))
+    near.map(|(one, other)| ordered(one.body, other.body)).filter(|bodies| meet.contains(bodies))
 }
 
 /// The same within one list.
-pub(crate) fn meeting_within(all: &[Stretch], meet: &HashSet<[usize; 2]>) -> HashSet<[usize; 2]> {
+pub(crate) fn meeting_within(all: &[Surrounding], meet: &HashSet<[usize; 2]>) -> HashSet<[usize; 2]> {
     let each = all.iter().enumerate();
     each.flat_map(|(index, one)| meeting(std::slice::from_ref(one), &all[index + 1..], meet)).collect()
 }
@@ -111,20 +111,20 @@ impl Circles {
         equations: &Equations,
         mode: &Mode,
         range: impl Fn(usize) -> Interval,
-    ) -> Vec<Stretch> {
+    ) -> Vec<Surrounding> {
         let mut first = 0;
         let stretch = |body: &usize| {
             let own = first;
             first += equations.body_equations(*body).coordinates.count();
             let Circle { pivot, radius } = self.0[*body].as_ref()?;
             let [x, y] = pivot.map_or_else(|| [range(own), range(own + 1)], |at| at.map(Interval::point));
-            Some(Stretch { body: *body, x, y, radius: *radius })
+            Some(Surrounding { body: *body, x, y, radius: *radius })
         };
         mode.bodies.iter().filter_map(stretch).collect()
     }
 
     /// The same at an instant.
-    pub(crate) fn at(&self, equations: &Equations, mode: &Mode, states: &[f64]) -> Vec<Stretch> {
+    pub(crate) fn at(&self, equations: &Equations, mode: &Mode, states: &[f64]) -> Vec<Surrounding> {
         self.within(equations, mode, |state| Interval::point(states[state]))
     }
 }

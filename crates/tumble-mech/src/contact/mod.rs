@@ -36,7 +36,7 @@ mod zeno;
 
 pub(crate) use border::{Border, Rim};
 pub use change::Change;
-pub(crate) use circles::{Circles, Stretch, meeting, meeting_within};
+pub(crate) use circles::{Circles, Surrounding, meeting, meeting_within};
 pub use contact_mode::ContactMode;
 pub use feature::{Feature, Side};
 pub use grip::{Grip, Way};

@@ -10,7 +10,7 @@ use crate::body::Body;
 use crate::contact::between::{Between, circle_of_world};
 use crate::contact::border::{Border, Rim};
 use crate::contact::capture::captures;
-use crate::contact::circles::couple;
+use crate::contact::circles::ordered;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::{Pair, Rule};
@@ -77,7 +77,7 @@ impl Pairs {
         all.extend(resisting.into_iter().map(|(_, pair)| pair));
         let exerted = all.iter().map(|_| OnceLock::new()).collect();
         let couples = all.iter().filter_map(|pair| Some([pair.body, pair.other?]));
-        let couples = couples.map(|[a, b]| couple(a, b)).collect();
+        let couples = couples.map(|[a, b]| ordered(a, b)).collect();
         let captures = captures(model, &all);
         Self { all, exerted, captures, rolling, owner, of_bodies, couples }
     }

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use tumble_expr::Expr;
 use tumble_ode::{Cause, Reason};
 
-use crate::contact::circles::{Circles, couple, meeting_within};
+use crate::contact::circles::{Circles, meeting_within, ordered};
 use crate::contact::outlines::{Couple, Outlines};
 use crate::contact::pair::{Pair, Rule};
 use crate::equations::Equations;
@@ -28,7 +28,7 @@ impl Equations {
         let extent = |body: &crate::Body| body.kinematics().position().norm() + body.reach();
         let extents: Vec<Expr> = self.model().bodies.iter().map(extent).collect();
         let near = self.near_each_other(mode, states, inputs);
-        let is_near = |pair: &Pair| pair.other.is_none_or(|other| near.contains(&couple(pair.body, other)));
+        let is_near = |pair: &Pair| pair.other.is_none_or(|other| near.contains(&ordered(pair.body, other)));
         let pairs =
             || self.pairs().iter().enumerate().filter(|(_, pair)| !pair.is_rolling() && is_near(pair));
         let formulas = pairs().flat_map(|(_, pair)| {

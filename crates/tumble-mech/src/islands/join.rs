@@ -82,11 +82,13 @@ impl Islands<'_> {
         if parts.len() < 2 {
             return;
         }
+        let step = self.all[index].solver.trajectory().pieces.last();
+        let step = step.map_or(0.0, |piece| piece.end - piece.start);
         let (_, handover) = self.hand_over(index);
         let time = handover.start.time;
         for watch in &mut self.watches {
             if parts.iter().filter(|part| watch.is_of(part)).count() > 1 {
-                watch.part(time);
+                watch.part(time, step);
             }
         }
         for groups in parts {
@@ -108,7 +110,8 @@ impl Islands<'_> {
         let mode = &solver.trajectory().modes[piece.mode];
         let sight = Sight { equations, inputs, near };
         let mut sets = Sets::new(parts.len());
-        for watch in watches.iter_mut() {
+        // Bodies that may meet are all looked at together.
+        for watch in watches.iter_mut().filter(|watch| watch.of_event().is_some()) {
             let of: Vec<usize> = (0..parts.len()).filter(|part| watch.is_of(&parts[*part])).collect();
             if of.len() > 1 && !watch.is_far(&sight, mode, piece) {
                 of.windows(2).for_each(|two| sets.join(two[0], two[1]));

@@ -33,7 +33,7 @@ mod watch;
 
 use tumble_ode::{Accuracy, Refusal, Solver};
 
-use crate::contact::Stretch;
+use crate::contact::Surrounding;
 use crate::equations::Equations;
 use crate::islands::near::Near;
 use crate::islands::start::Places;
@@ -82,7 +82,7 @@ struct Island<'a> {
     /// Steps to be taken before it may fall apart.
     wait: u32,
     /// Where its bodies are up to the horizon.
-    circles: Vec<Stretch>,
+    circles: Vec<Surrounding>,
     /// Whether what it does next has changed since that was looked at.
     is_stale: bool,
 }
@@ -319,7 +319,7 @@ impl<'a> Islands<'a> {
     }
 
     /// Where bodies of an island are from one time to another, as far as its next step goes.
-    fn circles(&self, index: usize, [from, to]: [f64; 2]) -> Vec<Stretch> {
+    fn circles(&self, index: usize, [from, to]: [f64; 2]) -> Vec<Surrounding> {
         let Some(Along { mode, piece }) = self.all[index].along() else { return vec![] };
         self.near.along(&mode, &piece, [from, to.min(piece.end)])
     }
@@ -329,7 +329,7 @@ impl<'a> Islands<'a> {
         let Self { all, near, .. } = self;
         let from = near.horizon;
         let along: Vec<Along> = all.iter().filter_map(Island::along).collect();
-        let circles = |near: &Near<'_>, to: f64| -> Vec<Stretch> {
+        let circles = |near: &Near<'_>, to: f64| -> Vec<Surrounding> {
             let circles = along.iter().flat_map(|Along { mode, piece }| {
                 near.along(mode, piece, [from.min(piece.end), to.min(piece.end)])
             });

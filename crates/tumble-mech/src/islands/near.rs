@@ -9,7 +9,7 @@ use tumble_ode::Piece;
 
 use super::start::Places;
 use super::watch::Along;
-use crate::contact::{Circles, Stretch, meeting, meeting_within};
+use crate::contact::{Circles, Surrounding, meeting, meeting_within};
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::sets::Sets;
@@ -56,7 +56,7 @@ impl<'a> Near<'a> {
     }
 
     /// Circles of the bodies of a mode from one time to another along a piece.
-    pub(super) fn along(&self, mode: &Mode, piece: &Piece, between: [f64; 2]) -> Vec<Stretch> {
+    pub(super) fn along(&self, mode: &Mode, piece: &Piece, between: [f64; 2]) -> Vec<Surrounding> {
         if !self.has_any() {
             return vec![];
         }
@@ -66,15 +66,15 @@ impl<'a> Near<'a> {
     }
 
     /// The same at an instant.
-    pub(super) fn at(&self, mode: &Mode, states: &[f64]) -> Vec<Stretch> {
+    pub(super) fn at(&self, mode: &Mode, states: &[f64]) -> Vec<Surrounding> {
         self.circles.at(self.equations, mode, states)
     }
 
     /// Bodies of two lists that may meet and are not shown to be apart, the lesser first.
     pub(super) fn meeting<'b>(
         &'b self,
-        some: &'b [Stretch],
-        others: &'b [Stretch],
+        some: &'b [Surrounding],
+        others: &'b [Surrounding],
     ) -> impl Iterator<Item = [usize; 2]> + 'b {
         meeting(some, others, &self.equations.pair_list().couples)
     }
@@ -82,7 +82,7 @@ impl<'a> Near<'a> {
     /// Whether two bodies are apart from one time to another, along what their islands do next.
     pub(super) fn are_apart(&self, [a, b]: [usize; 2], along: &[Along], between: [f64; 2]) -> bool {
         let circles = along.iter().flat_map(|Along { mode, piece }| self.along(mode, piece, between));
-        let circles: Vec<Stretch> = circles.collect();
+        let circles: Vec<Surrounding> = circles.collect();
         let of = |body: usize| circles.iter().find(|circle| circle.body == body);
         of(a).zip(of(b)).is_some_and(|(a, b)| a.is_apart(b))
     }
@@ -93,7 +93,7 @@ impl<'a> Near<'a> {
     }
 
     /// Joins the parts whose bodies may meet and are not shown to be apart.
-    pub(super) fn join(&self, circles: &[Stretch], parts: &[Vec<usize>], sets: &mut Sets) {
+    pub(super) fn join(&self, circles: &[Surrounding], parts: &[Vec<usize>], sets: &mut Sets) {
         let part = |body: usize| {
             let group = self.equations.components().group_of(body);
             parts.iter().position(|groups| groups.binary_search(&group).is_ok())
@@ -104,12 +104,12 @@ impl<'a> Near<'a> {
     }
 
     /// All bodies of a list that may meet and are not shown to be apart.
-    pub(super) fn all_meeting(&self, circles: &[Stretch]) -> HashSet<[usize; 2]> {
+    pub(super) fn all_meeting(&self, circles: &[Surrounding]) -> HashSet<[usize; 2]> {
         meeting_within(circles, &self.equations.pair_list().couples)
     }
 
     /// Takes the horizon further; `circles` says where the bodies are from there up to a time, s.
-    pub(super) fn go_further(&mut self, circles: &impl Fn(&Self, f64) -> Vec<Stretch>) {
+    pub(super) fn go_further(&mut self, circles: &impl Fn(&Self, f64) -> Vec<Surrounding>) {
         let from = self.horizon;
         let near = |known: &Self, to: f64| known.all_meeting(&circles(known, to)).len();
         let most = near(self, from) + FEW * self.circles.count() + FEWEST;

@@ -169,9 +169,9 @@ impl Watch {
         (self.known_until, self.is_doubtful) = (self.known_until.min(time), false);
     }
 
-    /// Those it is of become several motions, s.
-    pub(super) fn part(&mut self, time: f64) {
-        (self.known_until, self.is_doubtful, self.parted) = (time, false, time);
+    /// Those it is of become several motions, s, after a step of so many.
+    pub(super) fn part(&mut self, time: f64, step: f64) {
+        (self.known_until, self.is_doubtful, self.parted, self.step) = (time, false, time, step);
     }
 
     /// Those it is of become one motion; steps to be taken before they may be several again.
@@ -182,12 +182,11 @@ impl Watch {
         self.wait
     }
 
-    /// Whether it did not come near along the later half of the last piece of a motion of all that it is of.
+    /// Whether an event did not come near along the later half of the last piece of a motion of all that it is of.
     pub(super) fn is_far(&mut self, sight: &Sight<'_>, mode: &Mode, piece: &Piece) -> bool {
-        self.step = piece.end - piece.start;
         let along = [Along { mode: mode.clone(), piece: piece.clone() }];
         let half = [0.5 * (piece.start + piece.end), piece.end];
-        piece.time_series.is_none() && self.excluded_to(sight, &along, half) == piece.end
+        self.excluded_to(sight, &along, half) == piece.end
     }
 
     /// Whether its function keeps its sign between two times, s, or its bodies are apart.

@@ -1,9 +1,12 @@
 //! What the tests of the laws share.
 #![allow(dead_code)]
 
-use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, N, S};
-use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, RunError, Start, Surface, time};
+use tumble_expr::{Expr, Vector};
+use tumble_mech::{
+    Anchor, Body, ContactLaw, Gravity, Model, Release, Run, RunBalance, RunError, Shape, Spring, Start,
+    Surface, time,
+};
 use tumble_ode::Accuracy;
 
 /// Integrates a model from time 0.
@@ -112,4 +115,77 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
         half * nodes.sum::<f64>()
     };
     (0..PANELS).map(panel).sum()
+}
+
+/// A uniform disk, m and kg.
+pub(crate) fn disk(name: &str, radius: f64, mass: f64) -> Body {
+    Body::of_shape(name, Shape::Disk { centre: place([0.0, 0.0]), radius: radius * M }).mass(mass * KG)
+}
+
+/// A uniform box, m and kg.
+pub(crate) fn plate(name: &str, [width, height]: [f64; 2], mass: f64) -> Body {
+    let shape = Shape::Box { centre: place([0.0, 0.0]), width: width * M, height: height * M };
+    Body::of_shape(name, shape).mass(mass * KG)
+}
+
+/// A uniform rod along x about its middle, m and kg.
+pub(crate) fn rod(name: &str, length: f64, end_radius: f64, mass: f64) -> Body {
+    let [from, to] = [-0.5, 0.5].map(|end| place([end * length, 0.0]));
+    Body::of_shape(name, Shape::Rod { from, to, end_radius: end_radius * M }).mass(mass * KG)
+}
+
+/// In m.
+pub(crate) fn place([x, y]: [f64; 2]) -> Vector {
+    Vector::planar(x * M, y * M)
+}
+
+/// In m, rad, m/s and rad/s.
+pub(crate) fn start(place: [f64; 2], angle: f64, velocity: [f64; 2], omega: f64) -> Start {
+    let start = Start::default().at(place.map(|x| x * M)).velocity(velocity.map(|v| v * M / S));
+    start.angle(Expr::from(angle)).omega(omega / S)
+}
+
+/// Bodies where they start, in gravity, m/s^2.
+pub(crate) fn model(gravity: f64, bodies: Vec<(Body, Start)>) -> Model {
+    let mut model = Model::new();
+    if gravity > 0.0 {
+        model.gravity = Gravity::Vertical(gravity * M / (S * S));
+    }
+    for (body, start) in bodies {
+        model.starts.push((body.name.clone(), start));
+        model.add(body);
+    }
+    model
+}
+
+/// x, y, angle, vx, vy, omega
+pub(crate) fn motion(run: &Run, body: usize, time: f64) -> [f64; 6] {
+    let body = run.equations.model().bodies[body].kinematics();
+    let (p, v) = (body.position(), body.velocity());
+    at(run, time, [p[0].clone(), p[1].clone(), body.angle(), v[0].clone(), v[1].clone(), body.omega()])
+}
+
+/// The balance about a point that nothing is at, every part of which must close.
+#[track_caller]
+pub(crate) fn balanced(run: &Run, tolerance: f64) -> RunBalance {
+    let balance = RunBalance::of(run, [0.3, -0.2]).expect("a balance");
+    println!("{:#?}", balance.contributions);
+    assert!(balance.energy.relative() < tolerance, "{:e}", balance.energy.relative());
+    assert!(balance.relative() < tolerance, "{:e}", balance.relative());
+    balance
+}
+
+/// The same bodies as one motion: springs of no stiffness couple them.
+pub(crate) fn as_one(model: &Model) -> Model {
+    let mut model = model.clone();
+    for (index, two) in model.bodies.clone().windows(2).enumerate() {
+        model.interact(Spring {
+            name: format!("nothing{index}"),
+            ends: [Anchor::Material(two[0].cm()), Anchor::Material(two[1].cm())],
+            stiffness: 0 * N / M,
+            rest_length: 0 * M,
+            damping: 0 * N * S / M,
+        });
+    }
+    model
 }
