@@ -1,5 +1,8 @@
 //! Bodies at random that meet each other, a polygon and walls: they do not get into each other, and their energy does not grow.
 
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_ode::{Accuracy, Side};
@@ -221,13 +224,20 @@ fn energy(run: &Run) -> Expr {
     all.reduce(|sum, next| sum + next).expect("bodies")
 }
 
+/// How long a scene may take: tens of times what most of them do.
+const PATIENCE: Duration = Duration::from_secs(60);
+
 /// Depth and growth of energy of a scene, in parts of the room and of the energy; or why it was refused.
 fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
     let mut draw = Draw(seed);
     (0..4).for_each(|_| _ = draw.next());
     let model = scene(&mut draw, bodies, Law::Rigid);
     let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
-    let run = model.simulate_to(&[], until * S, accuracy).map_err(|error| error.to_string())?;
+    let begun = Instant::now();
+    let patient =
+        |_| if begun.elapsed() > PATIENCE { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let run = Run::refined(model.clone(), &model.parameters, until, accuracy, patient);
+    let run = run.map_err(|error| error.to_string())?;
     let mut times: Vec<f64> = (0..=200).map(|index| until * f64::from(index) / 200.0).collect();
     times.extend(run.events().map(|event| event.time));
     times.sort_by(f64::total_cmp);
@@ -241,37 +251,32 @@ fn outcome(seed: u64, bodies: usize, until: f64) -> Result<[f64; 2], String> {
 /// A sum of rounding errors, and what the accuracy asked for allows of a motion with friction.
 const GROWTH: f64 = 10.0 * ACCURACY;
 
-/// Seeds of scenes that were refused, with the reason.
-fn refused(seeds: impl Iterator<Item = u64>) -> Vec<(u64, String)> {
-    let mut refused = vec![];
-    for seed in seeds {
-        let [deep, growth] = match outcome(seed, 2 + (seed as usize % 5), 1.0) {
-            Ok(found) => found,
-            Err(reason) => {
-                refused.push((seed, reason));
-                continue;
-            }
-        };
+/// Seeds of scenes that failed, with the reason.
+fn failed(seeds: impl Iterator<Item = u64>) -> Vec<(u64, String)> {
+    let fault = |seed: u64| {
+        let [deep, growth] = outcome(seed, 2 + (seed as usize % 5), 1.0)?;
         println!("scene {seed}: {deep:e} deep, energy grows by {growth:e}");
-        assert!(deep < 1e-12, "scene {seed}: {deep:e} deep");
-        assert!(growth < GROWTH, "scene {seed}: energy grows by {growth:e}");
-    }
-    refused
+        let is_sound = deep < 1e-12 && growth < GROWTH;
+        if is_sound { Ok(()) } else { Err(format!("{deep:e} deep, energy grows by {growth:e}")) }
+    };
+    seeds.filter_map(|seed| Some((seed, fault(seed).err()?))).collect()
 }
 
 #[test]
 fn nothing_gets_into_each_other_or_gains_energy() {
-    // 9 gained energy once, 14 switched without end, 17 went through the block; 156 and 167 went around a circle of modes.
-    let refused = refused([1, 2, 5, 7, 9, 10, 12, 14, 15, 17, 20, 21, 156, 167].into_iter());
-    assert!(refused.is_empty(), "{refused:#?}");
+    // 9 gained energy once, 17 went through the block; 94, 156, 167 and those of six digits but the last went around a
+    // circle of modes, and in 110277 friction drew a box along that had stopped.
+    let circles = [94, 156, 167, 100_157, 100_998, 101_119, 101_638, 110_277];
+    let failed = failed([1, 2, 5, 7, 9, 10, 12, 15, 17, 20, 21].into_iter().chain(circles));
+    assert!(failed.is_empty(), "{failed:#?}");
 }
 
 /// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100 COUNT=10`.
 #[test]
-#[ignore = "takes minutes, and finds some that switch without end as they come to rest, such as 94"]
+#[ignore = "takes minutes"]
 fn many_scenes() {
-    let refused = refused(asked_for());
-    assert!(refused.is_empty(), "{refused:#?}");
+    let failed = failed(asked_for());
+    assert!(failed.is_empty(), "{failed:#?}");
 }
 
 /// Seeds from `SEED` on, `COUNT` of them.

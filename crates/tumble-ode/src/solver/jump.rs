@@ -6,6 +6,11 @@ use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::program::Plan;
 use crate::trajectory::{Event, Trajectory};
 
+/// Jumps this many units in the last place apart are of one instant: between two of them rounding alone decides what comes next.
+const AT_ONCE_ULPS: f64 = 64.0;
+/// Jumps leave a state as it is if they change it by this part of what states of its kind have been: rounding of what is made to stand.
+const UNCHANGED: f64 = 1e-12;
+
 impl<H: Hybrid> Solver<'_, H> {
     pub(super) fn jump_if_due(
         &mut self,
@@ -31,13 +36,21 @@ impl<H: Hybrid> Solver<'_, H> {
     /// See [`Crossing::around`].
     fn around(&self, mode: usize) -> Vec<(&H::Mode, &[Cause])> {
         let Trajectory { events, modes, .. } = &self.trajectory;
-        let is_same = |event: &&Event<H::Record>| event.time == self.time && event.before == event.after;
+        let earliest = self.time - AT_ONCE_ULPS * f64::EPSILON * self.time.abs();
+        let is_same = |event: &&Event<H::Record>| earliest <= event.time && self.leaves_states(event);
         let last = events.iter().rev().take_while(is_same);
         let Some(length) = last.clone().position(|event| event.mode_before == mode) else { return vec![] };
         let around = last.take(length + 1).map(|event| (&modes[event.mode_before], &event.causes[..]));
         let mut around: Vec<_> = around.collect();
         around.reverse();
         around
+    }
+
+    fn leaves_states(&self, event: &Event<H::Record>) -> bool {
+        let Some(engine) = self.engines.get(event.mode_before) else { return event.before == event.after };
+        let zero = |state: usize| UNCHANGED * self.scales.of(engine.system.group(state));
+        let mut changes = event.before.iter().zip(&event.after).enumerate();
+        event.before.len() == event.after.len() && changes.all(|(state, (a, b))| (a - b).abs() <= zero(state))
     }
 
     /// Asks the system what it makes of causes. Guards that have been located are zero now; others have been carried across zero by a jump.

@@ -364,11 +364,14 @@ impl Settling<'_> {
         Ok(())
     }
 
-    /// Pairs that slip against the way in which they were found to slide.
+    /// Pairs that slipped and slip no more, or against the way in which they were found to slide.
     fn turned(&self, Rubbing { patches, found }: &Rubbing) -> Vec<usize> {
-        let count = self.touch.pairs.len();
-        let is_turned = |patch: &Patch, grip: &Grip| match grip {
-            Grip::Slides(way) => f64::from(way.sign()) * self.touch.slips.rate[patch.row() - count] < 0.0,
+        let slips = &self.touch.slips;
+        let is_turned = |patch: &Patch, grip: &Grip| match (patch.slips, grip) {
+            (Some(_), Grip::Slides(way)) => {
+                let slip = patch.row() - self.touch.pairs.len();
+                f64::from(way.sign()) * slips.rate[slip] <= STANDS * slips.speed[slip]
+            }
             _ => false,
         };
         let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
