@@ -105,6 +105,11 @@ impl Touch {
         self.pushes.as_ref().unwrap_or(&self.response)
     }
 
+    /// How many velocities joints leave free.
+    pub(crate) fn freedoms(&self) -> usize {
+        self.velocities.len() - self.joints.rows.len()
+    }
+
     /// Whether loads read forces of contacts or joints.
     pub(crate) fn is_fed(&self) -> bool {
         self.pushes.is_some()
