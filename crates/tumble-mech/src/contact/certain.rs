@@ -103,3 +103,71 @@ impl Rough<'_> {
         columns
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::grip::Way;
+
+    /// Numbers from -1 to 1 in an order of their own (Knuth's linear congruential generator).
+    struct Draw(u64);
+
+    impl Draw {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        }
+    }
+
+    /// Contacts of bodies with some freedoms, each surface with one or two of them.
+    fn random(draw: &mut Draw, [surfaces, freedoms]: [usize; 2], friction: f64) -> Rough<'static> {
+        let pairs = (draw.next() > 0.0).then_some(1).unwrap_or_default();
+        let contacts = surfaces + pairs;
+        let mut rows = DMatrix::from_fn(2 * contacts, freedoms, |_, _| draw.next());
+        let patches = (0..surfaces).map(|surface| {
+            let own = if surface < pairs { vec![surface, surfaces + surface] } else { vec![surface] };
+            let contacts = own.into_iter().map(|contact| (contact, contacts + contact)).collect();
+            let way = if draw.next() > 0.0 { Way::Forward } else { Way::Backward };
+            let slips = Some(way).filter(|_| draw.next() > 0.6);
+            Patch { contacts, friction: [friction; 2], slips }
+        });
+        let patches: Vec<Patch> = patches.collect();
+        for patch in &patches {
+            let alike = rows.row(patch.row()).into_owned();
+            patch.contacts.iter().for_each(|(_, row)| rows.set_row(*row, &alike));
+        }
+        let forces = DVector::from_fn(freedoms, |_, _| draw.next());
+        Rough {
+            response: Box::leak(Box::new(&rows * rows.transpose())),
+            without: &rows * forces,
+            contacts: (0..contacts).collect(),
+            patches,
+            given: DVector::zeros(2 * contacts),
+            loads: DVector::zeros(2 * contacts),
+            zero: 1e-10,
+        }
+    }
+
+    /// What is certain has one motion, which is the one that is found; of what is not, some has several.
+    #[test]
+    fn certain_contacts_have_one_motion() {
+        let mut draw = Draw(7);
+        let (mut certain, mut several) = (0, 0);
+        for index in 0..4000 {
+            let friction = 0.02 * f64::from(index % 60);
+            let sizes = [1 + index as usize % 3, 3 + index as usize % 5];
+            let rough = random(&mut draw, sizes, friction);
+            let forced: Vec<Option<Way>> = rough.patches.iter().map(|patch| patch.slips).collect();
+            let motions = rough.motions(&forced);
+            if !rough.is_certain(sizes[1]) {
+                several += usize::from(motions.found.len() > 1);
+                continue;
+            }
+            certain += 1;
+            let [only] = &motions.found[..] else { panic!("{index}: {} motions", motions.found.len()) };
+            let found = rough.solve().expect("forces");
+            assert!((&only.then - &found.then).amax() < 1e-6, "{index}");
+        }
+        assert!(certain > 1000 && several > 50, "{certain} {several}");
+    }
+}

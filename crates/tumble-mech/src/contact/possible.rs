@@ -51,10 +51,13 @@ const ONE: f64 = 1e-6;
 /// What is left of an equation, or is lacking in a condition, in units of what is zero: elimination has made it larger.
 const LEFT: f64 = 100.0;
 
-/// Motions, and whether what is between some of them is possible as well.
+/// Motions that differ.
 pub(super) struct Motions {
     pub(super) found: Vec<Pushes>,
+    /// Whether what is between some of them is possible as well.
     pub(super) is_between: bool,
+    /// Whether pushes of any size make more of them.
+    pub(super) is_unbounded: bool,
 }
 
 /// Who pushes and who sticks or slides, with the friction of what begins to slip.
@@ -66,6 +69,9 @@ struct Choice<'a> {
     which: usize,
 }
 
+/// Ends of what a choice leaves open, and whether some of it has no end.
+type Ends<T> = (Vec<T>, bool);
+
 /// Pushes with which equations hold: one, and directions in which they may change.
 struct Line {
     unknowns: DVector<f64>,
@@ -75,7 +81,7 @@ struct Line {
 impl Rough<'_> {
     /// Every motion once, of accelerations with forces; what slips already goes on to, and `forced` are ways in which others have to.
     pub(super) fn motions(&self, forced: &[Option<Way>]) -> Motions {
-        let mut motions = Motions { found: vec![], is_between: false };
+        let mut motions = Motions { found: vec![], is_between: false, is_unbounded: false };
         let mut known: Vec<DVector<f64>> = vec![];
         for grips in choices(forced) {
             for set in 0..1_usize << self.contacts.len() {
@@ -86,11 +92,11 @@ impl Rough<'_> {
                     continue;
                 }
                 let choice = Choice { of: self, held: &held, grips: &grips, which: 0 };
-                let all = choice.motions();
+                let (all, is_unbounded) = choice.motions();
                 motions.is_between |= all.len() > 1;
+                motions.is_unbounded |= is_unbounded;
                 for motion in all {
-                    let size = motion.then.amax().max(self.zero / BALANCED);
-                    if !known.iter().any(|known| (known - &motion.then).amax() <= ONE * size) {
+                    if !known.iter().any(|known| self.are_one(known, &motion.then)) {
                         known.push(motion.then.clone());
                         motions.found.push(choice.going_on().unwrap_or(motion));
                     }
@@ -100,21 +106,30 @@ impl Rough<'_> {
         motions
     }
 
+    /// Whether accelerations are of one motion.
+    fn are_one(&self, one: &DVector<f64>, other: &DVector<f64>) -> bool {
+        (one - other).amax() <= ONE * one.amax().max(self.zero / BALANCED)
+    }
+
     /// Friction without anything that presses is none: of the grips of such a patch one is tried.
     fn is_first(&self, grips: &[Grip], forced: &[Option<Way>], held: &[usize]) -> bool {
         let mut all = self.patches.iter().zip(grips).zip(forced);
         all.all(|((patch, grip), forced)| {
-            let presses = |contact: &usize| held.contains(contact) || self.loads[*contact] > 0.0;
-            let mut contacts = patch.contacts.iter().map(|(contact, _)| contact);
-            forced.is_some() || *grip == Grip::Slides(Way::Forward) || contacts.any(presses)
+            forced.is_some() || *grip == Grip::Slides(Way::Forward) || self.is_pressed(patch, held)
         })
+    }
+
+    /// Whether something may press a patch, of what is held.
+    fn is_pressed(&self, patch: &Patch, held: &[usize]) -> bool {
+        let presses = |contact: &usize| held.contains(contact) || self.loads[*contact] > 0.0;
+        patch.contacts.iter().any(|(contact, _)| presses(contact))
     }
 }
 
 impl Choice<'_> {
     /// The motion of a choice, or the ends of what it leaves open; none where a condition fails.
-    fn motions(&self) -> Vec<Pushes> {
-        self.line().map_or(vec![], |line| self.ends(&line))
+    fn motions(&self) -> Ends<Pushes> {
+        self.line().map_or((vec![], false), |line| self.ends(&line))
     }
 
     /// The same choice with kinetic coefficients, where it is one motion.
@@ -123,8 +138,10 @@ impl Choice<'_> {
         let differs = |(patch, grip): (&Patch, &Grip)| {
             !grip.is_still() && patch.slips.is_none() && patch.friction[0] != patch.friction[1]
         };
-        let mut motions =
-            slips.map(differs).any(|differs| differs).then(|| Choice { which: 1, ..*self }.motions())?;
+        if !slips.map(differs).any(|differs| differs) {
+            return None;
+        }
+        let (mut motions, _) = Choice { which: 1, ..*self }.motions();
         motions.pop().filter(|_| motions.is_empty())
     }
 
@@ -187,11 +204,6 @@ impl Choice<'_> {
         Some(line)
     }
 
-    /// What pushes come to.
-    fn then(&self, pushes: &DVector<f64>) -> DVector<f64> {
-        &self.of.without + self.of.response * pushes
-    }
-
     /// What must not be negative, m/s^2, by pushes and what they do; linear in both.
     fn conditions(&self, pushes: &DVector<f64>, loads: &DVector<f64>, then: &DVector<f64>) -> Vec<f64> {
         let own = |row: usize| self.of.response[(row, row)];
@@ -199,63 +211,62 @@ impl Choice<'_> {
             true => own(*contact) * pushes[*contact],
             false => then[*contact],
         });
-        let along = self.patches().flat_map(|(patch, part)| {
-            let most = patch.friction[0];
-            let pressed: f64 =
-                patch.contacts.iter().map(|(contact, _)| pushes[*contact] + loads[*contact]).sum();
-            let is_pressed = patch
-                .contacts
-                .iter()
-                .any(|(contact, _)| self.held.contains(contact) || self.of.loads[*contact] > 0.0);
+        let along = self.of.patches.iter().zip(self.grips).flat_map(|(patch, grip)| {
             let row = patch.row();
-            match part {
-                None => vec![-1.0, 1.0]
-                    .into_iter()
-                    .map(|sign| own(row) * (most * pressed + sign * pushes[row]))
-                    .collect(),
-                Some(part) if patch.slips.is_none() && is_pressed => {
-                    vec![if part > 0.0 { -then[row] } else { then[row] }]
+            match grip {
+                Grip::Slides(_) if patch.slips.is_some() || !self.of.is_pressed(patch, self.held) => vec![],
+                Grip::Slides(way) | Grip::Strains(way) => vec![f64::from(way.sign()) * then[row]],
+                Grip::Sticks | Grip::Follows => {
+                    let pressed =
+                        patch.contacts.iter().map(|(contact, _)| pushes[*contact] + loads[*contact]);
+                    let most = patch.friction[0] * pressed.sum::<f64>();
+                    vec![own(row) * (most - pushes[row]), own(row) * (most + pushes[row])]
                 }
-                Some(_) => vec![],
             }
         });
         across.chain(along).collect()
     }
 
     /// Ends of what is open, as far as motions differ there and conditions hold.
-    fn ends(&self, line: &Line) -> Vec<Pushes> {
-        let (none, response) = (DVector::zeros(self.of.response.nrows()), self.of.response);
+    fn ends(&self, line: &Line) -> Ends<Pushes> {
+        let response = self.of.response;
         let pushes = self.pushes(&line.unknowns, &self.of.loads);
-        let then = self.then(&pushes);
-        let values = self.conditions(&pushes, &self.of.loads, &then);
-        let directions: Vec<(DVector<f64>, DVector<f64>)> = line
-            .open
-            .column_iter()
-            .map(|column| self.pushes(&column.into_owned(), &none))
-            .map(|pushes| (response * &pushes, pushes))
-            .collect();
-        if directions.is_empty() {
+        let then = &self.of.without + response * &pushes;
+        let values = DVector::from_vec(self.conditions(&pushes, &self.of.loads, &then));
+        if line.open.is_empty() {
             let holds = values.iter().all(|value| *value >= -self.of.zero);
-            return if holds { vec![self.motion(pushes, then)] } else { vec![] };
+            return (if holds { vec![self.motion(pushes, then)] } else { vec![] }, false);
         }
-        let slopes: Vec<Vec<f64>> =
-            directions.iter().map(|(moved, pushes)| self.conditions(pushes, &none, moved)).collect();
-        let slopes = DMatrix::from_fn(values.len(), directions.len(), |row, column| slopes[column][row]);
-        let moves = |(moved, pushes): &(DVector<f64>, DVector<f64>)| {
-            let sizes = response.abs() * pushes.abs();
-            moved.iter().zip(&sizes).any(|(moved, size)| moved.abs() > DEPENDENT * size)
-        };
-        let moving: Vec<usize> = (0..directions.len()).filter(|index| moves(&directions[*index])).collect();
-        let at = |place: &DVector<f64>| {
-            let along = |of: fn(&(DVector<f64>, DVector<f64>)) -> &DVector<f64>| {
-                directions
-                    .iter()
-                    .zip(place)
-                    .fold(none.clone(), |sum, (direction, part)| sum + of(direction) * *part)
-            };
-            self.motion(&pushes + along(|(_, pushes)| pushes), &then + along(|(moved, _)| moved))
-        };
-        corners(&DVector::from_vec(values), &slopes, &moving, LEFT * self.of.zero).iter().map(at).collect()
+        let none = DVector::zeros(response.nrows());
+        let open: Vec<DVector<f64>> =
+            line.open.column_iter().map(|column| self.pushes(&column.into_owned(), &none)).collect();
+        let open = DMatrix::from_columns(&open);
+        let moved = self.moved(&open);
+        let slopes: Vec<DVector<f64>> = (0..open.ncols())
+            .map(|index| {
+                let [pushes, moved] = [&open, &moved].map(|of| of.column(index).into_owned());
+                DVector::from_vec(self.conditions(&pushes, &none, &moved))
+            })
+            .collect();
+        let slopes = DMatrix::from_columns(&slopes);
+        let moving = moved.row_iter().filter(|row| row.amax() > 0.0).map(|row| row.transpose());
+        let measures: Vec<DVector<f64>> = moving.collect();
+        let (places, is_unbounded) = corners(&values, &slopes, &measures, LEFT * self.of.zero);
+        let at = |place: &DVector<f64>| self.motion(&pushes + &open * place, &then + &moved * place);
+        let mut ends: Vec<Pushes> = vec![];
+        for end in places.iter().map(at) {
+            if !ends.iter().any(|known| self.of.are_one(&known.then, &end.then)) {
+                ends.push(end);
+            }
+        }
+        (ends, is_unbounded)
+    }
+
+    /// What pushes in some directions do, without rounding where they balance.
+    fn moved(&self, open: &DMatrix<f64>) -> DMatrix<f64> {
+        let sizes = self.of.response.abs() * open.abs();
+        let moved = self.of.response * open;
+        moved.zip_map(&sizes, |moved, size| if moved.abs() > DEPENDENT * size { moved } else { 0.0 })
     }
 
     fn motion(&self, pushes: DVector<f64>, then: DVector<f64>) -> Pushes {
@@ -264,37 +275,40 @@ impl Choice<'_> {
     }
 }
 
-/// Places y with `values + slopes y >= 0`: the farthest along each of some directions, or one where there are none of these.
-fn corners(values: &DVector<f64>, slopes: &DMatrix<f64>, along: &[usize], zero: f64) -> Vec<DVector<f64>> {
+/// Places y with `values + slopes y >= 0`: the farthest by each of some measures, or one where there are none of these; and whether there is none
+/// that is the farthest.
+fn corners(
+    values: &DVector<f64>,
+    slopes: &DMatrix<f64>,
+    measures: &[DVector<f64>],
+    zero: f64,
+) -> Ends<DVector<f64>> {
     let (rows, count) = slopes.shape();
     // y is the difference of two that are not negative; the last unknown is what all conditions have to spare.
-    let lacking = values.iter().fold(0.0, |most: f64, value| most.max(-value));
-    let split = |row: usize, column: usize| match column {
+    let both = |of: &DVector<f64>| {
+        DVector::from_fn(2 * count, |i, _| if i < count { of[i] } else { -of[i - count] })
+    };
+    let place = |x: &DVector<f64>| DVector::from_fn(count, |index, _| x[index] - x[count + index]);
+    let split = DMatrix::from_fn(rows, 2 * count, |row, column| match column {
         column if column < count => -slopes[(row, column)],
         column => slopes[(row, column - count)],
+    });
+    let lacking = values.iter().fold(0.0, |most: f64, value| most.max(-value));
+    let mut table = split.clone().resize(rows + 1, 2 * count + 1, 0.0);
+    table.column_mut(2 * count).fill(1.0);
+    let room = values.add_scalar(lacking).push(lacking);
+    let mut aim = DVector::zeros(2 * count + 1);
+    aim[2 * count] = 1.0;
+    let Some((_, x)) = best(&aim, &table, &room).filter(|(spared, _)| *spared >= lacking - zero) else {
+        return (vec![], false);
     };
-    let table =
-        DMatrix::from_fn(rows + 1, 2 * count + 1, |row, column| match (row == rows, column == 2 * count) {
-            (_, true) => 1.0,
-            (true, false) => 0.0,
-            (false, false) => split(row, column),
-        });
-    let room = DVector::from_fn(rows + 1, |row, _| if row == rows { lacking } else { values[row] + lacking });
-    let aim = DVector::from_fn(2 * count + 1, |column, _| if column == 2 * count { 1.0 } else { 0.0 });
-    let place = |x: &DVector<f64>| DVector::from_fn(count, |index, _| x[index] - x[count + index]);
-    let Some((spared, x)) = best(&aim, &table, &room) else { return vec![] };
-    if spared < lacking - zero {
-        return vec![];
-    }
     let first = place(&x);
     let room = (values + slopes * &first).map(|left| left.max(0.0));
-    let table = DMatrix::from_fn(rows, 2 * count, split);
-    let ends = along.iter().flat_map(|index| [*index, count + *index]).filter_map(|column| {
-        let aim = DVector::from_fn(2 * count, |other, _| if other == column { 1.0 } else { 0.0 });
-        best(&aim, &table, &room).map(|(_, x)| &first + place(&x))
-    });
-    let ends: Vec<DVector<f64>> = ends.collect();
-    if ends.is_empty() { vec![first] } else { ends }
+    let ends: Vec<_> =
+        measures.iter().flat_map(|of| [both(of), both(&-of)]).map(|aim| best(&aim, &split, &room)).collect();
+    let is_unbounded = ends.iter().any(Option::is_none);
+    let ends = ends.into_iter().flatten().map(|(_, x)| &first + place(&x));
+    (if measures.is_empty() { vec![first] } else { ends.collect() }, is_unbounded)
 }
 
 /// All solutions of equations, the right sides last in their table; `None` where they contradict each other by more than what is zero.

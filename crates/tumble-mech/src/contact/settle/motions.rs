@@ -39,7 +39,7 @@ impl Settling<'_> {
             return Ok(None);
         }
         let Some(motions) = self.motions(some, patches, forced) else { return Ok(Some(Others::Unexamined)) };
-        if motions.found.len() < 2 {
+        if motions.found.len() < 2 && !motions.is_unbounded {
             return Ok(None);
         }
         let motions = self.listed(some, patches, &motions);
@@ -77,31 +77,38 @@ impl Settling<'_> {
     fn listed(&self, some: &[usize], patches: &[Patch], motions: &Motions) -> String {
         let listed: Vec<String> =
             motions.found.iter().map(|motion| self.told(some, patches, motion)).collect();
+        let more = match (motions.is_unbounded, motions.is_between) {
+            (true, _) => "; and others, with larger forces",
+            (false, true) => "; and others between them",
+            (false, false) => "",
+        };
         match listed.len() {
             0 => "No motion without an impact is possible".into(),
-            1 => format!("One motion is possible: {}", listed[0]),
-            count => {
-                let between = if motions.is_between { "; and what is between such motions" } else { "" };
-                format!("{count} motions are possible: {}{between}", listed.join("; or "))
-            }
+            1 => format!("One motion is possible: {}{more}", listed[0]),
+            count => format!("{count} motions are possible: {}{more}", listed.join("; or ")),
         }
     }
 
     fn told(&self, some: &[usize], patches: &[Patch], motion: &Pushes) -> String {
+        let number = |value: f64| if value.abs() <= self.zero() { 0.0 } else { value };
         let each = some.iter().map(|position| {
             let name = &self.equations.pairs()[self.touch.pairs[*position]].name;
-            let grip = patches.iter().zip(&motion.grips).find_map(|(patch, grip)| {
+            let patch = patches.iter().zip(&motion.grips).find_map(|(patch, grip)| {
                 let (_, row) = patch.contacts.iter().find(|(contact, _)| contact == position)?;
-                Some((grip, motion.then[*row]))
+                Some((patch, grip, number(motion.then[*row])))
             });
-            if !motion.held.contains(position) {
-                return format!("`{name}` opens with {} m/s^2", motion.then[*position]);
+            let opening = number(motion.then[*position]);
+            if !motion.held.contains(position) && opening > 0.0 {
+                return format!("`{name}` opens with {opening} m/s^2");
             }
-            let pushed = format!("the normal force {} N", motion.pushes[*position]);
-            match grip {
+            let push = motion.pushes[*position];
+            let pushed = format!("the normal force {push} N");
+            match patch {
                 None => format!("`{name}` stays closed with {pushed}"),
-                Some((Grip::Slides(way), change)) => {
-                    let way = if *way == Way::Forward { "forward" } else { "backward" };
+                Some((patch, Grip::Slides(way), change)) => {
+                    let is_without = patch.slips.is_none() && push == 0.0;
+                    let way = if is_without { Way::of(change) } else { *way };
+                    let way = if way == Way::Forward { "forward" } else { "backward" };
                     format!("`{name}` slides {way} with {pushed}, its slip changing by {change} m/s^2")
                 }
                 Some(_) => format!("`{name}` sticks with {pushed}"),
