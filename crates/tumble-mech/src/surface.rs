@@ -148,6 +148,20 @@ impl Surface {
         self.on.as_ref().is_none_or(|names| names.contains(&body.name))
     }
 
+    /// Whether it is a plane behind which no part of a body comes.
+    pub(crate) fn hides_from(&self, body: &Body) -> bool {
+        self.circle.is_none() && self.polygon.is_none() && self.meets_all_of(body)
+    }
+
+    /// Whether a place is on a plane or behind it, whatever the parameters are.
+    pub(crate) fn has_behind(&self, place: &Vector) -> bool {
+        let from = place - &self.through;
+        let height = from.x() * self.normal.x() + from.y() * self.normal.y();
+        let zero = Expr::zero();
+        is_identically_zero(&height)
+            || (height.as_number().is_some() && height.as_number() <= zero.as_number())
+    }
+
     fn meets_by(&self, body: &Body, point: &str) -> bool {
         let is_meant = |name: &String| *name == body.name || is_at(name, body, point);
         self.on.as_ref().is_none_or(|names| names.iter().any(is_meant))

@@ -258,3 +258,23 @@ fn a_block_slides_off_a_step() {
     let balance = RunBalance::of(&run, [0.0; 2]).expect("finite");
     assert!(balance.relative() < 1e-11, "{:e}", balance.relative());
 }
+
+/// A box falls on a floor and slides, on one corner, into the inner corner between floor and step: what it meets there is the floor and the
+/// side of the step, as if that were a wall.
+#[test]
+fn the_inner_corner_of_a_step_is_that_of_a_wall() {
+    let end = |wall: Surface| {
+        let start = start([-0.3, 0.25], 0.5, [1.5, 0.0], -0.5);
+        let mut model = model(G, vec![(plate("box", [0.3, 0.2], 1.0), start)]);
+        model.surface(Surface::new("floor", [0 * M, 0 * M], [0, 1].map(Expr::from), rigid(0.0)));
+        model.surface(wall);
+        let run = run(model, 0.5, 1e-12);
+        let met = |name: &str| happened(&run).iter().filter(|(pair, ..)| pair.starts_with(name)).count();
+        assert!(met("floor") > 1 && met("wall") > 0, "{:?}", happened(&run));
+        motion(&run, 0, 0.5)
+    };
+    let plane = end(Surface::new("wall", [0 * M, 0 * M], [-1, 0].map(Expr::from), rigid(0.0)));
+    let corners = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.5], [0.0, 0.5]];
+    let step = end(step("wall", &corners, 0.0, 0.0));
+    plane.iter().zip(step).for_each(|(known, found)| close(found, *known, 1e-12));
+}

@@ -25,6 +25,8 @@ pub(crate) struct Edge {
     pub(crate) ends: [Anchor; 2],
     /// Half the thickness of a rod, m.
     pub(crate) radius: Expr,
+    /// Whether it goes on beyond each of its ends, into what else is solid.
+    pub(crate) goes_on: [bool; 2],
 }
 
 /// All that something may touch by.
@@ -55,15 +57,23 @@ impl Border {
             Rim { name: feature.name, centre, radius: feature.radius, neighbours: all }
         };
         let rims = features.into_iter().map(rim).collect();
-        let edge = |side: Side| Edge { name: side.name, ends: [next(), next()], radius: side.radius };
+        let edge = |side: Side| Edge {
+            name: side.name,
+            ends: [next(), next()],
+            radius: side.radius,
+            goes_on: [false; 2],
+        };
         let edges = sides.into_iter().map(edge).collect();
         Self { rims, edges }
     }
 
-    /// That of a polygon of the world, its corners counter-clockwise.
-    pub(crate) fn of_polygon(corners: &[Vector]) -> Self {
+    /// That of a polygon of the world, its corners counter-clockwise. Corners that are `hidden` on or in what else is solid touch nothing, and
+    /// edges go on there: what slides into the inner corner between a step and its floor is on one contact with each, and not on the
+    /// step's corner besides.
+    pub(crate) fn of_polygon(corners: &[Vector], hidden: impl Fn(&Vector) -> bool) -> Self {
         let world = |place: Vector| Anchor::World(place);
-        let rims = corner_features(corners).into_iter().map(|feature| Rim {
+        let in_view = corner_features(corners).into_iter().filter(|feature| !hidden(&feature.centre));
+        let rims = in_view.map(|feature| Rim {
             name: feature.name,
             centre: world(feature.centre),
             radius: feature.radius,
@@ -71,10 +81,11 @@ impl Border {
         });
         let edges = round_trip(corners).zip(1..).map(|(ends, number)| Edge {
             name: format!("side{number}"),
+            goes_on: ends.each_ref().map(&hidden),
             ends: ends.map(world),
             radius: Expr::zero(),
         });
-        Self { rims: rims.collect(), edges: edges.collect() }
+        Self { rims: rims.collect(), edges: edges.filter(|edge| edge.goes_on != [true; 2]).collect() }
     }
 }
 

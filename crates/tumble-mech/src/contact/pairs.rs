@@ -138,7 +138,12 @@ fn of_surface(
         friction: said.1.clone(),
     };
     match (&surface.polygon, &surface.circle) {
-        (Some(corners), _) => between().pairs(&own, &Border::of_polygon(corners)),
+        (Some(corners), _) => {
+            let planes: Vec<&Surface> =
+                model.surfaces.iter().filter(|other| other.hides_from(body)).collect();
+            let hidden = |corner: &_| planes.iter().any(|plane| plane.has_behind(corner));
+            between().pairs(&own, &Border::of_polygon(corners, hidden))
+        }
         (None, Some(circle)) if !circle.inside => {
             between().pairs(&own, &circle_of_world(&surface.through, &circle.radius))
         }

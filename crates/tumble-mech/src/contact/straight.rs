@@ -4,7 +4,8 @@
 //! `m' = omega x m` and `m'' = alpha x m - omega^2 m`, so `g' = m . (p' - P') + m' . (p - P)` and
 //! `g'' = m . (p'' - P'') + 2 m' . (p' - P') + m'' . (p - P)`. Both bodies are pushed at one point, `p - r m`, along m.
 //!
-//! They meet there only where `0 <= u . (p - P) <= L`; beyond its ends the edge's corners do. A corner of a polygon in the place of the
+//! They meet there only where `0 <= u . (p - P) <= L`; beyond its ends the edge's corners do, but for an end on or behind a plane that the
+//! body meets: nothing is beyond that. A corner of a polygon in the place of the
 //! circle meets the edge only if its own edges do not lead through it: `m . (q - p) >= 0` for the corners q beside it; where the contact
 //! is compliant, a corner beside it may be pressed in deeper, so there the edge may lead through at a small angle. A circle meets a
 //! corner C where it is beyond the ends of both edges, `(p - C) . (q - C) <= 0`.
@@ -137,15 +138,17 @@ pub(crate) fn along_edge(
         Limit { value, size, ends: false, yields: false }
     };
     let within = |value: Expr| Limit { value, size: length.clone(), ends: true, yields: false };
+    let has_end = |(end, _): &(usize, Expr)| !edge.goes_on[*end];
     let is_sharp = is_identically_zero(&(&rim.radius + &edge.radius));
     let is_corner = rim.neighbours.len() > 1;
     let mut limits = vec![];
     if law.is_rigid() || !(is_sharp && is_corner) {
-        limits.extend(ends.map(within));
+        limits.extend(ends.into_iter().enumerate().filter(has_end).map(|(_, value)| within(value)));
     }
     if !law.is_rigid() {
         let ways = [(-&along, -apart), (along.clone(), &(&length * &along) - apart)];
-        let facing = ways.iter().enumerate().filter_map(|(end, (way, to_end))| {
+        let with_ends = ways.iter().enumerate().filter(|(end, _)| !edge.goes_on[*end]);
+        let facing = with_ends.filter_map(|(end, (way, to_end))| {
             let equal = rim.facing(end == 1).map(|next| {
                 let own = between(&rim.centre, next);
                 let size = own.norm();
