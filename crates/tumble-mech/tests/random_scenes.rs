@@ -261,16 +261,19 @@ fn refused(seeds: impl Iterator<Item = u64>) -> Vec<(u64, String)> {
 
 #[test]
 fn nothing_gets_into_each_other_or_gains_energy() {
-    // 9 gained energy once, 14 switched without end, 17 went through the block; 156 and 167 went around a circle of modes.
-    let refused = refused([1, 2, 5, 7, 9, 10, 12, 14, 15, 17, 20, 21, 156, 167].into_iter());
+    // 9 gained energy once, 14 switched without end, 17 went through the block; 94, 156 and 167 went around a circle of modes.
+    let refused = refused([1, 2, 5, 7, 9, 10, 12, 14, 15, 17, 20, 21, 94, 156, 167].into_iter());
     assert!(refused.is_empty(), "{refused:#?}");
 }
 
 /// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100 COUNT=10`.
 #[test]
-#[ignore = "takes minutes, and finds some that switch without end as they come to rest, such as 94"]
+#[ignore = "takes minutes"]
 fn many_scenes() {
-    let refused = refused(asked_for());
+    // Of rigid bodies some have no motion, or several: 139 is Painleve's paradox, and in 59 a wedge is pressed by what nobody knows.
+    let is_open = |reason: &str| reason.contains("Painleve") || reason.contains("motions are possible");
+    let refused = refused(asked_for()).into_iter();
+    let refused: Vec<_> = refused.filter(|(_, reason)| !is_open(reason)).collect();
     assert!(refused.is_empty(), "{refused:#?}");
 }
 
