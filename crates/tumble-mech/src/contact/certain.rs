@@ -121,7 +121,7 @@ mod tests {
 
     /// Contacts of bodies with some freedoms, each surface with one or two of them.
     fn random(draw: &mut Draw, [surfaces, freedoms]: [usize; 2], friction: f64) -> Rough<'static> {
-        let pairs = (draw.next() > 0.0).then_some(1).unwrap_or_default();
+        let pairs = usize::from(draw.next() > 0.0);
         let contacts = surfaces + pairs;
         let mut rows = DMatrix::from_fn(2 * contacts, freedoms, |_, _| draw.next());
         let patches = (0..surfaces).map(|surface| {

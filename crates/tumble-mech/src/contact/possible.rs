@@ -134,11 +134,11 @@ impl Choice<'_> {
 
     /// The same choice with kinetic coefficients, where it is one motion.
     fn going_on(&self) -> Option<Pushes> {
-        let slips = self.of.patches.iter().zip(self.grips);
+        let mut slips = self.of.patches.iter().zip(self.grips);
         let differs = |(patch, grip): (&Patch, &Grip)| {
             !grip.is_still() && patch.slips.is_none() && patch.friction[0] != patch.friction[1]
         };
-        if !slips.map(differs).any(|differs| differs) {
+        if !slips.any(differs) {
             return None;
         }
         let (mut motions, _) = Choice { which: 1, ..*self }.motions();
