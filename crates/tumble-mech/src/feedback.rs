@@ -162,7 +162,9 @@ impl Equations {
             return Err(Reason::Model(self.undetermined(&known.force.name, &known.loads, WEDGED)));
         }
         let left: Vec<Expr> = fed.iter().map(|fed| fed.left.clone()).collect();
-        let left = self.values(&left, at.mode, at.time, at.states, at.inputs)?;
+        // What events have set is written in them already.
+        let as_written = Mode { changes: vec![], ..at.mode.clone() };
+        let left = self.values(&left, &as_written, at.time, at.states, at.inputs)?;
         let is_wrong =
             |(index, left): (usize, &f64)| told.contains(&index) || left.is_nan() || *left <= WEDGED;
         match left.iter().enumerate().position(is_wrong) {
@@ -203,9 +205,7 @@ impl Equations {
         read: &[Symbol],
         formulas: &[Expr],
     ) -> Result<(), Reason> {
-        let formulas: Vec<Expr> =
-            formulas.iter().map(|formula| self.changes(at.mode).apply(formula)).collect();
-        let open = self.spreads(at.mode, at.time, at.states, at.inputs, &formulas)?;
+        let open = self.spreads(at.mode, at.time, at.states, at.inputs, formulas)?;
         if open.iter().all(Option::is_none) {
             return Ok(());
         }

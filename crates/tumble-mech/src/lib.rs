@@ -106,7 +106,7 @@ pub use observer::Observer;
 pub use parameters::{Known, Parameters};
 pub use place::Place;
 pub use potential::Potential;
-pub use record::{Happening, Record};
+pub use record::{Happening, Others, Record};
 pub use refined::Quadrature;
 pub use run::{Instant, Run, RunError};
 pub use shape::Shape;

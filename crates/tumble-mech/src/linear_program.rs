@@ -9,11 +9,18 @@ const ROUNDS: usize = 50;
 
 /// The greatest `d . x` of all `x >= 0` with `A x <= b`, where `b >= 0`; infinite where nothing bounds it.
 pub(crate) fn greatest(d: &DVector<f64>, a: &DMatrix<f64>, b: &DVector<f64>) -> f64 {
+    best(d, a, b).map_or(f64::INFINITY, |(greatest, _)| greatest)
+}
+
+/// The same with an x of which it is; `None` where nothing bounds it.
+pub(crate) fn best(d: &DVector<f64>, a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
     let (m, n) = a.shape();
     let mut table = DMatrix::zeros(m + 1, n + m + 1);
+    let mut units = vec![1.0; n];
     for column in 0..n {
         let unit = 1.0 / a.column(column).iter().fold(f64::MIN_POSITIVE, |most, a| most.max(a.abs()));
         let unit = if unit.is_finite() { unit } else { 1.0 };
+        units[column] = unit;
         (0..m).for_each(|row| table[(row, column)] = a[(row, column)] * unit);
         table[(m, column)] = -d[column] * unit;
     }
@@ -26,16 +33,20 @@ pub(crate) fn greatest(d: &DVector<f64>, a: &DMatrix<f64>, b: &DVector<f64>) -> 
     for _ in 0..ROUNDS * (n + m) {
         // Bland's rule: the first that gains, and of equals the first that leaves.
         let Some(entering) = (0..n + m).find(|column| table[(m, *column)] < -worth) else {
-            return table[(m, n + m)];
+            let mut x = DVector::zeros(n);
+            for (row, column) in basis.into_iter().enumerate().filter(|(_, column)| *column < n) {
+                x[column] = table[(row, n + m)] * units[column];
+            }
+            return Some((table[(m, n + m)], x));
         };
         let bounding = (0..m).filter(|row| table[(*row, entering)] > ZERO);
         let limit = |row: usize| table[(row, n + m)] / table[(row, entering)];
         let first = bounding.min_by(|i, j| limit(*i).total_cmp(&limit(*j)).then(basis[*i].cmp(&basis[*j])));
-        let Some(leaving) = first else { return f64::INFINITY };
+        let leaving = first?;
         exchange(&mut table, leaving, entering);
         basis[leaving] = entering;
     }
-    f64::INFINITY
+    None
 }
 
 /// Makes the column that of a unknown which only this row holds.
@@ -54,8 +65,16 @@ mod tests {
     use proptest::prelude::*;
 
     fn of(d: &[f64], a: &[f64], b: &[f64]) -> f64 {
-        let a = DMatrix::from_row_slice(b.len(), d.len(), a);
-        greatest(&DVector::from_row_slice(d), &a, &DVector::from_row_slice(b))
+        let (a, d, b) = (
+            DMatrix::from_row_slice(b.len(), d.len(), a),
+            DVector::from_row_slice(d),
+            DVector::from_row_slice(b),
+        );
+        if let Some((greatest, x)) = best(&d, &a, &b) {
+            assert!((d.dot(&x) - greatest).abs() < 1e-9 * (1.0 + greatest.abs()));
+            assert!(x.iter().all(|x| *x >= 0.0) && (&a * x - &b).iter().all(|over| *over < 1e-9));
+        }
+        greatest(&d, &a, &b)
     }
 
     #[test]

@@ -11,6 +11,17 @@ pub struct Record {
     pub happened: Vec<Happening>,
     /// Impulses that acted, those of pivots included.
     pub impulses: Vec<Impulse>,
+    /// Where rigid bodies with friction might go on otherwise.
+    pub others: Vec<Others>,
+}
+
+/// What is known of motions beside the one that goes on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Others {
+    /// All that are possible, in sentences; the one that goes on keeps contacts as they were.
+    Possible(String),
+    /// There may be others: too many contacts take part for all to be tried.
+    Unexamined,
 }
 
 /// Something that happens at an instant; what it happens to is known by its index.
@@ -67,7 +78,9 @@ impl Record {
 
     /// Bytes that it holds beside its own size.
     pub(crate) fn held(&self) -> usize {
-        self.happened.capacity() * size_of::<Happening>() + self.impulses.capacity() * size_of::<Impulse>()
+        self.happened.capacity() * size_of::<Happening>()
+            + self.impulses.capacity() * size_of::<Impulse>()
+            + self.others.capacity() * size_of::<Others>()
     }
 }
 

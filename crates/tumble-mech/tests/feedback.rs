@@ -247,6 +247,45 @@ fn a_part_that_comes_to_one_is_refused() {
     close(at(&lifted, 0.5, [normal(&model, "floor", "block")])[0], 2.0 * G / 1001.0, 1e-14);
 }
 
+/// A parameter that an event gives another formula at 1 s.
+fn changed(model: &mut Model, value: f64, to: impl Fn(&Expr) -> Expr) -> Expr {
+    let part = model.parameters.set("c", Expr::from(value)).expect("a name");
+    let action = Action::Set(vec![("c".into(), to(&part))]);
+    let when = time() - 1 * S;
+    model.events.push(Event { name: "change".into(), when, direction: Direction::Rising, action });
+    part
+}
+
+/// A part of 0.3 to which an event adds 0.4 leaves a force; if 0.4 were added twice it would not.
+#[test]
+fn what_an_event_sets_is_fed_back_once() {
+    let mut named = Model::new();
+    let part = changed(&mut named, 0.3, |part| part + 0.4);
+    let model = Model { parameters: named.parameters, events: named.events, ..pressed(part) };
+    let run = run(model.clone(), 2.0, 1e-12);
+    close(at(&run, 1.5, [normal(&model, "floor", "block")])[0], 2.0 * G / 0.3, 1e-12);
+}
+
+/// A load reads one of three feet from 1.5 s on, with a coefficient of which an event makes `1 - c`: refused where that is not zero.
+#[test]
+fn what_an_event_sets_of_a_force_that_is_not_unique_counts_once() {
+    for (before, is_open) in [(0.0, true), (1.0, false)] {
+        let mut model = bench_of_three();
+        let part = changed(&mut model, before, |part| 1 - part);
+        let force = part * Expr::from(model.pairs()[1].force_symbol());
+        let cm = Place::Material(model.bodies[0].cm());
+        let load = Load::force("push", "bench", cm, Vector::planar(force, 0 * N));
+        model.loads.push(load.during(1.5 * S, 3 * S));
+        match tried(&model, 2.0) {
+            Ok(_) => assert!(!is_open, "{before}"),
+            Err(_) => {
+                let (time, text) = refused(&model, 2.0);
+                assert!(is_open && time == 1.5 && text.contains("more contacts or joints bear"), "{text}");
+            }
+        }
+    }
+}
+
 /// What a hinge's own force turns so that it need not turn at all: `I = c m r cos`.
 #[test]
 fn a_hinge_that_feeds_itself_is_refused() {
@@ -263,20 +302,27 @@ fn a_hinge_that_feeds_itself_is_refused() {
     }
 }
 
-/// A bench on three feet: what each bears is open, what all bear is not.
+/// A bench of 3 kg on three feet, sliding without friction.
+fn bench_of_three() -> Model {
+    let foot = |x: f64| Part {
+        shape: Shape::Disk { centre: Vector::planar(x * M, 0 * M), radius: 0.1 * M },
+        mass: 1 * KG,
+    };
+    let mut model = in_gravity();
+    model.add(Body::from_parts("bench", [-1.0, 0.0, 1.0].map(foot).to_vec()));
+    let start = Start::default().at([0 * M, 0.1 * M]).velocity([1 * M / S, 0 * M / S]);
+    model.starts.push(("bench".into(), start));
+    model.surface(Surface::floor("floor", 0 * M, rigid(0.0)));
+    model
+}
+
+/// What each foot bears is open, what all bear is not.
 #[test]
 fn what_is_not_unique_is_refused_and_its_sum_is_not() {
     let bench = |of: &dyn Fn(&[Expr]) -> Expr| {
-        let foot = |x: f64| Part {
-            shape: Shape::Disk { centre: Vector::planar(x * M, 0 * M), radius: 0.1 * M },
-            mass: 1 * KG,
-        };
-        let mut model = in_gravity();
-        let body = model.add(Body::from_parts("bench", [-1.0, 0.0, 1.0].map(foot).to_vec()));
-        let start = Start::default().at([0 * M, 0.1 * M]).velocity([1 * M / S, 0 * M / S]);
-        model.starts.push(("bench".into(), start));
-        model.surface(Surface::floor("floor", 0 * M, rigid(0.0)));
+        let mut model = bench_of_three();
         let feet: Vec<Expr> = model.pairs().iter().map(|pair| pair.force_symbol().into()).collect();
+        let body = model.bodies[0].clone();
         model.force("drag", &body.cm(), Vector::planar(-0.1 * of(&feet), 0 * N));
         model
     };

@@ -137,6 +137,8 @@ tumble_expr::codes! {
     NeverComes = "W0608";
     /// Two quantities that are shown by the same symbol.
     ShownAlike = "W0609";
+    /// A motion of rigid bodies with friction that might go on otherwise, or of which it was not looked at.
+    OtherMotions = "W0610";
 }
 
 #[cfg(test)]

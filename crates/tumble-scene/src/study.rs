@@ -156,6 +156,27 @@ impl Study {
         self.said.one(warning.help(help).warning())
     }
 
+    /// That rigid bodies with friction might go on otherwise at an instant, s; `motions` are those that are possible, in sentences.
+    pub fn other_motions(&self, at: f64, motions: &str) -> Diagnostics {
+        let message = format!("from {at} s on rigid bodies with friction might go on otherwise. {motions}");
+        let warning = self.said.places.about(Code::OtherMotions, motions, message).label("of this contact");
+        let help = "the run goes on with the one that keeps every contact as it was; a compliant surface would know how hard it is pressed";
+        self.said.one(warning.help(help).warning())
+    }
+
+    /// That nobody looked at whether there are others, at so many instants, of which the first is at a time, s.
+    pub fn unexamined_motions(&self, at: f64, count: usize) -> Diagnostics {
+        let instants =
+            if count == 1 { "one instant".to_owned() } else { format!("{count} instants, the first") };
+        let message = format!(
+            "at {instants} at {at} s, whether rigid bodies with friction might go on otherwise was not examined: more than six contacts take part"
+        );
+        let warning =
+            self.said.places.about(Code::OtherMotions, "until", message).label("as far as it was found");
+        let help = "each contact keeps to its laws; with friction that is small enough, or fewer bodies that touch at once, it would be certain";
+        self.said.one(warning.help(help).warning())
+    }
+
     /// That two quantities are shown by the same symbol, so that no reader can tell them apart.
     pub fn shown_alike(&self, name: &str, other: &str, symbol: &str) -> Diagnostics {
         let message = format!("`{name}` and `{other}` are both shown as {symbol}");

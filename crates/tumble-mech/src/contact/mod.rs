@@ -7,6 +7,7 @@
 mod between;
 mod border;
 mod capture;
+mod certain;
 mod change;
 mod circles;
 pub(crate) mod complementarity;
@@ -21,6 +22,7 @@ mod opposite;
 mod outlines;
 mod pair;
 mod pairs;
+mod possible;
 mod rough;
 mod routh;
 mod said;

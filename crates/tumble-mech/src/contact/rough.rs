@@ -14,7 +14,6 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::complementarity::{DEPENDENT, pushing, standing};
 use crate::contact::grip::{Grip, Way};
-use crate::contact::settle::motions::held_still;
 
 /// Friction that is beyond what it can be by less than this part has all that it can be.
 const FULL: f64 = 1e-11;
@@ -166,16 +165,6 @@ impl Rough<'_> {
             (0..self.contacts.len()).filter(|index| held.contains(&self.contacts[*index])).collect();
         let pushes = standing(&reduced.matrix, &reduced.without, &held)?;
         Some(self.complete(grips, reduced, &held, &pushes))
-    }
-
-    /// The motion of a choice of grips in which just these contacts, by their order, are held; `None` if it breaks a condition.
-    pub(super) fn with_held(&self, grips: &[Grip], held: &[usize]) -> Option<Pushes> {
-        let reduced = self.reduced(grips)?;
-        let pushes = held_still(&reduced.matrix, &reduced.without, held)?;
-        let found = self.complete(grips, reduced, held, &pushes);
-        let pulls = held.iter().any(|index| pushes[*index] < 0.0);
-        let closes = self.contacts.iter().any(|contact| found.then[*contact] < -self.zero);
-        (!pulls && !closes && self.wrong(&found).is_none()).then_some(found)
     }
 
     /// Responses along the normals for a choice of grips.

@@ -1,7 +1,7 @@
 //! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
 mod corners;
-pub(in crate::contact) mod motions;
+mod motions;
 mod pressed;
 mod rubbing;
 mod wedged;
@@ -359,7 +359,7 @@ impl<'a> Settling<'a> {
         let (set, push) = pushing(&self.pushes(some), &self.some(some, &self.touch.free))?;
         let push = self.whole(some, &push);
         let then = self.accelerations() + self.touch.pushes() * push;
-        let zero = BALANCED * self.touch.strength;
+        let zero = self.zero();
         if all.iter().any(|position| then[*position] < -zero) {
             return None;
         }
@@ -427,11 +427,16 @@ impl<'a> Settling<'a> {
         }
     }
 
+    /// An acceleration that is none.
+    fn zero(&self) -> f64 {
+        BALANCED * self.touch.strength
+    }
+
     /// How many derivatives of a gap that opens are zero now, itself included.
     fn zeros(&self, position: usize) -> usize {
         match self.stands(position) {
             false => 1,
-            true if self.then[position].abs() > BALANCED * self.touch.strength => 2,
+            true if self.then[position].abs() > self.zero() => 2,
             true => 3,
         }
     }

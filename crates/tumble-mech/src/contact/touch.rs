@@ -105,6 +105,11 @@ impl Touch {
         self.pushes.as_ref().unwrap_or(&self.response)
     }
 
+    /// How many velocities joints leave free.
+    pub(crate) fn freedoms(&self) -> usize {
+        self.velocities.len() - self.joints.rows.len()
+    }
+
     /// Whether loads read forces of contacts or joints.
     pub(crate) fn is_fed(&self) -> bool {
         self.pushes.is_some()
@@ -161,7 +166,7 @@ impl Equations {
         let velocities: Vec<usize> =
             island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
         let tape = self.island_tape(island, mode, &all)?;
-        let jets = to_first_order(&tape, (states, &velocities), now);
+        let jets = to_second_order(&tape, (states, &velocities), now);
         let (pairs, tape) =
             self.near(mode, &all, &Numbers { tape: &tape, jets: &jets, dofs: velocities.len() });
         let joints = self.independent_rows_of(mode, island).into_iter().map(|(index, _)| index).collect();
@@ -270,22 +275,26 @@ impl Equations {
 }
 
 /// The tape's numbers; gaps and normals of bodies are made of differences of much larger numbers, and what rounding has left out of places is
-/// found to first order. Velocities are as they are: what an impulse makes zero is zero.
-fn to_first_order(tape: &InstantTape, (states, velocities): (&[f64], &[usize]), now: Now<'_>) -> Jets<f64> {
-    let mut jets = Jets::new(Arc::clone(&tape.tape), 1, now.inputs);
+/// found to second order: at 1e9 m it is the millionth part of a body's size. Velocities are as they are: what an impulse makes zero is zero.
+fn to_second_order(tape: &InstantTape, (states, velocities): (&[f64], &[usize]), now: Now<'_>) -> Jets<f64> {
+    let mut jets = Jets::new(Arc::clone(&tape.tape), 2, now.inputs);
     jets.start(now.time, states, Branches::Free);
     for (leaf, compensation) in now.compensation.iter().take(states.len()).enumerate() {
         jets.set(leaf, 1, if velocities.contains(&leaf) { 0.0 } else { *compensation });
     }
     jets.set(states.len(), 1, 0.0);
     jets.extend(1);
+    (0..=states.len()).for_each(|leaf| jets.set(leaf, 2, 0.0));
+    jets.extend(2);
     jets
 }
 
 /// A number with what rounding left out of places.
 fn carried(jets: &Jets<f64>, output: usize) -> f64 {
     let series = jets.output(output);
-    if series[1].is_finite() { series[0] + series[1] } else { series[0] }
+    let first = if series[1].is_finite() { series[0] + series[1] } else { series[0] };
+    // What is zero by its form stays so.
+    if series[2].is_finite() && first != 0.0 { first + series[2] } else { first }
 }
 
 /// The numbers of a tape at an instant.

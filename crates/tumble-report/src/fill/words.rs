@@ -1,7 +1,7 @@
 //! What touches, what acts and what happens, in words: `the tail presses on the floor`.
 
 use tumble_expr::is_identically_zero;
-use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Pair, Record};
+use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Others, Pair, Record};
 use tumble_ode::Event;
 use tumble_scene::Study;
 
@@ -182,6 +182,8 @@ pub(crate) fn event(study: &Study, equations: &Equations, event: &Event<Record>)
         true => pairs_of_bodies(&groups),
         false => groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect(),
     });
+    let is_possible = |others: &Others| matches!(others, Others::Possible(_));
+    told.extend(event.record.others.iter().any(is_possible).then(|| "other motions are possible".to_owned()));
     told.join(", ")
 }
 

@@ -1,6 +1,6 @@
 //! What goes wrong after a scene was read, at its place in the scene.
 
-use tumble_mech::{Happening, RunError};
+use tumble_mech::{Happening, Others, RunError};
 use tumble_ode::Reason;
 use tumble_scene::{Diagnostics, Question, Study, When};
 
@@ -79,6 +79,7 @@ pub(crate) fn said(study: &Study, case: &Case) -> Result<Diagnostics, CaseError>
     if case.refusal.is_none() {
         never_comes(study, case, &mut said);
     }
+    other_motions(study, case, &mut said);
     empty_windows(study, case, &mut said)?;
     name_run(&mut said, &case.label);
     Ok(said)
@@ -107,6 +108,21 @@ fn never_comes(study: &Study, case: &Case, said: &mut Diagnostics) {
     for (index, impulse) in study.model.impulses.iter().enumerate() {
         let what = format!("impulse `{}`", impulse.name);
         tell(what, "never acts", &Some(impulse.when.clone()), Happening::Impulse(index));
+    }
+}
+
+/// Where rigid bodies with friction might go on otherwise.
+fn other_motions(study: &Study, case: &Case, said: &mut Diagnostics) {
+    let others = case.run.events().flat_map(|event| event.record.others.iter().map(|one| (event.time, one)));
+    let mut unexamined = vec![];
+    for (time, others) in others {
+        match others {
+            Others::Possible(motions) => said.extend(study.other_motions(time, motions)),
+            Others::Unexamined => unexamined.push(time),
+        }
+    }
+    if let Some(first) = unexamined.first() {
+        said.extend(study.unexamined_motions(*first, unexamined.len()));
     }
 }
 

@@ -1,66 +1,114 @@
-//! The motions that contacts with friction allow where there may be none or several: every choice of who pushes, sticks and slides is tried.
+//! The motions that contacts with friction allow where there may be none or several: told, and refused where none of them is the one before.
 
-use nalgebra::DVector;
+use tumble_ode::Reason;
 
 use super::Settling;
+use super::rubbing::Rubbing;
+use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
+use crate::contact::possible::Motions;
 use crate::contact::rough::{Patch, Pushes};
+use crate::mode::Mode;
+use crate::record::{Jump, Others};
 
-/// With more contacts than this not all choices are tried: there are up to four for each.
+/// With more contacts, or surfaces, than this not all choices are tried: there are up to four for each.
 const MOST_EXAMINED: usize = 6;
-/// Motions whose accelerations differ by less than this part are one.
-const ONE: f64 = 1e-9;
 
 impl Settling<'_> {
     /// What some contacts may do, for a message.
     pub(super) fn possible_motions(&self, some: &[usize], patches: &[Patch]) -> String {
-        if some.len() > MOST_EXAMINED {
-            return format!(
-                "Which of these it is was not examined: more than {MOST_EXAMINED} contacts take part"
-            );
-        }
-        let found = self.motions(some, patches);
-        let listed: Vec<String> = found.iter().map(|motion| self.told(some, patches, motion)).collect();
-        match listed.len() {
-            0 => "No motion without an impact is possible".into(),
-            1 => format!("One motion is possible: {}", listed[0]),
-            count => format!("{count} motions are possible: {}", listed.join("; or ")),
+        let forced: Vec<Option<Way>> = patches.iter().map(|patch| patch.slips).collect();
+        match self.motions(some, patches, &forced) {
+            Some(motions) => self.listed(some, patches, &motions),
+            None => {
+                format!("Which of these it is was not examined: more than {MOST_EXAMINED} contacts take part")
+            }
         }
     }
 
-    /// Every motion once.
-    fn motions(&self, some: &[usize], patches: &[Patch]) -> Vec<Pushes> {
-        let rough = self.forces(some, patches);
-        let mut found: Vec<Pushes> = vec![];
-        for grips in choices(patches) {
-            for set in 0..1_usize << some.len() {
-                let held: Vec<usize> = (0..some.len()).filter(|index| set >> index & 1 == 1).collect();
-                let Some(motion) = rough.with_held(&grips, &held) else { continue };
-                let size = motion.then.amax().max(self.touch.strength);
-                let is_known = |known: &Pushes| (&known.then - &motion.then).amax() <= ONE * size;
-                if !found.iter().any(is_known) {
-                    found.push(motion);
-                }
-            }
+    /// What else may be possible than what was found for some contacts; refused where what was found does not go on as before.
+    pub(super) fn other_motions(
+        &self,
+        some: &[usize],
+        rubbing: &Rubbing,
+        jump: &Jump<Mode>,
+    ) -> Result<Option<Others>, Reason> {
+        let Rubbing { patches, forced, found } = rubbing;
+        let freedoms = self.touch.freedoms();
+        if !self.touch.is_fed() && self.forces(some, patches).is_certain(freedoms) {
+            return Ok(None);
         }
-        found
+        let Some(motions) = self.motions(some, patches, forced) else { return Ok(Some(Others::Unexamined)) };
+        if motions.found.len() < 2 && !motions.is_unbounded {
+            return Ok(None);
+        }
+        let motions = self.listed(some, patches, &motions);
+        match self.goes_on(some, patches, found, &jump.mode) {
+            true => Ok(Some(Others::Possible(motions))),
+            false => Err(Reason::Model(format!(
+                "how {} goes on is not determined by rigid bodies with friction. {motions}. Leave a gap, take less friction, or a compliant \
+                 surface, on which it counts how hard bodies are pressed",
+                self.equations.body_names(&self.island)
+            ))),
+        }
+    }
+
+    /// `None` where they are too many.
+    fn motions(&self, some: &[usize], patches: &[Patch], forced: &[Option<Way>]) -> Option<Motions> {
+        let are_few = some.len() <= MOST_EXAMINED && patches.len() <= MOST_EXAMINED;
+        are_few.then(|| self.forces(some, patches).motions(forced))
+    }
+
+    /// Whether what was found holds each contact as it was held before this instant.
+    fn goes_on(&self, some: &[usize], patches: &[Patch], found: &Pushes, before: &Mode) -> bool {
+        let lasts = |position: &usize| {
+            let lasted =
+                before.contact_mode(self.touch.pairs[*position]).is_some_and(ContactMode::is_lasting);
+            lasted == (found.then[*position] <= self.zero())
+        };
+        let slips = |(patch, grip): (&Patch, &Grip)| {
+            let mut own = patch.contacts.iter().map(|(_, row)| self.slipping(*row));
+            let known = own.find_map(|pair| before.grip(pair));
+            known.is_some_and(|known| known == *grip || (known.is_still() && grip.is_still()))
+        };
+        some.iter().all(lasts) && patches.iter().zip(&found.grips).all(slips)
+    }
+
+    fn listed(&self, some: &[usize], patches: &[Patch], motions: &Motions) -> String {
+        let listed: Vec<String> =
+            motions.found.iter().map(|motion| self.told(some, patches, motion)).collect();
+        let more = match (motions.is_unbounded, motions.is_between) {
+            (true, _) => "; and others, with larger forces",
+            (false, true) => "; and others between them",
+            (false, false) => "",
+        };
+        match listed.len() {
+            0 => "No motion without an impact is possible".into(),
+            1 => format!("One motion is possible: {}{more}", listed[0]),
+            count => format!("{count} motions are possible: {}{more}", listed.join("; or ")),
+        }
     }
 
     fn told(&self, some: &[usize], patches: &[Patch], motion: &Pushes) -> String {
+        let number = |value: f64| if value.abs() <= self.zero() { 0.0 } else { value };
         let each = some.iter().map(|position| {
             let name = &self.equations.pairs()[self.touch.pairs[*position]].name;
-            let grip = patches.iter().zip(&motion.grips).find_map(|(patch, grip)| {
+            let patch = patches.iter().zip(&motion.grips).find_map(|(patch, grip)| {
                 let (_, row) = patch.contacts.iter().find(|(contact, _)| contact == position)?;
-                Some((grip, motion.then[*row]))
+                Some((patch, grip, number(motion.then[*row])))
             });
-            if !motion.held.contains(position) {
-                return format!("`{name}` opens with {} m/s^2", motion.then[*position]);
+            let opening = number(motion.then[*position]);
+            if !motion.held.contains(position) && opening > 0.0 {
+                return format!("`{name}` opens with {opening} m/s^2");
             }
-            let pushed = format!("the normal force {} N", motion.pushes[*position]);
-            match grip {
+            let push = motion.pushes[*position];
+            let pushed = format!("the normal force {push} N");
+            match patch {
                 None => format!("`{name}` stays closed with {pushed}"),
-                Some((Grip::Slides(way), change)) => {
-                    let way = if *way == Way::Forward { "forward" } else { "backward" };
+                Some((patch, Grip::Slides(way), change)) => {
+                    let is_without = patch.slips.is_none() && push == 0.0;
+                    let way = if is_without { Way::of(change) } else { *way };
+                    let way = if way == Way::Forward { "forward" } else { "backward" };
                     format!("`{name}` slides {way} with {pushed}, its slip changing by {change} m/s^2")
                 }
                 Some(_) => format!("`{name}` sticks with {pushed}"),
@@ -68,30 +116,4 @@ impl Settling<'_> {
         });
         each.collect::<Vec<_>>().join(", ")
     }
-}
-
-/// All choices of grips; what slips already goes on to.
-fn choices(patches: &[Patch]) -> Vec<Vec<Grip>> {
-    let free = [Grip::Sticks, Grip::Slides(Way::Forward), Grip::Slides(Way::Backward)];
-    patches.iter().fold(vec![vec![]], |choices, patch| {
-        let own = patch.slips.map_or(free.to_vec(), |way| vec![Grip::Slides(way)]);
-        choices.iter().flat_map(|known| own.iter().map(|grip| [&known[..], &[*grip]].concat())).collect()
-    })
-}
-
-/// Pushes at these indices of a matrix with which what they are of stands still, of either sign.
-pub(in crate::contact) fn held_still(
-    matrix: &nalgebra::DMatrix<f64>,
-    without: &DVector<f64>,
-    held: &[usize],
-) -> Option<DVector<f64>> {
-    if held.is_empty() {
-        return Some(DVector::zeros(without.len()));
-    }
-    let part = nalgebra::DMatrix::from_fn(held.len(), held.len(), |i, j| matrix[(held[i], held[j])]);
-    let right = DVector::from_fn(held.len(), |i, _| -without[held[i]]);
-    let own = part.lu().solve(&right).filter(|own| own.iter().all(|push| push.is_finite()))?;
-    let mut all = DVector::zeros(without.len());
-    held.iter().zip(&own).for_each(|(index, push)| all[*index] = *push);
-    Some(all)
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
-use super::{BALANCED, Lasting, STANDS, Settling, Slow, Touched};
+use super::{Lasting, STANDS, Settling, Slow, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
@@ -28,8 +28,10 @@ const MOST_SEQUENTIAL: usize = 10_000;
 
 /// Contacts with friction that last.
 pub(super) struct Rubbing {
-    patches: Vec<Patch>,
-    found: Pushes,
+    pub(super) patches: Vec<Patch>,
+    /// By patch, the way that it slips, or has to from now on.
+    pub(super) forced: Vec<Option<Way>>,
+    pub(super) found: Pushes,
 }
 
 /// What the restitution of a pair is the ratio of.
@@ -234,7 +236,7 @@ impl Settling<'_> {
         self.refuse_wedged(some, &patches, touched, jump)?;
         let beginning = self.slipping_from_the_start(some, &patches, jump);
         let forced = self.forced(&patches, touched, &beginning, jump);
-        let zero = BALANCED * self.touch.strength;
+        let zero = self.zero();
         let moves_as_forced = |rough: &Rough<'_>, found: &Pushes| {
             let mut ways = rough.patches.iter().zip(&patches).filter(|(_, own)| own.slips.is_none());
             ways.all(|(patch, _)| {
@@ -242,15 +244,17 @@ impl Settling<'_> {
             })
         };
         let rough = |patches: &[Patch]| self.forces(some, patches);
-        let found = forced.and_then(|forced| {
-            let rough = rough(&forced);
+        let found = forced.as_ref().and_then(|forced| {
+            let rough = rough(forced);
             rough.solve().filter(|found| moves_as_forced(&rough, found))
         });
+        let forced = forced.filter(|_| found.is_some()).unwrap_or_else(|| patches.clone());
         let found = found.or_else(|| rough(&patches).solve());
         self.refuse_wedged_among(some, &patches, found.as_ref(), touched, jump)?;
         let Some(found) = found else { return Ok(None) };
         let closes = all.iter().any(|position| found.then[*position] < -zero);
-        Ok((!closes).then_some(Rubbing { patches, found }))
+        let forced = forced.iter().map(|patch| patch.slips).collect();
+        Ok((!closes).then_some(Rubbing { patches, forced, found }))
     }
 
     /// Accelerations of all gaps and slips without forces of contacts that last.
@@ -307,10 +311,12 @@ impl Settling<'_> {
             }
         };
         self.refuse_undetermined(some, &rubbing)?;
+        let others = self.other_motions(some, &rubbing, jump)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;
         // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
         let turned = self.turned(&rubbing);
         if turned.iter().all(|pair| touched.stopped.contains(pair)) {
+            jump.record.others.extend(others);
             return Ok(Lasting { modes, rubbing: Some(rubbing) });
         }
         let mut touched = touched.clone();
@@ -323,9 +329,9 @@ impl Settling<'_> {
     fn refuse_undetermined(
         &self,
         some: &[usize],
-        Rubbing { patches, found }: &Rubbing,
+        Rubbing { patches, found, .. }: &Rubbing,
     ) -> Result<(), Reason> {
-        let zero = BALANCED * self.touch.strength;
+        let zero = self.zero();
         let kinetic = |position: usize| {
             let mut own = patches.iter().zip(&found.grips);
             let (patch, grip) =
@@ -365,7 +371,7 @@ impl Settling<'_> {
     }
 
     /// Pairs that slipped and slip no more, or against the way in which they were found to slide.
-    fn turned(&self, Rubbing { patches, found }: &Rubbing) -> Vec<usize> {
+    fn turned(&self, Rubbing { patches, found, .. }: &Rubbing) -> Vec<usize> {
         let slips = &self.touch.slips;
         let is_turned = |patch: &Patch, grip: &Grip| match (patch.slips, grip) {
             (Some(_), Grip::Slides(way)) => {
@@ -416,7 +422,7 @@ impl Settling<'_> {
             patches: patches.to_vec(),
             given: DVector::zeros(self.touch.response.nrows()),
             loads: DVector::zeros(self.touch.response.nrows()),
-            zero: BALANCED * self.touch.strength,
+            zero: self.zero(),
         }
     }
 
@@ -436,9 +442,9 @@ impl Settling<'_> {
         rubbing: &Rubbing,
         jump: &mut Jump<Mode>,
     ) -> Result<Vec<(usize, ContactMode)>, Reason> {
-        let Rubbing { patches, found } = rubbing;
+        let Rubbing { patches, found, .. } = rubbing;
         self.then = found.then.clone();
-        let zero = BALANCED * self.touch.strength;
+        let zero = self.zero();
         let contact_mode = |position: &usize| match found.held.contains(position) {
             true => Some((*position, ContactMode::Resting)),
             false if found.then[*position] <= zero => Some((*position, ContactMode::Idle)),
@@ -458,7 +464,7 @@ impl Settling<'_> {
             self.equations.pair_list().rubbing(pair).for_each(|own| jump.mode.set_grip(own, None));
             jump.mode.still.retain(|body| !self.equations.pairs()[pair].has(*body));
         }
-        let Some(Rubbing { patches, found }) = rubbing else { return };
+        let Some(Rubbing { patches, found, .. }) = rubbing else { return };
         for (patch, grip) in patches.iter().zip(&found.grips) {
             let holds = patch.contacts.iter().any(|(_, row)| found.holding.contains(row));
             let touches = |position: &usize| {
