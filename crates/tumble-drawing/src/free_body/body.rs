@@ -4,7 +4,7 @@ use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::text::Label;
 
-use super::arrow::{Arrow, Couple, Spread, Unit, Velocity};
+use super::arrow::{Arrow, ArrowUnit, Couple, DistributedForce, Velocity};
 use super::side::SideView;
 use super::surface::Ground;
 
@@ -65,7 +65,7 @@ pub struct FreeBodyDiagram {
     /// Points that get names.
     pub points: Vec<NamedPoint>,
     /// What the arrows stand for.
-    pub unit: Unit,
+    pub unit: ArrowUnit,
     /// Forces with their points of action.
     pub forces: Vec<Arrow>,
     /// Couples.
@@ -79,7 +79,7 @@ pub struct FreeBodyDiagram {
     /// Velocities: of the centre of mass, of the air past a point.
     pub velocities: Vec<Velocity>,
     /// Forces along lines; their sums are among the forces.
-    pub spreads: Vec<Spread>,
+    pub spreads: Vec<DistributedForce>,
     /// Angular velocity in rad/s, counter-clockwise, if it is to be shown.
     pub rate: Option<f64>,
     /// For motion in a horizontal plane, seen from above: what acts out of the plane.
@@ -150,7 +150,7 @@ impl FreeBodyDiagram {
 
     /// With impulses instead of forces.
     pub fn impulses(mut self) -> Self {
-        self.unit = Unit::impulse();
+        self.unit = ArrowUnit::impulse();
         self
     }
 

@@ -5,7 +5,7 @@ use crate::heading::wrapped;
 use crate::outline::Pen;
 use crate::rect::Rect;
 use crate::svg::{Element, PathData, circle};
-use crate::text::{Anchor, Label, PlacedText};
+use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{BODY, GREY, HAIRLINE, INK, LEADING, PAPER, SMALL};
 
 use super::body::FreeBodyDiagram;
@@ -227,7 +227,7 @@ impl Panel {
     fn draw_heading(&self) -> Vec<Element> {
         let line = |(i, label): (usize, &Label)| {
             let y = self.frame.y + INSET + SMALL * (0.9 + LEADING * i as f64);
-            PlacedText::new(label, [self.frame.x + INSET, y], SMALL, Anchor::Start).element()
+            PlacedText::new(label, [self.frame.x + INSET, y], SMALL, TextAnchor::Start).element()
         };
         self.heading.iter().enumerate().map(line).collect()
     }
@@ -235,7 +235,7 @@ impl Panel {
     fn draw_listed(&self) -> Vec<Element> {
         let line = |(i, label): (usize, &Label)| {
             let y = self.frame.bottom() - INSET - NOTE * LEADING * i as f64;
-            PlacedText::new(label, [self.frame.x + INSET, y], NOTE, Anchor::Start).colour(INK).element()
+            PlacedText::new(label, [self.frame.x + INSET, y], NOTE, TextAnchor::Start).colour(INK).element()
         };
         self.listed.iter().rev().enumerate().map(line).collect()
     }
@@ -244,7 +244,7 @@ impl Panel {
         let side = self.side.as_ref()?;
         let caption = |text: &str, area: &Rect| {
             let at = [area.centre()[0], area.y - 0.35 * NOTE];
-            PlacedText::new(&Label::plain(text), at, NOTE, Anchor::Middle).element()
+            PlacedText::new(&Label::plain(text), at, NOTE, TextAnchor::Middle).element()
         };
         let captions =
             [caption("seen from above", &self.main.area), caption("side view, own scale", &side.area)];

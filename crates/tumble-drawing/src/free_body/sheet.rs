@@ -9,7 +9,7 @@ use crate::svg::{Element, Svg};
 use crate::text::Label;
 use crate::theme::{GAP, MARGIN, PAPER, SMALL};
 
-use super::arrow::{Kind, Unit};
+use super::arrow::{ArrowKind, ArrowUnit};
 use super::body::FreeBodyDiagram;
 use super::describe::describe;
 use super::fit::{Room, scales};
@@ -28,7 +28,7 @@ const KINDS: usize = 2;
 
 /// Free-body diagrams in a grid.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
+pub struct FreeBodySheet {
     /// Title above the panels; may be empty.
     pub title: Label,
     /// The panels, row by row.
@@ -39,13 +39,13 @@ pub struct Sheet {
     pub digits: usize,
 }
 
-impl Default for Sheet {
+impl Default for FreeBodySheet {
     fn default() -> Self {
         Self::new(Label::default(), Vec::new())
     }
 }
 
-impl Sheet {
+impl FreeBodySheet {
     /// A sheet with a title, at common scales.
     pub fn new(title: Label, panels: Vec<FreeBodyDiagram>) -> Self {
         Self { title, panels, captions: Vec::new(), digits: DIGITS }
@@ -86,7 +86,7 @@ impl Sheet {
 
 /// A sheet, laid out.
 pub(super) struct Layout<'a> {
-    sheet: &'a Sheet,
+    sheet: &'a FreeBodySheet,
     heading: Heading,
     pub(super) panels: Vec<Panel>,
     /// Scales of each panel.
@@ -97,7 +97,7 @@ pub(super) struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    pub(super) fn new(sheet: &'a Sheet) -> Self {
+    pub(super) fn new(sheet: &'a FreeBodySheet) -> Self {
         let with_name = sheet.names_differ();
         let sources: Vec<_> = sheet.panels.iter().map(|body| Source::new(body, with_name)).collect();
         let grid = Grid::best(&sources);
@@ -165,11 +165,11 @@ impl<'a> Layout<'a> {
     fn groups(&self) -> Vec<Vec<Entry>> {
         let kinds = self.kinds();
         let wanted = kinds.len() >= KINDS;
-        let kinds = kinds.into_iter().filter(|_| wanted).map(Entry::Kind).collect();
+        let kinds = kinds.into_iter().filter(|_| wanted).map(Entry::ArrowKind).collect();
         vec![kinds, self.bars()]
     }
 
-    fn kinds(&self) -> BTreeSet<Kind> {
+    fn kinds(&self) -> BTreeSet<ArrowKind> {
         let drawings = self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
         let bodies = drawings.map(|drawing| &drawing.body);
         bodies
@@ -182,7 +182,7 @@ impl<'a> Layout<'a> {
 
     /// A bar for every unit of arrows and one for lengths.
     fn bars(&self) -> Vec<Entry> {
-        let (mut bars, mut units): (Vec<Entry>, Vec<&Unit>) = (vec![], vec![]);
+        let (mut bars, mut units): (Vec<Entry>, Vec<&ArrowUnit>) = (vec![], vec![]);
         for (panel, scales) in self.panels.iter().zip(&self.scales) {
             let unit = &panel.main.body.unit;
             if scales.largest > 0.0 && !units.contains(&unit) {
@@ -222,7 +222,13 @@ fn all_scales(sources: &[Source], grid: &Grid) -> Vec<Scales> {
     rooms.iter().map(own).collect()
 }
 
-fn panels(sheet: &Sheet, sources: &[Source], grid: &Grid, corner: Point, scales: &[Scales]) -> Vec<Panel> {
+fn panels(
+    sheet: &FreeBodySheet,
+    sources: &[Source],
+    grid: &Grid,
+    corner: Point,
+    scales: &[Scales],
+) -> Vec<Panel> {
     let trim = Trim::new(sources, grid.size[0]);
     let areas: Vec<_> = (0..sources.len()).map(|i| trim.area(&grid.frame(corner, i))).collect();
     let mains: Vec<_> = sources.iter().zip(&areas).map(|(source, area)| split(source, area)).collect();

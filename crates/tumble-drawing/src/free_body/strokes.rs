@@ -3,7 +3,7 @@
 use crate::text::Label;
 use crate::theme::{ARM, ArrowStyle, MOTION};
 
-use super::arrow::{Arrow, Kind, Spread, Velocity};
+use super::arrow::{Arrow, ArrowKind, DistributedForce, Velocity};
 use super::body::{FreeBodyDiagram, NamedPoint};
 use super::draw::CENTRE_RADIUS;
 use super::layout::{Scales, View};
@@ -90,7 +90,7 @@ fn stroke(force: &Arrow, view: &View, scales: &Scales) -> Option<Stroke> {
     let true_length = force.magnitude() / scales.largest * scales.arrow;
     let tail = view.pixel(force.point);
     let head = along(tail, [x, -y], true_length.max(LEAST_LENGTH));
-    let form = if force.kind == Kind::Resultant { Form::Hollow } else { Form::Full };
+    let form = if force.kind == ArrowKind::Resultant { Form::Hollow } else { Form::Full };
     let broken = true_length < LEAST_LENGTH;
     Some(Stroke { tail, head, start: tail, point: tail, broken, style: force.kind.style(), form })
 }
@@ -125,7 +125,7 @@ pub(crate) fn arms(body: &FreeBodyDiagram, view: &View) -> Vec<(Stroke, Label)> 
 
 /// Arrows of forces along a line, tail and head, with what comes from where.
 pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(ArrowStyle, Vec<[Point; 2]>)> {
-    let spread = |spread: &Spread| {
+    let spread = |spread: &DistributedForce| {
         let largest = spread.largest();
         let arrow = |[point, force]: &[Point; 2]| {
             let tail = view.pixel(*point);

@@ -4,7 +4,7 @@ use super::Solver;
 use crate::Reason;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::program::Plan;
-use crate::trajectory::{Event, Trajectory};
+use crate::trajectory::{Occurrence, Trajectory};
 
 impl<H: Hybrid> Solver<'_, H> {
     pub(super) fn jump_if_due(
@@ -31,7 +31,7 @@ impl<H: Hybrid> Solver<'_, H> {
     /// See [`Crossing::around`].
     fn around(&self, mode: usize) -> Vec<(&H::Mode, &[Cause])> {
         let Trajectory { events, modes, .. } = &self.trajectory;
-        let is_same = |event: &&Event<H::Record>| event.time == self.time && event.before == event.after;
+        let is_same = |event: &&Occurrence<H::Record>| event.time == self.time && event.before == event.after;
         let last = events.iter().rev().take_while(is_same);
         let Some(length) = last.clone().position(|event| event.mode_before == mode) else { return vec![] };
         let around = last.take(length + 1).map(|event| (&modes[event.mode_before], &event.causes[..]));
@@ -72,7 +72,7 @@ impl<H: Hybrid> Solver<'_, H> {
         if !unchanged && !self.rounding.is_nearest() {
             self.round_anew((mode, mode_after), &before, &causes);
         }
-        let event = Event {
+        let event = Occurrence {
             time: self.time,
             causes,
             record: jump.record,
