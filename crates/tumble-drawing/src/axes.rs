@@ -30,20 +30,12 @@ pub struct Axis {
     pub label: Label,
     /// Its unit, for instance `m/s^2`; empty for a pure number.
     pub unit: String,
-    /// The values shown; taken from the data if `None`.
-    pub range: Option<Range>,
 }
 
 impl Axis {
-    /// An axis with decimal ticks, its range taken from the data.
+    /// An axis with decimal ticks.
     pub fn new(label: Label, unit: &str) -> Self {
-        Self { label, unit: unit.to_owned(), ..Self::default() }
-    }
-
-    /// Showing just these values.
-    pub fn over(mut self, range: Range) -> Self {
-        self.range = Some(range);
-        self
+        Self { label, unit: unit.to_owned() }
     }
 
     /// The label with its unit in parentheses.

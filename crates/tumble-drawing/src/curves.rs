@@ -107,12 +107,6 @@ impl CurveFigure {
         self
     }
 
-    /// Adds a mark at `at`, in the unit of the horizontal axis.
-    pub fn mark(mut self, at: f64, label: Label) -> Self {
-        self.marks.push(Mark { at, label });
-        self
-    }
-
     /// The drawing. Without data it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
         Layout::new(self, ALONE).draw()
@@ -131,12 +125,12 @@ impl CurveFigure {
     }
 
     fn ranges(&self) -> [Range; 2] {
-        let range = |axis: &Axis, i: usize, tight: bool| {
+        let range = |i: usize, tight: bool| {
             let data = Range::of(self.points().map(|p| p[i]));
             let padded = data.map(|r| if tight { r } else { r.padded(PADDING) });
-            axis.range.or(padded).unwrap_or_default().opened()
+            padded.unwrap_or_default().opened()
         };
-        [range(&self.x, 0, self.runs_forward()), range(&self.y, 1, false)]
+        [range(0, self.runs_forward()), range(1, false)]
     }
 
     /// Whether x never decreases, as time does: then the frame ends with the data.

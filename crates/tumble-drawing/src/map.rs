@@ -90,7 +90,7 @@ impl MapFigure {
     }
 
     fn values(&self) -> Range {
-        self.z.range.or(Range::of(self.cells.iter().copied())).unwrap_or_default().opened()
+        Range::of(self.cells.iter().copied()).unwrap_or_default().opened()
     }
 
     /// One path for each colour.

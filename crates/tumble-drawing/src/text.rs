@@ -243,15 +243,6 @@ impl TextAnchor {
             TextAnchor::End => "end",
         }
     }
-
-    /// Distance from the left end to the anchor, as a part of the width.
-    fn fraction(self) -> f64 {
-        match self {
-            TextAnchor::Start => 0.0,
-            TextAnchor::Middle => 0.5,
-            TextAnchor::End => 1.0,
-        }
-    }
 }
 
 /// A label with its place on the page.
@@ -300,14 +291,6 @@ impl PlacedText {
     /// Whether there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.label.is_empty()
-    }
-
-    /// The space that the label takes, for horizontal text.
-    pub fn bounds(&self) -> Rect {
-        let width = self.label.width(self.size);
-        let left = self.at[0] - self.anchor.fraction() * width;
-        let top = self.at[1] - font::ASCENT * self.size;
-        Rect::new(left, top, width, (font::ASCENT + font::DESCENT) * self.size)
     }
 
     /// The `text` element.

@@ -48,7 +48,7 @@ pub use error::MathError;
 pub use font::{FAMILY, page_font};
 pub use latex::latex;
 pub use layout::{Math, Operator, RateMark};
-pub use mathml::{mathml, mathml_aligned, mathml_block, mathml_in_pieces};
+pub use mathml::{mathml, mathml_in_pieces};
 pub use notation::{Left, Line, Notation, Printed};
 pub use symbol::{Identifier, is_letter};
 pub use text::text;

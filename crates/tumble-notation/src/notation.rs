@@ -9,7 +9,7 @@ use crate::known::{self, Key};
 use crate::layout::Math;
 use crate::print::Printer;
 use crate::spelling::shown_leaves;
-use crate::{MathError, mathml, order};
+use crate::{MathError, order};
 
 /// How formulas are shown.
 #[derive(Clone, Debug)]
@@ -85,32 +85,6 @@ impl Line {
 }
 
 impl Printed {
-    /// Everything as `math` elements: equations aligned at their equals signs, then definitions behind "where".
-    pub fn mathml(&self) -> String {
-        let sides = |lines: &[Line]| -> Vec<(Math, Math)> {
-            let pair = |line: &Line| Some((line.left.clone()?, line.right.clone()));
-            lines.iter().filter_map(pair).collect()
-        };
-        let equations = match self.lines.iter().all(|line| line.left.is_some()) {
-            true => mathml::mathml_aligned(&sides(&self.lines)),
-            false => self.lines.iter().map(|line| mathml::mathml_block(&line.math())).collect(),
-        };
-        if self.definitions.is_empty() {
-            return equations;
-        }
-        format!("{equations}<p>where</p>{}", mathml::mathml_aligned(&sides(&self.definitions)))
-    }
-
-    /// Everything as LaTeX displays for Markdown.
-    pub fn latex(&self) -> String {
-        let display = |line: &Line| format!("$$ {} $$\n", crate::latex(&line.math()));
-        let lines: String = self.lines.iter().map(display).collect();
-        if self.definitions.is_empty() {
-            return lines;
-        }
-        lines + "\nwhere\n\n" + &self.definitions.iter().map(display).collect::<String>()
-    }
-
     /// Everything as text, a line each.
     pub fn text(&self) -> String {
         let lines = self.lines.iter().map(|line| crate::text(&line.math()));

@@ -19,15 +19,13 @@ use super::layout::{Scales, View, body_size};
 use super::panel::{Drawing, INSET, NOTE, Panel, Source, Trim, about_centre, centred_in, room, split};
 use crate::geometry::{Point, minus, plus};
 
-/// Significant digits of printed magnitudes, unless the caller wants others.
-const DIGITS: usize = 3;
 /// Height of a sheet without panels, in pixels.
 const BLANK_HEIGHT: f64 = 100.0;
 /// Panels need a legend from this many kinds of forces on.
 const KINDS: usize = 2;
 
 /// Free-body diagrams in a grid.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct FreeBodySheet {
     /// Title above the panels; may be empty.
     pub title: Label,
@@ -35,31 +33,17 @@ pub struct FreeBodySheet {
     pub panels: Vec<FreeBodyDiagram>,
     /// Captions below the panels.
     pub captions: Vec<Label>,
-    /// Significant digits of printed magnitudes, 1 to 17.
-    pub digits: usize,
-}
-
-impl Default for FreeBodySheet {
-    fn default() -> Self {
-        Self::new(Label::default(), Vec::new())
-    }
 }
 
 impl FreeBodySheet {
     /// A sheet with a title, at common scales.
     pub fn new(title: Label, panels: Vec<FreeBodyDiagram>) -> Self {
-        Self { title, panels, captions: Vec::new(), digits: DIGITS }
+        Self { title, panels, captions: Vec::new() }
     }
 
     /// A sheet of one panel: a plain free-body diagram.
     pub fn of(body: FreeBodyDiagram) -> Self {
         Self::new(Label::default(), vec![body])
-    }
-
-    /// With one more caption.
-    pub fn caption(mut self, caption: Label) -> Self {
-        self.captions.push(caption);
-        self
     }
 
     /// The drawing. Without panels it is an empty page with the title.
@@ -80,7 +64,7 @@ impl FreeBodySheet {
     }
 
     fn description(&self) -> String {
-        self.panels.iter().map(|body| describe(body, self.digits)).collect::<Vec<_>>().join(" ")
+        self.panels.iter().map(describe).collect::<Vec<_>>().join(" ")
     }
 }
 
@@ -105,7 +89,7 @@ impl<'a> Layout<'a> {
         let heading = Heading::new(&sheet.shown_title(), width);
         let corner = [MARGIN, heading.bottom()];
         let scales = all_scales(&sources, &grid);
-        let panels = panels(sheet, &sources, &grid, corner, &scales);
+        let panels = panels(&sources, &grid, corner, &scales);
         let mut layout = Self {
             sheet,
             heading,
@@ -222,13 +206,7 @@ fn all_scales(sources: &[Source], grid: &Grid) -> Vec<Scales> {
     rooms.iter().map(own).collect()
 }
 
-fn panels(
-    sheet: &FreeBodySheet,
-    sources: &[Source],
-    grid: &Grid,
-    corner: Point,
-    scales: &[Scales],
-) -> Vec<Panel> {
+fn panels(sources: &[Source], grid: &Grid, corner: Point, scales: &[Scales]) -> Vec<Panel> {
     let trim = Trim::new(sources, grid.size[0]);
     let areas: Vec<_> = (0..sources.len()).map(|i| trim.area(&grid.frame(corner, i))).collect();
     let mains: Vec<_> = sources.iter().zip(&areas).map(|(source, area)| split(source, area)).collect();
@@ -240,8 +218,8 @@ fn panels(
             frame: grid.frame(corner, i),
             heading: source.heading_lines(grid.size[0]),
             listed: source.listed_lines(grid.size[0]),
-            main: Drawing::new(&source.body, main, places[i], &scales[i], SMALL, sheet.digits),
-            side: side.map(|(body, area)| Drawing::alone(body, area, NOTE, sheet.digits)),
+            main: Drawing::new(&source.body, main, places[i], &scales[i], SMALL),
+            side: side.map(|(body, area)| Drawing::alone(body, area, NOTE)),
         }
     };
     sources.iter().enumerate().map(panel).collect()

@@ -18,6 +18,9 @@ const LEAST_MOTION: f64 = 18.0;
 const LONGEST_MOTION: f64 = 60.0;
 const LONGEST_SPREAD: f64 = 30.0;
 
+/// Significant digits of printed magnitudes.
+pub(super) const DIGITS: usize = 3;
+
 /// How an arrow is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
@@ -137,17 +140,17 @@ pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(ArrowStyle, V
 }
 
 /// Labels of the straight arrows, in their order.
-pub(crate) fn stroke_labels(body: &FreeBodyDiagram, digits: usize) -> Vec<Label> {
+pub(crate) fn stroke_labels(body: &FreeBodyDiagram) -> Vec<Label> {
     let forces = body.forces.iter().chain(&body.resultant);
-    let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow, digits));
-    let velocities = body.velocities.iter().map(|v| equation(&v.symbol, v.speed(), "m/s", digits));
+    let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow));
+    let velocities = body.velocities.iter().map(|v| equation(&v.symbol, v.speed(), "m/s"));
     forces.chain(velocities).collect()
 }
 
 /// `symbol = value unit`; without a symbol the value alone.
-pub(crate) fn equation(symbol: &Label, value: f64, unit: &str, digits: usize) -> Label {
+pub(crate) fn equation(symbol: &Label, value: f64, unit: &str) -> Label {
     // Rounded text passes through unchanged: powers of ten keep their raised exponent.
     let space = if unit == "deg" { "" } else { "\u{a0}" };
-    let quantity = Label::number(value, digits).then(Label::plain(space)).then(Label::unit(unit));
+    let quantity = Label::number(value, DIGITS).then(Label::plain(space)).then(Label::unit(unit));
     if symbol.is_empty() { quantity } else { symbol.clone().then(Label::plain(" = ")).then(quantity) }
 }

@@ -100,7 +100,8 @@ fn side_views_are_laid_out_like_panels() {
     let (weight, normal) = ((Label::symbol("W"), 4.2), (Label::symbol("N"), 4.2));
     let side = SideView::resting(vec![ball.clone()], 0.11, weight, normal);
     let body = FreeBodyDiagram::new(Label::plain("ball"), Pose::default(), vec![ball]);
-    let body = body.force(force(ArrowKind::Applied, "F", [-0.1, 0.04], [200.0, 0.0])).side(side);
+    let body = body.force(force(ArrowKind::Applied, "F", [-0.1, 0.04], [200.0, 0.0]));
+    let body = FreeBodyDiagram { side: Some(side), ..body };
     let sheet = FreeBodySheet::of(body);
     let layout = Layout::new(&sheet);
     assert_eq!(drawings(&layout).count(), 2);
@@ -179,7 +180,6 @@ fn nothing_makes_a_drawing_without_numbers() {
                 .force(force(ArrowKind::Spring, "", [b, 0.0], [a, 0.0]))
                 .couple(Couple::new(ArrowKind::Applied, Label::default(), a))
                 .surface(Ground::new([a, b], [b, a], Label::plain("floor")))
-                .point(Label::plain("A"), [b, a])
                 .angle(AngleMark::horizontal(Label::symbol("theta"), b));
             let body = FreeBodyDiagram { rate: Some(a), ..body.velocity(Velocity::new("V", [b, a], [a, b])) };
             let svg = FreeBodySheet::new(Label::default(), vec![body, FreeBodyDiagram::default()])

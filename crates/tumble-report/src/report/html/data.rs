@@ -56,12 +56,10 @@ pub(super) fn plot_data(plot: &Chart, description: &str) -> String {
 }
 
 fn axis(axis: &Axis) -> String {
-    let range = axis.range.map_or("null".to_owned(), |range| list([number(range.low), number(range.high)]));
     object([
         ("title", label(&axis.title())),
         ("name", label(&axis.label)),
         ("unit", label(&Label::unit(&axis.unit))),
-        ("range", range),
     ])
 }
 
