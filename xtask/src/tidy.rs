@@ -9,6 +9,7 @@ mod kernel;
 mod laws;
 mod length;
 mod links;
+mod names;
 mod scenes;
 mod source;
 mod surroundings;
@@ -31,6 +32,7 @@ const RULES: &[(&str, Rule)] = &[
     ("engine of pages", engine::check),
     ("length of files", length::check),
     ("headers of laws", laws::check),
+    ("names of public types", names::check),
     ("scene folders", scenes::check),
     ("links of documents", links::check),
     ("words of the workshop", workshop::check),

@@ -1,7 +1,7 @@
 //! Motions that play in the page.
 
 use crate::curves::Mark;
-use crate::free_body::{Ground, Kind, NamedPoint};
+use crate::free_body::{ArrowKind, Ground, NamedPoint};
 use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::scene_drawing::LinkKind;
@@ -70,7 +70,7 @@ pub struct MovingLink {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MovingForce {
     /// What kind of force it is.
-    pub kind: Kind,
+    pub kind: ArrowKind,
     /// Its symbol.
     pub symbol: Label,
     /// Point of action (world, metres) and force (N) at every instant; not finite or zero where it does not act.

@@ -3,7 +3,7 @@
 use crate::rect::Rect;
 use crate::scale::{Range, Scale};
 use crate::svg::{Element, line};
-use crate::text::{Anchor, Label, PlacedText, middle_baseline};
+use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, HAIRLINE, INK, LEADING, MARGIN, NORMAL, SMALL};
 use crate::ticks::Ticks;
 
@@ -30,20 +30,12 @@ pub struct Axis {
     pub label: Label,
     /// Its unit, for instance `m/s^2`; empty for a pure number.
     pub unit: String,
-    /// The values shown; taken from the data if `None`.
-    pub range: Option<Range>,
 }
 
 impl Axis {
-    /// An axis with decimal ticks, its range taken from the data.
+    /// An axis with decimal ticks.
     pub fn new(label: Label, unit: &str) -> Self {
-        Self { label, unit: unit.to_owned(), ..Self::default() }
-    }
-
-    /// Showing just these values.
-    pub fn over(mut self, range: Range) -> Self {
-        self.range = Some(range);
-        self
+        Self { label, unit: unit.to_owned() }
     }
 
     /// The label with its unit in parentheses.
@@ -157,11 +149,11 @@ impl Axes {
     fn tick_labels(&self) -> impl Iterator<Item = Element> {
         let below = self.area.bottom() + GAP + crate::font::ASCENT * SMALL;
         let x = self.ticks[0].major.iter().map(move |tick| {
-            PlacedText::new(&tick.label, [self.x.pixel(tick.value), below], SMALL, Anchor::Middle)
+            PlacedText::new(&tick.label, [self.x.pixel(tick.value), below], SMALL, TextAnchor::Middle)
         });
         let y = self.ticks[1].major.iter().map(|tick| {
             let at = [self.area.x - GAP, middle_baseline(self.y.pixel(tick.value), SMALL)];
-            PlacedText::new(&tick.label, at, SMALL, Anchor::End)
+            PlacedText::new(&tick.label, at, SMALL, TextAnchor::End)
         });
         x.chain(y).map(|text| text.element())
     }
@@ -172,10 +164,10 @@ impl Axes {
         // Turned text has its descenders and subscripts on the right.
         let left = self.area.x - GAP - self.ticks[1].label_width(SMALL) - TITLE_DEPTH * NORMAL;
         let texts = [
-            PlacedText::new(&self.titles[0], [x, below], NORMAL, Anchor::Middle),
-            PlacedText::new(&self.titles[1], [left, y], NORMAL, Anchor::Middle).upward(),
-            PlacedText::new(&self.ticks[0].note, [self.area.right(), below], SMALL, Anchor::End),
-            PlacedText::new(&self.ticks[1].note, [self.area.x, self.area.y - GAP], SMALL, Anchor::Start),
+            PlacedText::new(&self.titles[0], [x, below], NORMAL, TextAnchor::Middle),
+            PlacedText::new(&self.titles[1], [left, y], NORMAL, TextAnchor::Middle).upward(),
+            PlacedText::new(&self.ticks[0].note, [self.area.right(), below], SMALL, TextAnchor::End),
+            PlacedText::new(&self.ticks[1].note, [self.area.x, self.area.y - GAP], SMALL, TextAnchor::Start),
         ];
         texts.into_iter().filter(|text| !text.is_empty()).map(|text| text.element())
     }

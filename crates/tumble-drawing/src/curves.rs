@@ -11,7 +11,7 @@ use crate::rect::Rect;
 use crate::retrace::without_laps;
 use crate::scale::{Range, drawable};
 use crate::svg::{Element, PathData, Svg, circle, line};
-use crate::text::{Anchor, Label, PlacedText};
+use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{GAP, GREY, HAIRLINE, LEADING, LineStyle, MARGIN, PAPER, SMALL};
 use crate::thin::{pieces, simplified, thinned};
 
@@ -47,7 +47,7 @@ const MARK_DASHES: &str = "3 3";
 
 /// A curve with its label; an empty label keeps it out of the legend.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Series {
+pub struct DataSeries {
     /// What the legend says.
     pub label: Label,
     /// Points `[x, y]` in the units of the axes; one that is not finite makes a gap.
@@ -90,7 +90,7 @@ pub struct CurveFigure {
     /// Bands behind the curves, in drawing order.
     pub bands: Vec<Band>,
     /// Curves in drawing order.
-    pub series: Vec<Series>,
+    pub series: Vec<DataSeries>,
     /// Events.
     pub marks: Vec<Mark>,
 }
@@ -103,13 +103,7 @@ impl CurveFigure {
 
     /// Adds a curve.
     pub fn series(mut self, label: Label, points: Vec<[f64; 2]>) -> Self {
-        self.series.push(Series { label, points, dotted: false });
-        self
-    }
-
-    /// Adds a mark at `at`, in the unit of the horizontal axis.
-    pub fn mark(mut self, at: f64, label: Label) -> Self {
-        self.marks.push(Mark { at, label });
+        self.series.push(DataSeries { label, points, dotted: false });
         self
     }
 
@@ -131,12 +125,12 @@ impl CurveFigure {
     }
 
     fn ranges(&self) -> [Range; 2] {
-        let range = |axis: &Axis, i: usize, tight: bool| {
+        let range = |i: usize, tight: bool| {
             let data = Range::of(self.points().map(|p| p[i]));
             let padded = data.map(|r| if tight { r } else { r.padded(PADDING) });
-            axis.range.or(padded).unwrap_or_default().opened()
+            padded.unwrap_or_default().opened()
         };
-        [range(&self.x, 0, self.runs_forward()), range(&self.y, 1, false)]
+        [range(0, self.runs_forward()), range(1, false)]
     }
 
     /// Whether x never decreases, as time does: then the frame ends with the data.
@@ -190,7 +184,7 @@ impl<'a> Layout<'a> {
         let all = figure.runs_forward() && labels.clone().all(|label| !label.is_empty());
         let room = ends::room(labels.filter(|_| all))?;
         let layout = Self::beside((figure, size), Heading::new(&figure.title, size.width), 0.0, room);
-        let end = |(i, series): (usize, &Series)| {
+        let end = |(i, series): (usize, &DataSeries)| {
             let last = series.points.iter().rfind(|p| drawable(p[0]) && drawable(p[1]))?;
             Some(End { label: series.label.clone(), style: LineStyle::of(i), at: layout.axes.pixel(*last) })
         };
@@ -212,7 +206,7 @@ impl<'a> Layout<'a> {
         let marks = MarkRows::new(&figure.marks, &axes(top), width);
         let axes = axes(top + marks.height());
         let forward = figure.runs_forward();
-        let curve = |series: &Series| {
+        let curve = |series: &DataSeries| {
             let pixels = pieces(series.points.iter().map(|p| axes.pixel(*p)));
             pixels.iter().flat_map(|piece| shortened(piece, forward)).collect()
         };
@@ -372,7 +366,7 @@ impl MarkRows {
 impl PlacedMark {
     fn text(&self, top: f64) -> Option<Element> {
         let baseline = top - GAP - self.row? as f64 * SMALL * LEADING;
-        let text = PlacedText::new(&self.label, [self.x, baseline], SMALL, Anchor::Middle);
+        let text = PlacedText::new(&self.label, [self.x, baseline], SMALL, TextAnchor::Middle);
         (!self.label.is_empty()).then(|| text.element())
     }
 }

@@ -3,7 +3,7 @@
 use crate::rect::Rect;
 use crate::scale::drawable;
 use crate::svg::{Element, line};
-use crate::text::{Anchor, Label, PlacedText, middle_baseline};
+use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, LEADING, LineStyle, SMALL};
 
 use crate::legend::styled;
@@ -41,7 +41,7 @@ pub(crate) fn draw(ends: &[End], area: &Rect) -> Option<Element> {
         let to = [area.right() + STUB, y];
         let stub = styled(line(from, to), LineStyle { dashes: "", ..end.style });
         let at = [to[0] + GAP, middle_baseline(y, SMALL)];
-        let text = PlacedText::new(&end.label, at, SMALL, Anchor::Start).element();
+        let text = PlacedText::new(&end.label, at, SMALL, TextAnchor::Start).element();
         Element::new("g").child(stub).child(text)
     };
     let near = ends.iter().zip(&heights).all(|(end, y)| (end.at[1] - y).abs() <= MOVED * SMALL);

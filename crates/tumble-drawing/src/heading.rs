@@ -1,7 +1,7 @@
 //! Titles above figures, broken into lines.
 
 use crate::svg::Element;
-use crate::text::{Anchor, Label, PlacedText};
+use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{GAP, LARGE, LEADING, MARGIN};
 
 /// Least distance between a title and the sides of the picture. Titles stand
@@ -30,7 +30,7 @@ impl Heading {
     pub fn draw(&self, x: f64) -> Element {
         let line = |(i, label): (usize, &Label)| {
             let y = MARGIN + LARGE + i as f64 * LARGE * LEADING;
-            PlacedText::new(label, [x, y], LARGE, Anchor::Middle).element()
+            PlacedText::new(label, [x, y], LARGE, TextAnchor::Middle).element()
         };
         Element::new("g").children(self.lines.iter().enumerate().map(line))
     }

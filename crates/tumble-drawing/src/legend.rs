@@ -3,7 +3,7 @@
 use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::svg::{Element, line};
-use crate::text::{Anchor, Label, PlacedText, middle_baseline};
+use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, LEADING, LineStyle, SMALL};
 
 /// Length of the sample of a line.
@@ -86,7 +86,7 @@ fn draw_entry([x, y]: [f64; 2], label: &Label, style: LineStyle, width: f64) -> 
     let text_x = x + SAMPLE + GAP;
     // Rounding must not cut the widest label of a column.
     let label = label.fitted(SMALL, width - SAMPLE - GAP + 0.5);
-    let text = PlacedText::new(&label, [text_x, middle_baseline(y, SMALL)], SMALL, Anchor::Start);
+    let text = PlacedText::new(&label, [text_x, middle_baseline(y, SMALL)], SMALL, TextAnchor::Start);
     Element::new("g").child(sample).child(text.element())
 }
 

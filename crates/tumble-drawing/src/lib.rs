@@ -36,7 +36,7 @@ mod units;
 
 pub use animation::{Animation, MovingBody, MovingCase, MovingForce, MovingLink};
 pub use axes::Axis;
-pub use curves::{Band, CurveFigure, Mark, Series};
+pub use curves::{Band, CurveFigure, DataSeries, Mark};
 #[cfg(feature = "png")]
 pub use gif::{ANIMATION_SEAL, GifError, animation_gif};
 pub use map::MapFigure;

@@ -6,7 +6,7 @@ use crate::heading::Heading;
 use crate::rect::Rect;
 use crate::scale::{Range, Scale, drawable};
 use crate::svg::{Element, PathData, Svg, circle, line};
-use crate::text::{Anchor, Label, PlacedText, middle_baseline};
+use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, HAIRLINE, INK, LEADING, MARGIN, NORMAL, PAPER, Rgb, SMALL};
 use crate::ticks::Ticks;
 
@@ -90,7 +90,7 @@ impl MapFigure {
     }
 
     fn values(&self) -> Range {
-        self.z.range.or(Range::of(self.cells.iter().copied())).unwrap_or_default().opened()
+        Range::of(self.cells.iter().copied()).unwrap_or_default().opened()
     }
 
     /// One path for each colour.
@@ -150,11 +150,11 @@ impl MapFigure {
             let y = scale.pixel(tick.value);
             let mark = line([right, y], [right + TICK, y]).attr("stroke", INK).attr("stroke-width", HAIRLINE);
             let at = [right + TICK + GAP, middle_baseline(y, SMALL)];
-            [mark, PlacedText::new(&tick.label, at, SMALL, Anchor::Start).element()]
+            [mark, PlacedText::new(&tick.label, at, SMALL, TextAnchor::Start).element()]
         });
-        let note = PlacedText::new(&ticks.note, [left, area.y - GAP], SMALL, Anchor::Start);
+        let note = PlacedText::new(&ticks.note, [left, area.y - GAP], SMALL, TextAnchor::Start);
         let title_at = [WIDTH - MARGIN, area.centre()[1]];
-        let title = PlacedText::new(&self.z.title(), title_at, NORMAL, Anchor::Middle).upward();
+        let title = PlacedText::new(&self.z.title(), title_at, NORMAL, TextAnchor::Middle).upward();
         let words = [note, title].into_iter().filter(|text| !text.is_empty()).map(|text| text.element());
         Element::new("g").children(strip).child(frame).children(marks).children(words)
     }

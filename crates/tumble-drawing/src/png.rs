@@ -85,11 +85,11 @@ fn fonts() -> Database {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::{Anchor, Label, PlacedText};
+    use crate::text::{Label, PlacedText, TextAnchor};
 
     fn drawing(label: &Label) -> Svg {
         let mut svg = Svg::new(400.0, 40.0, "");
-        svg.push(PlacedText::new(label, [20.0, 25.0], 20.0, Anchor::Start).element());
+        svg.push(PlacedText::new(label, [20.0, 25.0], 20.0, TextAnchor::Start).element());
         svg
     }
 

@@ -64,13 +64,6 @@ impl Rect {
         (self.x..=self.right()).contains(&p[0]) && (self.y..=self.bottom()).contains(&p[1])
     }
 
-    /// Distance of a point from the rectangle; 0 inside.
-    pub fn distance(&self, p: [f64; 2]) -> f64 {
-        let x = (self.x - p[0]).max(p[0] - self.right()).max(0.0);
-        let y = (self.y - p[1]).max(p[1] - self.bottom()).max(0.0);
-        x.hypot(y)
-    }
-
     /// Distance of the nearest points of two rectangles; 0 where they meet.
     pub(crate) fn apart(&self, other: &Rect) -> f64 {
         let x = (self.x - other.right()).max(other.x - self.right()).max(0.0);
@@ -136,7 +129,6 @@ mod tests {
         let a = Rect::new(0.0, 0.0, 4.0, 4.0);
         assert_eq!(a.overlap(&Rect::new(2.0, 3.0, 10.0, 10.0)), 2.0);
         assert_eq!(a.overlap(&Rect::new(5.0, 5.0, 1.0, 1.0)), 0.0);
-        assert_eq!([a.distance([1.0, 1.0]), a.distance([7.0, 8.0])], [0.0, 5.0]);
         assert_eq!(
             [a.apart(&Rect::new(3.0, 3.0, 9.0, 9.0)), a.apart(&Rect::new(7.0, -6.0, 1.0, 2.0))],
             [0.0, 5.0]

@@ -1,7 +1,7 @@
 //! The bar that tells how long a metre is on the page.
 
 use crate::svg::{Element, PathData};
-use crate::text::{Anchor, Label, PlacedText};
+use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{GAP, INK, LEADING, SMALL};
 use tumble_notation::numeral::round_decimal;
 
@@ -26,7 +26,7 @@ pub fn draw(right_end: [f64; 2], density: f64, unit: &str) -> Element {
     let [right, y] = [right_end[0], right_end[1] + END];
     let left = right - bar.length;
     let at = [left + bar.length / 2.0, y + END + SMALL];
-    let label = PlacedText::new(&bar.label, at, SMALL, Anchor::Middle).element();
+    let label = PlacedText::new(&bar.label, at, SMALL, TextAnchor::Middle).element();
     Element::new("g").child(bar.draw([left, y])).child(label)
 }
 

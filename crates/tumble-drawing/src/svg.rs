@@ -107,7 +107,7 @@ impl Element {
     }
 
     /// Adds an attribute; numbers are rounded as coordinates are.
-    pub fn attr(mut self, name: &'static str, value: impl Into<Value>) -> Self {
+    pub fn attr(mut self, name: &'static str, value: impl Into<AttributeValue>) -> Self {
         self.attributes.push((name, value.into().0));
         self
     }
@@ -173,21 +173,21 @@ impl Display for Element {
 }
 
 /// The text of an attribute, made from a number or a string.
-pub struct Value(String);
+pub struct AttributeValue(String);
 
-impl From<f64> for Value {
+impl From<f64> for AttributeValue {
     fn from(value: f64) -> Self {
         Self(number(value))
     }
 }
 
-impl From<&str> for Value {
+impl From<&str> for AttributeValue {
     fn from(value: &str) -> Self {
         Self(value.to_owned())
     }
 }
 
-impl From<String> for Value {
+impl From<String> for AttributeValue {
     fn from(value: String) -> Self {
         Self(value)
     }
@@ -280,7 +280,7 @@ impl PathData {
     }
 
     /// A `path` element; the caller gives its fill.
-    pub fn fill(self, fill: impl Into<Value>) -> Element {
+    pub fn fill(self, fill: impl Into<AttributeValue>) -> Element {
         Element::new("path").attr("d", self.0).attr("fill", fill)
     }
 }

@@ -47,7 +47,7 @@ impl Level {
 
 /// A stretch of text in one style.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Span {
+pub struct TextRun {
     /// The characters, unescaped.
     pub text: String,
     /// Upright, italic or bold.
@@ -60,7 +60,7 @@ pub struct Span {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Label {
     /// The runs from left to right.
-    pub runs: Vec<Span>,
+    pub runs: Vec<TextRun>,
 }
 
 impl From<Numeral> for Label {
@@ -164,7 +164,7 @@ impl Label {
         match self.runs.last_mut().filter(|run| run.face == face && run.level == level) {
             _ if text.is_empty() => {}
             Some(run) => run.text.push_str(text),
-            None => self.runs.push(Span { text: text.to_owned(), face, level }),
+            None => self.runs.push(TextRun { text: text.to_owned(), face, level }),
         }
         self
     }
@@ -225,7 +225,7 @@ impl Label {
 
 /// Which end of the label its position fixes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Anchor {
+pub enum TextAnchor {
     /// The left end.
     Start,
     /// The middle.
@@ -235,21 +235,12 @@ pub enum Anchor {
     End,
 }
 
-impl Anchor {
+impl TextAnchor {
     fn keyword(self) -> &'static str {
         match self {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
-        }
-    }
-
-    /// Distance from the left end to the anchor, as a part of the width.
-    fn fraction(self) -> f64 {
-        match self {
-            Anchor::Start => 0.0,
-            Anchor::Middle => 0.5,
-            Anchor::End => 1.0,
+            TextAnchor::Start => "start",
+            TextAnchor::Middle => "middle",
+            TextAnchor::End => "end",
         }
     }
 }
@@ -260,7 +251,7 @@ pub struct PlacedText {
     label: Label,
     at: [f64; 2],
     size: f64,
-    anchor: Anchor,
+    anchor: TextAnchor,
     colour: theme::Rgb,
     halo: bool,
     upward: bool,
@@ -268,7 +259,7 @@ pub struct PlacedText {
 
 impl PlacedText {
     /// A label with the anchor on its baseline at `at` (`[x, y]`, pixels), `size` pixels high.
-    pub fn new(label: &Label, at: [f64; 2], size: f64, anchor: Anchor) -> Self {
+    pub fn new(label: &Label, at: [f64; 2], size: f64, anchor: TextAnchor) -> Self {
         let (label, colour) = (label.clone(), theme::INK);
         Self { label, at, size, anchor, colour, halo: false, upward: false }
     }
@@ -276,7 +267,7 @@ impl PlacedText {
     /// A label centred, in both directions, on the middle of `place`.
     pub fn centred(label: &Label, place: &Rect, size: f64) -> Self {
         let [x, y] = place.centre();
-        Self::new(label, [x, middle_baseline(y, size)], size, Anchor::Middle)
+        Self::new(label, [x, middle_baseline(y, size)], size, TextAnchor::Middle)
     }
 
     /// In another colour than ink.
@@ -300,14 +291,6 @@ impl PlacedText {
     /// Whether there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.label.is_empty()
-    }
-
-    /// The space that the label takes, for horizontal text.
-    pub fn bounds(&self) -> Rect {
-        let width = self.label.width(self.size);
-        let left = self.at[0] - self.anchor.fraction() * width;
-        let top = self.at[1] - font::ASCENT * self.size;
-        Rect::new(left, top, width, (font::ASCENT + font::DESCENT) * self.size)
     }
 
     /// The `text` element.
@@ -338,7 +321,7 @@ impl PlacedText {
     }
 }
 
-fn tspan(run: &Span, shift: f64, size: f64) -> Element {
+fn tspan(run: &TextRun, shift: f64, size: f64) -> Element {
     let mut span = Element::new("tspan");
     if shift != 0.0 {
         span = span.attr("dy", shift);
@@ -364,7 +347,7 @@ mod tests {
     use super::*;
 
     fn shown(label: &Label) -> String {
-        PlacedText::new(label, [0.0, 0.0], 10.0, Anchor::Start).runs().map(|e| e.to_string()).collect()
+        PlacedText::new(label, [0.0, 0.0], 10.0, TextAnchor::Start).runs().map(|e| e.to_string()).collect()
     }
 
     #[test]

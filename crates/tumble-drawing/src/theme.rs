@@ -26,7 +26,7 @@ impl Rgb {
     }
 }
 
-impl From<Rgb> for crate::svg::Value {
+impl From<Rgb> for crate::svg::AttributeValue {
     fn from(colour: Rgb) -> Self {
         colour.hex().into()
     }

@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use crate::same;
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 use crate::table::{Table, TableRef};
 use crate::traces::Traces;
 use crate::typing::{self, Kind, TypeError};
@@ -109,7 +109,7 @@ pub enum Node<Part = Expr> {
     Table(TableRef, Part),
     /// A linear system: the entries of its matrix that are not bare zeros, row by row, then its right sides. Its kind is
     /// [`Kind::System`].
-    System(Arc<Shape>, Vec<Part>),
+    System(Arc<SparsityPattern>, Vec<Part>),
     /// An unknown of a linear system, by its index.
     Unknown(Part, u32),
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::Dimension;
 use crate::expr::{Expr, Node};
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 use crate::typing::{Kind, TypeError};
 
 impl Expr {
@@ -36,7 +36,7 @@ impl Expr {
             return vec![right / row.first().map_or_else(Self::zero, |(_, entry)| entry.clone())];
         }
         let columns = |row: &Vec<(usize, Self)>| row.iter().map(|(column, _)| *column as u32).collect();
-        let shape = Shape::new(rows.iter().map(columns));
+        let shape = SparsityPattern::new(rows.iter().map(columns));
         let n = rhs.len() as u32;
         let entries = rows.into_iter().flatten().map(|(_, entry)| entry);
         let system = Self::system(&shape, entries.chain(rhs).collect());
@@ -44,7 +44,7 @@ impl Expr {
     }
 
     /// A linear system from its entries, row by row, and its right sides.
-    pub(crate) fn system(shape: &Shape, parts: Vec<Self>) -> Self {
+    pub(crate) fn system(shape: &SparsityPattern, parts: Vec<Self>) -> Self {
         let kinds = unknowns(shape, &parts);
         let kind = kinds.as_ref().map(|_| Kind::System).map_err(Clone::clone);
         let shape = shape.with(kinds.unwrap_or_else(|_| shape.kinds().to_vec()));
@@ -62,7 +62,12 @@ impl Expr {
     }
 
     /// The system of the unknowns' derivatives: from `A x = b` follows `A x' = b' - A' x`.
-    pub(crate) fn system_slope(&self, shape: &Shape, parts: &[Self], of: impl Fn(&Self) -> Self) -> Self {
+    pub(crate) fn system_slope(
+        &self,
+        shape: &SparsityPattern,
+        parts: &[Self],
+        of: impl Fn(&Self) -> Self,
+    ) -> Self {
         let (matrix, right) = parts.split_at(shape.entries());
         let slope = |row: usize| {
             let changes = shape.entries_of(row).map(|(entry, column)| (of(&matrix[entry]), column as u32));
@@ -81,7 +86,7 @@ fn not_square(matrix: &[Vec<Expr>], equations: usize) -> TypeError {
 }
 
 /// Kinds of a system's unknowns.
-fn unknowns(shape: &Shape, parts: &[Expr]) -> Result<Vec<Kind>, TypeError> {
+fn unknowns(shape: &SparsityPattern, parts: &[Expr]) -> Result<Vec<Kind>, TypeError> {
     let dimensions = parts.iter().map(dimension).collect::<Result<Vec<_>, _>>()?;
     let (matrix, right) = dimensions.split_at(shape.entries());
     let mut found = Found { shape, matrix, rows: right.to_vec(), columns: vec![None; shape.size()] };
@@ -106,7 +111,7 @@ fn dimension(part: &Expr) -> Result<Option<Dimension>, TypeError> {
 
 /// Dimensions of right sides and unknowns, as far as they are known.
 struct Found<'a> {
-    shape: &'a Shape,
+    shape: &'a SparsityPattern,
     matrix: &'a [Option<Dimension>],
     rows: Vec<Option<Dimension>>,
     columns: Vec<Option<Dimension>>,

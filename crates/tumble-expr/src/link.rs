@@ -13,7 +13,7 @@ use crate::expr::{Binary, Expr, Node, Symbol, Unary};
 use crate::graph::{Graph, NodeId};
 use crate::hashing::FastMap;
 use crate::lower::Lowering;
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 use crate::tape::{CompileError, Layout, Tape, check};
 
 /// Formulas but for the names of their symbols. Equal for formulas that differ by names alone.
@@ -136,7 +136,7 @@ impl Linker {
             return vec![self.binary(Binary::Div, *right, entry)];
         }
         let columns = |row: &Vec<(usize, NodeId)>| row.iter().map(|(column, _)| *column as u32).collect();
-        let shape = Arc::new(Shape::new(rows.iter().map(columns)));
+        let shape = Arc::new(SparsityPattern::new(rows.iter().map(columns)));
         let unknowns = right.len() as u32;
         let entries = rows.into_iter().flatten().map(|(_, entry)| entry);
         let system = self.graph.add(Node::System(shape, entries.chain(right).collect()));

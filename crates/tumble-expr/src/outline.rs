@@ -10,12 +10,12 @@ use crate::same::{hash_node, is_renamed};
 
 /// What formulas have in common with those that differ from them by names alone.
 #[derive(Clone, Debug)]
-pub struct Outline {
+pub struct Skeleton {
     hash: u64,
     symbols: Vec<Symbol>,
 }
 
-impl Outline {
+impl Skeleton {
     /// That of these formulas.
     pub fn of(formulas: &[Expr]) -> Self {
         let mut walk = Walk::default();
@@ -111,7 +111,7 @@ mod tests {
     }
 
     fn is_renamed(own: &[Expr], others: &[Expr]) -> bool {
-        Outline::of(own).is_renamed(own, &Outline::of(others), others)
+        Skeleton::of(own).is_renamed(own, &Skeleton::of(others), others)
     }
 
     #[test]
@@ -119,7 +119,7 @@ mod tests {
         assert!(is_renamed(&written(["a", "b"]), &written(["c", "d"])));
         assert!(is_renamed(&written(["a", "b"]), &written(["b", "a"])));
         let [own, other] =
-            [["a", "b"], ["d", "c"]].map(|names| Outline::of(&written(names)).symbols().to_vec());
+            [["a", "b"], ["d", "c"]].map(|names| Skeleton::of(&written(names)).symbols().to_vec());
         let places = |names: [&str; 2], symbols: &[Symbol]| {
             names.map(|name| symbols.iter().position(|symbol| &*symbol.name == name))
         };

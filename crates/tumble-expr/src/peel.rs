@@ -11,10 +11,10 @@ use num_traits::Zero;
 
 use crate::expr::{Binary, Node};
 use crate::graph::{Graph, NodeId};
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 
 /// Simpler nodes for the unknowns of a system, where there are any.
-pub(crate) fn unknowns(graph: &mut Graph, shape: &Shape, parts: &[NodeId]) -> Vec<Option<NodeId>> {
+pub(crate) fn unknowns(graph: &mut Graph, shape: &SparsityPattern, parts: &[NodeId]) -> Vec<Option<NodeId>> {
     let mut system = System::new(graph, shape, parts);
     for (rows, columns) in system.components() {
         // As many equations as unknowns, or the matrix is singular and left for the evaluator to refuse.
@@ -34,7 +34,7 @@ type Places = BTreeSet<usize>;
 
 /// A system whose unknowns are looked for.
 struct System<'a> {
-    shape: &'a Shape,
+    shape: &'a SparsityPattern,
     /// By row, the entries that are no bare zeros, with their columns.
     rows: Vec<Vec<(usize, NodeId)>>,
     /// By column, the rows of these.
@@ -45,7 +45,7 @@ struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    fn new(graph: &Graph, shape: &'a Shape, parts: &[NodeId]) -> Self {
+    fn new(graph: &Graph, shape: &'a SparsityPattern, parts: &[NodeId]) -> Self {
         let n = shape.size();
         let (entries, right) = parts.split_at(shape.entries());
         let mut columns = vec![vec![]; n];
@@ -156,7 +156,7 @@ impl<'a> System<'a> {
         columns.iter().enumerate().for_each(|(index, column)| place[*column] = Some(index as u32));
         let left = |row: &usize| self.rows[*row].iter().filter_map(|(column, _)| place[*column]).collect();
         let kinds = columns.iter().map(|column| self.shape.kinds()[*column]);
-        let shape = Shape::new(rows.iter().map(left)).with(kinds.collect());
+        let shape = SparsityPattern::new(rows.iter().map(left)).with(kinds.collect());
         let entries = rows.iter().flat_map(|row| &self.rows[*row]);
         let mut parts: Vec<NodeId> =
             entries.filter(|(column, _)| place[*column].is_some()).map(|(_, entry)| *entry).collect();

@@ -8,14 +8,14 @@ use crate::Kind;
 ///
 /// The parts of a system are its entries in that order, then its right sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Shape {
+pub struct SparsityPattern {
     /// Where each row begins among the entries, and where the last one ends.
     starts: Vec<u32>,
     columns: Vec<u32>,
     kinds: Vec<Kind>,
 }
 
-impl Shape {
+impl SparsityPattern {
     /// Of rows with entries in these columns, in order; what the unknowns are is yet to be found.
     pub(crate) fn new(rows: impl IntoIterator<Item = Vec<u32>>) -> Self {
         let (mut starts, mut columns) = (vec![0], vec![]);

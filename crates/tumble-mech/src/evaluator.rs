@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tumble_expr::{Branches, Expr, Formulas, Jets, Layout, Rounding, Tape};
-use tumble_ode::{Piece, Place, Reason};
+use tumble_ode::{MotionState, Piece, Reason};
 
 use crate::cache::Cache;
 use crate::equations::Equations;
@@ -15,7 +15,7 @@ use crate::parameters::time_symbol;
 const INSIDE: f64 = 1.0 / 1_048_576.0;
 
 /// Evaluates formulas at a place of the motion.
-pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &Place<'_>) {
+pub(crate) fn evaluate(jets: &mut Jets<f64>, place: &MotionState<'_>) {
     evaluate_in(jets, place.piece, place.time, &place.states);
 }
 

@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use tumble_expr::Expr;
-use tumble_ode::Start as NumericStart;
+use tumble_ode::InitialState;
 
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
@@ -17,20 +17,20 @@ const OUTPUTS: usize = 3;
 
 impl Equations {
     /// The start of a run as [`Equations::start`] finds it, and that every load has a value then.
-    pub fn check(&self, parameters: &Parameters) -> Result<NumericStart<Mode>, ModelErrors> {
+    pub fn check(&self, parameters: &Parameters) -> Result<InitialState<Mode>, ModelErrors> {
         let start = self.start(parameters)?;
         self.refuse_loads(&start)?;
         Ok(start)
     }
 
     /// A mistake if a load has no value at the start.
-    pub(crate) fn refuse_loads(&self, start: &NumericStart<Mode>) -> Result<(), ModelErrors> {
+    pub(crate) fn refuse_loads(&self, start: &InitialState<Mode>) -> Result<(), ModelErrors> {
         let mistakes = self.mistakes_at(start)?;
         if mistakes.is_empty() { Ok(()) } else { Err(ModelErrors(mistakes)) }
     }
 
     /// Loads that are infinite or no number at the start. Contacts come after it, and reactions follow from the others.
-    fn mistakes_at(&self, start: &NumericStart<Mode>) -> Result<Vec<ModelError>, ModelError> {
+    fn mistakes_at(&self, start: &InitialState<Mode>) -> Result<Vec<ModelError>, ModelError> {
         let terms: Vec<Term> =
             self.terms(&start.mode).into_iter().filter(|term| !term.law.is_reaction()).collect();
         let outputs = |term: &Term| [term.force.components(), std::slice::from_ref(&term.couple)].concat();
@@ -49,7 +49,7 @@ impl Equations {
     /// Those of some loads that are springs with both ends at one place.
     fn without_span(
         &self,
-        start: &NumericStart<Mode>,
+        start: &InitialState<Mode>,
         loads: &[(String, f64)],
     ) -> Result<HashSet<String>, ModelError> {
         let known: HashMap<&str, &dyn Interaction> =

@@ -1,6 +1,6 @@
 //! Values to start a run from: checked numbers for the parameters, the states and the mode.
 
-use tumble_ode::{Reason, Start as NumericStart};
+use tumble_ode::{InitialState, Reason};
 
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
@@ -14,7 +14,7 @@ impl Equations {
     ///
     /// Everything whose value must be positive, finite or in order is checked here, all at once; so is what events that set
     /// parameters make of it.
-    pub fn start(&self, parameters: &Parameters) -> Result<NumericStart<Mode>, ModelErrors> {
+    pub fn start(&self, parameters: &Parameters) -> Result<InitialState<Mode>, ModelErrors> {
         let known = parameters.known()?;
         let mut mistakes = self.value_mistakes(&known);
         let (mut states, mut compensation) = self.initial_states(&known, &mut mistakes)?;
@@ -38,7 +38,7 @@ impl Equations {
             true => {
                 let rounding = parameters.rounding();
                 let is_proved = true;
-                Ok(NumericStart {
+                Ok(InitialState {
                     time: 0.0,
                     mode,
                     states,

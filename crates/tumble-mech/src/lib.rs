@@ -78,12 +78,14 @@ mod warnings;
 
 pub use air::Wind;
 pub use anchor::{Anchor, place_symbols};
-pub use balance::{Balance, BodyBalance, Contribution, Kind, Reading, RunBalance, Store};
+pub use balance::{Balance, BodyBalance, Contribution, ContributionKind, Reading, RunBalance, Store};
 pub use body::{Body, Part};
-pub use contact::{BodyContact, Change, Contact, ContactMode, Feature, Grip, Pair, Rule, Side, Way};
+pub use contact::{BodyContact, Change, Contact, ContactMode, Feature, Grip, Pair, PolygonSide, Rule, Way};
 pub use coordinates::Pivot;
 pub use equations::Equations;
-pub use equilibrium::{Equilibrium, Growth, NoEquilibrium, Pose, Reaction, SmallMotions, Stability};
+pub use equilibrium::{
+    Equilibrium, EquilibriumPose, Growth, NoEquilibrium, Reaction, SmallMotions, Stability,
+};
 pub use error::{ModelError, ModelErrors};
 pub use event::{Action, Event};
 pub use extremes::{Extreme, Peak, PeakKind};
@@ -108,7 +110,7 @@ pub use place::Place;
 pub use potential::Potential;
 pub use record::{Happening, Others, Record};
 pub use refined::Quadrature;
-pub use run::{Instant, Run, RunError};
+pub use run::{Run, RunError, Snapshot};
 pub use shape::Shape;
 pub use start::Start;
 pub use statement::Statement;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tumble_expr::{Expr, Jets};
-use tumble_ode::{Cursor, Motion, Piece, Place, Reason, Side};
+use tumble_ode::{Cursor, Motion, MotionState, Piece, Reason, Side};
 
 use crate::equations::Equations;
 use crate::evaluator::{evaluate, evaluate_in};
@@ -155,7 +155,7 @@ impl Along {
         let others = [index.checked_sub(1).and_then(|before| events.get(before)), events.get(index + 1)];
         let [before, after] =
             [(Side::Before, event.mode_before, &event.before), (Side::After, event.mode_after, &event.after)]
-                .map(|(side, mode, states)| Place {
+                .map(|(side, mode, states)| MotionState {
                     mode,
                     time: event.time,
                     states: states.clone(),
@@ -178,7 +178,7 @@ impl Along {
         }
     }
 
-    fn values(&mut self, place: &Place<'_>) -> Vec<f64> {
+    fn values(&mut self, place: &MotionState<'_>) -> Vec<f64> {
         let tape = &mut self.tapes[place.mode];
         self.last = None;
         evaluate(tape, place);

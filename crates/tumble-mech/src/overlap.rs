@@ -5,7 +5,7 @@
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
-use tumble_ode::Start as NumericStart;
+use tumble_ode::InitialState;
 
 use crate::body::Body;
 use crate::equations::Equations;
@@ -49,7 +49,7 @@ struct Placed {
 
 impl Equations {
     /// That bodies which no joints connect and no contact lets meet overlap at the start: one pair, and how many there are.
-    pub(crate) fn overlap(&self, start: &NumericStart<Mode>) -> Result<Option<ModelWarning>, ModelError> {
+    pub(crate) fn overlap(&self, start: &InitialState<Mode>) -> Result<Option<ModelWarning>, ModelError> {
         let mut placed = self.placed(start)?;
         placed.sort_by(|a, b| a.left.total_cmp(&b.left));
         let met = self.pairs().iter().filter_map(|pair| Some([pair.body, pair.other?]));
@@ -67,7 +67,7 @@ impl Equations {
         Ok(Some(ModelWarning::Overlap { first, second, others: pairs.len() - 1 }))
     }
 
-    fn placed(&self, start: &NumericStart<Mode>) -> Result<Vec<Placed>, ModelError> {
+    fn placed(&self, start: &InitialState<Mode>) -> Result<Vec<Placed>, ModelError> {
         let model = self.model();
         let assemblies = assemblies(&model.bodies, &model.joints);
         let (mut formulas, mut sketches) = (vec![], vec![]);

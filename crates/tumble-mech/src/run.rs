@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 use tumble_expr::{Expr, Symbol, Vector};
-use tumble_ode::{Accuracy, Event, Motion, Reason, Refusal, Side, Work};
+use tumble_ode::{Accuracy, Motion, Occurrence, Reason, Refusal, Side, Work};
 
 use crate::body::Body;
 use crate::equations::Equations;
@@ -202,7 +202,7 @@ impl Run {
     }
 
     /// All that happens, in order of time. The modes and states of an event are those of the motion that it belongs to.
-    pub fn events(&self) -> impl DoubleEndedIterator<Item = &Event<Record>> + Clone {
+    pub fn events(&self) -> impl DoubleEndedIterator<Item = &Occurrence<Record>> + Clone {
         self.tracks.events().iter().map(|event| self.tracks.event(*event))
     }
 
@@ -250,7 +250,7 @@ impl Run {
 
     pub(crate) fn from_start(
         equations: Equations,
-        start: tumble_ode::Start<Mode>,
+        start: tumble_ode::InitialState<Mode>,
         until: f64,
         accuracy: Accuracy,
         mut progress: impl FnMut(f64) -> ControlFlow<()>,
@@ -261,7 +261,7 @@ impl Run {
     /// The same for a motion that is looked at on its way.
     pub(crate) fn watched(
         equations: Equations,
-        start: tumble_ode::Start<Mode>,
+        start: tumble_ode::InitialState<Mode>,
         until: f64,
         accuracy: Accuracy,
         mut progress: impl FnMut(Reached<'_>) -> ControlFlow<()>,
@@ -313,10 +313,10 @@ impl Run {
     }
 
     /// The motion at one time, s; at an event, just after it.
-    pub fn at(&self, time: f64) -> Result<Instant<'_>, RunError> {
+    pub fn at(&self, time: f64) -> Result<Snapshot<'_>, RunError> {
         let is_within = self.start().is_some_and(|start| start <= time) && Some(time) <= self.end();
         match is_within {
-            true => Ok(Instant { run: self, time }),
+            true => Ok(Snapshot { run: self, time }),
             false => Err(RunError::Outside { time, end: self.end().unwrap_or(0.0) }),
         }
     }
@@ -324,12 +324,12 @@ impl Run {
 
 /// The motion at one time.
 #[derive(Clone, Copy, Debug)]
-pub struct Instant<'a> {
+pub struct Snapshot<'a> {
     run: &'a Run,
     time: f64,
 }
 
-impl Instant<'_> {
+impl Snapshot<'_> {
     /// Values of any formulas of the motion, SI units.
     pub fn values<const N: usize>(&self, formulas: [Expr; N]) -> Result<[f64; N], RunError> {
         let outside = || RunError::Outside { time: self.time, end: self.time };

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
 use tumble_expr::Symbol;
-use tumble_ode::{Event, Of, Segment};
+use tumble_ode::{Occurrence, Of, Segment};
 
 use crate::cache::Cache;
 use crate::equations::Equations;
@@ -127,7 +127,7 @@ impl Tracks {
     }
 
     /// An event by where it is.
-    pub(crate) fn event(&self, (of, index): (usize, usize)) -> &Event<Record> {
+    pub(crate) fn event(&self, (of, index): (usize, usize)) -> &Occurrence<Record> {
         &self.each[of].motion.events[index]
     }
 }

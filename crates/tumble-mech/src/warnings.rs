@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 use tumble_expr::Expr;
-use tumble_ode::Start as NumericStart;
+use tumble_ode::InitialState;
 
 use crate::equations::Equations;
 use crate::error::{ModelError, ModelErrors};
@@ -57,7 +57,7 @@ fn more(others: usize) -> String {
 
 impl Equations {
     /// What a user should know of the start of a run, which may go on all the same.
-    pub fn warnings(&self, start: &NumericStart<Mode>) -> Result<Vec<ModelWarning>, ModelErrors> {
+    pub fn warnings(&self, start: &InitialState<Mode>) -> Result<Vec<ModelWarning>, ModelErrors> {
         let bodies = &self.model().bodies;
         let speed = |index: usize| {
             let motion = bodies[index].kinematics();
@@ -87,10 +87,10 @@ impl Equations {
     /// Values of formulas of any kinematic symbols at the start.
     pub(crate) fn values_at(
         &self,
-        start: &NumericStart<Mode>,
+        start: &InitialState<Mode>,
         formulas: &[Expr],
     ) -> Result<Vec<f64>, ModelError> {
-        let NumericStart { mode, time, states, inputs, .. } = start;
+        let InitialState { mode, time, states, inputs, .. } = start;
         let problem = |reason: tumble_ode::Reason| reason.to_string();
         self.values(formulas, mode, *time, states, inputs).map_err(|reason| ModelError::Start {
             body: self.model().bodies[0].name.clone(),

@@ -7,8 +7,8 @@ use common::{at, close, hinged_rod, run};
 use tumble_expr::units::{KG, M, N, RAD, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{
-    Anchor, Body, Component, ContactLaw, Contribution, Drag, DragPlace, Gravity, Kind, Load, Model, Place,
-    Release, Run, RunBalance, Spring, Start, Surface, Torsion, time,
+    Anchor, Body, Component, ContactLaw, Contribution, ContributionKind, Drag, DragPlace, Gravity, Load,
+    Model, Place, Release, Run, RunBalance, Spring, Start, Surface, Torsion, time,
 };
 use tumble_ode::Side;
 
@@ -29,7 +29,7 @@ fn balanced(run: &Run, tolerance: f64) -> RunBalance {
 }
 
 #[track_caller]
-fn contribution(balance: &RunBalance, load: &str, kind: Kind) -> Contribution {
+fn contribution(balance: &RunBalance, load: &str, kind: ContributionKind) -> Contribution {
     let mut known = balance.contributions.iter().filter(|part| part.load == load && part.kind == kind);
     known
         .next()
@@ -37,7 +37,7 @@ fn contribution(balance: &RunBalance, load: &str, kind: Kind) -> Contribution {
         .clone()
 }
 
-fn has(balance: &RunBalance, load: &str, kind: Kind) -> bool {
+fn has(balance: &RunBalance, load: &str, kind: ContributionKind) -> bool {
     balance.contributions.iter().any(|part| part.load == load && part.kind == kind)
 }
 
@@ -58,7 +58,7 @@ fn a_pendulum_keeps_its_energy_and_its_hinge_closes_the_momentum() {
     let run = run(model, 20.0, 1e-12);
     let balance = balanced(&run, 2e-12);
     assert_eq!(balance.energy.change, 0.0);
-    let [hinge, gravity] = [("hinge", Kind::Work), ("gravity", Kind::Conservative)];
+    let [hinge, gravity] = [("hinge", ContributionKind::Work), ("gravity", ContributionKind::Conservative)];
     let (hinge, gravity) =
         (contribution(&balance, hinge.0, hinge.1), contribution(&balance, gravity.0, gravity.1));
     assert_eq!(hinge.work, 0.0);
@@ -69,7 +69,7 @@ fn a_pendulum_keeps_its_energy_and_its_hinge_closes_the_momentum() {
     close(hinge.impulse[1], vy + G * 20.0, 1e-13);
     // About the hinge its force has no moment.
     let about = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
-    assert!(contribution(&about, "hinge", Kind::Work).angular_impulse.abs() < 1e-13);
+    assert!(contribution(&about, "hinge", ContributionKind::Work).angular_impulse.abs() < 1e-13);
     let store = &balance.stores[0];
     close(store.start - store.end, gravity.work, 1e-11);
     let height = at(&run, 20.0, [rod.kinematics().position().y().clone()])[0];
@@ -88,7 +88,7 @@ fn the_air_s_work_on_a_pendulum_is_what_its_energy_gains() {
     let balance = balanced(&run, 1e-12);
     let energy = rod.kinetic_energy() + rod.potential_energy(&run.equations.model().gravity);
     let [before, after] = [0.0, 20.0].map(|t| at(&run, t, [energy.clone()])[0]);
-    close(contribution(&balance, "air", Kind::Work).work, after - before, 1e-12);
+    close(contribution(&balance, "air", ContributionKind::Work).work, after - before, 1e-12);
     assert!((after - before).abs() > 0.1);
 }
 
@@ -105,7 +105,7 @@ fn a_kick() {
     let run = run(model, 1.0, 1e-9);
     let balance = balanced(&run, 1e-14);
     let (push, y, inertia) = (2.0, 0.05, 2.0 / 3.0 * 0.43 * 0.11 * 0.11);
-    let kick = contribution(&balance, "kick", Kind::Work);
+    let kick = contribution(&balance, "kick", ContributionKind::Work);
     close(kick.work, push * push / 2.0 / 0.43 + y * y * push * push / (2.0 * inertia), 1e-14);
     close(kick.impulse[0], push, 1e-15);
     assert_eq!(kick.impulse[1], 0.0);
@@ -125,7 +125,7 @@ fn a_rod_thrown_in_air() {
     model.starts.push(("rod".into(), start));
     let run = run(model, 3.0, 1e-12);
     let balance = balanced(&run, 1e-12);
-    assert!(contribution(&balance, "air", Kind::Work).work < -5.0);
+    assert!(contribution(&balance, "air", ContributionKind::Work).work < -5.0);
 }
 
 /// A mass of 2 kg on a line, between a wall and its rest place at 1 m, started at 1.5 m.
@@ -153,14 +153,14 @@ fn a_damper_s_loss() {
     let decay = 0.5 * (-beta * t).exp();
     let x = decay * ((w * t).cos() + beta / w * (w * t).sin());
     let v = -decay * 4.0 / w * (w * t).sin();
-    let damper = contribution(&balance, "spring", Kind::Work);
+    let damper = contribution(&balance, "spring", ContributionKind::Work);
     close(damper.work, v * v + 4.0 * x * x - 1.0, 1e-12);
-    let elastic = contribution(&balance, "spring", Kind::Conservative);
+    let elastic = contribution(&balance, "spring", ContributionKind::Conservative);
     close(elastic.work, 1.0 - 4.0 * x * x, 1e-12);
     close(balance.stores[0].start, 1.0, 1e-15);
     close(balance.stores[0].end, 4.0 * x * x, 1e-12);
     assert_eq!(elastic.body, Some(0));
-    assert!(!has(&balance, "spring", Kind::Driven));
+    assert!(!has(&balance, "spring", ContributionKind::Driven));
     // Impulses of both parts together are the momentum.
     close(damper.impulse[0] + elastic.impulse[0], 2.0 * v, 1e-12);
 }
@@ -174,10 +174,10 @@ fn an_anchor_that_is_shaken_does_work() {
     let x = 0.5 * (2.0 * t).cos() - 1.5 * forced * (2.0 * t).sin() + forced * (3.0 * t).sin();
     let v = -(2.0 * t).sin() - 3.0 * forced * (2.0 * t).cos() + 3.0 * forced * (3.0 * t).cos();
     let stretched = x - 0.1 * (3.0 * t).sin();
-    let driven = contribution(&balance, "spring", Kind::Driven);
+    let driven = contribution(&balance, "spring", ContributionKind::Driven);
     close(driven.work, v * v + 4.0 * stretched * stretched - 1.0, 1e-12);
     assert!(driven.work.abs() > 1e-2 && driven.body.is_none());
-    assert!(!has(&balance, "spring", Kind::Work));
+    assert!(!has(&balance, "spring", ContributionKind::Work));
 }
 
 #[test]
@@ -187,7 +187,7 @@ fn a_torque_s_work_is_torque_times_angle() {
     model.torque("motor", &rod, 2 * N * M);
     let run = run(model, 30.0, 1e-12);
     let balance = balanced(&run, 1e-14);
-    let motor = contribution(&balance, "motor", Kind::Work);
+    let motor = contribution(&balance, "motor", ContributionKind::Work);
     close(motor.work, 2.0 * 900.0, 1e-14);
     close(motor.angular_impulse, 60.0, 1e-15);
     assert_eq!(motor.impulse, [0.0; 2]);
@@ -212,7 +212,7 @@ fn a_torsion_spring_with_a_damper() {
     let twist = 9.0 * (-beta * t).exp() * ((w * t).cos() + beta / w * (w * t).sin());
     let rate = -9.0 * (-beta * t).exp() * 4.0 / w * (w * t).sin();
     let energy = 0.5 * rate * rate + 2.0 * twist * twist;
-    close(contribution(&balance, "wire", Kind::Work).work, energy - 162.0, 1e-12);
+    close(contribution(&balance, "wire", ContributionKind::Work).work, energy - 162.0, 1e-12);
     close(balance.stores[0].start, 162.0, 1e-15);
 }
 
@@ -226,7 +226,7 @@ fn a_shaken_pivot_does_work() {
     model.starts.push(("rod".into(), Start::default().angle(1 * RAD)));
     let run = run(model, 10.0, 1e-12);
     let balance = balanced(&run, 1e-12);
-    let table = contribution(&balance, "table", Kind::Work);
+    let table = contribution(&balance, "table", ContributionKind::Work);
     close(table.work, balance.energy.end - balance.energy.start, 1e-12);
     assert!(table.work.abs() > 0.1);
 }
@@ -288,7 +288,10 @@ fn a_rod_loses_energy_by_impacts() {
             .expect("an event");
         let response = 1.0 / 0.5 + before[1] * before[1] / (0.5 / 12.0);
         let loss = (1.0 - 0.49) * before[0] * before[0] / (2.0 * response);
-        let column = balance.contributions.iter().position(|e| e.load == pair.name && e.kind == Kind::Impact);
+        let column = balance
+            .contributions
+            .iter()
+            .position(|e| e.load == pair.name && e.kind == ContributionKind::Impact);
         let works = [Side::Before, Side::After].map(|side| {
             let at = balance.at(hit.start, side).expect("a balance").expect("in the run");
             assert!(at.energy_residual.abs() < 1e-11, "{at:?}");
@@ -298,10 +301,11 @@ fn a_rod_loses_energy_by_impacts() {
         assert!(loss > 0.1);
     }
     // It comes to lie, and then the floor carries it.
-    let lost: f64 = balance.contributions.iter().filter(|e| e.kind == Kind::Impact).map(|e| e.work).sum();
+    let lost: f64 =
+        balance.contributions.iter().filter(|e| e.kind == ContributionKind::Impact).map(|e| e.work).sum();
     close(lost, balance.energy.end - balance.energy.start, 1e-12);
     close(balance.energy.end, 0.5 * 0.5 * 4.0, 1e-13);
-    let held = contribution(&balance, "floor.rod.from", Kind::Work);
+    let held = contribution(&balance, "floor.rod.from", ContributionKind::Work);
     assert!(held.work == 0.0 && held.impulse[1] > 1.0, "{held:?}");
 }
 
@@ -310,7 +314,12 @@ fn an_elastic_rod_loses_nothing() {
     let run = run(bouncing_rod(rigid(1.0)), 5.0, 1e-12);
     let balance = balanced(&run, 1e-12);
     assert!(balance.energy.change.abs() < 1e-12);
-    let up: f64 = balance.contributions.iter().filter(|e| e.kind == Kind::Impact).map(|e| e.impulse[1]).sum();
+    let up: f64 = balance
+        .contributions
+        .iter()
+        .filter(|e| e.kind == ContributionKind::Impact)
+        .map(|e| e.impulse[1])
+        .sum();
     close(up, balance.bodies[0].momentum[1].end + 0.5 * G * 5.0, 1e-12);
 }
 
@@ -325,7 +334,7 @@ fn a_ball_comes_to_rest() {
         let run = run(model, 3.0, 1e-12);
         let balance = balanced(&run, 1e-13);
         let pair = run.equations.pairs()[0].name.clone();
-        close(contribution(&balance, &pair, Kind::Impact).work, -0.5 * G, 1e-13);
+        close(contribution(&balance, &pair, ContributionKind::Impact).work, -0.5 * G, 1e-13);
         close(balance.energy.end, 0.5 * G * 0.1, 1e-14);
     }
 }
@@ -340,8 +349,8 @@ fn an_impact_of_a_hinged_rod() {
         model.surface(Surface::floor("floor", 0 * M, rigid(e)));
         let run = run(model, 5.0, 1e-12);
         let balance = balanced(&run, 1e-12);
-        close(contribution(&balance, "floor.rod.to", Kind::Impact).work, -2.0 * G * 0.25, 1e-12);
-        let hinge = contribution(&balance, "hinge", Kind::Impact);
+        close(contribution(&balance, "floor.rod.to", ContributionKind::Impact).work, -2.0 * G * 0.25, 1e-12);
+        let hinge = contribution(&balance, "hinge", ContributionKind::Impact);
         assert!(hinge.work.abs() < 1e-14 && hinge.impulse[0].abs() > 0.1, "{hinge:?}");
     }
 }
@@ -374,12 +383,12 @@ fn a_damped_floor_takes_energy_and_may_keep_some() {
         let depth = 2.0 / w * (-half * t).exp() * (w * t).sin();
         let speed = 2.0 * (-half * t).exp() * ((w * t).cos() - half / w * (w * t).sin());
         let kept = 5e3 * depth * depth;
-        let damper = contribution(&balance, &name, Kind::Work);
+        let damper = contribution(&balance, &name, ContributionKind::Work);
         close(damper.work, 0.25 * (speed * speed - 4.0) + kept, 1e-12);
         match release {
-            Release::AtSurface => assert!(!has(&balance, &name, Kind::Release)),
+            Release::AtSurface => assert!(!has(&balance, &name, ContributionKind::Release)),
             Release::AtZeroForce => {
-                close(contribution(&balance, &name, Kind::Release).work, -kept, 1e-12);
+                close(contribution(&balance, &name, ContributionKind::Release).work, -kept, 1e-12);
                 assert!(kept > 1e-2);
             }
         }
@@ -391,7 +400,7 @@ fn a_rod_on_a_springy_floor() {
     let run = run(bouncing_rod(spring_floor(0.0, Release::AtZeroForce)), 5.0, 1e-12);
     let balance = balanced(&run, 1e-12);
     assert_eq!(balance.energy.change, 0.0);
-    assert!(run.contacts().len() == 8 && has(&balance, "floor.rod.from", Kind::Conservative));
+    assert!(run.contacts().len() == 8 && has(&balance, "floor.rod.from", ContributionKind::Conservative));
 }
 
 /// In a transformed time; elastic, with damping, and several at a time.
@@ -405,10 +414,10 @@ fn hertz_s_floor() {
         );
         let balance = balanced(&run, 1e-12);
         let name = run.equations.pairs()[0].name.clone();
-        assert_eq!(has(&balance, &name, Kind::Work), damping > 0.0);
+        assert_eq!(has(&balance, &name, ContributionKind::Work), damping > 0.0);
         let lost = 0.25 * 5.0 + 0.5 * G * 0.15 - balance.energy.end;
         if damping > 0.0 {
-            close(contribution(&balance, &name, Kind::Work).work, -lost, 1e-12);
+            close(contribution(&balance, &name, ContributionKind::Work).work, -lost, 1e-12);
             assert!(lost > 0.1);
         } else {
             close(lost, 0.0, 1e-12);
@@ -442,7 +451,7 @@ fn on_a_moving_floor() {
         model.surfaces[0].law = law;
         let run = run(model.clone(), 2.0, 1e-12);
         let balance = balanced(&run, 1e-12);
-        assert!(has(&balance, "floor.box.corner1", Kind::Driven));
+        assert!(has(&balance, "floor.box.corner1", ContributionKind::Driven));
         assert!(work(&balance) > 10.0);
     }
 }

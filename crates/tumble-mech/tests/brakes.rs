@@ -22,7 +22,7 @@ fn in_gravity() -> Model {
 
 /// Names and times of all that happens.
 fn told(run: &Run) -> Vec<(String, f64)> {
-    let of = |event: &tumble_ode::Event<tumble_mech::Record>| {
+    let of = |event: &tumble_ode::Occurrence<tumble_mech::Record>| {
         run.equations.names_of(&event.record).into_iter().map(|name| (name, event.time)).collect::<Vec<_>>()
     };
     run.events().flat_map(of).collect()

@@ -144,7 +144,7 @@ fn several_at_one_instant() {
     model.surface(Surface::floor("floor", -r * M, rigid(0.0)));
     let run = run(model, 2.0, 1e-13);
     states(&run, 2.0).iter().for_each(|state| state[2..].iter().for_each(|rate| close(*rate, 0.0, 1e-12)));
-    let made = |event: &&tumble_ode::Event<tumble_mech::Record>| {
+    let made = |event: &&tumble_ode::Occurrence<tumble_mech::Record>| {
         event.record.happened.iter().filter(|one| matches!(one, Happening::Joint { holds: true, .. })).count()
     };
     let events: Vec<_> = run.events().filter(|event| made(event) > 0).collect();

@@ -6,7 +6,8 @@ use common::{at, balanced, close, disk, model, motion, place, plate, rod, run, s
 use tumble_expr::units::{M, N, S};
 use tumble_expr::{Exponent, Expr};
 use tumble_mech::{
-    BodyContact, Change, ContactLaw, Equations, Friction, Happening, Kind, Model, Release, Run, Surface,
+    BodyContact, Change, ContactLaw, ContributionKind, Equations, Friction, Happening, Model, Release, Run,
+    Surface,
 };
 
 const G: f64 = 9.81;
@@ -305,7 +306,7 @@ fn a_box_slides_off_a_step() {
         );
         assert!(passes(&run, "step.box.corner2.side3", "step.box.side1.corner3"));
         let balance = balanced(&run, 1e-12);
-        assert!(balance.contributions.iter().all(|part| part.kind != Kind::Release));
+        assert!(balance.contributions.iter().all(|part| part.kind != ContributionKind::Release));
         let whole = kept(&run, 0.0)[0];
         for part in 0..90 {
             let t = 0.01 * f64::from(part);

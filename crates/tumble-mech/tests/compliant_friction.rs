@@ -6,8 +6,8 @@ use common::{at, balanced, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{
-    Application, AppliedImpulse, Body, Change, ContactLaw, Event, Frame, Friction, Gravity, Happening, Kind,
-    Model, Place, Release, Run, RunBalance, Shape, Start, Surface, time,
+    Application, AppliedImpulse, Body, Change, ContactLaw, ContributionKind, Event, Frame, Friction, Gravity,
+    Happening, Model, Place, Release, Run, RunBalance, Shape, Start, Surface, time,
 };
 use tumble_ode::Side;
 
@@ -254,7 +254,7 @@ fn rubbed(balance: &RunBalance) -> f64 {
     let own = balance
         .contributions
         .iter()
-        .filter(|part| part.load.ends_with(".friction") && part.kind == Kind::Work);
+        .filter(|part| part.load.ends_with(".friction") && part.kind == ContributionKind::Work);
     own.map(|part| part.work).sum()
 }
 

@@ -61,7 +61,7 @@ fn each_moves_as_it_would_alone() {
         }
         let name = format!("floor.ball{number}");
         let own = |run: &Run| -> Vec<f64> {
-            let names = |event: &tumble_ode::Event<_>| run.equations.names_of(&event.record).join(" ");
+            let names = |event: &tumble_ode::Occurrence<_>| run.equations.names_of(&event.record).join(" ");
             run.events().filter(|event| names(event).contains(&name)).map(|event| event.time).collect()
         };
         assert_eq!(own(&together), own(&alone), "ball {number}");

@@ -1,6 +1,6 @@
 //! A formula as its writer has it: nothing is worked out, names have their symbols.
 
-use tumble_expr::language::{Formula, Operator as Sign, Span, Syntax};
+use tumble_expr::language::{BinaryOperator as Sign, Formula, Span, Syntax};
 
 use crate::layout::{Math, Operator};
 use crate::symbol::Identifier;

@@ -7,7 +7,7 @@ use tumble_expr::Formulas;
 
 use crate::MathError;
 use crate::layout::Math;
-use crate::notation::Shown;
+use crate::notation::Printed;
 
 /// So many are kept; then all are forgotten.
 const MOST: usize = 512;
@@ -28,14 +28,14 @@ pub(crate) struct Key {
 }
 
 thread_local! {
-    static KNOWN: RefCell<HashMap<Key, Result<Shown, MathError>>> = RefCell::new(HashMap::new());
+    static KNOWN: RefCell<HashMap<Key, Result<Printed, MathError>>> = RefCell::new(HashMap::new());
 }
 
 /// What is known of it, or else what comes of working it out.
 pub(crate) fn or_else(
     key: Key,
-    work_out: impl FnOnce() -> Result<Shown, MathError>,
-) -> Result<Shown, MathError> {
+    work_out: impl FnOnce() -> Result<Printed, MathError>,
+) -> Result<Printed, MathError> {
     if let Some(known) = KNOWN.with_borrow(|known| known.get(&key).cloned()) {
         return known;
     }

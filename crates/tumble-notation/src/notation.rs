@@ -9,7 +9,7 @@ use crate::known::{self, Key};
 use crate::layout::Math;
 use crate::print::Printer;
 use crate::spelling::shown_leaves;
-use crate::{MathError, mathml, order};
+use crate::{MathError, order};
 
 /// How formulas are shown.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ pub struct Line {
 
 /// Equations, and below them what the names in them stand for.
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub struct Printed {
     /// The equations in the order in which they were given.
     pub lines: Vec<Line>,
     /// Definitions in the order in which a reader meets their names.
@@ -84,33 +84,7 @@ impl Line {
     }
 }
 
-impl Shown {
-    /// Everything as `math` elements: equations aligned at their equals signs, then definitions behind "where".
-    pub fn mathml(&self) -> String {
-        let sides = |lines: &[Line]| -> Vec<(Math, Math)> {
-            let pair = |line: &Line| Some((line.left.clone()?, line.right.clone()));
-            lines.iter().filter_map(pair).collect()
-        };
-        let equations = match self.lines.iter().all(|line| line.left.is_some()) {
-            true => mathml::mathml_aligned(&sides(&self.lines)),
-            false => self.lines.iter().map(|line| mathml::mathml_block(&line.math())).collect(),
-        };
-        if self.definitions.is_empty() {
-            return equations;
-        }
-        format!("{equations}<p>where</p>{}", mathml::mathml_aligned(&sides(&self.definitions)))
-    }
-
-    /// Everything as LaTeX displays for Markdown.
-    pub fn latex(&self) -> String {
-        let display = |line: &Line| format!("$$ {} $$\n", crate::latex(&line.math()));
-        let lines: String = self.lines.iter().map(display).collect();
-        if self.definitions.is_empty() {
-            return lines;
-        }
-        lines + "\nwhere\n\n" + &self.definitions.iter().map(display).collect::<String>()
-    }
-
+impl Printed {
     /// Everything as text, a line each.
     pub fn text(&self) -> String {
         let lines = self.lines.iter().map(|line| crate::text(&line.math()));
@@ -166,23 +140,23 @@ impl Notation {
     }
 
     /// One formula.
-    pub fn formula(&self, formula: &Expr) -> Result<Shown, MathError> {
+    pub fn formula(&self, formula: &Expr) -> Result<Printed, MathError> {
         self.show(&[(None, formula.clone())])
     }
 
     /// One equation.
-    pub fn equation(&self, left: Left, right: &Expr) -> Result<Shown, MathError> {
+    pub fn equation(&self, left: Left, right: &Expr) -> Result<Printed, MathError> {
         self.show(&[(Some(left), right.clone())])
     }
 
     /// Equations that share their definitions.
-    pub fn equations(&self, equations: &[(Left, Expr)]) -> Result<Shown, MathError> {
+    pub fn equations(&self, equations: &[(Left, Expr)]) -> Result<Printed, MathError> {
         let sides: Vec<_> =
             equations.iter().map(|(left, right)| (Some(left.clone()), right.clone())).collect();
         self.show(&sides)
     }
 
-    fn show(&self, sides: &[(Option<Left>, Expr)]) -> Result<Shown, MathError> {
+    fn show(&self, sides: &[(Option<Left>, Expr)]) -> Result<Printed, MathError> {
         known::or_else(self.key(sides), || self.worked_out(sides))
     }
 
@@ -203,7 +177,7 @@ impl Notation {
         }
     }
 
-    fn worked_out(&self, sides: &[(Option<Left>, Expr)]) -> Result<Shown, MathError> {
+    fn worked_out(&self, sides: &[(Option<Left>, Expr)]) -> Result<Printed, MathError> {
         let mut algebra = Algebra::default();
         let mut imported = Imported::default();
         let factors = sides.iter().filter_map(|(left, _)| left.as_ref()?.factor.as_ref());
@@ -258,7 +232,7 @@ impl Notation {
         }
     }
 
-    fn printed(&self, algebra: &mut Algebra, sides: &[(Option<Left>, Expr)], roots: &[Id]) -> Shown {
+    fn printed(&self, algebra: &mut Algebra, sides: &[(Option<Left>, Expr)], roots: &[Id]) -> Printed {
         let used = algebra.used(roots);
         let automatic = self.automatic_names(algebra, &used);
         let bodies: Vec<Id> = used.iter().map(|index| algebra.definitions[*index].body).collect();
@@ -289,7 +263,7 @@ impl Notation {
         });
         // The length of what has a name needs no words: |u| is |u|.
         let definitions = definitions.filter(|line| line.left.as_ref() != Some(&line.right));
-        Shown { lines, definitions: definitions.collect() }
+        Printed { lines, definitions: definitions.collect() }
     }
 
     /// Names that no symbol and no other definition has: u1, u2, ...

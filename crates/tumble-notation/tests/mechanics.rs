@@ -4,7 +4,7 @@ mod common;
 
 use common::{assert_same, force, g, length, mass, omega, pure, speed, t};
 use tumble_expr::{Dimension, Expr, Symbol, Vector};
-use tumble_notation::{Left, Math, Notation, RateMark, Shown, integrate_twice, polynomial_in};
+use tumble_notation::{Left, Math, Notation, Printed, RateMark, integrate_twice, polynomial_in};
 
 const POSITIVE: [&str; 5] = ["m", "M", "L", "R", "I"];
 
@@ -21,7 +21,7 @@ fn show(notation: &Notation, left: Left, right: &Expr) -> String {
 }
 
 /// The printed text has the value of the formula.
-fn read_back(_: &Notation, shown: &Shown) {
+fn read_back(_: &Notation, shown: &Printed) {
     common::reader::assert_reads_as(shown, &POSITIVE, &|name| match name {
         "rod.angle" => "θ".to_owned(),
         "rod.omega" => "ω".to_owned(),

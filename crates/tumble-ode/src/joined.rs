@@ -5,7 +5,7 @@ use std::hash::Hash;
 use std::rc::Rc;
 
 use crate::coefficients::Coefficients;
-use crate::trajectory::{Event, Piece, Side, Trajectory};
+use crate::trajectory::{Occurrence, Piece, Side, Trajectory};
 use crate::work::Work;
 
 /// Where a state of all is found: which motion of those beside each other, and its index there.
@@ -159,7 +159,7 @@ impl<Mode: Clone + Eq + Hash, Record: Clone> Joining<'_, Mode, Record> {
         }
     }
 
-    fn events(&mut self) -> Vec<Event<Record>> {
+    fn events(&mut self) -> Vec<Occurrence<Record>> {
         let segments = self.segments;
         let each = segments.iter().enumerate();
         let mut order: Vec<Of> =
@@ -178,7 +178,7 @@ impl<Mode: Clone + Eq + Hash, Record: Clone> Joining<'_, Mode, Record> {
             modes[of] = event.mode_after;
             dealt[of] = index + 1;
             let after = self.at(&beside, &modes, event.time, &dealt);
-            events.push(Event {
+            events.push(Occurrence {
                 before: before.1,
                 after: after.1,
                 mode_before: before.0,

@@ -39,6 +39,6 @@ pub use lazy_guards::Watched;
 pub use program::Program;
 pub use refusal::{Demands, Reason, Refusal};
 pub use roots::turns;
-pub use solver::{Carried, Handover, Motion, Over, Solver, Start, Stopped, solve};
-pub use trajectory::{Cursor, Event, Piece, Place, Side, Spot, Trajectory};
+pub use solver::{Carried, Handover, InitialState, Motion, Over, Solver, Stopped, solve};
+pub use trajectory::{Cursor, MotionState, Occurrence, Piece, Side, Spot, Trajectory};
 pub use work::Work;

@@ -50,7 +50,7 @@ const MOST_AT_ONCE: u64 = 1000;
 
 /// What a motion starts from.
 #[derive(Clone, Debug)]
-pub struct Start<Mode> {
+pub struct InitialState<Mode> {
     /// Time of the start, s.
     pub time: f64,
     /// The mode at the start.
@@ -88,7 +88,7 @@ pub struct Stopped<Mode: std::fmt::Debug, Record: std::fmt::Debug = ()> {
 /// Integrates a motion to its end.
 pub fn solve<H: Hybrid>(
     system: &H,
-    start: Start<H::Mode>,
+    start: InitialState<H::Mode>,
     until: f64,
     accuracy: Accuracy,
 ) -> Result<Motion<H>, Stopped<H::Mode, H::Record>> {
@@ -153,7 +153,7 @@ pub struct Solver<'a, H: Hybrid> {
 
 impl<'a, H: Hybrid> Solver<'a, H> {
     /// A motion about to start. Nothing is evaluated yet.
-    pub fn new(system: &'a H, start: Start<H::Mode>, until: f64, accuracy: Accuracy) -> Self {
+    pub fn new(system: &'a H, start: InitialState<H::Mode>, until: f64, accuracy: Accuracy) -> Self {
         let tolerance = accuracy.local_tolerance();
         Self {
             system,

@@ -15,7 +15,7 @@ pub struct Trajectory<Mode, Record = ()> {
     /// Pieces in order of time; each begins where the one before ends.
     pub pieces: Vec<Piece>,
     /// Events in order of time.
-    pub events: Vec<Event<Record>>,
+    pub events: Vec<Occurrence<Record>>,
     /// What it cost.
     pub work: Work,
     /// Order of the Taylor steps.
@@ -47,7 +47,7 @@ pub struct Piece {
 
 /// Something that happened at one instant.
 #[derive(Clone, Debug)]
-pub struct Event<Record = ()> {
+pub struct Occurrence<Record = ()> {
     /// When, s.
     pub time: f64,
     /// What the integrator saw.
@@ -68,7 +68,7 @@ pub struct Event<Record = ()> {
 
 /// The motion at one time.
 #[derive(Clone, Debug)]
-pub struct Place<'a> {
+pub struct MotionState<'a> {
     /// Index in [`Trajectory::modes`].
     pub mode: usize,
     /// s
@@ -156,8 +156,9 @@ impl<Mode, Record> Trajectory<Mode, Record> {
     /// The motion at `time`; `None` outside it.
     ///
     /// Before an event at the very start, and after one at the very end, there is no piece.
-    pub fn place_at(&self, time: f64, side: Side) -> Option<Place<'_>> {
-        let at = |mode: usize, states: &[f64]| Place { mode, time, states: states.to_vec(), piece: None };
+    pub fn place_at(&self, time: f64, side: Side) -> Option<MotionState<'_>> {
+        let at =
+            |mode: usize, states: &[f64]| MotionState { mode, time, states: states.to_vec(), piece: None };
         match (side, self.first_event(), self.last_event()) {
             (Side::Before, Some(first), _) if first.time == time => {
                 Some(at(first.mode_before, &first.before))
@@ -166,7 +167,7 @@ impl<Mode, Record> Trajectory<Mode, Record> {
             _ => {
                 let piece = self.piece_at(time, side)?;
                 let states = piece.states_at(time);
-                Some(Place { mode: piece.mode, time, states, piece: Some(piece) })
+                Some(MotionState { mode: piece.mode, time, states, piece: Some(piece) })
             }
         }
     }
@@ -221,7 +222,7 @@ impl<Mode, Record> Trajectory<Mode, Record> {
         }
     }
 
-    fn first_event(&self) -> Option<&Event<Record>> {
+    fn first_event(&self) -> Option<&Occurrence<Record>> {
         let start = self.start()?;
         self.events.first().filter(|event| event.time == start)
     }
@@ -232,7 +233,7 @@ impl<Mode, Record> Trajectory<Mode, Record> {
     }
 
     /// The event at the very end, if there is one.
-    pub fn last_event(&self) -> Option<&Event<Record>> {
+    pub fn last_event(&self) -> Option<&Occurrence<Record>> {
         let end = self.end()?;
         self.events.last().filter(|event| event.time == end)
     }

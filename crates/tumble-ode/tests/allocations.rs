@@ -5,7 +5,8 @@ use std::sync::Arc;
 use allocation_counter::measure;
 use tumble_expr::{Dimension, Expr, Rounding, Symbol, Unary};
 use tumble_ode::{
-    Accuracy, Crossing, Flow, Hybrid, Jump, Program, Reason, ScaleGroup, Start, StateVariable, Work, solve,
+    Accuracy, Crossing, Flow, Hybrid, InitialState, Jump, Program, Reason, ScaleGroup, StateVariable, Work,
+    solve,
 };
 
 /// Allocations that stay in the motion: the coefficients of a piece are one piece of memory, which its owner may keep alone.
@@ -65,7 +66,7 @@ impl WindPendulum {
 
     /// Allocations of a run of that length, s, and what it did.
     fn cost(&self, until: f64, rounding: Rounding) -> (u64, Work) {
-        let start = Start {
+        let start = InitialState {
             time: 0.0,
             mode: (),
             states: vec![0.0; 2],

@@ -2,8 +2,8 @@
 
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_ode::{
-    Accuracy, AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, Invariant, Jump, LazyGuard, Reason,
-    ScaleGroup, Side, Start, StateVariable, Stopped, Trajectory, Watched, solve,
+    Accuracy, AtZero, Cause, Crossing, Direction, Flow, Guard, Hybrid, InitialState, Invariant, Jump,
+    LazyGuard, Reason, ScaleGroup, Side, StateVariable, Stopped, Trajectory, Watched, solve,
 };
 
 const G: f64 = 10.0;
@@ -75,7 +75,7 @@ impl Hybrid for Toy {
 type Ran = Result<Trajectory<i32>, Box<Stopped<i32>>>;
 
 fn run_with(toy: &Toy, start: &[f64], until: f64, causes: Vec<Cause>) -> Ran {
-    let start = Start {
+    let start = InitialState {
         time: 0.0,
         mode: 0,
         states: start.to_vec(),

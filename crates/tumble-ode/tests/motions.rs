@@ -2,8 +2,8 @@
 
 use tumble_expr::{Dimension, Expr, Symbol};
 use tumble_ode::{
-    Accuracy, Cause, Crossing, Flow, Hybrid, Jump, Reason, ScaleGroup, Side, Start, StateVariable, Stopped,
-    Trajectory, solve,
+    Accuracy, Cause, Crossing, Flow, Hybrid, InitialState, Jump, Reason, ScaleGroup, Side, StateVariable,
+    Stopped, Trajectory, solve,
 };
 
 fn leaf(name: &str) -> Expr {
@@ -55,7 +55,7 @@ impl Hybrid for Toy {
 type Ran = Result<Trajectory<i32, i32>, Box<Stopped<i32, i32>>>;
 
 fn run(toy: &Toy, start: &[f64], until: f64, accuracy: f64) -> Ran {
-    let start = Start {
+    let start = InitialState {
         time: 0.0,
         mode: 0,
         states: start.to_vec(),

@@ -1,17 +1,15 @@
 //! What is wrong with a scene, as values that point into its text.
 
 use std::fmt;
-use std::ops::Range;
 
 use crate::code::Code;
 use crate::printable::{Shown, printable, printable_lines};
 
-/// A range of bytes in a source.
-pub type Span = Range<usize>;
+pub use tumble_expr::language::Span;
 
 /// A text that was read: the scene, or a setting from the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct SourceText {
     /// The file's name, or `--set T=2s`.
     pub name: String,
     /// Its text, a byte-order mark left out.
@@ -122,13 +120,13 @@ impl Diagnostic {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Diagnostics {
     /// The texts: the scene first, then the settings.
-    pub sources: Vec<Source>,
+    pub sources: Vec<SourceText>,
     /// The mistakes; where a scene was refused there is at least one.
     pub list: Vec<Diagnostic>,
 }
 
 impl Diagnostics {
-    pub(crate) fn new(sources: Vec<Source>, mut list: Vec<Diagnostic>) -> Self {
+    pub(crate) fn new(sources: Vec<SourceText>, mut list: Vec<Diagnostic>) -> Self {
         list.sort_by_key(|diagnostic| (diagnostic.source, diagnostic.start()));
         Self { sources, list }
     }
@@ -161,7 +159,7 @@ impl Diagnostics {
         });
         let list = list.collect();
         let named = self.sources.iter().zip(shown);
-        let source = |(source, shown): (&Source, Shown)| Source {
+        let source = |(source, shown): (&SourceText, Shown)| SourceText {
             name: printable(&source.name).into_owned(),
             text: shown.text,
         };

@@ -8,7 +8,7 @@ use tumble_expr::Expr;
 use tumble_mech::{Equations, Model};
 use tumble_ode::Accuracy;
 
-use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
+use crate::diagnostic::{Diagnostic, Diagnostics, SourceText, Span};
 use crate::formula::Text;
 use crate::names::Names;
 use crate::places::Places;
@@ -22,7 +22,7 @@ use crate::sweep::{SweepAxis, Swept};
 /// A study that may still have holes.
 #[derive(Default)]
 pub(crate) struct Draft {
-    pub(crate) sources: Vec<Source>,
+    pub(crate) sources: Vec<SourceText>,
     pub(crate) mistakes: Vec<Diagnostic>,
     pub(crate) warnings: Vec<Diagnostic>,
     pub(crate) settings: Vec<Setting>,
@@ -77,7 +77,7 @@ impl Draft {
 
     /// A draft of which only the texts are known.
     pub(crate) fn begin(name: &str, text: &str, overrides: &[Override]) -> Self {
-        let scene = Source { name: name.to_owned(), text: text.to_owned() };
+        let scene = SourceText { name: name.to_owned(), text: text.to_owned() };
         let mut draft = Self {
             sources: std::iter::once(scene).chain(overrides.iter().map(Override::source)).collect(),
             settings: overrides.iter().enumerate().map(|(at, set)| set.setting(at + 1)).collect(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::language::{self, Formula, FormulaError, Place, StatedUnit, Value};
+use tumble_expr::language::{self, Formula, FormulaError, SpannedText, StatedUnit, Value};
 use tumble_expr::{Dimension, Exponent, Expr};
 use tumble_mech::place_symbols;
 
@@ -276,10 +276,10 @@ impl Translator<'_> {
         }
     }
 
-    fn place(&self, place: &Place) -> &Origin {
+    fn place(&self, place: &SpannedText) -> &Origin {
         match place {
-            Place::Formula => self.origin,
-            Place::Body(function) => self.names.functions.get(&**function).unwrap_or(self.origin),
+            SpannedText::Formula => self.origin,
+            SpannedText::Body(function) => self.names.functions.get(&**function).unwrap_or(self.origin),
         }
     }
 

@@ -50,7 +50,7 @@ mod words;
 use draft::Draft;
 
 pub use code::Code;
-pub use diagnostic::{Diagnostic, Diagnostics, Severity, Source, Span, Underlined};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity, SourceText, Span, Underlined};
 pub use file_names::file_name_fault;
 pub use files::{Files, Folder, MAX_FILE_BYTES, NoFiles};
 pub use moments::Count;
@@ -140,7 +140,7 @@ fn not_text(name: &str, bytes: &[u8], at: usize) -> Diagnostics {
 }
 
 fn about_file(name: &str, text: String, mistake: Diagnostic) -> Diagnostics {
-    Diagnostics::new(vec![Source { name: name.to_owned(), text }], vec![mistake])
+    Diagnostics::new(vec![SourceText { name: name.to_owned(), text }], vec![mistake])
 }
 
 fn empty() -> Diagnostic {

@@ -7,7 +7,7 @@ use miette::{
     SourceSpan, SpanContents,
 };
 
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Source, Underlined};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, SourceText, Underlined};
 
 /// This many mistakes are shown; the rest is counted.
 const SHOWN: usize = 50;
@@ -79,7 +79,7 @@ struct Report<'d> {
 }
 
 #[derive(Debug)]
-struct Shown<'d>(&'d Source);
+struct Shown<'d>(&'d SourceText);
 
 impl SourceCode for Shown<'_> {
     fn read_span<'a>(

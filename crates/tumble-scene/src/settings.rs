@@ -1,7 +1,7 @@
 //! Settings from the command line, such as `--set T=2s`, that stand in the place of parameters and of the accuracy.
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Source};
+use crate::diagnostic::{Diagnostic, SourceText};
 use crate::draft::Draft;
 use crate::formula::{Origin, Text};
 use crate::names::{ACCURACY, Level};
@@ -26,9 +26,9 @@ pub(crate) struct Setting {
 
 impl Override {
     /// As a source that diagnostics can point into.
-    pub(crate) fn source(&self) -> Source {
+    pub(crate) fn source(&self) -> SourceText {
         let text = format!("{}={}", self.name, self.text);
-        Source { name: format!("--set {text}"), text }
+        SourceText { name: format!("--set {text}"), text }
     }
 
     /// With its place in the source of that index.

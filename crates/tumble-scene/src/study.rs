@@ -8,7 +8,7 @@ use tumble_mech::{Equations, Extreme, Model, ModelErrors, Parameters};
 use tumble_ode::{Accuracy, Reason, Side};
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics, SourceText};
 use crate::places::Places;
 use crate::play::Play;
 use crate::sweep::SweepAxis;
@@ -62,7 +62,7 @@ pub struct Study {
 /// What was read, and what is to be said of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Said {
-    pub(crate) sources: Arc<[Source]>,
+    pub(crate) sources: Arc<[SourceText]>,
     pub(crate) places: Arc<Places>,
     pub(crate) warnings: Vec<Diagnostic>,
 }

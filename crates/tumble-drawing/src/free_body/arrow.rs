@@ -6,7 +6,7 @@ use crate::theme::{self, ArrowStyle};
 
 /// What a force comes from; each kind has its own colour and line style.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum ArrowKind {
     /// Weight.
     Weight,
     /// A surface, with or without friction.
@@ -24,37 +24,37 @@ pub enum Kind {
     Resultant,
 }
 
-impl Kind {
+impl ArrowKind {
     /// The word for it in legends and descriptions.
     pub fn name(self) -> &'static str {
         match self {
-            Kind::Weight => "weight",
-            Kind::Contact => "contact",
-            Kind::Air => "air",
-            Kind::Applied => "applied",
-            Kind::Spring => "spring",
-            Kind::Reaction => "reaction",
-            Kind::Resultant => "sum",
+            ArrowKind::Weight => "weight",
+            ArrowKind::Contact => "contact",
+            ArrowKind::Air => "air",
+            ArrowKind::Applied => "applied",
+            ArrowKind::Spring => "spring",
+            ArrowKind::Reaction => "reaction",
+            ArrowKind::Resultant => "sum",
         }
     }
 
     /// Colour and line style of its arrows.
     pub fn style(self) -> ArrowStyle {
         match self {
-            Kind::Weight => theme::WEIGHT,
-            Kind::Contact => theme::CONTACT,
-            Kind::Air => theme::AIR,
-            Kind::Applied => theme::APPLIED,
-            Kind::Spring => theme::SPRING,
-            Kind::Reaction => theme::REACTION,
-            Kind::Resultant => theme::RESULTANT,
+            ArrowKind::Weight => theme::WEIGHT,
+            ArrowKind::Contact => theme::CONTACT,
+            ArrowKind::Air => theme::AIR,
+            ArrowKind::Applied => theme::APPLIED,
+            ArrowKind::Spring => theme::SPRING,
+            ArrowKind::Reaction => theme::REACTION,
+            ArrowKind::Resultant => theme::RESULTANT,
         }
     }
 }
 
 /// What arrows stand for, with units as [`Label::unit`] reads them.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Unit {
+pub struct ArrowUnit {
     /// The quantity, for descriptions: `force`.
     pub quantity: String,
     /// Unit of arrows: `N`.
@@ -63,7 +63,7 @@ pub struct Unit {
     pub couple: String,
 }
 
-impl Unit {
+impl ArrowUnit {
     /// Forces in N, couples in N m.
     pub fn force() -> Self {
         Self { quantity: "force".to_owned(), arrow: "N".to_owned(), couple: "N m".to_owned() }
@@ -75,7 +75,7 @@ impl Unit {
     }
 }
 
-impl Default for Unit {
+impl Default for ArrowUnit {
     fn default() -> Self {
         Self::force()
     }
@@ -88,7 +88,7 @@ impl Default for Unit {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arrow {
     /// What it comes from.
-    pub kind: Kind,
+    pub kind: ArrowKind,
     /// Its symbol, for instance `Label::symbol("N")`; may be empty.
     pub symbol: Label,
     /// Point of action in world coordinates, metres.
@@ -99,7 +99,7 @@ pub struct Arrow {
 
 impl Arrow {
     /// A force of some kind at a point (world, metres).
-    pub fn new(kind: Kind, symbol: Label, point: [f64; 2], vector: [f64; 2]) -> Self {
+    pub fn new(kind: ArrowKind, symbol: Label, point: [f64; 2], vector: [f64; 2]) -> Self {
         Self { kind, symbol, point, vector }
     }
 
@@ -123,7 +123,7 @@ impl Arrow {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Couple {
     /// What it comes from.
-    pub kind: Kind,
+    pub kind: ArrowKind,
     /// Its symbol, for instance `Label::symbol("tau")`.
     pub symbol: Label,
     /// Counter-clockwise, in the couple unit of the diagram.
@@ -132,7 +132,7 @@ pub struct Couple {
 
 impl Couple {
     /// A couple of some kind, counter-clockwise.
-    pub fn new(kind: Kind, symbol: Label, value: f64) -> Self {
+    pub fn new(kind: ArrowKind, symbol: Label, value: f64) -> Self {
         Self { kind, symbol, value }
     }
 
@@ -170,14 +170,14 @@ impl Velocity {
 
 /// A force that is spread along a line: a row of arrows, whose sum is drawn as a force of its own.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Spread {
+pub struct DistributedForce {
     /// What it comes from.
-    pub kind: Kind,
+    pub kind: ArrowKind,
     /// Point (world, metres) and force per length, N/m, from one end of the line to the other.
     pub arrows: Vec<[[f64; 2]; 2]>,
 }
 
-impl Spread {
+impl DistributedForce {
     /// The greatest force per length, N/m.
     pub(super) fn largest(&self) -> f64 {
         self.arrows.iter().map(|[_, force]| force[0].hypot(force[1])).fold(0.0, f64::max)

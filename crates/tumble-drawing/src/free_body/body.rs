@@ -4,7 +4,7 @@ use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::text::Label;
 
-use super::arrow::{Arrow, Couple, Spread, Unit, Velocity};
+use super::arrow::{Arrow, ArrowUnit, Couple, DistributedForce, Velocity};
 use super::side::SideView;
 use super::surface::Ground;
 
@@ -17,13 +17,11 @@ pub struct NamedPoint {
     pub at: [f64; 2],
 }
 
-/// An angle to be marked by an arc, with its symbol and its value in degrees.
+/// An angle at the centre of mass to be marked by an arc, with its symbol and its value in degrees.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AngleMark {
     /// Its symbol, for instance `Label::symbol("theta")`.
     pub symbol: Label,
-    /// Its vertex in world coordinates, metres; the centre of mass if `None`.
-    pub vertex: Option<[f64; 2]>,
     /// Direction from which it is counted, in radians from the x axis: 0 is
     /// horizontal, -pi/2 straight down. Drawn as a dashed line.
     pub reference: f64,
@@ -34,18 +32,11 @@ pub struct AngleMark {
 impl AngleMark {
     /// An angle at the centre of mass, from the horizontal (radians).
     pub fn horizontal(symbol: Label, value: f64) -> Self {
-        Self { symbol, vertex: None, reference: 0.0, value }
-    }
-
-    /// The same angle at another vertex (world, metres).
-    pub fn at(mut self, vertex: [f64; 2]) -> Self {
-        self.vertex = Some(vertex);
-        self
+        Self { symbol, reference: 0.0, value }
     }
 
     fn is_drawable(&self) -> bool {
-        let vertex = self.vertex.unwrap_or_default();
-        vertex.into_iter().chain([self.reference, self.value]).all(drawable)
+        [self.reference, self.value].into_iter().all(drawable)
     }
 }
 
@@ -62,10 +53,8 @@ pub struct FreeBodyDiagram {
     pub outlines: Vec<Outline>,
     /// Surfaces near it.
     pub surfaces: Vec<Ground>,
-    /// Points that get names.
-    pub points: Vec<NamedPoint>,
     /// What the arrows stand for.
-    pub unit: Unit,
+    pub unit: ArrowUnit,
     /// Forces with their points of action.
     pub forces: Vec<Arrow>,
     /// Couples.
@@ -79,7 +68,7 @@ pub struct FreeBodyDiagram {
     /// Velocities: of the centre of mass, of the air past a point.
     pub velocities: Vec<Velocity>,
     /// Forces along lines; their sums are among the forces.
-    pub spreads: Vec<Spread>,
+    pub spreads: Vec<DistributedForce>,
     /// Angular velocity in rad/s, counter-clockwise, if it is to be shown.
     pub rate: Option<f64>,
     /// For motion in a horizontal plane, seen from above: what acts out of the plane.
@@ -116,12 +105,6 @@ impl FreeBodyDiagram {
         self
     }
 
-    /// With a named point (world, metres).
-    pub fn point(mut self, name: Label, at: [f64; 2]) -> Self {
-        self.points.push(NamedPoint { name, at });
-        self
-    }
-
     /// With the arm from the centre of mass to a point (world, metres), unless it is there.
     pub fn arm(mut self, name: Label, at: [f64; 2]) -> Self {
         if at != self.pose.centre() && self.arms.iter().all(|arm| arm.at != at) {
@@ -142,15 +125,9 @@ impl FreeBodyDiagram {
         self
     }
 
-    /// With what is seen from the side.
-    pub fn side(mut self, side: SideView) -> Self {
-        self.side = Some(side);
-        self
-    }
-
     /// With impulses instead of forces.
     pub fn impulses(mut self) -> Self {
-        self.unit = Unit::impulse();
+        self.unit = ArrowUnit::impulse();
         self
     }
 
@@ -164,7 +141,6 @@ impl FreeBodyDiagram {
         let shown = |p: &[f64; 2]| p.iter().copied().all(drawable);
         body.outlines.retain(|outline| outline.extent(&pose).iter().all(shown));
         body.surfaces.retain(Ground::is_drawable);
-        body.points.retain(|point| shown(&point.at));
         body.forces.retain(|force| force.is_drawable() && force.magnitude() > 0.0);
         body.couples.retain(|couple| drawable(couple.value) && couple.value != 0.0);
         body.resultant = body.resultant.filter(|sum| sum.is_drawable() && sum.magnitude() > 0.0);

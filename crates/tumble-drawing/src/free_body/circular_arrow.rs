@@ -103,10 +103,10 @@ fn clear_start(sweep: f64, hits: &[f64]) -> f64 {
 }
 
 /// Labels of the circular arrows, in their order.
-pub(crate) fn ring_labels(body: &FreeBodyDiagram, digits: usize) -> Vec<Label> {
+pub(crate) fn ring_labels(body: &FreeBodyDiagram) -> Vec<Label> {
     let couples = body.couples.iter();
-    let couples = couples.map(|c| equation(&c.symbol, c.value, &body.unit.couple, digits));
-    let rate = body.rate.map(|rate| equation(&Label::symbol("omega"), rate, "rad/s", digits));
+    let couples = couples.map(|c| equation(&c.symbol, c.value, &body.unit.couple));
+    let rate = body.rate.map(|rate| equation(&Label::symbol("omega"), rate, "rad/s"));
     couples.chain(rate).collect()
 }
 

@@ -4,27 +4,30 @@ use crate::text::Label;
 
 use super::arrow::{Arrow, Couple};
 use super::body::FreeBodyDiagram;
-use super::tags::plain;
+use super::strokes::DIGITS;
 
 /// Everything that acts in a panel: each force with its components and point of action.
-pub(super) fn describe(body: &FreeBodyDiagram, digits: usize) -> String {
+pub(super) fn describe(body: &FreeBodyDiagram) -> String {
     let drawn = body.drawable();
-    let mut parts: Vec<String> = drawn.forces.iter().map(|force| force_words(force, body, digits)).collect();
-    parts.extend(drawn.couples.iter().map(|couple| couple_words(couple, body, digits)));
-    parts.extend(drawn.resultant.iter().map(|sum| force_words(sum, body, digits)));
+    let mut parts: Vec<String> = drawn.forces.iter().map(|force| force_words(force, body)).collect();
+    parts.extend(drawn.couples.iter().map(|couple| couple_words(couple, body)));
+    parts.extend(drawn.resultant.iter().map(|sum| force_words(sum, body)));
     let side = body.side.as_ref().map(|side| side.as_body(&body.unit));
     let side_forces = side.iter().flat_map(|side| side.drawable().forces);
-    parts.extend(side_forces.map(|force| format!("out of the plane, {}", force_words(&force, body, digits))));
+    parts.extend(side_forces.map(|force| format!("out of the plane, {}", force_words(&force, body))));
     parts.extend(
         body.listed().iter().chain(&side.map_or(Vec::new(), |side| side.listed())).map(Label::to_plain),
     );
     parts.extend(drawn.velocities.iter().map(|velocity| {
-        let [x, y] = velocity.vector.map(|value| plain(value, digits));
+        let [x, y] = velocity.vector.map(plain);
         format!("velocity {} with components ({x}, {y}) m/s", velocity.symbol.to_plain())
     }));
-    parts.extend(drawn.angle.iter().map(|angle| {
-        format!("angle {} = {}°", angle.symbol.to_plain(), plain(angle.value.to_degrees(), digits))
-    }));
+    parts.extend(
+        drawn
+            .angle
+            .iter()
+            .map(|angle| format!("angle {} = {}°", angle.symbol.to_plain(), plain(angle.value.to_degrees()))),
+    );
     if parts.is_empty() {
         parts.push(format!("no {}", body.unit.quantity));
     }
@@ -37,25 +40,29 @@ fn title(body: &FreeBodyDiagram) -> String {
     if words.is_empty() { "Body".to_owned() } else { words.join(", ") }
 }
 
-fn force_words(force: &Arrow, body: &FreeBodyDiagram, digits: usize) -> String {
-    let number = |value: f64| plain(value, digits);
+fn force_words(force: &Arrow, body: &FreeBodyDiagram) -> String {
     let unit = Label::unit(&body.unit.arrow).to_plain();
     let symbol = if force.symbol.is_empty() { String::new() } else { force.symbol.to_plain() + " = " };
     format!(
         "{} {} {symbol}{} {unit}, components ({}, {}) {unit}, at ({}, {}) m",
         force.kind.name(),
         body.unit.quantity,
-        number(force.magnitude()),
-        number(force.vector[0]),
-        number(force.vector[1]),
-        number(force.point[0]),
-        number(force.point[1]),
+        plain(force.magnitude()),
+        plain(force.vector[0]),
+        plain(force.vector[1]),
+        plain(force.point[0]),
+        plain(force.point[1]),
     )
 }
 
-fn couple_words(couple: &Couple, body: &FreeBodyDiagram, digits: usize) -> String {
+fn couple_words(couple: &Couple, body: &FreeBodyDiagram) -> String {
     let unit = Label::unit(&body.unit.couple).to_plain();
     let symbol = if couple.symbol.is_empty() { String::new() } else { couple.symbol.to_plain() + " = " };
-    let value = plain(couple.value, digits);
+    let value = plain(couple.value);
     format!("{} couple {symbol}{value} {unit}, counter-clockwise positive", couple.kind.name())
+}
+
+/// A number as diagrams print it.
+fn plain(value: f64) -> String {
+    Label::number(value, DIGITS).to_plain()
 }

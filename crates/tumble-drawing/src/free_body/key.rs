@@ -3,10 +3,10 @@
 use crate::heading::wrapped;
 use crate::scale_bar::Bar;
 use crate::svg::Element;
-use crate::text::{Anchor, Label, PlacedText, middle_baseline};
+use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, LEADING, SMALL};
 
-use super::arrow::Kind;
+use super::arrow::ArrowKind;
 use super::draw;
 use super::strokes::{Form, Stroke};
 
@@ -21,7 +21,7 @@ const ROW: f64 = 1.5 * SMALL;
 #[derive(Clone, Debug)]
 pub(super) enum Entry {
     /// A kind of force with a sample of its arrow.
-    Kind(Kind),
+    ArrowKind(ArrowKind),
     /// A scale bar.
     Bar(Bar),
 }
@@ -35,14 +35,14 @@ impl Entry {
 
     fn sample(&self) -> f64 {
         match self {
-            Entry::Kind(_) => SAMPLE,
+            Entry::ArrowKind(_) => SAMPLE,
             Entry::Bar(bar) => bar.length,
         }
     }
 
     fn label(&self) -> Label {
         match self {
-            Entry::Kind(kind) => Label::plain(kind.name()),
+            Entry::ArrowKind(kind) => Label::plain(kind.name()),
             Entry::Bar(bar) => bar.label.clone(),
         }
     }
@@ -54,18 +54,18 @@ impl Entry {
     /// The entry with its left end at `at`, centred on its height.
     fn draw(&self, [x, y]: [f64; 2]) -> Element {
         let sample = match self {
-            Entry::Kind(kind) => sample_arrow(*kind, [x, y]),
+            Entry::ArrowKind(kind) => sample_arrow(*kind, [x, y]),
             Entry::Bar(bar) => bar.draw([x, y]),
         };
         let at = [x + self.sample() + GAP, middle_baseline(y, SMALL)];
-        let text = PlacedText::new(&self.label(), at, SMALL, Anchor::Start);
+        let text = PlacedText::new(&self.label(), at, SMALL, TextAnchor::Start);
         Element::new("g").child(sample).child(text.element())
     }
 }
 
-fn sample_arrow(kind: Kind, tail: [f64; 2]) -> Element {
+fn sample_arrow(kind: ArrowKind, tail: [f64; 2]) -> Element {
     let head = [tail[0] + SAMPLE, tail[1]];
-    let form = if kind == Kind::Resultant { Form::Hollow } else { Form::Full };
+    let form = if kind == ArrowKind::Resultant { Form::Hollow } else { Form::Full };
     draw::arrow(&Stroke { tail, head, start: tail, point: tail, broken: false, style: kind.style(), form })
 }
 
@@ -98,7 +98,8 @@ impl Key {
         let moved = |p: [f64; 2]| [at[0] + p[0], at[1] + p[1]];
         let entries = self.entries.iter().map(|(p, entry)| entry.draw(moved([p[0], p[1] + ROW / 2.0])));
         let lines = self.lines.iter();
-        let lines = lines.map(|(p, line)| PlacedText::new(line, moved(*p), SMALL, Anchor::Start).element());
+        let lines =
+            lines.map(|(p, line)| PlacedText::new(line, moved(*p), SMALL, TextAnchor::Start).element());
         Element::new("g").children(entries).children(lines)
     }
 }

@@ -71,8 +71,8 @@ const NEAR: f64 = 0.6;
 pub(crate) fn body_points(body: &FreeBodyDiagram) -> Vec<Point> {
     let outlines = body.outlines.iter().flat_map(|outline| outline.extent(&body.pose));
     let forces = body.forces.iter().chain(&body.resultant).map(|force| force.point);
-    let named = body.points.iter().chain(&body.arms).map(|point| point.at);
-    outlines.chain(forces).chain(named).chain([body.pose.centre()]).collect()
+    let arms = body.arms.iter().map(|arm| arm.at);
+    outlines.chain(forces).chain(arms).chain([body.pose.centre()]).collect()
 }
 
 /// Width and height of the body with its points of action, in metres.
@@ -108,7 +108,7 @@ fn near_surfaces(body: &FreeBodyDiagram, view: &View) -> Vec<Point> {
 
 /// Vertex of the marked angle on the page.
 pub(crate) fn angle_vertex(body: &FreeBodyDiagram, view: &View) -> Option<Point> {
-    body.angle.as_ref().map(|angle| view.pixel(angle.vertex.unwrap_or(body.pose.centre())))
+    body.angle.is_some().then(|| view.pixel(body.pose.centre()))
 }
 
 /// The arms of the marked angle: the reference and the turned one.

@@ -7,7 +7,7 @@
 //! its shaft. Forces of zero are listed below the body instead.
 //!
 //! ```
-//! use tumble_drawing::free_body::{Arrow, FreeBodyDiagram, Kind, Sheet, Ground};
+//! use tumble_drawing::free_body::{Arrow, FreeBodyDiagram, ArrowKind, FreeBodySheet, Ground};
 //! use tumble_drawing::{Label, Outline, Pose};
 //!
 //! let pose = Pose { t: 0.5, x: 0.0, y: 0.3, angle: 0.64 };
@@ -15,9 +15,9 @@
 //! let body = FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod])
 //!     .heading(Label::plain("touching the floor"))
 //!     .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
-//!     .force(Arrow::new(Kind::Weight, Label::markup("$m$ $g$"), [0.0, 0.3], [0.0, -4.905]))
-//!     .force(Arrow::new(Kind::Contact, Label::symbol("N"), [-0.4, 0.0], [0.0, 170.0]));
-//! let svg = Sheet::of(body).svg();
+//!     .force(Arrow::new(ArrowKind::Weight, Label::markup("$m$ $g$"), [0.0, 0.3], [0.0, -4.905]))
+//!     .force(Arrow::new(ArrowKind::Contact, Label::symbol("N"), [-0.4, 0.0], [0.0, 170.0]));
+//! let svg = FreeBodySheet::of(body).svg();
 //! assert!(svg.description.contains("N = 170"));
 //! ```
 
@@ -40,8 +40,8 @@ mod tags;
 #[cfg(test)]
 mod tests;
 
-pub use arrow::{Arrow, Couple, Kind, Spread, Unit, Velocity};
+pub use arrow::{Arrow, ArrowKind, ArrowUnit, Couple, DistributedForce, Velocity};
 pub use body::{AngleMark, FreeBodyDiagram, NamedPoint};
-pub use sheet::Sheet;
+pub use sheet::FreeBodySheet;
 pub use side::SideView;
-pub use surface::{Ground, Round};
+pub use surface::{Ground, GroundCircle};

@@ -4,9 +4,9 @@ use crate::font::Face;
 use crate::heading::wrapped;
 use crate::outline::Pen;
 use crate::rect::Rect;
-use crate::svg::{Element, PathData, circle};
-use crate::text::{Anchor, Label, PlacedText};
-use crate::theme::{BODY, GREY, HAIRLINE, INK, LEADING, PAPER, SMALL};
+use crate::svg::{Element, PathData};
+use crate::text::{Label, PlacedText, TextAnchor};
+use crate::theme::{BODY, GREY, HAIRLINE, INK, LEADING, SMALL};
 
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::{CircularArrow, rings};
@@ -27,8 +27,6 @@ const SIDE_ROOM: f64 = 0.1;
 const ABOVE_ROOM: f64 = 15.0;
 /// The side view's part of the width of a panel.
 const SIDE_PART: f64 = 0.34;
-/// Radius of named points.
-const POINT_RADIUS: f64 = 2.6;
 
 /// What a panel is made from.
 pub(super) struct Source {
@@ -129,30 +127,23 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    pub(super) fn new(
-        body: &FreeBodyDiagram,
-        area: Rect,
-        at: Point,
-        scales: &Scales,
-        size: f64,
-        digits: usize,
-    ) -> Self {
+    pub(super) fn new(body: &FreeBodyDiagram, area: Rect, at: Point, scales: &Scales, size: f64) -> Self {
         let view = View { centre: body.pose.centre(), at, density: scales.density };
         let strokes = strokes(body, &view, scales);
         let rings = rings(body, &view, &strokes);
-        let shown = Shown { body, view: &view, area: &area, strokes: &strokes, rings: &rings, size, digits };
+        let shown = Shown { body, view: &view, area: &area, strokes: &strokes, rings: &rings, size };
         let labels = placed(&shown.tags(), &shown.occupancy(), &area);
         let angle_arc = shown.angle_arc();
         Self { body: body.clone(), area, view, strokes, rings, angle_arc, labels }
     }
 
     /// A drawing with scales of its own, in the middle of `area`.
-    pub(super) fn alone(body: &FreeBodyDiagram, area: Rect, size: f64, digits: usize) -> Self {
+    pub(super) fn alone(body: &FreeBodyDiagram, area: Rect, size: f64) -> Self {
         let rooms = [Room { body, size: room(&area) }];
         let best = fit(&rooms);
         let scales = scales(&rooms, body, best.density, best.arrow);
         let at = centred_in(&area, &about_centre(body, &scales));
-        Self::new(body, area, at, &scales, size, digits)
+        Self::new(body, area, at, &scales, size)
     }
 
     pub(super) fn draw(&self) -> Element {
@@ -179,11 +170,7 @@ impl Drawing {
         let centre = [draw::centre_mark(self.view.pixel(self.body.pose.centre()))];
         let dots = self.strokes.iter().filter(|stroke| !self.starts_at_centre(stroke));
         let dots = dots.map(|stroke| draw::dot(stroke.point, stroke.style));
-        let points = self.body.points.iter().map(|point| {
-            let dot = circle(self.view.pixel(point.at), POINT_RADIUS).attr("fill", PAPER);
-            dot.attr("stroke", INK).attr("stroke-width", 1.1)
-        });
-        spreads.chain(arms).chain(rings).chain(centre).chain(arrows).chain(points).chain(dots).collect()
+        spreads.chain(arms).chain(rings).chain(centre).chain(arrows).chain(dots).collect()
     }
 
     fn starts_at_centre(&self, stroke: &Stroke) -> bool {
@@ -227,7 +214,7 @@ impl Panel {
     fn draw_heading(&self) -> Vec<Element> {
         let line = |(i, label): (usize, &Label)| {
             let y = self.frame.y + INSET + SMALL * (0.9 + LEADING * i as f64);
-            PlacedText::new(label, [self.frame.x + INSET, y], SMALL, Anchor::Start).element()
+            PlacedText::new(label, [self.frame.x + INSET, y], SMALL, TextAnchor::Start).element()
         };
         self.heading.iter().enumerate().map(line).collect()
     }
@@ -235,7 +222,7 @@ impl Panel {
     fn draw_listed(&self) -> Vec<Element> {
         let line = |(i, label): (usize, &Label)| {
             let y = self.frame.bottom() - INSET - NOTE * LEADING * i as f64;
-            PlacedText::new(label, [self.frame.x + INSET, y], NOTE, Anchor::Start).colour(INK).element()
+            PlacedText::new(label, [self.frame.x + INSET, y], NOTE, TextAnchor::Start).colour(INK).element()
         };
         self.listed.iter().rev().enumerate().map(line).collect()
     }
@@ -244,7 +231,7 @@ impl Panel {
         let side = self.side.as_ref()?;
         let caption = |text: &str, area: &Rect| {
             let at = [area.centre()[0], area.y - 0.35 * NOTE];
-            PlacedText::new(&Label::plain(text), at, NOTE, Anchor::Middle).element()
+            PlacedText::new(&Label::plain(text), at, NOTE, TextAnchor::Middle).element()
         };
         let captions =
             [caption("seen from above", &self.main.area), caption("side view, own scale", &side.area)];

@@ -9,7 +9,7 @@ use crate::svg::{Element, Svg};
 use crate::text::Label;
 use crate::theme::{GAP, MARGIN, PAPER, SMALL};
 
-use super::arrow::{Kind, Unit};
+use super::arrow::{ArrowKind, ArrowUnit};
 use super::body::FreeBodyDiagram;
 use super::describe::describe;
 use super::fit::{Room, scales};
@@ -19,47 +19,31 @@ use super::layout::{Scales, View, body_size};
 use super::panel::{Drawing, INSET, NOTE, Panel, Source, Trim, about_centre, centred_in, room, split};
 use crate::geometry::{Point, minus, plus};
 
-/// Significant digits of printed magnitudes, unless the caller wants others.
-const DIGITS: usize = 3;
 /// Height of a sheet without panels, in pixels.
 const BLANK_HEIGHT: f64 = 100.0;
 /// Panels need a legend from this many kinds of forces on.
 const KINDS: usize = 2;
 
 /// Free-body diagrams in a grid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FreeBodySheet {
     /// Title above the panels; may be empty.
     pub title: Label,
     /// The panels, row by row.
     pub panels: Vec<FreeBodyDiagram>,
     /// Captions below the panels.
     pub captions: Vec<Label>,
-    /// Significant digits of printed magnitudes, 1 to 17.
-    pub digits: usize,
 }
 
-impl Default for Sheet {
-    fn default() -> Self {
-        Self::new(Label::default(), Vec::new())
-    }
-}
-
-impl Sheet {
+impl FreeBodySheet {
     /// A sheet with a title, at common scales.
     pub fn new(title: Label, panels: Vec<FreeBodyDiagram>) -> Self {
-        Self { title, panels, captions: Vec::new(), digits: DIGITS }
+        Self { title, panels, captions: Vec::new() }
     }
 
     /// A sheet of one panel: a plain free-body diagram.
     pub fn of(body: FreeBodyDiagram) -> Self {
         Self::new(Label::default(), vec![body])
-    }
-
-    /// With one more caption.
-    pub fn caption(mut self, caption: Label) -> Self {
-        self.captions.push(caption);
-        self
     }
 
     /// The drawing. Without panels it is an empty page with the title.
@@ -80,13 +64,13 @@ impl Sheet {
     }
 
     fn description(&self) -> String {
-        self.panels.iter().map(|body| describe(body, self.digits)).collect::<Vec<_>>().join(" ")
+        self.panels.iter().map(describe).collect::<Vec<_>>().join(" ")
     }
 }
 
 /// A sheet, laid out.
 pub(super) struct Layout<'a> {
-    sheet: &'a Sheet,
+    sheet: &'a FreeBodySheet,
     heading: Heading,
     pub(super) panels: Vec<Panel>,
     /// Scales of each panel.
@@ -97,7 +81,7 @@ pub(super) struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    pub(super) fn new(sheet: &'a Sheet) -> Self {
+    pub(super) fn new(sheet: &'a FreeBodySheet) -> Self {
         let with_name = sheet.names_differ();
         let sources: Vec<_> = sheet.panels.iter().map(|body| Source::new(body, with_name)).collect();
         let grid = Grid::best(&sources);
@@ -105,7 +89,7 @@ impl<'a> Layout<'a> {
         let heading = Heading::new(&sheet.shown_title(), width);
         let corner = [MARGIN, heading.bottom()];
         let scales = all_scales(&sources, &grid);
-        let panels = panels(sheet, &sources, &grid, corner, &scales);
+        let panels = panels(&sources, &grid, corner, &scales);
         let mut layout = Self {
             sheet,
             heading,
@@ -165,11 +149,11 @@ impl<'a> Layout<'a> {
     fn groups(&self) -> Vec<Vec<Entry>> {
         let kinds = self.kinds();
         let wanted = kinds.len() >= KINDS;
-        let kinds = kinds.into_iter().filter(|_| wanted).map(Entry::Kind).collect();
+        let kinds = kinds.into_iter().filter(|_| wanted).map(Entry::ArrowKind).collect();
         vec![kinds, self.bars()]
     }
 
-    fn kinds(&self) -> BTreeSet<Kind> {
+    fn kinds(&self) -> BTreeSet<ArrowKind> {
         let drawings = self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
         let bodies = drawings.map(|drawing| &drawing.body);
         bodies
@@ -182,7 +166,7 @@ impl<'a> Layout<'a> {
 
     /// A bar for every unit of arrows and one for lengths.
     fn bars(&self) -> Vec<Entry> {
-        let (mut bars, mut units): (Vec<Entry>, Vec<&Unit>) = (vec![], vec![]);
+        let (mut bars, mut units): (Vec<Entry>, Vec<&ArrowUnit>) = (vec![], vec![]);
         for (panel, scales) in self.panels.iter().zip(&self.scales) {
             let unit = &panel.main.body.unit;
             if scales.largest > 0.0 && !units.contains(&unit) {
@@ -222,7 +206,7 @@ fn all_scales(sources: &[Source], grid: &Grid) -> Vec<Scales> {
     rooms.iter().map(own).collect()
 }
 
-fn panels(sheet: &Sheet, sources: &[Source], grid: &Grid, corner: Point, scales: &[Scales]) -> Vec<Panel> {
+fn panels(sources: &[Source], grid: &Grid, corner: Point, scales: &[Scales]) -> Vec<Panel> {
     let trim = Trim::new(sources, grid.size[0]);
     let areas: Vec<_> = (0..sources.len()).map(|i| trim.area(&grid.frame(corner, i))).collect();
     let mains: Vec<_> = sources.iter().zip(&areas).map(|(source, area)| split(source, area)).collect();
@@ -234,8 +218,8 @@ fn panels(sheet: &Sheet, sources: &[Source], grid: &Grid, corner: Point, scales:
             frame: grid.frame(corner, i),
             heading: source.heading_lines(grid.size[0]),
             listed: source.listed_lines(grid.size[0]),
-            main: Drawing::new(&source.body, main, places[i], &scales[i], SMALL, sheet.digits),
-            side: side.map(|(body, area)| Drawing::alone(body, area, NOTE, sheet.digits)),
+            main: Drawing::new(&source.body, main, places[i], &scales[i], SMALL),
+            side: side.map(|(body, area)| Drawing::alone(body, area, NOTE)),
         }
     };
     sources.iter().enumerate().map(panel).collect()

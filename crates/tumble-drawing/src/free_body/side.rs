@@ -3,7 +3,7 @@
 use crate::outline::{Outline, Pose};
 use crate::text::Label;
 
-use super::arrow::{Arrow, Kind, Unit};
+use super::arrow::{Arrow, ArrowKind, ArrowUnit};
 use super::body::FreeBodyDiagram;
 use super::surface::Ground;
 
@@ -29,13 +29,13 @@ impl SideView {
         let pose = Pose { y: height, ..Pose::default() };
         let floor = Ground::new([0.0; 2], [0.0, 1.0], Label::default());
         let forces = vec![
-            Arrow::new(Kind::Weight, weight.0, [0.0, height], [0.0, -weight.1]),
-            Arrow::new(Kind::Contact, normal.0, [0.0; 2], [0.0, normal.1]),
+            Arrow::new(ArrowKind::Weight, weight.0, [0.0, height], [0.0, -weight.1]),
+            Arrow::new(ArrowKind::Contact, normal.0, [0.0; 2], [0.0, normal.1]),
         ];
         Self { pose, outlines, surfaces: vec![floor], forces }
     }
 
-    pub(super) fn as_body(&self, unit: &Unit) -> FreeBodyDiagram {
+    pub(super) fn as_body(&self, unit: &ArrowUnit) -> FreeBodyDiagram {
         FreeBodyDiagram {
             pose: self.pose,
             outlines: self.outlines.clone(),

@@ -3,7 +3,7 @@
 use crate::text::Label;
 use crate::theme::{ARM, ArrowStyle, MOTION};
 
-use super::arrow::{Arrow, Kind, Spread, Velocity};
+use super::arrow::{Arrow, ArrowKind, DistributedForce, Velocity};
 use super::body::{FreeBodyDiagram, NamedPoint};
 use super::draw::CENTRE_RADIUS;
 use super::layout::{Scales, View};
@@ -17,6 +17,9 @@ const LEAST_MOTION: f64 = 18.0;
 /// Length of the fastest velocity in pixels, and of the largest force per length.
 const LONGEST_MOTION: f64 = 60.0;
 const LONGEST_SPREAD: f64 = 30.0;
+
+/// Significant digits of printed magnitudes.
+pub(super) const DIGITS: usize = 3;
 
 /// How an arrow is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,7 +93,7 @@ fn stroke(force: &Arrow, view: &View, scales: &Scales) -> Option<Stroke> {
     let true_length = force.magnitude() / scales.largest * scales.arrow;
     let tail = view.pixel(force.point);
     let head = along(tail, [x, -y], true_length.max(LEAST_LENGTH));
-    let form = if force.kind == Kind::Resultant { Form::Hollow } else { Form::Full };
+    let form = if force.kind == ArrowKind::Resultant { Form::Hollow } else { Form::Full };
     let broken = true_length < LEAST_LENGTH;
     Some(Stroke { tail, head, start: tail, point: tail, broken, style: force.kind.style(), form })
 }
@@ -125,7 +128,7 @@ pub(crate) fn arms(body: &FreeBodyDiagram, view: &View) -> Vec<(Stroke, Label)> 
 
 /// Arrows of forces along a line, tail and head, with what comes from where.
 pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(ArrowStyle, Vec<[Point; 2]>)> {
-    let spread = |spread: &Spread| {
+    let spread = |spread: &DistributedForce| {
         let largest = spread.largest();
         let arrow = |[point, force]: &[Point; 2]| {
             let tail = view.pixel(*point);
@@ -137,17 +140,17 @@ pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(ArrowStyle, V
 }
 
 /// Labels of the straight arrows, in their order.
-pub(crate) fn stroke_labels(body: &FreeBodyDiagram, digits: usize) -> Vec<Label> {
+pub(crate) fn stroke_labels(body: &FreeBodyDiagram) -> Vec<Label> {
     let forces = body.forces.iter().chain(&body.resultant);
-    let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow, digits));
-    let velocities = body.velocities.iter().map(|v| equation(&v.symbol, v.speed(), "m/s", digits));
+    let forces = forces.map(|force| equation(&force.symbol, force.magnitude(), &body.unit.arrow));
+    let velocities = body.velocities.iter().map(|v| equation(&v.symbol, v.speed(), "m/s"));
     forces.chain(velocities).collect()
 }
 
 /// `symbol = value unit`; without a symbol the value alone.
-pub(crate) fn equation(symbol: &Label, value: f64, unit: &str, digits: usize) -> Label {
+pub(crate) fn equation(symbol: &Label, value: f64, unit: &str) -> Label {
     // Rounded text passes through unchanged: powers of ten keep their raised exponent.
     let space = if unit == "deg" { "" } else { "\u{a0}" };
-    let quantity = Label::number(value, digits).then(Label::plain(space)).then(Label::unit(unit));
+    let quantity = Label::number(value, DIGITS).then(Label::plain(space)).then(Label::unit(unit));
     if symbol.is_empty() { quantity } else { symbol.clone().then(Label::plain(" = ")).then(quantity) }
 }

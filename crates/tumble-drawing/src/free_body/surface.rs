@@ -31,14 +31,14 @@ pub struct Ground {
     /// How far it goes from the point to the left and to the right, seen along the normal, metres; without end where nothing is said.
     pub reach: Option<f64>,
     /// Set where it is a circle.
-    pub round: Option<Round>,
+    pub round: Option<GroundCircle>,
     /// Its name; may be empty.
     pub name: Label,
 }
 
 /// A circle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Round {
+pub struct GroundCircle {
     /// Its radius, m.
     pub radius: f64,
     /// Whether the material is outside it, as of a bowl.
@@ -71,13 +71,13 @@ impl Ground {
     }
 
     /// A circle about a point (world, metres).
-    pub fn round(centre: [f64; 2], round: Round, name: Label) -> Self {
+    pub fn round(centre: [f64; 2], round: GroundCircle, name: Label) -> Self {
         Self { round: Some(round), ..Self::new(centre, [0.0, 1.0], name) }
     }
 
     /// Whether it has a place and a direction.
     pub fn is_drawable(&self) -> bool {
-        let is_round = |round: Round| drawable(round.radius) && round.radius > 0.0;
+        let is_round = |round: GroundCircle| drawable(round.radius) && round.radius > 0.0;
         self.point.into_iter().chain(self.normal).all(drawable)
             && unit(self.normal).is_some()
             && self.round.is_none_or(is_round)
@@ -131,7 +131,7 @@ impl Ground {
     }
 
     /// Points of the circle on the page, each with the way into the material.
-    fn circle(&self, view: &View, round: Round) -> Vec<(Point, Point)> {
+    fn circle(&self, view: &View, round: GroundCircle) -> Vec<(Point, Point)> {
         let one = |step: usize| {
             let away = direction(std::f64::consts::TAU * step as f64 / CIRCLE_POINTS as f64);
             let into = if round.hollow { away } else { times(away, -1.0) };
@@ -178,7 +178,7 @@ impl Ground {
         Some(Element::new("g").child(hatching).child(edge))
     }
 
-    fn draw_circle(&self, view: &View, area: &Rect, round: Round) -> Element {
+    fn draw_circle(&self, view: &View, area: &Rect, round: GroundCircle) -> Element {
         let points = self.circle(view, round);
         let (mut edge, mut hatching) = (PathData::default(), PathData::default());
         for step in self.strip(view, area) {

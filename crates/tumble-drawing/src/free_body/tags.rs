@@ -14,10 +14,8 @@ use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
 use super::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, arc, corners, minus, plus, times, unit};
 use crate::placing::Tag;
-use crate::placing::{about_arc, about_arrow, about_point};
+use crate::placing::{about_arc, about_arrow};
 
-/// Distance of the name of a point from it, in pixels.
-const POINT_DISTANCE: f64 = 6.0;
 /// Leaders point at an arrow beyond this part of it: near tails many arrows may meet.
 const LEADER_PART: f64 = 0.4;
 /// Longest label as a part of the panel's width; longer ones are cut.
@@ -32,7 +30,6 @@ pub(super) struct Shown<'a> {
     pub(super) rings: &'a [CircularArrow],
     /// Size of the labels in pixels.
     pub(super) size: f64,
-    pub(super) digits: usize,
 }
 
 impl Shown<'_> {
@@ -41,7 +38,6 @@ impl Shown<'_> {
         let mut tags = self.arrow_tags();
         tags.extend(self.ring_tags());
         tags.extend(self.angle_tag());
-        tags.extend(self.point_tags());
         tags.extend(self.arm_tags());
         tags.extend(self.surface_tags());
         tags.retain(|tag| !tag.label.is_empty());
@@ -54,7 +50,7 @@ impl Shown<'_> {
     }
 
     fn arrow_tags(&self) -> Vec<Tag> {
-        let labels = stroke_labels(self.body, self.digits);
+        let labels = stroke_labels(self.body);
         let tag = |(stroke, label): (&Stroke, Label)| {
             let ends = [stroke.tail, stroke.head];
             let mut tag = self.tag(&label, stroke.style.colour, ends.to_vec(), true);
@@ -77,7 +73,7 @@ impl Shown<'_> {
     }
 
     fn ring_tags(&self) -> Vec<Tag> {
-        let labels = ring_labels(self.body, self.digits);
+        let labels = ring_labels(self.body);
         let tag = |(ring, label): (&CircularArrow, Label)| {
             let points = ring.points();
             let mut tag = self.tag(&label, ring.style.colour, points.clone(), true);
@@ -91,7 +87,7 @@ impl Shown<'_> {
         let angle = self.body.angle.as_ref()?;
         let vertex = angle_vertex(self.body, self.view)?;
         let points = self.angle_arc()?;
-        let label = equation(&angle.symbol, angle.value.to_degrees(), "deg", self.digits);
+        let label = equation(&angle.symbol, angle.value.to_degrees(), "deg");
         let mut tag = self.tag(&label, INK, points.clone(), true);
         tag.near = about_arc(vertex, &points, Tag::extent(&tag.label, self.size));
         Some(tag)
@@ -102,15 +98,6 @@ impl Shown<'_> {
         let angle = self.body.angle.as_ref()?;
         let sweep = angle.value % std::f64::consts::TAU;
         Some(arc(angle_vertex(self.body, self.view)?, ARC_RADIUS, angle.reference, sweep))
-    }
-
-    fn point_tags(&self) -> impl Iterator<Item = Tag> {
-        self.body.points.iter().map(|point| {
-            let at = self.view.pixel(point.at);
-            let mut tag = self.tag(&point.name, INK, vec![at], false);
-            tag.near = about_point(at, POINT_DISTANCE, Tag::extent(&tag.label, self.size));
-            tag
-        })
     }
 
     fn surface_tags(&self) -> impl Iterator<Item = Tag> {
@@ -178,9 +165,4 @@ fn head_outline(stroke: &Stroke) -> Vec<Point> {
     let side = crate::geometry::turned(unit(minus(stroke.head, stroke.tail)).unwrap_or([1.0, 0.0]));
     let back = along(stroke.head, stroke.direction(), -super::draw::HEAD_LENGTH);
     vec![along(back, side, HEAD_WIDTH), stroke.head, along(back, side, -HEAD_WIDTH)]
-}
-
-/// A number with the digits of the sheet, for descriptions.
-pub(super) fn plain(value: f64, digits: usize) -> String {
-    Label::number(value, digits).to_plain()
 }

@@ -13,7 +13,7 @@ fn rod() -> Outline {
     Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] }
 }
 
-fn force(kind: Kind, symbol: &str, point: [f64; 2], vector: [f64; 2]) -> Arrow {
+fn force(kind: ArrowKind, symbol: &str, point: [f64; 2], vector: [f64; 2]) -> Arrow {
     Arrow::new(kind, Label::symbol(symbol), point, vector)
 }
 
@@ -23,14 +23,14 @@ fn bounce(push: f64, angle: f64) -> FreeBodyDiagram {
     FreeBodyDiagram::new(Label::plain("rod"), pose, vec![rod()])
         .heading(Label::plain("an instant"))
         .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
-        .force(force(Kind::Weight, "W", pose.centre(), [0.0, -4.905]))
-        .force(force(Kind::Contact, "N", pose.world([-0.5, 0.0]), [0.0, push]))
+        .force(force(ArrowKind::Weight, "W", pose.centre(), [0.0, -4.905]))
+        .force(force(ArrowKind::Contact, "N", pose.world([-0.5, 0.0]), [0.0, push]))
         .angle(AngleMark::horizontal(Label::symbol("theta"), angle))
 }
 
-fn five() -> Sheet {
+fn five() -> FreeBodySheet {
     let pushes = [0.0, 170.0, 560.0, 170.0, 0.0];
-    Sheet::new(Label::plain("bounce"), pushes.map(|push| bounce(push, 0.6)).to_vec())
+    FreeBodySheet::new(Label::plain("bounce"), pushes.map(|push| bounce(push, 0.6)).to_vec())
 }
 
 /// Numbers in (-1, 1) that look random and are the same on every run.
@@ -47,7 +47,8 @@ impl Random {
     }
 
     fn scene(&mut self) -> FreeBodyDiagram {
-        let kinds = [Kind::Weight, Kind::Contact, Kind::Air, Kind::Applied, Kind::Spring];
+        let kinds =
+            [ArrowKind::Weight, ArrowKind::Contact, ArrowKind::Air, ArrowKind::Applied, ArrowKind::Spring];
         let pose = Pose { t: 0.0, x: 5.0 * self.next(), y: self.next(), angle: 3.0 * self.next() };
         let box_corners = vec![[-0.5, -0.2], [0.5, -0.2], [0.5, 0.2], [-0.5, 0.2]];
         let outline = if self.next() > 0.0 { rod() } else { Outline::Polygon(box_corners) };
@@ -56,7 +57,7 @@ impl Random {
             let point = pose.world([0.5 * self.next(), 0.2 * self.next()]);
             body.force(force(kind, "F1", point, self.pair(20.0)))
         });
-        body.couple(Couple::new(Kind::Air, Label::symbol("tau"), self.next()))
+        body.couple(Couple::new(ArrowKind::Air, Label::symbol("tau"), self.next()))
     }
 }
 
@@ -86,10 +87,10 @@ fn labels_keep_clear_of_arrows_and_each_other() {
     drawings(&Layout::new(&five())).for_each(assert_clear);
     let mut random = Random(7);
     for _ in 0..25 {
-        let sheet = Sheet::of(random.scene());
+        let sheet = FreeBodySheet::of(random.scene());
         drawings(&Layout::new(&sheet)).for_each(assert_clear);
     }
-    let sheet = Sheet::new(Label::default(), (0..6).map(|_| random.scene()).collect());
+    let sheet = FreeBodySheet::new(Label::default(), (0..6).map(|_| random.scene()).collect());
     drawings(&Layout::new(&sheet)).for_each(assert_clear);
 }
 
@@ -99,8 +100,9 @@ fn side_views_are_laid_out_like_panels() {
     let (weight, normal) = ((Label::symbol("W"), 4.2), (Label::symbol("N"), 4.2));
     let side = SideView::resting(vec![ball.clone()], 0.11, weight, normal);
     let body = FreeBodyDiagram::new(Label::plain("ball"), Pose::default(), vec![ball]);
-    let body = body.force(force(Kind::Applied, "F", [-0.1, 0.04], [200.0, 0.0])).side(side);
-    let sheet = Sheet::of(body);
+    let body = body.force(force(ArrowKind::Applied, "F", [-0.1, 0.04], [200.0, 0.0]));
+    let body = FreeBodyDiagram { side: Some(side), ..body };
+    let sheet = FreeBodySheet::of(body);
     let layout = Layout::new(&sheet);
     assert_eq!(drawings(&layout).count(), 2);
     drawings(&layout).for_each(assert_clear);
@@ -128,13 +130,13 @@ fn short_arrows_and_only_they_have_a_break() {
     let weight = &layout.panels[2].main.strokes[0];
     assert!(weight.broken && (weight.length() - LEAST_LENGTH).abs() < 1e-9);
     assert!(svg.contains("arrow with a break"));
-    let even = Sheet::of(bounce(5.0, 0.6)).svg().to_string();
+    let even = FreeBodySheet::of(bounce(5.0, 0.6)).svg().to_string();
     assert!(!even.contains("class=\"break\"") && !even.contains("arrow with a break"));
 }
 
 #[test]
 fn zeros_are_listed_and_not_drawn() {
-    let sheet = Sheet::of(bounce(0.0, 0.6));
+    let sheet = FreeBodySheet::of(bounce(0.0, 0.6));
     assert_eq!(Layout::new(&sheet).panels[0].main.strokes.len(), 1);
     assert_eq!(Layout::new(&sheet).panels[0].listed[0].to_plain().replace('\u{a0}', " "), "N = 0");
     assert!(sheet.svg().description.contains("N = 0"));
@@ -148,7 +150,7 @@ fn descriptions_list_every_force_with_components_and_point() {
         5
     );
     assert!(description.contains("contact force N = 560 N, components (0, 560) N, at (2.59, 0) m"));
-    let impulse = Sheet::of(bounce(1.5, 0.6).impulses()).svg();
+    let impulse = FreeBodySheet::of(bounce(1.5, 0.6).impulses()).svg();
     assert!(impulse.description.contains("contact impulse N = 1.5 N·s"), "{}", impulse.description);
     assert!(impulse.to_string().contains("N·s") && impulse.to_string().contains("<desc>"));
 }
@@ -157,7 +159,7 @@ fn descriptions_list_every_force_with_components_and_point() {
 fn pages_are_about_four_to_three() {
     for count in 2..=12 {
         let panels = vec![bounce(30.0, 0.6); count];
-        let svg = Sheet::new(Label::plain("sheet"), panels).svg();
+        let svg = FreeBodySheet::new(Label::plain("sheet"), panels).svg();
         let shape = svg.width / svg.height;
         assert!((0.9..2.0).contains(&shape), "{count} panels: {shape}");
     }
@@ -173,15 +175,16 @@ fn nothing_makes_a_drawing_without_numbers() {
         for b in values.into_iter().skip(i) {
             let pose = Pose { x: a, y: b, angle: a, t: b };
             let body = FreeBodyDiagram::new(Label::plain("<a> & \"b\" ]]>"), pose, outlines(b))
-                .force(force(Kind::Weight, "W", [a, b], [b, a]))
-                .force(force(Kind::Air, "<b>", [0.0, 0.0], [1e-12, 0.0]))
-                .force(force(Kind::Spring, "", [b, 0.0], [a, 0.0]))
-                .couple(Couple::new(Kind::Applied, Label::default(), a))
+                .force(force(ArrowKind::Weight, "W", [a, b], [b, a]))
+                .force(force(ArrowKind::Air, "<b>", [0.0, 0.0], [1e-12, 0.0]))
+                .force(force(ArrowKind::Spring, "", [b, 0.0], [a, 0.0]))
+                .couple(Couple::new(ArrowKind::Applied, Label::default(), a))
                 .surface(Ground::new([a, b], [b, a], Label::plain("floor")))
-                .point(Label::plain("A"), [b, a])
                 .angle(AngleMark::horizontal(Label::symbol("theta"), b));
             let body = FreeBodyDiagram { rate: Some(a), ..body.velocity(Velocity::new("V", [b, a], [a, b])) };
-            let svg = Sheet::new(Label::default(), vec![body, FreeBodyDiagram::default()]).svg().to_string();
+            let svg = FreeBodySheet::new(Label::default(), vec![body, FreeBodyDiagram::default()])
+                .svg()
+                .to_string();
             assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("<b>"), "{a} {b}");
         }
     }
@@ -192,9 +195,9 @@ fn thirty_forces_at_one_point_are_all_labelled() {
     let body = FreeBodyDiagram::new(Label::plain("crate"), Pose::default(), vec![rod()]);
     let body = (0..30).fold(body, |body, i| {
         let angle = 2.4 * f64::from(i);
-        body.force(force(Kind::Applied, &format!("F{i}"), [0.5, 0.0], [angle.cos(), angle.sin()]))
+        body.force(force(ArrowKind::Applied, &format!("F{i}"), [0.5, 0.0], [angle.cos(), angle.sin()]))
     });
-    let sheet = Sheet::of(body);
+    let sheet = FreeBodySheet::of(body);
     let layout = Layout::new(&sheet);
     let labels = &layout.panels[0].main.labels;
     assert_eq!(labels.len(), 30);
@@ -205,9 +208,9 @@ fn thirty_forces_at_one_point_are_all_labelled() {
 
 #[test]
 fn sheets_without_panels_and_bodies_without_anything_are_drawn() {
-    let nothing = Sheet::default().svg().to_string();
+    let nothing = FreeBodySheet::default().svg().to_string();
     assert!(nothing.contains("Free-body diagram") && nothing.contains("no data"));
-    let svg = Sheet::of(FreeBodyDiagram::default()).svg();
+    let svg = FreeBodySheet::of(FreeBodyDiagram::default()).svg();
     assert!(svg.description.contains("no force") && svg.width > 0.0 && svg.height > 0.0);
 }
 

@@ -9,7 +9,7 @@ use crate::scale::drawable;
 use crate::scale_bar;
 use crate::scene_drawing::marks;
 use crate::svg::{Element, PathData, Svg, circle};
-use crate::text::{Anchor, Label, PlacedText};
+use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{INK, LineStyle, PAPER, SMALL};
 use crate::thin::{pieces, simplified};
 
@@ -55,7 +55,7 @@ impl<'a> Scene<'a> {
         svg.push(crate::axes::clipped(area, self.contents(t, &view, &area)));
         svg.push(scale_bar::draw([width - 12.0, tall + 6.0], density, "m"));
         let time = Label::symbol("t").then(Label::plain(&format!(" = {:.*} s", self.decimals(), t)));
-        svg.push(PlacedText::new(&time, [12.0, tall + 26.0], SMALL, Anchor::Start).element());
+        svg.push(PlacedText::new(&time, [12.0, tall + 26.0], SMALL, TextAnchor::Start).element());
         svg
     }
 

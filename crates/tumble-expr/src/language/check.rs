@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::builtins::{Builtin, builtin};
-use super::error::{CallSite, FormulaError, Place, Span};
+use super::error::{CallSite, FormulaError, Span, SpannedText};
 use super::names;
 use super::quantity::Written;
 use super::scope::{Function, Measured, Scope};
@@ -23,7 +23,7 @@ pub(super) fn check(
     scope: &Scope,
     arguments: &[(Arc<str>, Value)],
 ) -> Result<Value, Vec<FormulaError>> {
-    let frame = Frame { formula, place: Place::Formula, arguments, calls: None };
+    let frame = Frame { formula, place: SpannedText::Formula, arguments, calls: None };
     let mut checker = Checker { scope, parts: 0, known: HashMap::new(), errors: Vec::new() };
     match checker.formula(&frame) {
         Some(value) if checker.errors.is_empty() => Ok(value),
@@ -34,7 +34,7 @@ pub(super) fn check(
 /// The text that is being checked, and how it was reached.
 pub(super) struct Frame<'f> {
     pub(super) formula: &'f Formula,
-    pub(super) place: Place,
+    pub(super) place: SpannedText,
     pub(super) arguments: &'f [(Arc<str>, Value)],
     pub(super) calls: Option<&'f Call<'f>>,
 }
@@ -223,7 +223,7 @@ impl Checker<'_> {
         let arguments: Vec<_> = names.zip(given.iter().cloned()).collect();
         let note = names::call_note(&arguments);
         let call = Call { function: Arc::clone(name), span: span.clone(), note, caller, depth };
-        let place = Place::Body(Arc::clone(name));
+        let place = SpannedText::Body(Arc::clone(name));
         let frame = Frame { formula: &function.body, place, arguments: &arguments, calls: Some(&call) };
         let value = self.formula(&frame);
         self.within_bounds(span, depth)?;

@@ -34,7 +34,7 @@ crate::codes! {
     /// Two values stand side by side without an operator.
     MissingOperator = "E0110";
     /// An operator of another language.
-    Operator = "E0111";
+    BinaryOperator = "E0111";
     /// A comparison of a comparison.
     ChainedComparison = "E0112";
     /// A power of a quantity that can be read in two ways.
@@ -110,7 +110,7 @@ impl From<&TypeError> for Code {
 
 /// The text that spans count in.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
-pub enum Place {
+pub enum SpannedText {
     /// The formula itself.
     #[default]
     Formula,
@@ -122,7 +122,7 @@ pub enum Place {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CallSite {
     /// The text in which the call stands.
-    pub place: Place,
+    pub place: SpannedText,
     /// Where it stands there.
     pub span: Span,
     /// What was called with what, such as "called here with t = a length (m)".
@@ -142,7 +142,7 @@ pub struct FormulaError {
     /// How to put it right.
     pub help: Option<String>,
     /// The text that the labels count in.
-    pub place: Place,
+    pub place: SpannedText,
     /// Where the labels are in the body of a function: the calls that lead there, innermost first.
     pub calls: Vec<CallSite>,
 }
@@ -155,7 +155,7 @@ impl FormulaError {
 
     /// A mistake that lies in several labelled places together.
     pub fn between(code: Code, message: impl Into<String>, labels: Vec<(Span, String)>) -> Self {
-        let (place, calls) = (Place::Formula, Vec::new());
+        let (place, calls) = (SpannedText::Formula, Vec::new());
         Self { code, message: message.into(), labels, help: None, place, calls }
     }
 

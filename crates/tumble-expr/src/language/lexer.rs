@@ -6,7 +6,7 @@ use super::chain::{self, Chain};
 use super::characters::{begins_word, foreign, foreign_run, is_space, mixed_alphabets};
 use super::error::{Code, FormulaError, Span};
 use super::numbers;
-use super::syntax::Operator;
+use super::syntax::BinaryOperator;
 
 /// A word or a sign of a formula.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub(super) enum TokenKind {
     /// A value that is already known to be wrong.
     Broken,
     Name,
-    Operator(Operator),
+    BinaryOperator(BinaryOperator),
     Open(Bracket),
     Close(Bracket),
     Comma,
@@ -53,18 +53,18 @@ pub(super) fn lex(text: &str) -> Lexed {
 }
 
 /// Signs of other languages, and what they are here.
-const STRANGERS: &[(&str, Operator, &str)] = &[
-    ("**", Operator::Power, "a power is written `a^b`"),
-    ("&&", Operator::Times, "conditions are nested: `if(a < b, if(c < d, x, y), y)`"),
-    ("||", Operator::Times, "conditions are nested: `if(a < b, x, if(c < d, x, y))`"),
-    ("==", Operator::Less, "numbers that vary are never exactly equal: compare with `<` or `>`"),
-    ("!=", Operator::Less, "numbers that vary are never exactly equal: compare with `<` or `>`"),
-    ("=<", Operator::LessEqual, "write `<=`"),
-    ("=>", Operator::GreaterEqual, "write `>=`"),
-    ("=", Operator::Less, "a formula is only the right-hand side; compare with `<` or `>`"),
-    (":", Operator::Divide, "a division is written `a/b`"),
-    ("?", Operator::Less, "a choice is written `if(a < b, x, y)`"),
-    ("%", Operator::Divide, "per cent follows a number directly, as in `10%`"),
+const STRANGERS: &[(&str, BinaryOperator, &str)] = &[
+    ("**", BinaryOperator::Power, "a power is written `a^b`"),
+    ("&&", BinaryOperator::Times, "conditions are nested: `if(a < b, if(c < d, x, y), y)`"),
+    ("||", BinaryOperator::Times, "conditions are nested: `if(a < b, x, if(c < d, x, y))`"),
+    ("==", BinaryOperator::Less, "numbers that vary are never exactly equal: compare with `<` or `>`"),
+    ("!=", BinaryOperator::Less, "numbers that vary are never exactly equal: compare with `<` or `>`"),
+    ("=<", BinaryOperator::LessEqual, "write `<=`"),
+    ("=>", BinaryOperator::GreaterEqual, "write `>=`"),
+    ("=", BinaryOperator::Less, "a formula is only the right-hand side; compare with `<` or `>`"),
+    (":", BinaryOperator::Divide, "a division is written `a/b`"),
+    ("?", BinaryOperator::Less, "a choice is written `if(a < b, x, y)`"),
+    ("%", BinaryOperator::Divide, "per cent follows a number directly, as in `10%`"),
 ];
 
 struct Lexer<'t> {
@@ -127,9 +127,10 @@ impl Lexer<'_> {
             return false;
         };
         let end = self.at + sign.len();
-        let error = FormulaError::new(Code::Operator, self.at..end, format!("`{sign}` is no operator here"));
+        let error =
+            FormulaError::new(Code::BinaryOperator, self.at..end, format!("`{sign}` is no operator here"));
         self.lexed.errors.push(error.help(*help));
-        self.push(TokenKind::Operator(*operator), end);
+        self.push(TokenKind::BinaryOperator(*operator), end);
         true
     }
 
@@ -141,8 +142,8 @@ impl Lexer<'_> {
             ')' => TokenKind::Close(Bracket::Round),
             ']' => TokenKind::Close(Bracket::Square),
             ',' => TokenKind::Comma,
-            _ => match Operator::from_sign(c, equal) {
-                Some(operator) => TokenKind::Operator(operator),
+            _ => match BinaryOperator::from_sign(c, equal) {
+                Some(operator) => TokenKind::BinaryOperator(operator),
                 None => return false,
             },
         };

@@ -79,12 +79,12 @@ use std::sync::Arc;
 
 pub use builtins::{BUILTINS, Builtin, PI, builtin, is_reserved};
 pub use chain::{Chain, Factor};
-pub use error::{CallSite, Code, FormulaError, Place, Span};
+pub use error::{CallSite, Code, FormulaError, Span, SpannedText};
 pub use header::Header;
 pub use scope::{Function, FunctionError, Measured, Scope, ScopeError, is_name};
 pub use stated::StatedUnit;
 pub use suggest::nearest;
-pub use syntax::{NodeId, Operator, Standing, Syntax, SyntaxNode, Tree};
+pub use syntax::{BinaryOperator, NodeId, Standing, Syntax, SyntaxNode, Tree};
 pub use units::{NamedUnit, UNITS, UnitTag, nearest_unit, unit};
 pub use value::Value;
 

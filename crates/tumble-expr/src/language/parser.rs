@@ -6,7 +6,7 @@
 use super::complaints::{chained, mismatch, too_deep, unclosed, unopened};
 use super::error::{Code, FormulaError, Span};
 use super::lexer::{Bracket, Token, TokenKind};
-use super::syntax::{NodeId, Operator, SIGN_BINDING, Standing, Syntax, SyntaxNode, Tree};
+use super::syntax::{BinaryOperator, NodeId, SIGN_BINDING, Standing, Syntax, SyntaxNode, Tree};
 
 /// Brackets may be nested this deep.
 pub(super) const MAX_DEPTH: usize = 100;
@@ -24,7 +24,7 @@ pub(super) fn parse(text: &str, tokens: Vec<Token>) -> Result<Tree, Vec<FormulaE
 
 /// What waits on the stack for its right-hand side.
 enum Pending {
-    Infix(Operator),
+    Infix(BinaryOperator),
     Sign { minus: bool, at: usize },
     Open(Opening),
 }
@@ -70,7 +70,7 @@ impl Parser<'_> {
             }
             TokenKind::Broken => self.value(Syntax::Broken, span),
             TokenKind::Name => self.value(Syntax::Name(span.clone()), span),
-            TokenKind::Operator(operator) => self.operator(operator, span),
+            TokenKind::BinaryOperator(operator) => self.operator(operator, span),
             TokenKind::Open(bracket) => self.open(bracket, span),
             TokenKind::Close(bracket) => self.close(bracket, span),
             TokenKind::Comma => self.comma(span),
@@ -81,13 +81,13 @@ impl Parser<'_> {
     /// A value directly behind a value: notes the missing operator and goes on as if it were a product.
     fn last_step(&mut self, kind: &TokenKind, span: &Span) {
         let begins_value = match kind {
-            TokenKind::Operator(_) | TokenKind::Close(_) | TokenKind::Comma => false,
+            TokenKind::BinaryOperator(_) | TokenKind::Close(_) | TokenKind::Comma => false,
             TokenKind::Open(Bracket::Round) => !self.follows_name(),
             _ => true,
         };
         if self.have_value && begins_value {
             self.errors.push(self.side_by_side(span));
-            self.infix(Operator::Times);
+            self.infix(BinaryOperator::Times);
         }
     }
 
@@ -101,10 +101,10 @@ impl Parser<'_> {
         self.nodes.push(SyntaxNode { syntax, span, bracketed: false });
     }
 
-    fn operator(&mut self, operator: Operator, span: Span) {
+    fn operator(&mut self, operator: BinaryOperator, span: Span) {
         match operator {
-            Operator::Plus | Operator::Minus if !self.have_value => {
-                self.pending.push(Pending::Sign { minus: operator == Operator::Minus, at: span.start });
+            BinaryOperator::Plus | BinaryOperator::Minus if !self.have_value => {
+                self.pending.push(Pending::Sign { minus: operator == BinaryOperator::Minus, at: span.start });
             }
             _ => {
                 self.demand_value(&span);
@@ -113,8 +113,8 @@ impl Parser<'_> {
         }
     }
 
-    fn infix(&mut self, operator: Operator) {
-        let tightness = operator.binding() + u8::from(operator == Operator::Power);
+    fn infix(&mut self, operator: BinaryOperator) {
+        let tightness = operator.binding() + u8::from(operator == BinaryOperator::Power);
         self.reduce(tightness);
         self.pending.push(Pending::Infix(operator));
         self.have_value = false;
@@ -318,7 +318,7 @@ impl Parser<'_> {
         }
     }
 
-    fn build_infix(&mut self, operator: Operator) {
+    fn build_infix(&mut self, operator: BinaryOperator) {
         let (Some(right), Some(left)) = (self.operands.pop(), self.operands.pop()) else { return };
         self.errors.extend(self.misread(operator, left));
         let span = self.nodes[left].span.start..self.nodes[right].span.end;
@@ -332,11 +332,11 @@ impl Parser<'_> {
     }
 
     /// Formulas that have a meaning, but not the one a reader sees.
-    fn misread(&self, operator: Operator, left: NodeId) -> Option<FormulaError> {
+    fn misread(&self, operator: BinaryOperator, left: NodeId) -> Option<FormulaError> {
         let node = &self.nodes[left];
         match &node.syntax {
             _ if node.bracketed => None,
-            Syntax::Quantity { chain: Some(_), .. } if operator == Operator::Power => {
+            Syntax::Quantity { chain: Some(_), .. } if operator == BinaryOperator::Power => {
                 Some(self.power_of_quantity(&node.span))
             }
             Syntax::Infix(inner, ..) if inner.compares() && operator.compares() => Some(chained(&node.span)),

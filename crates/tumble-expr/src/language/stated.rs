@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::Formula;
 use super::error::{Code, FormulaError};
 use super::quantity::tags;
-use super::syntax::{Operator, Syntax};
+use super::syntax::{BinaryOperator, Syntax};
 use super::units::UnitTag;
 
 /// The unit a formula states.
@@ -30,7 +30,7 @@ pub(super) fn stated_unit(formula: &Formula) -> StatedUnit {
     let is_bare = |syntax: &Syntax| match syntax {
         Syntax::Quantity { chain, .. } => chain.is_none(),
         Syntax::Sign { .. } => true,
-        Syntax::Infix(operator, ..) => !operator.compares() && *operator != Operator::Power,
+        Syntax::Infix(operator, ..) => !operator.compares() && *operator != BinaryOperator::Power,
         _ => false,
     };
     let mut unsigned = nodes.iter().map(|node| &node.syntax).filter(|s| !matches!(s, Syntax::Sign { .. }));

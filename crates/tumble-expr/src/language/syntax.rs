@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::chain::Chain;
 use super::error::Span;
 
-/// Place of a node in its [`Tree`].
+/// SpannedText of a node in its [`Tree`].
 pub type NodeId = usize;
 
 /// A formula as its nodes, each behind the nodes it is made of, so that nothing that walks it recurses.
@@ -48,7 +48,7 @@ pub enum Syntax {
         operand: NodeId,
     },
     /// `a + b` and the like.
-    Infix(Operator, NodeId, NodeId),
+    Infix(BinaryOperator, NodeId, NodeId),
     /// `f(a, b)`, with the span of the function's name.
     Call(Span, Vec<NodeId>),
     /// `[a, b]`
@@ -70,7 +70,7 @@ pub enum Standing {
 
 /// What stands between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operator {
+pub enum BinaryOperator {
     /// `+`
     Plus,
     /// `-`
@@ -91,7 +91,7 @@ pub enum Operator {
     GreaterEqual,
 }
 
-impl Operator {
+impl BinaryOperator {
     pub(super) fn from_sign(sign: char, equal: bool) -> Option<Self> {
         Some(match (sign, equal) {
             ('+', _) => Self::Plus,

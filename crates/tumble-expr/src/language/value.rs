@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::error::Code;
-use super::syntax::Operator;
+use super::syntax::BinaryOperator;
 use crate::expr::{Binary, Relation};
 use crate::{Dimension, Expr, Kind, TypeError, Vector};
 
@@ -108,13 +108,13 @@ impl Value {
         self.each(|a| -a).checked()
     }
 
-    pub(super) fn infix(operator: Operator, a: &Self, b: &Self) -> Result<Self, ValueError> {
+    pub(super) fn infix(operator: BinaryOperator, a: &Self, b: &Self) -> Result<Self, ValueError> {
         let value = match operator {
-            Operator::Plus => a.together(b, Binary::Add, "adds")?,
-            Operator::Minus => a.together(b, Binary::Sub, "subtracts")?,
-            Operator::Times => a.product(b)?,
-            Operator::Divide => a.quotient(b)?,
-            Operator::Power => Self::numbers(Binary::Pow, a, b)?,
+            BinaryOperator::Plus => a.together(b, Binary::Add, "adds")?,
+            BinaryOperator::Minus => a.together(b, Binary::Sub, "subtracts")?,
+            BinaryOperator::Times => a.product(b)?,
+            BinaryOperator::Divide => a.quotient(b)?,
+            BinaryOperator::Power => Self::numbers(Binary::Pow, a, b)?,
             _ => a.comparison(operator, b)?,
         };
         value.checked()
@@ -207,13 +207,13 @@ impl Value {
         }
     }
 
-    fn comparison(&self, operator: Operator, other: &Self) -> Result<Self, ValueError> {
+    fn comparison(&self, operator: BinaryOperator, other: &Self) -> Result<Self, ValueError> {
         let (Self::Scalar(a), Self::Scalar(b)) = (self, other) else { return Err(ValueError::Compare) };
         let (a, b) = (a.clone(), b.clone());
         Ok(match operator {
-            Operator::Less => Expr::compare(Relation::Less, a, b),
-            Operator::LessEqual => Expr::compare(Relation::LessEqual, a, b),
-            Operator::Greater => Expr::compare(Relation::Less, b, a),
+            BinaryOperator::Less => Expr::compare(Relation::Less, a, b),
+            BinaryOperator::LessEqual => Expr::compare(Relation::LessEqual, a, b),
+            BinaryOperator::Greater => Expr::compare(Relation::Less, b, a),
             _ => Expr::compare(Relation::LessEqual, b, a),
         }
         .into())

@@ -4,11 +4,11 @@ use super::Lowering;
 use crate::Stage;
 use crate::ops::solve::{Matrix, System, Term};
 use crate::ops::{Op, Slot};
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 
 impl Lowering {
     /// Places a system; its unknowns follow it.
-    pub(super) fn system(&mut self, shape: &Shape, parts: &[Slot]) -> Slot {
+    pub(super) fn system(&mut self, shape: &SparsityPattern, parts: &[Slot]) -> Slot {
         let (entries, right) = parts.split_at(shape.entries());
         let (matrix, factor) = self.factor(shape, entries);
         let unknowns = self.next() + 1;
@@ -33,7 +33,7 @@ impl Lowering {
     }
 
     /// A matrix and the slot of its factors, which all systems with that matrix share.
-    fn factor(&mut self, shape: &Shape, entries: &[Slot]) -> (u32, Slot) {
+    fn factor(&mut self, shape: &SparsityPattern, entries: &[Slot]) -> (u32, Slot) {
         let (shape, entries) = self.without_zeros(shape, entries);
         let is_this = |known: &Matrix| known.entries == entries && known.shape == shape;
         let index = self.tape.matrices.iter().position(is_this).unwrap_or_else(|| {
@@ -45,11 +45,11 @@ impl Lowering {
     }
 
     /// The entries that are no zeros whatever the leaves are.
-    fn without_zeros(&self, shape: &Shape, entries: &[Slot]) -> (Shape, Vec<Slot>) {
+    fn without_zeros(&self, shape: &SparsityPattern, entries: &[Slot]) -> (SparsityPattern, Vec<Slot>) {
         let is_entry = |(entry, _): &(usize, usize)| !self.tape.is_zero(entries[*entry]);
         let row = |row: usize| shape.entries_of(row).filter(is_entry);
         let columns = |own: usize| row(own).map(|(_, column)| column as u32).collect();
-        let kept = Shape::new((0..shape.size()).map(columns));
+        let kept = SparsityPattern::new((0..shape.size()).map(columns));
         (kept, (0..shape.size()).flat_map(row).map(|(entry, _)| entries[entry]).collect())
     }
 }

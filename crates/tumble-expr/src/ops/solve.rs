@@ -12,12 +12,12 @@ use super::elimination::{Plan, Symmetric, Workspace};
 use super::kernels::Kernels;
 use super::{Parts, Series, Slot};
 use crate::Lanewise;
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 
 /// A matrix of a linear system.
 #[derive(Clone, Debug)]
 pub struct Matrix {
-    pub(crate) shape: Shape,
+    pub(crate) shape: SparsityPattern,
     /// Row by row.
     pub(crate) entries: Vec<Slot>,
     pub(crate) plan: Arc<Plan>,
@@ -28,7 +28,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    pub(crate) fn new(shape: Shape, entries: Vec<Slot>, offset: usize) -> Self {
+    pub(crate) fn new(shape: SparsityPattern, entries: Vec<Slot>, offset: usize) -> Self {
         let rows = (0..shape.size()).map(|row| shape.columns()[shape.row(row)].to_vec());
         let plan = Plan::of(rows.collect());
         let is_wanted = !is_small(shape.size()) && !plan.is_singular && is_symmetric(&shape, &entries);
@@ -39,7 +39,7 @@ impl Matrix {
 }
 
 /// Whether entries across the diagonal are the same, and none on it is missing.
-fn is_symmetric(shape: &Shape, entries: &[Slot]) -> bool {
+fn is_symmetric(shape: &SparsityPattern, entries: &[Slot]) -> bool {
     let at = |row: usize, column: usize| {
         let columns = &shape.columns()[shape.row(row)];
         columns.binary_search(&(column as u32)).ok().map(|index| entries[shape.row(row).start + index])

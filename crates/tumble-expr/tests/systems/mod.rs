@@ -1,7 +1,7 @@
 //! Linear systems: cases for the suite, and what only they must do.
 
 use num_complex::Complex64;
-use tumble_expr::{Branches, Dimension, Expr, Jets, Layout, Op, Shape, Symbol, Tape};
+use tumble_expr::{Branches, Dimension, Expr, Jets, Layout, Op, SparsityPattern, Symbol, Tape};
 
 use super::{Case, ORDER, P, cauchy, p, series, t};
 
@@ -75,7 +75,7 @@ fn balanced() -> Vec<Vec<Expr>> {
 }
 
 /// Cramer's rule.
-pub(crate) fn cramer(shape: &Shape, parts: &[Complex64], column: usize) -> Complex64 {
+pub(crate) fn cramer(shape: &SparsityPattern, parts: &[Complex64], column: usize) -> Complex64 {
     let n = shape.size();
     let (known, right) = parts.split_at(shape.entries());
     let mut entries = vec![Complex64::from(0.0); n * n];

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use tumble_expr::{Expr, Vector, units};
 use tumble_ode::{Piece, Reason};
 
-use crate::balance::contribution::{Contribution, Kind};
+use crate::balance::contribution::{Contribution, ContributionKind};
 use crate::balance::lines::{Key, Lines};
 use crate::balance::quadrature::{Amounts, NotFinite, Quadrature, Sum};
 use crate::balance::stored::{Stored, StoredEvaluator};
@@ -226,7 +226,7 @@ impl Accumulation {
     }
 
     /// Adds a change of a store of energy, J.
-    pub(super) fn add_energy(&mut self, potential: usize, kind: Kind, change: f64) {
+    pub(super) fn add_energy(&mut self, potential: usize, kind: ContributionKind, change: f64) {
         if change != 0.0 {
             let key = self.potentials[potential].key(None, kind);
             self.add(key, [change, 0.0, 0.0, 0.0]);

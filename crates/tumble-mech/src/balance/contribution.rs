@@ -10,7 +10,7 @@ const ROUNDING_OF_IMPACTS: f64 = 2.0 * f64::EPSILON;
 
 /// What kind of change a contribution stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum ContributionKind {
     /// A force that a potential energy stands for: its work is told, but the potential counts in its place.
     Conservative,
     /// Any other force or torque while it acts: applied, of the air, of a damper, of a pivot or a rigid surface.
@@ -36,7 +36,7 @@ pub struct Contribution {
     /// Index of the body; `None` where a store of energy is changed and no body pushed.
     pub body: Option<usize>,
     /// What it stands for.
-    pub kind: Kind,
+    pub kind: ContributionKind,
     /// Work on the body, J, positive where it gains energy; for a store, what it gains.
     pub work: f64,
     /// Of impacts, the size of what their work in the whole run is a difference of, J; zero for others.
@@ -49,7 +49,7 @@ pub struct Contribution {
 
 impl Contribution {
     /// What tells it from all others of a balance.
-    pub(crate) fn key(&self) -> (String, Option<usize>, Kind) {
+    pub(crate) fn key(&self) -> (String, Option<usize>, ContributionKind) {
         (self.load.clone(), self.body, self.kind)
     }
 
@@ -60,7 +60,7 @@ impl Contribution {
 
     /// Whether its work changes the total energy: that of a potential only moves it.
     pub fn counts(&self) -> bool {
-        self.kind != Kind::Conservative
+        self.kind != ContributionKind::Conservative
     }
 }
 

@@ -1,10 +1,10 @@
 //! What an instant adds: parameters that change, impacts, surfaces that let go.
 
 use nalgebra::{DMatrix, DVector};
-use tumble_ode::{Event, Reason};
+use tumble_ode::{Occurrence, Reason};
 
 use crate::balance::accumulation::Accumulation;
-use crate::balance::contribution::Kind;
+use crate::balance::contribution::ContributionKind;
 use crate::balance::lines::Key;
 use crate::balance::stored::{Motion, Stored};
 use crate::contact::{ContactMode, Couple};
@@ -25,7 +25,7 @@ type Change = [f64; 3];
 
 impl Accumulation {
     /// Adds an event of the run.
-    pub(super) fn add_event(&mut self, event: &Event<Record>) -> Result<(), Reason> {
+    pub(super) fn add_event(&mut self, event: &Occurrence<Record>) -> Result<(), Reason> {
         let motion = self.run.motion();
         let [before, after] = [event.mode_before, event.mode_after].map(|mode| &motion.modes[mode]);
         let mut stored = self.stored(before, event.time, &event.before)?;
@@ -60,12 +60,12 @@ impl Accumulation {
             let change = |axis: usize| new.momentum[axis] - old.momentum[axis];
             let change = [new.kinetic - old.kinetic, change(0), change(1), new.angular - old.angular];
             if change != [0.0; 4] {
-                let kind = Kind::ParameterJump;
+                let kind = ContributionKind::ParameterJump;
                 self.add(Key { load: name.clone(), law: None, body: Some(body), kind }, change);
             }
         }
         for (index, (old, new)) in before.potentials.iter().zip(&after.potentials).enumerate() {
-            self.add_energy(index, Kind::ParameterJump, new - old);
+            self.add_energy(index, ContributionKind::ParameterJump, new - old);
         }
     }
 
@@ -89,11 +89,16 @@ impl Accumulation {
         }
         let negligible = f64::EPSILON * before.size();
         for (_, index, change) in left.into_iter().filter(|(.., change)| change.abs() > negligible) {
-            self.add_energy(index, Kind::Release, change);
+            self.add_energy(index, ContributionKind::Release, change);
         }
     }
 
-    fn add_impacts(&mut self, event: &Event<Record>, before: &Stored, after: &Stored) -> Result<(), Reason> {
+    fn add_impacts(
+        &mut self,
+        event: &Occurrence<Record>,
+        before: &Stored,
+        after: &Stored,
+    ) -> Result<(), Reason> {
         let mut left: Vec<Change> =
             before.bodies.iter().zip(&after.bodies).map(|(old, new)| change(old, new)).collect();
         if left.iter().all(|change| *change == [0.0; 3]) {
@@ -130,12 +135,12 @@ impl Accumulation {
         let turning = impulse.couple.abs() * (old.omega.abs() + new.omega.abs());
         let size = 0.5 * (libm::hypot(jx, jy) * (speed(old) + speed(new)) + turning);
         let amounts = [jx * vx + jy * vy + impulse.couple * omega, jx, jy, angular];
-        self.add_impact(Key { load, law, body, kind: Kind::Impact }, amounts, size);
+        self.add_impact(Key { load, law, body, kind: ContributionKind::Impact }, amounts, size);
         [jx, jy, rx * jy - ry * jx + impulse.couple]
     }
 
     /// Impulses by which contacts that last, and the pivot, stop what is left of a body's motion towards them.
-    fn settled(&self, event: &Event<Record>, body: usize, left: Change) -> Result<Vec<Impulse>, Reason> {
+    fn settled(&self, event: &Occurrence<Record>, body: usize, left: Change) -> Result<Vec<Impulse>, Reason> {
         let mode = &self.run.trajectory().modes[event.mode_after];
         let (equations, inputs) = (&self.run.equations, &self.run.inputs);
         let lasting = mode.contacts.iter().filter(|(_, contact_mode)| ContactMode::is_lasting(*contact_mode));

@@ -4,7 +4,7 @@ use tumble_expr::{Branches, Expr, Jets, LEFT_OUT, Rounded, Rounding, Vector};
 use tumble_ode::{Piece, Reason};
 
 use crate::anchor::rate;
-use crate::balance::contribution::Kind;
+use crate::balance::contribution::ContributionKind;
 use crate::balance::quadrature::{Amounts, Sample};
 use crate::contact::{Grip, Pair};
 use crate::equations::Equations;
@@ -20,7 +20,7 @@ pub(super) struct Key {
     pub(super) load: String,
     pub(super) law: Option<Law>,
     pub(super) body: Option<usize>,
-    pub(super) kind: Kind,
+    pub(super) kind: ContributionKind,
 }
 
 /// A term with the velocity of its point, in symbols of the motion.
@@ -62,7 +62,7 @@ impl Lines {
         let terms = keys.len();
         for potential in potentials.iter().filter(|potential| potential.is_in(mode)) {
             if !potential.driven.is_zero() {
-                keys.push(potential.key(None, Kind::Driven));
+                keys.push(potential.key(None, ContributionKind::Driven));
                 outputs.push(potential.driven.clone());
             }
         }
@@ -148,7 +148,7 @@ impl Potential {
         self.pair.is_none_or(|pair| mode.pressed().any(|pressed| pressed == pair))
     }
 
-    pub(super) fn key(&self, body: Option<usize>, kind: Kind) -> Key {
+    pub(super) fn key(&self, body: Option<usize>, kind: ContributionKind) -> Key {
         Key { load: self.load.clone(), law: Some(self.law), body, kind }
     }
 
@@ -161,12 +161,12 @@ fn lines(equations: &Equations, potentials: &[Potential], mode: &Mode) -> Vec<Li
     let mut taken = vec![0; potentials.len()];
     let mut lines = vec![];
     for (term, velocity) in terms(equations, mode) {
-        let mut push = |kind: Kind, term: Term| {
+        let mut push = |kind: ContributionKind, term: Term| {
             let key = Key { load: term.load.clone(), law: Some(term.law), body: Some(term.body), kind };
             lines.push(Line { key, term, velocity: velocity.clone() });
         };
         let Some(index) = potentials.iter().position(|potential| potential.is_of(&term)) else {
-            push(Kind::Work, term);
+            push(ContributionKind::Work, term);
             continue;
         };
         let elastic = &potentials[index].elastic[taken[index]];
@@ -174,9 +174,9 @@ fn lines(equations: &Equations, potentials: &[Potential], mode: &Mode) -> Vec<Li
         let part = Term { force: elastic.force.clone(), couple: elastic.couple.clone(), ..term.clone() };
         if !potentials[index].is_whole {
             let rest = Term { force: &term.force - &part.force, couple: &term.couple - &part.couple, ..term };
-            push(Kind::Work, rest);
+            push(ContributionKind::Work, rest);
         }
-        push(Kind::Conservative, part);
+        push(ContributionKind::Conservative, part);
     }
     lines
 }

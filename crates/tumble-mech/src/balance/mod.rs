@@ -8,7 +8,7 @@
 //! (`Potential`: weight, springs, torsion springs, compliant surfaces) counts by that energy; all else that it does,
 //! such as its damper's part, counts by its work, and nothing by both. So
 //!
-//! - the total energy changes by the work of all contributions but those of [`Kind::Conservative`],
+//! - the total energy changes by the work of all contributions but those of [`ContributionKind::Conservative`],
 //! - momentum and angular momentum change by the impulses and angular impulses of all contributions,
 //!
 //! and what is left of each equation is its residual. Nothing here is asked for while a motion is integrated: the
@@ -27,7 +27,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-pub use contribution::{Balance, BodyBalance, Contribution, Kind, Reading, Store};
+pub use contribution::{Balance, BodyBalance, Contribution, ContributionKind, Reading, Store};
 
 use std::collections::HashMap;
 
@@ -124,12 +124,12 @@ impl RunBalance {
         let model = self.parts[0].accumulation.run.equations.model();
         let on = body.map_or_else(String::new, |body| format!(" on {}", model.bodies[body].name));
         let kind = match kind {
-            Kind::Work => "",
-            Kind::Conservative => " (potential)",
-            Kind::Driven => " (driven)",
-            Kind::Impact => " (impacts)",
-            Kind::ParameterJump => " (parameters)",
-            Kind::Release => " (release)",
+            ContributionKind::Work => "",
+            ContributionKind::Conservative => " (potential)",
+            ContributionKind::Driven => " (driven)",
+            ContributionKind::Impact => " (impacts)",
+            ContributionKind::ParameterJump => " (parameters)",
+            ContributionKind::Release => " (release)",
         };
         format!("{load}{on}{kind}")
     }

@@ -7,8 +7,8 @@ use tumble_ode::{Accuracy, Direction, Side};
 use crate::balance::lines::Lines;
 use crate::balance::quadrature::Quadrature;
 use crate::{
-    Action, Anchor, Body, ContactLaw, Contribution, Event, Gravity, Kind, Model, Run, RunBalance, Spring,
-    Start, Surface, time,
+    Action, Anchor, Body, ContactLaw, Contribution, ContributionKind, Event, Gravity, Model, Run, RunBalance,
+    Spring, Start, Surface, time,
 };
 
 const G: f64 = 9.81;
@@ -33,7 +33,7 @@ fn balanced(run: &Run, tolerance: f64) -> RunBalance {
 }
 
 #[track_caller]
-fn contribution(balance: &RunBalance, load: &str, kind: Kind) -> Contribution {
+fn contribution(balance: &RunBalance, load: &str, kind: ContributionKind) -> Contribution {
     let mut known = balance.contributions.iter().filter(|part| part.load == load && part.kind == kind);
     known
         .next()
@@ -41,7 +41,7 @@ fn contribution(balance: &RunBalance, load: &str, kind: Kind) -> Contribution {
         .clone()
 }
 
-fn has(balance: &RunBalance, load: &str, kind: Kind) -> bool {
+fn has(balance: &RunBalance, load: &str, kind: ContributionKind) -> bool {
     balance.contributions.iter().any(|part| part.load == load && part.kind == kind)
 }
 
@@ -140,8 +140,12 @@ fn a_spring_s_ends_in_either_order() {
     let balance = balanced(&run, 1e-12);
     for name in ["a", "b", "c"] {
         let store = balance.stores.iter().find(|store| store.load == name).expect("a store");
-        close(contribution(&balance, name, Kind::Conservative).work, store.start - store.end, 1e-11);
-        assert_eq!(has(&balance, name, Kind::Work), name != "b");
+        close(
+            contribution(&balance, name, ContributionKind::Conservative).work,
+            store.start - store.end,
+            1e-11,
+        );
+        assert_eq!(has(&balance, name, ContributionKind::Work), name != "b");
     }
 }
 
@@ -151,7 +155,7 @@ fn a_softening_spring() {
     let age = 1 + time() / (1 * S);
     let run = run(oscillator(8 * N / M / (&age * &age), 0.0, here(0.0, 0.0)), 2.5, 1e-12);
     let balance = balanced(&run, 1e-12);
-    let driven = contribution(&balance, "spring", Kind::Driven).work;
+    let driven = contribution(&balance, "spring", ContributionKind::Driven).work;
     close(driven, balance.energy.end - balance.energy.start, 1e-12);
     assert!(driven < -0.5);
 }
@@ -162,7 +166,7 @@ fn a_spring_that_depends_on_the_motion_is_work() {
     let place = Expr::symbol("ball.x", tumble_expr::Dimension::LENGTH);
     let run = run(oscillator(4 * N / M * (1 + place / (1 * M)), 0.0, here(0.0, 0.0)), 5.0, 1e-12);
     let balance = balanced(&run, 1e-12);
-    assert!(balance.stores.is_empty() && has(&balance, "spring", Kind::Work));
+    assert!(balance.stores.is_empty() && has(&balance, "spring", ContributionKind::Work));
 }
 
 #[test]
@@ -181,7 +185,7 @@ fn a_parameter_that_jumps_changes_what_is_stored() {
     });
     let run = run(model, 0.8, 1e-12);
     let balance = balanced(&run, 1e-12);
-    let jump = contribution(&balance, "spring", Kind::ParameterJump);
+    let jump = contribution(&balance, "spring", ContributionKind::ParameterJump);
     close(jump.work, 10.0 * 0.0625 / 2.0, 1e-13);
     close(balance.energy.change, jump.work, 0.0);
 }
@@ -201,10 +205,10 @@ fn a_mass_that_jumps() {
     });
     let run = run(model, 0.9, 1e-12);
     let balance = balanced(&run, 1e-13);
-    let jump = contribution(&balance, "splits", Kind::ParameterJump);
+    let jump = contribution(&balance, "splits", ContributionKind::ParameterJump);
     close(jump.work, -0.75 * (9.0 + 2.0 * G), 1e-13);
     close(jump.impulse[0], -4.5, 1e-14);
-    close(contribution(&balance, "gravity", Kind::ParameterJump).work, -1.5 * G * 4.0, 1e-13);
+    close(contribution(&balance, "gravity", ContributionKind::ParameterJump).work, -1.5 * G * 4.0, 1e-13);
 }
 
 /// One exact step turns the rod many times; its pivot's force turns with it.

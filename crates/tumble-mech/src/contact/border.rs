@@ -4,7 +4,7 @@ use tumble_expr::{Expr, Vector};
 
 use crate::anchor::Anchor;
 use crate::body::Body;
-use crate::contact::feature::{Feature, Side, corner_features, round_trip};
+use crate::contact::feature::{Feature, PolygonSide, corner_features, round_trip};
 use crate::kinematics::{Kinematics, PointRef, rotated};
 
 /// A circle by which something touches; a corner or an end is one of no radius, or of the rod's.
@@ -57,7 +57,7 @@ impl Border {
             Rim { name: feature.name, centre, radius: feature.radius, neighbours: all }
         };
         let rims = features.into_iter().map(rim).collect();
-        let edge = |side: Side| Edge {
+        let edge = |side: PolygonSide| Edge {
             name: side.name,
             ends: [next(), next()],
             radius: side.radius,

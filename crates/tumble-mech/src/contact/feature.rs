@@ -22,7 +22,7 @@ pub struct Feature {
 
 /// A straight side of a body.
 #[derive(Clone, Debug)]
-pub struct Side {
+pub struct PolygonSide {
     /// `side1`, ...
     pub name: String,
     /// Its ends, m, body coordinates: on the way from the first to the other the body is on the left.
@@ -60,11 +60,11 @@ impl Body {
     }
 
     /// All straight sides of the body; a rod has two.
-    pub fn sides(&self) -> Vec<Side> {
+    pub fn sides(&self) -> Vec<PolygonSide> {
         let parts = self.parts.iter().enumerate();
         let sides = parts.flat_map(|(index, part)| {
             let (sides, radius) = sides_of(&part.shape);
-            sides.into_iter().zip(1..).map(move |(ends, number)| Side {
+            sides.into_iter().zip(1..).map(move |(ends, number)| PolygonSide {
                 name: self.name_in(index, format!("side{number}")),
                 ends,
                 radius: radius.clone(),
@@ -151,7 +151,7 @@ mod tests {
         let one = Body::of_shape("box", plate(0.0));
         assert_eq!(names(&one), ["corner1", "corner2", "corner3", "corner4"]);
         let part = |x| Part { shape: plate(x), mass: 1 * KG };
-        // Side by side: two corners of the second are corners of the first.
+        // PolygonSide by side: two corners of the second are corners of the first.
         let boxes = Body::from_parts("boxes", vec![part(0.0), part(1.0)]);
         assert_eq!(names(&boxes).len(), 6);
         assert_eq!(boxes.features()[1].neighbours.len(), 4);

@@ -1,6 +1,6 @@
 //! When each contact of a run began and ended.
 
-use tumble_ode::Event;
+use tumble_ode::Occurrence;
 
 use crate::contact::change::Change;
 use crate::record::Happening;
@@ -25,7 +25,7 @@ impl crate::Run {
     pub fn contacts(&self) -> Vec<Contact> {
         let end = self.end().unwrap_or(0.0);
         let mut found: Vec<Contact> = vec![];
-        for Event { time, record, .. } in self.events() {
+        for Occurrence { time, record, .. } in self.events() {
             for happening in &record.happened {
                 let Happening::Contact { pair, change } = *happening else { continue };
                 let contact =

@@ -40,7 +40,7 @@ pub(crate) use border::{Border, Rim};
 pub use change::Change;
 pub(crate) use circles::{Circles, Surrounding, meeting, meeting_within};
 pub use contact_mode::ContactMode;
-pub use feature::{Feature, Side};
+pub use feature::{Feature, PolygonSide};
 pub use grip::{Grip, Way};
 pub use interval::Contact;
 pub use meeting::BodyContact;

@@ -48,7 +48,7 @@ const MOST_CHANGES: usize = 100;
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
     /// Of each body, in the model's order.
-    pub poses: Vec<Pose>,
+    pub poses: Vec<EquilibriumPose>,
     /// What holds the bodies: joints, pivots and contacts that push.
     pub reactions: Vec<Reaction>,
     /// What becomes of small motions about it.
@@ -57,7 +57,7 @@ pub struct Equilibrium {
 
 /// Where a body is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pose {
+pub struct EquilibriumPose {
     /// Its name.
     pub body: String,
     /// Its centre of mass, m.
@@ -202,7 +202,7 @@ impl Equations {
         let formulas: Vec<Expr> = (0..self.model().bodies.len()).flat_map(place).collect();
         let values = statics.values(found, &formulas)?;
         let poses = self.model().bodies.iter().zip(values.chunks_exact(3));
-        let poses = poses.map(|(body, pose)| Pose {
+        let poses = poses.map(|(body, pose)| EquilibriumPose {
             body: body.name.clone(),
             at: [pose[0], pose[1]],
             angle: pose[2],

@@ -8,7 +8,7 @@
 //! Source: Horst and Tuy, Global Optimization; Hansen and Walster, Global Optimization Using Interval Analysis.
 
 use tumble_expr::{Branches, Interval, Stage};
-use tumble_ode::{Bounds, Path, Piece, Place, Side};
+use tumble_ode::{Bounds, MotionState, Path, Piece, Side};
 
 use super::{Begun, Best, Candidate, Evaluator};
 use crate::evaluator::{evaluate, evaluate_in};
@@ -277,9 +277,9 @@ impl<'a> Search<'a> {
         if s < self.piece.length { self.piece.time_at(s) } else { self.piece.end }
     }
 
-    fn place(&self, s: f64) -> Place<'a> {
+    fn place(&self, s: f64) -> MotionState<'a> {
         let states = self.piece.states_at_parameter(s);
-        Place { mode: self.piece.mode, time: self.time(s), states, piece: Some(self.piece) }
+        MotionState { mode: self.piece.mode, time: self.time(s), states, piece: Some(self.piece) }
     }
 }
 

@@ -125,7 +125,7 @@ impl Islands<'_> {
     /// Groups in parts, those together whose bodies are near each other at the start.
     pub(super) fn together(
         &self,
-        start: &tumble_ode::Start<Mode>,
+        start: &tumble_ode::InitialState<Mode>,
         parts: Vec<Vec<usize>>,
     ) -> Vec<Vec<usize>> {
         let mut sets = Sets::new(parts.len());
@@ -152,7 +152,7 @@ fn joined(equations: &Equations, handovers: Vec<Handover<Mode>>) -> Handover<Mod
     let (mode, layout) = equations.laid_out(&modes);
     let carried: Vec<&Carried> = handovers.iter().map(|handover| &handover.carried).collect();
     let carried = Carried::joined(&carried);
-    let state = |of: fn(&tumble_ode::Start<Mode>) -> &Vec<f64>| {
+    let state = |of: fn(&tumble_ode::InitialState<Mode>) -> &Vec<f64>| {
         layout.iter().map(|[part, state]| of(&handovers[*part].start)[*state]).collect()
     };
     let (states, compensation) = (state(|start| &start.states), state(|start| &start.compensation));

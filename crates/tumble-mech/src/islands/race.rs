@@ -6,7 +6,7 @@ use std::collections::{BinaryHeap, HashSet};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use tumble_ode::{Accuracy, Reason, Refusal, Start};
+use tumble_ode::{Accuracy, InitialState, Reason, Refusal};
 
 use super::Islands;
 use super::start::Places;
@@ -47,7 +47,7 @@ impl Equations {
     /// come to.
     pub(crate) fn follow(
         &self,
-        start: &Start<Mode>,
+        start: &InitialState<Mode>,
         until: f64,
         accuracy: Accuracy,
         progress: &mut dyn FnMut(Reached<'_>) -> ControlFlow<()>,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use tumble_expr::{
-    Code, CompileError, Expr, FastMap, Formulas, Fragment, Node, Outline, Substitution, Symbol, Vector,
+    Code, CompileError, Expr, FastMap, Formulas, Fragment, Node, Skeleton, Substitution, Symbol, Vector,
 };
 use tumble_ode::Watched;
 
@@ -115,7 +115,7 @@ pub(crate) struct Piece {
 pub(crate) struct Class {
     /// What they are found by.
     signature: Vec<Expr>,
-    outline: Outline,
+    outline: Skeleton,
     /// What is computed, in the symbols of the first.
     pub(crate) formulas: Vec<Expr>,
     pub(crate) code: Result<Arc<Code>, CompileError>,
@@ -178,7 +178,7 @@ impl Equations {
             [] => signature,
             _ => signature.iter().map(|function| self.in_coordinates(function)).collect(),
         };
-        let outline = Outline::of(&signature);
+        let outline = Skeleton::of(&signature);
         let is_this = |class: &&Arc<Class>| {
             let is_state = |symbol: &Symbol| names.find(symbol).is_some_and(|name| names.is_state(name));
             let mut symbols = outline.symbols().iter().zip(class.outline.symbols());
@@ -198,7 +198,7 @@ impl Equations {
     /// Formulas from elsewhere.
     pub(super) fn written_piece(&self, formulas: &[Expr]) -> Arc<Piece> {
         let build = || {
-            let (names, outline) = (self.names(), Outline::of(formulas));
+            let (names, outline) = (self.names(), Skeleton::of(formulas));
             let class = Class::of(formulas.to_vec(), &outline, &[], &names);
             Ok::<_, std::convert::Infallible>(Piece::of(Arc::new(class), outline.symbols(), &names))
         };
@@ -342,7 +342,7 @@ impl Equations {
 
 impl Class {
     /// Of what is computed, or of functions that are kept zero, with their slopes by the states that they depend on.
-    fn of(signature: Vec<Expr>, outline: &Outline, kept: &[Measure], names: &Names) -> Self {
+    fn of(signature: Vec<Expr>, outline: &Skeleton, kept: &[Measure], names: &Names) -> Self {
         let place = |symbol: &Symbol| outline.symbols().iter().position(|known| known == symbol);
         let (mut formulas, mut slopes) = (vec![], vec![]);
         for (function, measure) in signature.iter().zip(kept) {

@@ -1,7 +1,7 @@
 //! The error of one quantity at one instant of a motion.
 
 use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
-use tumble_ode::{Place, Side};
+use tumble_ode::{MotionState, Side};
 
 use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
@@ -128,13 +128,13 @@ pub fn depends_on_motion(run: &Run, formula: &Expr) -> bool {
 struct Quantity<'a> {
     run: &'a Run,
     formula: &'a Expr,
-    place: &'a Place<'a>,
+    place: &'a MotionState<'a>,
     jets: Jets<f64>,
     value: f64,
 }
 
 impl<'a> Quantity<'a> {
-    fn new(run: &'a Run, formula: &'a Expr, place: &'a Place<'a>) -> Result<Self, RunError> {
+    fn new(run: &'a Run, formula: &'a Expr, place: &'a MotionState<'a>) -> Result<Self, RunError> {
         let mode = &run.trajectory().modes[place.mode];
         let jets = run.equations.evaluator(mode, std::slice::from_ref(formula), &run.inputs)?;
         let mut quantity = Self { run, formula, place, jets, value: 0.0 };
@@ -142,7 +142,7 @@ impl<'a> Quantity<'a> {
         Ok(quantity)
     }
 
-    fn at(&mut self, place: &Place<'_>) -> f64 {
+    fn at(&mut self, place: &MotionState<'_>) -> f64 {
         evaluate(&mut self.jets, place);
         self.jets.value_of(0)
     }
@@ -203,7 +203,7 @@ impl<'a> Quantity<'a> {
             if time < piece.start || time > piece.end {
                 continue;
             }
-            let place = |time: f64| Place {
+            let place = |time: f64| MotionState {
                 mode: piece.mode,
                 time,
                 states: piece.states_at(time),

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use tumble_ode::{Event, Motion};
+use tumble_ode::{Motion, Occurrence};
 
 use crate::equations::Equations;
 use crate::mode::Mode;
@@ -27,19 +27,19 @@ impl Own {
     pub(super) fn events<'a>(
         &'a self,
         motion: &'a Motion<Equations>,
-    ) -> impl Iterator<Item = &'a Event<Record>> {
+    ) -> impl Iterator<Item = &'a Occurrence<Record>> {
         motion.events.iter().filter(|event| self.has(motion, event))
     }
 
     /// Whether an event happens to them, or changes how they move.
-    pub(super) fn has(&self, motion: &Motion<Equations>, event: &Event<Record>) -> bool {
+    pub(super) fn has(&self, motion: &Motion<Equations>, event: &Occurrence<Record>) -> bool {
         self.is_all(&motion.modes[event.mode_before])
             || self.has_part(&event.record)
             || self.changes(motion, event)
     }
 
     /// Whether an event changes how they move.
-    pub(super) fn changes(&self, motion: &Motion<Equations>, event: &Event<Record>) -> bool {
+    pub(super) fn changes(&self, motion: &Motion<Equations>, event: &Occurrence<Record>) -> bool {
         let [before, after] = [event.mode_before, event.mode_after].map(|mode| &motion.modes[mode]);
         match self.is_all(before) && self.is_all(after) {
             true => event.mode_before != event.mode_after || event.before != event.after,

@@ -1,7 +1,7 @@
 //! One motion with its check runs: how large its errors become, and how far they are known.
 
 use tumble_expr::Expr;
-use tumble_ode::{Cause, Event, Motion, Side};
+use tumble_ode::{Cause, Motion, Occurrence, Side};
 
 use crate::balance::RunBalance;
 use crate::coordinates::Measure;
@@ -161,7 +161,7 @@ impl Part {
 }
 
 /// The events of one time.
-pub(super) fn events_at(motion: &Motion<Equations>, time: f64) -> impl Iterator<Item = &Event<Record>> {
+pub(super) fn events_at(motion: &Motion<Equations>, time: f64) -> impl Iterator<Item = &Occurrence<Record>> {
     let first = motion.events.partition_point(|event| event.time < time);
     motion.events[first..].iter().take_while(move |event| event.time == time)
 }

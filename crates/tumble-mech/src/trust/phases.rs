@@ -14,7 +14,7 @@ use crate::trust::{Divergence, Horizon};
 /// match.
 const SAME_LIMIT: f64 = 1e-6;
 
-type Event = tumble_ode::Event<Record>;
+type Event = tumble_ode::Occurrence<Record>;
 
 /// Stretches of both runs between events that both have.
 #[derive(Clone, Debug, Default)]

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use tumble_notation::Shown;
+use tumble_notation::Printed;
 
 use super::{Evaluator, Points, close};
 
 /// Every line of text has the value of its formula. `spelling` says how a symbol is printed.
-pub fn assert_reads_as(shown: &Shown, positive: &[&str], spelling: &dyn Fn(&str) -> String) {
+pub fn assert_reads_as(shown: &Printed, positive: &[&str], spelling: &dyn Fn(&str) -> String) {
     let all = shown.lines.iter().chain(&shown.definitions);
     let formulas: Vec<_> = all.clone().map(|line| line.formula.clone()).collect();
     let mut evaluator = Evaluator::new(&formulas);

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use super::{Motion, Solver, Start};
+use super::{InitialState, Motion, Solver};
 use crate::coefficients::Coefficients;
 use crate::hybrid::Hybrid;
 use crate::scale::Scales;
@@ -14,7 +14,7 @@ use crate::{Accuracy, Reason};
 #[derive(Clone, Debug)]
 pub struct Handover<Mode> {
     /// The instant, as a start.
-    pub start: Start<Mode>,
+    pub start: InitialState<Mode>,
     /// What is known of the way to it.
     pub carried: Carried,
 }
@@ -78,7 +78,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             Some(mode) => GuardSigns { sides: self.engines[mode].sides(), zeros: self.engines[mode].zeros() },
             None => self.first_guards.clone(),
         };
-        let start = Start {
+        let start = InitialState {
             time: self.time,
             mode: self
                 .mode

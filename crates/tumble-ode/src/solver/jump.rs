@@ -4,7 +4,7 @@ use super::Solver;
 use crate::Reason;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::program::Plan;
-use crate::trajectory::{Event, Trajectory};
+use crate::trajectory::{Occurrence, Trajectory};
 
 /// Jumps this many units in the last place apart are of one instant: between two of them rounding alone decides what comes next.
 const AT_ONCE_ULPS: f64 = 64.0;
@@ -37,7 +37,7 @@ impl<H: Hybrid> Solver<'_, H> {
     fn around(&self, mode: usize) -> Vec<(&H::Mode, &[Cause])> {
         let Trajectory { events, modes, .. } = &self.trajectory;
         let earliest = self.time - AT_ONCE_ULPS * f64::EPSILON * self.time.abs();
-        let is_same = |event: &&Event<H::Record>| earliest <= event.time && self.leaves_states(event);
+        let is_same = |event: &&Occurrence<H::Record>| earliest <= event.time && self.leaves_states(event);
         let last = events.iter().rev().take_while(is_same);
         let Some(length) = last.clone().position(|event| event.mode_before == mode) else { return vec![] };
         let around = last.take(length + 1).map(|event| (&modes[event.mode_before], &event.causes[..]));
@@ -46,7 +46,7 @@ impl<H: Hybrid> Solver<'_, H> {
         around
     }
 
-    fn leaves_states(&self, event: &Event<H::Record>) -> bool {
+    fn leaves_states(&self, event: &Occurrence<H::Record>) -> bool {
         let Some(engine) = self.engines.get(event.mode_before) else { return event.before == event.after };
         let zero = |state: usize| UNCHANGED * self.scales.of(engine.system.group(state));
         let mut changes = event.before.iter().zip(&event.after).enumerate();
@@ -85,7 +85,7 @@ impl<H: Hybrid> Solver<'_, H> {
         if !unchanged && !self.rounding.is_nearest() {
             self.round_anew((mode, mode_after), &before, &causes);
         }
-        let event = Event {
+        let event = Occurrence {
             time: self.time,
             causes,
             record: jump.record,

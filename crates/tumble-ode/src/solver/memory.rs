@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::Solver;
 use crate::engine::Hit;
 use crate::hybrid::Hybrid;
-use crate::trajectory::{Event, Piece};
+use crate::trajectory::{Occurrence, Piece};
 use crate::whole::What;
 use crate::{Demands, Reason};
 
@@ -62,9 +62,9 @@ impl Memory {
         self.hold(size_of::<Piece>() + series.map(size_of_series).sum::<usize>());
     }
 
-    pub(super) fn hold_event<Record>(&mut self, event: &Event<Record>, held_by_record: usize) {
+    pub(super) fn hold_event<Record>(&mut self, event: &Occurrence<Record>, held_by_record: usize) {
         let numbers = size_of_series(&event.before) + size_of_series(&event.after);
-        self.hold(size_of::<Event<Record>>() + numbers + held_by_record);
+        self.hold(size_of::<Occurrence<Record>>() + numbers + held_by_record);
     }
 
     fn hold(&mut self, bytes: usize) {

@@ -14,7 +14,7 @@ use crate::engine::Hit;
 use crate::expansion::Expansion;
 use crate::hybrid::Hybrid;
 use crate::polynomial::{shifted, value};
-use crate::trajectory::{Event, Piece};
+use crate::trajectory::{Occurrence, Piece};
 
 /// A last term of this part of the scale of its state is small: what a series leaves out is less, and most of the term is what has grown
 /// of rounding errors. How much it is, check runs tell, which step over the instant from elsewhere.
@@ -57,8 +57,9 @@ impl<H: Hybrid> Solver<'_, H> {
         let first = pieces.partition_point(|piece| piece.end <= time);
         let Some(mode) = self.mode.filter(|_| !self.stopped) else { return false };
         let is_own = |piece: &Piece| piece.mode == mode && piece.time_series.is_none();
-        let is_changed =
-            |event: &Event<H::Record>| event.mode_before != event.mode_after || event.before != event.after;
+        let is_changed = |event: &Occurrence<H::Record>| {
+            event.mode_before != event.mode_after || event.before != event.after
+        };
         let later = self.trajectory.events.partition_point(|event| event.time <= time);
         let is_within = pieces.get(first).is_some_and(|piece| piece.start <= time);
         if !is_within
@@ -130,7 +131,7 @@ impl<H: Hybrid> Solver<'_, H> {
         let Some(mode) = self.mode else { return Ok(()) };
         let mut expansion = std::mem::take(&mut self.expansion);
         self.not_enclosed = over.near;
-        let changes = |events: &[Event<H::Record>]| {
+        let changes = |events: &[Occurrence<H::Record>]| {
             events
                 .last()
                 .is_some_and(|event| event.mode_before != event.mode_after || event.before != event.after)
@@ -187,7 +188,7 @@ impl<H: Hybrid> Solver<'_, H> {
     /// Keeps the instant that was gone over as an event that changes nothing.
     fn tell(&mut self, mode: usize, over: &Over<H::Record>) {
         let Some(record) = over.record.clone() else { return };
-        let event = Event {
+        let event = Occurrence {
             time: self.time,
             causes: vec![],
             record,

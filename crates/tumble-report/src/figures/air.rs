@@ -1,6 +1,6 @@
 //! The air about a body, for its diagrams: the wind past a point, and the row of forces along a line, read from what the laws say.
 
-use tumble_drawing::free_body::{Spread, Velocity};
+use tumble_drawing::free_body::{DistributedForce, Velocity};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Substitution, Symbol, Vector, Written};
 use tumble_mech::{Run, Statement};
@@ -43,13 +43,16 @@ pub(crate) fn spreads(
     stated: &Statement,
     centre: [f64; 2],
     time: f64,
-) -> Result<Vec<Spread>, CaseError> {
+) -> Result<Vec<DistributedForce>, CaseError> {
     let mut found = vec![];
     for line in stated.torque.iter().flat_map(lines) {
         let formulas: Vec<Expr> = (0..ROW).flat_map(|index| line.at(index)).collect();
         let Some(values) = run.observe(&formulas)?.at(time, Side::After) else { continue };
         let arrow = |v: &[f64]| [[centre[0] + v[0], centre[1] + v[1]], [v[2], v[3]]];
-        found.push(Spread { kind: kind(stated.law), arrows: values.chunks_exact(4).map(arrow).collect() });
+        found.push(DistributedForce {
+            kind: kind(stated.law),
+            arrows: values.chunks_exact(4).map(arrow).collect(),
+        });
     }
     Ok(found)
 }

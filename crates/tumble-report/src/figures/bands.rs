@@ -1,6 +1,6 @@
 //! Many runs in one figure: between which values a quantity is, at every instant, over all runs that still go on.
 
-use tumble_drawing::{Band, CurveFigure, Label, Series};
+use tumble_drawing::{Band, CurveFigure, DataSeries, Label};
 use tumble_expr::Expr;
 use tumble_ode::Side;
 use tumble_scene::{Plot, Study};
@@ -43,7 +43,7 @@ pub(super) fn add(
         figure.bands.push(band(&format!("all {} runs", cases.len()), between(0.0, 1.0), ALL));
         figure.bands.push(band("half of them", between(0.25, 0.75), MIDDLE));
         let median = times.iter().zip(&values).map(|(t, values)| [*t, part(values, 0.5)]).collect();
-        figure.series.push(Series { label: named("median"), points: median, dotted: false });
+        figure.series.push(DataSeries { label: named("median"), points: median, dotted: false });
     }
     Ok(())
 }

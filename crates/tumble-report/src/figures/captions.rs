@@ -1,6 +1,6 @@
 //! Captions: what is seen in each figure of a report.
 
-use tumble_drawing::free_body::{FreeBodyDiagram, Sheet, Unit};
+use tumble_drawing::free_body::{ArrowUnit, FreeBodyDiagram, FreeBodySheet};
 use tumble_drawing::scale::Range;
 use tumble_drawing::{Animation, CurveFigure, Label, Mark, SceneDrawing};
 use tumble_scene::{Stroboscope, Study};
@@ -42,11 +42,11 @@ pub(crate) fn scene(drawing: &SceneDrawing) -> Text {
 }
 
 /// What a sheet shows, in words: whose forces, and what the letters mean that are not forces and that no sheet `said` before.
-pub(crate) fn free_bodies(study: &Study, sheet: &Sheet, body: &str, said: &mut Vec<String>) -> Text {
+pub(crate) fn free_bodies(study: &Study, sheet: &FreeBodySheet, body: &str, said: &mut Vec<String>) -> Text {
     let velocity = symbols::velocity(study, body);
     let any = |has: &dyn Fn(&FreeBodyDiagram) -> bool| sheet.panels.iter().any(has);
     let has = |symbol: &str| any(&|panel| panel.velocities.iter().any(|v| v.symbol == Label::symbol(symbol)));
-    let is_of_impulses = |panel: &FreeBodyDiagram| panel.unit == Unit::impulse();
+    let is_of_impulses = |panel: &FreeBodyDiagram| panel.unit == ArrowUnit::impulse();
     let has_row = any(&|panel| !panel.spreads.is_empty());
     let letters = [
         (

@@ -1,6 +1,6 @@
 //! Figures of the balance: energies, works, and what is left unexplained.
 
-use tumble_drawing::{Axis, CurveFigure, Label, Series};
+use tumble_drawing::{Axis, CurveFigure, DataSeries, Label};
 use tumble_scene::{BalancePlot, Sheet, Study};
 
 use crate::figures::{case_label, heading, joined};
@@ -12,7 +12,8 @@ pub(crate) fn of(study: &Study, cases: &[&Case], asked: &BalancePlot) -> CurveFi
     let mut figure = empty(heading(study, asked.title.as_deref(), &asked.name));
     for case in cases {
         let series = case.balance.iter().flat_map(|balance| curves(balance, asked.show));
-        let of_case = |curve: Series| Series { label: joined(curve.label, case_label(case)), ..curve };
+        let of_case =
+            |curve: DataSeries| DataSeries { label: joined(curve.label, case_label(case)), ..curve };
         figure.series.extend(series.map(of_case));
     }
     figure
@@ -32,7 +33,7 @@ fn empty(title: Label) -> CurveFigure {
 }
 
 /// The columns of the balance that a sheet shows; a residual alone needs no name.
-fn curves(balance: &CaseBalance, show: Sheet) -> Vec<Series> {
+fn curves(balance: &CaseBalance, show: Sheet) -> Vec<DataSeries> {
     let name = |column: &str| match (show, column) {
         (Sheet::Energies, "kinetic" | "potential") => Some(column.to_owned()),
         (Sheet::Energies, "energy") => Some("total".to_owned()),
@@ -42,7 +43,7 @@ fn curves(balance: &CaseBalance, show: Sheet) -> Vec<Series> {
     };
     let columns = balance.columns.iter().enumerate();
     let shown = columns.filter_map(|(index, column)| Some((index, name(column)?)));
-    let series = shown.map(|(index, name)| Series {
+    let series = shown.map(|(index, name)| DataSeries {
         label: Label::plain(&name),
         points: balance.rows.iter().map(|row| [row[0], row[index]]).collect(),
         dotted: false,

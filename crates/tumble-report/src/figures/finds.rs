@@ -1,6 +1,6 @@
 //! What a sweep answers: a curve over one parameter, a map over two.
 
-use tumble_drawing::{Axis, CurveFigure, Label, MapFigure, Mark, Series, Svg};
+use tumble_drawing::{Axis, CurveFigure, DataSeries, Label, MapFigure, Mark, Svg};
 use tumble_mech::Extreme;
 use tumble_scene::{Question, Study};
 
@@ -32,7 +32,7 @@ pub(crate) fn curves(study: &Study, survey: &Survey) -> Vec<(String, CurveFigure
         let points = points(axis, survey, index);
         let mut figure = CurveFigure::new(title(study, question), shown(study, axis), asked(study, question));
         let dotted = axis.values.len() <= MOST_DOTS;
-        figure.series.push(Series { label: Label::default(), points, dotted });
+        figure.series.push(DataSeries { label: Label::default(), points, dotted });
         let own = survey.located.iter().filter(|located| located.index == index);
         figure.marks.extend(own.filter(|located| located.is_asked).map(|located| mark(study, axis, located)));
         (name(question), figure)

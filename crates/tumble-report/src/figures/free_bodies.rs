@@ -1,7 +1,7 @@
 //! Free-body diagrams: the forces that were integrated, at the instants the study asks for.
 
 use tumble_drawing::free_body::{
-    AngleMark, Arrow, Couple, FreeBodyDiagram, Ground, Kind, Sheet, SideView, Velocity,
+    AngleMark, Arrow, ArrowKind, Couple, FreeBodyDiagram, FreeBodySheet, Ground, SideView, Velocity,
 };
 use tumble_drawing::{Label, Pose};
 use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, Source, joined};
@@ -25,12 +25,12 @@ const NO_TORQUE: f64 = 1e-9;
 const AT_REST: f64 = 1e-9;
 
 /// One sheet: every instant that occurs, in order; a rigid impact has its impulses.
-pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Sheet, CaseError> {
+pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<FreeBodySheet, CaseError> {
     let study = &study.with(&case.parameters);
     let moments = Moments::of(study, case.solution());
     let drawing = Drawing { study, run: &case.run, body: asked.body };
     let title = heading(study, asked.title.as_deref(), &asked.name);
-    let mut sheet = Sheet { title: with_label(title, case_label(case)), ..Sheet::default() };
+    let mut sheet = FreeBodySheet { title: with_label(title, case_label(case)), ..FreeBodySheet::default() };
     let end = case.run.end().unwrap_or(0.0);
     let mut missing = vec![];
     for (instant, label) in &asked.at {
@@ -50,7 +50,7 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Shee
 }
 
 /// Makes forces zero that are so but for rounding: nobody is to look for what pulls with 1e-14 N.
-fn without_rounding(sheet: &mut Sheet) {
+fn without_rounding(sheet: &mut FreeBodySheet) {
     let sizes = sheet.panels.iter().flat_map(|panel| &panel.forces).map(|arrow| size(arrow.vector));
     let largest = sizes.fold(0.0, f64::max);
     let forces = sheet.panels.iter_mut().flat_map(|panel| &mut panel.forces);
@@ -221,11 +221,11 @@ impl Drawing<'_> {
         impulses.filter(|impulse| impulse.body == self.body)
     }
 
-    fn source_of(&self, impulse: &Impulse) -> (Kind, String) {
+    fn source_of(&self, impulse: &Impulse) -> (ArrowKind, String) {
         let kind = match impulse.source {
-            Source::Pair(_) | Source::Friction(_) => Kind::Contact,
-            Source::Pivot(_) | Source::Joint(_) => Kind::Reaction,
-            Source::Applied(_) => Kind::Applied,
+            Source::Pair(_) | Source::Friction(_) => ArrowKind::Contact,
+            Source::Pivot(_) | Source::Joint(_) => ArrowKind::Reaction,
+            Source::Applied(_) => ArrowKind::Applied,
         };
         let name = self.run.equations.source_name(impulse.source);
         let place = symbols::contact(self.study, symbols::rubbed(name));
@@ -289,14 +289,14 @@ impl Drawing<'_> {
     }
 }
 
-pub(crate) fn kind(law: Law) -> Kind {
+pub(crate) fn kind(law: Law) -> ArrowKind {
     match law {
-        Law::Weight => Kind::Weight,
-        Law::Contact | Law::Friction | Law::Rolling => Kind::Contact,
-        Law::Drag | Law::Lift => Kind::Air,
-        Law::Spring | Law::Torsion => Kind::Spring,
-        Law::Reaction => Kind::Reaction,
-        Law::Force | Law::Torque => Kind::Applied,
+        Law::Weight => ArrowKind::Weight,
+        Law::Contact | Law::Friction | Law::Rolling => ArrowKind::Contact,
+        Law::Drag | Law::Lift => ArrowKind::Air,
+        Law::Spring | Law::Torsion => ArrowKind::Spring,
+        Law::Reaction => ArrowKind::Reaction,
+        Law::Force | Law::Torque => ArrowKind::Applied,
     }
 }
 

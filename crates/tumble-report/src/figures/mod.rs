@@ -9,9 +9,9 @@ pub(crate) mod free_bodies;
 pub(crate) mod instants;
 pub(crate) mod symbols;
 
-use tumble_drawing::free_body::{Ground, Round};
+use tumble_drawing::free_body::{Ground, GroundCircle};
 use tumble_drawing::{
-    Axis, BodyPath, CurveFigure, Label, Mark, Outline, Pose, Series, StroboscopicPicture, Svg,
+    Axis, BodyPath, CurveFigure, DataSeries, Label, Mark, Outline, Pose, StroboscopicPicture, Svg,
 };
 use tumble_expr::{Dimension, Expr, Vector};
 use tumble_mech::{Body, Run, Shape};
@@ -23,7 +23,7 @@ use crate::report::END_OF_DIGITS;
 use crate::results::Case;
 use crate::results::CaseError;
 use crate::results::moments::Moments;
-use crate::results::{FAMILY, Row, Runs, sample, sample_between, telling};
+use crate::results::{FAMILY, Runs, SampleRow, sample, sample_between, telling};
 
 /// Points of a drawn path: more than a screen has pixels across.
 const TRACE_POINTS: usize = 2000;
@@ -115,7 +115,7 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
             let points = rows.iter().map(|row| [row.values[0], row.values[index + 1]]).collect();
             // One curve a run needs no name: the axis says what it is.
             let curve = if plot.y.len() > 1 { label(study, curve) } else { Label::default() };
-            figure.series.push(Series { label: joined(curve, case_label(case)), points, dotted: false });
+            figure.series.push(DataSeries { label: joined(curve, case_label(case)), points, dotted: false });
         }
     }
     if plot.x.is_none() {
@@ -129,7 +129,7 @@ pub(crate) fn curves(study: &Study, cases: &[Case], plot: &Plot) -> Result<Curve
 }
 
 /// Without what was just before the first instant, which the figure does not show.
-fn begun(mut rows: Vec<Row>) -> Vec<Row> {
+fn begun(mut rows: Vec<SampleRow>) -> Vec<SampleRow> {
     let first = rows.first().map_or(0.0, |row| row.time);
     let before = rows.iter().take_while(|row| row.time == first).count();
     rows.drain(..before.saturating_sub(1));
@@ -137,7 +137,12 @@ fn begun(mut rows: Vec<Row>) -> Vec<Row> {
 }
 
 /// The motion where the figure shows it; `None` if what it waits for does not happen in this run.
-fn rows(study: &Study, case: &Case, plot: &Plot, formulas: &[Expr]) -> Result<Option<Vec<Row>>, CaseError> {
+fn rows(
+    study: &Study,
+    case: &Case,
+    plot: &Plot,
+    formulas: &[Expr],
+) -> Result<Option<Vec<SampleRow>>, CaseError> {
     let Some(during) = &plot.during else { return Ok(Some(sample(study, &case.run, formulas)?)) };
     let window = Moments::of(study, case.solution()).window(Some(during))?;
     let end = case.run.end().unwrap_or(0.0);
@@ -313,7 +318,7 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Ground
         let (point, name) = ([at[0], at[1]], Label::plain(&symbols::bare(&surface.name)));
         match (&surface.circle, &surface.polygon) {
             (Some(circle), _) => {
-                found.push(Ground::round(point, Round { radius: at[4], hollow: circle.inside }, name));
+                found.push(Ground::round(point, GroundCircle { radius: at[4], hollow: circle.inside }, name));
             }
             (None, Some(_)) => {
                 let corners: Vec<[f64; 2]> =

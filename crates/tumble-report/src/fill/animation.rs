@@ -11,7 +11,7 @@ use tumble_drawing::{
 };
 use tumble_expr::{Expr, Substitution, is_identically_zero};
 use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined, place_symbols};
-use tumble_ode::{Event, Side};
+use tumble_ode::{Occurrence, Side};
 use tumble_scene::Study;
 
 use super::names::Names;
@@ -104,7 +104,7 @@ fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
 /// What happens, unless that is too much, and where digits end.
 fn marks(study: &Study, case: &Case) -> Vec<Mark> {
     let run = &case.run;
-    let what = |event: &Event<Record>| words::event(study, &run.equations, event);
+    let what = |event: &Occurrence<Record>| words::event(study, &run.equations, event);
     let events: Vec<Mark> =
         run.events().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect();
     let mut marks = if events.len() > MOST_MARKS { vec![] } else { events };

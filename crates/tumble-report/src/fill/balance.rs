@@ -2,7 +2,7 @@
 
 use crate::report::{BalancePart, Chart, Column, PrintedTable, Text};
 use tumble_drawing::Label;
-use tumble_mech::{Balance, Equations, Kind};
+use tumble_mech::{Balance, ContributionKind, Equations};
 use tumble_scene::{Sheet, Study};
 
 use super::names::{quantity, quantity_to};
@@ -71,14 +71,14 @@ fn seen(value: f64, of: &Balance) -> Text {
 }
 
 /// How a load has done its work, where it is not by its force along the way.
-fn kind(kind: Kind) -> &'static str {
+fn kind(kind: ContributionKind) -> &'static str {
     match kind {
-        Kind::Work => "",
-        Kind::Conservative => " (potential)",
-        Kind::Driven => " (moved from outside)",
-        Kind::Impact => " (impacts)",
-        Kind::ParameterJump => " (change of a parameter)",
-        Kind::Release => " (release)",
+        ContributionKind::Work => "",
+        ContributionKind::Conservative => " (potential)",
+        ContributionKind::Driven => " (moved from outside)",
+        ContributionKind::Impact => " (impacts)",
+        ContributionKind::ParameterJump => " (change of a parameter)",
+        ContributionKind::Release => " (release)",
     }
 }
 

@@ -7,7 +7,7 @@ use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
-use tumble_notation::{Left, Math, Notation, RateMark, Shown};
+use tumble_notation::{Left, Math, Notation, Printed, RateMark};
 use tumble_scene::Study;
 
 use super::alike::Kind;
@@ -174,7 +174,7 @@ struct Motion {
     /// Whether it says what follows from the motion.
     follows: bool,
     /// What is shown, once somebody has asked: exact algebra takes longer than anything else in a report.
-    shown: OnceCell<Option<Shown>>,
+    shown: OnceCell<Option<Printed>>,
 }
 
 /// An equation, solved for what stands on its left side.
@@ -281,15 +281,15 @@ impl Motion {
     }
 
     /// In the way that has the shortest equations; what laws have explained is not explained again.
-    fn shown(&self) -> Option<&Shown> {
+    fn shown(&self) -> Option<&Printed> {
         self.shown.get_or_init(|| self.shortest_way()).as_ref()
     }
 
-    fn shortest_way(&self) -> Option<Shown> {
+    fn shortest_way(&self) -> Option<Printed> {
         let sides: Vec<(Left, Expr)> =
             self.lines.iter().map(|line| (line.left.clone(), line.right.clone())).collect();
         let ways = self.notations.iter().filter_map(|notation| notation.equations(&sides).ok());
-        let signs = |shown: &Shown| Shown { definitions: vec![], ..shown.clone() }.text().chars().count();
+        let signs = |shown: &Printed| Printed { definitions: vec![], ..shown.clone() }.text().chars().count();
         let mut shown = ways.min_by_key(signs)?;
         shown.definitions.retain(|line| !matches!(line.left, Some(Math::Bars(_))));
         Some(shown)

@@ -7,7 +7,7 @@ use tumble_drawing::Label;
 use tumble_expr::language::Formula;
 use tumble_expr::{Dimension, Expr, Symbol, Vector, Written};
 use tumble_mech::Gravity;
-use tumble_notation::{Left, Notation, Operator, Shown, as_written};
+use tumble_notation::{Left, Notation, Operator, Printed, as_written};
 use tumble_scene::Study;
 
 use crate::figures::symbols;
@@ -22,7 +22,7 @@ const DIGITS: usize = 6;
 
 #[derive(Clone)]
 pub(crate) struct Names {
-    /// Shown names by names of the scene.
+    /// Printed names by names of the scene.
     symbols: BTreeMap<String, String>,
     /// Without names for moments of inertia.
     plain: Notation,
@@ -193,8 +193,12 @@ impl Names {
         self.shown_block(title.into(), self.notation.equations(equations))
     }
 
-    /// Shown equations as a block of the report.
-    pub(crate) fn shown_block(&self, title: Text, shown: Result<Shown, tumble_notation::MathError>) -> Block {
+    /// Printed equations as a block of the report.
+    pub(crate) fn shown_block(
+        &self,
+        title: Text,
+        shown: Result<Printed, tumble_notation::MathError>,
+    ) -> Block {
         let mut block = block(title, shown);
         for (name, by_shape) in &self.by_shape {
             let own =
@@ -212,7 +216,7 @@ fn on_one_line(notation: &Notation, formula: &Expr) -> Typeset {
     }
 }
 
-fn block(title: Text, shown: Result<Shown, tumble_notation::MathError>) -> Block {
+fn block(title: Text, shown: Result<Printed, tumble_notation::MathError>) -> Block {
     let shown = match shown {
         Ok(shown) => shown,
         Err(error) => return Block { title, lines: vec![words(&error.to_string())], definitions: vec![] },

@@ -5,7 +5,7 @@ use tumble_drawing::Label;
 use tumble_expr::{Dimension, Expr, Substitution, Symbol, is_identically_zero};
 use tumble_mech::{Divergence, Happening, Horizon, Mode, Parameters, Record, Run};
 use tumble_notation::{ClosedForm, Left, Math, Operator, integrate_twice, polynomial_in};
-use tumble_ode::{Cause, Event};
+use tumble_ode::{Cause, Occurrence};
 use tumble_scene::Study;
 
 use super::names::{Names, math, quantity};
@@ -144,7 +144,7 @@ fn events(study: &Study, case: &Case) -> PrintedTable {
     let caption = labelled("Events", case);
     let heading = Text::from(Label::symbol("t")).and(" (s)");
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
-    let row = |event: &Event<Record>| {
+    let row = |event: &Occurrence<Record>| {
         let what = words::event(study, &case.run.equations, event);
         vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
@@ -225,7 +225,7 @@ fn elapsed_since(number: usize) -> String {
 /// The modes one after the other, each with the formula of the time at which it ends, where there is one.
 fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
     let trajectory = &run.trajectory();
-    let end = |event: &Event<Record>| match &event.causes[..] {
+    let end = |event: &Occurrence<Record>| match &event.causes[..] {
         [Cause::Scheduled(index), ..] => {
             let times = run.equations.scheduled_times(&trajectory.modes[event.mode_before]);
             times.get(*index).cloned()
@@ -233,7 +233,7 @@ fn stretches(run: &Run) -> Vec<(&Mode, Option<Expr>)> {
         _ => None,
     };
     let Some(first) = trajectory.pieces.first() else { return vec![] };
-    let changes: Vec<&Event<Record>> =
+    let changes: Vec<&Occurrence<Record>> =
         trajectory.events.iter().filter(|event| event.mode_before != event.mode_after).collect();
     let mut found = vec![];
     let mut mode = first.mode;

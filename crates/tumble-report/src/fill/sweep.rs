@@ -9,7 +9,7 @@ use super::names::{quantity, quantity_to};
 use super::words::spoken;
 use crate::figures::{captions, case_label, finds, symbols};
 use crate::report::{Chart, Column, Picture, Text};
-use crate::results::{Case, Equal, FAMILY, FindResult, Located, Place, Runs, Survey, digits};
+use crate::results::{Case, Equal, FAMILY, FindResult, Located, Optimum, Runs, Survey, digits};
 
 /// Digits of numbers in tables and captions.
 const DIGITS: usize = 5;
@@ -82,7 +82,7 @@ fn word(which: Extreme) -> &'static str {
     if which == Extreme::Greatest { "greatest" } else { "least" }
 }
 
-fn place_words(place: &Place, unit: &str) -> Text {
+fn place_words(place: &Optimum, unit: &str) -> Text {
     let at = place.best.at;
     let Some([low, high]) = place.between else {
         return quantity(at, unit).and(", an end of the sweep");

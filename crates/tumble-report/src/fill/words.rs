@@ -2,7 +2,7 @@
 
 use tumble_expr::is_identically_zero;
 use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Others, Pair, Record};
-use tumble_ode::Event;
+use tumble_ode::Occurrence;
 use tumble_scene::Study;
 
 use crate::figures::symbols;
@@ -161,7 +161,7 @@ pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
 }
 
 /// All that happens at an instant; points that do the same are told together.
-pub(crate) fn event(study: &Study, equations: &Equations, event: &Event<Record>) -> String {
+pub(crate) fn event(study: &Study, equations: &Equations, event: &Occurrence<Record>) -> String {
     let mut changed: Vec<(usize, Vec<Change>)> = vec![];
     let mut told: Vec<String> = vec![];
     for one in &event.record.happened {

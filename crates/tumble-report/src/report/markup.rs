@@ -1,9 +1,9 @@
 //! What the forms of a report have in common in writing running text.
 
 use super::math::Typeset;
-use super::prose::{Piece, Text};
+use super::prose::{Inline, Text};
 use tumble_drawing::font::Face;
-use tumble_drawing::text::{Label, Level, Span};
+use tumble_drawing::text::{Label, Level, TextRun};
 
 /// A language in which running text is written.
 pub(super) trait Markup {
@@ -33,17 +33,17 @@ pub(super) trait Markup {
 
     /// Running text.
     fn text(text: &Text) -> String {
-        let piece = |piece: &Piece| match piece {
-            Piece::Words(words) => Self::words(words),
-            Piece::Label(label) => Self::label(label),
-            Piece::Math(math) => Self::math(math),
+        let piece = |piece: &Inline| match piece {
+            Inline::Words(words) => Self::words(words),
+            Inline::Label(label) => Self::label(label),
+            Inline::Math(math) => Self::math(math),
         };
         text.pieces.iter().map(piece).collect()
     }
 
     /// A label with its italics, subscripts and superscripts.
     fn label(label: &Label) -> String {
-        let run = |run: &Span| Self::leveled(run.level, Self::faced(run.face, Self::words(&run.text)));
+        let run = |run: &TextRun| Self::leveled(run.level, Self::faced(run.face, Self::words(&run.text)));
         label.runs.iter().map(run).collect()
     }
 }

@@ -36,7 +36,7 @@ pub use parts::{
 pub(crate) use picture::END_OF_DIGITS;
 pub use picture::{Chart, Picture};
 pub use play::Lab;
-pub use prose::{Piece, Text};
+pub use prose::{Inline, Text};
 pub use table::{Align, Column, PrintedTable};
 
 use crate::site::Ways;

@@ -6,9 +6,6 @@ use super::prose::Text;
 use super::table::PrintedTable;
 use tumble_drawing::{Animation, Label};
 
-/// Digits of numbers that are printed from a value.
-const DIGITS: usize = 6;
-
 /// The first move: the system, its numbers, the question.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Identify {
@@ -55,18 +52,6 @@ pub struct QuantityRow {
 }
 
 impl QuantityRow {
-    /// A quantity from words, the name of its symbol (`omega0`), a value printed with six digits, and a unit.
-    pub fn number(name: impl Into<Text>, symbol: &str, value: f64, unit: &str) -> Self {
-        let (name, symbol) = (name.into(), Text::symbol(symbol));
-        Self {
-            name,
-            symbol,
-            value: Label::number(value, DIGITS).into(),
-            unit: unit.to_owned(),
-            ..Self::default()
-        }
-    }
-
     /// With the formula by which it was computed.
     pub fn by(mut self, formula: Typeset) -> Self {
         self.formula = Some(formula);

@@ -6,7 +6,7 @@ use tumble_drawing::text::Label;
 
 /// A piece of running text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Piece {
+pub enum Inline {
     /// Words as they are.
     Words(String),
     /// A symbol, a quantity or a unit, as figures print it.
@@ -19,7 +19,7 @@ pub enum Piece {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// Its pieces in order; spaces between them are the writer's.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<Inline>,
 }
 
 impl Text {
@@ -43,8 +43,8 @@ impl Text {
     #[must_use]
     pub fn capitalised(mut self) -> Self {
         let first = match self.pieces.first_mut() {
-            Some(Piece::Words(words)) => Some(words),
-            Some(Piece::Label(label)) => {
+            Some(Inline::Words(words)) => Some(words),
+            Some(Inline::Label(label)) => {
                 label.runs.first_mut().filter(|run| run.face == Face::Regular).map(|run| &mut run.text)
             }
             _ => None,
@@ -62,18 +62,18 @@ impl Text {
     /// Whether there is nothing to show.
     pub fn is_empty(&self) -> bool {
         self.pieces.iter().all(|piece| match piece {
-            Piece::Words(words) => words.is_empty(),
-            Piece::Label(label) => label.is_empty(),
-            Piece::Math(math) => math.mathml.is_empty() && math.text.is_empty() && math.latex.is_empty(),
+            Inline::Words(words) => words.is_empty(),
+            Inline::Label(label) => label.is_empty(),
+            Inline::Math(math) => math.mathml.is_empty() && math.text.is_empty() && math.latex.is_empty(),
         })
     }
 
     /// The text without styles.
     pub fn to_plain(&self) -> String {
-        let plain = |piece: &Piece| match piece {
-            Piece::Words(words) => words.clone(),
-            Piece::Label(label) => label.to_plain(),
-            Piece::Math(math) => math.text.clone(),
+        let plain = |piece: &Inline| match piece {
+            Inline::Words(words) => words.clone(),
+            Inline::Label(label) => label.to_plain(),
+            Inline::Math(math) => math.text.clone(),
         };
         self.pieces.iter().map(plain).collect()
     }
@@ -81,7 +81,7 @@ impl Text {
 
 impl From<String> for Text {
     fn from(words: String) -> Self {
-        Self { pieces: vec![Piece::Words(words)] }
+        Self { pieces: vec![Inline::Words(words)] }
     }
 }
 
@@ -93,12 +93,12 @@ impl From<&str> for Text {
 
 impl From<Label> for Text {
     fn from(label: Label) -> Self {
-        Self { pieces: vec![Piece::Label(label)] }
+        Self { pieces: vec![Inline::Label(label)] }
     }
 }
 
 impl From<Typeset> for Text {
     fn from(math: Typeset) -> Self {
-        Self { pieces: vec![Piece::Math(math)] }
+        Self { pieces: vec![Inline::Math(math)] }
     }
 }

@@ -154,7 +154,7 @@ impl<'a> Summary<'a> {
     /// What is told of an equilibrium.
     pub fn of(found: &'a Equilibrium) -> Self {
         let growing = |growth: &Growth| Growing { rate: growth.rate, frequency: growth.frequency };
-        let pose = |pose: &'a tumble_mech::Pose| {
+        let pose = |pose: &'a tumble_mech::EquilibriumPose| {
             let [x, y] = pose.at;
             Pose { body: &pose.body, x, y, angle: pose.angle }
         };

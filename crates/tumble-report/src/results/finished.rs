@@ -72,7 +72,7 @@ impl Finished {
     /// What stays of a run.
     pub fn of(case: &Case) -> Self {
         let run = &case.run;
-        let happened = |event: &tumble_ode::Event<Record>| Happened {
+        let happened = |event: &tumble_ode::Occurrence<Record>| Happened {
             time: event.time,
             what: run.equations.names_of(&event.record),
             is_verified: case.is_verified(event.time),

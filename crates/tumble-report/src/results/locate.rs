@@ -100,10 +100,10 @@ impl Best {
     pub(crate) fn locate<E>(
         &self,
         mut answer: impl FnMut(f64) -> Result<Option<Sample>, E>,
-    ) -> Result<Option<Place>, E> {
+    ) -> Result<Option<Optimum>, E> {
         let Some(best) = self.best.filter(|_| self.differs) else { return Ok(None) };
         let mut place =
-            Place { best, between: None, equal: self.equal.filter(|equal| equal.runs > 1), made: 0 };
+            Optimum { best, between: None, equal: self.equal.filter(|equal| equal.runs > 1), made: 0 };
         if place.equal.is_some() {
             return Ok(Some(place));
         }
@@ -138,7 +138,7 @@ impl Best {
 
 /// Where an answer is greatest or least.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct Optimum {
     /// The best of all runs.
     pub best: Sample,
     /// Between which values of what is swept it is; `None` where the best run is at an end of the sweep, or has no answer beside it.
@@ -195,7 +195,7 @@ fn next(known: &[Sample], best: Sample) -> f64 {
 mod tests {
     use super::*;
 
-    fn sweep(which: Extreme, runs: usize, answer: impl Fn(f64) -> Sample) -> Option<Place> {
+    fn sweep(which: Extreme, runs: usize, answer: impl Fn(f64) -> Sample) -> Option<Optimum> {
         let mut best = Best::new(which);
         (0..runs).for_each(|run| best.add(Some(answer(run as f64 / (runs - 1) as f64))));
         let place: Result<_, ()> = best.locate(|at| Ok(Some(answer(at))));

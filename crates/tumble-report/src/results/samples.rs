@@ -11,7 +11,7 @@ use crate::results::CaseError;
 const DEFAULT_SAMPLES: usize = 1000;
 
 /// A row of a table of the motion.
-pub struct Row {
+pub struct SampleRow {
     /// s
     pub time: f64,
     /// Counts the phases between events, from 0.
@@ -21,12 +21,16 @@ pub struct Row {
 }
 
 /// Values of formulas at equal time steps, at the end, and on both sides of each event.
-pub fn sample(study: &Study, run: &Run, formulas: &[Expr]) -> Result<Vec<Row>, CaseError> {
+pub fn sample(study: &Study, run: &Run, formulas: &[Expr]) -> Result<Vec<SampleRow>, CaseError> {
     rows(run, formulas, &times(study, run)?)
 }
 
 /// The same from one time to another, s, in as many steps as a whole run has by default.
-pub fn sample_between(run: &Run, formulas: &[Expr], [from, to]: [f64; 2]) -> Result<Vec<Row>, CaseError> {
+pub fn sample_between(
+    run: &Run,
+    formulas: &[Expr],
+    [from, to]: [f64; 2],
+) -> Result<Vec<SampleRow>, CaseError> {
     let end = run.end().unwrap_or(0.0);
     let (from, to) = (from.clamp(0.0, end), to.clamp(0.0, end));
     let step = (to - from) / DEFAULT_SAMPLES as f64;
@@ -36,7 +40,7 @@ pub fn sample_between(run: &Run, formulas: &[Expr], [from, to]: [f64; 2]) -> Res
 }
 
 /// Values at these times, in order, and on both sides of each event up to the last of them.
-fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, CaseError> {
+fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<SampleRow>, CaseError> {
     let mut observer = run.observe(formulas)?;
     let events: Vec<f64> = run.events().map(|event| event.time).collect();
     let mut rows = vec![];
@@ -45,14 +49,14 @@ fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<Row>, CaseErr
         while events.get(next_event).is_some_and(|event| *event <= time) {
             if let Some([before, after]) = observer.at_event(next_event) {
                 let time = events[next_event];
-                rows.push(Row { time, phase: next_event, values: before });
-                rows.push(Row { time, phase: next_event + 1, values: after });
+                rows.push(SampleRow { time, phase: next_event, values: before });
+                rows.push(SampleRow { time, phase: next_event + 1, values: after });
             }
             next_event += 1;
         }
         let is_event = next_event > 0 && events[next_event - 1] == time;
         if let Some(values) = observer.at(time, Side::After).filter(|_| !is_event) {
-            rows.push(Row { time, phase: next_event, values });
+            rows.push(SampleRow { time, phase: next_event, values });
         }
     }
     Ok(rows)

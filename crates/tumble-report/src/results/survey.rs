@@ -6,7 +6,7 @@ use tumble_mech::Extreme;
 use tumble_scene::{Study, When};
 
 use crate::results::finished::Finished;
-use crate::results::locate::{Best, Place, Sample};
+use crate::results::locate::{Best, Optimum, Sample};
 use crate::results::swept::SweptAxis;
 use crate::results::{Case, CaseError, Combinations, FindResult};
 
@@ -42,7 +42,7 @@ pub struct Located {
     /// Empty where there is none.
     pub parameter_unit: String,
     /// Where it is.
-    pub place: Place,
+    pub place: Optimum,
 }
 
 /// Follows the runs of a sweep while they are made.

@@ -1,7 +1,7 @@
 //! What events have left up to an instant, by the names in finds and checks: impulses of contacts and how often something happened.
 
 use tumble_mech::{At, Impulse, Run, Source};
-use tumble_ode::{Event, Side};
+use tumble_ode::{Occurrence, Side};
 use tumble_scene::Count;
 
 use crate::results::moments::is_part;
@@ -54,7 +54,7 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let pairs = run.equations.pairs();
     let there = contacts.iter().filter(|contact| is_part(&pairs[contact.pair].name, place));
     let contact = count.of(there)?;
-    let at = |event: &&Event<tumble_mech::Record>| event.time == contact.start;
+    let at = |event: &&Occurrence<tumble_mech::Record>| event.time == contact.start;
     let impulses = run.events().filter(at).flat_map(|event| &event.record.impulses);
     let capture = run.equations.capture_of(contact.pair).map(Source::Joint);
     let sources: Vec<Source> =

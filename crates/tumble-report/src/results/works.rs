@@ -1,7 +1,7 @@
 //! What only the run knows up to an instant, by the names in finds and checks: works of loads, `floor.work`, and what [`tallies`] has.
 
 use tumble_expr::{Expr, Substitution, Symbol, Unit};
-use tumble_mech::{At, Contribution, Kind, RunBalance, Trust};
+use tumble_mech::{At, Contribution, ContributionKind, RunBalance, Trust};
 use tumble_ode::Side;
 
 use crate::results::ABOUT;
@@ -128,5 +128,8 @@ pub(crate) fn is_work(symbol: &Symbol) -> bool {
 /// Whether a contribution is what the force of a load, or a part of a load such as one contact of a surface, did to a body.
 fn is_work_of(contribution: &Contribution, load: &str) -> bool {
     is_part(&contribution.load, load)
-        && matches!(contribution.kind, Kind::Conservative | Kind::Work | Kind::Impact)
+        && matches!(
+            contribution.kind,
+            ContributionKind::Conservative | ContributionKind::Work | ContributionKind::Impact
+        )
 }

@@ -8,7 +8,7 @@ use tumble_expr::{Interpolation, Outside, Table as Values, TableError};
 use super::each;
 use crate::code::Code;
 use crate::csv_text::{Column, Sheet};
-use crate::diagnostic::{Diagnostic, Source};
+use crate::diagnostic::{Diagnostic, SourceText};
 use crate::document::{Field, Table};
 use crate::draft::Draft;
 use crate::files::{MAX_FILE_BYTES, is_inside};
@@ -167,7 +167,7 @@ fn out_of_order(sheet: &Sheet, x: &Column, error: &TableError) -> Diagnostic {
 
 /// A mistake in the file itself, which is shown as the scene is.
 fn in_file(draft: &mut Draft, sheet: &Sheet, mistake: Diagnostic) -> Option<Measured> {
-    draft.sources.push(Source { name: sheet.name.clone(), text: sheet.text.clone() });
+    draft.sources.push(SourceText { name: sheet.name.clone(), text: sheet.text.clone() });
     draft.note(mistake.within(draft.sources.len() - 1));
     None
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use tumble::prelude::*;
 use tumble_mech::{Component, ContactLaw, Drag, DragPlace, Equations, Release, Surface, Trust};
-use tumble_ode::{Event, Solver, Start as NumericStart};
+use tumble_ode::{InitialState, Occurrence, Solver};
 
 /// A system with its answer.
 pub(crate) struct Problem {
@@ -54,7 +54,7 @@ impl Problem {
     pub(crate) fn motion(&self, equations: &Equations, accuracy: f64, is_proved: bool) -> Motion {
         let start = equations.start(&self.model.parameters).expect("sound");
         let accuracy = Accuracy::new(accuracy).expect("allowed");
-        let mut solver = Solver::new(equations, NumericStart { is_proved, ..start }, self.until, accuracy);
+        let mut solver = Solver::new(equations, InitialState { is_proved, ..start }, self.until, accuracy);
         let (mut laps, mut last) = (Vec::with_capacity(1024), Instant::now());
         while !solver.is_done() {
             solver.advance().expect("smooth");
@@ -99,7 +99,7 @@ impl Problem {
 }
 
 /// Modes are counted in the order in which they are entered, so a new one is greater than all before.
-fn first_entries<R>(events: &[Event<R>]) -> Vec<f64> {
+fn first_entries<R>(events: &[Occurrence<R>]) -> Vec<f64> {
     let mut known = 0;
     let mut found = vec![];
     for event in events.iter().filter(|event| event.mode_before != event.mode_after) {

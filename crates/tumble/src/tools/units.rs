@@ -5,7 +5,7 @@ use tumble_expr::language::{
 };
 use tumble_expr::{Dimension, Expr};
 use tumble_mech::Parameters;
-use tumble_scene::{Diagnostic, Diagnostics, Severity, Source, Underlined};
+use tumble_scene::{Diagnostic, Diagnostics, Severity, SourceText, Underlined};
 
 use super::say::{colour, say, tell, width, wrapped};
 use crate::commands::Ending;
@@ -144,7 +144,7 @@ fn rendered(text: &str, mistakes: Vec<FormulaError>) -> String {
         labels: mistake.labels.into_iter().map(|(span, text)| Underlined { span, text }).collect(),
         help: mistake.help,
     });
-    let sources = vec![Source { name: "the quantity".to_owned(), text: text.to_owned() }];
+    let sources = vec![SourceText { name: "the quantity".to_owned(), text: text.to_owned() }];
     Diagnostics { sources, list: list.collect() }.render(colour(&std::io::stderr()), width())
 }
 

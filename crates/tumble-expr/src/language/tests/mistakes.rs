@@ -1,6 +1,6 @@
 //! Every mistake: its code, the words it underlines, and part of what it says.
 
-use super::super::{FormulaError, Function, Place, Scope, parse};
+use super::super::{FormulaError, Function, Scope, SpannedText, parse};
 use super::{check, scope};
 
 /// Codes with the underlined words, one line a mistake.
@@ -193,10 +193,10 @@ fn independent_mistakes_are_all_reported() {
 fn a_mistake_in_a_body_points_at_the_body_and_the_call() {
     let errors = check("1 + w(L)/V").expect_err("a length is no time");
     let [error] = &errors[..] else { panic!("{errors:?}") };
-    assert_eq!(error.place, Place::Body("w".into()));
+    assert_eq!(error.place, SpannedText::Body("w".into()));
     let body = "0.5*w1*(1 + cos(2*pi*t/T))";
     assert_eq!(report(body, &errors), ["E0402 2*pi*t/T"]);
-    assert_eq!((error.calls[0].place.clone(), error.calls[0].span.clone()), (Place::Formula, 4..8));
+    assert_eq!((error.calls[0].place.clone(), error.calls[0].span.clone()), (SpannedText::Formula, 4..8));
     assert_eq!(error.calls[0].note, "called here with t = a length (m)");
 }
 
@@ -215,7 +215,7 @@ fn functions_that_do_not_end_are_refused() {
     let errors = parse("f(1)").expect("parses").check(&scope).expect_err("recursive");
     assert_eq!(report("2*f(x)", &errors), ["E0304 f(x)"]);
     assert_eq!(errors[0].calls.len(), 2);
-    assert_eq!(errors[0].calls[1].place, Place::Formula);
+    assert_eq!(errors[0].calls[1].place, SpannedText::Formula);
 }
 
 fn chain_of_functions(count: usize, body: impl Fn(usize) -> String) -> Scope {

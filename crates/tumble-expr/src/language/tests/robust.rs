@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::super::{Code, FormulaError, MAX_LENGTH, Place, Scope, Value, parse};
+use super::super::{Code, FormulaError, MAX_LENGTH, Scope, SpannedText, Value, parse};
 use super::{check, evaluate, number};
 use crate::{Dimension, Expr, Layout, Symbol, Tape};
 
@@ -19,7 +19,7 @@ const GOOD: &[&str] = &[
 
 fn spans_fit(text: &str, errors: &[FormulaError]) {
     assert!(!errors.is_empty());
-    for error in errors.iter().filter(|error| error.place == Place::Formula) {
+    for error in errors.iter().filter(|error| error.place == SpannedText::Formula) {
         for (span, _) in &error.labels {
             assert!(text.get(span.clone()).is_some(), "{text:?}: {error:?}");
         }

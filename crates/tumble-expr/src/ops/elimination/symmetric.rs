@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::shape::Shape;
+use crate::shape::SparsityPattern;
 
 /// All columns of the lower triangle, in order.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ impl Column {
 
 impl Symmetric {
     /// Of a matrix in which entries across the diagonal are equal, by these unknowns one after the other.
-    pub(crate) fn new(shape: &Shape, order: impl Iterator<Item = usize>) -> Self {
+    pub(crate) fn new(shape: &SparsityPattern, order: impl Iterator<Item = usize>) -> Self {
         let order: Vec<usize> = order.collect();
         let mut turn = vec![0; order.len()];
         order.iter().enumerate().for_each(|(index, unknown)| turn[*unknown] = index);
@@ -69,7 +69,7 @@ impl Symmetric {
 }
 
 /// By turn, the later turns that its column has entries in: those of the matrix, and those of the columns whose next one it is.
-fn patterns(shape: &Shape, order: &[usize], turn: &[usize]) -> Vec<Vec<usize>> {
+fn patterns(shape: &SparsityPattern, order: &[usize], turn: &[usize]) -> Vec<Vec<usize>> {
     let mut patterns: Vec<Vec<usize>> = order
         .iter()
         .map(|unknown| shape.entries_of(*unknown).map(|(_, column)| turn[column]).collect())

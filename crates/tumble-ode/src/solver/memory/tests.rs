@@ -3,7 +3,7 @@
 use tumble_expr::{Dimension, Expr, Rounding, Symbol};
 
 use super::*;
-use crate::{Accuracy, Crossing, Flow, Jump, ScaleGroup, Start, StateVariable, Trajectory};
+use crate::{Accuracy, Crossing, Flow, InitialState, Jump, ScaleGroup, StateVariable, Trajectory};
 
 /// Far less than a run may hold: some thousand steps.
 const SMALL: u64 = 1 << 18;
@@ -47,7 +47,7 @@ fn square_wave() -> Toy {
 }
 
 fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
-    let start = Start {
+    let start = InitialState {
         time: 0.0,
         mode: (),
         states: vec![0.0],

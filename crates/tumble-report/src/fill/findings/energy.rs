@@ -1,6 +1,6 @@
 //! Where the energy goes: what has taken out or put in much of it, and what joints pass on.
 
-use tumble_mech::{Contribution, Kind, Law};
+use tumble_mech::{Contribution, ContributionKind, Law};
 use tumble_scene::Study;
 
 use super::said::{Said, with_digits};
@@ -76,7 +76,7 @@ fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
 }
 
 fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
-    let how = if to.kind == Kind::Impact { " in an impact" } else { "" };
+    let how = if to.kind == ContributionKind::Impact { " in an impact" } else { "" };
     let (from, body) = (called(study, from), called(study, to));
     let joint = match to.law {
         Some(Law::Contact | Law::Friction) => name_of(study, to),
@@ -111,10 +111,10 @@ fn name_of(study: &Study, one: &Contribution) -> String {
     // Contacts of bodies with each other are no place.
     let on = if is_surface { format!(" on {}", symbols::the(touched)) } else { String::new() };
     match (one.law, one.kind) {
-        (Some(Law::Friction), Kind::Impact) => format!("friction in impacts{on}"),
+        (Some(Law::Friction), ContributionKind::Impact) => format!("friction in impacts{on}"),
         (Some(Law::Friction), _) => format!("friction{on}"),
         (Some(Law::Rolling), _) => format!("rolling resistance{on}"),
-        (Some(Law::Contact), Kind::Impact) => format!("the normal force in impacts{on}"),
+        (Some(Law::Contact), ContributionKind::Impact) => format!("the normal force in impacts{on}"),
         (Some(Law::Contact), _) => symbols::the(touched),
         _ => symbols::holder(study, &one.load).unwrap_or_else(|| symbols::the(&one.load)),
     }

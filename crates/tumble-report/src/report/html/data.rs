@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::report::json::{Grid, list, number, object, string};
 use crate::report::picture::Chart;
 use tumble_drawing::axes::Axis;
-use tumble_drawing::curves::{Band, Mark, Series};
+use tumble_drawing::curves::{Band, DataSeries, Mark};
 use tumble_drawing::font::Face;
 use tumble_drawing::text::{Label, Level};
 use tumble_drawing::theme::LineStyle;
@@ -56,12 +56,10 @@ pub(super) fn plot_data(plot: &Chart, description: &str) -> String {
 }
 
 fn axis(axis: &Axis) -> String {
-    let range = axis.range.map_or("null".to_owned(), |range| list([number(range.low), number(range.high)]));
     object([
         ("title", label(&axis.title())),
         ("name", label(&axis.label)),
         ("unit", label(&Label::unit(&axis.unit))),
-        ("range", range),
     ])
 }
 
@@ -69,7 +67,7 @@ pub(super) fn mark(mark: &Mark) -> String {
     object([("at", number(mark.at)), ("label", label(&mark.label))])
 }
 
-fn series_data(index: usize, series: &Series) -> String {
+fn series_data(index: usize, series: &DataSeries) -> String {
     let (style, points) = (LineStyle::of(index), shortened(&series.points));
     let column = |k: usize| {
         let values = || points.iter().map(move |p| p[k]);

@@ -9,7 +9,7 @@ use crate::report::picture::{Chart, Picture};
 use crate::report::prose::Text;
 use tumble_drawing::Animation;
 use tumble_drawing::Label;
-use tumble_drawing::curves::{CurveFigure, Series};
+use tumble_drawing::curves::{CurveFigure, DataSeries};
 use tumble_drawing::scale::Range;
 use tumble_drawing::svg::Svg;
 
@@ -96,7 +96,7 @@ fn title(label: &Label, otherwise: &str) -> String {
 }
 
 /// Where a curve begins and ends, and its bounds.
-fn curve(figure: &CurveFigure, series: &Series) -> String {
+fn curve(figure: &CurveFigure, series: &DataSeries) -> String {
     let name = title(&series.label, "The curve");
     let mut finite = series.points.iter().filter(|p| p[0].is_finite() && p[1].is_finite());
     let Some(first) = finite.next() else { return format!("{name}: no data.") };

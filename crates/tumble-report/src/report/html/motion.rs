@@ -3,7 +3,7 @@
 use super::data::{label, mark};
 use crate::report::json::{Grid, list, number, object, string};
 use tumble_drawing::Label;
-use tumble_drawing::free_body::{Ground, NamedPoint, Round};
+use tumble_drawing::free_body::{Ground, GroundCircle, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
 use tumble_drawing::svg::Svg;
@@ -199,7 +199,7 @@ fn force(force: &MovingForce, frames: &[usize]) -> String {
 
 fn surface(surface: &Ground) -> String {
     let numbers = surface.point.into_iter().chain(surface.normal).chain(surface.reach).map(number);
-    let round = |round: Round| list([number(round.radius), u8::from(round.hollow).to_string()]);
+    let round = |round: GroundCircle| list([number(round.radius), u8::from(round.hollow).to_string()]);
     let round = surface.round.map_or_else(|| "null".to_owned(), round);
     object([("at", list(numbers)), ("name", label(&surface.name)), ("round", round)])
 }
