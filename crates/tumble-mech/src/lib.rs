@@ -80,7 +80,9 @@ pub use air::Wind;
 pub use anchor::{Anchor, place_symbols};
 pub use balance::{Balance, BodyBalance, Contribution, Kind, Reading, RunBalance, Store};
 pub use body::{Body, Part};
-pub use contact::{BodyContact, Change, Contact, ContactMode, Feature, Grip, Pair, Rule, Side, Way};
+pub use contact::{
+    BodyContact, Change, Contact, ContactMode, Feature, Grip, NORMAL, Pair, Rule, Side, TANGENT, Way,
+};
 pub use coordinates::Pivot;
 pub use equations::Equations;
 pub use equilibrium::{Equilibrium, Growth, NoEquilibrium, Pose, Reaction, SmallMotions, Stability};

@@ -16,7 +16,7 @@ use super::fit::{Room, scales};
 use super::grid::{Grid, rooms};
 use super::key::{Entry, Key};
 use super::layout::{Scales, View, body_size};
-use super::panel::{Drawing, INSET, NOTE, Panel, Source, Trim, about_centre, centred_in, room, split};
+use super::panel::{Drawing, INSET, Panel, Source, Trim, about_centre, centred_in, room, split};
 use crate::geometry::{Point, minus, plus};
 
 /// Significant digits of printed magnitudes, unless the caller wants others.
@@ -235,7 +235,7 @@ fn panels(sheet: &Sheet, sources: &[Source], grid: &Grid, corner: Point, scales:
             heading: source.heading_lines(grid.size[0]),
             listed: source.listed_lines(grid.size[0]),
             main: Drawing::new(&source.body, main, places[i], &scales[i], SMALL, sheet.digits),
-            side: side.map(|(body, area)| Drawing::alone(body, area, NOTE, sheet.digits)),
+            side: side.map(|(body, area)| Drawing::alone(body, area, SMALL, sheet.digits)),
         }
     };
     sources.iter().enumerate().map(panel).collect()

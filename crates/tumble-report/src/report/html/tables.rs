@@ -13,7 +13,7 @@ const KEPT: usize = 8;
 /// Rows of a long table on paper, where a file has them all.
 const PRINTED: usize = 300;
 /// Signs of a row, its columns set apart, that a third or a half of the paper's width holds.
-const THIRD: usize = 45;
+const THIRD: usize = 52;
 const HALF: usize = 80;
 /// What sets two columns apart, in signs.
 const GAP: usize = 3;
