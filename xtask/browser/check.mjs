@@ -5,7 +5,7 @@
 // A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
 // machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
 // A page with a motion must play it, one with curves must answer a pointer, and none may be wider than a narrow window
-// or fail to print, or cut a figure in print. In a narrow window no text may be too small to read and no equation wider
+// or fail to print, or cut a figure or lose rows of a table in print. In a narrow window no text may be too small to read and no equation wider
 // than its box; light and dark, text must stand out from what is behind it.
 // Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
 
@@ -181,6 +181,7 @@ async function printed(page) {
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize(PAPER);
   const faults = await page.evaluate(cutFigures, PAPER);
+  faults.push(...(await page.evaluate(lostRows)));
   faults.push(...untagged(pdf.toString("latin1"), await page.evaluate(readAloud)));
   await page.emulateMedia({ media: null });
   await page.setViewportSize(size);
@@ -216,6 +217,15 @@ function cutFigures(paper) {
     if (width > paper.width) faults.push(`${name} is ${Math.round(width)} pixels wide, a page ${paper.width}`);
   }
   return faults;
+}
+
+// Runs in the page. Paper shows every row of a table, or says in which file they are.
+function lostRows() {
+  const isLost = (row) => row.getClientRects().length === 0 && !row.closest(".filed")?.querySelector(".paper")?.getClientRects().length;
+  return [...document.querySelectorAll("table")].flatMap((table) => {
+    const lost = [...table.rows].filter((row) => !row.closest("thead") && isLost(row)).length;
+    return lost > 0 ? [`paper loses ${lost} rows of the table "${table.textContent.trim().slice(0, 40)}"`] : [];
+  });
 }
 
 function screenshotName(path) {

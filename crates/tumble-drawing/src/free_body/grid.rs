@@ -12,9 +12,9 @@ const MOST_COLUMNS: usize = 5;
 /// Heights of panels tried, as parts of their width.
 const SHAPES: [f64; 8] = [0.6, 0.7, 0.8, 0.9, 1.0, 1.12, 1.25, 1.4];
 /// Greatest height of a panel's drawing in pixels: with its texts it fits a screen.
-const GREATEST_HEIGHT: f64 = 430.0;
-/// Width of a good page as a part of its height.
-const PAGE_SHAPE: f64 = 4.0 / 3.0;
+const GREATEST_HEIGHT: f64 = 320.0;
+/// Width of a good page as a part of its height: on paper it leaves room for the laws.
+const PAGE_SHAPE: f64 = 1.6;
 /// What a page of another shape costs, compared with smaller drawings.
 const SHAPE_COST: f64 = 0.65;
 /// What unused room in the panels costs.

@@ -18,8 +18,6 @@ use super::tags::Shown;
 use crate::geometry::Point;
 use crate::placing::{Placed, draw_placed, placed};
 
-/// Size of lists and of labels in the side view.
-pub(super) const NOTE: f64 = 0.9 * SMALL;
 /// Distance between the frame of a panel and its texts.
 pub(super) const INSET: f64 = 8.0;
 /// Room for labels at the sides of a panel, as a part of its width, and above and below.
@@ -62,7 +60,7 @@ impl Source {
     pub(super) fn listed_lines(&self, width: f64) -> Vec<Label> {
         let joined =
             self.listed.iter().cloned().map(unbroken).reduce(|a, b| a.then(Label::plain(", ")).then(b));
-        wrapped(&joined.unwrap_or_default(), NOTE, width - 2.0 * INSET)
+        wrapped(&joined.unwrap_or_default(), SMALL, width - 2.0 * INSET)
     }
 }
 
@@ -86,7 +84,7 @@ impl Trim {
     pub(super) fn new(sources: &[Source], width: f64) -> Self {
         let most = |lines: &dyn Fn(&Source) -> usize| sources.iter().map(lines).max().unwrap_or(0) as f64;
         let above = most(&|source| source.heading_lines(width).len()) * SMALL * LEADING;
-        let below = most(&|source| source.listed_lines(width).len()) * NOTE * LEADING;
+        let below = most(&|source| source.listed_lines(width).len()) * SMALL * LEADING;
         Self { above: above + INSET, below: below + INSET }
     }
 
@@ -102,7 +100,7 @@ pub(super) fn split(source: &Source, area: &Rect) -> (Rect, Option<Rect>) {
     if source.side.is_none() {
         return (*area, None);
     }
-    let caption = NOTE * LEADING;
+    let caption = SMALL * LEADING;
     let width = SIDE_PART * area.width;
     let main = Rect::new(area.x, area.y + caption, area.width - width, area.height - caption);
     let side = Rect::new(main.right(), main.y, width - INSET, main.height);
@@ -221,8 +219,8 @@ impl Panel {
 
     fn draw_listed(&self) -> Vec<Element> {
         let line = |(i, label): (usize, &Label)| {
-            let y = self.frame.bottom() - INSET - NOTE * LEADING * i as f64;
-            PlacedText::new(label, [self.frame.x + INSET, y], NOTE, TextAnchor::Start).colour(INK).element()
+            let y = self.frame.bottom() - INSET - SMALL * LEADING * i as f64;
+            PlacedText::new(label, [self.frame.x + INSET, y], SMALL, TextAnchor::Start).colour(INK).element()
         };
         self.listed.iter().rev().enumerate().map(line).collect()
     }
@@ -230,8 +228,8 @@ impl Panel {
     fn draw_side(&self) -> Option<Element> {
         let side = self.side.as_ref()?;
         let caption = |text: &str, area: &Rect| {
-            let at = [area.centre()[0], area.y - 0.35 * NOTE];
-            PlacedText::new(&Label::plain(text), at, NOTE, TextAnchor::Middle).element()
+            let at = [area.centre()[0], area.y - 0.35 * SMALL];
+            PlacedText::new(&Label::plain(text), at, SMALL, TextAnchor::Middle).element()
         };
         let captions =
             [caption("seen from above", &self.main.area), caption("side view, own scale", &side.area)];

@@ -16,7 +16,7 @@ use super::fit::{Room, scales};
 use super::grid::{Grid, rooms};
 use super::key::{Entry, Key};
 use super::layout::{Scales, View, body_size};
-use super::panel::{Drawing, INSET, NOTE, Panel, Source, Trim, about_centre, centred_in, room, split};
+use super::panel::{Drawing, INSET, Panel, Source, Trim, about_centre, centred_in, room, split};
 use crate::geometry::{Point, minus, plus};
 
 /// Height of a sheet without panels, in pixels.
@@ -219,7 +219,7 @@ fn panels(sources: &[Source], grid: &Grid, corner: Point, scales: &[Scales]) -> 
             heading: source.heading_lines(grid.size[0]),
             listed: source.listed_lines(grid.size[0]),
             main: Drawing::new(&source.body, main, places[i], &scales[i], SMALL),
-            side: side.map(|(body, area)| Drawing::alone(body, area, NOTE)),
+            side: side.map(|(body, area)| Drawing::alone(body, area, SMALL)),
         }
     };
     sources.iter().enumerate().map(panel).collect()

@@ -46,7 +46,7 @@ pub use interval::Contact;
 pub use meeting::BodyContact;
 pub(crate) use outlines::Couple;
 pub(crate) use pair::{Alike, moves};
-pub use pair::{Pair, Rule};
+pub use pair::{NORMAL, Pair, Rule, TANGENT};
 pub(crate) use pairs::Pairs;
 pub(crate) use said::{friction_of_bodies, of_surface_and_body};
 pub(crate) use settle::{BALANCED, STANDS};

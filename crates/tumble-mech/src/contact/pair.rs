@@ -42,6 +42,11 @@ use crate::statement::Statement;
 use crate::surface::{ContactLaw, Surface};
 use crate::term::{Law, Term};
 
+/// How the unit vectors of a contact are written: along the normal, and along the surface, where t would be read as the time.
+pub const NORMAL: &str = "n";
+/// See [`NORMAL`].
+pub const TANGENT: &str = "e_t";
+
 /// Where in a model it is said that the two of a pair meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Rule {
@@ -407,12 +412,12 @@ impl Pair {
 
     /// `N n`; what N is follows from other loads where the surface is rigid.
     pub(crate) fn statement(&self) -> Statement {
-        along(&self.term(), self.force_symbol(), "n", &self.normal)
+        along(&self.term(), self.force_symbol(), NORMAL, &self.normal)
     }
 
-    /// `f t`, where there is friction.
+    /// `f e_t`, where there is friction.
     pub(crate) fn friction_statement(&self) -> Option<Statement> {
-        let rubs = || along(&self.friction_term(), self.friction_symbol(), "t", &self.tangent());
+        let rubs = || along(&self.friction_term(), self.friction_symbol(), TANGENT, &self.tangent());
         (self.friction.is_some() && !self.is_rolling()).then(rubs)
     }
 

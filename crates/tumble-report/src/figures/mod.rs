@@ -14,8 +14,8 @@ use tumble_drawing::{
     Axis, BodyPath, CurveFigure, DataSeries, Label, Mark, Outline, Pose, StroboscopicPicture, Svg,
 };
 use tumble_expr::{Dimension, Expr, Vector};
-use tumble_mech::{Body, Run, Shape};
-use tumble_ode::Side;
+use tumble_mech::{Body, Record, Run, Shape};
+use tumble_ode::{Occurrence, Side};
 use tumble_scene::{Curve, Diagnostics, Plot, Stroboscope, Study};
 
 use crate::fill::words;
@@ -29,6 +29,8 @@ use crate::results::{FAMILY, Runs, SampleRow, sample, sample_between, telling};
 const TRACE_POINTS: usize = 2000;
 /// More event marks than this cannot be told apart in one figure.
 const MOST_MARKS: usize = 12;
+/// Events so near each other, as a part of the axis, have one mark: their lines would be one.
+const ONE_LINE: f64 = 1e-4;
 /// More instants than this are a smear, and a mistake in the interval.
 const MOST_INSTANTS: usize = 1000;
 
@@ -175,9 +177,11 @@ fn mark_events(figure: &mut CurveFigure, study: &Study, case: &Case, [from, to]:
     if events.len() > MOST_MARKS {
         return;
     }
-    for event in events {
-        let what = words::event(study, &case.run.equations, event);
-        figure.marks.push(Mark { at: event.time, label: Label::plain(&what) });
+    let is_one = |a: &&Occurrence<Record>, b: &&Occurrence<Record>| b.time - a.time <= ONE_LINE * (to - from);
+    for instant in events.chunk_by(is_one) {
+        let said: Vec<_> =
+            instant.iter().map(|event| words::event(study, &case.run.equations, event)).collect();
+        figure.marks.push(Mark { at: instant[0].time, label: Label::plain(&said.join(", ")) });
     }
 }
 

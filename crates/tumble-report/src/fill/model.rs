@@ -3,7 +3,8 @@
 use crate::report::{Block, BodyModel, ForceRow, ModelPart, Picture, Text, Typeset};
 use tumble_expr::{Expr, Graph, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
-    Application, AppliedImpulse, Equations, Frame, Friction, Law, Pair, Statement, Term, rotated,
+    Application, AppliedImpulse, Equations, Frame, Friction, Law, NORMAL, Pair, Statement, TANGENT, Term,
+    rotated,
 };
 use tumble_notation::{Left, Math, Operator};
 use tumble_scene::{FreeBody, Study};
@@ -292,7 +293,7 @@ fn contact(
     said: Option<&Written>,
     (symbol, is_on_other): (&str, bool),
 ) -> Vec<Typeset> {
-    let letter = if term.law == Law::Friction { "t" } else { "n" };
+    let letter = if term.law == Law::Friction { TANGENT } else { NORMAL };
     let acts = Math::Product(vec![Math::symbol(symbol), Math::symbol(letter)]);
     let acts = if is_on_other { Math::Row(vec![Math::Operator(Operator::Negative), acts]) } else { acts };
     if term.law == Law::Rolling {
@@ -418,8 +419,8 @@ fn torque(names: &Names, terms: &[&Term], stated: Option<&Statement>, symbol: &s
 /// Along which unit vector a contact pushes or rubs: its symbol is a number.
 fn direction(term: &Term, stated: Option<&Statement>) -> Option<Written> {
     let letter = match term.law {
-        Law::Contact => "n",
-        Law::Friction => "t",
+        Law::Contact => NORMAL,
+        Law::Friction => TANGENT,
         _ => return None,
     };
     let unit = air::named(stated?.force.as_ref()?, letter)?;

@@ -17,6 +17,7 @@ use crate::results::CaseError;
 use crate::results::digits::Held;
 use crate::results::telling;
 use crate::results::{is_angle, unit};
+use crate::tables::EVENTS;
 
 /// Runs of a sweep beyond these have no closed forms of their own.
 const MOST_RUNS: usize = 6;
@@ -148,9 +149,11 @@ fn events(study: &Study, case: &Case) -> PrintedTable {
         let what = words::event(study, &case.run.equations, event);
         vec![quantity(event.time, ""), Text::from(what).capitalised()]
     };
-    let mut table = PrintedTable::new(caption, columns);
-    table.rows = case.run.events().map(row).collect();
-    table
+    PrintedTable {
+        rows: case.run.events().map(row).collect(),
+        file: Some(format!("{}/{EVENTS}", case.folder())),
+        ..PrintedTable::new(caption, columns)
+    }
 }
 
 /// A coordinate of a body with its velocity and acceleration.

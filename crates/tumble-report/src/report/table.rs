@@ -44,6 +44,8 @@ pub struct PrintedTable {
     pub rows: Vec<Vec<Text>>,
     /// Whether its cells are long: where the page is narrow they stand below each other.
     pub stacked: bool,
+    /// The file among the results in which all rows are, if there is one: then paper need not show hundreds.
+    pub file: Option<String>,
     /// Lines below it.
     pub notes: Vec<Text>,
 }

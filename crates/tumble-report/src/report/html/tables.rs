@@ -10,6 +10,13 @@ use tumble_drawing::svg::escape;
 const FOLD: usize = 20;
 /// Rows of a table that stay together on paper.
 const KEPT: usize = 8;
+/// Rows of a long table on paper, where a file has them all.
+const PRINTED: usize = 300;
+/// Signs of a row, its columns set apart, that a third or a half of the paper's width holds.
+const THIRD: usize = 52;
+const HALF: usize = 80;
+/// What sets two columns apart, in signs.
+const GAP: usize = 3;
 
 /// Columns from which on the cells of a row stand below each other where the page is narrow, and on paper.
 const STACKED: usize = 3;
@@ -21,8 +28,41 @@ pub(super) fn table(table: &PrintedTable) -> String {
     let cells = |row: &Vec<Text>| (0..table.columns.len()).map(|i| cell(row, i)).collect();
     let rows: Vec<Vec<String>> = table.rows.iter().map(cells).collect();
     let grid = grid(&text(&table.caption), &table.columns, &rows, table.stacked);
+    let grid = if rows.len() > FOLD { long(table, &grid) } else { grid };
     let notes: String = table.notes.iter().map(|note| tagged("p", "note", &text(note))).collect();
     grid + &notes
+}
+
+/// A long table: on the screen it folds, on paper all rows stand, in columns beside each other where they are short; what would fill
+/// pages and is in a file says so.
+fn long(table: &PrintedTable, grid: &str) -> String {
+    let filed = table.file.as_ref().filter(|_| table.rows.len() > PRINTED);
+    let class = if filed.is_some() { "long filed" } else { "long" };
+    let said = filed.map(|file| {
+        let words = format!("These are the first {FOLD} of {} rows; all are in {file}.", table.rows.len());
+        tagged("p", "note paper", &escape(&words))
+    });
+    format!(
+        "<div class=\"{class}\" style=\"--beside:{}\">\n{grid}{}</div>\n",
+        beside(table),
+        said.unwrap_or_default()
+    )
+}
+
+/// How many rows of a table stand beside each other on paper. Of ten rows one may be longer and run over.
+fn beside(table: &PrintedTable) -> usize {
+    let mut lengths: Vec<usize> = table.rows.iter().map(|row| row.iter().map(length).sum()).collect();
+    lengths.sort_unstable();
+    match lengths.get(lengths.len() * 9 / 10) {
+        Some(..=THIRD) => 3,
+        Some(..=HALF) => 2,
+        _ => 1,
+    }
+}
+
+/// The length of a cell and of what sets it apart from the next, in signs.
+fn length(cell: &Text) -> usize {
+    cell.to_plain().chars().count() + GAP
 }
 
 /// A table from finished cells. Columns without any content are left out.

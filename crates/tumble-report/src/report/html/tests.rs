@@ -249,6 +249,26 @@ fn long_tables_fold_after_twenty_rows() {
 }
 
 #[test]
+fn long_tables_stand_in_columns_on_paper_and_say_where_hundreds_of_rows_are() {
+    let page = |count: usize, cell: &str, file: Option<&str>| {
+        let mut table = PrintedTable::new("Events", vec![Column::numbers("No."), Column::words("What")]);
+        table.rows = (0..count).map(|i| vec![Text::words(i.to_string()), cell.into()]).collect();
+        table.file = file.map(str::to_owned);
+        Report { solve: Solve { tables: vec![table], ..Solve::default() }, ..Report::default() }.html()
+    };
+    let sentence = "all are in run-001/events.csv";
+    let file = Some("run-001/events.csv");
+    assert!(
+        page(300, "the tip strikes the floor", file).contains("<div class=\"long\" style=\"--beside:3\">")
+    );
+    assert!(!page(300, "", file).contains(sentence));
+    assert!(page(301, &"long ".repeat(12), file).contains("<div class=\"long filed\" style=\"--beside:2\">"));
+    assert!(page(301, "", file).contains(sentence));
+    // Nowhere else: paper has them all.
+    assert!(page(2000, &"long ".repeat(30), None).contains("<div class=\"long\" style=\"--beside:1\">"));
+}
+
+#[test]
 fn formulas_speak() {
     let math = Typeset::from(&tumble_notation::Math::symbol("theta"));
     let report = Report { intro: vec![math.into()], ..Report::default() };
