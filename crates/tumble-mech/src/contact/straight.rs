@@ -73,9 +73,14 @@ pub(crate) struct Limit {
 }
 
 impl Limit {
-    /// Not negative where contact may begin, but for rounding.
+    /// Not negative where contact may begin, but for rounding. An edge that comes flush with another is in line with it at the very instant at which
+    /// its corner arrives.
     pub(crate) fn entered(&self) -> Expr {
-        if self.yields { &self.value - FITS * &self.size } else { self.value.clone() }
+        match (self.yields, self.ends) {
+            (true, _) => &self.value - FITS * &self.size,
+            (false, true) => self.value.clone(),
+            (false, false) => self.taken(),
+        }
     }
 
     /// Not negative where there may be contact, rounding included.
