@@ -6,10 +6,9 @@
 //! Every text is shown as it is; none is ever run.
 //!
 //! ```
-//! use tumble_report::report::{QuantityRow, Report, Text};
+//! use tumble_report::report::{Report, Text};
 //!
 //! let mut report = Report { title: "A thrown rod".to_owned(), ..Report::default() };
-//! report.identify.parameters.push(QuantityRow::number("length", "L", 1.0, "m"));
 //! report.analyze.findings.push(Text::words("It lands after 1.2 s."));
 //! let page = report.html();
 //! assert!(page.contains("It lands after 1.2 s."));
