@@ -80,7 +80,17 @@ impl Record {
     pub(crate) fn held(&self) -> usize {
         self.happened.capacity() * size_of::<Happening>()
             + self.impulses.capacity() * size_of::<Impulse>()
-            + self.others.capacity() * size_of::<Others>()
+            + self.others.iter().map(Others::held).sum::<usize>()
+    }
+}
+
+impl Others {
+    fn held(&self) -> usize {
+        let text = match self {
+            Self::Possible(text) => text.capacity(),
+            Self::Unexamined => 0,
+        };
+        size_of::<Self>() + text
     }
 }
 

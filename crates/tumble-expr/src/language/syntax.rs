@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::chain::Chain;
 use super::error::Span;
 
-/// SpannedText of a node in its [`Tree`].
+/// Where a node stands in its [`Tree`].
 pub type NodeId = usize;
 
 /// A formula as its nodes, each behind the nodes it is made of, so that nothing that walks it recurses.

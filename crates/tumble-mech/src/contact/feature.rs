@@ -151,7 +151,7 @@ mod tests {
         let one = Body::of_shape("box", plate(0.0));
         assert_eq!(names(&one), ["corner1", "corner2", "corner3", "corner4"]);
         let part = |x| Part { shape: plate(x), mass: 1 * KG };
-        // PolygonSide by side: two corners of the second are corners of the first.
+        // Side by side: two corners of the second are corners of the first.
         let boxes = Body::from_parts("boxes", vec![part(0.0), part(1.0)]);
         assert_eq!(names(&boxes).len(), 6);
         assert_eq!(boxes.features()[1].neighbours.len(), 4);
