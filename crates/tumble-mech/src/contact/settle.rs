@@ -33,6 +33,8 @@ const REBOUNDS: f64 = 1e-12;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
 pub(crate) const BALANCED: f64 = 1e-10;
 
+/// No step is shorter than this part of the time.
+const SHORTEST: f64 = 4.0 * f64::EPSILON;
 /// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
 const UNDISTURBED: f64 = 8.0;
 
@@ -127,11 +129,7 @@ impl Equations {
         let mut settling = Settling::new(self, island, touched, now, jump)?;
         settling.pass_corners(jump)?;
         settling.impact(jump)?;
-        let zeno = settling.zeno();
-        let slow = zeno.iter().flat_map(|zeno| &zeno.slow.pairs);
-        let stopped = touched.stopped.iter().chain(slow).copied().collect();
-        let touched = &Touched { stopped, ..touched.clone() };
-        let lasting = settling.lasting(touched, zeno.as_ref(), jump)?;
+        let (lasting, zeno) = settling.settled(touched, jump)?;
         if zeno.is_none() {
             // Rounding of what stands.
             settling.cut_off.fill(0.0);
@@ -176,6 +174,53 @@ impl<'a> Settling<'a> {
         let then = touch.free.clone();
         let [impulses, cut_off] = [(); 2].map(|()| DVector::zeros(count));
         Ok(Self { equations, island: island.to_vec(), now, touch, part, impulses, cut_off, speed, then })
+    }
+
+    /// What lasts, and impacts that end by themselves. What stands only since rates of others were taken away, or would be back within the shortest
+    /// step, is held too: its guard would see it neither go nor come.
+    fn settled(
+        &mut self,
+        touched: &Touched,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(Lasting, Option<Ending>), Reason> {
+        let mut held = BTreeSet::new();
+        loop {
+            let zeno = self.zeno();
+            let slow = zeno.iter().flat_map(|zeno| &zeno.slow.pairs);
+            let stopped = touched.stopped.iter().chain(slow).copied().collect();
+            let touched = &Touched { stopped, ..touched.clone() };
+            let others = jump.record.others.len();
+            let lasting = self.lasting(touched, zeno.as_ref(), jump)?;
+            let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
+            falling.retain(|position| held.insert(*position));
+            if falling.is_empty() {
+                return Ok((lasting, zeno));
+            }
+            jump.record.others.truncate(others);
+            for position in falling {
+                self.speed[position] =
+                    self.speed[position].max(2.0 * self.touch.rate[position].abs() / STANDS);
+                self.part.push(position);
+            }
+            self.part.sort_unstable();
+            self.part.dedup();
+        }
+    }
+
+    /// Contacts that are not held and close at once: they stand, or open for less than the shortest step.
+    fn falling_back(&self, lasting: &Lasting, touched: &Touched) -> Vec<usize> {
+        let Touch { gap, rate, blur, pairs, .. } = &self.touch;
+        let shortest = SHORTEST * self.now.time.abs();
+        let is_held = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
+        let falls_back = |position: &usize| {
+            let (position, then) = (*position, self.then[*position]);
+            let may_touch = !is_held(position) && !touched.left.contains(&pairs[position]);
+            let touches = may_touch && gap[position].abs() <= blur[position];
+            let is_short = rate[position] > 0.0 && flight(0.0, rate[position], then) <= shortest;
+            let falls = then < -self.zero() && (self.stands(position) || is_short);
+            touches && falls && self.equations.pairs()[pairs[position]].is_rigid()
+        };
+        (0..pairs.len()).filter(falls_back).collect()
     }
 
     /// Velocities after the impacts of this instant, if anything closes.

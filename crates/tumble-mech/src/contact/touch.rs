@@ -11,7 +11,7 @@ use tumble_expr::{Branches, Jets, Rounded};
 use tumble_ode::Reason;
 
 use crate::contact::complementarity::DEPENDENT;
-use crate::contact::settle::{BALANCED, STANDS};
+use crate::contact::settle::BALANCED;
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
@@ -41,8 +41,6 @@ const BALANCES: f64 = 64.0 * f64::EPSILON;
 const NEAR: f64 = 1e-2;
 /// What is beyond an edge by more than this part of the extent of a body is not in touch with it, but behind it.
 const BEHIND: f64 = 1e-9;
-/// No step is shorter than this part of the time: what comes back sooner has not gone.
-const SHORTEST: f64 = 4.0 * f64::EPSILON;
 /// Gaps of one body that are zero within so many times their rounding error close at one instant.
 const ONE_INSTANT: f64 = 16.0;
 
@@ -115,12 +113,6 @@ impl Touch {
     /// Whether loads read forces of contacts or joints.
     pub(crate) fn is_fed(&self) -> bool {
         self.pushes.is_some()
-    }
-
-    /// Rates that the forces turn round within the shortest step are rounding as well.
-    fn round_to_steps(&mut self, time: f64) {
-        let least = self.strength * SHORTEST * time.abs() / STANDS;
-        self.speed.iter_mut().chain(&mut self.slips.speed).for_each(|speed| *speed = speed.max(least));
     }
 
     /// What is behind an edge does not touch it.
@@ -215,7 +207,6 @@ impl Equations {
             velocities,
             joints,
         };
-        touch.round_to_steps(now.time);
         touch.pass_over(|pair| self.pairs()[pair].has_edge());
         touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
         if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(island)) }
