@@ -93,6 +93,11 @@ impl Limit {
         &self.value + FITS * &self.size
     }
 
+    /// By how much it changes with an angle, m, where it turns with bodies and moves with none.
+    pub(crate) fn turns(&self) -> Option<&Expr> {
+        (!self.ends).then_some(&self.size)
+    }
+
     /// Negative from where on there is none, if contact ends here at all: the next begins at the very place.
     pub(crate) fn left(&self) -> Option<Expr> {
         self.ends.then(|| self.value.clone())
@@ -137,8 +142,7 @@ pub(crate) fn along_edge(
     let ends = [place.clone(), &length - place];
     let normal = turned(&along);
     let cone = |next: &Anchor| {
-        let way = between(&rim.centre, next);
-        let (above, size) = (dot(&normal, &way), way.norm());
+        let (above, size) = (dot(&normal, &between(&rim.centre, next)), distance(&rim.centre, next));
         let value = if law.is_rigid() { above } else { above + LEANS * &size };
         Limit { value, size, ends: false, yields: false }
     };
@@ -180,8 +184,16 @@ pub(crate) fn beyond_ends(corner: &Rim, apart: &Vector, reach: &Expr) -> Vec<Lim
     corner.neighbours.iter().map(of).collect()
 }
 
-fn greater(a: Expr, b: Expr) -> Expr {
+pub(crate) fn greater(a: Expr, b: Expr) -> Expr {
     Expr::binary(Binary::Max, a, b)
+}
+
+/// The distance of two places of a body, or of the world, m: the same however the body turns.
+fn distance(from: &Anchor, to: &Anchor) -> Expr {
+    match (from.material(), to.material()) {
+        (Some(from), Some(to)) => (&to.arm - &from.arm).norm(),
+        _ => (to.position() - from.position()).norm(),
+    }
 }
 
 /// From one place of a body, or of the world, to another.

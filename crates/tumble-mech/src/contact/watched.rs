@@ -6,7 +6,7 @@ use crate::body::Body;
 use crate::contact::grip::Way;
 use crate::contact::opposite::Opposite;
 use crate::contact::pair::{Pair, dot, moves};
-use crate::contact::straight::Limit;
+use crate::contact::straight::{Limit, greater};
 use crate::coordinates::Pivot;
 use crate::kinematics::Kinematics;
 
@@ -72,7 +72,7 @@ impl Pair {
         self.limits.iter().filter_map(Limit::left).collect()
     }
 
-    /// How fast what is watched can change with each coordinate of one of its bodies: of x, of y and of the angle for a free body,
+    /// How fast what is watched, and its conditions, can change with each coordinate of one of its bodies: of x, of y and of the angle for a free body,
     /// of the angle for a pivoted one. `None` where the surface or the pivot moves.
     pub(crate) fn slopes(&self, index: usize, pivot: Option<&Pivot>, body: &Body) -> Option<Vec<Expr>> {
         if let Opposite::Edge(edge) = &self.opposite
@@ -87,10 +87,15 @@ impl Pair {
         };
         match pivot {
             _ if !self.is_fixed() => None,
-            None => Some(along.into_iter().chain([point.arm.norm()]).collect()),
+            None => Some(along.into_iter().chain([point.arm.norm() + self.swept()]).collect()),
             Some(pivot) if moves(&pivot.world) => None,
-            Some(pivot) => Some(vec![(&point.arm - &body.at(&pivot.point).arm).norm()]),
+            Some(pivot) => Some(vec![(&point.arm - &body.at(&pivot.point).arm).norm() + self.swept()]),
         }
+    }
+
+    /// By how much conditions that only turn change with an angle, m: the longest edge beside a corner that meets an edge.
+    fn swept(&self) -> Expr {
+        self.limits.iter().filter_map(Limit::turns).cloned().reduce(greater).unwrap_or_else(Expr::zero)
     }
 
     /// The same of a pair with an edge that turns, as long as the circle is within the edge's reach of its body: what is watched is then at
@@ -112,9 +117,9 @@ impl Pair {
         };
         match pivot {
             _ if !self.is_fixed() => None,
-            None => Some(vec![Expr::from(2), Expr::from(2), lever(None)]),
+            None => Some(vec![Expr::from(2), Expr::from(2), lever(None) + self.swept()]),
             Some(pivot) if moves(&pivot.world) => None,
-            Some(pivot) => Some(vec![lever(Some(&body.at(&pivot.point).arm))]),
+            Some(pivot) => Some(vec![lever(Some(&body.at(&pivot.point).arm)) + self.swept()]),
         }
     }
 
