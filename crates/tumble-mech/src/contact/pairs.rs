@@ -210,6 +210,8 @@ impl Equations {
                 Grip::Sticks => found.extend(
                     [Way::Forward, Way::Backward].map(|way| (*pair, Watched::Cone(way), Direction::Falling)),
                 ),
+                // Friction has done what it does until the impacts have ended.
+                Grip::Slides(_) if self.is_ending(mode, *pair) => {}
                 Grip::Slides(way) => {
                     if self.alike(mode, *pair).next() == Some(*pair) {
                         let direction =
@@ -283,10 +285,17 @@ impl Equations {
     pub(crate) fn tie(&self, mode: &Mode, pair: usize) -> Option<Expr> {
         let friction = self.pairs()[pair].friction.as_ref()?;
         match mode.grip(pair)? {
+            Grip::Slides(_) if self.is_ending(mode, pair) => Some(Expr::zero()),
             Grip::Slides(way) => Some(-way.sign() * &friction.kinetic),
             Grip::Strains(way) => Some(-way.sign() * &friction.of_rest),
             Grip::Sticks | Grip::Follows => None,
         }
+    }
+
+    /// Whether impacts of a pair too small to follow go on.
+    fn is_ending(&self, mode: &Mode, pair: usize) -> bool {
+        let touching = self.pair_list().owner.get(&pair).copied().unwrap_or(pair);
+        mode.contact_mode(touching) == Some(ContactMode::Settling)
     }
 
     /// Names of the guards of all pairs, in the order in which they are watched.

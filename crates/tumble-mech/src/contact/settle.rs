@@ -1,6 +1,7 @@
 //! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
 mod corners;
+mod meanwhile;
 mod motions;
 mod pressed;
 mod rubbing;
@@ -108,7 +109,8 @@ struct Settling<'a> {
     part: Vec<usize>,
     /// Impulses of the impact so far, by position, N s.
     impulses: DVector<f64>,
-    /// What the impacts of a Zeno sequence that are not followed come to, less what the forces of the contacts do meanwhile, N s.
+    /// What the impacts of a Zeno sequence that are not followed come to, less what the forces of the contacts do meanwhile; friction of what
+    /// slides has none then. N s.
     cut_off: DVector<f64>,
     /// Speeds before the impact, by position: what rounding after it is relative to.
     speed: DVector<f64>,
@@ -381,7 +383,7 @@ impl<'a> Settling<'a> {
         let without: Vec<usize> = members.iter().copied().filter(stays).collect();
         self.refuse_jammed(&members, &jump.mode)?;
         if self.is_rough() || is_pressed {
-            return self.lasting_with_friction([&without, &members], touched, jump);
+            return self.lasting_with_friction([&without, &members], zeno, touched, jump);
         }
         let (found, then) = match self.hold(&without, &members) {
             Some(held) => held,
@@ -422,8 +424,7 @@ impl<'a> Settling<'a> {
     /// Writes what was found into the jump.
     fn arrange(&self, lasting: Lasting, zeno: Option<Ending>, jump: &mut Jump<Mode>) {
         let Lasting { modes: lasting, rubbing } = lasting;
-        let settles = |time: f64| self.now.time + time > self.now.time;
-        let wake = zeno.as_ref().map(|zeno| zeno.time).filter(|time| settles(*time));
+        let wake = self.meanwhile(zeno.as_ref());
         jump.early = zeno.as_ref().map_or(0.0, |zeno| zeno.slow.time).max(jump.early);
         jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
         let mut members: BTreeSet<usize> = self.part.iter().copied().collect();

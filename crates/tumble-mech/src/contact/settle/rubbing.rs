@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
-use super::{Lasting, STANDS, Settling, Slow, Touched};
+use super::{Ending, Lasting, STANDS, Settling, Slow, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
@@ -300,6 +300,7 @@ impl Settling<'_> {
     pub(super) fn lasting_with_friction(
         &mut self,
         [some, all]: [&[usize]; 2],
+        zeno: Option<&Ending>,
         touched: &Touched,
         jump: &mut Jump<Mode>,
     ) -> Result<Lasting, Reason> {
@@ -314,14 +315,24 @@ impl Settling<'_> {
         let others = self.other_motions(some, &rubbing, jump)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;
         // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
-        let turned = self.turned(&rubbing);
-        if turned.iter().all(|pair| touched.stopped.contains(pair)) {
-            jump.record.others.extend(others);
-            return Ok(Lasting { modes, rubbing: Some(rubbing) });
+        let mut stopped = self.turned(&rubbing);
+        let meanwhile = self.meanwhile(zeno);
+        if let Some(time) = meanwhile {
+            let stopping = self.stopping_within(&rubbing, time);
+            jump.early = if stopping.is_empty() { jump.early } else { time.max(jump.early) };
+            stopped.extend(stopping);
         }
-        let mut touched = touched.clone();
-        touched.stopped.extend(turned);
-        self.lasting_with_friction([some, all], &touched, jump)
+        if stopped.iter().any(|pair| !touched.stopped.contains(pair)) {
+            let mut touched = touched.clone();
+            touched.stopped.extend(stopped);
+            return self.lasting_with_friction([some, all], zeno, &touched, jump);
+        }
+        if let Some(time) = meanwhile {
+            let rubbed = self.rubbed(&rubbing, time).ok_or_else(|| self.unsolved("contact"))?;
+            self.stop(&rubbed, jump)?;
+        }
+        jump.record.others.extend(others);
+        Ok(Lasting { modes, rubbing: Some(rubbing) })
     }
 
     /// Refuses what slides with different friction along one edge, or on several feet, where more contacts bear it than are needed: what each of

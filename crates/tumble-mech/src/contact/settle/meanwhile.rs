@@ -1,0 +1,51 @@
+//! Friction of what slides while impacts end that are too low to be followed.
+//!
+//! Their impulses along the normal come to `N T - m v`: N is the force that will hold the contact, T the time that they take, and m v the
+//! momentum with which it now rises, which gravity takes away. Friction is mu of that, and done at once, as in any impact: so the
+//! energy only falls. If only what is missing of `mu N T` came now, it would push what slides on at first: the energy would rise for as long as T.
+//! Until T has passed the surfaces have no friction; what is left out is of the order of its square.
+
+use nalgebra::DVector;
+
+use super::rubbing::Rubbing;
+use super::{Ending, Settling};
+use crate::contact::complementarity::standing;
+use crate::contact::grip::Grip;
+
+/// A slip that is left with less than this part of what friction takes of it meanwhile stops: what is left out is much less.
+const LEFT: f64 = 1e-6;
+
+impl Settling<'_> {
+    /// For how long impacts go on that are not followed, s; `None` where nothing does, or where it is no time among those of numbers.
+    pub(super) fn meanwhile(&self, zeno: Option<&Ending>) -> Option<f64> {
+        zeno.map(|zeno| zeno.time).filter(|time| self.now.time + time > self.now.time)
+    }
+
+    /// What friction of what slides does in a time, N s, with what keeps standing what stands.
+    pub(super) fn rubbed(&self, Rubbing { patches, found, .. }: &Rubbing, time: f64) -> Option<DVector<f64>> {
+        let mut along = DVector::zeros(found.pushes.len());
+        let sliding = patches.iter().zip(&found.grips).filter(|(_, grip)| matches!(grip, Grip::Slides(_)));
+        for (position, row) in sliding.flat_map(|(patch, _)| &patch.contacts) {
+            if found.held.contains(position) {
+                along[*row] = found.pushes[*row] * time;
+            }
+        }
+        let kept = [&found.held[..], &found.holding].concat();
+        Some(standing(&self.touch.response, &(&self.touch.response * &along), &kept)? + along)
+    }
+
+    /// Pairs that slip and will have stopped when a time has passed.
+    pub(super) fn stopping_within(&self, Rubbing { patches, found, .. }: &Rubbing, time: f64) -> Vec<usize> {
+        let stops = |row: usize, grip: &Grip| match grip {
+            Grip::Slides(way) => {
+                let now = self.touch.slips.rate[row - self.touch.pairs.len()];
+                let rubbed = (found.pushes[row] * self.touch.response[(row, row)] * time).abs();
+                f64::from(way.sign()) * (now + found.then[row] * time) <= LEFT * rubbed
+            }
+            _ => false,
+        };
+        let slip = patches.iter().zip(&found.grips).filter(|(patch, _)| patch.slips.is_some());
+        let stopping = slip.filter(|(patch, grip)| stops(patch.row(), grip));
+        stopping.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
+    }
+}
