@@ -3,9 +3,12 @@
 //!
 //! They are solved by an active set (Lawson and Hanson 1974, with the exchanges of Keller 1973 where contacts depend on each other):
 //! the contact that closes fastest is pushed until it stands still, those that would come to pull leave on the way, and so on. Each
-//! round ends with a push of some length, so `z.Az/2 + b.z` falls in each and no set comes twice.
+//! round ends with a push of some length, so `z.Az/2 + b.z` falls in each and no set comes twice. Where friction is tied to pushes and they
+//! come to no end, complementary pivoting has the last word.
 
 use nalgebra::{DMatrix, DVector};
+
+use crate::contact::lemke;
 
 /// What is negative by less than this part of the numbers that it is made of is zero but for rounding.
 const ZERO: f64 = 1e-11;
@@ -31,7 +34,7 @@ pub(crate) fn pushing(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>,
     if let Some(z) = by_set(a, b, &all) {
         return Some((all, z));
     }
-    let (mut set, mut z) = active_set(a, b)?;
+    let (mut set, mut z) = active_set(a, b).or_else(|| by_pivoting(a, b))?;
     // A contact that stands still without a push may join a set: every set that cannot be enlarged is as large as the rank.
     for contact in all {
         let grown = with(&set, contact);
@@ -44,14 +47,39 @@ pub(crate) fn pushing(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>,
 
 /// The solution in which just these contacts stand still.
 fn by_set(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Option<DVector<f64>> {
-    let still = standing(a, b, set)?;
+    allowed(a, b, set, standing(a, b, set)?)
+}
+
+/// These pushes, where none of the set pulls and nothing closes.
+fn allowed(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize], still: DVector<f64>) -> Option<DVector<f64>> {
     let zero = rounding(a, b, &still);
     let w = b + a * &still;
     // A push is a velocity or acceleration over a response.
-    let allowed = |i: usize| zero / a[(i, i)].max(f64::MIN_POSITIVE);
-    let pushes = set.iter().all(|i| still[*i] >= -allowed(*i));
+    let slack = |i: usize| zero / a[(i, i)].max(f64::MIN_POSITIVE);
+    let pushes = set.iter().all(|i| still[*i] >= -slack(*i));
     let opens = w.iter().all(|w| *w >= -zero);
     (pushes && opens).then(|| still.map(|z| z.max(0.0)))
+}
+
+/// The same where friction that is tied to pushes lets no set grow by one contact after the other.
+fn by_pivoting(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>, DVector<f64>)> {
+    let z = lemke::solve(a, b)?;
+    let set: Vec<usize> = (0..b.len()).filter(|i| z[*i] > 0.0).collect();
+    let z = allowed(a, b, &set, pivoted(a, b, &set)?)?;
+    Some((set, z))
+}
+
+/// Pushes at these contacts with which they stand still, though one may not push away what it pushes: the others do.
+pub(crate) fn pivoted(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Option<DVector<f64>> {
+    let part = DMatrix::from_fn(set.len(), set.len(), |i, j| a[(set[i], set[j])]);
+    let right = DVector::from_fn(set.len(), |i, _| -b[set[i]]);
+    let factors = part.full_piv_lu();
+    let pivots = factors.u().diagonal().abs();
+    let is_independent = pivots.min() > DEPENDENT * pivots.amax();
+    if !is_independent {
+        return None;
+    }
+    Some(spread(b.len(), set, &factors.solve(&right)?))
 }
 
 /// What of the w is nothing.

@@ -16,6 +16,7 @@ mod depth;
 mod feature;
 mod grip;
 mod interval;
+mod lemke;
 mod lost;
 mod meeting;
 mod opposite;

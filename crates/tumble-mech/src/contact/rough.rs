@@ -5,15 +5,17 @@
 //! alike: it sticks, `w_t = 0` and `|z_t| <= mu_s z_n`, or it slides, `z_t = -mu_k sign(w_t) z_n`. For a choice of who sticks and who
 //! slides which way, friction is eliminated and what is left is a problem of complementarity along the normals. The choice is found by
 //! letting those slide that cannot hold; where that does not end, the choice that sweeps over single contacts come to is put right in
-//! the same way, and where there are few surfaces all choices are tried.
+//! the same way; else that of the whole problem by complementary pivoting, in which sliding and sticking have one coefficient; and where there
+//! are few surfaces all choices are tried.
 //!
 //! A compliant surface presses with a force that is known, and part of b: of its contacts only the friction is looked for, with that load
 //! in the place of z_n: what sticks is held by up to the sum of `mu_s` times the loads of all points that slip alike.
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::complementarity::{DEPENDENT, pushing, standing};
+use crate::contact::complementarity::{DEPENDENT, pivoted, pushing, standing};
 use crate::contact::grip::{Grip, Way};
+use crate::contact::lemke;
 
 /// Friction that is beyond what it can be by less than this part has all that it can be.
 const FULL: f64 = 1e-11;
@@ -95,7 +97,9 @@ impl Rough<'_> {
     pub(super) fn solve(&self) -> Option<Pushes> {
         let start = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
         let found = self.put_right(self.patches.iter().map(start).collect());
-        found.or_else(|| self.put_right(self.swept())).or_else(|| {
+        let found = found.or_else(|| self.put_right(self.swept()));
+        let found = found.or_else(|| self.put_right(self.as_a_whole(0)?));
+        found.or_else(|| self.put_right(self.as_a_whole(1)?)).or_else(|| {
             let choices = self.all_choices();
             let mut found = choices.iter().filter_map(|grips| self.attempt(grips));
             found.find(|found| self.wrong(found).is_none())
@@ -158,12 +162,62 @@ impl Rough<'_> {
         }
     }
 
+    /// The choice of the whole problem, with one of the coefficients of each surface for both. In order, its unknowns are the pushes along normals
+    /// and, of each patch that may stick, friction one way and the other, and how fast it slips: `0 <= s + w_t`, `0 <= s - w_t` and `0 <= mu z_n -
+    /// z_t+ - z_t-` are the conditions that these are paired with.
+    fn as_a_whole(&self, coefficient: usize) -> Option<Vec<Grip>> {
+        let free: Vec<&Patch> = self.patches.iter().filter(|patch| patch.slips.is_none()).collect();
+        let (n, size) = (self.contacts.len(), self.contacts.len() + 3 * free.len());
+        let mut push = DMatrix::zeros(self.response.nrows(), size);
+        self.contacts.iter().enumerate().for_each(|(j, contact)| push[(*contact, j)] = 1.0);
+        let mut pushes = self.given.clone();
+        for patch in &self.patches {
+            let Some(way) = patch.slips else { continue };
+            for &(contact, row) in &patch.contacts {
+                let part = -f64::from(way.sign()) * patch.friction[1];
+                let own = self.contacts.iter().position(|known| *known == contact);
+                own.into_iter().for_each(|j| push[(row, j)] = part);
+                pushes[row] = part * self.normal(&self.given, contact);
+            }
+        }
+        for (index, patch) in free.iter().enumerate() {
+            push[(patch.row(), n + 3 * index)] = 1.0;
+            push[(patch.row(), n + 3 * index + 1)] = -1.0;
+        }
+        let (moved, without) = (self.response * &push, &self.without + self.response * &pushes);
+        let mut m = DMatrix::zeros(size, size);
+        let mut q = DVector::zeros(size);
+        for (i, contact) in self.contacts.iter().enumerate() {
+            m.row_mut(i).copy_from(&moved.row(*contact));
+            q[i] = without[*contact];
+        }
+        for (index, patch) in free.iter().enumerate() {
+            let [one, other, slip] = [0, 1, 2].map(|part| n + 3 * index + part);
+            for (row, sign) in [(one, 1.0), (other, -1.0)] {
+                m.row_mut(row).copy_from(&(moved.row(patch.row()) * sign));
+                m[(row, slip)] = 1.0;
+                m[(slip, row)] = -1.0;
+                q[row] = sign * without[patch.row()];
+            }
+            for (contact, _) in &patch.contacts {
+                let own = self.contacts.iter().position(|known| known == contact);
+                own.into_iter().for_each(|j| m[(slip, j)] = patch.friction[coefficient]);
+                q[slip] += patch.friction[coefficient] * self.normal(&self.given, *contact);
+            }
+        }
+        let z = lemke::solve(&m, &q)?;
+        pushes += push * &z;
+        let then = &self.without + self.response * &pushes;
+        Some(self.patches.iter().map(|patch| self.swept_grip(patch, &pushes, &then)).collect())
+    }
+
     /// Pushes of either sign with which just these normals, and those that stick, stand still.
     pub(super) fn stopped(&self, grips: &[Grip], held: &[usize]) -> Option<Pushes> {
         let reduced = self.reduced(grips)?;
         let held: Vec<usize> =
             (0..self.contacts.len()).filter(|index| held.contains(&self.contacts[*index])).collect();
-        let pushes = standing(&reduced.matrix, &reduced.without, &held)?;
+        let of = (&reduced.matrix, &reduced.without);
+        let pushes = standing(of.0, of.1, &held).or_else(|| pivoted(of.0, of.1, &held))?;
         Some(self.complete(grips, reduced, &held, &pushes))
     }
 

@@ -1,10 +1,12 @@
 //! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
 mod corners;
+mod ending;
 mod meanwhile;
 mod motions;
 mod pressed;
 mod rubbing;
+mod striking;
 mod wedged;
 
 use std::collections::BTreeSet;
@@ -18,26 +20,21 @@ use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::watched::Watched;
-use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};
-use crate::coordinates::Measure;
+use crate::contact::zeno::flight;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
-use crate::laws::impact::{MultipleImpacts, impulses};
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
+use ending::Ending;
 use rubbing::Rubbing;
 
 /// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
 pub(crate) const STANDS: f64 = 1e-12;
-/// A rebound this close to what the restitution asks for, in parts of the speeds that it is made of, is that.
-const REBOUNDS: f64 = 1e-12;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
 pub(crate) const BALANCED: f64 = 1e-10;
 
 /// No step is shorter than this part of the time.
 const SHORTEST: f64 = 4.0 * f64::EPSILON;
-/// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
-const UNDISTURBED: f64 = 8.0;
 
 /// Why the contacts of an island are looked at.
 #[derive(Clone, Debug, Default)]
@@ -72,24 +69,6 @@ impl Touched {
 
 /// Contacts that last, by position, and the accelerations of all gaps then.
 type Held = (Vec<(usize, ContactMode)>, DVector<f64>);
-
-/// Impacts that end by themselves, too low to be followed.
-struct Ending {
-    /// Who takes part, by position.
-    members: Vec<usize>,
-    /// Time until they have ended, s.
-    time: f64,
-    slow: Slow,
-}
-
-/// Slips that end before they are anything.
-#[derive(Default)]
-struct Slow {
-    /// Pairs that slip so.
-    pairs: BTreeSet<usize>,
-    /// Time until the last of them has ended, s.
-    time: f64,
-}
 
 /// What lasts, and how it is held along surfaces with friction.
 #[derive(Default)]
@@ -130,7 +109,7 @@ impl Equations {
         self.leave(&touched.left, jump);
         let mut settling = Settling::new(self, island, touched, now, jump)?;
         settling.pass_corners(jump)?;
-        settling.impact(jump)?;
+        settling.impacts(touched, jump)?;
         let (lasting, zeno) = settling.settled(touched, jump)?;
         if zeno.is_none() {
             // Rounding of what stands.
@@ -195,7 +174,9 @@ impl<'a> Settling<'a> {
             let lasting = self.lasting(touched, zeno.as_ref(), jump)?;
             let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
             falling.retain(|position| held.insert(*position));
-            if falling.is_empty() {
+            let is_struck = falling.is_empty() && self.impacts(touched, jump)?;
+            if falling.is_empty() && !is_struck {
+                self.rub_meanwhile(&lasting, zeno.as_ref(), jump)?;
                 return Ok((lasting, zeno));
             }
             jump.record.others.truncate(others);
@@ -212,153 +193,16 @@ impl<'a> Settling<'a> {
     /// Contacts that are not held and close at once: they stand, or open for less than the shortest step.
     fn falling_back(&self, lasting: &Lasting, touched: &Touched) -> Vec<usize> {
         let Touch { gap, rate, blur, pairs, .. } = &self.touch;
-        let shortest = SHORTEST * self.now.time.abs();
         let is_held = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
         let falls_back = |position: &usize| {
             let (position, then) = (*position, self.then[*position]);
             let may_touch = !is_held(position) && !touched.left.contains(&pairs[position]);
             let touches = may_touch && gap[position].abs() <= blur[position];
-            let is_short = rate[position] > 0.0 && flight(0.0, rate[position], then) <= shortest;
+            let is_short = rate[position] > 0.0 && flight(0.0, rate[position], then) <= self.shortest();
             let falls = then < -self.zero() && (self.stands(position) || is_short);
             touches && falls && self.equations.pairs()[pairs[position]].is_rigid()
         };
         (0..pairs.len()).filter(falls_back).collect()
-    }
-
-    /// Velocities after the impacts of this instant, if anything closes.
-    fn impact(&mut self, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let rate = self.of(&self.touch.rate);
-        let closes = |i: usize| rate[i] < -STANDS * self.speed[self.part[i]];
-        if !(0..rate.len()).any(closes) {
-            return Ok(());
-        }
-        let restitution = self.of(&self.touch.restitution);
-        self.impulses = if self.is_rough() { self.rough_impulses()? } else { self.smooth_impulses()? };
-        self.apply(&self.impulses.clone(), jump)?;
-        let target = -restitution.component_mul(&rate);
-        self.refine(&target, jump)
-    }
-
-    /// Impulses of the impacts of this instant where nothing has friction.
-    fn smooth_impulses(&self) -> Result<DVector<f64>, Reason> {
-        let rule = self.equations.model().multiple_impacts;
-        let (rate, restitution) = (self.of(&self.touch.rate), self.of(&self.touch.restitution));
-        let push = impulses(rule, &self.response(&self.part), &rate, &restitution);
-        let push = push.ok_or_else(|| match rule {
-            MultipleImpacts::Sequential => self.endless(),
-            MultipleImpacts::Simultaneous => self.unsolved("impact"),
-        });
-        Ok(self.whole(&self.part, &push?))
-    }
-
-    /// Takes the rounding of the impulses out of the rates where they are known, each what its restitution makes of it: a ball that
-    /// bounces for long makes the same rounding each time.
-    fn refine(&mut self, target: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let off = self.of(&self.touch.rate) - target;
-        let is_known = |i: usize| off[i].abs() <= REBOUNDS * self.speed[self.part[i]];
-        let mut rows = if (0..off.len()).all(is_known) { self.part.clone() } else { vec![] };
-        let mut off = self.whole(&self.part, &off);
-        for slip in self.standing_slips() {
-            off[slip] = self.touch.slips.rate[slip - self.touch.pairs.len()];
-            rows.push(slip);
-        }
-        if rows.is_empty() {
-            return Ok(());
-        }
-        // Contacts that are not independent keep what rounding left.
-        let Some(missing) = standing(&self.touch.response, &off, &rows) else { return Ok(()) };
-        self.apply(&missing, jump)
-    }
-
-    /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.
-    fn zeno(&self) -> Option<Ending> {
-        if self.impulses.amax() == 0.0 {
-            return None;
-        }
-        let size = self.touch.size;
-        let size = if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
-        // What is lower than the rounding of its gap, which is large far from the origin, never ends by itself.
-        let blur = self.part.iter().map(|position| self.touch.blur[*position]).fold(0.0, f64::max);
-        let lowest = blur.max(LOWEST * size);
-        let may_end = |position: &usize| {
-            let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
-            rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
-        };
-        let stands = |position: usize| self.stands(position) && self.part.contains(&position);
-        // What closes now has no gap but for rounding, which late in a Zeno sequence is as large as the bounces.
-        let touches = |position: usize| {
-            self.part.contains(&position) && self.touch.gap[position].abs() <= self.touch.blur[position]
-        };
-        let Touch { gap, rate, .. } = &self.touch;
-        let gap = DVector::from_fn(gap.len(), |i, _| if stands(i) || touches(i) { 0.0 } else { gap[i] });
-        let rate = DVector::from_fn(rate.len(), |i, _| if stands(i) { 0.0 } else { rate[i] });
-        let low: Vec<usize> = (0..self.touch.pairs.len()).filter(may_end).collect();
-        let ends = |slow: Slow| self.ends(low.clone(), [&gap, &rate], lowest, slow);
-        let as_they_slip = ends(Slow::default());
-        // What slips and will not go as far as a bounce is high sticks; until it does it may let others fall that it holds then.
-        let slow = self.slow(&low, lowest);
-        let as_they_stick = if slow.pairs.is_empty() { None } else { ends(slow) };
-        let count = |ending: &Option<Ending>| ending.as_ref().map_or(0, |ending| ending.members.len());
-        if count(&as_they_stick) > count(&as_they_slip) { as_they_stick } else { as_they_slip }
-    }
-
-    /// How bounces end, of some contacts, with slips that are taken to have stopped; `None` if they do not.
-    fn ends(
-        &self,
-        low: Vec<usize>,
-        [gap, rate]: [&DVector<f64>; 2],
-        lowest: f64,
-        slow: Slow,
-    ) -> Option<Ending> {
-        let members = self.ending(low, [gap, rate], lowest, &slow.pairs)?;
-        let zeno = ZenoSequence {
-            rule: self.equations.model().multiple_impacts,
-            response: &self.response_with_friction(&members, &slow.pairs),
-            restitution: &self.some(&members, &self.touch.restitution),
-            free: &self.some(&members, &self.touch.free),
-            lowest,
-        };
-        let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate))?;
-        (time <= self.next_without(&members)).then_some(Ending { members, time, slow })
-    }
-
-    /// Of some contacts those that stand, and those whose bounces are too low to be followed and end before another contact comes: what
-    /// moves and is not pressed parts.
-    fn ending(
-        &self,
-        mut some: Vec<usize>,
-        [gap, rate]: [&DVector<f64>; 2],
-        lowest: f64,
-        slow: &BTreeSet<usize>,
-    ) -> Option<Vec<usize>> {
-        loop {
-            let response = self.response_with_friction(&some, slow);
-            let free = self.some(&some, &self.touch.free);
-            let (_, pushes) = pushing(&response, &free)?;
-            let falls = falls(&response, &free, &pushes);
-            let next = self.next_without(&some);
-            let ends = |(index, position): &(usize, &usize)| {
-                let (gap, rate) = (gap[**position], rate[**position]);
-                let (a, e) = (falls[*index], self.touch.restitution[**position]);
-                let stands = gap == 0.0 && rate == 0.0;
-                let is_low = is_low(gap, rate, a, lowest);
-                stands || (is_low && UNDISTURBED * alone(gap, rate, a, e) <= next)
-            };
-            let left: Vec<usize> =
-                some.iter().enumerate().filter(ends).map(|(_, position)| *position).collect();
-            if left.len() == some.len() {
-                return Some(left);
-            }
-            some = left;
-        }
-    }
-
-    /// Time until the first of all contacts but some closes, as they move now, s.
-    fn next_without(&self, some: &[usize]) -> f64 {
-        let Touch { gap, rate, free, .. } = &self.touch;
-        let others = (0..self.touch.pairs.len()).filter(|position| !some.contains(position));
-        let closes = |position: usize| flight(gap[position].max(0.0), rate[position], free[position]);
-        others.map(closes).fold(f64::INFINITY, f64::min)
     }
 
     /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
@@ -473,6 +317,11 @@ impl<'a> Settling<'a> {
         }
     }
 
+    /// No step is shorter, s.
+    fn shortest(&self) -> f64 {
+        SHORTEST * self.now.time.abs()
+    }
+
     /// An acceleration that is none.
     fn zero(&self) -> f64 {
         BALANCED * self.touch.strength
@@ -536,14 +385,6 @@ impl<'a> Settling<'a> {
     fn unsolved(&self, what: &str) -> Reason {
         let bodies = self.equations.body_names(&self.island);
         Reason::Model(format!("no impulses or forces were found for the {what} of {bodies}"))
-    }
-
-    /// Impacts one after the other at this instant that come to no end.
-    fn endless(&self) -> Reason {
-        let bodies = self.equations.body_names(&self.island);
-        Reason::Model(format!(
-            "impacts of {bodies} follow each other at one instant and come to no end, nor near one: take `impacts = \"simultaneous\"`"
-        ))
     }
 
     fn found(&self) -> Sizes {

@@ -6,11 +6,15 @@
 //! Until T has passed the surfaces have no friction; what is left out is of the order of its square.
 
 use nalgebra::DVector;
+use tumble_ode::Reason;
 
+use super::ending::Ending;
 use super::rubbing::Rubbing;
-use super::{Ending, Settling};
+use super::{Lasting, Settling};
 use crate::contact::complementarity::standing;
 use crate::contact::grip::Grip;
+use crate::mode::Mode;
+use crate::record::Jump;
 
 /// A slip that is left with less than this part of what friction takes of it meanwhile stops: what is left out is much less.
 const LEFT: f64 = 1e-6;
@@ -21,8 +25,20 @@ impl Settling<'_> {
         zeno.map(|zeno| zeno.time).filter(|time| self.now.time + time > self.now.time)
     }
 
+    /// Lets friction of what slides do at once what it does until the impacts have ended.
+    pub(super) fn rub_meanwhile(
+        &mut self,
+        lasting: &Lasting,
+        zeno: Option<&Ending>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
+        let (Some(time), Some(rubbing)) = (self.meanwhile(zeno), &lasting.rubbing) else { return Ok(()) };
+        let rubbed = self.rubbed(rubbing, time).ok_or_else(|| self.unsolved("contact"))?;
+        self.stop(&rubbed, jump)
+    }
+
     /// What friction of what slides does in a time, N s, with what keeps standing what stands.
-    pub(super) fn rubbed(&self, Rubbing { patches, found, .. }: &Rubbing, time: f64) -> Option<DVector<f64>> {
+    fn rubbed(&self, Rubbing { patches, found, .. }: &Rubbing, time: f64) -> Option<DVector<f64>> {
         let mut along = DVector::zeros(found.pushes.len());
         let sliding = patches.iter().zip(&found.grips).filter(|(_, grip)| matches!(grip, Grip::Slides(_)));
         for (position, row) in sliding.flat_map(|(patch, _)| &patch.contacts) {

@@ -1,30 +1,24 @@
-//! What an instant changes where surfaces have friction: impacts by Routh or all at once, then who sticks and who slides.
+//! What an instant changes where surfaces have friction: who sticks and who slides.
 
 use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
-use super::{Ending, Lasting, STANDS, Settling, Slow, Touched};
+use super::ending::Ending;
+use super::{Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::pair::{Alike, Pair};
+use crate::contact::pair::Alike;
 use crate::contact::rough::{Patch, Pushes, Rough};
-use crate::contact::routh::{Refused, Strike};
 use crate::contact::touch::stacked_column;
 use crate::contact::watched::Watched;
-use crate::friction::Restitution;
-use crate::laws::impact::{MultipleImpacts, fastest};
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
 
-/// Contacts that change each other's rates by less than this part of their own by an impulse do not influence each other.
-const COUPLED: f64 = 1e-12;
 /// A contact follows from others that bear more than this part of what it would.
 const FOLLOWS: f64 = 1e-6;
-/// Impacts one after the other at one instant that have not come to an end by then are refused.
-const MOST_SEQUENTIAL: usize = 10_000;
 
 /// Contacts with friction that last.
 pub(super) struct Rubbing {
@@ -34,59 +28,10 @@ pub(super) struct Rubbing {
     pub(super) found: Pushes,
 }
 
-/// What the restitution of a pair is the ratio of.
-fn law_of(pair: &Pair) -> Restitution {
-    pair.friction.as_ref().and_then(|friction| friction.restitution).unwrap_or_default()
-}
-
 impl Settling<'_> {
     /// Whether any that takes part has friction.
     pub(super) fn is_rough(&self) -> bool {
         self.part.iter().any(|position| self.touch.slips.at(*position).is_some())
-    }
-
-    /// Impulses of the impacts of this instant.
-    pub(super) fn rough_impulses(&mut self) -> Result<DVector<f64>, Reason> {
-        let mut all = DVector::zeros(self.touch.response.nrows());
-        for group in self.coupled(&self.part) {
-            let closes = |position: &usize| self.touch.rate[*position] < -STANDS * self.speed[*position];
-            if !group.iter().any(closes) {
-                continue;
-            }
-            let rule = self.equations.model().multiple_impacts;
-            all += match &group[..] {
-                [only] => self.routh(*only, &self.rates())?,
-                _ if rule == MultipleImpacts::Sequential => self.one_by_one(&group)?,
-                _ => self.at_once(&group, &self.rates())?,
-            };
-        }
-        Ok(all)
-    }
-
-    /// Some contacts, parted where impulses at some do nothing to others.
-    fn coupled(&self, some: &[usize]) -> Vec<Vec<usize>> {
-        let mut groups: Vec<Vec<usize>> = vec![];
-        for &position in some {
-            let (own, others): (Vec<_>, Vec<_>) = groups
-                .into_iter()
-                .partition(|group| group.iter().any(|other| self.are_coupled(position, *other)));
-            groups = others;
-            groups.push([own.concat(), vec![position]].concat());
-        }
-        groups.iter_mut().for_each(|group| group.sort_unstable());
-        groups.sort_unstable();
-        groups
-    }
-
-    fn are_coupled(&self, a: usize, b: usize) -> bool {
-        let response = &self.touch.response;
-        let [of_a, of_b] = [a, b].map(|position| {
-            let slip = self.touch.slips.at(position).map(|slip| self.touch.pairs.len() + slip);
-            [Some(position), slip]
-        });
-        let own = |i: usize, j: usize| libm::sqrt(response[(i, i)] * response[(j, j)]);
-        let mut entries = of_a.iter().flatten().flat_map(|i| of_b.iter().flatten().map(move |j| (*i, *j)));
-        entries.any(|(i, j)| response[(i, j)].abs() > COUPLED * own(i, j))
     }
 
     /// Index of what a row along a surface is of among all pairs.
@@ -99,101 +44,8 @@ impl Settling<'_> {
         stacked_column(&self.touch.rate, &self.touch.slips.rate)
     }
 
-    /// The impulse at one contact that strikes alone.
-    fn routh(&self, position: usize, rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
-        let (response, pair) = (&self.touch.response, &self.equations.pairs()[self.touch.pairs[position]]);
-        let mut all = DVector::zeros(response.nrows());
-        let restitution = self.touch.restitution[position];
-        let Some(slip) = self.touch.slips.at(position) else {
-            all[position] = -(1.0 + restitution) * rates[position] / response[(position, position)];
-            return Ok(all);
-        };
-        let row = self.touch.pairs.len() + slip;
-        let stands = rates[row].abs() <= STANDS * self.touch.slips.speed[slip];
-        let strike = Strike {
-            response: [response[(row, row)], response[(row, position)], response[(position, position)]],
-            before: [if stands { 0.0 } else { rates[row] }, rates[position]],
-            friction: self.touch.slips.friction[slip],
-            restitution,
-            law: law_of(pair),
-        };
-        let struck = strike.resolve().map_err(|refused| self.refused(position, refused))?;
-        [all[row], all[position]] = struck.impulse;
-        Ok(all)
-    }
-
-    fn refused(&self, position: usize, refused: Refused) -> Reason {
-        let name = &self.equations.pairs()[self.touch.pairs[position]].name;
-        Reason::Model(match refused {
-            Refused::Blocked => {
-                format!("`{name}` strikes, and nothing that pushes there parts it from the surface")
-            }
-            Refused::GainsEnergy(gain) => format!(
-                "`{name}` strikes with friction, and Newton's law of restitution would add {gain} J there (Kane's paradox): take \
-                 `law = \"poisson\"` or `law = \"stronge\"`, which never add energy"
-            ),
-        })
-    }
-
-    /// The fastest approach first, then the next; those that are equally fast together.
-    fn one_by_one(&self, group: &[usize]) -> Result<DVector<f64>, Reason> {
-        let mut rates = self.rates();
-        let mut all = DVector::zeros(rates.len());
-        for _ in 0..MOST_SEQUENTIAL {
-            let closes = |position: &usize| rates[*position] < -STANDS * self.speed[*position];
-            let closing: Vec<usize> = group.iter().copied().filter(closes).collect();
-            let first = fastest(closing.iter().map(|position| rates[*position]));
-            let first: Vec<usize> = first.into_iter().map(|index| closing[index]).collect();
-            if first.is_empty() {
-                return Ok(all);
-            }
-            let now = rates.clone();
-            for together in self.coupled(&first) {
-                let impulse = match &together[..] {
-                    [only] => self.routh(*only, &now)?,
-                    several => self.at_once(several, &now)?,
-                };
-                rates += &self.touch.response * &impulse;
-                all += impulse;
-            }
-        }
-        Err(self.endless())
-    }
-
-    /// Compression until nothing closes, then restitution gives back its part, and as much more as keeps the gaps from closing.
-    fn at_once(&self, group: &[usize], rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
-        self.refuse_other_laws(group)?;
-        let zero = STANDS * group.iter().map(|position| self.speed[*position]).fold(0.0, f64::max);
-        let given = DVector::zeros(rates.len());
-        let patches = self.patches(group, false);
-        let phase = |given| Rough { given, zero, ..self.rough(group, &patches, rates.clone()) };
-        let unsolved = || self.unsolved("impact");
-        let compressed = phase(given).solve().ok_or_else(unsolved)?;
-        let mut given = DVector::zeros(rates.len());
-        for position in group {
-            given[*position] = self.touch.restitution[*position] * compressed.pushes[*position];
-        }
-        if given.amax() == 0.0 {
-            return Ok(compressed.pushes);
-        }
-        let restored = Rough { without: compressed.then, ..phase(given) }.solve().ok_or_else(unsolved)?;
-        Ok(compressed.pushes + restored.pushes)
-    }
-
-    fn refuse_other_laws(&self, group: &[usize]) -> Result<(), Reason> {
-        let pairs = group.iter().map(|position| &self.equations.pairs()[self.touch.pairs[*position]]);
-        match pairs.into_iter().find(|pair| law_of(pair) != Restitution::Poisson) {
-            None => Ok(()),
-            Some(pair) => Err(Reason::Model(format!(
-                "`{}` strikes together with others, for which there is Poisson's law alone: write `law = \"poisson\"`, or \
-                 `impacts = \"sequential\"` to let one strike after the other",
-                pair.name
-            ))),
-        }
-    }
-
     /// What slips alike of some contacts, and, where it has a part, what turns; none of it is known to.
-    fn patches(&self, some: &[usize], with_rolling: bool) -> Vec<Patch> {
+    pub(super) fn patches(&self, some: &[usize], with_rolling: bool) -> Vec<Patch> {
         let mut patches: Vec<(Alike, Patch)> = vec![];
         let slips = some.iter().flat_map(|position| self.touch.slips.all_at(*position));
         for slip in slips.filter(|slip| with_rolling || !self.touch.slips.rolls[*slip]) {
@@ -316,8 +168,7 @@ impl Settling<'_> {
         let modes = self.held_by_friction(some, &rubbing, jump)?;
         // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
         let mut stopped = self.turned(&rubbing);
-        let meanwhile = self.meanwhile(zeno);
-        if let Some(time) = meanwhile {
+        if let Some(time) = self.meanwhile(zeno) {
             let stopping = self.stopping_within(&rubbing, time);
             jump.early = if stopping.is_empty() { jump.early } else { time.max(jump.early) };
             stopped.extend(stopping);
@@ -326,10 +177,6 @@ impl Settling<'_> {
             let mut touched = touched.clone();
             touched.stopped.extend(stopped);
             return self.lasting_with_friction([some, all], zeno, &touched, jump);
-        }
-        if let Some(time) = meanwhile {
-            let rubbed = self.rubbed(&rubbing, time).ok_or_else(|| self.unsolved("contact"))?;
-            self.stop(&rubbed, jump)?;
         }
         jump.record.others.extend(others);
         Ok(Lasting { modes, rubbing: Some(rubbing) })
@@ -393,22 +240,6 @@ impl Settling<'_> {
         };
         let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
         turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
-    }
-
-    /// Slips of some contacts that friction stops before they go as far as a bounce is high.
-    pub(super) fn slow(&self, some: &[usize], lowest: f64) -> Slow {
-        let slips = &self.touch.slips;
-        let mut slow = Slow::default();
-        for slip in (0..slips.of.len()).filter(|slip| some.contains(&slips.of[*slip]) && !slips.rolls[*slip])
-        {
-            let (rate, stopping) = (slips.rate[slip].abs(), slips.friction[slip][1] * self.touch.strength);
-            let moves = rate > STANDS * slips.speed[slip];
-            if moves && rate * rate <= 2.0 * stopping * lowest {
-                slow.pairs.insert(slips.pairs[slip]);
-                slow.time = slow.time.max(rate / stopping);
-            }
-        }
-        slow
     }
 
     /// Responses along the normals of some contacts, with the friction of those that slip now, but for the slow ones, and with the

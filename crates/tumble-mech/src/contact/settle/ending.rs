@@ -1,0 +1,141 @@
+//! Impacts that end by themselves, too low to be followed: who takes part, and how long they go on.
+
+use std::collections::BTreeSet;
+
+use nalgebra::DVector;
+
+use super::{STANDS, Settling};
+use crate::contact::complementarity::pushing;
+use crate::contact::touch::Touch;
+use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};
+use crate::coordinates::Measure;
+
+/// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
+const UNDISTURBED: f64 = 8.0;
+
+/// Impacts that end by themselves, too low to be followed.
+pub(super) struct Ending {
+    /// Who takes part, by position.
+    pub(super) members: Vec<usize>,
+    /// Time until they have ended, s.
+    pub(super) time: f64,
+    pub(super) slow: Slow,
+}
+
+/// Slips that end before they are anything.
+#[derive(Default)]
+pub(super) struct Slow {
+    /// Pairs that slip so.
+    pub(super) pairs: BTreeSet<usize>,
+    /// Time until the last of them has ended, s.
+    pub(super) time: f64,
+}
+
+impl Settling<'_> {
+    /// Time until the bounces that are left have ended, where they are too low to be followed; with who takes part.
+    pub(super) fn zeno(&self) -> Option<Ending> {
+        if self.impulses.amax() == 0.0 {
+            return None;
+        }
+        let size = self.touch.size;
+        let size = if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
+        // What is lower than the rounding of its gap, which is large far from the origin, never ends by itself.
+        let blur = self.part.iter().map(|position| self.touch.blur[*position]).fold(0.0, f64::max);
+        let lowest = blur.max(LOWEST * size);
+        let may_end = |position: &usize| {
+            let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
+            rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
+        };
+        let stands = |position: usize| self.stands(position) && self.part.contains(&position);
+        // What closes now has no gap but for rounding, which late in a Zeno sequence is as large as the bounces.
+        let touches = |position: usize| {
+            self.part.contains(&position) && self.touch.gap[position].abs() <= self.touch.blur[position]
+        };
+        let Touch { gap, rate, .. } = &self.touch;
+        let gap = DVector::from_fn(gap.len(), |i, _| if stands(i) || touches(i) { 0.0 } else { gap[i] });
+        let rate = DVector::from_fn(rate.len(), |i, _| if stands(i) { 0.0 } else { rate[i] });
+        let low: Vec<usize> = (0..self.touch.pairs.len()).filter(may_end).collect();
+        let ends = |slow: Slow| self.ends(low.clone(), [&gap, &rate], lowest, slow);
+        let as_they_slip = ends(Slow::default());
+        // What slips and will not go as far as a bounce is high sticks; until it does it may let others fall that it holds then.
+        let slow = self.slow(&low, lowest);
+        let as_they_stick = if slow.pairs.is_empty() { None } else { ends(slow) };
+        let count = |ending: &Option<Ending>| ending.as_ref().map_or(0, |ending| ending.members.len());
+        if count(&as_they_stick) > count(&as_they_slip) { as_they_stick } else { as_they_slip }
+    }
+
+    /// How bounces end, of some contacts, with slips that are taken to have stopped; `None` if they do not.
+    fn ends(
+        &self,
+        low: Vec<usize>,
+        [gap, rate]: [&DVector<f64>; 2],
+        lowest: f64,
+        slow: Slow,
+    ) -> Option<Ending> {
+        let members = self.ending(low, [gap, rate], lowest, &slow.pairs)?;
+        let zeno = ZenoSequence {
+            rule: self.equations.model().multiple_impacts,
+            response: &self.response_with_friction(&members, &slow.pairs),
+            restitution: &self.some(&members, &self.touch.restitution),
+            free: &self.some(&members, &self.touch.free),
+            lowest,
+        };
+        let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate))?;
+        (time <= self.next_without(&members)).then_some(Ending { members, time, slow })
+    }
+
+    /// Of some contacts those that stand, and those whose bounces are too low to be followed and end before another contact comes: what
+    /// moves and is not pressed parts.
+    fn ending(
+        &self,
+        mut some: Vec<usize>,
+        [gap, rate]: [&DVector<f64>; 2],
+        lowest: f64,
+        slow: &BTreeSet<usize>,
+    ) -> Option<Vec<usize>> {
+        loop {
+            let response = self.response_with_friction(&some, slow);
+            let free = self.some(&some, &self.touch.free);
+            let (_, pushes) = pushing(&response, &free)?;
+            let falls = falls(&response, &free, &pushes);
+            let next = self.next_without(&some);
+            let ends = |(index, position): &(usize, &usize)| {
+                let (gap, rate) = (gap[**position], rate[**position]);
+                let (a, e) = (falls[*index], self.touch.restitution[**position]);
+                let stands = gap == 0.0 && rate == 0.0;
+                let is_low = is_low(gap, rate, a, lowest);
+                stands || (is_low && UNDISTURBED * alone(gap, rate, a, e) <= next)
+            };
+            let left: Vec<usize> =
+                some.iter().enumerate().filter(ends).map(|(_, position)| *position).collect();
+            if left.len() == some.len() {
+                return Some(left);
+            }
+            some = left;
+        }
+    }
+
+    /// Time until the first of all contacts but some closes, as they move now, s.
+    fn next_without(&self, some: &[usize]) -> f64 {
+        let Touch { gap, rate, free, .. } = &self.touch;
+        let others = (0..self.touch.pairs.len()).filter(|position| !some.contains(position));
+        let closes = |position: usize| flight(gap[position].max(0.0), rate[position], free[position]);
+        others.map(closes).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Slips of some contacts that friction stops before they go as far as a bounce is high.
+    fn slow(&self, some: &[usize], lowest: f64) -> Slow {
+        let slips = &self.touch.slips;
+        let mut slow = Slow::default();
+        for slip in (0..slips.of.len()).filter(|slip| some.contains(&slips.of[*slip]) && !slips.rolls[*slip])
+        {
+            let (rate, stopping) = (slips.rate[slip].abs(), slips.friction[slip][1] * self.touch.strength);
+            let moves = rate > STANDS * slips.speed[slip];
+            if moves && rate * rate <= 2.0 * stopping * lowest {
+                slow.pairs.insert(slips.pairs[slip]);
+                slow.time = slow.time.max(rate / stopping);
+            }
+        }
+        slow
+    }
+}
