@@ -122,11 +122,6 @@ mod tests {
         assert_eq!(rows.iter().map(|row| row[0]).sum::<f64>(), 4.0);
         assert_eq!((Coefficients::default().len(), Coefficients::default().iter().len()), (0, 0));
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
 
     #[test]
     fn terms_that_do_not_count_are_left_out() {
