@@ -111,6 +111,10 @@ impl Equations {
             if (before == ContactMode::Pressed) == (force > 0.0) || force.abs() <= STANDS * size {
                 continue;
             }
+            // The depth of what has just come is rounding.
+            if self.is_at_surface(pair, now, jump)? {
+                continue;
+            }
             let roots = self.roots(&jump.mode);
             let pressed = self.let_go(pair, Watched::Force, now, jump)?;
             self.restate(&roots, pressed, now, jump)?;
