@@ -19,7 +19,7 @@ import json
 
 import mpmath as mp
 
-from taylor import states, text
+from taylor import product, states, text
 
 DIGITS = 34
 GRAVITY = "9.81"
@@ -121,11 +121,6 @@ class Wave:
         sine = product(self.cosine, self.rate, k - 1) / k
         self.cosine.append(cosine)
         self.sine.append(sine)
-
-
-def product(a, b, k):
-    """The coefficient of order k of a product."""
-    return mp.fdot(a[: k + 1], b[k::-1])
 
 
 def solved(matrix, right):

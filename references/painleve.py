@@ -19,7 +19,7 @@ import json
 
 import mpmath as mp
 
-from taylor import PRINTED, text
+from taylor import PRINTED, at, product, text
 
 # At the singular point B is the square of A and less.
 DIGITS = 70
@@ -37,11 +37,6 @@ CASES = {
     "lifts_off_late": {"mu": "1.5", "tan": "1.1", "rate": "0", "speed": "-6"},
     "singular": {"mu": "1.7", "tan": "0.9", "rate": "0", "speed": "-9"},
 }
-
-
-def product(a, b, n):
-    """Coefficient n of a product of series."""
-    return sum(a[i] * b[n - i] for i in range(n + 1))
 
 
 def series(state, mu, order):
@@ -67,10 +62,6 @@ def series(state, mu, order):
         v.append(slows / (n + 1))
         t.append(b[n] / (n + 1))
     return [q, w, v, t, work], a, b
-
-
-def at(coefficients, step):
-    return [mp.polyval(own[::-1], step) for own in coefficients]
 
 
 def energy(state):

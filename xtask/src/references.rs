@@ -16,6 +16,7 @@ const REFERENCES: &[(&str, &str)] = &[
     ("references/linkages.py", "crates/tumble/tests/reference/linkages.json"),
     ("references/rough.py", "crates/tumble/tests/reference/rough.json"),
     ("references/painleve.py", "crates/tumble/tests/reference/painleve.json"),
+    ("references/pin_friction.py", "crates/tumble/tests/reference/pin_friction.json"),
 ];
 
 const REQUIREMENTS: &str = "references/requirements.txt";

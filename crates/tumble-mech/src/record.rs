@@ -3,6 +3,7 @@
 use crate::contact::Change;
 use crate::equations::Equations;
 use crate::impulse::Impulse;
+use crate::others::Others;
 
 /// What a jump leaves to be known beside the states and modes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,15 +14,6 @@ pub struct Record {
     pub impulses: Vec<Impulse>,
     /// Where rigid bodies with friction might go on otherwise.
     pub others: Vec<Others>,
-}
-
-/// What is known of motions beside the one that goes on.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Others {
-    /// All that are possible, in sentences; the one that goes on keeps contacts as they were.
-    Possible(String),
-    /// There may be others: too many contacts take part for all to be tried.
-    Unexamined,
 }
 
 /// Something that happens at an instant; what it happens to is known by its index.
@@ -81,16 +73,6 @@ impl Record {
         self.happened.capacity() * size_of::<Happening>()
             + self.impulses.capacity() * size_of::<Impulse>()
             + self.others.iter().map(Others::held).sum::<usize>()
-    }
-}
-
-impl Others {
-    fn held(&self) -> usize {
-        let text = match self {
-            Self::Possible(text) => text.capacity(),
-            Self::Unexamined => 0,
-        };
-        size_of::<Self>() + text
     }
 }
 

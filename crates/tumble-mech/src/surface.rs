@@ -197,7 +197,12 @@ impl ContactLaw {
 
     /// Whether what is let go may still be inside the surface.
     pub(crate) fn releases_early(&self) -> bool {
-        matches!(self, Self::Spring { damping, release: Release::AtZeroForce, .. } if !is_identically_zero(damping))
+        match self {
+            Self::Spring { damping, release: Release::AtZeroForce, .. } | Self::Hertz { damping, .. } => {
+                !is_identically_zero(damping)
+            }
+            Self::Spring { .. } | Self::Rigid { .. } => false,
+        }
     }
 
     /// Whether it may pull before it lets go.

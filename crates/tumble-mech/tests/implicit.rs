@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{at, close, rigid, run};
+use common::{at, close, number, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Binary, Expr, Unary, Vector};
 use tumble_mech::{
@@ -136,6 +136,39 @@ fn a_rod_with_friction_in_its_pin_comes_to_rest() {
         let work: f64 =
             balance.contributions.iter().filter(|own| own.load == "rub").map(|own| own.work).sum();
         close(work, -0.5 * G * (found[1].cos() - 1.2_f64.cos()), 1e-11);
+    }
+}
+
+/// Every turn in time, and where, until it stands still for good, with the work of friction; from `references/pin_friction.py`.
+#[test]
+fn a_rod_with_friction_in_its_pin_decays_as_independent_numbers_say() {
+    let text = include_str!("../../tumble/tests/reference/pin_friction.json");
+    let json: serde_json::Value = serde_json::from_str(text).expect("valid JSON");
+    for (name, case) in json["cases"].as_object().expect("cases") {
+        let [arm, angle, rate] = ["arm", "angle", "rate"].map(|key| number(&case[key]));
+        let turns: Vec<[f64; 3]> = (case["turns"].as_array().expect("turns").iter())
+            .map(|turn| ["t", "angle", "work"].map(|key| number(&turn[key])))
+            .collect();
+        let [stop, rests, rubbed] = turns[turns.len() - 1];
+        for by_pivot in [true, false] {
+            let start = Start::default().angle(Expr::from(angle)).omega(rate / S);
+            let (model, rod) = hinged(rod(), by_pivot, start, |body, force| rubs(body, force, arm));
+            let run = run(model, stop + 1.0, 1e-13);
+            let motion = [rod.kinematics().angle(), rod.kinematics().omega()];
+            for [time, angle, _] in &turns {
+                let found = at(&run, *time, motion.clone());
+                close(found[0], *angle, 1e-13);
+                close(found[1], 0.0, 1e-12);
+            }
+            let last = run.events().last().expect("it stops").time;
+            close(last, stop, 1e-13);
+            assert_eq!(at(&run, stop + 1.0, motion), [at(&run, last, [rod.kinematics().angle()])[0], 0.0]);
+            close(at(&run, stop + 1.0, [rod.kinematics().angle()])[0], rests, 1e-13);
+            let balance = RunBalance::of(&run, [0.0, 0.0]).expect("a balance");
+            let work = balance.contributions.iter().filter(|own| own.load == "rub").map(|own| own.work);
+            close(work.sum(), rubbed, 1e-12);
+            println!("{name}: {} turns", turns.len());
+        }
     }
 }
 

@@ -2,12 +2,12 @@
 
 mod common;
 
-use common::{close, run};
+use common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    Action, Anchor, Body, ContactLaw, Event, Gravity, Happening, Joint, Model, Run, Spring, Start, Surface,
-    time,
+    Action, Anchor, Body, ContactLaw, Event, Friction, Gravity, Happening, Joint, Load, Model, Place, Run,
+    Spring, Start, Surface, time,
 };
 use tumble_ode::Direction;
 
@@ -168,4 +168,37 @@ fn what_lies_still_from_the_start_does_not_put_the_end_off() {
         action: Action::Stop,
     });
     assert_eq!(run(model, 60.0, 1e-12).end(), Some(1.0));
+}
+
+/// A mass of 1 kg that 2^20 N press on a floor with mu = 1/2, and 2^19 N pull along it, slips on as it is, however slowly and whatever else happens, and then,
+/// with `a` less of the pull, stops after `v/a` and `v^2/(2 a)`. What the load would do to a slip within the shortest
+/// step is no measure of it: after two minutes that is 1e-7 m/s.
+#[test]
+fn a_slow_slip_under_a_large_load_is_no_rest() {
+    let [load, less, begins] = [20.0_f64.exp2(), (-33.0_f64).exp2(), 128.0];
+    for slip in [-30.0_f64, -34.0, -38.0].map(f64::exp2) {
+        let mut model = Model::new();
+        let mass = model.add(Body::point("mass").mass(1 * KG));
+        model.starts.push(("mass".into(), Start::default().velocity([slip * M / S, 0 * M / S])));
+        model.surface(floor(0.0).with_friction(Friction::new(0.5)));
+        let mut pushed = |name: &str, force: [f64; 2], [from, to]: [f64; 2]| {
+            let force = Vector::planar(force[0] * N, force[1] * N);
+            let load = Load::force(name, "mass", Place::Material(mass.cm()), force);
+            model.loads.push(load.during(from * S, to * S));
+        };
+        pushed("press", [0.0, -load], [0.0, 1e3]);
+        pushed("pull", [0.5 * load, 0.0], [0.0, 1e3]);
+        pushed("drag", [-less, 0.0], [begins, 1e3]);
+        let (action, when) = (Action::Record, time() - 64 * S);
+        model.events.push(Event { name: "passes".into(), when, direction: Direction::Rising, action });
+        let run = run(model, 200.0, 1e-12);
+        let motion = mass.kinematics();
+        let motion = [motion.position().x().clone(), motion.velocity().x().clone()];
+        assert_eq!(at(&run, begins, motion.clone()), [slip * begins, slip]);
+        let stop = run.events().last().expect("it stops").time;
+        close(stop, begins + slip / less, 1e-15);
+        let [place, speed] = at(&run, 200.0, motion);
+        close(place / slip, begins + 0.5 * slip / less, 1e-13);
+        assert_eq!(speed, 0.0);
+    }
 }

@@ -6,7 +6,9 @@ mod common;
 use common::{at, model, plate, refused, rigid, rod, start};
 use tumble_expr::units::{M, N, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{BodyContact, Friction, Load, Model, Others, Place, Run, Surface};
+use tumble_mech::{
+    BodyContact, Friction, Load, Model, Others, Place, PossibleChange, PossibleContact, Run, Surface,
+};
 use tumble_ode::{Accuracy, Side};
 
 const G: f64 = 9.81;
@@ -122,9 +124,11 @@ fn what_sticks_goes_on_to_and_it_is_said_what_else_is_possible() {
     };
     let run = comes_to(&of(true), 0.26).expect("it goes on");
     let told = others(&run);
-    let [(time, Others::Possible(text))] = &told[..] else { panic!("{told:?}") };
+    let [(time, Others::Possible(motions))] = &told[..] else { panic!("{told:?}") };
     assert_eq!(*time, 0.25);
-    check(text);
+    check(&motions.told(&run.equations));
+    let taken = &motions.motions[motions.taken.expect("one goes on")];
+    assert!(matches!(taken[..], [PossibleContact { does: PossibleChange::Sticks { .. }, .. }]), "{taken:?}");
     // About its foot: `I = m L^2/3`.
     let alpha = at_side(&run, 0.25);
     let expected = 1.5 * (cos * across - sin * along);

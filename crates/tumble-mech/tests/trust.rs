@@ -6,9 +6,11 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use common::{bouncing_rod, hinged_rod, number, reference, rigid, spring, wind_pendulum};
-use tumble_expr::Expr;
-use tumble_expr::units::{KG, M, S};
-use tumble_mech::{Body, ContactLaw, Divergence, Gravity, Model, Run, RunError, Start, Surface, Trust};
+use tumble_expr::units::{KG, M, N, S};
+use tumble_expr::{Exponent, Expr};
+use tumble_mech::{
+    Body, ContactLaw, Divergence, Friction, Gravity, Model, Release, Run, RunError, Start, Surface, Trust,
+};
 use tumble_ode::{Accuracy, Reason};
 
 /// Largest ratio of the error stated to the true one, where that is above rounding: three digits.
@@ -185,4 +187,51 @@ fn is_brought_up_to_what_is_asked() {
     let found = trusted(&wind_pendulum(2.0), 60.0, 1e-6);
     println!("{:e} {:e}", found.1.reached, found.1.used);
     assert!(found.1.is_reached() || found.1.horizon.is_some());
+}
+
+/// Where a ball that rolls is let go of by what it bounces from, friction and what presses end together: in which order they are seen is rounding, and ends
+/// no digits.
+#[test]
+fn of_balls_that_roll_while_they_bounce() {
+    for step in 0..24 {
+        let part = f64::from(step) / 24.0;
+        let stiffness = 4e3 * N / (1 * M).powr(Exponent::new(3, 2));
+        let law = ContactLaw::Hertz { stiffness, damping: (0.3 + 3.0 * part) * S / M };
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(0 * M / (S * S));
+        let ball = model.add(Body::ball("ball", 0.9 * M).mass(1 * KG));
+        let start =
+            Start::default().at([300.0 * M, 5001.0 * M]).velocity([-(2.0 - part) * M / S, -1 * M / S]);
+        model.starts.push((ball.name.clone(), start.omega((0.1 + part) / S)));
+        let floor = Surface::floor("floor", 5000 * M, law);
+        model.surface(floor.with_friction(Friction::new(Expr::from(0.94))));
+        let (run, trust) = trusted(&model, 1.0, 1e-11);
+        assert_eq!(run.contacts().len(), 1);
+        assert!(trust.horizon.is_none(), "{step}: {:?}", trust.horizon);
+    }
+}
+
+/// What begins to be pressed has a depth of zero but for rounding, and a damper that hardly counts: it is no pull, and the contact does not end as it begins.
+#[test]
+fn of_balls_that_roll_as_they_come_down() {
+    for step in 0..12 {
+        let (stiffness, damping) = (0.026 * N / M, 1e-20 * N * S / M);
+        let law = ContactLaw::Spring { stiffness, damping, release: Release::AtZeroForce };
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(0 * M / (S * S));
+        let ball = model.add(Body::ball("ball", 0.2 * M).mass(0.0018 * KG));
+        let height = 4.2 + 0.1 * f64::from(step);
+        let start = Start::default().at([0 * M, height * M]).velocity([0.02 * M / S, -0.01 * M / S]);
+        model.starts.push((ball.name.clone(), start.omega(-0.1 / S)));
+        model.surface(Surface::floor("floor", 0 * M, law).with_friction(Friction::new(Expr::from(0.0242))));
+        let (run, trust) = trusted(&model, 1e3, 1e-5);
+        let told: Vec<_> = run.events().flat_map(|event| run.equations.names_of(&event.record)).collect();
+        assert_eq!(
+            told[..3],
+            ["start", "rolls", "end"].map(|what| format!("floor.ball.rim.{what}")),
+            "{step}"
+        );
+        assert!(run.contacts()[0].end > run.contacts()[0].start, "{step}");
+        assert!(trust.horizon.is_none(), "{step}: {:?}", trust.horizon);
+    }
 }

@@ -95,39 +95,12 @@ fn what_waits_for_an_event_that_does_not_happen_is_told() {
 }
 
 /// A rod that leans with friction 2 and stands while it is pressed along itself; then what pulls at it would let it stick, slide or lift off.
-const LEANING: &str = r#"
-    version = 1
-    world.gravity = "9.81 m/s^2"
-    run.until = "0.255 s"
-
-    [body.rod]
-    rod = { from = [0, 0], to = ["1 m", 0] }
-    mass = "1 kg"
-    start = { at = ["0.22360679774997896 m", "0.4472135954999579 m"], angle = "1.1071487177940904 rad" }
-
-    [surface.floor]
-    through = [0, 0]
-    normal = [0, 1]
-    rigid = { restitution = 0, friction = 2 }
-    on = ["rod.from"]
-
-    [force.press]
-    on = "rod"
-    at = "rod.cm"
-    force = ["-2*0.4472135954999579 N", "9.81 N - 2*0.8944271909999159 N"]
-    during = [0, "0.25 s"]
-
-    [force.pull]
-    on = "rod"
-    at = "rod.cm"
-    force = ["-5 N", "10.11 N"]
-    during = ["FROM", "1 s"]
-"#;
+const LEANING: &str = include_str!("../../tumble-report/src/tests/leaning.toml");
 
 /// It goes on to stick, which is told; where it did not stick before, nothing says that it does.
 #[test]
 fn motions_that_are_possible_besides_are_told() {
-    let cases = run_text("rod", &LEANING.replace("FROM", "0.25 s")).expect("a scene without mistakes");
+    let cases = run_text("rod", LEANING).expect("a scene without mistakes");
     let [said] = &cases[0].said.list[..] else { panic!("{:?}", cases[0].said.list) };
     assert_eq!(said.code.as_str(), "W0610");
     for words in [
@@ -139,8 +112,9 @@ fn motions_that_are_possible_besides_are_told() {
     ] {
         assert!(said.message.contains(words), "{}", said.message);
     }
-    let alone =
-        LEANING.replace("FROM", "0 s").replace("during = [0, \"0.25 s\"]", "during = [\"2 s\", \"3 s\"]");
+    let alone = LEANING
+        .replace("[\"0.25 s\", \"1 s\"]", "[0, \"1 s\"]")
+        .replace("[0, \"0.25 s\"]", "[\"2 s\", \"3 s\"]");
     let refused = run_text("rod", &alone).map(drop).expect_err("nothing says that it sticks");
     assert!(format!("{refused:?}").contains("3 motions are possible"), "{refused:?}");
 }

@@ -24,6 +24,7 @@ mod outlines;
 mod pair;
 mod pairs;
 mod possible;
+mod release;
 mod rough;
 mod routh;
 mod said;

@@ -182,10 +182,13 @@ impl Equations {
         let watched = |(pair, contact_mode): &(usize, ContactMode)| -> Vec<(usize, Watched, Direction)> {
             let gap = (*pair, Watched::Gap, Direction::Rising);
             match contact_mode {
-                ContactMode::Pressed if self.pairs()[*pair].releases_early() => {
-                    vec![(*pair, Watched::Force, Direction::Falling)]
+                ContactMode::Pressed => {
+                    let own = &self.pairs()[*pair];
+                    let force = own.releases_early().then_some((*pair, Watched::Force, Direction::Falling));
+                    // Of a damped spring the force comes down to zero first, always.
+                    let gap = Some(gap).filter(|_| force.is_none() || own.is_hertzian());
+                    gap.into_iter().chain(force).collect()
                 }
-                ContactMode::Pressed => vec![gap],
                 ContactMode::Released => vec![gap, (*pair, Watched::Force, Direction::Rising)],
                 ContactMode::Resting | ContactMode::Settling => {
                     vec![(*pair, Watched::Normal, Direction::Falling)]

@@ -1,12 +1,10 @@
 //! Contacts at an instant: what the integrator saw, sorted by body, and each body dealt with by its surfaces' laws.
 
-use tumble_expr::Expr;
 use tumble_ode::{Cause, Crossing, Direction, Reason};
 
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::settle::{BALANCED, STANDS, Touched};
-use crate::contact::start::TOUCHES;
 use crate::contact::touch::Now;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
@@ -126,14 +124,18 @@ impl Equations {
             }
             self.restate(&before, pressed, now, jump)?;
         }
+        self.turn_round(at, jump)?;
         let before = self.roots(&jump.mode);
         self.press_behind(&touching, now, jump)?;
         self.restate(&before, None, now, jump)?;
         self.refuse_common_beginning(jump)?;
         let mut impulses = Sizes::default();
         for (island, touched) in islands.iter().zip(touched) {
-            if let Some(touched) = touched {
-                impulses.add(self.settle(island, &touched, now, jump)?);
+            let Some(touched) = touched else { continue };
+            impulses.add(self.settle(island, &touched, now, jump)?);
+            // Impacts of others may have turned what presses round, and so who slips.
+            if self.turn_round(at, jump)? {
+                impulses.add(self.settle(island, &Touched::default(), now, jump)?);
             }
         }
         Ok(impulses)
@@ -239,90 +241,14 @@ impl Equations {
         Ok(())
     }
 
-    /// A pressed point comes back to the surface, or its force to zero. Where both do so at once but for rounding, it is clear. Who presses
-    /// again inside, if it does.
-    fn let_go(
-        &self,
-        index: usize,
-        watched: Watched,
-        now: Now<'_>,
-        jump: &mut Jump<Mode>,
-    ) -> Result<Option<usize>, Reason> {
-        let pair = &self.pairs()[index];
-        let (after, change) = match (watched, jump.mode.contact_mode(index)) {
-            (Watched::Force, Some(ContactMode::Pressed)) if self.is_at_surface(index, now, jump)? => {
-                jump.zeros.push((pair.guard_name(Watched::Gap), 1));
-                (None, Change::End)
-            }
-            (Watched::Force, Some(ContactMode::Pressed)) => (Some(ContactMode::Released), Change::End),
-            (Watched::Force, _) => (Some(ContactMode::Pressed), Change::Start),
-            (_, Some(ContactMode::Released)) => (None, Change::Clear),
-            _ => (None, Change::End),
-        };
-        jump.mode.set_contact_mode(index, after);
-        jump.mode.set_grip(index, None);
-        jump.record.happened.push(Happening::Contact { pair: index, change });
-        Ok(Some(index).filter(|_| after == Some(ContactMode::Pressed)))
-    }
-
-    /// A contact leaves where there may be one while it is pressed in. Another of the same two takes over what depth there is, a corner
-    /// from an edge, as the circle goes on about it; else what is stored is lost. Who takes over.
-    fn pass_on(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<Option<usize>, Reason> {
-        let Some(before) = jump.mode.contact_mode(index) else { return Ok(None) };
-        let next = self.next_to(index, now, jump)?;
-        let mut tell = |pair, change| jump.record.happened.push(Happening::Contact { pair, change });
-        match before {
-            ContactMode::Pressed => {
-                tell(index, Change::End);
-                next.into_iter().for_each(|next| tell(next, Change::Start));
-            }
-            _ if next.is_none() => tell(index, Change::Clear),
-            _ => {}
-        }
-        jump.mode.set_contact_mode(index, None);
-        jump.mode.set_grip(index, None);
-        next.into_iter().for_each(|next| jump.mode.set_contact_mode(next, Some(before)));
-        Ok(next)
-    }
-
-    /// Of the pairs of the same two that are open, though they are in each other where that is a contact, the deepest that is no deeper than
-    /// a pair: nothing is gained.
-    fn next_to(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<Option<usize>, Reason> {
-        let own = &self.pairs()[index];
-        let is_open = |other: &usize| {
-            let pair = &self.pairs()[*other];
-            let of_same = pair.couple() == own.couple();
-            of_same && *other != index && !pair.is_rolling() && jump.mode.contact_mode(*other).is_none()
-        };
-        let values =
-            |formulas: &[Expr]| self.values(formulas, &jump.mode, now.time, &jump.states, now.inputs);
-        let known = values(&[-own.gap(), own.extents()])?;
-        let most = known[0] + TOUCHES * known[1];
-        let mut deepest = (0.0, None);
-        for other in self.pair_list().of_body(own.body).filter(is_open) {
-            let pair = &self.pairs()[other];
-            let found = values(&[vec![-pair.gap()], pair.taken_within()].concat())?;
-            let is_contact = found[1..].iter().all(|limit| *limit >= 0.0);
-            if is_contact && found[0] > deepest.0 && found[0] <= most {
-                deepest = (found[0], Some(other));
-            }
-        }
-        Ok(deepest.1)
-    }
-
     /// The bodies of a pair with all that is coupled to them.
-    fn island_with(&self, pair: usize, mode: &Mode) -> Vec<usize> {
+    pub(super) fn island_with(&self, pair: usize, mode: &Mode) -> Vec<usize> {
         self.islands_with(mode, &[self.pairs()[pair].body], &[pair]).concat()
-    }
-
-    fn is_at_surface(&self, index: usize, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
-        let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
-        Ok(touch.position(index).is_some_and(|own| touch.gap[own].abs() <= touch.blur[own]))
     }
 
     /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those that the states are
     /// with; of what is pressed in as it comes the root is that of its depth.
-    fn restate(
+    pub(super) fn restate(
         &self,
         before: &[usize],
         pressed: Option<usize>,

@@ -2,7 +2,10 @@
 //! A compliant surface or body pushes with `N = k d + c d'` (spring and damper side by side) or, after Hertz with the
 //! damping of Hunt and Crossley, `N = k d^(3/2) (1 + c d')`, where d is the depth, the gap taken negative.
 //! A damped spring lets go when the force comes down to zero (the surface recovers on its own, slower than the body
-//! leaves) or when the body is back at the undeformed surface; by then the damper has pulled for a moment. The energy is
+//! leaves) or when the body is back at the undeformed surface; by then the damper has pulled for a moment. After Hertz the force is zero at
+//! the surface, whatever the damping, and also where others pull the two apart faster than 1/c: there too it lets go, and pushes again if they
+//! part slower while still in. So it is `N = k d^(3/2) max(0, 1 + c d')`: never more than `k d^(3/2)` on the way out, and no
+//! energy is gained. The energy is
 //! `V = k d^2 / 2` or, after Hertz, `V = (2/5) k d^(5/2)`. Both of two bodies have the force, on one line: that of the centres of two
 //! circles, and the normal of an edge.
 //! # Symbols and units
@@ -10,11 +13,13 @@
 //! # Sign and frame
 //! N is along the pair's normal, out of the solid, on the first body, and against it on another.
 //! # Validity
-//! Depths small against the body. Friction is a law of its own. After Hertz the force pulls if others pull the two apart faster than 1/c,
-//! which no rebound does. The power d^(3/2) has no Taylor series at first touch, so a Hertzian
+//! Depths small against the body. Friction is a law of its own. No rebound is faster than 1/c by itself. The power d^(3/2) has no Taylor series at first touch, so a Hertzian
 //! contact runs in a transformed time: with the root w of the depth and `dt = w ds` all rates are polynomials.
 //! # Source
-//! Hooke; Hertz 1882; Hunt and Crossley 1975, "Coefficient of restitution interpreted as damping in vibroimpact".
+//! Hooke; Hertz 1882; Hunt and Crossley 1975, "Coefficient of restitution interpreted as damping in vibroimpact", of approach and rebound,
+//! where 1 + c d' stays positive. That contacts do not pull is added where bodies are driven: Marhefka and Orin 1999, "A compliant contact model
+//! with nonlinear damping for simulation of robotic systems"; Azad and Featherstone 2010, "Modeling the contact between a rolling sphere and a
+//! compliant ground plane".
 //! # Checked by
 //! `tests/compliant.rs`: contact times on a spring with gravity, damped and Hertzian, in closed form; energy;
 //! `tests/compliant_bodies.rs`: the same between bodies, in bowls and at corners.
@@ -71,6 +76,17 @@ pub(crate) fn potential((index, pair): (usize, &Pair)) -> Option<Potential> {
         is_whole: is_identically_zero(damping),
         ..whole
     })
+}
+
+/// What has the sign of the force where a pair is in, in two parts, the second by its damping: the force, or of a Hertzian one what its
+/// elastic force is multiplied by.
+pub(crate) fn resistance(pair: &Pair) -> [Expr; 2] {
+    let Some((stiffness, damping)) = pair.law.coefficients() else { return [Expr::zero(), Expr::zero()] };
+    let damped = damping * -pair.gap_rate();
+    match pair.is_hertzian() {
+        true => [Expr::one(), damped],
+        false => [-(stiffness * pair.gap()), damped],
+    }
 }
 
 fn damped_force(pair: &Pair, stiffness: &Expr, damping: &Expr) -> Expr {

@@ -13,6 +13,7 @@ use super::part::{Part, Pusher, RowOf};
 use crate::contact::{Pair, WEDGED, Watched};
 use crate::coordinates::Measure;
 use crate::event::Event;
+use crate::laws::compliant::resistance;
 use crate::parameters::time_symbol;
 
 impl<A: Algebra> Linking<'_, A> {
@@ -128,11 +129,16 @@ impl<A: Algebra> Linking<'_, A> {
         let pair = &self.equations.pairs()[index];
         let formula = match watched {
             // The gap and the root of the depth vanish together; the root does so with a slope.
-            Watched::Gap if pair.is_hertzian() => {
+            Watched::Gap if pair.is_hertzian() && self.mode.is_pressed(index) => {
                 let root = self.algebra.leaf(&pair.root_symbol());
                 self.algebra.unary(Unary::Neg, root)
             }
             Watched::Gap => self.part(Part::Gap(index)).remove(0),
+            // The root of the depth is no state of what is let go.
+            Watched::Force if pair.is_hertzian() => {
+                let [elastic, damped] = resistance(pair);
+                self.formula(&(elastic + damped))
+            }
             Watched::Force => self.part(Part::Pressed(index)).remove(0),
             Watched::Normal => self.symbol(&pair.force_symbol()),
             Watched::Slip => self.part(Part::Slip(index)).remove(0),

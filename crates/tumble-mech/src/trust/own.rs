@@ -42,7 +42,12 @@ impl Own {
     pub(super) fn changes(&self, motion: &Motion<Equations>, event: &Occurrence<Record>) -> bool {
         let [before, after] = [event.mode_before, event.mode_after].map(|mode| &motion.modes[mode]);
         match self.is_all(before) && self.is_all(after) {
-            true => event.mode_before != event.mode_after || event.before != event.after,
+            true => {
+                // What was looked at and is as it was, such as friction that breaks where nothing presses any more: check runs round states anew
+                // there too.
+                let is_nothing = event.record.happened.is_empty() && event.record.impulses.is_empty();
+                event.mode_before != event.mode_after || (event.before != event.after && !is_nothing)
+            }
             false => {
                 // Check runs round all states anew at any event.
                 let is_moved = || self.states(before, &event.before) != self.states(after, &event.after);

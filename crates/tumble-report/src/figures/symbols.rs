@@ -183,6 +183,11 @@ pub(crate) fn the(name: &str) -> String {
     }
 }
 
+/// A point of a body in running text: `the tail`; the ends of a rod have names that are no words for them, `the end "from"`.
+pub(crate) fn the_point(name: &str) -> String {
+    if ["from", "to"].contains(&name) { format!("the end \u{201c}{name}\u{201d}") } else { the(name) }
+}
+
 /// A body or point in a list or a picture: `rod`, `link 6`.
 pub(crate) fn bare(name: &str) -> String {
     let spoken = the(name);

@@ -1,7 +1,9 @@
 //! What touches, what acts and what happens, in words: `the tail presses on the floor`.
 
 use tumble_expr::is_identically_zero;
-use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Others, Pair, Record};
+use tumble_mech::{
+    Change, ContactMode, Equations, Grip, Happening, Mode, Others, Pair, PossibleChange, Record, Way,
+};
 use tumble_ode::Occurrence;
 use tumble_scene::Study;
 
@@ -137,8 +139,8 @@ fn point(study: &Study, pair: &Pair) -> String {
     let point = symbols::last(&pair.name);
     match (is_round(pair) || pair.other.is_some(), study.model.bodies.len()) {
         (true, _) => body,
-        (false, 1) => symbols::the(point),
-        (false, _) => format!("{} of {body}", symbols::the(point)),
+        (false, 1) => symbols::the_point(point),
+        (false, _) => format!("{} of {body}", symbols::the_point(point)),
     }
 }
 
@@ -147,6 +149,55 @@ fn against(study: &Study, pair: &Pair) -> String {
     match pair.other {
         Some(other) => symbols::the(&study.model.bodies[other].name),
         None => symbols::the(pair.name.split('.').next().unwrap_or(&pair.name)),
+    }
+}
+
+/// What one contact would do, and the direction along it that is forward.
+pub(super) struct Course {
+    pub(super) pair: usize,
+    pub(super) does: PossibleChange,
+    pub(super) forward: [f64; 2],
+}
+
+/// `the foot slides to the left on the floor`, of all contacts in a motion.
+pub(super) fn contacts_that(
+    study: &Study,
+    equations: &Equations,
+    courses: impl Iterator<Item = Course>,
+) -> String {
+    let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
+    for course in courses {
+        let pair = &equations.pairs()[course.pair];
+        add(&mut groups, (course.verb(pair), against(study, pair)), point(study, pair));
+    }
+    let groups: Vec<String> = groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect();
+    groups.join(", ")
+}
+
+impl Course {
+    fn verb(&self, pair: &Pair) -> Verb {
+        let verb = match self.does {
+            PossibleChange::Opens { .. } => changes_to(Change::End),
+            PossibleChange::Stays { .. } => ["stays on", "stay on"],
+            PossibleChange::Sticks { .. } if is_round(pair) => ["rolls on", "roll on"],
+            PossibleChange::Sticks { .. } => changes_to(Change::Sticks),
+            PossibleChange::Slides { way, .. } => {
+                let direction = self.direction(way);
+                return ["slides", "slide"].map(|verb| format!("{verb} {direction} on"));
+            }
+        };
+        verb.map(str::to_owned)
+    }
+
+    /// `to the right`, by the larger part of it.
+    fn direction(&self, way: Way) -> &'static str {
+        let [x, y] = self.forward.map(|part| if way == Way::Forward { part } else { -part });
+        match (x.abs() >= y.abs(), x > 0.0, y > 0.0) {
+            (true, true, _) => "to the right",
+            (true, false, _) => "to the left",
+            (false, _, true) => "upwards",
+            (false, _, false) => "downwards",
+        }
     }
 }
 

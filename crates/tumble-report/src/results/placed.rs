@@ -117,7 +117,9 @@ fn other_motions(study: &Study, case: &Case, said: &mut Diagnostics) {
     let mut unexamined = vec![];
     for (time, others) in others {
         match others {
-            Others::Possible(motions) => said.extend(study.other_motions(time, motions)),
+            Others::Possible(motions) => {
+                said.extend(study.other_motions(time, &motions.told(&case.run.equations)));
+            }
             Others::Unexamined => unexamined.push(time),
         }
     }

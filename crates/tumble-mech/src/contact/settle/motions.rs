@@ -9,7 +9,8 @@ use crate::contact::grip::{Grip, Way};
 use crate::contact::possible::Motions;
 use crate::contact::rough::{Patch, Pushes};
 use crate::mode::Mode;
-use crate::record::{Jump, Others};
+use crate::others::{Beyond, Others, PossibleChange, PossibleContact, PossibleMotions};
+use crate::record::Jump;
 
 /// With more contacts, or surfaces, than this not all choices are tried: there are up to four for each.
 const MOST_EXAMINED: usize = 6;
@@ -19,7 +20,7 @@ impl Settling<'_> {
     pub(super) fn possible_motions(&self, some: &[usize], patches: &[Patch]) -> String {
         let forced: Vec<Option<Way>> = patches.iter().map(|patch| patch.slips).collect();
         match self.motions(some, patches, &forced) {
-            Some(motions) => self.listed(some, patches, &motions),
+            Some(motions) => self.listed(some, patches, &motions, None).told(self.equations),
             None => {
                 format!("Which of these it is was not examined: more than {MOST_EXAMINED} contacts take part")
             }
@@ -42,15 +43,16 @@ impl Settling<'_> {
         if motions.found.len() < 2 && !motions.is_unbounded {
             return Ok(None);
         }
-        let motions = self.listed(some, patches, &motions);
-        match self.goes_on(some, patches, found, &jump.mode) {
-            true => Ok(Some(Others::Possible(motions))),
-            false => Err(Reason::Model(format!(
-                "how {} goes on is not determined by rigid bodies with friction. {motions}. Leave a gap, take less friction, or a compliant \
-                 surface, on which it counts how hard bodies are pressed",
-                self.equations.body_names(&self.island)
-            ))),
+        let motions = self.listed(some, patches, &motions, Some(found));
+        if self.goes_on(some, patches, found, &jump.mode) {
+            return Ok(Some(Others::Possible(motions)));
         }
+        Err(Reason::Model(format!(
+            "how {} goes on is not determined by rigid bodies with friction. {}. Leave a gap, take less friction, or a compliant surface, on \
+             which it counts how hard bodies are pressed",
+            self.equations.body_names(&self.island),
+            motions.told(self.equations)
+        )))
     }
 
     /// `None` where they are too many.
@@ -74,46 +76,55 @@ impl Settling<'_> {
         some.iter().all(lasts) && patches.iter().zip(&found.grips).all(slips)
     }
 
-    fn listed(&self, some: &[usize], patches: &[Patch], motions: &Motions) -> String {
-        let listed: Vec<String> =
-            motions.found.iter().map(|motion| self.told(some, patches, motion)).collect();
-        let more = match (motions.is_unbounded, motions.is_between) {
-            (true, _) => "; and others, with larger forces",
-            (false, true) => "; and others between them",
-            (false, false) => "",
+    /// What each contact does in each motion; `taken` is the one that goes on.
+    fn listed(
+        &self,
+        some: &[usize],
+        patches: &[Patch],
+        found: &Motions,
+        taken: Option<&Pushes>,
+    ) -> PossibleMotions {
+        let motions = found.found.iter().map(|motion| self.each(some, patches, motion)).collect();
+        let off = |motion: &Pushes, taken: &Pushes| (&motion.then - &taken.then).amax();
+        let taken = taken.and_then(|taken| {
+            let numbered = found.found.iter().enumerate().map(|(index, motion)| (index, off(motion, taken)));
+            numbered.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(index, _)| index)
+        });
+        let beyond = match (found.is_unbounded, found.is_between) {
+            (true, _) => Beyond::LargerForces,
+            (false, true) => Beyond::Between,
+            (false, false) => Beyond::None,
         };
-        match listed.len() {
-            0 => "No motion without an impact is possible".into(),
-            1 => format!("One motion is possible: {}{more}", listed[0]),
-            count => format!("{count} motions are possible: {}{more}", listed.join("; or ")),
-        }
+        PossibleMotions { motions, taken, beyond }
     }
 
-    fn told(&self, some: &[usize], patches: &[Patch], motion: &Pushes) -> String {
-        let number = |value: f64| if value.abs() <= self.zero() { 0.0 } else { value };
+    fn each(&self, some: &[usize], patches: &[Patch], motion: &Pushes) -> Vec<PossibleContact> {
         let each = some.iter().map(|position| {
-            let name = &self.equations.pairs()[self.touch.pairs[*position]].name;
-            let patch = patches.iter().zip(&motion.grips).find_map(|(patch, grip)| {
-                let (_, row) = patch.contacts.iter().find(|(contact, _)| contact == position)?;
-                Some((patch, grip, number(motion.then[*row])))
-            });
-            let opening = number(motion.then[*position]);
-            if !motion.held.contains(position) && opening > 0.0 {
-                return format!("`{name}` opens with {opening} m/s^2");
-            }
-            let push = motion.pushes[*position];
-            let pushed = format!("the normal force {push} N");
-            match patch {
-                None => format!("`{name}` stays closed with {pushed}"),
-                Some((patch, Grip::Slides(way), change)) => {
-                    let is_without = patch.slips.is_none() && push == 0.0;
-                    let way = if is_without { Way::of(change) } else { *way };
-                    let way = if way == Way::Forward { "forward" } else { "backward" };
-                    format!("`{name}` slides {way} with {pushed}, its slip changing by {change} m/s^2")
-                }
-                Some(_) => format!("`{name}` sticks with {pushed}"),
-            }
+            let pair = self.touch.pairs[*position];
+            PossibleContact { pair, does: self.does(*position, patches, motion) }
         });
-        each.collect::<Vec<_>>().join(", ")
+        each.collect()
+    }
+
+    fn does(&self, position: usize, patches: &[Patch], motion: &Pushes) -> PossibleChange {
+        let number = |value: f64| if value.abs() <= self.zero() { 0.0 } else { value };
+        let acceleration = number(motion.then[position]);
+        if !motion.held.contains(&position) && acceleration > 0.0 {
+            return PossibleChange::Opens { acceleration };
+        }
+        let push = motion.pushes[position];
+        let patch = patches.iter().zip(&motion.grips).find_map(|(patch, grip)| {
+            let (_, row) = patch.contacts.iter().find(|(contact, _)| *contact == position)?;
+            Some((patch, grip, number(motion.then[*row])))
+        });
+        match patch {
+            None => PossibleChange::Stays { push },
+            Some((patch, Grip::Slides(way), change)) => {
+                let is_without = patch.slips.is_none() && push == 0.0;
+                let way = if is_without { Way::of(change) } else { *way };
+                PossibleChange::Slides { way, push, change }
+            }
+            Some(_) => PossibleChange::Sticks { push },
+        }
     }
 }

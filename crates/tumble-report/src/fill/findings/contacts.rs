@@ -40,7 +40,7 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     points.dedup();
     // A round body touches by its rim, which says nothing.
     let by: Vec<String> =
-        points.iter().filter(|point| *point != "rim").map(|point| symbols::the(point)).collect();
+        points.iter().filter(|point| *point != "rim").map(|point| symbols::the_point(point)).collect();
     let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
     let mut value = match contacts.len() {
         1 => Text::from(format!("once, {by}at ")),

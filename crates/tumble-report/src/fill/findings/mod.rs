@@ -7,6 +7,7 @@
 //! | [`turning`] | a body has turned by at least one full turn; how far a pivoted body swings; it turns back at intervals that agree; its small swings beside the gusts |
 //! | [`contacts`] | a body has touched a surface; what its first contact did to its speed and spin, and friction until it rolls, if it does; a lasting contact is lost |
 //! | [`rest`] | nothing moves faster than a small part of its greatest speed, up to the end |
+//! | [`possible`] | rigid contacts with friction would allow other motions from an instant on: which |
 //! | [`energy`] | the work of loads of one kind that have no potential is more than a part of the energies in the run; what joints pass on |
 //! | [`resonance`] | nothing is asked for, and one run of a short sweep swings by much more than the median of all |
 //!
@@ -14,6 +15,7 @@
 
 mod contacts;
 mod energy;
+mod possible;
 mod resonance;
 mod rest;
 mod said;
@@ -101,6 +103,7 @@ fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
         found.extend(contacts::lost(&seen)?);
         found.extend(rest::of(&seen)?);
     }
+    found.extend(possible::of(study, case)?);
     found.extend(energy::of(study, case));
     found.retain(Said::is_known);
     Ok(found)

@@ -135,3 +135,21 @@ fn how_far_a_pivoted_body_swings_is_told_where_nothing_else_is_asked() {
     );
     assert!(has(&found, "The rod swings between \u{2212}11.4592° and 11.4592°."), "{found:?}");
 }
+
+/// A rod whose foot sticks while it is pressed; then what pulls at it allows it to stick, to lift off or to slide to the left.
+#[test]
+fn motions_that_are_possible_besides_are_listed_by_what_contacts_do() {
+    let found = found(include_str!("../../tests/leaning.toml"));
+    let said = "Rigid bodies with friction could go on in 3 ways from 0.25 s on: ";
+    let said = found.iter().find_map(|text| text.strip_prefix(said)).expect("it is said");
+    let mut ways: Vec<&str> = said.trim_end_matches('.').split("; or ").collect();
+    ways.sort_unstable();
+    assert_eq!(
+        ways,
+        [
+            "the end \u{201c}from\u{201d} leaves the floor",
+            "the end \u{201c}from\u{201d} slides to the left on the floor",
+            "the end \u{201c}from\u{201d} sticks to the floor, as this run goes on"
+        ]
+    );
+}

@@ -10,10 +10,13 @@ mod impact;
 mod judge;
 mod measure;
 mod oscillator;
+mod pad;
+mod quadrature;
 mod real;
 mod setup;
 mod table;
 mod tally;
+mod touch;
 pub(crate) mod transfer;
 mod units;
 

@@ -75,6 +75,11 @@ impl Real {
         if exponent < 0 { 1 / whole } else { whole }
     }
 
+    /// A power of a positive number, by the parts of its exponent.
+    pub(crate) fn power_of(&self, [above, below]: [i64; 2]) -> Self {
+        (self.ln() * above / below).exp()
+    }
+
     pub(crate) fn sqrt(&self) -> Self {
         Self(self.0.sqrt())
     }

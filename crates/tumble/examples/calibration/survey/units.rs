@@ -18,6 +18,8 @@ pub(crate) const ACCELERATION: Measure = Measure([1, -2, 0]);
 pub(crate) const FORCE: Measure = Measure([1, -2, 1]);
 pub(crate) const STIFFNESS: Measure = Measure([0, -2, 1]);
 pub(crate) const DAMPING: Measure = Measure([0, -1, 1]);
+/// Of Hunt and Crossley's damping.
+pub(crate) const SLOWNESS: Measure = Measure([-1, 1, 0]);
 pub(crate) const MOMENTUM: Measure = Measure([1, -1, 1]);
 pub(crate) const ENERGY: Measure = Measure([2, -2, 1]);
 

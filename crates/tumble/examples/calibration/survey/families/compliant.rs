@@ -15,9 +15,9 @@
 //!
 //! Landau and Lifshitz, Mechanics, §§ 21 and 25.
 
-use super::super::oscillator::{Oscillator, State};
 use super::super::real::Real;
 use super::super::setup::{At, Given, Problem, Setup};
+use super::super::touch::{Fall, Touch};
 use super::super::units::{ACCELERATION, DAMPING, ENERGY, FORCE, LENGTH, MASS, SPEED, STIFFNESS, TIME};
 
 /// How long a contact is, in parts of the time before it.
@@ -56,7 +56,7 @@ pub(super) fn make(mut setup: Setup) -> Problem {
         Touch::heavy(&fall, &gravity.value, &frequency)
     } else {
         let half = &damping.value / &mass.value / 2;
-        Touch::damped(&fall, [&frequency, &half], release == "at zero force")
+        Touch::damped(&fall.speed, [&frequency, &half], release == "at zero force")
     };
     let lines = Lines { mass, stiffness, x, vx };
     let until = if with_weight {
@@ -73,50 +73,6 @@ struct Lines {
     stiffness: Given,
     x: Given,
     vx: Given,
-}
-
-/// When it comes down, and how fast.
-struct Fall {
-    time: Real,
-    speed: Real,
-}
-
-impl Fall {
-    fn new(gravity: &Real, height: &Real, rate: &Real) -> Self {
-        let speed = (rate.squared() + gravity * height * 2).sqrt();
-        Self { time: height * 2 / (&speed - rate), speed }
-    }
-}
-
-/// One contact: how long, how deep, and the speed after it.
-struct Touch {
-    duration: Real,
-    depth: Real,
-    after: Real,
-}
-
-impl Touch {
-    fn heavy(fall: &Fall, gravity: &Real, frequency: &Real) -> Self {
-        let v = &fall.speed;
-        let duration = (Real::pi() - (v * frequency / gravity).atan()) * 2 / frequency;
-        let rest = gravity / frequency.squared();
-        let depth = &rest + (rest.squared() + (v / frequency).squared()).sqrt();
-        Self { duration, depth, after: v.clone() }
-    }
-
-    fn damped(fall: &Fall, [frequency, half]: [&Real; 2], at_zero_force: bool) -> Self {
-        let swing = (frequency.squared() - half.squared()).sqrt();
-        let system = Oscillator { stiffness: frequency.squared(), damping: half * 2 };
-        let start = State { x: Real::zero(), v: fall.speed.clone() };
-        let turn = swing.atan2(half) / &swing;
-        let duration = match at_zero_force {
-            false => Real::pi() / &swing,
-            // Of the angles with this tangent the one from 0 to pi.
-            true => (half * &swing * 2).atan2(&(half.squared() * 2 - frequency.squared())) / &swing,
-        };
-        let after = -system.free(&start, &duration).v;
-        Self { depth: system.free(&start, &turn).x, duration, after }
-    }
 }
 
 const FIRST: &str = "floor.contact[1]";

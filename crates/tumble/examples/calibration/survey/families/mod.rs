@@ -6,13 +6,17 @@ mod compliant;
 mod extremes;
 mod glances;
 mod guards;
+mod hertz;
 mod impacts;
 mod linear;
 mod lines;
 mod pendulum;
 mod resists;
+mod rounds;
+mod rubs;
 mod slopes;
 mod spins;
+mod stands;
 mod stops;
 mod strikes;
 mod switches;
@@ -61,6 +65,10 @@ pub(crate) const FAMILIES: &[Family] = &[
     Family { name: "rod-strikes", make: strikes::rod },
     Family { name: "round-strikes", make: strikes::round },
     Family { name: "glances", make: glances::make },
+    Family { name: "hertz", make: hertz::make },
+    Family { name: "rounds", make: rounds::make },
+    Family { name: "rubs", make: rubs::make },
+    Family { name: "stands", make: stands::make },
 ];
 
 /// What the number of a problem that is drawn anew is raised by.
