@@ -154,7 +154,8 @@ fn table(table: &PrintedTable) -> String {
     let lines: Vec<_> = [head, rule].into_iter().chain(body).collect();
     let caption = text(&table.caption);
     let caption = if caption.is_empty() { caption } else { format!("**{caption}**") };
-    joined([caption, lines.join("\n"), paragraphs(&table.notes)])
+    let all = paragraphs(table.all_rows().as_slice());
+    joined([caption, lines.join("\n"), paragraphs(&table.notes), all])
 }
 
 fn identify(identify: &Identify) -> String {

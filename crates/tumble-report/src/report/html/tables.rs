@@ -29,8 +29,9 @@ pub(super) fn table(table: &PrintedTable) -> String {
     let rows: Vec<Vec<String>> = table.rows.iter().map(cells).collect();
     let grid = grid(&text(&table.caption), &table.columns, &rows, table.stacked);
     let grid = if rows.len() > FOLD { long(table, &grid) } else { grid };
-    let notes: String = table.notes.iter().map(|note| tagged("p", "note", &text(note))).collect();
-    grid + &notes
+    let notes: String =
+        table.notes.iter().chain(&table.all_rows()).map(|note| tagged("p", "note", &text(note))).collect();
+    if notes.is_empty() { grid } else { tagged("div", "", &(grid + &notes)) }
 }
 
 /// A long table: on the screen it folds, on paper all rows stand, in columns beside each other where they are short; what would fill
@@ -104,13 +105,13 @@ fn class(align: Align) -> &'static str {
 fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool, bool)) -> String {
     let cell = |(n, i): (usize, &usize)| {
         let (content, class) = (&row[*i], class(columns[*i].align));
-        let heading = escape(&columns[*i].heading.to_plain());
-        let name = if names { format!(" data-name=\"{heading}\"") } else { String::new() };
+        // What is a name has none of its column.
+        let is_named = names && !content.is_empty() && (n > 0 || !class.is_empty());
+        let head = if is_named { text(&columns[*i].heading) } else { String::new() };
+        let head = if head.is_empty() { head } else { format!("<span class=\"head\">{head} </span>") };
         match n {
-            // What is no name has the name of its column.
-            0 if class.is_empty() => format!("<th scope=\"row\">{content}</th>"),
-            0 => format!("<th scope=\"row\"{class}{name}>{content}</th>"),
-            _ => format!("<td{class}{name}>{content}</td>"),
+            0 => format!("<th scope=\"row\"{class}>{head}{content}</th>"),
+            _ => format!("<td{class}>{head}{content}</td>"),
         }
     };
     let cells: String = kept.iter().enumerate().map(cell).collect();
