@@ -7,7 +7,7 @@ use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
-use tumble_notation::{Left, Math, Notation, Printed, RateMark};
+use tumble_notation::{Left, Math, Notation, Printed};
 use tumble_scene::Study;
 
 use super::alike::Kind;
@@ -338,7 +338,7 @@ fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: No
 /// `theta''`
 fn second(names: &Names, study: &Study, body: usize) -> Left {
     let angle = study.model.bodies[body].kinematics().angle_symbol();
-    Left::symbol(Math::derivative(names.shown(&angle.name), 2, RateMark::Primes))
+    Left::symbol(Math::derivative(names.shown(&angle.name), 2))
 }
 
 fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {

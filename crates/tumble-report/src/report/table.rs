@@ -64,6 +64,13 @@ impl PrintedTable {
         self
     }
 
+    /// The columns with any content: others are left out.
+    pub(super) fn filled(&self) -> Vec<usize> {
+        let has_content =
+            |i: &usize| self.rows.iter().any(|row| row.get(*i).is_some_and(|cell| !cell.is_empty()));
+        (0..self.columns.len()).filter(has_content).collect()
+    }
+
     /// Where the rows are that it leaves out.
     pub(super) fn all_rows(&self) -> Option<Text> {
         self.file.as_ref().filter(|_| self.is_cut).map(|file| format!("All rows are in {file}.").into())
