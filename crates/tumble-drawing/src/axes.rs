@@ -231,6 +231,14 @@ mod tests {
     }
 
     #[test]
+    fn a_title_that_is_longer_than_its_axis_is_the_symbol_alone() {
+        let axis = Axis::new(Label::plain("angular velocity ").then(Label::symbol("omega")), "rad/s");
+        let title = |length: f64| axis.title_within(length).to_plain();
+        assert!(title(300.0).starts_with("angular velocity"));
+        assert!(title(60.0).starts_with('ω') && title(60.0).ends_with("(rad/s)"), "{}", title(60.0));
+    }
+
+    #[test]
     fn labels_have_room() {
         let axes = axes(-1000.0, 20.0);
         assert!(axes.area.x > axes.ticks[1].label_width(SMALL) + NORMAL);

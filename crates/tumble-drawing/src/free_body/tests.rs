@@ -224,3 +224,16 @@ fn sheets_without_panels_and_bodies_without_anything_are_drawn() {
 fn equal_input_gives_equal_bytes() {
     assert_eq!(five().svg().to_string(), five().svg().to_string());
 }
+
+#[test]
+fn an_arm_has_its_symbol_also_where_an_arrow_covers_it() {
+    let centre = [0.0, 1.0];
+    let pose = Pose { t: 0.0, x: centre[0], y: centre[1], angle: 0.0 };
+    let ball = Outline::Circle { centre: [0.0, 0.0], radius: 1.0 };
+    let body = FreeBodyDiagram::new(Label::plain("ball"), pose, vec![ball])
+        .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
+        .force(force(ArrowKind::Weight, "W", centre, [0.0, -1.96]))
+        .force(force(ArrowKind::Contact, "N", [0.0, 0.0], [0.0, 1.96]))
+        .arm(Label::symbol("r_rim"), [0.0, 0.0]);
+    assert!(sheet_of(body).svg().to_string().contains("rim"));
+}

@@ -462,7 +462,7 @@ fn shortest(study: &Study, notation: &Notation, condition: &Expr) -> Expr {
     let multiples = |formula: &Expr| {
         let whole = [-1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * formula);
         let scaled = sizes.iter().flat_map(|size| [formula * size, formula / size]);
-        whole.into_iter().chain([formula / 2]).chain(scaled).collect::<Vec<_>>()
+        whole.into_iter().chain([2, 3, 4].map(|factor| formula / factor)).chain(scaled).collect::<Vec<_>>()
     };
     let mut best = (written(notation, condition), condition.clone());
     loop {

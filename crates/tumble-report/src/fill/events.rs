@@ -64,3 +64,24 @@ fn accumulating(events: &[&Occurrence<Record>], told: &[String]) -> Vec<[usize; 
     let ends = (0..events.len()).filter(is_end).map(stretch);
     ends.filter(|[from, to]| *to >= from + LEAST_LEFT_OUT).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::{all, motions_of};
+
+    #[test]
+    fn of_a_zeno_sequence_the_first_impacts_and_the_end_are_told() {
+        let folder = all().find(|path| path.to_string_lossy().contains("09-bouncing-ball")).expect("a scene");
+        let (study, cases) = motions_of(&folder);
+        let table = of(&study, &cases[0]);
+        let rows: Vec<[String; 2]> = table.rows.iter().map(|row| [0, 1].map(|i| row[i].to_plain())).collect();
+        let cut = rows.iter().position(|[time, _]| time == "…").expect("a row for those left out");
+        let left_out = cases[0].run.events().count() - (rows.len() - 1);
+        assert_eq!(rows[cut][1], format!("{left_out} more of these, until 1.35526\u{a0}s"));
+        // The time of each is read as another one, and the end of the sequence is there.
+        assert!(rows[..cut].windows(2).all(|pair| pair[0][0] != pair[1][0]), "{rows:?}");
+        assert!(rows[cut + 1][1].contains("bounces no higher than can be followed"), "{rows:?}");
+        assert!(table.all_rows().is_some());
+    }
+}

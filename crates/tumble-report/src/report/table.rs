@@ -72,7 +72,7 @@ impl PrintedTable {
     }
 
     /// Where the rows are that it leaves out.
-    pub(super) fn all_rows(&self) -> Option<Text> {
+    pub(crate) fn all_rows(&self) -> Option<Text> {
         self.file.as_ref().filter(|_| self.is_cut).map(|file| format!("All rows are in {file}.").into())
     }
 }
