@@ -248,35 +248,24 @@ fn coordinates(study: &Study, index: usize) -> Vec<Coordinate> {
     let centre = body.mass_properties().centre;
     let at = start.at.unwrap_or(centre);
     let value = |formula: Option<Expr>| formula.unwrap_or_else(Expr::zero);
-    let turning = Coordinate {
+    let coordinate = |[position, velocity, acceleration]: [Symbol; 3], start: (Expr, Expr)| Coordinate {
         body: index,
-        position: k.angle_symbol(),
-        velocity: k.omega_symbol(),
-        acceleration: k.alpha_symbol(),
-        start: (value(start.angle), value(start.omega)),
+        position,
+        velocity,
+        acceleration,
+        start,
     };
+    let symbols = [k.angle_symbol(), k.omega_symbol(), k.alpha_symbol()];
+    let turning = coordinate(symbols, (value(start.angle), value(start.omega)));
     if study.model.pivot_of(&body.name).is_some() {
         return vec![turning];
     }
-    let ([x, y], [vx, vy], [ax, ay]) = (k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols());
     let speed = |axis: usize| start.velocity.as_ref().map_or_else(Expr::zero, |v| v[axis].clone());
-    vec![
-        Coordinate {
-            body: index,
-            position: x,
-            velocity: vx,
-            acceleration: ax,
-            start: (at[0].clone(), speed(0)),
-        },
-        Coordinate {
-            body: index,
-            position: y,
-            velocity: vy,
-            acceleration: ay,
-            start: (at[1].clone(), speed(1)),
-        },
-        turning,
-    ]
+    let symbols = [k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols()];
+    let along = |axis: usize| {
+        coordinate(symbols.each_ref().map(|both| both[axis].clone()), (at[axis].clone(), speed(axis)))
+    };
+    vec![along(0), along(1), turning]
 }
 
 fn motions(
