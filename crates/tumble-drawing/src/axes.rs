@@ -1,5 +1,6 @@
 //! The frame of a diagram: axes, ticks, their labels, and the plotting area.
 
+use crate::font::Face;
 use crate::rect::Rect;
 use crate::scale::{Range, Scale};
 use crate::svg::{Element, line};
@@ -38,6 +39,15 @@ impl Axis {
         Self { label, unit: unit.to_owned() }
     }
 
+    /// The title, or where it is longer than the axis that of the symbol alone, which captions explain.
+    fn title_within(&self, length: f64) -> Label {
+        let whole = self.title();
+        match symbol_of(&self.label).filter(|_| whole.width(NORMAL) > length) {
+            Some(label) => Self { label, unit: self.unit.clone() }.title(),
+            None => whole,
+        }
+    }
+
     /// The label with its unit in parentheses.
     pub fn title(&self) -> Label {
         if self.unit.is_empty() {
@@ -47,6 +57,12 @@ impl Axis {
         let open = self.label.clone().then(Label::plain(&format!("{space}(")));
         open.then(Label::unit(&self.unit)).then(Label::plain(")"))
     }
+}
+
+/// Where the symbol of a label such as `height y` begins.
+fn symbol_of(label: &Label) -> Option<Label> {
+    let begins = label.runs.iter().position(|run| run.face == Face::Italic)?;
+    Some(Label { runs: label.runs[begins..].to_vec() })
 }
 
 /// The blank between a symbol and its unit, a third of an em: an italic letter leans into a narrower one.
@@ -85,7 +101,7 @@ impl Axes {
         let y = Scale::new(ranges[1], area.bottom(), area.y);
         let y_wanted = (area.height / Y_SPACING).round() as usize;
         let ticks = [horizontal_ticks(&x, area.width), Ticks::new(ranges[1], y_wanted)];
-        Self { area, x, y, ticks, titles: axes.map(Axis::title) }
+        Self { area, x, y, ticks, titles: [axes[0].title(), axes[1].title_within(area.height)] }
     }
 
     /// Axes in a picture `width` pixels wide, whose plotting area of the given
@@ -163,9 +179,11 @@ impl Axes {
         let below = self.area.bottom() + GAP + SMALL * LEADING + crate::font::ASCENT * NORMAL;
         // Turned text has its descenders and subscripts on the right.
         let left = self.area.x - GAP - self.ticks[1].label_width(SMALL) - TITLE_DEPTH * NORMAL;
+        // Words that are longer than the axis are set smaller, as long as they are read.
+        let upward = (NORMAL * self.area.height / self.titles[1].width(NORMAL)).clamp(SMALL, NORMAL);
         let texts = [
             PlacedText::new(&self.titles[0], [x, below], NORMAL, TextAnchor::Middle),
-            PlacedText::new(&self.titles[1], [left, y], NORMAL, TextAnchor::Middle).upward(),
+            PlacedText::new(&self.titles[1], [left, y], upward, TextAnchor::Middle).upward(),
             PlacedText::new(&self.ticks[0].note, [self.area.right(), below], SMALL, TextAnchor::End),
             PlacedText::new(&self.ticks[1].note, [self.area.x, self.area.y - GAP], SMALL, TextAnchor::Start),
         ];
@@ -210,6 +228,14 @@ mod tests {
     fn axes(low: f64, high: f64) -> Axes {
         let axis = Axis::new(Label::symbol("x"), "m");
         Axes::fitted([&axis, &axis], [Range::new(low, high); 2], 640.0, 40.0, 300.0)
+    }
+
+    #[test]
+    fn a_title_that_is_longer_than_its_axis_is_the_symbol_alone() {
+        let axis = Axis::new(Label::plain("angular velocity ").then(Label::symbol("omega")), "rad/s");
+        let title = |length: f64| axis.title_within(length).to_plain();
+        assert!(title(300.0).starts_with("angular velocity"));
+        assert!(title(60.0).starts_with('ω') && title(60.0).ends_with("(rad/s)"), "{}", title(60.0));
     }
 
     #[test]

@@ -101,12 +101,6 @@ impl CurveFigure {
         Self { title, x, y, ..Self::default() }
     }
 
-    /// Adds a curve.
-    pub fn series(mut self, label: Label, points: Vec<[f64; 2]>) -> Self {
-        self.series.push(DataSeries { label, points, dotted: false });
-        self
-    }
-
     /// The drawing. Without data it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
         Layout::new(self, ALONE).draw()
@@ -385,8 +379,11 @@ mod tests {
 
     fn figure(points: Vec<[f64; 2]>) -> CurveFigure {
         let axis = |name| Axis::new(Label::symbol(name), "m");
-        CurveFigure::new(Label::plain("A <script>"), axis("t"), axis("theta"))
-            .series(Label::default(), points)
+        let curve = DataSeries { label: Label::default(), points, dotted: false };
+        CurveFigure {
+            series: vec![curve],
+            ..CurveFigure::new(Label::plain("A <script>"), axis("t"), axis("theta"))
+        }
     }
 
     #[test]

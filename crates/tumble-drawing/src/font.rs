@@ -23,9 +23,6 @@ const MISSING_GLYPH: f64 = 0.5;
 /// Height of capitals and figures above the baseline, in em.
 pub const CAP_HEIGHT: f64 = 0.645;
 
-/// Depth of descenders below the baseline, in em.
-pub const DESCENT: f64 = 0.24;
-
 /// Height of ascenders above the baseline, in em.
 pub const ASCENT: f64 = 0.73;
 

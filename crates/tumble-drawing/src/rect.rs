@@ -59,6 +59,11 @@ impl Rect {
         Self::new(self.x - margin, self.y - margin, self.width + 2.0 * margin, self.height + 2.0 * margin)
     }
 
+    /// The rectangle with more to its left and right.
+    pub(crate) fn wider(&self, by: f64) -> Self {
+        Self::new(self.x - by, self.y, self.width + 2.0 * by, self.height)
+    }
+
     /// Whether the point lies inside or on the edge.
     pub fn contains(&self, p: [f64; 2]) -> bool {
         (self.x..=self.right()).contains(&p[0]) && (self.y..=self.bottom()).contains(&p[1])

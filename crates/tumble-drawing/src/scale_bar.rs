@@ -2,11 +2,8 @@
 
 use crate::svg::{Element, PathData};
 use crate::text::{Label, PlacedText, TextAnchor};
-use crate::theme::{GAP, INK, LEADING, SMALL};
+use crate::theme::{INK, SMALL};
 use tumble_notation::numeral::round_decimal;
-
-/// Height of the bar with its label, in pixels.
-pub const HEIGHT: f64 = 2.0 * GAP + SMALL * LEADING;
 
 /// Greatest length of the bar in pixels; the least is a bit less than half of it.
 const LONGEST: f64 = 150.0;

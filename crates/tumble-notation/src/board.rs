@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use tumble_expr::{Expr, Named, Symbol, Written};
 
-use crate::layout::{Math, Operator, RateMark};
+use crate::layout::{Math, Operator};
 use crate::{MathError, Notation};
 
 impl Notation {
@@ -50,7 +50,7 @@ impl Board<'_> {
     /// A name; a prime behind it marks a rate.
     fn name(&self, name: &str) -> Math {
         match name.strip_suffix('\'') {
-            Some(of) => Math::derivative(&(self.shown)(of), 1, RateMark::Primes),
+            Some(of) => Math::derivative(&(self.shown)(of), 1),
             None => Math::symbol(&(self.shown)(name)),
         }
     }

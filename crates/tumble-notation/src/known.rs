@@ -17,7 +17,6 @@ const MOST: usize = 512;
 pub(crate) struct Key {
     pub(crate) symbols: BTreeMap<String, String>,
     pub(crate) positive: BTreeSet<String>,
-    pub(crate) time: String,
     pub(crate) automatic: bool,
     /// Names of definitions, and how many parts they have, which their order depends on.
     pub(crate) names: Vec<(String, usize)>,

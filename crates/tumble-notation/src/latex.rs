@@ -1,6 +1,6 @@
 //! Mathematics as LaTeX, for Markdown.
 
-use crate::layout::{Math, Operator, RateMark};
+use crate::layout::{Math, Operator};
 use crate::symbol::{self, Identifier};
 
 /// Functions that LaTeX knows by name.
@@ -26,7 +26,7 @@ pub fn latex(math: &Math) -> String {
             let cases: Vec<String> = cases.iter().map(case).collect();
             format!("\\begin{{cases}} {} \\end{{cases}}", cases.join(" \\\\ "))
         }
-        Math::Derivative { of, order, mark } => derivative(of, *order, *mark),
+        Math::Derivative { of, order } => derivative(of, *order),
         Math::Matrix(rows) => {
             let rows: Vec<String> =
                 rows.iter().map(|row| row.iter().map(latex).collect::<Vec<_>>().join(" & ")).collect();
@@ -115,18 +115,8 @@ fn case((value, condition): &(Math, Option<Math>)) -> String {
     }
 }
 
-fn derivative(of: &Identifier, order: u8, mark: RateMark) -> String {
-    let plain = head(of);
-    let marked = match (mark, order) {
-        (_, 0) => plain,
-        (RateMark::Dots, 1) => format!("\\dot{{{plain}}}"),
-        (RateMark::Dots, 2) => format!("\\ddot{{{plain}}}"),
-        _ => {
-            let primes = "'".repeat(usize::from(order));
-            return format!("{}{primes}", name(of, &plain));
-        }
-    };
-    name(of, &marked)
+fn derivative(of: &Identifier, order: u8) -> String {
+    format!("{}{}", name(of, &head(of)), "'".repeat(usize::from(order)))
 }
 
 /// Characters that LaTeX reads as commands become themselves.
@@ -152,8 +142,7 @@ mod tests {
     fn commands_and_braces() {
         assert_eq!(latex(&Math::symbol("theta")), "\\theta");
         assert_eq!(latex(&Math::symbol("v_max")), "v_{\\mathrm{max}}");
-        assert_eq!(latex(&Math::derivative("theta", 2, RateMark::Dots)), "\\ddot{\\theta}");
-        assert_eq!(latex(&Math::derivative("theta", 2, RateMark::Primes)), "\\theta''");
+        assert_eq!(latex(&Math::derivative("theta", 2)), "\\theta''");
         assert_eq!(latex(&Math::symbol("x").over(Math::digits(2))), "\\frac{x}{2}");
         assert_eq!(latex(&Math::symbol("|u|")), "\\left| u \\right|");
     }

@@ -23,15 +23,6 @@ pub enum Operator {
     Dot,
 }
 
-/// How derivatives by time are marked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum RateMark {
-    /// Dots above the letter.
-    Dots,
-    /// Primes behind it.
-    Primes,
-}
-
 /// A piece of mathematics.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Math {
@@ -70,14 +61,12 @@ pub enum Math {
     },
     /// Values with the conditions under which they hold; the last one's may be left out.
     Cases(Vec<(Self, Option<Self>)>),
-    /// Derivative by time.
+    /// Derivative by time, with primes.
     Derivative {
         /// Of what.
         of: Identifier,
         /// How often; 0 is not at all.
         order: u8,
-        /// How it is marked.
-        mark: RateMark,
     },
     /// Rows of a matrix; a vector has rows of one entry.
     Matrix(Vec<Vec<Self>>),
@@ -118,8 +107,8 @@ impl Math {
     }
 
     /// The derivative of that order of a symbol by time.
-    pub fn derivative(name: &str, order: u8, mark: RateMark) -> Self {
-        Self::Derivative { of: Identifier::parse(name), order, mark }
+    pub fn derivative(name: &str, order: u8) -> Self {
+        Self::Derivative { of: Identifier::parse(name), order }
     }
 
     /// `left = right`

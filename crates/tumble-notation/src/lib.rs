@@ -1,12 +1,12 @@
 //! Formulas as mathematics for people: short, in the usual order, and the very formulas that are integrated.
 //!
 //! [`Notation`] turns a [`tumble_expr::Expr`] by exact algebra into [`Math`], a small tree of what stands on paper, and
-//! [`mathml`], [`latex`] and [`text`] write it down. Each [`Line`] keeps what it shows as a formula, so that
+//! [`mathml_in_pieces`], [`latex`] and [`text`] write it down. Each [`Line`] keeps what it shows as a formula, so that
 //! anyone can put both to the test. [`page_font`] makes pages independent of the reader's fonts.
 //!
 //! ```
 //! use tumble_expr::{Dimension, Expr, units::S};
-//! use tumble_notation::{Left, Math, Notation, RateMark};
+//! use tumble_notation::{Left, Math, Notation};
 //!
 //! let (m, g, l) = (
 //!     Expr::symbol("m", Dimension::MASS),
@@ -16,7 +16,7 @@
 //! let theta = Expr::symbol("rod.angle", Dimension::NONE);
 //! let alpha = -(&l / 2 * theta.sin() * (&m * &g)) / (&m * &l * &l / 12 + &m * (&l / 2).powi(2));
 //! let notation = Notation::new().name("rod.angle", "theta").positive(["m", "L"]);
-//! let left = Left::symbol(Math::derivative("theta", 2, RateMark::Primes));
+//! let left = Left::symbol(Math::derivative("theta", 2));
 //! let shown = notation.equation(left, &alpha)?;
 //! assert_eq!(shown.text(), "θ″ = −(3 g/(2 L)) sin θ");
 //! # Ok::<(), tumble_notation::MathError>(())
@@ -47,8 +47,8 @@ pub use closed_form::{ClosedForm, integrate_twice, polynomial_in};
 pub use error::MathError;
 pub use font::{FAMILY, page_font};
 pub use latex::latex;
-pub use layout::{Math, Operator, RateMark};
-pub use mathml::{mathml, mathml_in_pieces};
+pub use layout::{Math, Operator};
+pub use mathml::mathml_in_pieces;
 pub use notation::{Left, Line, Notation, Printed};
 pub use symbol::{Identifier, is_letter};
 pub use text::text;

@@ -2,18 +2,14 @@
 
 mod pieces;
 
-use crate::layout::{Math, Operator, RateMark};
+use crate::layout::{Math, Operator};
 use crate::symbol::{self, Identifier};
+use crate::text::primes;
 
 /// The space between factors, as on paper.
 const THIN_SPACE: &str = "<mspace width=\"0.1667em\"/>";
 /// The sign of a function applied, which has no width.
 const APPLIED: &str = "<mo>\u{2061}</mo>";
-
-/// A `math` element that stands in a line of text.
-pub fn mathml(math: &Math) -> String {
-    format!("<math>{}</math>", element(math))
-}
 
 /// A formula in a line of text as `math` elements between which the line may be broken, none wider than a telephone if it
 /// can be helped.
@@ -55,7 +51,7 @@ fn element(math: &Math) -> String {
             let table = format!("<mtable>{rows}</mtable>");
             mrow(format!("<mo form=\"prefix\" stretchy=\"true\" fence=\"true\">{{</mo>{table}"))
         }
-        Math::Derivative { of, order, mark } => derivative(of, *order, *mark),
+        Math::Derivative { of, order } => derivative(of, *order),
         Math::Matrix(rows) => {
             let cell = |part: &Math| format!("<mtd>{}</mtd>", element(part));
             let row = |row: &Vec<Math>| format!("<mtr>{}</mtr>", row.iter().map(cell).collect::<String>());
@@ -218,31 +214,22 @@ fn case((value, condition): &(Math, Option<Math>)) -> String {
     )
 }
 
-fn derivative(of: &Identifier, order: u8, mark: RateMark) -> String {
-    let plain = head(of);
-    let dots = ["", "˙", "¨"].get(usize::from(order));
-    match (mark, dots) {
-        (_, Some(&"")) => name(of),
-        (RateMark::Dots, Some(dots)) => {
-            let dotted =
-                format!("<mover>{plain}<mo stretchy=\"false\" style=\"math-depth: 0\">{dots}</mo></mover>");
-            with_subscript(&dotted, of)
-        }
-        _ => primed(of, &plain, order),
+fn derivative(of: &Identifier, order: u8) -> String {
+    if order == 0 {
+        return name(of);
     }
-}
-
-fn primed(of: &Identifier, plain: &str, order: u8) -> String {
-    let primes = ["", "′", "″", "‴"].get(usize::from(order));
-    let primes = primes.map_or_else(|| "′".repeat(usize::from(order)), |sign| (*sign).to_owned());
-    let primes = format!("<mo lspace=\"0\" rspace=\"0\">{primes}</mo>");
+    let primes = format!("<mo lspace=\"0\" rspace=\"0\">{}</mo>", primes(order));
     // The sign has its size and height by itself.
-    with_subscript(&mrow(format!("{plain}{primes}")), of)
+    with_subscript(&mrow(format!("{}{primes}", head(of))), of)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn mathml(math: &Math) -> String {
+        format!("<math>{}</math>", element(math))
+    }
 
     #[test]
     fn names_cannot_become_markup() {
@@ -271,8 +258,7 @@ mod tests {
             x().over(Math::Root(Box::new(x().raised_to(Math::digits(2))))),
             Math::Cases(vec![(x(), Some(x())), (x(), None)]),
             Math::Matrix(vec![vec![x()]]),
-            Math::derivative("theta_1", 2, RateMark::Dots),
-            Math::derivative("theta_1", 3, RateMark::Primes),
+            Math::derivative("theta_1", 3),
         ]);
         for tag in mathml(&all).split('<').skip(1) {
             let name: String =

@@ -11,25 +11,21 @@ use crate::print::Printer;
 use crate::spelling::shown_leaves;
 use crate::{MathError, order};
 
+/// The name of the time, by whose powers sums are ordered.
+const TIME: &str = "t";
+
 /// How formulas are shown.
 #[derive(Clone, Debug)]
 pub struct Notation {
     symbols: BTreeMap<String, String>,
     positive: BTreeSet<String>,
     definitions: Vec<(String, Expr)>,
-    time: String,
     automatic: bool,
 }
 
 impl Default for Notation {
     fn default() -> Self {
-        Self {
-            symbols: BTreeMap::new(),
-            positive: BTreeSet::new(),
-            definitions: vec![],
-            time: "t".to_owned(),
-            automatic: true,
-        }
+        Self { symbols: BTreeMap::new(), positive: BTreeSet::new(), definitions: vec![], automatic: true }
     }
 }
 
@@ -120,13 +116,6 @@ impl Notation {
         self
     }
 
-    /// The name of the time, by whose powers sums are ordered; `t` unless said.
-    #[must_use]
-    pub fn time(mut self, name: impl Into<String>) -> Self {
-        self.time = name.into();
-        self
-    }
-
     /// Without names of its own making for long parts that repeat. Parts too long to work with still get one.
     #[must_use]
     pub fn without_automatic_names(mut self) -> Self {
@@ -169,7 +158,6 @@ impl Notation {
         Key {
             symbols: self.symbols.clone(),
             positive: self.positive.clone(),
-            time: self.time.clone(),
             automatic: self.automatic,
             names: self.definitions.iter().map(|(name, formula)| (name.clone(), size(formula))).collect(),
             lefts: sides.iter().map(|(side, _)| side.as_ref().map(left)).collect(),
@@ -237,7 +225,7 @@ impl Notation {
         let automatic = self.automatic_names(algebra, &used);
         let bodies: Vec<Id> = used.iter().map(|index| algebra.definitions[*index].body).collect();
         let formulas: Vec<Expr> = roots.iter().chain(&bodies).map(|id| algebra.export(*id)).collect();
-        let time = algebra.symbols.iter().position(|leaf| leaf.name == self.time);
+        let time = algebra.symbols.iter().position(|leaf| leaf.name == TIME);
         let time = time.map(|index| algebra.leaf(algebra.symbols[index].clone()));
         let shown = shown_leaves(algebra, &self.symbols, &automatic);
         let printer = Printer::new(algebra, shown, time);

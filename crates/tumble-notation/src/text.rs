@@ -1,6 +1,6 @@
 //! Mathematics on one line of Unicode text.
 
-use crate::layout::{Math, Operator, RateMark};
+use crate::layout::{Math, Operator};
 use crate::symbol::Identifier;
 
 /// One line, such as `θ″ = −(3 g/(2 L)) sin θ`.
@@ -21,7 +21,7 @@ pub fn text(math: &Math) -> String {
             let cases: Vec<String> = cases.iter().map(case).collect();
             format!("{{{}}}", cases.join("; "))
         }
-        Math::Derivative { of, order, mark } => derivative(of, *order, *mark),
+        Math::Derivative { of, order } => derivative(of, *order),
         Math::Matrix(rows) => {
             let rows: Vec<String> =
                 rows.iter().map(|row| row.iter().map(text).collect::<Vec<_>>().join(", ")).collect();
@@ -137,13 +137,12 @@ fn case((value, condition): &(Math, Option<Math>)) -> String {
     }
 }
 
-fn derivative(of: &Identifier, order: u8, mark: RateMark) -> String {
-    let (dots, primes) = (["", "\u{307}", "\u{308}"], ["", "′", "″", "‴"]);
-    let known = match mark {
-        RateMark::Dots => dots.get(usize::from(order)),
-        RateMark::Primes => primes.get(usize::from(order)),
-    };
-    let marks = known.map_or_else(|| "′".repeat(usize::from(order)), |mark| (*mark).to_owned());
-    let marked = Identifier { head: format!("{}{marks}", of.head), ..of.clone() };
-    name(&marked)
+fn derivative(of: &Identifier, order: u8) -> String {
+    name(&Identifier { head: format!("{}{}", of.head, primes(order)), ..of.clone() })
+}
+
+/// The sign of a derivative of that order.
+pub(crate) fn primes(order: u8) -> String {
+    let known = ["", "′", "″", "‴"].get(usize::from(order));
+    known.map_or_else(|| "′".repeat(usize::from(order)), |sign| (*sign).to_owned())
 }

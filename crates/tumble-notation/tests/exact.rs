@@ -269,7 +269,8 @@ fn timed(name: &str, work: impl FnOnce() -> Result<usize, MathError>) {
 fn characters(formula: &Expr) -> Result<usize, MathError> {
     let shown = Notation::new().formula(formula)?;
     let lines = shown.lines.iter().chain(&shown.definitions);
-    let written = |math: &Math| tumble_notation::text(math).len() + tumble_notation::mathml(math).len();
+    let written =
+        |math: &Math| tumble_notation::text(math).len() + tumble_notation::mathml_in_pieces(math).len();
     Ok(lines.map(|line| written(&line.math())).sum())
 }
 

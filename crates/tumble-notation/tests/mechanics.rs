@@ -4,7 +4,7 @@ mod common;
 
 use common::{assert_same, force, g, length, mass, omega, pure, speed, t};
 use tumble_expr::{Dimension, Expr, Symbol, Vector};
-use tumble_notation::{Left, Math, Notation, Printed, RateMark, integrate_twice, polynomial_in};
+use tumble_notation::{Left, Math, Notation, Printed, integrate_twice, polynomial_in};
 
 const POSITIVE: [&str; 5] = ["m", "M", "L", "R", "I"];
 
@@ -82,7 +82,7 @@ fn drag_coefficient() -> Expr {
 }
 
 fn theta2() -> Left {
-    Left::symbol(Math::derivative("theta", 2, RateMark::Primes))
+    Left::symbol(Math::derivative("theta", 2))
 }
 
 fn shell() -> (Expr, Expr) {
@@ -121,10 +121,10 @@ fn pendulum_with_resistance_at_its_tip() {
         show(&notation(), theta2(), &alpha),
         "θ″ = (3 D/(m L)) √((w − L ω cos θ)² + L² ω² sin² θ) (w cos θ − L ω) − (3 g/(2 L)) sin θ"
     );
-    let left = Left::times(&inertia, Math::derivative("theta", 2, RateMark::Dots));
+    let left = Left::times(&inertia, Math::derivative("theta", 2));
     assert_eq!(
         show(&notation(), left, &alpha),
-        "(m L²/3) θ̈ = D L √((w − L ω cos θ)² + L² ω² sin² θ) (w cos θ − L ω) − (m g L/2) sin θ"
+        "(m L²/3) θ″ = D L √((w − L ω cos θ)² + L² ω² sin² θ) (w cos θ − L ω) − (m g L/2) sin θ"
     );
 }
 
@@ -144,7 +144,7 @@ fn pendulum_with_normal_resistance() {
         show(&named, theta2(), &alpha),
         "θ″ = (3 D/(m L)) |u| u − (3 g/(2 L)) sin θ\nwhere u = w cos θ − L ω"
     );
-    let left = Left::times(&inertia, Math::derivative("theta", 2, RateMark::Primes));
+    let left = Left::times(&inertia, Math::derivative("theta", 2));
     assert_eq!(
         show(&named, left, &alpha),
         "(m L²/3) θ″ = D L |u| u − (m g L/2) sin θ\nwhere u = w cos θ − L ω"
@@ -206,16 +206,16 @@ fn kicked_ball_in_closed_form() {
 
 #[test]
 fn a_later_phase_counts_its_own_time() {
-    let (time, s) = (Symbol::new("t", Dimension::TIME), Symbol::new("s", Dimension::TIME));
+    let (time, s) = (Symbol::new("T", Dimension::TIME), Symbol::new("t", Dimension::TIME));
     let start = Expr::symbol("t_1", Dimension::TIME);
     let jerk = Expr::symbol("j", Dimension::new(1, 0, -3));
     let acceleration = &jerk * (Expr::from(time.clone()) - &start) - g();
     let (x, v) = (length("x_1"), speed("v_1"));
     let motion = integrate_twice(&acceleration, (&time, &start), &s, (&x, &v)).expect("a polynomial");
-    let notation = notation().time("s");
+    let notation = notation();
     let line = |formula: &Expr| notation.formula(formula).expect("short").text();
-    assert_eq!(line(&motion.position), "x₁ + v₁ s − g s²/2 + j s³/6");
-    assert_eq!(line(&motion.velocity), "v₁ − g s + j s²/2");
+    assert_eq!(line(&motion.position), "x₁ + v₁ t − g t²/2 + j t³/6");
+    assert_eq!(line(&motion.velocity), "v₁ − g t + j t²/2");
 }
 
 #[test]

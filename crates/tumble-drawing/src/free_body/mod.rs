@@ -17,7 +17,7 @@
 //!     .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
 //!     .force(Arrow::new(ArrowKind::Weight, Label::markup("$m$ $g$"), [0.0, 0.3], [0.0, -4.905]))
 //!     .force(Arrow::new(ArrowKind::Contact, Label::symbol("N"), [-0.4, 0.0], [0.0, 170.0]));
-//! let svg = FreeBodySheet::of(body).svg();
+//! let svg = FreeBodySheet { panels: vec![body], ..FreeBodySheet::default() }.svg();
 //! assert!(svg.description.contains("N = 170"));
 //! ```
 

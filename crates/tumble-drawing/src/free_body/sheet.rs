@@ -36,16 +36,6 @@ pub struct FreeBodySheet {
 }
 
 impl FreeBodySheet {
-    /// A sheet with a title, at common scales.
-    pub fn new(title: Label, panels: Vec<FreeBodyDiagram>) -> Self {
-        Self { title, panels, captions: Vec::new() }
-    }
-
-    /// A sheet of one panel: a plain free-body diagram.
-    pub fn of(body: FreeBodyDiagram) -> Self {
-        Self::new(Label::default(), vec![body])
-    }
-
     /// The drawing. Without panels it is an empty page with the title.
     pub fn svg(&self) -> Svg {
         Layout::new(self).svg()

@@ -18,6 +18,8 @@ use crate::placing::{about_arc, about_arrow};
 
 /// Leaders point at an arrow beyond this part of it: near tails many arrows may meet.
 const LEADER_PART: f64 = 0.4;
+/// And at an arm between these parts of it: at its ends it is one with what else is there.
+const ARM_PARTS: [f64; 2] = [0.3, 0.8];
 /// Longest label as a part of the panel's width; longer ones are cut.
 const LONGEST: f64 = 0.9;
 
@@ -61,13 +63,15 @@ impl Shown<'_> {
         self.strokes.iter().zip(labels).map(tag).collect()
     }
 
-    /// Symbols of arms, which are left out where there is no room.
+    /// Symbols of arms; where there is no room beside one a leader ends at its middle.
     fn arm_tags(&self) -> Vec<Tag> {
         let tag = |(arm, label): (Stroke, Label)| {
             let ends = [arm.tail, arm.head];
-            let mut tag = self.tag(&label, INK, ends.to_vec(), false);
+            let mut tag = self.tag(&label, INK, ends.to_vec(), true);
+            let along = |part: f64| plus(arm.tail, times(minus(arm.head, arm.tail), part));
+            tag.owner = ARM_PARTS.map(along).to_vec();
             tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
-            Tag { least: true, ..tag }
+            tag
         };
         arms(self.body, self.view).into_iter().map(tag).collect()
     }

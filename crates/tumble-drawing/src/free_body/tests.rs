@@ -28,9 +28,17 @@ fn bounce(push: f64, angle: f64) -> FreeBodyDiagram {
         .angle(AngleMark::horizontal(Label::symbol("theta"), angle))
 }
 
+fn sheet(title: Label, panels: Vec<FreeBodyDiagram>) -> FreeBodySheet {
+    FreeBodySheet { title, panels, ..FreeBodySheet::default() }
+}
+
+fn sheet_of(body: FreeBodyDiagram) -> FreeBodySheet {
+    sheet(Label::default(), vec![body])
+}
+
 fn five() -> FreeBodySheet {
     let pushes = [0.0, 170.0, 560.0, 170.0, 0.0];
-    FreeBodySheet::new(Label::plain("bounce"), pushes.map(|push| bounce(push, 0.6)).to_vec())
+    sheet(Label::plain("bounce"), pushes.map(|push| bounce(push, 0.6)).to_vec())
 }
 
 /// Numbers in (-1, 1) that look random and are the same on every run.
@@ -87,10 +95,10 @@ fn labels_keep_clear_of_arrows_and_each_other() {
     drawings(&Layout::new(&five())).for_each(assert_clear);
     let mut random = Random(7);
     for _ in 0..25 {
-        let sheet = FreeBodySheet::of(random.scene());
+        let sheet = sheet_of(random.scene());
         drawings(&Layout::new(&sheet)).for_each(assert_clear);
     }
-    let sheet = FreeBodySheet::new(Label::default(), (0..6).map(|_| random.scene()).collect());
+    let sheet = sheet(Label::default(), (0..6).map(|_| random.scene()).collect());
     drawings(&Layout::new(&sheet)).for_each(assert_clear);
 }
 
@@ -102,7 +110,7 @@ fn side_views_are_laid_out_like_panels() {
     let body = FreeBodyDiagram::new(Label::plain("ball"), Pose::default(), vec![ball]);
     let body = body.force(force(ArrowKind::Applied, "F", [-0.1, 0.04], [200.0, 0.0]));
     let body = FreeBodyDiagram { side: Some(side), ..body };
-    let sheet = FreeBodySheet::of(body);
+    let sheet = sheet_of(body);
     let layout = Layout::new(&sheet);
     assert_eq!(drawings(&layout).count(), 2);
     drawings(&layout).for_each(assert_clear);
@@ -130,13 +138,13 @@ fn short_arrows_and_only_they_have_a_break() {
     let weight = &layout.panels[2].main.strokes[0];
     assert!(weight.broken && (weight.length() - LEAST_LENGTH).abs() < 1e-9);
     assert!(svg.contains("arrow with a break"));
-    let even = FreeBodySheet::of(bounce(5.0, 0.6)).svg().to_string();
+    let even = sheet_of(bounce(5.0, 0.6)).svg().to_string();
     assert!(!even.contains("class=\"break\"") && !even.contains("arrow with a break"));
 }
 
 #[test]
 fn zeros_are_listed_and_not_drawn() {
-    let sheet = FreeBodySheet::of(bounce(0.0, 0.6));
+    let sheet = sheet_of(bounce(0.0, 0.6));
     assert_eq!(Layout::new(&sheet).panels[0].main.strokes.len(), 1);
     assert_eq!(Layout::new(&sheet).panels[0].listed[0].to_plain().replace('\u{a0}', " "), "N = 0");
     assert!(sheet.svg().description.contains("N = 0"));
@@ -150,7 +158,7 @@ fn descriptions_list_every_force_with_components_and_point() {
         5
     );
     assert!(description.contains("contact force N = 560 N, components (0, 560) N, at (2.59, 0) m"));
-    let impulse = FreeBodySheet::of(bounce(1.5, 0.6).impulses()).svg();
+    let impulse = sheet_of(bounce(1.5, 0.6).impulses()).svg();
     assert!(impulse.description.contains("contact impulse N = 1.5 N·s"), "{}", impulse.description);
     assert!(impulse.to_string().contains("N·s") && impulse.to_string().contains("<desc>"));
 }
@@ -159,7 +167,7 @@ fn descriptions_list_every_force_with_components_and_point() {
 fn pages_are_about_eight_to_five() {
     for count in 2..=12 {
         let panels = vec![bounce(30.0, 0.6); count];
-        let svg = FreeBodySheet::new(Label::plain("sheet"), panels).svg();
+        let svg = sheet(Label::plain("sheet"), panels).svg();
         let shape = svg.width / svg.height;
         assert!((1.1..2.3).contains(&shape), "{count} panels: {shape}");
     }
@@ -182,9 +190,7 @@ fn nothing_makes_a_drawing_without_numbers() {
                 .surface(Ground::new([a, b], [b, a], Label::plain("floor")))
                 .angle(AngleMark::horizontal(Label::symbol("theta"), b));
             let body = FreeBodyDiagram { rate: Some(a), ..body.velocity(Velocity::new("V", [b, a], [a, b])) };
-            let svg = FreeBodySheet::new(Label::default(), vec![body, FreeBodyDiagram::default()])
-                .svg()
-                .to_string();
+            let svg = sheet(Label::default(), vec![body, FreeBodyDiagram::default()]).svg().to_string();
             assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("<b>"), "{a} {b}");
         }
     }
@@ -197,7 +203,7 @@ fn thirty_forces_at_one_point_are_all_labelled() {
         let angle = 2.4 * f64::from(i);
         body.force(force(ArrowKind::Applied, &format!("F{i}"), [0.5, 0.0], [angle.cos(), angle.sin()]))
     });
-    let sheet = FreeBodySheet::of(body);
+    let sheet = sheet_of(body);
     let layout = Layout::new(&sheet);
     let labels = &layout.panels[0].main.labels;
     assert_eq!(labels.len(), 30);
@@ -210,11 +216,24 @@ fn thirty_forces_at_one_point_are_all_labelled() {
 fn sheets_without_panels_and_bodies_without_anything_are_drawn() {
     let nothing = FreeBodySheet::default().svg().to_string();
     assert!(nothing.contains("Free-body diagram") && nothing.contains("no data"));
-    let svg = FreeBodySheet::of(FreeBodyDiagram::default()).svg();
+    let svg = sheet_of(FreeBodyDiagram::default()).svg();
     assert!(svg.description.contains("no force") && svg.width > 0.0 && svg.height > 0.0);
 }
 
 #[test]
 fn equal_input_gives_equal_bytes() {
     assert_eq!(five().svg().to_string(), five().svg().to_string());
+}
+
+#[test]
+fn an_arm_has_its_symbol_also_where_an_arrow_covers_it() {
+    let centre = [0.0, 1.0];
+    let pose = Pose { t: 0.0, x: centre[0], y: centre[1], angle: 0.0 };
+    let ball = Outline::Circle { centre: [0.0, 0.0], radius: 1.0 };
+    let body = FreeBodyDiagram::new(Label::plain("ball"), pose, vec![ball])
+        .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
+        .force(force(ArrowKind::Weight, "W", centre, [0.0, -1.96]))
+        .force(force(ArrowKind::Contact, "N", [0.0, 0.0], [0.0, 1.96]))
+        .arm(Label::symbol("r_rim"), [0.0, 0.0]);
+    assert!(sheet_of(body).svg().to_string().contains("rim"));
 }

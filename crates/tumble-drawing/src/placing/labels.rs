@@ -29,8 +29,8 @@ const NEARLY: f64 = 5.0;
 /// What two labels that overlap cost, and a leader under a label.
 const OVERLAP_COST: f64 = 600.0;
 const UNDER_COST: f64 = 200.0;
-/// What a place may cost that is taken for a label that can be spared.
-const MOST_COST: f64 = 60.0;
+/// What two labels beside each other keep apart beyond what lines above each other do, in pixels: a space would be read as one of a text.
+const WORDS_APART: f64 = 6.0;
 /// Candidates kept for each label.
 const KEPT: usize = 500;
 /// Rounds in which every label may move again.
@@ -51,15 +51,13 @@ pub(crate) struct Tag {
     pub(crate) near: Vec<Candidate>,
     /// Whether it may stand anywhere, with a leader.
     pub(crate) far: bool,
-    /// Whether it is left out where it would cover something.
-    pub(crate) least: bool,
 }
 
 impl Tag {
     /// A label that stands near what it belongs to.
     pub(crate) fn new(label: Label, colour: Rgb, owner: Vec<Point>, near: Vec<Candidate>) -> Self {
         let whole = owner.clone();
-        Self { label, colour, size: SMALL, owner, whole, near, far: false, least: false }
+        Self { label, colour, size: SMALL, owner, whole, near, far: false }
     }
 
     /// Width and height in pixels.
@@ -117,15 +115,7 @@ pub(crate) fn placed(tags: &[Tag], drawn: &Occupancy, area: &Rect) -> Vec<Placed
             break;
         }
     }
-    let fits = |tag: &Tag, spot: &Spot| !tag.least || spot.cost < MOST_COST;
-    let free = |i: usize, spot: &Spot| {
-        let others = chosen.iter().enumerate().filter(|(j, _)| *j != i).filter_map(|(_, other)| *other);
-        others.map(|other| conflict(spot, &other)).sum::<f64>() < OVERLAP_COST
-    };
-    let kept = |(i, tag): (usize, &Tag)| {
-        let spot = chosen[i].filter(|spot| fits(tag, spot) && (!tag.least || free(i, spot)))?;
-        Some(finished(tag, spot, drawn))
-    };
+    let kept = |(i, tag): (usize, &Tag)| Some(finished(tag, chosen[i]?, drawn));
     tags.iter().enumerate().filter_map(kept).collect()
 }
 
@@ -155,7 +145,7 @@ fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
 }
 
 fn conflict(a: &Spot, b: &Spot) -> f64 {
-    let shared = a.place.grown(CLEARANCE).overlap(&b.place);
+    let shared = a.place.grown(CLEARANCE).wider(WORDS_APART).overlap(&b.place);
     let overlap = if shared > 0.0 { OVERLAP_COST + shared } else { 0.0 };
     let under =
         |place: &Rect, leader: Option<[Point; 2]>| leader.is_some_and(|[p, q]| place.meets_line(p, q));

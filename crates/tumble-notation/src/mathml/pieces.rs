@@ -314,6 +314,6 @@ mod tests {
         let wide = sum_of(&["a_first", "b_second", "c_third", "d_fourth", "e_fifth", "f_sixth"]);
         let formula =
             Math::Product(vec![Math::symbol("k"), wide.clone().bracketed(), wide.over(Math::symbol("m"))]);
-        assert_eq!(letters(&mathml_in_pieces(&formula)), letters(&super::super::mathml(&formula)));
+        assert_eq!(letters(&mathml_in_pieces(&formula)), letters(&element(&formula)));
     }
 }

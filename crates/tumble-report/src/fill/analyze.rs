@@ -111,11 +111,13 @@ fn comparison(
         ]);
     }
     let mut table = PrintedTable::new("The runs side by side", columns);
+    let has_events = told.iter().any(|case| case.run.events().next().is_some());
     for case in told {
         let study = study.with(&case.parameters);
         let mut cells = vec![Text::from(figures::case_label(case))];
         cells.extend(case.finds.iter().map(sweep::find_cell));
-        cells.push(case.run.events().count().to_string().into());
+        let count = case.run.events().count();
+        cells.push(if has_events { count.to_string().into() } else { Text::default() });
         for (curve, during) in &curves {
             let values = least_greatest_last(&study, case, &curve.quantity.formula, *during)?;
             cells.extend(values.map(|value| quantity(value, "")));

@@ -7,13 +7,13 @@ use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
 use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
-use tumble_notation::{Left, Math, Notation, Printed, RateMark};
+use tumble_notation::{Left, Math, Notation, Printed};
 use tumble_scene::Study;
 
 use super::alike::Kind;
 use super::model::{MOST_OPERATIONS, operations};
 use super::names::{Names, math};
-use super::once::{BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
+use super::once::{BESIDE_LAWS, BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
 use super::reduced::{self, Reduced, Solved};
 use super::words;
 use crate::figures::symbols;
@@ -108,8 +108,10 @@ fn name_alike(motions: &mut [Motion], names: &Names) {
 /// Says of friction that slides what it is, where it is first read of.
 fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
     for (symbol, force) in case.run.equations.shown_ties(mode) {
-        let reads =
-            |motion: &&mut Motion| motion.lines.iter().any(|line| line.right.symbols().contains(&symbol));
+        let reads = |motion: &&mut Motion| {
+            motion.by_law.contains(&symbol)
+                || motion.lines.iter().any(|line| line.right.symbols().contains(&symbol))
+        };
         let left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
         let line = Line::new(left, force, symbol.clone());
         if let Some(motion) = motions.iter_mut().find(reads) {
@@ -121,10 +123,13 @@ fn add_ties(motions: &mut [Motion], names: &Names, case: &Case, mode: &Mode) {
 fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
     let shown = motion.shown().filter(|_| motion.is_short())?.clone();
     let body = symbols::bare(&study.model.bodies[motion.body].name);
+    let is_beside = !motion.by_law.is_empty();
     let title = match (study.model.bodies.len() > 1, motion.follows) {
         (true, true) => format!("{body}, and the forces that hold it"),
         (false, true) => "The forces that hold it follow from".to_owned(),
+        (true, false) if is_beside => format!("{body}, {BESIDE_LAWS}"),
         (true, false) => body,
+        (false, false) if is_beside => Text::from(BESIDE_LAWS).capitalised().to_plain(),
         (false, false) => String::new(),
     };
     let mut block = names.shown_block(title.into(), Ok(shown));
@@ -171,6 +176,8 @@ struct Motion {
     /// Ways to write them, of which the shortest is taken.
     notations: Vec<Notation>,
     lines: Vec<Line>,
+    /// What Newton's laws for it read, where they are meant as the model states them: what is said here is said beside them.
+    by_law: Vec<Symbol>,
     /// Whether it says what follows from the motion.
     follows: bool,
     /// What is shown, once somebody has asked: exact algebra takes longer than anything else in a report.
@@ -202,7 +209,7 @@ impl Motion {
         });
         let is_solved = constraints.len() < 2 && !is_joined;
         let pivot = study.model.pivot_of(&model_body.name);
-        let notation = names.of_body(body).notation().clone();
+        let notation = names.of_body(body).with_mass().notation().clone();
         let (notation, mut lines) = match (pivot, is_solved) {
             (Some(_), true) => {
                 let symbol = kinematics.alpha_symbol();
@@ -216,19 +223,29 @@ impl Motion {
             }
             (None, _) => (notation, free(names, case, mode, body, is_solved)),
         };
+        let mut by_law = vec![];
         if !is_solved {
             let of_pivots = of_pivots(study, case);
             // What two bodies share stands with the later one.
             let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
-            let conditions = own.map(|constraint| shortest(study, &notation, &of_pivots.apply(constraint)));
-            lines.extend(conditions.map(|condition| Line::new(nothing(), condition, Expr::zero())));
+            let own = own.map(|constraint| shortest(study, &notation, &of_pivots.apply(constraint)));
+            let own: Vec<Expr> = own.collect();
+            // At a joint each says where two bodies meet.
+            let conditions = if is_joined { own } else { combined(study, &notation, own) };
+            if pivot.is_none() && !conditions.is_empty() {
+                let laws = lines.extract_if(.., |line| !is_identically_zero(&line.is));
+                by_law = laws.flat_map(|line| line.right.symbols()).collect();
+            }
+            lines.extend(
+                conditions.into_iter().map(|condition| Line::new(nothing(), condition, Expr::zero())),
+            );
         }
         let notations = with_parts(case, mode, names, body, notation);
-        Self::made(body, notations, lines)
+        Self { by_law, ..Self::made(body, notations, lines) }
     }
 
     fn made(body: usize, notations: Vec<Notation>, lines: Vec<Line>) -> Self {
-        Self { body, notations, lines, follows: false, shown: OnceCell::new() }
+        Self { body, notations, lines, by_law: vec![], follows: false, shown: OnceCell::new() }
     }
 
     /// Without the forces of joints and lasting contacts.
@@ -321,7 +338,7 @@ fn with_parts(case: &Case, mode: &Mode, names: &Names, body: usize, notation: No
 /// `theta''`
 fn second(names: &Names, study: &Study, body: usize) -> Left {
     let angle = study.model.bodies[body].kinematics().angle_symbol();
-    Left::symbol(Math::derivative(names.shown(&angle.name), 2, RateMark::Primes))
+    Left::symbol(Math::derivative(names.shown(&angle.name), 2))
 }
 
 fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr) -> Notation {
@@ -441,28 +458,61 @@ fn inertia_name(study: &Study, body: &str) -> String {
 
 /// A multiple of what is zero that is written with the fewest signs: without halves, and without lengths that are in all of it.
 fn shortest(study: &Study, notation: &Notation, condition: &Expr) -> Expr {
-    let notation = notation.clone().without_automatic_names();
-    // A fraction is read less easily than some more signs.
-    let length = |text: String| text.chars().count() + FRACTION * text.matches('/').count();
-    let written = |formula: &Expr| notation.formula(formula).map_or(usize::MAX, |shown| length(shown.text()));
     let sizes = sizes(study, condition);
-    let mut best = (written(condition), condition.clone());
-    let mut multiples: Vec<Expr> = [-1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * condition).to_vec();
+    let multiples = |formula: &Expr| {
+        let whole = [-1, 2, -2, 3, -3, 4, -4, 6, -6].map(|factor| factor * formula);
+        let scaled = sizes.iter().flat_map(|size| [formula * size, formula / size]);
+        whole.into_iter().chain([2, 3, 4].map(|factor| formula / factor)).chain(scaled).collect::<Vec<_>>()
+    };
+    let mut best = (written(notation, condition), condition.clone());
     loop {
-        let with_length = multiples.into_iter().map(|formula| (written(&formula), formula));
+        let with_length =
+            multiples(&best.1).into_iter().map(|formula| (written(notation, &formula), formula));
         match with_length.min_by_key(|(signs, _)| *signs).filter(|(signs, _)| *signs < best.0) {
             Some(shorter) => best = shorter,
             None => return best.1,
         }
-        multiples = sizes.iter().flat_map(|size| [&best.1 * size, &best.1 / size]).collect();
     }
 }
 
-/// The lengths in a formula that have names.
+/// Conditions with the sums and differences of two in their place where these are shorter: of two corners on a slope, how their
+/// middle moves and how the body turns.
+fn combined(study: &Study, notation: &Notation, mut conditions: Vec<Expr>) -> Vec<Expr> {
+    let dimension = |formula: &Expr| formula.dimension().ok();
+    for later in 0..conditions.len() {
+        for earlier in 0..later {
+            let [one, other] = [&conditions[earlier], &conditions[later]];
+            if dimension(one) != dimension(other) {
+                continue;
+            }
+            // Any two of these say what the two have said.
+            let mut four = [one.clone(), other.clone(), one + other, one - other];
+            four.sort_by_cached_key(|formula| written(notation, formula));
+            let shortest = |formula: &Expr| shortest(study, notation, formula);
+            (conditions[earlier], conditions[later]) = (shortest(&four[0]), shortest(&four[1]));
+        }
+    }
+    conditions
+}
+
+/// How long a formula of accelerations is, in signs.
+fn written(notation: &Notation, formula: &Expr) -> usize {
+    // A fraction is read less easily than some more signs.
+    let length = |text: String| text.chars().count() + FRACTION * text.matches('/').count();
+    let notation = notation.clone().without_automatic_names();
+    notation.formula(formula).map_or(usize::MAX, |shown| length(shown.text()))
+}
+
+/// The lengths in a formula that have names, and how much they differ: a ball in a bowl goes round at their difference.
 fn sizes(study: &Study, formula: &Expr) -> Vec<Expr> {
     let symbols = formula.symbols();
     let is_size = |one: &Symbol| symbols.contains(one) && one.dimension == tumble_expr::Dimension::LENGTH;
-    study.model.parameters.symbols().into_iter().filter(is_size).map(Expr::from).collect()
+    let named: Vec<Expr> =
+        study.model.parameters.symbols().into_iter().filter(is_size).map(Expr::from).collect();
+    let pairs =
+        named.iter().enumerate().flat_map(|(index, one)| named[..index].iter().map(move |other| one - other));
+    let differences: Vec<Expr> = pairs.collect();
+    named.into_iter().chain(differences).collect()
 }
 
 #[cfg(test)]

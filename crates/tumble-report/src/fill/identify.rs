@@ -81,7 +81,12 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
         name: body.name.as_str().into(),
         shape: shape(body).into(),
         properties: vec![
-            given("mass", mass_symbol(names, &mass.mass), &mass.mass, "kg")?,
+            mass_of(
+                study,
+                names,
+                given("mass", mass_symbol(names, &mass.mass), &mass.mass, "kg")?,
+                &mass.mass,
+            ),
             given("centre of mass, x", "x_c", mass.centre.x(), "m")?,
             given("centre of mass, y", "y_c", mass.centre.y(), "m")?,
             inertia(study, names, body, given("moment of inertia", "I", &mass.inertia, "kg*m^2")?)?,
@@ -95,6 +100,12 @@ fn mass_symbol<'n>(names: &'n Names, mass: &'n Expr) -> &'n str {
         Node::Symbol(parameter) => names.shown(&parameter.name),
         _ => MASS,
     }
+}
+
+/// Of several bodies none has the letter M: what their masses are laws say in full.
+fn mass_of(study: &Study, names: &Names, found: QuantityRow, mass: &Expr) -> QuantityRow {
+    let is_shared = study.model.bodies.len() > 1 && found.formula.is_some();
+    if is_shared { QuantityRow { symbol: Text::default(), ..found.by(names.written(mass)) } } else { found }
 }
 
 /// By the formula of the shape, where the scene has numbers for its sizes.

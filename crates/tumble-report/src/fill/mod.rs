@@ -8,6 +8,7 @@ mod analyze;
 mod animation;
 mod balance;
 mod equations;
+mod events;
 mod findings;
 mod identify;
 mod model;
@@ -54,12 +55,14 @@ pub fn of(study: &Study, runs: Runs<'_>) -> Result<Report, CaseError> {
     Ok(report)
 }
 
-/// What stands in the table of bodies the laws do not say again.
+/// What stands in the table of bodies the laws and equations do not say again.
 fn say_once(report: &mut Report) {
     let properties = report.identify.bodies.iter().flat_map(|body| &body.properties);
     let said: Vec<&Typeset> = properties.filter_map(|property| property.formula.as_ref()).collect();
     let laws = report.model.bodies.iter_mut().flat_map(|body| &mut body.laws);
-    laws.for_each(|law| law.definitions.retain(|definition| !said.contains(&&definition.symbol)));
+    let modes = report.model.modes.iter_mut().flat_map(|mode| &mut mode.equations);
+    laws.chain(modes)
+        .for_each(|law| law.definitions.retain(|definition| !said.contains(&&definition.symbol)));
 }
 
 /// What was found, in a line: the first finding.

@@ -12,7 +12,7 @@ use tumble_scene::{FreeBody, Study};
 use super::alike::{self, Kind};
 use super::equations;
 use super::names::{MASS, Names, math, words};
-use super::once;
+use super::once::{self, BY_LAWS, BY_NAME};
 use super::words::spoken;
 use crate::figures::{air, captions, free_bodies, instants, symbols};
 use crate::results::Case;
@@ -40,7 +40,8 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
     equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&&definition.symbol)));
     let laws: Vec<&Typeset> = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.lines).collect();
-    once::say_once(&mut modes, &laws);
+    let acts = bodies.iter().any(|body| !body.forces.is_empty());
+    once::say_once(&mut modes, &laws, if acts { BY_NAME } else { BY_LAWS });
     Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
 }
 

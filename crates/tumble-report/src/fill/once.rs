@@ -8,6 +8,10 @@ use super::words;
 /// What is said of equations that Newton's laws state as shortly as can be.
 pub(super) const BY_NAME: &str =
     "Newton\u{2019}s laws above, with the forces of the table, are the equations of motion.";
+/// The same where no force acts between events.
+pub(super) const BY_LAWS: &str = "Newton\u{2019}s laws above are the equations of motion.";
+/// What is said of conditions that stand beside Newton's laws.
+pub(super) const BESIDE_LAWS: &str = "with Newton\u{2019}s laws above";
 pub(super) const OTHERS_BY_NAME: &str = "The equations of motion of the bodies that are not listed here are Newton\u{2019}s laws above, with the forces of the table.";
 
 /// What a symbol means is said where it comes first.
@@ -31,14 +35,14 @@ pub(super) fn told_once(mut told: Vec<ModeEquations>, next: ModeEquations) -> Ve
 }
 
 /// Leaves out equations that are laws word for word, those that an earlier mode has told of, and those that differ from others
-/// by numbers of names alone.
-pub(super) fn say_once(modes: &mut [ModeEquations], laws: &[&Typeset]) {
+/// by numbers of names alone; `by_name` is said where none is left.
+pub(super) fn say_once(modes: &mut [ModeEquations], laws: &[&Typeset], by_name: &str) {
     let mut told: Vec<(Text, Vec<Typeset>)> = vec![];
     for mode in modes {
         let all = mode.equations.len();
         mode.equations.retain(|block| !block.lines.iter().all(|line| laws.contains(&line)));
         if mode.equations.len() < all {
-            mode.holds = if mode.equations.is_empty() { BY_NAME } else { OTHERS_BY_NAME }.into();
+            mode.holds = if mode.equations.is_empty() { by_name } else { OTHERS_BY_NAME }.into();
         }
         let is_told =
             |block: &Block| told.iter().any(|(name, lines)| (name, lines) == (&block.title, &block.lines));

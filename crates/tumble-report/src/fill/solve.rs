@@ -8,6 +8,7 @@ use tumble_notation::{ClosedForm, Left, Math, Operator, integrate_twice, polynom
 use tumble_ode::{Cause, Occurrence};
 use tumble_scene::Study;
 
+use super::events;
 use super::names::{Names, math, quantity};
 use super::sweep;
 use super::words;
@@ -17,7 +18,6 @@ use crate::results::CaseError;
 use crate::results::digits::Held;
 use crate::results::telling;
 use crate::results::{is_angle, unit};
-use crate::tables::EVENTS;
 
 /// Runs of a sweep beyond these have no closed forms of their own.
 const MOST_RUNS: usize = 6;
@@ -49,7 +49,9 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
         method: method(&told),
         tables: how
             .chain(
-                told.iter().filter(|case| case.run.events().next().is_some()).map(|case| events(study, case)),
+                told.iter()
+                    .filter(|case| case.run.events().next().is_some())
+                    .map(|case| events::of(study, case)),
             )
             .collect(),
     })
@@ -106,24 +108,31 @@ fn how(cases: &[&Case]) -> PrintedTable {
         Column::numbers("Accuracy asked"),
         Column::numbers("Order"),
         Column::numbers("Steps"),
-        Column::numbers("Exact ones"),
+        Column::numbers("Exact steps"),
         Column::numbers("Repeated"),
         Column::numbers("Contact modes"),
         Column::numbers("Points along lines"),
         Column::words("Verified by a check run"),
     ];
+    // What no run has is no column.
+    let some = |of: &dyn Fn(&Case) -> u64, nothing: u64, case: &Case| match cases
+        .iter()
+        .all(|case| of(case) <= nothing)
+    {
+        true => Text::default(),
+        false => of(case).to_string().into(),
+    };
     let row = |case: &&Case| {
-        let work = case.run.work();
         let held = case.trust.as_ref().map(|trust| Held::of(trust).words());
         let points = case.run.quadrature.as_ref().map(|found| found.nodes.to_string());
         vec![
             case_label(case).into(),
             quantity(case.accuracy.value(), ""),
             case.run.order().to_string().into(),
-            work.steps.to_string().into(),
-            work.exact_steps.to_string().into(),
-            work.rejected.to_string().into(),
-            work.modes.to_string().into(),
+            case.run.work().steps.to_string().into(),
+            some(&|case| case.run.work().exact_steps, 0, case),
+            some(&|case| case.run.work().rejected, 0, case),
+            some(&|case| case.run.work().modes, 1, case),
             points.unwrap_or_default().into(),
             held.unwrap_or_default().into(),
         ]
@@ -136,24 +145,8 @@ fn of_run(what: &str, cases: &[&Case], case: &Case) -> Text {
     if cases.len() > 1 { labelled(what, case) } else { what.into() }
 }
 
-fn labelled(what: &str, case: &Case) -> Text {
+pub(super) fn labelled(what: &str, case: &Case) -> Text {
     if case.label.is_empty() { what.into() } else { Text::from(format!("{what}, ")).and(case_label(case)) }
-}
-
-/// A row an event.
-fn events(study: &Study, case: &Case) -> PrintedTable {
-    let caption = labelled("Events", case);
-    let heading = Text::from(Label::symbol("t")).and(" (s)");
-    let columns = vec![Column::numbers(heading), Column::words("What happens")];
-    let row = |event: &Occurrence<Record>| {
-        let what = words::event(study, &case.run.equations, event);
-        vec![quantity(event.time, ""), Text::from(what).capitalised()]
-    };
-    PrintedTable {
-        rows: case.run.events().map(row).collect(),
-        file: Some(format!("{}/{EVENTS}", case.folder())),
-        ..PrintedTable::new(caption, columns)
-    }
 }
 
 /// A coordinate of a body with its velocity and acceleration.
@@ -255,35 +248,24 @@ fn coordinates(study: &Study, index: usize) -> Vec<Coordinate> {
     let centre = body.mass_properties().centre;
     let at = start.at.unwrap_or(centre);
     let value = |formula: Option<Expr>| formula.unwrap_or_else(Expr::zero);
-    let turning = Coordinate {
+    let coordinate = |[position, velocity, acceleration]: [Symbol; 3], start: (Expr, Expr)| Coordinate {
         body: index,
-        position: k.angle_symbol(),
-        velocity: k.omega_symbol(),
-        acceleration: k.alpha_symbol(),
-        start: (value(start.angle), value(start.omega)),
+        position,
+        velocity,
+        acceleration,
+        start,
     };
+    let symbols = [k.angle_symbol(), k.omega_symbol(), k.alpha_symbol()];
+    let turning = coordinate(symbols, (value(start.angle), value(start.omega)));
     if study.model.pivot_of(&body.name).is_some() {
         return vec![turning];
     }
-    let ([x, y], [vx, vy], [ax, ay]) = (k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols());
     let speed = |axis: usize| start.velocity.as_ref().map_or_else(Expr::zero, |v| v[axis].clone());
-    vec![
-        Coordinate {
-            body: index,
-            position: x,
-            velocity: vx,
-            acceleration: ax,
-            start: (at[0].clone(), speed(0)),
-        },
-        Coordinate {
-            body: index,
-            position: y,
-            velocity: vy,
-            acceleration: ay,
-            start: (at[1].clone(), speed(1)),
-        },
-        turning,
-    ]
+    let symbols = [k.position_symbols(), k.velocity_symbols(), k.acceleration_symbols()];
+    let along = |axis: usize| {
+        coordinate(symbols.each_ref().map(|both| both[axis].clone()), (at[axis].clone(), speed(axis)))
+    };
+    vec![along(0), along(1), turning]
 }
 
 fn motions(

@@ -137,8 +137,7 @@ fn blocks(blocks: &[Block]) -> String {
 /// A table with its notes; columns without content are left out.
 fn table(table: &PrintedTable) -> String {
     let PrintedTable { columns, rows, .. } = table;
-    let filled = |i: &usize| rows.iter().any(|row| row.get(*i).is_some_and(|cell| !cell.is_empty()));
-    let kept: Vec<usize> = (0..columns.len()).filter(filled).collect();
+    let kept = table.filled();
     if kept.is_empty() {
         return paragraphs(&table.notes);
     }
@@ -154,7 +153,8 @@ fn table(table: &PrintedTable) -> String {
     let lines: Vec<_> = [head, rule].into_iter().chain(body).collect();
     let caption = text(&table.caption);
     let caption = if caption.is_empty() { caption } else { format!("**{caption}**") };
-    joined([caption, lines.join("\n"), paragraphs(&table.notes)])
+    let all = paragraphs(table.all_rows().as_slice());
+    joined([caption, lines.join("\n"), paragraphs(&table.notes), all])
 }
 
 fn identify(identify: &Identify) -> String {
@@ -273,7 +273,7 @@ mod tests {
             equations: vec![Block { lines: vec![law.clone()], ..Block::default() }],
             ..ModeEquations::default()
         });
-        report.analyze.findings.push(Text::words("It obeys ").and(law));
+        report.analyze.findings.push(Text::from("It obeys ").and(law));
         let svg = Svg::new(1.0, 1.0, "A [picture]");
         report.analyze.pictures.push(Picture::new(svg, "Its path.").stored("figures/a b.svg"));
         let shown = report.markdown();

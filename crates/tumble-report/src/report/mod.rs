@@ -6,10 +6,10 @@
 //! Every text is shown as it is; none is ever run.
 //!
 //! ```
-//! use tumble_report::report::{Report, Text};
+//! use tumble_report::report::Report;
 //!
 //! let mut report = Report { title: "A thrown rod".to_owned(), ..Report::default() };
-//! report.analyze.findings.push(Text::words("It lands after 1.2 s."));
+//! report.analyze.findings.push("It lands after 1.2 s.".into());
 //! let page = report.html();
 //! assert!(page.contains("It lands after 1.2 s."));
 //! ```

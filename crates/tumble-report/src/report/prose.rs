@@ -23,11 +23,6 @@ pub struct Text {
 }
 
 impl Text {
-    /// Text of words alone.
-    pub fn words(words: impl Into<String>) -> Self {
-        Self::default().and(words.into())
-    }
-
     /// A symbol by its name, for instance `theta0`.
     pub fn symbol(name: &str) -> Self {
         Label::symbol(name).into()

@@ -86,6 +86,9 @@ pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
     forces.iter().map(row).fold(table, PrintedTable::row)
 }
 
+/// The column of a check's result.
+pub(super) const RESULT: usize = 4;
+
 /// Checks with their results.
 pub(super) fn checks(checks: &[CheckRow]) -> PrintedTable {
     let columns = ["Check", "Expected", "Found", "Within", "Result"].map(Column::words);

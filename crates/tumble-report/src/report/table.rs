@@ -46,6 +46,8 @@ pub struct PrintedTable {
     pub stacked: bool,
     /// The file among the results in which all rows are, if there is one: then paper need not show hundreds.
     pub file: Option<String>,
+    /// Whether rows stand for several of that file.
+    pub is_cut: bool,
     /// Lines below it.
     pub notes: Vec<Text>,
 }
@@ -60,5 +62,17 @@ impl PrintedTable {
     pub fn row(mut self, cells: Vec<Text>) -> Self {
         self.rows.push(cells);
         self
+    }
+
+    /// The columns with any content: others are left out.
+    pub(super) fn filled(&self) -> Vec<usize> {
+        let has_content =
+            |i: &usize| self.rows.iter().any(|row| row.get(*i).is_some_and(|cell| !cell.is_empty()));
+        (0..self.columns.len()).filter(has_content).collect()
+    }
+
+    /// Where the rows are that it leaves out.
+    pub(crate) fn all_rows(&self) -> Option<Text> {
+        self.file.as_ref().filter(|_| self.is_cut).map(|file| format!("All rows are in {file}.").into())
     }
 }

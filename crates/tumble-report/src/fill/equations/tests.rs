@@ -79,3 +79,19 @@ fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Subs
     places.for_each(|(symbol, value)| seats.insert(symbol, value * tumble_expr::units::M));
     seats
 }
+
+/// Of two corners on a slope the conditions are how the middle moves and how the body turns, beside the laws.
+#[test]
+fn conditions_of_two_contacts_are_added_up() {
+    let scene =
+        crate::scenes::all().find(|path| path.to_string_lossy().contains("17-block")).expect("a scene");
+    let (study, cases) = motions_of(&scene);
+    let study = study.with(&cases[0].parameters);
+    let names = Names::of(&study).expect("names");
+    let mode = lasting(&cases[0])[0];
+    let motion = Motion::of(&study, &names, &cases[0], mode, 0);
+    let lines: Vec<String> =
+        motion.shown().expect("short").lines.iter().map(|line| math(&line.math()).text).collect();
+    assert!(lines.contains(&"0 = ω² sin(θ − β) − α cos(θ − β)".to_owned()), "{lines:?}");
+    assert!(!motion.by_law.is_empty() && lines.len() == 2, "{lines:?}");
+}

@@ -13,6 +13,8 @@ use tumble_drawing::curves::{CurveFigure, DataSeries};
 use tumble_drawing::scale::Range;
 use tumble_drawing::svg::Svg;
 
+/// Pixels: on paper narrower drawings fit into half its width.
+const NARROW: f64 = 490.0;
 /// Digits of numbers in descriptions.
 const DIGITS: usize = 4;
 /// Curves that a description names one by one.
@@ -22,7 +24,8 @@ impl Page {
     /// A drawing with its caption.
     pub(super) fn picture(&mut self, picture: &Picture) -> String {
         let drawing = self.inline(&picture.svg);
-        self.figure("drawing", &format!("<div class=\"sheet\">{drawing}</div>\n"), &picture.caption)
+        let class = if picture.svg.width < NARROW { "drawing narrow" } else { "drawing" };
+        self.figure(class, &format!("<div class=\"sheet\">{drawing}</div>\n"), &picture.caption)
     }
 
     /// Drawings side by side where there is room.

@@ -3,6 +3,7 @@
 use super::inline::{tagged, text};
 use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
+use crate::report::rows;
 use crate::report::table::{Align, Column, PrintedTable};
 use tumble_drawing::svg::escape;
 
@@ -24,13 +25,17 @@ const WIDE: usize = 8;
 
 /// A table of the report.
 pub(super) fn table(table: &PrintedTable) -> String {
+    let grid = grid(table, &cells(table));
+    let grid = if table.rows.len() > FOLD { long(table, &grid) } else { grid };
+    let notes = table.notes.iter().cloned().chain(table.all_rows());
+    let notes: String = notes.map(|note| tagged("p", "note", &text(&note))).collect();
+    if notes.is_empty() { grid } else { tagged("div", "", &(grid + &notes)) }
+}
+
+fn cells(table: &PrintedTable) -> Vec<Vec<String>> {
     let cell = |row: &Vec<Text>, i: usize| row.get(i).map(text).unwrap_or_default();
     let cells = |row: &Vec<Text>| (0..table.columns.len()).map(|i| cell(row, i)).collect();
-    let rows: Vec<Vec<String>> = table.rows.iter().map(cells).collect();
-    let grid = grid(&text(&table.caption), &table.columns, &rows, table.stacked);
-    let grid = if rows.len() > FOLD { long(table, &grid) } else { grid };
-    let notes: String = table.notes.iter().map(|note| tagged("p", "note", &text(note))).collect();
-    grid + &notes
+    table.rows.iter().map(cells).collect()
 }
 
 /// A long table: on the screen it folds, on paper all rows stand, in columns beside each other where they are short; what would fill
@@ -65,14 +70,12 @@ fn length(cell: &Text) -> usize {
     cell.to_plain().chars().count() + GAP
 }
 
-/// A table from finished cells. Columns without any content are left out.
-fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>], stacked: bool) -> String {
+/// A table with finished cells; columns without any content are left out.
+fn grid(table: &PrintedTable, rows: &[Vec<String>]) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let kept: Vec<usize> = (0..columns.len())
-        .filter(|i| rows.iter().any(|row| row.get(*i).is_some_and(|c| !c.is_empty())))
-        .collect();
+    let (columns, stacked, kept) = (&table.columns, table.stacked, table.filled());
     let head: String = kept.iter().map(|i| heading(&columns[*i])).collect();
     let names = stacked || kept.len() > STACKED;
     let lines = rows.iter().enumerate();
@@ -86,7 +89,7 @@ fn grid(caption: &str, columns: &[Column], rows: &[Vec<String>], stacked: bool) 
     };
     format!(
         "<div class=\"{class}{many}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
-        tagged("caption", "", caption)
+        tagged("caption", "", &text(&table.caption))
     )
 }
 
@@ -104,13 +107,13 @@ fn class(align: Align) -> &'static str {
 fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool, bool)) -> String {
     let cell = |(n, i): (usize, &usize)| {
         let (content, class) = (&row[*i], class(columns[*i].align));
-        let heading = escape(&columns[*i].heading.to_plain());
-        let name = if names { format!(" data-name=\"{heading}\"") } else { String::new() };
+        // What is a name has none of its column.
+        let is_named = names && !content.is_empty() && (n > 0 || !class.is_empty());
+        let head = if is_named { text(&columns[*i].heading) } else { String::new() };
+        let head = if head.is_empty() { head } else { format!("<span class=\"head\">{head} </span>") };
         match n {
-            // What is no name has the name of its column.
-            0 if class.is_empty() => format!("<th scope=\"row\">{content}</th>"),
-            0 => format!("<th scope=\"row\"{class}{name}>{content}</th>"),
-            _ => format!("<td{class}{name}>{content}</td>"),
+            0 => format!("<th scope=\"row\"{class}>{head}{content}</th>"),
+            _ => format!("<td{class}>{head}{content}</td>"),
         }
     };
     let cells: String = kept.iter().enumerate().map(cell).collect();
@@ -120,28 +123,14 @@ fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool
 
 /// Checks with their results, as signs and words.
 pub(super) fn checks(checks: &[CheckRow]) -> String {
-    let columns = [
-        Column::words("Check"),
-        Column::words("Expected"),
-        Column::words("Found"),
-        Column::words("Within"),
-        Column::words("Result"),
-    ];
-    let row = |check: &CheckRow| {
-        let result = if check.passed {
-            "<span class=\"passed\">✓\u{a0}passed</span>"
-        } else {
-            "<span class=\"failed\">✗\u{a0}failed</span>"
-        };
-        vec![
-            text(&check.what),
-            text(&check.expected),
-            text(&check.found),
-            text(&check.within),
-            result.to_owned(),
-        ]
-    };
-    grid("Checks", &columns, &checks.iter().map(row).collect::<Vec<_>>(), true)
+    let table = PrintedTable { stacked: true, ..rows::checks(checks) };
+    let mut cells = cells(&table);
+    for (row, check) in cells.iter_mut().zip(checks) {
+        let (class, result) =
+            if check.passed { ("passed", "✓\u{a0}passed") } else { ("failed", "✗\u{a0}failed") };
+        row[rows::RESULT] = format!("<span class=\"{class}\">{result}</span>");
+    }
+    grid(&table, &cells)
 }
 
 /// Names and values.

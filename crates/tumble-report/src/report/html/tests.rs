@@ -1,5 +1,5 @@
 use crate::report::*;
-use tumble_drawing::curves::{CurveFigure, Mark};
+use tumble_drawing::curves::{CurveFigure, DataSeries, Mark};
 use tumble_drawing::free_body::{Ground, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::svg::Svg;
@@ -10,7 +10,7 @@ use tumble_drawing::{Axis, Label};
 const HOSTILE: &str = "</script></style></title></svg></math><script>alert(1)</script><img src=x onerror=alert(1)>\"'><!--\u{2028}]]>";
 
 fn words() -> Text {
-    Text::words(HOSTILE).and(Label::plain(HOSTILE)).and(formula())
+    Text::from(HOSTILE).and(Label::plain(HOSTILE)).and(formula())
 }
 
 fn label() -> Label {
@@ -27,9 +27,14 @@ fn picture() -> Picture {
     Picture::new(Svg::new(10.0, 10.0, HOSTILE).described(HOSTILE), words()).stored(HOSTILE)
 }
 
+fn curve(label: Label, points: Vec<[f64; 2]>) -> DataSeries {
+    DataSeries { label, points, dotted: false }
+}
+
 fn plot() -> Chart {
     let axis = || Axis::new(label(), HOSTILE);
-    let mut figure = CurveFigure::new(label(), axis(), axis()).series(label(), vec![[0.0, 1.0], [1.0, 2.0]]);
+    let mut figure = CurveFigure::new(label(), axis(), axis());
+    figure.series.push(curve(label(), vec![[0.0, 1.0], [1.0, 2.0]]));
     figure.marks.push(Mark { at: 0.5, label: label() });
     Chart { description: HOSTILE.into(), ..Chart::over_time(figure, words()).stored(HOSTILE) }
 }
@@ -223,12 +228,14 @@ fn the_page_needs_no_network() {
 #[test]
 fn every_figure_has_a_number_and_a_description() {
     let mut report = Report::default();
-    let figure = CurveFigure::new(
-        Label::plain("Height"),
-        Axis::new(Label::symbol("t"), "s"),
-        Axis::new(Label::symbol("y"), "m"),
-    )
-    .series(Label::default(), vec![[0.0, 2.0], [1.0, -1.5]]);
+    let figure = CurveFigure {
+        series: vec![curve(Label::default(), vec![[0.0, 2.0], [1.0, -1.5]])],
+        ..CurveFigure::new(
+            Label::plain("Height"),
+            Axis::new(Label::symbol("t"), "s"),
+            Axis::new(Label::symbol("y"), "m"),
+        )
+    };
     report.analyze.plots = vec![Chart::over_time(figure, ""); 2];
     let html = report.html();
     assert_eq!(html.matches("<figure ").count(), 2);
@@ -239,7 +246,7 @@ fn every_figure_has_a_number_and_a_description() {
 
 #[test]
 fn long_tables_fold_after_twenty_rows() {
-    let row = |i: usize| vec![Text::words(i.to_string())];
+    let row = |i: usize| vec![i.to_string().into()];
     let mut table = PrintedTable::new("Events", vec![Column::numbers("No.")]);
     table.rows = (0..20).map(row).collect();
     let mut report = Report { solve: Solve { tables: vec![table], ..Solve::default() }, ..Report::default() };
@@ -252,7 +259,7 @@ fn long_tables_fold_after_twenty_rows() {
 fn long_tables_stand_in_columns_on_paper_and_say_where_hundreds_of_rows_are() {
     let page = |count: usize, cell: &str, file: Option<&str>| {
         let mut table = PrintedTable::new("Events", vec![Column::numbers("No."), Column::words("What")]);
-        table.rows = (0..count).map(|i| vec![Text::words(i.to_string()), cell.into()]).collect();
+        table.rows = (0..count).map(|i| vec![i.to_string().into(), cell.into()]).collect();
         table.file = file.map(str::to_owned);
         Report { solve: Solve { tables: vec![table], ..Solve::default() }, ..Report::default() }.html()
     };
