@@ -130,7 +130,7 @@ impl Settling<'_> {
         for slip in (0..slips.of.len()).filter(|slip| some.contains(&slips.of[*slip]) && !slips.rolls[*slip])
         {
             let (rate, stopping) = (slips.rate[slip].abs(), slips.friction[slip][1] * self.touch.strength);
-            let moves = rate > STANDS * slips.speed[slip];
+            let moves = rate > self.still(slip);
             if moves && rate * rate <= 2.0 * stopping * lowest {
                 slow.pairs.insert(slips.pairs[slip]);
                 slow.time = slow.time.max(rate / stopping);

@@ -63,12 +63,19 @@ impl Settling<'_> {
         patches.into_iter().map(|(_, patch)| patch).collect()
     }
 
+    /// A slip that is none: rounding of its own, and of impulses, which are found to a rounding error of the largest.
+    pub(super) fn still(&self, slip: usize) -> f64 {
+        let row = self.touch.pairs.len() + slip;
+        let pushed = self.touch.response[(row, row)] * self.impulses.rows(0, self.touch.pairs.len()).amax();
+        STANDS * self.touch.slips.speed[slip].max(pushed)
+    }
+
     /// Rows of a group whose rates are known after an impact, but for rounding: what sticks.
     pub(super) fn standing_slips(&self) -> Vec<usize> {
         let slips = &self.touch.slips;
         let stands = |slip: &usize| {
             let has_part = self.part.contains(&slips.of[*slip]) && !slips.rolls[*slip];
-            has_part && slips.rate[*slip].abs() <= STANDS * slips.speed[*slip]
+            has_part && slips.rate[*slip].abs() <= self.still(*slip)
         };
         (0..slips.of.len()).filter(stands).map(|slip| self.touch.pairs.len() + slip).collect()
     }
@@ -118,8 +125,8 @@ impl Settling<'_> {
     fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
         let count = self.touch.pairs.len();
         let is_still = |(_, row): &(usize, usize)| {
-            let (rate, speed) = (self.touch.slips.rate[row - count], self.touch.slips.speed[row - count]);
-            rate.abs() <= STANDS * speed || touched.stopped.contains(&self.slipping(*row))
+            self.touch.slips.rate[row - count].abs() <= self.still(row - count)
+                || touched.stopped.contains(&self.slipping(*row))
         };
         let is_still = patch.contacts.iter().any(is_still);
         (!is_still).then(|| Way::of(self.touch.slips.rate[patch.row() - count]))
@@ -234,7 +241,7 @@ impl Settling<'_> {
         let is_turned = |patch: &Patch, grip: &Grip| match (patch.slips, grip) {
             (Some(_), Grip::Slides(way)) => {
                 let slip = patch.row() - self.touch.pairs.len();
-                f64::from(way.sign()) * slips.rate[slip] <= STANDS * slips.speed[slip]
+                f64::from(way.sign()) * slips.rate[slip] <= self.still(slip)
             }
             _ => false,
         };

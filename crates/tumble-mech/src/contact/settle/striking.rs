@@ -153,7 +153,7 @@ impl Settling<'_> {
             return Ok(all);
         };
         let row = self.touch.pairs.len() + slip;
-        let stands = rates[row].abs() <= STANDS * self.touch.slips.speed[slip];
+        let stands = rates[row].abs() <= self.still(slip);
         let strike = Strike {
             response: [response[(row, row)], response[(row, position)], response[(position, position)]],
             before: [if stands { 0.0 } else { rates[row] }, rates[position]],
