@@ -107,7 +107,7 @@ impl Rough<'_> {
     }
 
     /// Pushes for a choice in which one after the other is changed that friction does not allow.
-    fn put_right(&self, mut grips: Vec<Grip>) -> Option<Pushes> {
+    pub(super) fn put_right(&self, mut grips: Vec<Grip>) -> Option<Pushes> {
         for _ in 0..=ROUNDS * self.patches.len() {
             let found = self.attempt(&grips)?;
             match self.wrong(&found) {

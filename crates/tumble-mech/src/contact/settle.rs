@@ -6,6 +6,7 @@ mod meanwhile;
 mod motions;
 mod pressed;
 mod rubbing;
+mod sharing;
 mod striking;
 mod wedged;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::DVector;
 
-use super::{STANDS, Settling};
+use super::Settling;
 use crate::contact::complementarity::pushing;
 use crate::contact::touch::Touch;
 use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};

@@ -96,6 +96,12 @@ impl Settling<'_> {
         let beginning = self.slipping_from_the_start(some, &patches, jump);
         let forced = self.forced(&patches, touched, &beginning, jump);
         let zero = self.zero();
+        let closes = |found: &Pushes| all.iter().any(|position| found.then[*position] < -zero);
+        let shared = forced.as_ref().and_then(|forced| self.shared(some, &patches, forced));
+        if let Some(found) = shared.filter(|found| !closes(found)) {
+            let forced = patches.iter().map(|patch| patch.slips).collect();
+            return Ok(Some(Rubbing { patches, forced, found }));
+        }
         let moves_as_forced = |rough: &Rough<'_>, found: &Pushes| {
             let mut ways = rough.patches.iter().zip(&patches).filter(|(_, own)| own.slips.is_none());
             ways.all(|(patch, _)| {
@@ -111,7 +117,7 @@ impl Settling<'_> {
         let found = found.or_else(|| rough(&patches).solve());
         self.refuse_wedged_among(some, &patches, found.as_ref(), touched, jump)?;
         let Some(found) = found else { return Ok(None) };
-        let closes = all.iter().any(|position| found.then[*position] < -zero);
+        let closes = closes(&found);
         let forced = forced.iter().map(|patch| patch.slips).collect();
         Ok((!closes).then_some(Rubbing { patches, forced, found }))
     }
