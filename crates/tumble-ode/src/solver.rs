@@ -547,7 +547,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
                 end: step.end,
                 mode,
                 length: step.length,
-                states: expansion.states.within(step.length),
+                states: expansion.states.clone(),
                 time_series: expansion.time.clone(),
             };
             self.memory.hold_piece(&piece);
