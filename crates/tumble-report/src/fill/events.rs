@@ -50,16 +50,16 @@ fn row(events: &[&Occurrence<Record>], told: &[String], index: usize) -> Vec<Tex
 /// The impacts before the end of a Zeno sequence, each stretch without its first ones, of which nothing is said that is new.
 fn accumulating(events: &[&Occurrence<Record>], told: &[String]) -> Vec<[usize; 2]> {
     let mut known: HashSet<&str> = HashSet::new();
-    // For each event the first of those before it that are told in words of earlier ones.
-    let mut begins: Vec<usize> = vec![];
-    for (index, words) in told.iter().enumerate() {
-        let goes_on = begins.last().copied().unwrap_or(0);
-        begins.push(if known.insert(words) { index + 1 } else { goes_on });
-    }
     let is_end = |index: &usize| {
         let is_zeno = |one: &Happening| matches!(one, Happening::Contact { change: Change::Zeno, .. });
         *index > 0 && events[*index].record.happened.iter().any(is_zeno)
     };
+    // For each event the first of those before it that are told in words of earlier ones, since the last sequence has ended.
+    let mut begins: Vec<usize> = vec![];
+    for (index, words) in told.iter().enumerate() {
+        let goes_on = begins.last().copied().unwrap_or(0);
+        begins.push(if known.insert(words) || is_end(&index) { index + 1 } else { goes_on });
+    }
     let stretch = |end: usize| [begins[end - 1] + SHOWN, end];
     let ends = (0..events.len()).filter(is_end).map(stretch);
     ends.filter(|[from, to]| *to >= from + LEAST_LEFT_OUT).collect()
