@@ -49,14 +49,17 @@ pub(crate) fn best(d: &DVector<f64>, a: &DMatrix<f64>, b: &DVector<f64>) -> Opti
     None
 }
 
-/// Makes the column that of a unknown which only this row holds.
-fn exchange(table: &mut DMatrix<f64>, row: usize, column: usize) {
+/// Makes the column that of an unknown which only this row holds.
+pub(crate) fn exchange(table: &mut DMatrix<f64>, row: usize, column: usize) {
     let pivot = table.row(row) / table[(row, column)];
     for other in 0..table.nrows() {
         let part = table[(other, column)];
-        let changed = if other == row { pivot.clone() } else { table.row(other) - &pivot * part };
-        table.set_row(other, &changed);
+        if other != row && part != 0.0 {
+            let changed = table.row(other) - &pivot * part;
+            table.set_row(other, &changed);
+        }
     }
+    table.set_row(row, &pivot);
 }
 
 #[cfg(test)]

@@ -54,8 +54,8 @@ fn by_set(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Option<DVector<f
 fn allowed(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize], still: DVector<f64>) -> Option<DVector<f64>> {
     let zero = rounding(a, b, &still);
     let w = b + a * &still;
-    // A push is a velocity or acceleration over a response.
-    let slack = |i: usize| zero / a[(i, i)].max(f64::MIN_POSITIVE);
+    // A push is a velocity or acceleration over a response, if there is any.
+    let slack = |i: usize| if a[(i, i)] > 0.0 { zero / a[(i, i)] } else { 0.0 };
     let pushes = set.iter().all(|i| still[*i] >= -slack(*i));
     let opens = w.iter().all(|w| *w >= -zero);
     (pushes && opens).then(|| still.map(|z| z.max(0.0)))
@@ -65,21 +65,18 @@ fn allowed(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize], still: DVector<f64
 fn by_pivoting(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>, DVector<f64>)> {
     let z = lemke::solve(a, b)?;
     let set: Vec<usize> = (0..b.len()).filter(|i| z[*i] > 0.0).collect();
-    let z = allowed(a, b, &set, pivoted(a, b, &set)?)?;
+    let z = allowed(a, b, &set, standing_together(a, b, &set)?)?;
     Some((set, z))
 }
 
 /// Pushes at these contacts with which they stand still, though one may not push away what it pushes: the others do.
-pub(crate) fn pivoted(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Option<DVector<f64>> {
+pub(crate) fn standing_together(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize]) -> Option<DVector<f64>> {
     let part = DMatrix::from_fn(set.len(), set.len(), |i, j| a[(set[i], set[j])]);
     let right = DVector::from_fn(set.len(), |i, _| -b[set[i]]);
     let factors = part.full_piv_lu();
     let pivots = factors.u().diagonal().abs();
     let is_independent = pivots.min() > DEPENDENT * pivots.amax();
-    if !is_independent {
-        return None;
-    }
-    Some(spread(b.len(), set, &factors.solve(&right)?))
+    is_independent.then(|| factors.solve(&right)).flatten().map(|pushes| spread(b.len(), set, &pushes))
 }
 
 /// What of the w is nothing.

@@ -8,6 +8,8 @@ use std::cmp::Ordering;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::linear_program::exchange;
+
 /// In rows scaled to 1, what is below this is zero but for rounding of some exchanges.
 const ZERO: f64 = 1e-11;
 /// Exchanges for each row, before rounding is taken to go around in circles.
@@ -107,15 +109,7 @@ impl Table {
 
     /// Brings a column into the basis in place of that of a row, which is given back.
     fn exchange(&mut self, row: usize, column: usize) -> usize {
-        let pivot = self.rows.row(row) / self.rows[(row, column)];
-        for other in 0..self.size() {
-            let part = self.rows[(other, column)];
-            if other != row && part != 0.0 {
-                let changed = self.rows.row(other) - &pivot * part;
-                self.rows.set_row(other, &changed);
-            }
-        }
-        self.rows.set_row(row, &pivot);
+        exchange(&mut self.rows, row, column);
         std::mem::replace(&mut self.basis[row], column)
     }
 

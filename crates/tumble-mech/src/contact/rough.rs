@@ -13,7 +13,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::complementarity::{DEPENDENT, pivoted, pushing, standing};
+use crate::contact::complementarity::{DEPENDENT, pushing, standing, standing_together};
 use crate::contact::grip::{Grip, Way};
 use crate::contact::lemke;
 
@@ -107,7 +107,7 @@ impl Rough<'_> {
     }
 
     /// Pushes for a choice in which one after the other is changed that friction does not allow.
-    pub(super) fn put_right(&self, mut grips: Vec<Grip>) -> Option<Pushes> {
+    fn put_right(&self, mut grips: Vec<Grip>) -> Option<Pushes> {
         for _ in 0..=ROUNDS * self.patches.len() {
             let found = self.attempt(&grips)?;
             match self.wrong(&found) {
@@ -217,7 +217,7 @@ impl Rough<'_> {
         let held: Vec<usize> =
             (0..self.contacts.len()).filter(|index| held.contains(&self.contacts[*index])).collect();
         let of = (&reduced.matrix, &reduced.without);
-        let pushes = standing(of.0, of.1, &held).or_else(|| pivoted(of.0, of.1, &held))?;
+        let pushes = standing(of.0, of.1, &held).or_else(|| standing_together(of.0, of.1, &held))?;
         Some(self.complete(grips, reduced, &held, &pushes))
     }
 
@@ -285,7 +285,7 @@ impl Rough<'_> {
     }
 
     /// The same of all that slips alike.
-    fn normal_of(&self, patch: &Patch, pushes: &DVector<f64>) -> f64 {
+    pub(super) fn normal_of(&self, patch: &Patch, pushes: &DVector<f64>) -> f64 {
         patch.contacts.iter().map(|(contact, _)| self.normal(pushes, *contact)).sum()
     }
 

@@ -92,6 +92,8 @@ struct Settling<'a> {
     /// What the impacts of a Zeno sequence that are not followed come to, less what the forces of the contacts do meanwhile; friction of what
     /// slides has none then. N s.
     cut_off: DVector<f64>,
+    /// How many impacts there have been.
+    rounds: usize,
     /// Speeds before the impact, by position: what rounding after it is relative to.
     speed: DVector<f64>,
     /// Accelerations of the gaps with the forces of the contacts that last, m/s^2.
@@ -155,7 +157,8 @@ impl<'a> Settling<'a> {
         let speed = touch.speed.clone();
         let then = touch.free.clone();
         let [impulses, cut_off] = [(); 2].map(|()| DVector::zeros(count));
-        Ok(Self { equations, island: island.to_vec(), now, touch, part, impulses, cut_off, speed, then })
+        let island = island.to_vec();
+        Ok(Self { equations, island, now, touch, part, impulses, cut_off, rounds: 0, speed, then })
     }
 
     /// What lasts, and impacts that end by themselves. What stands only since rates of others were taken away, or would be back within the shortest
@@ -181,29 +184,31 @@ impl<'a> Settling<'a> {
                 return Ok((lasting, zeno));
             }
             jump.record.others.truncate(others);
-            for position in falling {
+            for &position in &falling {
                 self.speed[position] =
                     self.speed[position].max(2.0 * self.touch.rate[position].abs() / STANDS);
-                self.part.push(position);
             }
-            self.part.sort_unstable();
-            self.part.dedup();
+            self.take_part(falling);
         }
+    }
+
+    fn take_part(&mut self, positions: Vec<usize>) {
+        self.part.extend(positions);
+        self.part.sort_unstable();
+        self.part.dedup();
     }
 
     /// Contacts that are not held and close at once: they stand, or open for less than the shortest step.
     fn falling_back(&self, lasting: &Lasting, touched: &Touched) -> Vec<usize> {
-        let Touch { gap, rate, blur, pairs, .. } = &self.touch;
+        let rate = &self.touch.rate;
         let is_held = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
         let falls_back = |position: &usize| {
             let (position, then) = (*position, self.then[*position]);
-            let may_touch = !is_held(position) && !touched.left.contains(&pairs[position]);
-            let touches = may_touch && gap[position].abs() <= blur[position];
             let is_short = rate[position] > 0.0 && flight(0.0, rate[position], then) <= self.shortest();
             let falls = then < -self.zero() && (self.stands(position) || is_short);
-            touches && falls && self.equations.pairs()[pairs[position]].is_rigid()
+            falls && !is_held(position) && self.may_touch(position, touched)
         };
-        (0..pairs.len()).filter(falls_back).collect()
+        (0..rate.len()).filter(falls_back).collect()
     }
 
     /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
@@ -339,10 +344,21 @@ impl<'a> Settling<'a> {
 
     /// Whether a gap neither opens nor closes, but for rounding.
     fn stands(&self, position: usize) -> bool {
-        // What the largest impulse would do here: impulses are found to a rounding error of the largest.
-        let pushed = self.touch.response[(position, position)] * self.impulses.amax();
-        let speed = self.speed[position].max(self.touch.speed[position]).max(pushed);
+        let speed = self.speed[position].max(self.touch.speed[position]).max(self.pushed(position));
         self.touch.rate[position].abs() <= STANDS * speed
+    }
+
+    /// What the largest impulse would do at a row: impulses are found to a rounding error of the largest.
+    fn pushed(&self, row: usize) -> f64 {
+        self.touch.response[(row, row)] * self.impulses.amax()
+    }
+
+    /// Whether rigid ones touch where they may, but for rounding.
+    fn may_touch(&self, position: usize, touched: &Touched) -> bool {
+        let Touch { gap, blur, pairs, .. } = &self.touch;
+        let pair = pairs[position];
+        let touches = gap[position].abs() <= blur[position] && !touched.left.contains(&pair);
+        touches && self.equations.pairs()[pair].is_rigid()
     }
 
     /// Takes away what is left of the rates of contacts that are held.

@@ -6,8 +6,9 @@ use std::collections::HashSet;
 use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Node, Substitution, Symbol, Vector, Written, is_identically_zero};
-use tumble_mech::{Anchor, Joint, Mode, Pivot, Term, rotated};
+use tumble_mech::{Anchor, ContactMode, Joint, Mode, Pivot, Term, rotated};
 use tumble_notation::{Left, Math, Notation, Printed};
+use tumble_ode::Piece;
 use tumble_scene::Study;
 
 use super::alike::Kind;
@@ -55,11 +56,14 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
     told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
 }
 
-/// The modes in which the motion has stayed: at the instant of the start there may be another one.
+/// The modes in which the motion has stayed: at the instant of the start there may be another one, and while impacts end that are too low to be
+/// followed it stays for no time that a reader knows of.
 fn lasting(case: &Case) -> Vec<&Mode> {
     let trajectory = case.run.trajectory();
+    let settles = |mode: &Mode| mode.contacts.iter().any(|(_, contact)| *contact == ContactMode::Settling);
     let lasts = |number: &usize| {
-        trajectory.pieces.iter().any(|piece| piece.mode == *number && piece.end > piece.start)
+        let stays = |piece: &Piece| piece.mode == *number && piece.end > piece.start;
+        trajectory.pieces.iter().any(stays) && !settles(&trajectory.modes[*number])
     };
     (0..trajectory.modes.len()).filter(lasts).map(|number| &trajectory.modes[number]).collect()
 }

@@ -12,6 +12,7 @@ use super::ending::Ending;
 use super::rubbing::Rubbing;
 use super::{Lasting, Settling};
 use crate::contact::complementarity::standing;
+use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Grip;
 use crate::mode::Mode;
 use crate::record::Jump;
@@ -33,6 +34,13 @@ impl Settling<'_> {
         jump: &mut Jump<Mode>,
     ) -> Result<(), Reason> {
         let (Some(time), Some(rubbing)) = (self.meanwhile(zeno), &lasting.rubbing) else { return Ok(()) };
+        // Where such impacts go on already, a part of it has been done.
+        let goes_on = |position: &usize| {
+            jump.mode.contact_mode(self.touch.pairs[*position]) == Some(ContactMode::Settling)
+        };
+        if rubbing.found.held.iter().any(goes_on) {
+            jump.early = time.max(jump.early);
+        }
         let rubbed = self.rubbed(rubbing, time).ok_or_else(|| self.unsolved("contact"))?;
         self.stop(&rubbed, jump)
     }

@@ -63,11 +63,9 @@ impl Settling<'_> {
         patches.into_iter().map(|(_, patch)| patch).collect()
     }
 
-    /// A slip that is none: rounding of its own, and of impulses, which are found to a rounding error of the largest.
+    /// A slip that is none: rounding.
     pub(super) fn still(&self, slip: usize) -> f64 {
-        let row = self.touch.pairs.len() + slip;
-        let pushed = self.touch.response[(row, row)] * self.impulses.rows(0, self.touch.pairs.len()).amax();
-        STANDS * self.touch.slips.speed[slip].max(pushed)
+        STANDS * self.touch.slips.speed[slip].max(self.pushed(self.touch.pairs.len() + slip))
     }
 
     /// Rows of a group whose rates are known after an impact, but for rounding: what sticks.

@@ -5,7 +5,7 @@
 
 use super::Settling;
 use crate::contact::grip::Grip;
-use crate::contact::rough::{Patch, Pushes};
+use crate::contact::rough::{Patch, Pushes, Rough};
 
 /// Who holds has this part of its friction to spare at least, else it is about to slip too.
 const SPARE: f64 = 1e-6;
@@ -34,22 +34,22 @@ impl Settling<'_> {
         };
         let tried = (0..1_usize << still.len()).filter_map(|free| {
             let found = rough.attempt(&choice(free))?;
-            Some((self.spare(patches, &found)?, found))
+            Some((self.spare(&rough, &found)?, found))
         });
         let best = tried.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
         (best.0 > SPARE).then_some(best.1)
     }
 
     /// The least that any patch that holds has to spare, as a part of its friction; `None` where one slips that is to stand still.
-    fn spare(&self, patches: &[Patch], found: &Pushes) -> Option<f64> {
+    fn spare(&self, rough: &Rough<'_>, found: &Pushes) -> Option<f64> {
         let mut least = f64::INFINITY;
-        for patch in patches.iter().filter(|patch| patch.slips.is_none()) {
+        for patch in rough.patches.iter().filter(|patch| patch.slips.is_none()) {
             if found.then[patch.row()].abs() > self.zero() {
                 return None;
             }
-            let normal: f64 = patch.contacts.iter().map(|(contact, _)| found.pushes[*contact]).sum();
+            let most = patch.friction[0] * rough.normal_of(patch, &found.pushes);
             if found.pushes[patch.row()] != 0.0 {
-                least = least.min(1.0 - found.pushes[patch.row()].abs() / (patch.friction[0] * normal));
+                least = least.min(1.0 - found.pushes[patch.row()].abs() / most);
             }
         }
         Some(least)

@@ -32,31 +32,31 @@ fn law_of(pair: &Pair) -> Restitution {
 impl Settling<'_> {
     /// Velocities after the impacts of this instant, and whether there are any: an impact may turn round what touches and was about to part.
     pub(super) fn impacts(&mut self, touched: &Touched, jump: &mut Jump<Mode>) -> Result<bool, Reason> {
-        for round in 0..MOST_ROUNDS {
+        let before = self.rounds;
+        loop {
             let closing = self.about_to_close(touched);
             if closing.is_empty() {
-                return Ok(round > 0);
+                return Ok(self.rounds > before);
             }
-            self.part.extend(closing);
-            self.part.sort_unstable();
-            self.part.dedup();
+            if self.rounds == MOST_ROUNDS {
+                return Err(self.endless());
+            }
+            self.rounds += 1;
+            self.take_part(closing);
             self.impact(jump)?;
         }
-        Err(self.endless())
     }
 
     /// Contacts that close now: what is within the rounding of its gap but takes longer than the shortest step is still to come.
     fn about_to_close(&self, touched: &Touched) -> Vec<usize> {
-        let Touch { gap, rate, free, blur, pairs, .. } = &self.touch;
+        let Touch { gap, rate, free, .. } = &self.touch;
         let is_at_once = |position: usize| {
-            let may_touch = self.equations.pairs()[pairs[position]].is_rigid();
-            let touches = may_touch && gap[position].abs() <= blur[position];
             let time = flight(gap[position].max(0.0), rate[position], free[position]);
-            touches && !touched.left.contains(&pairs[position]) && time <= self.shortest()
+            self.may_touch(position, touched) && time <= self.shortest()
         };
         let closes = |position: &usize| rate[*position] < 0.0 && !self.stands(*position);
         let has_part = |position: usize| self.part.contains(&position) || is_at_once(position);
-        (0..pairs.len()).filter(|position| closes(position) && has_part(*position)).collect()
+        (0..gap.len()).filter(|position| closes(position) && has_part(*position)).collect()
     }
 
     fn impact(&mut self, jump: &mut Jump<Mode>) -> Result<(), Reason> {

@@ -1,5 +1,6 @@
 //! Random problems with known answers, and whether the errors that are stated of the program's answers hold.
 
+mod ball;
 mod bounces;
 mod bump;
 mod draw;

@@ -15,10 +15,11 @@
 //!
 //! Landau and Lifshitz, Mechanics, §§ 21 and 25.
 
+use super::super::ball::Ball;
 use super::super::real::Real;
 use super::super::setup::{At, Given, Problem, Setup};
 use super::super::touch::{Fall, Touch};
-use super::super::units::{ACCELERATION, DAMPING, ENERGY, FORCE, LENGTH, MASS, SPEED, STIFFNESS, TIME};
+use super::super::units::{ACCELERATION, DAMPING, ENERGY, FORCE, LENGTH, SPEED, STIFFNESS, TIME};
 
 /// How long a contact is, in parts of the time before it.
 const BRIEF: [f64; 2] = [1e-5, 0.3];
@@ -28,82 +29,57 @@ const DAMPINGS: [f64; 2] = [0.01, 0.7];
 const MOST: f64 = 200.0;
 
 pub(super) fn make(mut setup: Setup) -> Problem {
-    let mass = setup.given("mass", 1.0, MASS);
-    let radius = setup.given("radius", 0.1, LENGTH);
-    let [foot, x] = ["foot", "x"].map(|name| setup.shift(name));
-    let height = setup.draw.log_between(0.05, 3.0);
-    let height = setup.given("height", height, LENGTH);
-    let [vx, vy] = [("vx", 1.0), ("vy", -1.0)].map(|(name, size)| setup.given(name, size, SPEED));
+    let ball = Ball::random(&mut setup);
     let with_weight = setup.draw.chance(0.5);
     let gravity = setup.given("g", if with_weight { 1.0 } else { 0.0 }, ACCELERATION);
     let brief = setup.draw.log_between(BRIEF[0], BRIEF[1]);
     let stiffness = setup.given("stiffness", (std::f64::consts::PI / brief).powi(2), STIFFNESS);
     let release = setup.draw.pick(&["at zero force", "at the surface"]);
-    let fall = Fall::new(&gravity.value, &height.value, &vy.value);
-    let frequency = (&stiffness.value / &mass.value).sqrt();
+    let fall = Fall::new(&gravity.value, &ball.height.value, &ball.vy.value);
+    let frequency = (&stiffness.value / &ball.mass.value).sqrt();
     let size = setup.draw.log_between(DAMPINGS[0], DAMPINGS[1]) * std::f64::consts::PI / brief * 2.0;
     let damping = setup.given("damping", if with_weight { 0.0 } else { size }, DAMPING);
-    setup.write(&format!(
-        "[body.p]
-        ball = {{ radius = \"{radius}\" }}
-        mass = \"{mass}\"
-        start = {{ at = [\"{x}\", \"{foot} + {radius} + {height}\"], velocity = [\"{vx}\", \"{vy}\"] }}
-        [surface.floor]
-        through = [0, \"{foot}\"]
-        spring = {{ stiffness = \"{stiffness}\", damping = \"{damping}\", release = \"{release}\" }}"
-    ));
+    ball.write(
+        &mut setup,
+        &format!(
+            "spring = {{ stiffness = \"{stiffness}\", damping = \"{damping}\", release = \"{release}\" }}"
+        ),
+    );
     let touch = if with_weight {
         Touch::heavy(&fall, &gravity.value, &frequency)
     } else {
-        let half = &damping.value / &mass.value / 2;
+        let half = &damping.value / &ball.mass.value / 2;
         Touch::damped(&fall.speed, [&frequency, &half], release == "at zero force")
     };
-    let lines = Lines { mass, stiffness, x, vx };
     let until = if with_weight {
-        ask_many(&mut setup, &lines, &fall, &touch, &gravity)
+        ask_many(&mut setup, (&ball, &stiffness), &fall, &touch, &gravity)
     } else {
-        ask_one(&mut setup, &lines, &fall, &touch)
+        ask_one(&mut setup, &ball, &fall, &touch)
     };
     setup.problem(&gravity.word, &until)
 }
 
-/// What is given beside the fall.
-struct Lines {
-    mass: Given,
-    stiffness: Given,
-    x: Given,
-    vx: Given,
-}
-
-const FIRST: &str = "floor.contact[1]";
-
-fn ask_touch(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch) {
-    setup.ask(&format!("{FIRST}.start"), At::End, &fall.time, TIME);
-    setup.ask(&format!("{FIRST}.duration"), At::End, &touch.duration, TIME);
-    let end = &fall.time + &touch.duration;
-    let instant = format!("{FIRST}.end");
-    setup.ask_time(&instant, &end);
-    setup.ask("p.vy", At::Before(format!("{FIRST}.start")), &-&fall.speed, SPEED);
-    setup.ask("p.vy", At::After(instant.clone()), &touch.after, SPEED);
-    setup.ask("p.x", At::After(instant), &(&lines.x.value + &lines.vx.value * end), LENGTH);
-    setup.ask("floor.p.rim.gap", At::Least(None), &-&touch.depth, LENGTH);
-}
-
 /// A contact without weight, and the motion after it.
-fn ask_one(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch) -> Given {
+fn ask_one(setup: &mut Setup, ball: &Ball, fall: &Fall, touch: &Touch) -> Given {
     let size = (&fall.time * 2 + &touch.duration).to_f64();
     let end = &fall.time + &touch.duration * 2;
     let found = setup.time("until", |draw| size * draw.between(0.9, 2.0), |time| *time > end);
     let until = found.unwrap_or_else(|| setup.near("until", &(end * 3), TIME));
-    ask_touch(setup, lines, fall, touch);
+    ball.ask_first(setup, fall, touch);
     setup.ask("p.vy", At::End, &touch.after, SPEED);
-    let energy = |speed: &Real| &lines.mass.value * speed.squared() / 2;
+    let energy = |speed: &Real| &ball.mass.value * speed.squared() / 2;
     setup.ask("floor.work", At::End, &(energy(&touch.after) - energy(&fall.speed)), ENERGY);
     until
 }
 
 /// Contact after contact under its weight.
-fn ask_many(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch, gravity: &Given) -> Given {
+fn ask_many(
+    setup: &mut Setup,
+    (ball, stiffness): (&Ball, &Given),
+    fall: &Fall,
+    touch: &Touch,
+    gravity: &Given,
+) -> Given {
     let flight = &fall.speed * 2 / &gravity.value;
     let period = &touch.duration + &flight;
     let count = setup.draw.log_between(1.0, MOST) as i64;
@@ -119,11 +95,11 @@ fn ask_many(setup: &mut Setup, lines: &Lines, fall: &Fall, touch: &Touch, gravit
     if until.value < end {
         return until;
     }
-    ask_touch(setup, lines, fall, touch);
+    ball.ask_first(setup, fall, touch);
     let since = &until.value - end;
     setup.ask("p.vy", At::End, &(&fall.speed - &gravity.value * &since), SPEED);
     setup.ask("floor.p.rim.gap", At::End, &((&fall.speed - &gravity.value * &since / 2) * since), LENGTH);
-    setup.ask("floor.normal", At::Greatest(None), &(&lines.stiffness.value * &touch.depth), FORCE);
+    setup.ask("floor.normal", At::Greatest(None), &(&stiffness.value * &touch.depth), FORCE);
     setup.ask_time(&format!("floor.contact[{count}].start"), &begin(count));
     setup.ask(&format!("floor.contact[{count}].duration"), At::End, &touch.duration, TIME);
     until

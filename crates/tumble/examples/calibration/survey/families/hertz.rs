@@ -13,37 +13,24 @@
 //!
 //! Landau and Lifshitz, Theory of Elasticity, § 9; Hunt and Crossley, Coefficient of restitution interpreted as damping in vibroimpact, 1975.
 
+use super::super::ball::Ball;
 use super::super::pad::hertz;
 use super::super::real::Real;
 use super::super::setup::{At, Problem, Setup};
 use super::super::touch::{Fall, Hertz, Law};
-use super::super::units::{ACCELERATION, ENERGY, LENGTH, MASS, SPEED, TIME};
+use super::super::units::{ACCELERATION, ENERGY, LENGTH, SPEED, TIME};
 
 /// Share of those without weight.
 const WEIGHTLESS: f64 = 0.7;
-const FIRST: &str = "floor.contact[1]";
 
 pub(super) fn make(mut setup: Setup) -> Problem {
-    let mass = setup.given("mass", 1.0, MASS);
-    let radius = setup.given("radius", 0.1, LENGTH);
-    let [foot, x] = ["foot", "x"].map(|name| setup.shift(name));
-    let height = setup.draw.log_between(0.05, 3.0);
-    let height = setup.given("height", height, LENGTH);
-    let [vx, vy] = [("vx", 1.0), ("vy", -1.0)].map(|(name, size)| setup.given(name, size, SPEED));
+    let ball = Ball::random(&mut setup);
     let has_weight = !setup.draw.chance(WEIGHTLESS);
     let gravity = setup.given("g", if has_weight { 1.0 } else { 0.0 }, ACCELERATION);
-    let fall = Fall::new(&gravity.value, &height.value, &vy.value);
+    let fall = Fall::new(&gravity.value, &ball.height.value, &ball.vy.value);
     let is_damped = !has_weight && setup.draw.chance(0.7);
-    let (coefficients, law): (String, Hertz) = hertz(&mut setup, &mass.value, &fall.speed, is_damped);
-    setup.write(&format!(
-        "[body.p]
-        ball = {{ radius = \"{radius}\" }}
-        mass = \"{mass}\"
-        start = {{ at = [\"{x}\", \"{foot} + {radius} + {height}\"], velocity = [\"{vx}\", \"{vy}\"] }}
-        [surface.floor]
-        through = [0, \"{foot}\"]
-        hertz = {{ {coefficients} }}"
-    ));
+    let (coefficients, law): (String, Hertz) = hertz(&mut setup, &ball.mass.value, &fall.speed, is_damped);
+    ball.write(&mut setup, &format!("hertz = {{ {coefficients} }}"));
     let touch = match has_weight {
         true => law.heavy(&fall.speed, &gravity.value),
         false => Law::Hertz(law).touch(&fall.speed),
@@ -57,18 +44,12 @@ pub(super) fn make(mut setup: Setup) -> Problem {
     let until = setup.near("until", &(&end + late), TIME);
     let flight = &until.value - &end;
     assert!(flight.sign() > 0 && &flight * &gravity.value < &touch.after * 2, "one contact");
-    setup.ask(&format!("{FIRST}.start"), At::End, &fall.time, TIME);
-    setup.ask(&format!("{FIRST}.duration"), At::End, &touch.duration, TIME);
-    let instant = format!("{FIRST}.end");
-    setup.ask_time(&instant, &end);
-    setup.ask("p.vy", At::After(instant.clone()), &touch.after, SPEED);
-    setup.ask("p.x", At::After(instant), &(&x.value + &vx.value * end), LENGTH);
-    setup.ask("floor.p.rim.gap", At::Least(None), &-&touch.depth, LENGTH);
+    ball.ask_first(&mut setup, &fall, &touch);
     let fallen = &gravity.value * &flight;
     setup.ask("p.vy", At::End, &(&touch.after - &fallen), SPEED);
     setup.ask("floor.p.rim.gap", At::End, &((&touch.after - &fallen / 2) * &flight), LENGTH);
     if is_damped {
-        let work = &mass.value * (touch.after.squared() - fall.speed.squared()) / 2;
+        let work = &ball.mass.value * (touch.after.squared() - fall.speed.squared()) / 2;
         setup.ask("floor.work", At::End, &work, ENERGY);
     }
     setup.problem(&gravity.word, &until)
