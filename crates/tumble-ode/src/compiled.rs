@@ -76,11 +76,20 @@ impl Compiled {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Limit {
     None,
+    /// What is known to be zero begins, and may not get beyond; the group that it is measured against.
+    Kept(usize),
     Always,
     /// Acceleration for each unit of the guard, and the group of what it moves.
     IfItMoves(f64, usize),
     /// The group that it is measured against.
     IfBeyond(usize),
+}
+
+impl Limit {
+    /// Whether what is at zero and about to cross may end the flow at once.
+    pub(crate) fn may_end(self) -> bool {
+        !matches!(self, Self::None | Self::Kept(_))
+    }
 }
 
 fn limits(program: &Program, inputs: &[f64]) -> Vec<Limit> {
@@ -90,6 +99,7 @@ fn limits(program: &Program, inputs: &[f64]) -> Vec<Limit> {
         }
         (AtZero::EndsBeyond { group }, _) => Limit::IfBeyond(*group),
         (AtZero::Begins, _) => Limit::None,
+        (AtZero::Keeps { group }, _) => Limit::Kept(*group),
         (AtZero::Ends | AtZero::EndsIfItMoves { .. }, _) => Limit::Always,
     };
     program.plan.at_zero.iter().zip(&program.responses).map(limit).collect()

@@ -24,6 +24,8 @@ pub(crate) use hits::{Hit, Hits};
 
 /// A length this much smaller than it has been is zero but for rounding: the motion passes through zero.
 const VANISHING: f64 = 1024.0 * f64::EPSILON;
+/// A guard is beyond zero if it is so by more than this part of its scale: where it was located it is there but for rounding.
+const KEPT: f64 = 1e-11;
 /// Roots closer than this part of a step are one instant.
 const SIMULTANEOUS_PART: f64 = 4.0 * f64::EPSILON;
 
@@ -422,6 +424,23 @@ impl Engine {
         self.branch_signs.sides_are_carried &= length == 0.0;
     }
 
+    /// Refuses a step at the end of which a guard is beyond zero that the flow holds on one side of only.
+    pub(crate) fn refuse_beyond(
+        &self,
+        expansion: &Expansion,
+        length: f64,
+        scales: &Scales,
+    ) -> Result<(), Reason> {
+        for (guard, series) in expansion.guards.iter().enumerate() {
+            let Limit::Kept(group) = self.system.guard_limits[guard] else { continue };
+            let end = value(series, length);
+            if self.system.guard_directions[guard].allows(end) && end.abs() > KEPT * scales.of(group) {
+                return Err(Reason::Beyond { guard: self.system.guard_names[guard].clone() });
+            }
+        }
+        Ok(())
+    }
+
     /// A step was taken: what was zero at its start is so no more.
     pub(crate) fn leave_start(&mut self) {
         let BranchSigns { zero_branches, zero_turnings, zero_guards, vanishing, .. } = &mut self.branch_signs;
@@ -500,7 +519,7 @@ impl Engine {
         let crosses = |guard: &usize| {
             let after = sign_after(&ahead.guards[*guard]);
             let before = self.branch_signs.sides[*guard];
-            let is_limit = !matches!(self.system.guard_limits[*guard], Limit::None);
+            let is_limit = self.system.guard_limits[*guard].may_end();
             let passes = before * after < 0.0 || (is_limit && before == 0.0 && after != 0.0);
             passes && self.system.guard_directions[*guard].allows(after)
         };

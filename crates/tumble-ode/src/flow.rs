@@ -51,6 +51,12 @@ pub struct Guard<F = Expr> {
 pub enum AtZero<F = Expr> {
     /// Nothing: what starts at a value has not passed it.
     Begins,
+    /// What is known to be zero begins there. All else is beyond zero by rounding and ends at once: the flow holds on one side only. A step that
+    /// ends beyond by more than a rounding error of the group's scale is refused.
+    Keeps {
+        /// Index of the [`ScaleGroup`] that it is measured against.
+        group: usize,
+    },
     /// The flow holds on one side only, and ends at once.
     Ends,
     /// The same, if it matters: the guard is a force that holds something in its place, with this acceleration, a
@@ -183,6 +189,7 @@ impl<F> AtZero<F> {
         match self {
             Self::Begins => AtZero::Begins,
             Self::Ends => AtZero::Ends,
+            Self::Keeps { group } => AtZero::Keeps { group: *group },
             Self::EndsBeyond { group } => AtZero::EndsBeyond { group: *group },
             Self::EndsIfItMoves { response, group } => {
                 AtZero::EndsIfItMoves { response: of(response), group: *group }

@@ -103,7 +103,7 @@ pub struct Jump<Mode, Record = ()> {
     pub stop: bool,
     /// Guards and lazily evaluated guards of the new mode that are zero now, whatever rounding has left of them, by
     /// name; each with how many of its derivatives, itself included, vanish. Those that made the jump have at least
-    /// one.
+    /// one, but for [`crate::AtZero::Keeps`]: the model says whether that has come to zero and goes on.
     pub zeros: Vec<(String, usize)>,
     /// A later time, s, at which the system is to be asked again.
     pub wake: Option<f64>,

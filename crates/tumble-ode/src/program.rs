@@ -179,7 +179,7 @@ impl Fixed<'_> {
     fn response(&self, at_zero: &AtZero<NodeId>) -> Result<Option<Arc<Tape>>, CompileError> {
         match at_zero {
             AtZero::EndsIfItMoves { response, .. } => self.tape(&[*response]).map(Some),
-            AtZero::Begins | AtZero::Ends | AtZero::EndsBeyond { .. } => Ok(None),
+            AtZero::Begins | AtZero::Keeps { .. } | AtZero::Ends | AtZero::EndsBeyond { .. } => Ok(None),
         }
     }
 }

@@ -134,6 +134,12 @@ pub enum Reason {
         /// The argument, SI units.
         at: f64,
     },
+    /// A motion on that side of a guard on which its equations do not hold.
+    #[error("the motion that was found is none: its equations do not hold beyond the zero of `{guard}`")]
+    Beyond {
+        /// The guard.
+        guard: String,
+    },
     /// Events that follow each other without time passing.
     #[error("{events} events follow each other without time passing")]
     Chatter {

@@ -480,6 +480,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let work = &mut self.trajectory.work;
         let engine = &mut self.engines[mode];
         engine.look_back(expansion, step.length);
+        engine.refuse_beyond(expansion, step.length, &self.scales)?;
         if step.length > 0.0 {
             self.at_once = 0;
             engine.leave_start();

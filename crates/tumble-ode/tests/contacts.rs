@@ -258,3 +258,30 @@ fn zeros_that_are_known_are_not_crossed_again() {
     let motion = run_with(&toy, &[-1e-17, 0.0], 2.0, vec![Cause::LazyGuard(0)]).expect("a motion");
     assert_eq!(times(&motion), [0.0]);
 }
+
+/// The speed of what is thrown up, which the flow holds for while it is positive.
+fn kept(jump: fn(&Crossing<'_, i32>) -> Jump<i32>) -> Toy {
+    let kept = Guard { at_zero: AtZero::Keeps { group: 0 }, ..guard("turn", leaf("v")) };
+    Toy { guards: vec![kept], ..falling(jump) }
+}
+
+#[test]
+fn what_goes_on_beyond_a_guard_that_is_kept_is_refused() {
+    // The model says that it begins at zero, and it falls.
+    let toy =
+        kept(|at| Jump { zeros: vec![("turn".into(), 1)], ..Jump::to(at.mode + 1, vec![at.states[0], 0.0]) });
+    let stopped = run_with(&toy, &[0.0, 1.0], 1.0, vec![]).expect_err("it is beyond");
+    assert_eq!(stopped.refusal.reason, Reason::Beyond { guard: "turn".into() });
+    assert!((stopped.refusal.time - 0.1).abs() < 1e-13, "{}", stopped.refusal.time);
+}
+
+#[test]
+fn a_guard_that_is_kept_crosses_again_where_its_jump_left_it_away_from_zero() {
+    let toy = kept(|at| match at.mode {
+        0 => Jump::to(1, vec![at.states[0], 1e-14]),
+        _ => Jump { stop: true, ..Jump::to(2, at.states.to_vec()) },
+    });
+    let motion = run(&toy, &[0.0, 1.0], 1.0);
+    let times = times(&motion);
+    assert!(times.len() == 2 && times[1] - times[0] < 1e-14, "{times:?}");
+}

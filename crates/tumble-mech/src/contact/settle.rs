@@ -100,6 +100,17 @@ struct Settling<'a> {
     then: DVector<f64>,
 }
 
+impl Lasting {
+    /// Rows that are kept where they are.
+    fn held(&self) -> Vec<usize> {
+        if let Some(Rubbing { found, .. }) = &self.rubbing {
+            return [&found.held[..], &found.holding].concat();
+        }
+        let held = self.modes.iter().filter(|(_, contact_mode)| contact_mode.is_held());
+        held.map(|(position, _)| *position).collect()
+    }
+}
+
 impl Equations {
     /// Settles the contacts of bodies that joints and contacts make an island now, but for who is pressed into a compliant surface. The impulses of the impact.
     pub(crate) fn settle(
@@ -172,12 +183,16 @@ impl<'a> Settling<'a> {
         loop {
             let zeno = self.zeno();
             let slow = zeno.iter().flat_map(|zeno| &zeno.slow.pairs);
-            let stopped = touched.stopped.iter().chain(slow).copied().collect();
+            let stopped = touched.stopped.iter().filter(|pair| !self.is_carried_on(**pair)).chain(slow);
+            let stopped = stopped.copied().collect();
             let touched = &Touched { stopped, ..touched.clone() };
             let others = jump.record.others.len();
             let lasting = self.lasting(touched, zeno.as_ref(), jump)?;
             let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
             falling.retain(|position| held.insert(*position));
+            if zeno.is_some() {
+                self.stop_with(&lasting, touched, jump)?;
+            }
             let is_struck = falling.is_empty() && self.impacts(touched, jump)?;
             if falling.is_empty() && !is_struck {
                 self.rub_meanwhile(&lasting, zeno.as_ref(), jump)?;
@@ -190,6 +205,35 @@ impl<'a> Settling<'a> {
             }
             self.take_part(falling);
         }
+    }
+
+    /// Takes away the rates of what closes only since impacts that end by themselves were ended at once: struck, it would set these going again,
+    /// and so on without end. Velocities are projected on those with which all of it stands, which takes energy and never gives any.
+    fn stop_with(
+        &mut self,
+        lasting: &Lasting,
+        touched: &Touched,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
+        let mut kept = lasting.held();
+        loop {
+            let closing = self.about_to_close(touched);
+            if closing.is_empty() || closing.iter().any(|position| kept.contains(position)) {
+                return Ok(());
+            }
+            kept.extend(closing);
+            // What depends on others is struck.
+            let Some(stop) = standing(&self.touch.response, &self.rates(), &kept) else { return Ok(()) };
+            self.stop(&stop, jump)?;
+        }
+    }
+
+    /// Whether a slip that came to its stop at the instant of an impact goes on with what that made of it.
+    fn is_carried_on(&self, pair: usize) -> bool {
+        let Some(slip) = self.touch.slips.pairs.iter().position(|known| *known == pair) else { return false };
+        let row = self.touch.pairs.len() + slip;
+        let change = self.touch.response.row(row).transpose().dot(&self.impulses);
+        change.abs() > self.still(slip)
     }
 
     fn take_part(&mut self, positions: Vec<usize>) {
@@ -240,14 +284,10 @@ impl<'a> Settling<'a> {
             None => self.hold(&members, &members).ok_or_else(|| self.without_forces(&members, &jump.mode))?,
         };
         self.then = then;
-        let held: Vec<usize> = found
-            .iter()
-            .filter(|(_, contact_mode)| contact_mode.is_held())
-            .map(|(position, _)| *position)
-            .collect();
-        let stop = standing(&self.touch.response, &self.rates(), &held);
+        let lasting = Lasting { modes: found, rubbing: None };
+        let stop = standing(&self.touch.response, &self.rates(), &lasting.held());
         self.stop(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
-        Ok(Lasting { modes: found, rubbing: None })
+        Ok(lasting)
     }
 
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the

@@ -97,15 +97,13 @@ impl Equations {
             self.refuse_feedback(here, &causes.fed)?;
         }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
-        if causes.wakes {
-            self.wake(jump);
-        }
+        let woken = if causes.wakes { self.wake(jump) } else { vec![] };
         let (islands, touching) = self.islands_now(&causes, now, jump)?;
         let mut touched = vec![None; islands.len()];
         let of = |pair: usize| {
             islands.iter().position(|island| island.binary_search(&self.pairs()[pair].body).is_ok())
         };
-        for pair in self.still_standing(at, jump) {
+        for pair in self.still_standing(at, jump).into_iter().chain(woken) {
             of(pair).into_iter().for_each(|island| _ = touched[island].get_or_insert_default());
         }
         for (pair, watched, closes) in causes.seen {
@@ -168,14 +166,17 @@ impl Equations {
         lasting.map(|(pair, _)| *pair).chain(at.mode.grips.iter().map(|(pair, _)| *pair)).collect()
     }
 
-    /// Impacts that were too small to follow have ended.
-    fn wake(&self, jump: &mut Jump<Mode>) {
+    /// Impacts that were too small to follow have ended; the pairs of these. Nobody has watched how these slip.
+    fn wake(&self, jump: &mut Jump<Mode>) -> Vec<usize> {
+        let mut woken = vec![];
         for (pair, contact_mode) in &mut jump.mode.contacts {
             if *contact_mode == ContactMode::Settling {
                 *contact_mode = ContactMode::Resting;
                 jump.record.happened.push(Happening::Contact { pair: *pair, change: Change::Start });
+                woken.push(*pair);
             }
         }
+        woken
     }
 
     /// What touches bodies that are pressed from now on, and lies still, is pressed with them, though with no force at first: rounding would

@@ -154,7 +154,9 @@ impl<A: Algebra> Linking<'_, A> {
             Watched::Normal | Watched::Cone(_) => {
                 AtZero::EndsIfItMoves { response: self.lightness(pair), group: Measure::Length as usize }
             }
-            Watched::Gap | Watched::Force | Watched::Slip => AtZero::Begins,
+            Watched::Gap | Watched::Force => AtZero::Begins,
+            // Friction acts against the slip.
+            Watched::Slip => AtZero::Keeps { group: Measure::Speed as usize },
             Watched::Wedge => AtZero::Ends,
             Watched::Limit(_) => AtZero::EndsBeyond { group: Measure::Length as usize },
         };

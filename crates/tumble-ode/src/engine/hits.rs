@@ -203,7 +203,7 @@ impl Engine {
     fn passage(&self, guard: usize, series: &[f64]) -> Passage {
         let BranchSigns { sides, zero_guards, .. } = &self.branch_signs;
         let side = sides[guard];
-        let is_limit = !matches!(self.system.guard_limits[guard], Limit::None);
+        let is_limit = self.system.guard_limits[guard].may_end();
         if is_limit || side == 0.0 || zero_guards[guard] > 0 || series[0] * side > 0.0 {
             return Passage::None;
         }
@@ -231,7 +231,7 @@ impl Engine {
         let (direction, zeros) = (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
         match self.system.guard_limits[guard] {
             Limit::None | Limit::IfBeyond(_) => false,
-            Limit::Always => is_overdue(series, zeros, direction),
+            Limit::Always | Limit::Kept(_) => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
                 // What is beyond zero and comes back moves something until then only.

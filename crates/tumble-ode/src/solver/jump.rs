@@ -2,6 +2,7 @@
 
 use super::Solver;
 use crate::Reason;
+use crate::compiled::Limit;
 use crate::hybrid::{Cause, Crossing, Hybrid};
 use crate::program::Plan;
 use crate::trajectory::{Occurrence, Trajectory};
@@ -66,9 +67,11 @@ impl<H: Hybrid> Solver<'_, H> {
             around: self.around(mode),
         })?;
         let crossed_at = self.engines[mode].crossed_values(&causes, (self.time, &self.states));
-        let Plan { guard_names, guards, .. } = &*self.engines[mode].system;
+        let system = &self.engines[mode].system;
+        let Plan { guard_names, guards, .. } = &**system;
+        let is_zero = |guard: usize| are_located && !matches!(system.guard_limits[guard], Limit::Kept(_));
         let crossed = |cause: &Cause| match cause {
-            Cause::Guard(guard) => are_located.then(|| (guard_names[*guard].clone(), 1)),
+            Cause::Guard(guard) => is_zero(*guard).then(|| (guard_names[*guard].clone(), 1)),
             Cause::LazyGuard(lazy_guard) => Some((guard_names[guards + lazy_guard].clone(), 1)),
             Cause::Scheduled(_) | Cause::Wake => None,
         };

@@ -1,9 +1,12 @@
 //! A corner on a corner: a little to one side one edge's normal counts, to the other another's.
 
+use std::collections::BTreeSet;
+
 use tumble_expr::Expr;
 use tumble_ode::Reason;
 
 use super::{STANDS, Settling};
+use crate::contact::pair::Rule;
 use crate::mode::Mode;
 use crate::record::Jump;
 
@@ -11,6 +14,9 @@ use crate::record::Jump;
 const ONE_POINT: f64 = 1e-9;
 /// Sine of the angle from which on two normals are two.
 const TWO_WAYS: f64 = 1e-6;
+/// Two are on a common floor if both are nearer to it than this part of the extent of a body: bounces that are about to end are lower, and
+/// what they do not decide on it they do not decide above it.
+const ON_IT: f64 = 1e-6;
 
 impl Settling<'_> {
     /// A corner that slides along an edge passes over the end at which the next edge begins; refused is one that strikes a corner in
@@ -23,7 +29,7 @@ impl Settling<'_> {
         let mut passed = vec![];
         for [one, other] in self.on_corners(jump)? {
             match [one, other].map(|position| closes(&position)) {
-                [true, true] if self.part.len() == 2 => return Err(self.corner_on_corner(one, other)),
+                [true, true] if !self.are_on_one_floor(one) => return Err(self.corner_on_corner(one, other)),
                 [true, false] => passed.push(one),
                 [false, true] => passed.push(other),
                 // On a common floor corners meet by themselves, and both edges push.
@@ -64,6 +70,24 @@ impl Settling<'_> {
             apart <= ONE_POINT * self.touch.size && (a[2] * b[3] - a[3] * b[2]).abs() > TWO_WAYS
         };
         Ok(couples.into_iter().filter(is_one).map(|couple| couple.map(|index| sharp[index])).collect())
+    }
+
+    /// Whether the two of a contact both touch another body or a surface, or are as good as on it.
+    fn are_on_one_floor(&self, position: usize) -> bool {
+        let pair = |position: usize| &self.equations.pairs()[self.touch.pairs[position]];
+        let is_near = |own: &usize| self.touch.gap[*own] <= ON_IT * self.touch.size;
+        let near: Vec<usize> = (0..self.touch.pairs.len()).filter(is_near).collect();
+        // A surface by its rule, a body by its index.
+        let under = |body: usize| -> BTreeSet<(Option<Rule>, Option<usize>)> {
+            let own = near.iter().map(|own| pair(*own)).filter(|own| own.has(body));
+            own.map(|own| match own.other {
+                None => (Some(own.rule), None),
+                Some(other) => (None, Some(if own.body == body { other } else { own.body })),
+            })
+            .collect()
+        };
+        let struck = pair(position);
+        struck.other.is_some_and(|other| !under(struck.body).is_disjoint(&under(other)))
     }
 
     fn corner_on_corner(&self, one: usize, other: usize) -> Reason {

@@ -41,12 +41,17 @@ impl Settling<'_> {
         if rubbing.found.held.iter().any(goes_on) {
             jump.early = time.max(jump.early);
         }
-        let rubbed = self.rubbed(rubbing, time).ok_or_else(|| self.unsolved("contact"))?;
+        let rubbed = self.rubbed(rubbing, &lasting.held(), time).ok_or_else(|| self.unsolved("contact"))?;
         self.stop(&rubbed, jump)
     }
 
     /// What friction of what slides does in a time, N s, with what keeps standing what stands.
-    fn rubbed(&self, Rubbing { patches, found, .. }: &Rubbing, time: f64) -> Option<DVector<f64>> {
+    fn rubbed(
+        &self,
+        Rubbing { patches, found, .. }: &Rubbing,
+        kept: &[usize],
+        time: f64,
+    ) -> Option<DVector<f64>> {
         let mut along = DVector::zeros(found.pushes.len());
         let sliding = patches.iter().zip(&found.grips).filter(|(_, grip)| matches!(grip, Grip::Slides(_)));
         for (position, row) in sliding.flat_map(|(patch, _)| &patch.contacts) {
@@ -54,8 +59,7 @@ impl Settling<'_> {
                 along[*row] = found.pushes[*row] * time;
             }
         }
-        let kept = [&found.held[..], &found.holding].concat();
-        Some(standing(&self.touch.response, &(&self.touch.response * &along), &kept)? + along)
+        Some(standing(&self.touch.response, &(&self.touch.response * &along), kept)? + along)
     }
 
     /// Pairs that slip and will have stopped when a time has passed.

@@ -48,7 +48,7 @@ impl Settling<'_> {
     }
 
     /// Contacts that close now: what is within the rounding of its gap but takes longer than the shortest step is still to come.
-    fn about_to_close(&self, touched: &Touched) -> Vec<usize> {
+    pub(super) fn about_to_close(&self, touched: &Touched) -> Vec<usize> {
         let Touch { gap, rate, free, .. } = &self.touch;
         let is_at_once = |position: usize| {
             let time = flight(gap[position].max(0.0), rate[position], free[position]);
@@ -113,8 +113,15 @@ impl Settling<'_> {
                 _ if rule == MultipleImpacts::Sequential => self.one_by_one(&group)?,
                 _ => self.at_once(&group, &self.rates())?,
             };
+            self.blur_together(&group);
         }
         Ok(all)
+    }
+
+    /// Impulses of several are found to a rounding error of the fastest of them: what is left of the others' rates is none.
+    fn blur_together(&mut self, group: &[usize]) {
+        let fastest = group.iter().map(|position| self.speed[*position]).fold(0.0, f64::max);
+        group.iter().for_each(|position| self.speed[*position] = fastest);
     }
 
     /// Some contacts, parted where impulses at some do nothing to others.
