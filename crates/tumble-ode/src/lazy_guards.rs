@@ -34,6 +34,8 @@ const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 const NOISE: f64 = 32.0;
 /// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
 const BETTER: f64 = 0.5;
+/// A zero that is further away than this part of the step is another one, or that of what is nothing but rounding.
+const MOST_DELAY: f64 = 1e-3;
 /// Where in a step a series is compared with the value.
 const PLACES: [f64; 2] = [0.618, 1.0];
 /// What the draws for guards are told apart by from those for other numbers.
@@ -204,7 +206,8 @@ impl LazyGuards {
 pub(crate) fn delay(series: &[f64], s: f64, rounding: f64, mut at: impl FnMut(f64) -> f64) -> Option<f64> {
     let here = at(s);
     let delay = -here / slope(series, s);
-    (here.abs() > rounding && s + delay > 0.0 && at(s + delay).abs() < here.abs() * BETTER).then_some(delay)
+    let is_near = delay.abs() <= MOST_DELAY * s;
+    (here.abs() > rounding && is_near && at(s + delay).abs() < here.abs() * BETTER).then_some(delay)
 }
 
 /// Reach of the near ones' expansions.

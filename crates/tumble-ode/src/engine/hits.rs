@@ -107,7 +107,7 @@ impl Engine {
         for (guard, series) in expansion.guards.iter().enumerate() {
             let (direction, zeros) =
                 (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
-            if let Limit::IfBeyond(group) = self.system.guard_limits[guard] {
+            if let Limit::IfBeyond(group) | Limit::Kept(group) = self.system.guard_limits[guard] {
                 let passing = Passing { series, conditions: &[], direction, zeros, length };
                 hits.extend(passing.first(scales.of(group)).map(|at| (at, Hit::Guard(guard))));
                 continue;
@@ -230,8 +230,8 @@ impl Engine {
     ) -> bool {
         let (direction, zeros) = (self.system.guard_directions[guard], self.branch_signs.zero_guards[guard]);
         match self.system.guard_limits[guard] {
-            Limit::None | Limit::IfBeyond(_) => false,
-            Limit::Always | Limit::Kept(_) => is_overdue(series, zeros, direction),
+            Limit::None | Limit::Kept(_) | Limit::IfBeyond(_) => false,
+            Limit::Always => is_overdue(series, zeros, direction),
             Limit::IfItMoves(response, group) => {
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
                 // What is beyond zero and comes back moves something until then only.

@@ -40,7 +40,11 @@ impl<H: Hybrid> Solver<'_, H> {
         let earliest = self.time - AT_ONCE_ULPS * f64::EPSILON * self.time.abs();
         let is_same = |event: &&Occurrence<H::Record>| earliest <= event.time && self.leaves_states(event);
         let last = events.iter().rev().take_while(is_same);
-        let Some(length) = last.clone().position(|event| event.mode_before == mode) else { return vec![] };
+        // A jump that stays in its mode is no circle, if there is one.
+        let leaves = |event: &Occurrence<H::Record>| event.mode_before == mode && event.mode_after != mode;
+        let length = last.clone().position(leaves);
+        let length = length.or_else(|| last.clone().position(|event| event.mode_before == mode));
+        let Some(length) = length else { return vec![] };
         let around = last.take(length + 1).map(|event| (&modes[event.mode_before], &event.causes[..]));
         let mut around: Vec<_> = around.collect();
         around.reverse();
