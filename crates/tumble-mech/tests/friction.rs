@@ -404,3 +404,18 @@ fn coefficients_that_cannot_be_are_refused() {
     assert!(refused(below).contains("static friction of `floor` is less than the kinetic one"));
     assert_eq!(refused(Friction::new(Expr::from(0.4)).kinetic(Expr::from(0.3))), "");
 }
+
+/// Of what bounces until it slides the floor's impulses are `m g t` once it bounces no more, and friction's are mu of that: nothing is left out of the
+/// bounces that are too low to be followed.
+#[test]
+fn friction_of_all_bounces_is_done_when_they_have_ended() {
+    let (mu, speed) = (0.3, 3.0);
+    for body in [Body::point("box").mass(2 * KG), plate(0.4, 0.2, 2.0)] {
+        let start = Start::default().at([0 * M, 0.2 * M]).velocity([speed * M / S, 0 * M / S]);
+        let run = run(on_slope(body, start, 0.0, 0.5, Friction::new(Expr::from(mu))), 0.9, 1e-13);
+        let ended = *times(&run, Change::Start).first().expect("it comes to slide");
+        for time in [ended, 0.5 * (ended + 0.9), 0.9] {
+            close(state(&run, time)[2], speed - mu * G * time, 1e-14);
+        }
+    }
+}
