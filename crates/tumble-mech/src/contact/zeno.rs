@@ -19,7 +19,8 @@ const ENDED: f64 = 1e-12;
 /// Bounces in miniature, by the square of the number of contacts, before they are too many to be followed: a bounce of many contacts takes
 /// as much longer.
 const MOST_BOUNCES: usize = 800_000;
-/// A contact without a push stays if its acceleration is this part of the largest: rounding of what many contacts do to it.
+/// An acceleration that is this part of the largest is none: rounding of what many contacts do to it. A contact without a push stays, and what
+/// opens does not come back.
 const IDLE: f64 = 1e-10;
 /// In miniature, what differs from rest or from its own rebound by less than this part of the fastest after a hit is that: rounding
 /// of the hit.
@@ -121,7 +122,8 @@ impl ZenoSequence<'_> {
     fn with_held(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<DVector<f64>> {
         let held: Vec<usize> = (0..gap.len()).filter(|i| gap[*i] == 0.0 && rate[*i] == 0.0).collect();
         let push = self.on(&held, |a, b| pushing(a, b).map(|(_, z)| z), self.free)?;
-        Some(self.free + self.response * push)
+        let none = IDLE * self.free.amax();
+        Some((self.free + self.response * push).map(|a| if a.abs() <= none { 0.0 } else { a }))
     }
 
     fn bounce(&self, gap: &DVector<f64>, rate: &mut DVector<f64>) -> Option<()> {
