@@ -6,6 +6,7 @@ mod meanwhile;
 mod motions;
 mod pressed;
 mod rubbing;
+mod settled;
 mod sharing;
 mod striking;
 mod wedged;
@@ -21,7 +22,6 @@ use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::watched::Watched;
-use crate::contact::zeno::flight;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
 use crate::mode::Mode;
@@ -172,87 +172,10 @@ impl<'a> Settling<'a> {
         Ok(Self { equations, island, now, touch, part, impulses, cut_off, rounds: 0, speed, then })
     }
 
-    /// What lasts, and impacts that end by themselves. What stands only since rates of others were taken away, or would be back within the shortest
-    /// step, is held too: its guard would see it neither go nor come.
-    fn settled(
-        &mut self,
-        touched: &Touched,
-        jump: &mut Jump<Mode>,
-    ) -> Result<(Lasting, Option<Ending>), Reason> {
-        let mut held = BTreeSet::new();
-        loop {
-            let zeno = self.zeno();
-            let slow = zeno.iter().flat_map(|zeno| &zeno.slow.pairs);
-            let stopped = touched.stopped.iter().filter(|pair| !self.is_carried_on(**pair)).chain(slow);
-            let stopped = stopped.copied().collect();
-            let touched = &Touched { stopped, ..touched.clone() };
-            let others = jump.record.others.len();
-            let lasting = self.lasting(touched, zeno.as_ref(), jump)?;
-            let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
-            falling.retain(|position| held.insert(*position));
-            if zeno.is_some() {
-                self.stop_with(&lasting, touched, jump)?;
-            }
-            let is_struck = falling.is_empty() && self.impacts(touched, jump)?;
-            if falling.is_empty() && !is_struck {
-                self.rub_meanwhile(&lasting, zeno.as_ref(), jump)?;
-                return Ok((lasting, zeno));
-            }
-            jump.record.others.truncate(others);
-            for &position in &falling {
-                self.speed[position] =
-                    self.speed[position].max(2.0 * self.touch.rate[position].abs() / STANDS);
-            }
-            self.take_part(falling);
-        }
-    }
-
-    /// Takes away the rates of what closes only since impacts that end by themselves were ended at once: struck, it would set these going again,
-    /// and so on without end. Velocities are projected on those with which all of it stands, which takes energy and never gives any.
-    fn stop_with(
-        &mut self,
-        lasting: &Lasting,
-        touched: &Touched,
-        jump: &mut Jump<Mode>,
-    ) -> Result<(), Reason> {
-        let mut kept = lasting.held();
-        loop {
-            let closing = self.about_to_close(touched);
-            if closing.is_empty() || closing.iter().any(|position| kept.contains(position)) {
-                return Ok(());
-            }
-            kept.extend(closing);
-            // What depends on others is struck.
-            let Some(stop) = standing(&self.touch.response, &self.rates(), &kept) else { return Ok(()) };
-            self.stop(&stop, jump)?;
-        }
-    }
-
-    /// Whether a slip that came to its stop at the instant of an impact goes on with what that made of it.
-    fn is_carried_on(&self, pair: usize) -> bool {
-        let Some(slip) = self.touch.slips.pairs.iter().position(|known| *known == pair) else { return false };
-        let row = self.touch.pairs.len() + slip;
-        let change = self.touch.response.row(row).transpose().dot(&self.impulses);
-        change.abs() > self.still(slip)
-    }
-
     fn take_part(&mut self, positions: Vec<usize>) {
         self.part.extend(positions);
         self.part.sort_unstable();
         self.part.dedup();
-    }
-
-    /// Contacts that are not held and close at once: they stand, or open for less than the shortest step.
-    fn falling_back(&self, lasting: &Lasting, touched: &Touched) -> Vec<usize> {
-        let rate = &self.touch.rate;
-        let is_held = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
-        let falls_back = |position: &usize| {
-            let (position, then) = (*position, self.then[*position]);
-            let is_short = rate[position] > 0.0 && flight(0.0, rate[position], then) <= self.shortest();
-            let falls = then < -self.zero() && (self.stands(position) || is_short);
-            falls && !is_held(position) && self.may_touch(position, touched)
-        };
-        (0..rate.len()).filter(falls_back).collect()
     }
 
     /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
