@@ -51,8 +51,9 @@ pub struct Guard<F = Expr> {
 pub enum AtZero<F = Expr> {
     /// Nothing: what starts at a value has not passed it.
     Begins,
-    /// What is known to be zero begins there. All else is beyond zero by rounding and ends at once: the flow holds on one side only. A step that
-    /// ends beyond by more than a rounding error of the group's scale is refused.
+    /// The flow holds on one side only, as friction against a slip does. It counts where it goes beyond zero by more than a rounding error of the
+    /// group's scale, as with [`Self::EndsBeyond`]; but its jump says itself whether it is zero then. What gets beyond unseen is refused. For
+    /// guards of one direction.
     Keeps {
         /// Index of the [`ScaleGroup`] that it is measured against.
         group: usize,

@@ -204,6 +204,8 @@ impl Places {
         };
         match reason {
             Reason::OutsideTable { .. } => refused.help("measure farther, or write `outside = \"hold\"`"),
+            Reason::Beyond { .. } => refused
+                .help("a fault of the program, not of the scene: started a little differently, it may go on"),
             _ => refused,
         }
     }

@@ -248,6 +248,31 @@ mod tests {
         assert_eq!(solve(&a, &DVector::from_element(2, f64::NAN)), None);
     }
 
+    /// Friction that is tied to pushes makes responses unlike in both directions: of a hundred such problems one or two are solved by pivoting alone.
+    #[test]
+    fn what_no_set_comes_to_is_found_by_pivoting() {
+        let mut state = 0x1234_5678_9abc_def1_u64;
+        let mut draw = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            2.0 * ((state >> 11) as f64 / (1u64 << 53) as f64) - 1.0
+        };
+        let mut alone = 0;
+        for problem in 0..4000 {
+            let n = 2 + problem % 4;
+            let [normals, slips] = [(); 2].map(|()| DMatrix::from_fn(n, 3, |_, _| draw()));
+            let a = &normals * (&normals - slips * 0.6).transpose();
+            let b = DVector::from_fn(n, |_, _| draw());
+            let solution = pushing(&a, &b);
+            let needs_pivoting = active_set(&a, &b).is_none() && lemke::solve(&a, &b).is_some();
+            alone += usize::from(needs_pivoting && solution.is_some());
+            let Some((_, z)) = solution else { continue };
+            let (w, zero) = (&b + &a * &z, rounding(&a, &b, &z));
+            assert!(z.iter().all(|z| *z >= 0.0) && w.iter().all(|w| *w >= -zero), "{a}{b}{z}{w}");
+            assert!(w.iter().zip(&z).all(|(w, z)| *z == 0.0 || w.abs() <= zero), "{a}{b}{z}{w}");
+        }
+        assert!(alone > 20, "{alone}");
+    }
+
     /// Responses of bodies with `rank` freedoms, and a motion of them: others could ask contacts to part in ways that none can.
     fn of_bodies(rank: usize, rows: &[Vec<f64>], motion: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
         let rows = DMatrix::from_fn(rows.len(), rank, |i, k| rows[i][k]);

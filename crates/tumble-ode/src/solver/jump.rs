@@ -42,9 +42,10 @@ impl<H: Hybrid> Solver<'_, H> {
         let last = events.iter().rev().take_while(is_same);
         // A jump that stays in its mode is no circle, if there is one.
         let leaves = |event: &Occurrence<H::Record>| event.mode_before == mode && event.mode_after != mode;
-        let length = last.clone().position(leaves);
-        let length = length.or_else(|| last.clone().position(|event| event.mode_before == mode));
-        let Some(length) = length else { return vec![] };
+        let stays = |event: &Occurrence<H::Record>| event.mode_before == mode;
+        let Some(length) = last.clone().position(leaves).or_else(|| last.clone().position(stays)) else {
+            return vec![];
+        };
         let around = last.take(length + 1).map(|event| (&modes[event.mode_before], &event.causes[..]));
         let mut around: Vec<_> = around.collect();
         around.reverse();
