@@ -6,6 +6,7 @@ use common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Change, Friction, Gravity, Happening, Model, Run, Shape, Start, Surface, time};
+use tumble_ode::{AtZero, Hybrid};
 
 const G: f64 = 9.81;
 
@@ -418,4 +419,17 @@ fn friction_of_all_bounces_is_done_when_they_have_ended() {
             close(state(&run, time)[2], speed - mu * G * time, 1e-14);
         }
     }
+}
+
+/// The integrator holds a slip to the side that its friction is for.
+#[test]
+fn a_slip_is_kept_to_its_side() {
+    let run = run(block(0.0, 3.0, Friction::new(Expr::from(0.3))), 0.5, 1e-13);
+    let slides = run.trajectory().modes.iter().filter(|mode| !mode.grips.is_empty());
+    let guards = slides.flat_map(|mode| run.equations.flow(mode).expect("a flow").guards);
+    let kept: Vec<bool> = guards
+        .filter(|guard| guard.name.ends_with(".slip"))
+        .map(|guard| matches!(guard.at_zero, AtZero::Keeps { .. }))
+        .collect();
+    assert!(!kept.is_empty() && kept.iter().all(|kept| *kept), "{kept:?}");
 }
