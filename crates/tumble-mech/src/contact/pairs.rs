@@ -190,10 +190,10 @@ impl Equations {
                     gap.into_iter().chain(force).collect()
                 }
                 ContactMode::Released => vec![gap, (*pair, Watched::Force, Direction::Rising)],
-                ContactMode::Resting | ContactMode::Settling => {
+                ContactMode::Resting | ContactMode::Settling if !self.lacks_friction(mode, *pair) => {
                     vec![(*pair, Watched::Normal, Direction::Falling)]
                 }
-                ContactMode::Idle => vec![],
+                ContactMode::Resting | ContactMode::Settling | ContactMode::Idle => vec![],
             }
         };
         let limits = |(pair, _): &(usize, ContactMode)| {
@@ -210,6 +210,7 @@ impl Equations {
         let mut found = vec![];
         for (pair, grip) in &mode.grips {
             match grip {
+                Grip::Sticks if self.lacks_friction(mode, *pair) => {}
                 Grip::Sticks => found.extend(
                     [Way::Forward, Way::Backward].map(|way| (*pair, Watched::Cone(way), Direction::Falling)),
                 ),
@@ -299,6 +300,19 @@ impl Equations {
     fn is_ending(&self, mode: &Mode, pair: usize) -> bool {
         let touching = self.pair_list().owner.get(&pair).copied().unwrap_or(pair);
         mode.contact_mode(touching) == Some(ContactMode::Settling)
+    }
+
+    /// Whether forces of what is coupled to a pair lack friction that has been done already, until impacts have ended: what it would hold or
+    /// let go is looked at when they have.
+    fn lacks_friction(&self, mode: &Mode, pair: usize) -> bool {
+        let is_ending =
+            |(pair, grip): &(usize, Grip)| matches!(grip, Grip::Slides(_)) && self.is_ending(mode, *pair);
+        let mut ending = mode.grips.iter().filter(|of| is_ending(of)).peekable();
+        if ending.peek().is_none() {
+            return false;
+        }
+        let island = self.island_of(mode, self.pairs()[pair].body);
+        ending.any(|(ending, _)| self.pairs()[*ending].bodies().any(|body| island.contains(&body)))
     }
 
     /// Names of the guards of all pairs, in the order in which they are watched.

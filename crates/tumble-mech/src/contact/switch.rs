@@ -26,13 +26,15 @@ pub(crate) struct Causes {
 
 impl Causes {
     /// Those of a crossing. Where modes have led into each other around a circle, what ended each of them counts as well: forces that are zero
-    /// but for rounding seem to cross it in each, and what holds is a mode in which all of them have.
+    /// but for rounding seem to cross it in each, and what holds is a mode in which all of them have. Of corners that slide off each other in
+    /// one point each contact leaves where there may be one, and is there again for the others.
     pub(crate) fn of(equations: &Equations, at: &Crossing<'_, Mode>) -> Self {
         let [mut causes, mut before] = [Self::default(), Self::default()];
         causes.add(equations, at.mode, at.causes);
         at.around.iter().for_each(|(mode, around)| before.add(equations, mode, around));
-        let is_force = |watched: Watched| matches!(watched, Watched::Normal | Watched::Cone(_));
-        causes.seen.extend(before.seen.into_iter().filter(|(_, watched, _)| is_force(*watched)));
+        let counts =
+            |watched: Watched| matches!(watched, Watched::Normal | Watched::Cone(_) | Watched::Limit(_));
+        causes.seen.extend(before.seen.into_iter().filter(|(_, watched, _)| counts(*watched)));
         causes
     }
 
