@@ -29,6 +29,11 @@ pub(crate) fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> 
 
 /// A largest set of contacts that push independently, in order, and the solution with their pushes. Some may push with no force.
 pub(crate) fn pushing(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>, DVector<f64>)> {
+    // With friction that is tied to pushes, pushes may be found that close what opens without them.
+    let none = DVector::zeros(b.len());
+    if b.iter().all(|opens| *opens > rounding(a, b, &none)) {
+        return Some((vec![], none));
+    }
     // Most often all that touch push.
     let all: Vec<usize> = (0..b.len()).collect();
     if let Some(z) = by_set(a, b, &all) {

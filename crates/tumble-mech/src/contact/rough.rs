@@ -6,7 +6,8 @@
 //! slides which way, friction is eliminated and what is left is a problem of complementarity along the normals. The choice is found by
 //! letting those slide that cannot hold; where that does not end, the choice that sweeps over single contacts come to is put right in
 //! the same way; else that of the whole problem by complementary pivoting, in which sliding and sticking have one coefficient; and where there
-//! are few surfaces all choices are tried.
+//! are few surfaces and contacts all choices are tried, with every set of contacts: friction that is tied to pushes may hold one choice with
+//! several sets, of which only one leaves it within what friction can be.
 //!
 //! A compliant surface presses with a force that is known, and part of b: of its contacts only the friction is looked for, with that load
 //! in the place of z_n: what sticks is held by up to the sum of `mu_s` times the loads of all points that slip alike.
@@ -101,8 +102,20 @@ impl Rough<'_> {
         let found = found.or_else(|| self.put_right(self.as_a_whole(0)?));
         found.or_else(|| self.put_right(self.as_a_whole(1)?)).or_else(|| {
             let choices = self.all_choices();
-            let mut found = choices.iter().filter_map(|grips| self.attempt(grips));
-            found.find(|found| self.wrong(found).is_none())
+            let found = choices.iter().filter_map(|grips| self.attempt(grips));
+            let sets = self.all_sets();
+            let of_sets = choices.iter().flat_map(|grips| sets.iter().map(move |held| (grips, held)));
+            let of_sets = of_sets.filter_map(|(grips, held)| self.stopped(grips, held));
+            let of_sets = of_sets.filter(|found| self.pushes_apart(found));
+            found.chain(of_sets).find(|found| self.wrong(found).is_none())
+        })
+    }
+
+    /// Whether no push pulls and nothing closes.
+    fn pushes_apart(&self, found: &Pushes) -> bool {
+        self.contacts.iter().all(|&contact| {
+            let more = found.pushes[contact] - self.given[contact];
+            more * self.response[(contact, contact)] >= -self.zero && found.then[contact] >= -self.zero
         })
     }
 
@@ -364,6 +377,18 @@ impl Rough<'_> {
                 (is_against && normal > 0.0).then_some(Grip::Sticks)
             }
         }
+    }
+
+    /// All sets of contacts that may push; none where they are too many.
+    fn all_sets(&self) -> Vec<Vec<usize>> {
+        if self.contacts.len() > MOST_TRIED {
+            return vec![];
+        }
+        let of =
+            |set: usize| self.contacts.iter().enumerate().filter(move |(index, _)| set >> index & 1 == 1);
+        (0..1_usize << self.contacts.len())
+            .map(|set| of(set).map(|(_, contact)| *contact).collect())
+            .collect()
     }
 
     /// All choices of grips, but for what slips already; none where they are too many.
