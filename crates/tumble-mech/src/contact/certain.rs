@@ -105,12 +105,12 @@ impl Rough<'_> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::contact::grip::Way;
 
     /// Numbers from -1 to 1 in an order of their own (Knuth's linear congruential generator).
-    struct Draw(u64);
+    pub(in crate::contact) struct Draw(pub(in crate::contact) u64);
 
     impl Draw {
         fn next(&mut self) -> f64 {
@@ -120,7 +120,11 @@ mod tests {
     }
 
     /// Contacts of bodies with some freedoms, each surface with one or two of them.
-    fn random(draw: &mut Draw, [surfaces, freedoms]: [usize; 2], friction: f64) -> Rough<'static> {
+    pub(in crate::contact) fn random(
+        draw: &mut Draw,
+        [surfaces, freedoms]: [usize; 2],
+        friction: f64,
+    ) -> Rough<'static> {
         let pairs = usize::from(draw.next() > 0.0);
         let contacts = surfaces + pairs;
         let mut rows = DMatrix::from_fn(2 * contacts, freedoms, |_, _| draw.next());

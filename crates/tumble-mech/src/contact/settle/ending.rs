@@ -2,16 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
-use super::Settling;
-use crate::contact::complementarity::pushing;
+use super::{Settling, Touched};
+use crate::contact::grip::Grip;
+use crate::contact::rough::{Patch, Pushes};
 use crate::contact::touch::Touch;
 use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};
 use crate::coordinates::Measure;
 
 /// Impacts end by themselves if no other contact of the body comes within this many times the time they take.
 const UNDISTURBED: f64 = 8.0;
+/// Friction of that time is done at once, which takes as much speed as closes a gap in twice the time.
+const AT_ONCE: f64 = 2.0;
 
 /// Impacts that end by themselves, too low to be followed.
 pub(super) struct Ending {
@@ -20,6 +23,17 @@ pub(super) struct Ending {
     /// Time until they have ended, s.
     pub(super) time: f64,
     pub(super) slow: Slow,
+}
+
+/// What some contacts come to when they bounce no more.
+struct Pressed {
+    /// Accelerations along their normals by unit forces, 1/kg, and without forces, m/s^2.
+    response: DMatrix<f64>,
+    free: DVector<f64>,
+    /// Their forces, N.
+    pushes: DVector<f64>,
+    /// Accelerations of all gaps and slips with these, m/s^2.
+    then: DVector<f64>,
 }
 
 /// Slips that end before they are anything.
@@ -72,16 +86,17 @@ impl Settling<'_> {
         lowest: f64,
         slow: Slow,
     ) -> Option<Ending> {
-        let members = self.ending(low, [gap, rate], lowest, &slow.pairs)?;
+        let (members, Pressed { response, free, then, .. }) =
+            self.ending(low, [gap, rate], lowest, &slow.pairs)?;
         let zeno = ZenoSequence {
             rule: self.equations.model().multiple_impacts,
-            response: &self.response_with_friction(&members, &slow.pairs),
+            response: &response,
             restitution: &self.some(&members, &self.touch.restitution),
-            free: &self.some(&members, &self.touch.free),
+            free: &free,
             lowest,
         };
         let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate))?;
-        (time <= self.next_without(&members)).then_some(Ending { members, time, slow })
+        (AT_ONCE * time <= self.next_without(&members, &then)).then_some(Ending { members, time, slow })
     }
 
     /// Of some contacts those that stand, and those whose bounces are too low to be followed and end before another contact comes: what
@@ -92,13 +107,11 @@ impl Settling<'_> {
         [gap, rate]: [&DVector<f64>; 2],
         lowest: f64,
         slow: &BTreeSet<usize>,
-    ) -> Option<Vec<usize>> {
+    ) -> Option<(Vec<usize>, Pressed)> {
         loop {
-            let response = self.response_with_friction(&some, slow);
-            let free = self.some(&some, &self.touch.free);
-            let (_, pushes) = pushing(&response, &free)?;
-            let falls = falls(&response, &free, &pushes);
-            let next = self.next_without(&some);
+            let pressed = self.pressed_by(&some, slow)?;
+            let falls = falls(&pressed.response, &pressed.free, &pressed.pushes);
+            let next = self.next_without(&some, &pressed.then);
             let ends = |(index, position): &(usize, &usize)| {
                 let (gap, rate) = (gap[**position], rate[**position]);
                 let (a, e) = (falls[*index], self.touch.restitution[**position]);
@@ -110,17 +123,35 @@ impl Settling<'_> {
             let left: Vec<usize> =
                 some.iter().enumerate().filter(ends).map(|(_, position)| *position).collect();
             if left.len() == some.len() {
-                return Some(left);
+                return Some((left, pressed));
             }
             some = left;
         }
     }
 
-    /// Time until the first of all contacts but some closes, as they move now, s.
-    fn next_without(&self, some: &[usize]) -> f64 {
+    /// How some contacts press in the end, with the friction of those that slip now, but for the slow ones, and with the others stuck.
+    fn pressed_by(&self, some: &[usize], slow: &BTreeSet<usize>) -> Option<Pressed> {
+        let patches = self.patches(some, false);
+        let stopped = Touched { stopped: slow.clone(), ..Touched::default() };
+        let grip = |patch: &Patch| self.slips_now(patch, &stopped).map_or(Grip::Sticks, Grip::Slides);
+        let grips: Vec<Grip> = patches.iter().map(grip).collect();
+        let of = |patches: &[Patch], grips: &[Grip]| {
+            let rough = self.rough(some, patches, self.accelerations());
+            let ((response, free), Pushes { pushes, then, .. }) =
+                (rough.across(grips)?, rough.attempt(grips)?);
+            Some(Pressed { response, free, pushes: self.some(some, &pushes), then })
+        };
+        of(&patches, &grips).or_else(|| of(&[], &[]))
+    }
+
+    /// Time until the first of all contacts but some closes, as they move now or, where that is sooner, with the forces of those, s.
+    fn next_without(&self, some: &[usize], then: &DVector<f64>) -> f64 {
         let Touch { gap, rate, free, .. } = &self.touch;
         let others = (0..self.touch.pairs.len()).filter(|position| !some.contains(position));
-        let closes = |position: usize| flight(gap[position].max(0.0), rate[position], free[position]);
+        let closes = |position: usize| {
+            let closes = |a: f64| flight(gap[position].max(0.0), rate[position], a);
+            closes(free[position]).min(closes(then[position]))
+        };
         others.map(closes).fold(f64::INFINITY, f64::min)
     }
 

@@ -1,7 +1,5 @@
 //! What an instant changes where surfaces have friction: who sticks and who slides.
 
-use std::collections::BTreeSet;
-
 use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
@@ -126,7 +124,7 @@ impl Settling<'_> {
     }
 
     /// The way that a patch slips before anything is settled, if it does.
-    fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
+    pub(super) fn slips_now(&self, patch: &Patch, touched: &Touched) -> Option<Way> {
         let count = self.touch.pairs.len();
         let is_still = |(_, row): &(usize, usize)| {
             self.touch.slips.rate[row - count].abs() <= self.still(row - count)
@@ -251,19 +249,6 @@ impl Settling<'_> {
         };
         let turned = patches.iter().zip(&found.grips).filter(|(patch, grip)| is_turned(patch, grip));
         turned.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
-    }
-
-    /// Responses along the normals of some contacts, with the friction of those that slip now, but for the slow ones, and with the
-    /// others stuck.
-    pub(super) fn response_with_friction(&self, some: &[usize], slow: &BTreeSet<usize>) -> DMatrix<f64> {
-        let (smooth, patches) = (self.response(some), self.patches(some, false));
-        if patches.is_empty() {
-            return smooth;
-        }
-        let stopped = Touched { stopped: slow.clone(), ..Touched::default() };
-        let grip = |patch: &Patch| self.slips_now(patch, &stopped).map_or(Grip::Sticks, Grip::Slides);
-        let grips: Vec<Grip> = patches.iter().map(grip).collect();
-        self.rough(some, &patches, self.accelerations()).across(&grips).unwrap_or(smooth)
     }
 
     /// The problem of some contacts with what they would do without pushes.
