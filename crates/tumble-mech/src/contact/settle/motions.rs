@@ -39,12 +39,17 @@ impl Settling<'_> {
         if !self.touch.is_fed() && self.forces(some, patches).is_certain(freedoms) {
             return Ok(None);
         }
+        // Impacts of others leave open what was open before.
+        let goes_on = self.goes_on(some, patches, found, &jump.mode);
+        if goes_on && self.rounds > 0 {
+            return Ok(None);
+        }
         let Some(motions) = self.motions(some, patches, forced) else { return Ok(Some(Others::Unexamined)) };
         if motions.found.len() < 2 && !motions.is_unbounded {
             return Ok(None);
         }
         let motions = self.listed(some, patches, &motions, Some(found));
-        if self.goes_on(some, patches, found, &jump.mode) {
+        if goes_on {
             return Ok(Some(Others::Possible(motions)));
         }
         Err(Reason::Model(format!(
