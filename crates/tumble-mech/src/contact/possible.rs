@@ -51,6 +51,9 @@ const ONE: f64 = 1e-6;
 /// What is left of an equation, or is lacking in a condition, in units of what is zero: elimination has made it larger.
 const LEFT: f64 = 100.0;
 
+/// Responses are positive definite if they are with this part less of their own, so that no rounding makes them so.
+const DEFINITE: f64 = 1e-6;
+
 /// Motions that differ.
 pub(super) struct Motions {
     pub(super) found: Vec<Pushes>,
@@ -84,10 +87,7 @@ impl Rough<'_> {
         let mut motions = Motions { found: vec![], is_between: false, is_unbounded: false };
         let mut known: Vec<DVector<f64>> = vec![];
         for grips in choices(forced) {
-            for set in 0..1_usize << self.contacts.len() {
-                let held: Vec<usize> =
-                    (0..self.contacts.len()).filter(|index| set >> index & 1 == 1).collect();
-                let held: Vec<usize> = held.into_iter().map(|index| self.contacts[index]).collect();
+            for held in self.only_set(&grips).map_or_else(|| self.all_sets(), |only| vec![only]) {
                 if !self.is_first(&grips, forced, &held) {
                     continue;
                 }
@@ -104,6 +104,23 @@ impl Rough<'_> {
             }
         }
         motions
+    }
+
+    /// The contacts that push by a choice of grips, where whatever acts there is one such set: responses along the normals are positive definite,
+    /// and so all their principal minors positive.
+    fn only_set(&self, grips: &[Grip]) -> Option<Vec<usize>> {
+        let begins = |(patch, grip): (&Patch, &Grip)| match grip {
+            Grip::Slides(way) if patch.slips.is_none() => Grip::Strains(*way),
+            grip => *grip,
+        };
+        let grips: Vec<Grip> = self.patches.iter().zip(grips).map(begins).collect();
+        let (across, _) = self.across(&grips)?;
+        let mut mean = (&across + across.transpose()) / 2.0;
+        (0..mean.nrows()).for_each(|i| mean[(i, i)] *= 1.0 - DEFINITE);
+        mean.cholesky()?;
+        let found = self.attempt(&grips)?;
+        let sticking = grips.iter().filter(|grip| **grip == Grip::Sticks).count();
+        (found.holding.len() == sticking).then_some(found.held)
     }
 
     /// Whether accelerations are of one motion.
@@ -359,4 +376,34 @@ fn choices(forced: &[Option<Way>]) -> Vec<Vec<Grip>> {
         let own = forced.map_or(free.to_vec(), |way| vec![Grip::Slides(way)]);
         choices.iter().flat_map(|known| own.iter().map(|grip| [&known[..], &[*grip]].concat())).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::certain::tests::{Draw, random};
+
+    /// Where one set is said to be the only one, every other that is possible is the same motion.
+    #[test]
+    fn the_only_set_is_the_only_one() {
+        let mut draw = Draw(11);
+        let (mut only, mut possible) = (0, 0);
+        for index in 0..2000 {
+            let friction = 0.02 * f64::from(index % 60);
+            let rough = random(&mut draw, [1 + index as usize % 3, 3 + index as usize % 3], friction);
+            let forced: Vec<Option<Way>> = rough.patches.iter().map(|patch| patch.slips).collect();
+            for grips in choices(&forced) {
+                let Some(held) = rough.only_set(&grips) else { continue };
+                let motions =
+                    |held: &[usize]| Choice { of: &rough, held, grips: &grips, which: 0 }.motions().0;
+                let found = motions(&held);
+                let mut others = rough.all_sets().into_iter().flat_map(|held| motions(&held));
+                only += 1;
+                possible += found.len();
+                let is_found = |other: Pushes| found.iter().any(|own| rough.are_one(&own.then, &other.then));
+                assert!(others.all(is_found), "{index} {grips:?}");
+            }
+        }
+        assert!(only > 5000 && possible > 1000, "{only} {possible}");
+    }
 }

@@ -113,6 +113,9 @@ impl Rough<'_> {
 
     /// The same with every set of contacts that may push.
     fn one_of_all_sets(&self) -> Option<Pushes> {
+        if self.contacts.len() > MOST_TRIED {
+            return None;
+        }
         let (choices, sets) = (self.all_choices(), self.all_sets());
         let all = choices.iter().flat_map(|grips| sets.iter().map(move |held| (grips, held)));
         let mut found = all.filter_map(|(grips, held)| self.stopped(grips, held));
@@ -387,11 +390,8 @@ impl Rough<'_> {
         }
     }
 
-    /// All sets of contacts that may push; none where they are too many.
-    fn all_sets(&self) -> Vec<Vec<usize>> {
-        if self.contacts.len() > MOST_TRIED {
-            return vec![];
-        }
+    /// All sets of contacts that may push.
+    pub(super) fn all_sets(&self) -> Vec<Vec<usize>> {
         let of =
             |set: usize| self.contacts.iter().enumerate().filter(move |(index, _)| set >> index & 1 == 1);
         (0..1_usize << self.contacts.len())

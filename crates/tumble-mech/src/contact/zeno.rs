@@ -16,9 +16,9 @@ pub(crate) const LOWEST: f64 = 1e-15;
 /// The miniature ends when all speeds are this part of what they were. What is left is taken to be the whole once more, smaller by
 /// it: that is exact where impacts repeat themselves, and where they do not it is off by less than this part of the time.
 const ENDED: f64 = 1e-12;
-/// Bounces in miniature, by the square of the number of contacts, before they are too many to be followed: a bounce of many contacts takes
+/// Bounces in miniature, by the cube of the number of contacts, before they are too many to be followed: a bounce of many contacts takes
 /// as much longer.
-const MOST_BOUNCES: usize = 800_000;
+const MOST_BOUNCES: usize = 1_600_000;
 /// An acceleration that is this part of the largest is none: rounding of what many contacts do to it. A contact without a push stays, and what
 /// opens does not come back.
 const IDLE: f64 = 1e-10;
@@ -68,7 +68,7 @@ impl ZenoSequence<'_> {
         let mut time = 0.0;
         let patience = self.patience();
         let (mut known, mut until) = (1.0, patience);
-        for bounces in 0..MOST_BOUNCES / (gap.len() * gap.len()) {
+        for bounces in 0..MOST_BOUNCES / gap.len().pow(3) {
             let left = self.fastest(&gap, &rate) / fastest;
             if left <= ENDED {
                 return Ok(Some(time / (1.0 - left)));

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use super::memory::Held;
 use super::{InitialState, Motion, Solver};
 use crate::coefficients::Coefficients;
 use crate::hybrid::Hybrid;
@@ -31,7 +32,7 @@ pub struct Carried {
     at_once: u64,
     guards: GuardSigns,
     /// Bytes that all motions beside each other hold.
-    held: Rc<Cell<u64>>,
+    held: Rc<Cell<Held>>,
 }
 
 /// What is known of guards, by name.

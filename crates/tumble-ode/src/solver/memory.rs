@@ -24,13 +24,22 @@ const MARKS: [f64; 3] = [0.5, 0.75, 1.0];
 /// A run is about to become cheap, and no estimate holds, if the later half of what was noted took so many times as long.
 const SLOWING: f64 = 1.5;
 
+/// What pieces and events hold.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Held {
+    bytes: u64,
+    steps: u64,
+}
+
 /// What a run holds, and when it held less.
 #[derive(Debug)]
 pub(super) struct Memory {
     limit: u64,
     /// By all motions that share it.
-    held: Rc<Cell<u64>>,
-    /// Memory at which the next estimate is due.
+    held: Rc<Cell<Held>>,
+    /// By this one alone, from which estimates are made: others may have begun before it, or be ahead of it.
+    own: Held,
+    /// Memory of its own at which the next estimate is due.
     next_look: f64,
     marks: Vec<Mark>,
     /// Steps that ended at each branch, table or guard, by mode.
@@ -38,11 +47,10 @@ pub(super) struct Memory {
 }
 
 /// How far a run had come.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Mark {
-    bytes: u64,
+    own: Held,
     time: f64,
-    steps: u64,
 }
 
 impl Default for Memory {
@@ -54,30 +62,34 @@ impl Default for Memory {
 impl Memory {
     pub(super) fn of(limit: u64) -> Self {
         let next_look = FIRST_LOOK * limit as f64;
-        Self { limit, held: Rc::default(), next_look, marks: vec![], ended_by: HashMap::new() }
+        let (held, own) = (Rc::default(), Held::default());
+        Self { limit, held, own, next_look, marks: vec![], ended_by: HashMap::new() }
     }
 
     pub(super) fn hold_piece(&mut self, piece: &Piece) {
         let series = [piece.states.all()].into_iter().chain(piece.time_series.as_deref());
-        self.hold(size_of::<Piece>() + series.map(size_of_series).sum::<usize>());
+        self.hold(size_of::<Piece>() + series.map(size_of_series).sum::<usize>(), 1);
     }
 
     pub(super) fn hold_event<Record>(&mut self, event: &Occurrence<Record>, held_by_record: usize) {
         let numbers = size_of_series(&event.before) + size_of_series(&event.after);
-        self.hold(size_of::<Occurrence<Record>>() + numbers + held_by_record);
+        self.hold(size_of::<Occurrence<Record>>() + numbers + held_by_record, 0);
     }
 
-    fn hold(&mut self, bytes: usize) {
-        self.held.set(self.held.get() + bytes as u64);
+    fn hold(&mut self, bytes: usize, steps: u64) {
+        let and_more =
+            |Held { bytes: held, steps: taken }| Held { bytes: held + bytes as u64, steps: taken + steps };
+        self.held.set(and_more(self.held.get()));
+        self.own = and_more(self.own);
     }
 
     /// What all motions that share it hold.
-    pub(super) fn held(&self) -> Rc<Cell<u64>> {
+    pub(super) fn held(&self) -> Rc<Cell<Held>> {
         Rc::clone(&self.held)
     }
 
     /// Counts what others hold too.
-    pub(super) fn share_held(&mut self, held: Rc<Cell<u64>>) {
+    pub(super) fn share_held(&mut self, held: Rc<Cell<Held>>) {
         self.held = held;
     }
 
@@ -88,33 +100,37 @@ impl Memory {
     }
 
     /// What a run to `until` would take, if that is too much, from where it has come to.
-    fn excess(&mut self, time: f64, steps: u64, until: f64) -> Option<Demands> {
-        let bytes = self.held.get();
-        let now = Mark { bytes, time, steps };
-        if bytes as f64 >= MARKS[self.marks.len()] * self.next_look {
+    fn excess(&mut self, time: f64, until: f64) -> Option<Demands> {
+        let now = Mark { own: self.own, time };
+        if self.own.bytes as f64 >= MARKS[self.marks.len()] * self.next_look {
             self.marks.push(now);
         }
-        let is_full = bytes >= self.limit;
+        let is_full = self.held.get().bytes >= self.limit;
         if !is_full && self.marks.len() < MARKS.len() {
             return None;
         }
         let marks = std::mem::replace(&mut self.marks, vec![now]);
         self.next_look *= 2.0;
-        let demands = self.demands(*marks.first()?, now, until);
+        let demands = match marks.first() {
+            Some(then) => self.demands(*then, now, until),
+            // It has just begun: as all went.
+            None => self.demands(Mark::default(), Mark { own: self.held.get(), time }, until),
+        };
         let is_foreseen = demands.bytes_in_all > SEVERAL * self.limit as f64 && !is_slowing(&marks);
         (is_full || is_foreseen).then_some(demands)
     }
 
     /// As it went from then to now, until the end.
     fn demands(&self, then: Mark, now: Mark, until: f64) -> Demands {
+        let held = self.held.get();
         let times = (until - now.time) / (now.time - then.time).max(f64::MIN_POSITIVE);
-        let estimate = |now: u64, then: u64| now as f64 + (now - then) as f64 * times;
+        let estimate = |held: u64, now: u64, then: u64| held as f64 + (now - then) as f64 * times;
         Demands {
-            steps: now.steps,
+            steps: held.steps,
             until,
-            bytes: now.bytes,
-            steps_in_all: estimate(now.steps, then.steps),
-            bytes_in_all: estimate(now.bytes, then.bytes),
+            bytes: held.bytes,
+            steps_in_all: estimate(held.steps, now.own.steps, then.own.steps),
+            bytes_in_all: estimate(held.bytes, now.own.bytes, then.own.bytes),
             limit: self.limit,
         }
     }
@@ -150,9 +166,8 @@ fn size_of_series(series: &[f64]) -> usize {
 impl<H: Hybrid> Solver<'_, H> {
     /// Refuses a run that holds too much, or would by its end.
     pub(super) fn watch_memory(&mut self, mode: usize) -> Result<(), Reason> {
-        let steps = self.trajectory.work.steps;
-        let Some(demands) = self.memory.excess(self.time, steps, self.until) else { return Ok(()) };
-        let because = match self.memory.most_common(steps) {
+        let Some(demands) = self.memory.excess(self.time, self.until) else { return Ok(()) };
+        let because = match self.memory.most_common(self.trajectory.work.steps) {
             Some((mode, ended)) => self.engines[mode].name_of(ended),
             None => {
                 let (now, work) = ((self.time, self.states.as_slice()), &mut self.trajectory.work);

@@ -70,7 +70,7 @@ fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
 fn held(trajectory: &Trajectory<()>) -> u64 {
     let mut memory = Memory::of(SMALL);
     trajectory.pieces.iter().for_each(|piece| memory.hold_piece(piece));
-    memory.held.get()
+    memory.held.get().bytes
 }
 
 /// A run of some times what is allowed is refused at a quarter of it, with what it would take.
