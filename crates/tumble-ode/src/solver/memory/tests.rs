@@ -46,7 +46,7 @@ fn square_wave() -> Toy {
     Toy((2 * Expr::pi() * Expr::symbol("t", Dimension::NONE)).sin().sign())
 }
 
-fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
+fn solver(toy: &Toy, until: f64, limit: u64) -> Solver<'_, Toy> {
     let start = InitialState {
         time: 0.0,
         mode: (),
@@ -60,6 +60,14 @@ fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
     };
     let mut solver = Solver::new(toy, start, until, Accuracy::DEFAULT);
     solver.memory = Memory::of(limit);
+    solver
+}
+
+fn run(toy: &Toy, until: f64, limit: u64) -> (Trajectory<()>, Option<Reason>) {
+    finished(solver(toy, until, limit))
+}
+
+fn finished(mut solver: Solver<'_, Toy>) -> (Trajectory<()>, Option<Reason>) {
     let mut reason = None;
     while reason.is_none() && !solver.is_done() {
         reason = solver.advance().err().map(|refusal| refusal.reason);
@@ -105,6 +113,23 @@ fn only_the_latest_steps_count() {
     let slowing = Toy((60 * (1 + &t).log()).sin());
     let whole = held(&run(&slowing, 1e3, u64::MAX).0);
     assert_eq!(run(&slowing, 1e3, whole + 1).1, None);
+}
+
+/// Nor is a motion that goes on from one that holds much refused for its own first steps.
+#[test]
+fn a_motion_that_goes_on_is_judged_by_its_own_steps() {
+    let quick_at_first = Toy((60 * (1e-6 + Expr::symbol("t", Dimension::NONE) - 100).log()).sin().sign());
+    let wave = square_wave();
+    let limit = 3 * held(&run(&wave, 100.0, u64::MAX).0);
+    let mut first = solver(&wave, 100.0, limit);
+    while !first.is_done() {
+        first.advance().expect("a step");
+    }
+    let (_, handover) = first.hand_over();
+    let mut goes_on = Solver::resumed(&quick_at_first, handover, 200.0, Accuracy::DEFAULT);
+    goes_on.memory.limit = limit;
+    goes_on.memory.next_look = FIRST_LOOK * limit as f64;
+    assert_eq!(finished(goes_on).1, None);
 }
 
 #[test]
