@@ -15,8 +15,11 @@ pub const GALLERY_SEAL: &str =
 /// The look of reports, and what only these pages have.
 const STYLE: &str = concat!(include_str!("../report/assets/report.css"), include_str!("assets/site.css"));
 /// What plays an example where it stands, and has the keys reach what is scrolled.
-const EXAMPLES: &str =
-    concat!(include_str!("assets/examples.js"), include_str!("../report/assets/scroll.js"));
+const EXAMPLES: &str = concat!(
+    include_str!("../report/assets/address.js"),
+    include_str!("assets/examples.js"),
+    include_str!("../report/assets/scroll.js")
+);
 
 /// The pages of a site that every page leads to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

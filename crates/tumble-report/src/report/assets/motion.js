@@ -98,7 +98,7 @@ class Player {
     const label = make("label", {}, bar);
     label.append(title);
     const select = make("select", {}, label);
-    names.forEach((name, i) => (make("option", { value: i }, select).textContent = name));
+    select.append(...names.map((name, i) => new Option(name, i)));
     return select;
   }
 
@@ -119,13 +119,7 @@ class Player {
       this.tell();
     });
     this.svg.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
-    let width = 0;
-    new ResizeObserver(() => {
-      if (this.live.clientWidth && this.live.clientWidth !== width) {
-        width = this.live.clientWidth;
-        this.layOut();
-      }
-    }).observe(this.live);
+    watchWidth(this.live, () => this.layOut());
     this.agree();
     document.addEventListener("visibilitychange", () => document.hidden && this.pause());
     this.pause();
@@ -154,7 +148,7 @@ class Player {
     this.start = times[0] ?? 0;
     this.duration = (times[times.length - 1] ?? 0) - this.start;
     this.layOut();
-    this.seek(Math.min(Math.max(this.time, this.start), this.start + this.duration));
+    this.seek(this.time);
   }
 
   /** What has to be in the picture. */
@@ -285,15 +279,25 @@ class Player {
   buildBody(body, index) {
     const style = `color:var(--c${index % 7})`;
     const trail = draw("path", { class: "trail", style }, this.svg);
-    const group = draw("g", { class: "body", style }, this.svg);
-    for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+    const group = this.buildShape(body, style, this.svg);
     const centre = draw("circle", { class: "pin", r: 2.4 }, this.svg);
     return { trail, group, centre, path: body.trail ? this.trailPoints(body) : [] };
   }
 
+  buildShape(body, style, parent) {
+    const group = draw("g", { class: "body", style }, parent);
+    for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+    return group;
+  }
+
+  /** Puts a shape where its body is. */
+  pose(group, [x, y], angle) {
+    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${((-angle * 180) / Math.PI).toFixed(2)})`);
+  }
+
   buildOutline(group, kind, n) {
     if (kind === "rod") {
-      const width = Math.min(Math.max(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3), 9);
+      const width = clamp(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3, 9);
       draw("line", { class: "rod", x1: n[0], y1: -n[1], x2: n[2], y2: -n[3], "stroke-width": width }, group);
     } else if (kind === "circle") {
       draw("circle", { class: "face", cx: n[0], cy: -n[1], r: n[2] }, group);
@@ -312,15 +316,8 @@ class Player {
 
   /** The frame before a time, and how far the time is on the way to the next. */
   frame() {
-    const times = this.motion.times;
-    let [low, high] = [0, times.length - 1];
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (times[middle] <= this.time) low = middle;
-      else high = middle;
-    }
-    const span = times[high] - times[low];
-    return [low, Math.max(high, 0), span > 0 ? Math.min(Math.max((this.time - times[low]) / span, 0), 1) : 0];
+    const [low, high, part] = around(this.motion.times, this.time);
+    return [low, high, clamp(part, 0, 1)];
   }
 
   draw() {
@@ -346,8 +343,7 @@ class Player {
     const there = Number.isFinite(x + y);
     group.style.display = centre.style.display = there ? "" : "none";
     if (!there) return;
-    const degrees = (-between(body.angle) * 180) / Math.PI;
-    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${degrees.toFixed(2)})`);
+    this.pose(group, [x, y], between(body.angle));
     centre.setAttribute("cx", x);
     centre.setAttribute("cy", y);
     const shownPath = this.trails?.checked && path.length ? path.slice(0, low + 1) : [];
@@ -381,12 +377,16 @@ class Player {
   }
 
   seek(time) {
-    this.time = Math.min(Math.max(time, this.start), this.start + this.duration);
+    this.time = clamp(time, this.start, this.start + this.duration);
     this.draw();
   }
 
+  get isOver() {
+    return this.time >= this.start + this.duration - 1e-12;
+  }
+
   play() {
-    if (this.time >= this.start + this.duration - 1e-12) this.seek(this.start);
+    if (this.isOver) this.seek(this.start);
     this.playing = true;
     this.button.textContent = "Pause";
     this.last = null;
@@ -406,11 +406,7 @@ class Player {
       this.seek(this.time + passed * this.speeds[this.speed.selectedIndex]);
       this.tell();
     }
-    if (this.time >= this.start + this.duration - 1e-12) this.pause();
+    if (this.isOver) this.pause();
     else requestAnimationFrame((next) => this.tick(next));
   }
-}
-
-for (const figure of document.querySelectorAll("figure[data-motion]")) {
-  new Player(figure, DATA.motions[Number(figure.dataset.motion)]);
 }

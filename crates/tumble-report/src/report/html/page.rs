@@ -1,7 +1,9 @@
 //! The frame of the page: head, title, contents, sections, data, scripts.
 
-use super::inline::{paragraphs, tagged, text};
+use super::inline::tagged;
 use super::lab;
+use crate::report::markup::Markup;
+use crate::report::walk::{MOVES, Writer};
 use crate::report::{LESSON, Report, json};
 use crate::site::{Ways, url};
 use tumble_drawing::svg::escape;
@@ -9,18 +11,15 @@ use tumble_drawing::svg::escape;
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
 
 /// Scripts in the order in which they run.
-const SCRIPTS: [&str; 6] = [
+const SCRIPTS: [&str; 7] = [
     include_str!("../assets/common.js"),
     include_str!("../assets/plots.js"),
     include_str!("../assets/arrows.js"),
     include_str!("../assets/motion.js"),
     include_str!("../assets/folds.js"),
     include_str!("../assets/scroll.js"),
+    include_str!("../assets/page.js"),
 ];
-
-/// Names of the four moves with their anchors.
-const MOVES: [(&str, &str); 4] =
-    [("identify", "Identify"), ("model", "Model"), ("solve", "Solve"), ("analyze", "Analyze")];
 
 /// What gathers while the page is written.
 #[derive(Debug, Default)]
@@ -48,7 +47,7 @@ pub(crate) fn page(report: &Report) -> String {
     format!(
         "<!doctype html>\n<html{language}>\n{head}<body>\n{header}{lab}<main>\n{sections}</main>\n{}\
          <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n{}</body>\n</html>\n",
-        footer(&report.meta),
+        tagged("footer", "", &Page::facts(&report.meta)),
         report.lab.as_ref().map(lab::scripts).unwrap_or_default()
     )
 }
@@ -59,7 +58,7 @@ pub(crate) fn parts(report: &Report) -> String {
     let sections = page.sections(report).map(|section| json::string(&section));
     let (plots, motions) = (json::list(page.plots), json::list(page.motions));
     json::object([
-        ("lead", json::string(&text(&report.lead))),
+        ("lead", json::string(&Page::text(&report.lead))),
         ("sections", json::list(sections)),
         ("plots", plots),
         ("motions", motions),
@@ -68,12 +67,7 @@ pub(crate) fn parts(report: &Report) -> String {
 
 impl Page {
     fn sections(&mut self, report: &Report) -> [String; 4] {
-        let contents = [
-            self.identify(&report.identify),
-            self.model(&report.model),
-            self.solve(&report.solve),
-            self.analyze(&report.analyze),
-        ];
+        let contents = self.moves(report);
         std::array::from_fn(|i| section(i + 1, &MOVES[i], &contents[i]))
     }
 
@@ -104,9 +98,9 @@ fn header(report: &Report) -> String {
         "{}<header>\n<h1>{}</h1>\n{}{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
         report.ways.as_ref().map(Ways::html).unwrap_or_default(),
         escape(&report.title),
-        tagged("p", "lead", &text(&report.lead)),
+        tagged("p", "lead", &Page::text(&report.lead)),
         lesson.unwrap_or_default(),
-        paragraphs(&report.intro)
+        Page::paragraphs(&report.intro)
     )
 }
 
@@ -116,12 +110,4 @@ fn section(number: usize, (id, name): &(&str, &str), content: &str) -> String {
         "<section id=\"{id}\" aria-labelledby=\"{id}-heading\">\n<h2 id=\"{id}-heading\">\
          <span class=\"move\">{number}</span> {name}</h2>\n{content}</section>\n"
     )
-}
-
-fn footer(meta: &[(String, String)]) -> String {
-    let row = |(name, value): &(String, String)| {
-        format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
-    };
-    let rows = tagged("dl", "facts", &meta.iter().map(row).collect::<String>());
-    tagged("footer", "", &rows)
 }
