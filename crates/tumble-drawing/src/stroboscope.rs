@@ -7,7 +7,7 @@ use crate::free_body::Ground;
 use crate::free_body::layout::View;
 use crate::heading::Heading;
 use crate::legend::Legend;
-use crate::outline::{Pen, Pose};
+use crate::outline::{Pen, Plane, Pose};
 use crate::placing::Occupancy;
 use crate::placing::about_point;
 use crate::placing::{Tag, draw_placed, placed};
@@ -83,8 +83,7 @@ impl StroboscopicPicture {
         let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
         let feet: Vec<_> = feet.collect();
         points.extend(feet);
-        let x = Range::of(points.iter().map(|p| p[0]))?;
-        let y = Range::of(points.iter().map(|p| p[1]))?;
+        let [x, y] = Range::of_points(&points)?;
         let room = 2.0 * PADDING * x.span().max(y.span());
         Some([x, y].map(|r| r.widened(r.span() + room).opened()))
     }
@@ -111,16 +110,10 @@ impl<'a> Scene<'a> {
         Self { picture, heading, axes, legend, empty: ranges.is_none() }
     }
 
-    fn width(&self) -> f64 {
-        self.axes.area.right() + self.axes.margins().right
-    }
-
     fn svg(&self) -> Svg {
-        let (width, height) = (self.width(), self.axes.area.bottom() + self.axes.margins().bottom);
+        let [width, height] = self.axes.end();
         let middle = self.axes.area.centre()[0];
-        let mut svg = Svg::new(width, height, self.picture.title.to_plain());
-        let page = Element::new("rect").attr("width", width).attr("height", height);
-        svg.push(page.attr("fill", PAPER));
+        let mut svg = Svg::on_paper(width, height, self.picture.title.to_plain());
         svg.push(self.heading.draw(middle));
         svg.children.extend(self.legend.iter().map(|legend| {
             let left = (middle - legend.size()[0] / 2.0).max(MARGIN);
@@ -158,15 +151,10 @@ impl<'a> Scene<'a> {
     fn draw_trace(&self, index: usize, track: &BodyPath) -> Element {
         let mut path = PathData::default();
         self.trace_pieces(track).iter().for_each(|piece| path.add_polyline(piece));
-        let style = style(index);
-        let line = (!path.is_empty()).then(|| {
-            let line = path.stroke().attr("stroke", self.colour(index)).attr("stroke-width", TRACE);
-            line.attr("stroke-dasharray", style.dashes)
-        });
-        let dots = track.poses().map(|pose| {
-            let dot = circle(self.axes.pixel(pose.centre()), CENTRE_DOT).attr("fill", INK);
-            dot.attr("stroke", PAPER).attr("stroke-width", HAIRLINE)
-        });
+        let line =
+            (!path.is_empty()).then(|| path.stroke(self.colour(index), TRACE).dashed(style(index).dashes));
+        let dot = |at| circle(at, CENTRE_DOT).attr("fill", INK).stroked(PAPER, HAIRLINE);
+        let dots = track.poses().map(|pose| dot(self.axes.pixel(pose.centre())));
         Element::new("g").children(line).children(dots)
     }
 

@@ -1,5 +1,6 @@
 //! Arrows on the page: where they start and end, straight and circular.
 
+use crate::outline::Plane;
 use crate::text::Label;
 use crate::theme::{ARM, ArrowStyle, MOTION};
 

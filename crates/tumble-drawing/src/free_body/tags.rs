@@ -1,6 +1,6 @@
 //! Which labels a panel has, and what they must keep clear of.
 
-use crate::outline::Outline;
+use crate::outline::{Outline, Plane};
 use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::text::Label;

@@ -91,7 +91,7 @@ pub(crate) fn draw_placed(labels: &[Placed]) -> Vec<Element> {
 
 /// The thin line from a label to what it belongs to.
 fn leader([from, to]: [Point; 2]) -> Element {
-    line(from, to).attr("stroke", GREY).attr("stroke-width", LEADER)
+    line(from, to).stroked(GREY, LEADER)
 }
 
 /// A place with all that it costs by itself.

@@ -30,14 +30,14 @@ pub(super) fn pivot(at: Point) -> Element {
     let [half, height] = PIVOT;
     let base = [at[0], at[1] + height];
     let corners = [at, plus(base, [half, 0.0]), plus(base, [-half, 0.0])];
-    let triangle = PathData::polygon(&corners).fill(PAPER).attr("stroke", INK).attr("stroke-width", 1.2);
+    let triangle = PathData::polygon(&corners).fill(PAPER).stroked(INK, 1.2);
     let mut hatching = PathData::polyline(&[plus(base, [-1.4 * half, 0.0]), plus(base, [1.4 * half, 0.0])]);
     for i in -2..=2 {
         let top = plus(base, [5.0 * f64::from(i) + 2.0, 0.0]);
         hatching.add_polyline(&[top, plus(top, [-5.0, 5.0])]);
     }
-    let hatching = hatching.stroke().attr("stroke", GREY).attr("stroke-width", HAIRLINE);
-    let ring = circle(at, 3.2).attr("fill", PAPER).attr("stroke", INK).attr("stroke-width", 1.2);
+    let hatching = hatching.stroke(GREY, HAIRLINE);
+    let ring = circle(at, 3.2).attr("fill", PAPER).stroked(INK, 1.2);
     Element::new("g").child(hatching).child(triangle).child(ring)
 }
 
@@ -62,7 +62,7 @@ pub(crate) fn link(kind: LinkKind, [a, b]: [Point; 2]) -> Element {
             path
         }
     };
-    path.stroke().attr("stroke", INK).attr("stroke-width", 1.3).attr("stroke-linejoin", "round")
+    path.stroke(INK, 1.3).attr("stroke-linejoin", "round")
 }
 
 fn spring(at: &impl Fn(f64, f64) -> Point) -> Vec<Point> {

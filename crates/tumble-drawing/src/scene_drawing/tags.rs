@@ -3,6 +3,7 @@
 use super::layout::Layout;
 use crate::free_body::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, times};
+use crate::outline::Plane;
 use crate::placing::Tag;
 use crate::placing::beside;
 use crate::placing::{Candidate, about_arc, about_arrow, about_point};
