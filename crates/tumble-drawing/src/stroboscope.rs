@@ -5,6 +5,7 @@ use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
 use crate::free_body::Ground;
 use crate::free_body::layout::View;
+use crate::geometry::{minus, plus, times};
 use crate::heading::Heading;
 use crate::legend::Legend;
 use crate::outline::{Pen, Plane, Pose};
@@ -50,6 +51,10 @@ const CENTRE_DOT: f64 = 2.1;
 const LABEL_DISTANCE: f64 = 3.0;
 /// Part of the width that a legend may take: letters of other fonts are wider.
 const LEGEND: f64 = 0.9;
+/// What it costs that a label of an instant is led to its body by a line: less than to cover something.
+const FAR_COST: f64 = 25.0;
+/// Where along a surface its name may stand, best first.
+const NAME_PARTS: [f64; 5] = [0.5, 0.3, 0.7, 0.12, 0.88];
 /// So many bodies or more tell their common times once.
 const SEVERAL: usize = 3;
 /// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
@@ -201,9 +206,11 @@ impl<'a> Scene<'a> {
         let area = self.axes.area;
         self.surfaces().filter_map(move |surface| {
             let [a, b] = surface.visible(&view, &area)?;
-            let middle = [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])];
-            let near = about_point(middle, LABEL_DISTANCE, Tag::extent(&surface.name, SMALL));
-            (!surface.name.is_empty()).then(|| Tag::new(surface.name.clone(), INK, vec![a, b], near))
+            let size = Tag::extent(&surface.name, SMALL);
+            let at = |part: f64| plus(a, times(minus(b, a), part));
+            let near = NAME_PARTS.into_iter().flat_map(|part| about_point(at(part), LABEL_DISTANCE, size));
+            (!surface.name.is_empty())
+                .then(|| Tag::new(surface.name.clone(), INK, vec![a, b], near.collect()))
         })
     }
 
@@ -239,7 +246,7 @@ impl<'a> Scene<'a> {
         let by_ends = ends.iter().flat_map(|end| about_point(*end, LABEL_DISTANCE, size));
         let near = by_ends.chain(about_point(centre, distance, size)).collect();
         let owner = if ends.is_empty() { vec![centre] } else { ends.clone() };
-        Tag::new(note.label.clone(), note.colour.for_text(), owner, near)
+        Tag { far: Some(FAR_COST), ..Tag::new(note.label.clone(), note.colour.for_text(), owner, near) }
     }
 }
 

@@ -11,10 +11,11 @@ use tumble_drawing::svg::escape;
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
 
 /// Scripts in the order in which they run.
-const SCRIPTS: [&str; 7] = [
+const SCRIPTS: [&str; 8] = [
     include_str!("../assets/common.js"),
     include_str!("../assets/plots.js"),
     include_str!("../assets/arrows.js"),
+    include_str!("../assets/names.js"),
     include_str!("../assets/motion.js"),
     include_str!("../assets/folds.js"),
     include_str!("../assets/scroll.js"),
