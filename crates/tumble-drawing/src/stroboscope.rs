@@ -245,7 +245,12 @@ impl<'a> Scene<'a> {
         let centre = self.axes.pixel(note.pose.centre());
         let by_ends = ends.iter().flat_map(|end| about_point(*end, LABEL_DISTANCE, size));
         let near = by_ends.chain(about_point(centre, distance, size)).collect();
-        let owner = if ends.is_empty() { vec![centre] } else { ends.clone() };
+        let rim = || note.track.shapes.iter().flat_map(|shape| shape.spokes(note.pose));
+        let owner = if ends.is_empty() {
+            rim().map(|p| self.axes.pixel(p)).chain([centre]).collect()
+        } else {
+            ends.clone()
+        };
         Tag { far: Some(FAR_COST), ..Tag::new(note.label.clone(), note.colour.for_text(), owner, near) }
     }
 }
