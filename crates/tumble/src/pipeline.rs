@@ -19,10 +19,8 @@ pub use crate::outcome::{Outcome, PipelineError};
 use crate::output::Folder;
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
-use crate::report_file;
-use crate::runs;
 use crate::summary::{self, Source};
-use crate::tables;
+use crate::{report_file, runs, tables};
 
 /// How a scene is run, beyond what it says itself.
 #[derive(Clone, Debug, Default)]

@@ -13,8 +13,7 @@ use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
 use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
 use super::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, arc, corners, minus, plus, times, unit};
-use crate::placing::Tag;
-use crate::placing::{about_arc, about_arrow};
+use crate::placing::{Tag, about_arc, about_arrow};
 
 /// Leaders point at an arrow beyond this part of it: near tails many arrows may meet.
 const LEADER_PART: f64 = 0.4;

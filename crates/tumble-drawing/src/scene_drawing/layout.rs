@@ -1,8 +1,7 @@
 //! Where the parts of a scene lie on the page.
 
-use super::marks;
 use super::tags::tags;
-use super::{SceneBody, SceneDrawing};
+use super::{SceneBody, SceneDrawing, marks};
 use crate::axes::{Axes, clipped};
 use crate::curves::no_data;
 use crate::free_body::circular_arrow::CircularArrow;
@@ -12,8 +11,7 @@ use crate::free_body::strokes::{Form, Stroke};
 use crate::geometry::{Point, along, unit};
 use crate::heading::Heading;
 use crate::outline::{Pen, Plane};
-use crate::placing::Occupancy;
-use crate::placing::{draw_placed, placed};
+use crate::placing::{Occupancy, draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
 use crate::stroboscope::{ALONE, equal_axes, picture_width};

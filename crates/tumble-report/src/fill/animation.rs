@@ -17,12 +17,9 @@ use tumble_scene::Study;
 use super::names::Names;
 use super::words;
 use crate::figures::free_bodies::kind;
-use crate::figures::symbols;
-use crate::figures::{captions, case_label, outlines, poses, surfaces};
+use crate::figures::{captions, case_label, outlines, poses, surfaces, symbols};
 use crate::report::END_OF_DIGITS;
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::equal_times;
+use crate::results::{Case, CaseError, equal_times};
 
 /// Frames of a run: smooth at the speed at which it first plays.
 const FRAMES: usize = 400;

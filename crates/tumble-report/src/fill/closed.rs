@@ -10,9 +10,7 @@ use tumble_scene::Study;
 
 use super::names::{Names, math, quantity};
 use super::words;
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::{is_angle, unit};
+use crate::results::{Case, CaseError, is_angle, unit};
 
 /// Phases beyond these are told of by the table of events.
 const MOST_PHASES: usize = 4;

@@ -8,8 +8,7 @@ use super::names::Names;
 use super::once::{self, BY_LAWS, BY_NAME};
 use super::{equations, forces, laws};
 use crate::figures::{captions, free_bodies, instants, symbols};
-use crate::results::Case;
-use crate::results::CaseError;
+use crate::results::{Case, CaseError};
 
 /// Runs of a sweep among which one is looked for whose diagrams show most.
 const MOST_LOOKED_AT: usize = 12;

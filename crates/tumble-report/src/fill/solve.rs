@@ -7,10 +7,8 @@ use tumble_scene::Study;
 use super::names::{Names, quantity};
 use super::{closed, events, sweep};
 use crate::figures::case_label;
-use crate::results::Case;
-use crate::results::CaseError;
 use crate::results::digits::Held;
-use crate::results::telling;
+use crate::results::{Case, CaseError, telling};
 
 /// Runs of a sweep beyond these have no closed forms of their own.
 const MOST_RUNS: usize = 6;

@@ -7,10 +7,9 @@ use super::math::{Block, Definition, Typeset};
 use super::parts::{BodyModel, CheckRow};
 use super::picture::{Chart, Picture};
 use super::prose::Text;
-use super::rows;
 use super::table::{Align, PrintedTable};
 use super::walk::{MOVES, Writer};
-use super::{LESSON, Report};
+use super::{LESSON, Report, rows};
 use crate::site::url;
 use tumble_drawing::Animation;
 

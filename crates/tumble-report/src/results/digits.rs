@@ -3,9 +3,8 @@
 use tumble_expr::Expr;
 use tumble_mech::{At, Horizon, Trust};
 
-use crate::results::CaseError;
-use crate::results::FindResult;
 use crate::results::case::Solution;
+use crate::results::{CaseError, FindResult};
 
 /// Doubles have no more.
 const MOST: f64 = 16.0;

@@ -2,13 +2,12 @@
 
 use super::data::{label, mark};
 use crate::report::json::{Grid, list, number, object, string};
-use tumble_drawing::Label;
 use tumble_drawing::free_body::{Ground, GroundCircle, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
 use tumble_drawing::svg::Svg;
 use tumble_drawing::track::BodyPath;
-use tumble_drawing::{Animation, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink};
+use tumble_drawing::{Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink};
 
 /// Steps over the range of places and of forces: finer than a screen shows.
 const STEPS: f64 = 1e4;
