@@ -58,8 +58,8 @@ impl<'a> Scene<'a> {
     }
 
     fn decimals(&self) -> usize {
-        let times = &self.motion.times;
-        let duration = times.last().copied().unwrap_or(0.0) - times.first().copied().unwrap_or(0.0);
+        let [from, to] = self.motion.span();
+        let duration = to - from;
         if duration > 0.0 { (2.0 - duration.log10().floor()).clamp(0.0, 9.0) as usize } else { 2 }
     }
 

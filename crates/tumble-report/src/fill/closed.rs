@@ -9,7 +9,7 @@ use tumble_ode::{Cause, Occurrence};
 use tumble_scene::Study;
 
 use super::names::{Names, math, quantity};
-use super::words;
+use super::{words, zeros};
 use crate::results::{Case, CaseError, is_angle, unit};
 
 /// Phases beyond these are told of by the table of events.
@@ -145,7 +145,7 @@ fn motions(
 ) -> Option<Vec<ClosedForm>> {
     let inputs = run.equations.model().parameters.symbols();
     let time = Symbol::new("t", Dimension::TIME);
-    let without = zeros(&run.equations.model().parameters);
+    let without = without(&run.equations.model().parameters);
     let one = |coordinate: &Coordinate| {
         let acceleration = run.equations.in_states(mode, &coordinate.acceleration.clone().into());
         let acceleration = without_states(run, mode, &without.apply(&acceleration))?;
@@ -160,24 +160,17 @@ fn motions(
 }
 
 /// Parameters that are zero in a run: without air there is none in the formulas.
-fn zeros(parameters: &Parameters) -> Substitution {
-    let mut none = Substitution::default();
-    for symbol in parameters.symbols() {
-        let value = parameters.evaluate(&[symbol.clone().into()]);
-        if value.is_ok_and(|value| value[0] == 0.0) {
-            none.insert(symbol, Expr::zero());
-        }
-    }
-    none
+fn without(parameters: &Parameters) -> Substitution {
+    let value = |symbol: &Symbol| parameters.evaluate(&[symbol.clone().into()]);
+    let is_zero = |symbol: &Symbol| value(symbol).is_ok_and(|value| value[0] == 0.0);
+    zeros(parameters.symbols().into_iter().filter(is_zero))
 }
 
 /// A formula that no state has a part in, without their symbols; `None` where one has.
 fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
     let states = run.equations.states(mode);
     let is_free = states.iter().all(|state| is_identically_zero(&formula.derivative(state)));
-    let mut none = Substitution::default();
-    states.into_iter().for_each(|state| none.insert(state, Expr::zero()));
-    is_free.then(|| none.apply(formula))
+    is_free.then(|| zeros(states).apply(formula))
 }
 
 fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Result<Phase, CaseError> {

@@ -28,7 +28,7 @@ mod texts;
 pub(crate) mod words;
 
 use crate::report::{Report, Text, Typeset};
-use tumble_expr::Expr;
+use tumble_expr::{Expr, Substitution, Symbol, Vector};
 use tumble_scene::Study;
 
 use crate::results::{CaseError, Runs};
@@ -74,6 +74,19 @@ fn say_once(report: &mut Report) {
 
 fn sum(parts: impl IntoIterator<Item = Expr>) -> Expr {
     parts.into_iter().fold(Expr::zero(), |sum, part| sum + part)
+}
+
+/// What makes these symbols zero.
+fn zeros(symbols: impl IntoIterator<Item = Symbol>) -> Substitution {
+    let mut none = Substitution::default();
+    symbols.into_iter().for_each(|symbol| none.insert(symbol, Expr::zero()));
+    none
+}
+
+/// The velocity of the air at the world's origin.
+fn wind_at_origin(study: &Study) -> Vector {
+    let origin = zeros(tumble_mech::place_symbols());
+    study.model.wind.0.map(|component| origin.apply(component))
 }
 
 /// What was found, in a line: the first finding.

@@ -9,7 +9,7 @@ use tumble_mech::{Equations, Law, Mode, Term};
 use tumble_notation::Notation;
 use tumble_scene::Study;
 
-use super::{pivots, sum};
+use super::{pivots, sum, zeros};
 use crate::results::Case;
 
 /// A factor of less is the rounding of zero: those of conditions are components of unit vectors.
@@ -132,7 +132,7 @@ fn eliminated(
 
 /// A linear condition solved for a symbol, which has this factor in it.
 fn solved_for(condition: &Expr, symbol: &Symbol, factor: &Expr) -> Expr {
-    -(without(condition, std::slice::from_ref(symbol)) / factor)
+    -(zeros([symbol.clone()]).apply(condition) / factor)
 }
 
 /// A condition, an acceleration of a centre in it, and its factor, which does not change; turning is kept.
@@ -162,15 +162,6 @@ fn simple(formula: &Expr) -> Expr {
     line.map_or_else(|| formula.clone(), |line| line.formula)
 }
 
-/// A linear formula where these symbols are zero.
-fn without(formula: &Expr, symbols: &[Symbol]) -> Expr {
-    let mut none = Substitution::default();
-    for symbol in symbols {
-        none.insert(symbol.clone(), Expr::zero());
-    }
-    none.apply(formula)
-}
-
 /// Sum of inertias and forces along one independent acceleration.
 fn projected(directions: &[Direction], given: &[(Symbol, Expr)], along: &Direction) -> Reduced {
     let acceleration = |one: &Direction| {
@@ -185,7 +176,7 @@ fn projected(directions: &[Direction], given: &[(Symbol, Expr)], along: &Directi
             continue;
         }
         inertia = inertia + &one.inertia * (&share * &share);
-        let rest = without(&whole, std::slice::from_ref(&along.symbol));
+        let rest = zeros([along.symbol.clone()]).apply(&whole);
         right = right + &share * (&one.force - &one.inertia * rest);
     }
     Reduced { body: along.body, symbol: along.symbol.clone(), inertia: simple(&inertia), right }

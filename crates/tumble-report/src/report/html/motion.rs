@@ -41,8 +41,7 @@ pub(in crate::report) fn still(animation: &Animation) -> Svg {
 fn track(motion: &MovingCase, body: &MovingBody) -> BodyPath {
     let timed = motion.times.iter().zip(&body.poses).map(|(t, pose)| Pose { t: *t, ..*pose });
     let poses: Vec<Pose> = timed.collect();
-    let (from, to) =
-        (motion.times.first().copied().unwrap_or(0.0), motion.times.last().copied().unwrap_or(0.0));
+    let [from, to] = motion.span();
     let instant = |i: usize| from + (to - from) * i as f64 / (INSTANTS - 1) as f64;
     let nearest =
         |i: usize| poses.iter().min_by(|a, b| (a.t - instant(i)).abs().total_cmp(&(b.t - instant(i)).abs()));
@@ -121,7 +120,7 @@ fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }
-    let (from, to) = (motion.times[0], motion.times[count - 1]);
+    let [from, to] = motion.span();
     let at = |t: f64| motion.times.partition_point(|other| *other < t).min(count - 1);
     let even = (0..most).map(|i| at(from + (to - from) * i as f64 / (most - 1) as f64));
     let events = motion.events.iter().take(most).map(|event| at(event.at));

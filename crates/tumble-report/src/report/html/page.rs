@@ -5,7 +5,7 @@ use super::lab;
 use crate::report::markup::Markup;
 use crate::report::walk::{MOVES, Writer};
 use crate::report::{LESSON, Report, json};
-use crate::site::{Ways, url};
+use crate::site::{Ways, document, url};
 use tumble_drawing::svg::escape;
 
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
@@ -36,21 +36,20 @@ pub(super) struct Page {
 /// The page.
 pub(crate) fn page(report: &Report) -> String {
     let mut page = Page::default();
-    let sections: String = page.sections(report).concat();
-    let (head, header) = (head(report), header(report));
-    let (data, scripts) = (page.data(), SCRIPTS.concat());
-    let lab = report.lab.as_ref().map_or("", |_| lab::PANEL);
-    let language = if report.language.is_empty() {
-        String::new()
-    } else {
-        format!(" lang=\"{}\"", escape(&report.language))
+    let sections = page.sections(report).concat();
+    let (header, footer) = (header(report), tagged("footer", "", &Page::facts(&report.meta)));
+    let data = json::object([("plots", json::list(page.plots)), ("motions", json::list(page.motions))]);
+    let (panel, looks, lab) = match &report.lab {
+        Some(lab) => (lab::PANEL, lab::STYLE, lab::scripts(lab)),
+        None => ("", "", String::new()),
     };
-    format!(
-        "<!doctype html>\n<html{language}>\n{head}<body>\n{header}{lab}<main>\n{sections}</main>\n{}\
-         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n{}</body>\n</html>\n",
-        tagged("footer", "", &Page::facts(&report.meta)),
-        report.lab.as_ref().map(lab::scripts).unwrap_or_default()
-    )
+    let body = format!(
+        "{header}{panel}<main>\n{sections}</main>\n{footer}\
+         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{}</script>\n{lab}",
+        SCRIPTS.concat()
+    );
+    let style = format!("{STYLE}{looks}{}", tumble_notation::page_font());
+    document([&report.title, &report.language], "", &style, &body)
 }
 
 /// The sections with their data, for a page that is there already.
@@ -71,21 +70,6 @@ impl Page {
         let contents = self.moves(report);
         std::array::from_fn(|i| section(i + 1, &MOVES[i], &contents[i]))
     }
-
-    fn data(&self) -> String {
-        let (plots, motions) = (json::list(self.plots.clone()), json::list(self.motions.clone()));
-        json::object([("plots", plots), ("motions", motions)])
-    }
-}
-
-fn head(report: &Report) -> String {
-    let font = tumble_notation::page_font();
-    let lab = report.lab.as_ref().map_or("", |_| lab::STYLE);
-    format!(
-        "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{}</title>\n<style>\n{STYLE}{lab}{font}\n</style>\n</head>\n",
-        escape(&report.title)
-    )
 }
 
 fn header(report: &Report) -> String {
