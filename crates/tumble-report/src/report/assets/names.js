@@ -3,7 +3,7 @@
 /** More bodies than this are not named in the picture. */
 const MOST_NAMED = 8;
 /** How far names stand from what they name, nearest first, and in which directions, in pixels. */
-const AWAY = [8, 16, 26, 38];
+const AWAY = [10, 18, 28, 40];
 const AROUND = [[1, -1], [-1, -1], [1, 0], [-1, 0], [0, -1], [1, 1], [-1, 1], [0, 1]];
 /** Distance between points of outlines that names keep clear of. */
 const APART = 6;
