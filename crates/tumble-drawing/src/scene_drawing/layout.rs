@@ -107,10 +107,7 @@ impl Layout {
             let tail = self.view.pixel(body.pose.centre());
             let length = (speed(velocity) / fastest * LONGEST).max(SHORTEST);
             let (head, start) = (along(tail, [x, -y], length), along(tail, [x, -y], draw::CENTRE_RADIUS));
-            Some((
-                Stroke { tail, head, start, point: tail, broken: false, style: MOTION, form: Form::Thin },
-                i,
-            ))
+            Some((Stroke { start, ..Stroke::new([tail, head], MOTION, Form::Thin) }, i))
         };
         self.scene.bodies.iter().enumerate().filter_map(stroke).collect()
     }

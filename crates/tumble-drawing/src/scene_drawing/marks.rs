@@ -3,7 +3,7 @@
 use super::SceneDrawing;
 use crate::free_body::draw;
 use crate::free_body::strokes::{Form, Stroke};
-use crate::geometry::{Point, along, length, minus, plus, times, turned, unit};
+use crate::geometry::{Point, along, minus, plus, times, turned, unit};
 use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::scene_drawing::LinkKind;
@@ -129,10 +129,8 @@ fn field(
 }
 
 fn arrow(middle: Point, forward: Point, style: ArrowStyle) -> Element {
-    let (tail, head) = (along(middle, forward, -FIELD / 2.0), along(middle, forward, FIELD / 2.0));
-    let stroke = Stroke { tail, head, start: tail, point: tail, broken: false, style, form: Form::Full };
-    debug_assert!(length(minus(head, tail)) > 0.0);
-    draw::arrow(&stroke)
+    let ends = [-0.5, 0.5].map(|part| along(middle, forward, part * FIELD));
+    draw::arrow(&Stroke::new(ends, style, Form::Full))
 }
 
 /// The place along the upper and right, then the other sides that covers least.
