@@ -222,12 +222,15 @@ impl Course {
 
 /// What a contact is called in the table of a body's forces.
 pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
-    let other = if pair.other == Some(body) {
-        symbols::the(&study.model.bodies[pair.body].name)
-    } else {
-        against(study, pair)
-    };
-    format!("contact with {other}")
+    format!("contact with {}", other(study, pair, body))
+}
+
+/// What a body of a pair touches: a surface, or the other body.
+pub(super) fn other(study: &Study, pair: &Pair, body: usize) -> String {
+    match pair.other == Some(body) {
+        true => symbols::the(&study.model.bodies[pair.body].name),
+        false => against(study, pair),
+    }
 }
 
 /// All that happens at an instant; points that do the same are told together.

@@ -132,10 +132,9 @@ fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
 }
 
 fn case(motion: &MovingCase, frames: &[usize]) -> String {
-    let times = || frames.iter().map(|i| motion.times[*i]);
     object([
         ("name", label(&motion.name)),
-        ("times", Grid::over(times(), TIME_STEPS).encode(times())),
+        ("times", Grid::encoded(frames.iter().map(|i| motion.times[*i]), TIME_STEPS)),
         ("bodies", list(motion.bodies.iter().map(|b| body(b, frames)))),
         ("links", list(motion.links.iter().map(|l| link(l, frames)))),
         ("forces", list(motion.forces.iter().map(|f| force(f, frames)))),
@@ -149,7 +148,7 @@ fn case(motion: &MovingCase, frames: &[usize]) -> String {
 /// The values at the kept frames; the last one stays where there are too few.
 fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> String {
     let values: Vec<f64> = frames.iter().filter_map(|i| values.get(*i).or(values.last()).map(&of)).collect();
-    Grid::over(values.iter().copied(), STEPS).encode(values.iter().copied())
+    Grid::encoded(values.iter().copied(), STEPS)
 }
 
 fn body(body: &MovingBody, frames: &[usize]) -> String {
