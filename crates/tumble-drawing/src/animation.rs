@@ -78,6 +78,11 @@ pub struct MovingForce {
 }
 
 impl MovingCase {
+    /// First and last instant, s.
+    pub fn span(&self) -> [f64; 2] {
+        [self.times.first(), self.times.last()].map(|time| time.copied().unwrap_or(0.0))
+    }
+
     /// Left, lower, right and upper bound of all that moves and of the points, in metres; `None` if there is nothing.
     pub fn extent(&self) -> Option<[f64; 4]> {
         let bodies = self.bodies.iter().flat_map(|body| {

@@ -126,22 +126,17 @@ impl Axes {
         }
     }
 
-    /// Pixels `[x, y]` of a point.
-    pub fn pixel(&self, point: [f64; 2]) -> [f64; 2] {
-        [self.x.pixel(point[0]), self.y.pixel(point[1])]
+    /// Where the picture ends: right and bottom edge with the room there, in pixels.
+    pub(crate) fn end(&self) -> [f64; 2] {
+        let margins = self.margins();
+        [self.area.right() + margins.right, self.area.bottom() + margins.bottom]
     }
 
     /// Frame, ticks and labels.
     pub fn draw(&self) -> Element {
-        let strokes = Element::new("g").attr("stroke", INK).attr("stroke-width", HAIRLINE);
-        let strokes = strokes.attr("fill", "none").child(self.frame());
-        let strokes = strokes.children(self.tick_lines());
+        let strokes = Element::new("g").stroked(INK, HAIRLINE).attr("fill", "none");
+        let strokes = strokes.child(self.area.element("rect")).children(self.tick_lines());
         Element::new("g").child(strokes).children(self.tick_labels()).children(self.title_texts())
-    }
-
-    fn frame(&self) -> Element {
-        let Rect { x, y, width, height } = self.area;
-        Element::new("rect").attrs([("x", x), ("y", y), ("width", width), ("height", height)])
     }
 
     fn tick_lines(&self) -> impl Iterator<Item = Element> {
@@ -205,15 +200,13 @@ fn horizontal_ticks(scale: &Scale, width: f64) -> Ticks {
 /// A window on the page: what `children` draw outside `area` is cut off.
 /// A nested drawing needs no identifiers, so several figures may share a page.
 pub fn clipped(area: Rect, children: impl IntoIterator<Item = Element>) -> Element {
-    let Rect { x, y, width, height } = area;
-    let view = [x, y, width, height].map(crate::svg::number).join(" ");
-    let window = Element::new("svg").attrs([("x", x), ("y", y), ("width", width), ("height", height)]);
-    window.attr("viewBox", view).attr("overflow", "hidden").children(children)
+    let view = [area.x, area.y, area.width, area.height].map(crate::svg::number).join(" ");
+    area.element("svg").attr("viewBox", view).attr("overflow", "hidden").children(children)
 }
 
 impl crate::outline::Plane for Axes {
     fn pixel(&self, point: [f64; 2]) -> [f64; 2] {
-        Axes::pixel(self, point)
+        [self.x.pixel(point[0]), self.y.pixel(point[1])]
     }
 
     fn density(&self) -> f64 {

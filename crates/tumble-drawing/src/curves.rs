@@ -6,13 +6,15 @@ use crate::axes::{Axes, Axis, clipped};
 use crate::ends::{self, End};
 use crate::heading::Heading;
 use crate::legend::{Legend, styled};
+use crate::marks::MarkRows;
+use crate::outline::Plane;
 use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::retrace::without_laps;
 use crate::scale::{Range, drawable};
-use crate::svg::{Element, PathData, Svg, circle, line};
-use crate::text::{Label, PlacedText, TextAnchor};
-use crate::theme::{GAP, GREY, HAIRLINE, LEADING, LineStyle, MARGIN, PAPER, SMALL};
+use crate::svg::{Element, PathData, Svg, circle};
+use crate::text::{Label, PlacedText};
+use crate::theme::{GAP, GREY, LineStyle, SMALL};
 use crate::thin::{pieces, simplified, thinned};
 
 /// Width of a picture, and height of its plotting area, in pixels.
@@ -36,14 +38,6 @@ const MANY: usize = 5000;
 const TOLERANCE: f64 = 0.04;
 /// Radius of a point that no line leads to.
 const LONE_POINT: f64 = 2.2;
-/// Rows of mark labels above the frame, at most.
-const MARK_ROWS: usize = 2;
-/// Distance between mark labels in one row.
-const MARK_SPACING: f64 = 8.0;
-/// Marks closer than this many pixels to the last are not drawn.
-const MARK_MERGE: f64 = 0.5;
-/// Dashes of the lines of marks.
-const MARK_DASHES: &str = "3 3";
 
 /// A curve with its label; an empty label keeps it out of the legend.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -222,18 +216,13 @@ impl<'a> Layout<'a> {
         let mut drawn = Occupancy::new(self.axes.area);
         self.curves.iter().flatten().for_each(|piece| drawn.add_line(piece.clone()));
         self.bands.iter().flatten().for_each(|piece| drawn.add_line(piece.clone()));
-        let Rect { y, .. } = self.axes.area;
-        let bottom = self.axes.area.bottom();
-        self.marks.marks.iter().for_each(|mark| drawn.add_line(vec![[mark.x, y], [mark.x, bottom]]));
+        self.marks.lines(&self.axes.area).for_each(|line| drawn.add_line(line.to_vec()));
         drawn
     }
 
     fn draw(&self) -> Svg {
-        let height = self.axes.area.bottom() + self.axes.margins().bottom;
-        let width = self.size.width;
-        let mut svg = Svg::new(width, height, self.figure.title.to_plain());
-        let page = Element::new("rect").attr("width", width).attr("height", height);
-        svg.push(page.attr("fill", PAPER));
+        let height = self.axes.end()[1];
+        let mut svg = Svg::on_paper(self.size.width, height, self.figure.title.to_plain());
         svg.push(self.marks.draw(&self.axes.area));
         svg.push(clipped(
             self.axes.area,
@@ -310,67 +299,8 @@ fn draw_curve(pieces: &[Vec<[f64; 2]>], style: LineStyle) -> Vec<Element> {
     pieces.iter().filter(|piece| piece.len() > 1).for_each(|piece| path.add_polyline(piece));
     let lone = pieces.iter().filter(|piece| piece.len() == 1);
     let dots = lone.map(|piece| circle(piece[0], LONE_POINT).attr("fill", style.colour));
-    let line = (!path.is_empty()).then(|| styled(path.stroke(), style));
+    let line = (!path.is_empty()).then(|| styled(path.fill("none"), style));
     line.into_iter().chain(dots).collect()
-}
-
-/// Marks with the rows in which their labels stand.
-struct MarkRows {
-    marks: Vec<PlacedMark>,
-}
-
-struct PlacedMark {
-    x: f64,
-    label: Label,
-    row: Option<usize>,
-}
-
-impl MarkRows {
-    fn new(marks: &[Mark], axes: &Axes, page: f64) -> Self {
-        let mut visible: Vec<_> = marks.iter().filter(|m| axes.x.range.contains(m.at)).collect();
-        visible.sort_by(|a, b| a.at.total_cmp(&b.at));
-        let mut placed: Vec<PlacedMark> = Vec::new();
-        let mut row_ends = [f64::NEG_INFINITY; MARK_ROWS];
-        for mark in visible {
-            let x = axes.x.pixel(mark.at);
-            if placed.last().is_some_and(|last| x - last.x < MARK_MERGE) {
-                continue;
-            }
-            let row = row_for(&mut row_ends, page, x, mark.label.width(SMALL));
-            placed.push(PlacedMark { x, label: mark.label.clone(), row });
-        }
-        Self { marks: placed }
-    }
-
-    fn height(&self) -> f64 {
-        let labelled = self.marks.iter().filter(|mark| !mark.label.is_empty());
-        let rows = labelled.filter_map(|mark| mark.row).max().map_or(0, |row| row + 1);
-        rows as f64 * SMALL * LEADING
-    }
-
-    fn draw(&self, area: &Rect) -> Element {
-        let style = Element::new("g").attr("stroke", GREY).attr("stroke-width", HAIRLINE);
-        let style = style.attr("stroke-dasharray", MARK_DASHES);
-        let lines = self.marks.iter().map(|m| line([m.x, area.bottom()], [m.x, area.y]));
-        let labels = self.marks.iter().filter_map(|mark| mark.text(area.y));
-        Element::new("g").child(style.children(lines)).children(labels)
-    }
-}
-
-impl PlacedMark {
-    fn text(&self, top: f64) -> Option<Element> {
-        let baseline = top - GAP - self.row? as f64 * SMALL * LEADING;
-        let text = PlacedText::new(&self.label, [self.x, baseline], SMALL, TextAnchor::Middle);
-        (!self.label.is_empty()).then(|| text.element())
-    }
-}
-
-/// The first row with room for a label `width` pixels wide centred at `x`, which then takes it, on a page of some width.
-fn row_for(row_ends: &mut [f64], page: f64, x: f64, width: f64) -> Option<usize> {
-    let row = row_ends.iter().position(|end| x - width / 2.0 >= *end)?;
-    let fits = x - width / 2.0 >= MARGIN / 2.0 && x + width / 2.0 <= page - MARGIN / 2.0;
-    row_ends[row] = x + width / 2.0 + MARK_SPACING;
-    fits.then_some(row)
 }
 
 #[cfg(test)]
@@ -411,13 +341,6 @@ mod tests {
     fn a_million_points_give_a_small_file() {
         let points = (0..1_000_000).map(|i| [f64::from(i) * 1e-5, (f64::from(i) * 0.01).sin()]).collect();
         assert!(figure(points).svg().to_string().len() < 100_000);
-    }
-
-    #[test]
-    fn crowded_marks_keep_their_labels_apart() {
-        let mut ends = [f64::NEG_INFINITY; MARK_ROWS];
-        let rows: Vec<_> = (0..4).map(|i| row_for(&mut ends, 600.0, 100.0 + f64::from(i), 30.0)).collect();
-        assert_eq!(rows, [Some(0), Some(1), None, None]);
     }
 
     #[test]

@@ -92,8 +92,7 @@ pub fn animation_gif(animation: &Animation, case: usize, width: u32, rate: f64) 
 
 /// Instants of the frames: the last one is the end of the motion.
 fn times(motion: &MovingCase, speed: f64, rate: f64) -> Result<Vec<f64>, GifError> {
-    let (from, to) =
-        (motion.times.first().copied().unwrap_or(0.0), motion.times.last().copied().unwrap_or(0.0));
+    let [from, to] = motion.span();
     let length = if speed > 0.0 { (to - from) / speed } else { GOOD_LENGTH };
     let frames = (length * rate).round().max(1.0);
     if frames.is_nan() || frames > MOST_FRAMES as f64 {

@@ -104,9 +104,7 @@ fn total(columns: &[f64]) -> f64 {
 
 /// Stroke attributes of a curve.
 pub fn styled(element: Element, style: LineStyle) -> Element {
-    let element = element.attr("stroke", style.colour).attr("stroke-width", style.thickness);
-    let element = element.attr("stroke-linejoin", "round");
-    if style.dashes.is_empty() { element } else { element.attr("stroke-dasharray", style.dashes) }
+    element.stroked(style.colour, style.thickness).attr("stroke-linejoin", "round").dashed(style.dashes)
 }
 
 /// Places as parts of the free width and height: corners, then along the

@@ -16,6 +16,7 @@ pub mod gif;
 pub mod heading;
 pub mod legend;
 pub mod map;
+mod marks;
 pub mod outline;
 mod placing;
 #[cfg(feature = "png")]

@@ -3,6 +3,7 @@
 use crate::axes::{Axes, Axis};
 use crate::curves::no_data;
 use crate::heading::Heading;
+use crate::outline::Plane;
 use crate::rect::Rect;
 use crate::scale::{Range, Scale, drawable};
 use crate::svg::{Element, PathData, Svg, circle, line};
@@ -72,10 +73,7 @@ impl MapFigure {
         let ranges = [&self.columns, &self.rows].map(|places| bounds(&edges(places)));
         let top = heading.bottom() + NORMAL;
         let axes = Axes::fitted([&self.x, &self.y], ranges, WIDTH - beside, top, HEIGHT);
-        let height = axes.area.bottom() + axes.margins().bottom;
-        let mut svg = Svg::new(WIDTH, height, self.title.to_plain());
-        let page = Element::new("rect").attr("width", WIDTH).attr("height", height);
-        svg.push(page.attr("fill", PAPER));
+        let mut svg = Svg::on_paper(WIDTH, axes.end()[1], self.title.to_plain());
         svg.children.extend(self.draw_cells(&axes));
         svg.children.extend(self.rings(&axes));
         svg.push(axes.draw());
@@ -119,9 +117,7 @@ impl MapFigure {
             Some(axes.pixel([*self.columns.get(*column)?, *self.rows.get(*row)?]))
         };
         let ring = |at| {
-            let ring = |colour: Rgb, width: f64| {
-                circle(at, RING).attr("fill", "none").attr("stroke", colour).attr("stroke-width", width)
-            };
+            let ring = |colour: Rgb, width: f64| circle(at, RING).attr("fill", "none").stroked(colour, width);
             [ring(PAPER, 3.0), ring(INK, 1.4)]
         };
         self.marked.iter().filter_map(at).flat_map(ring)
@@ -139,16 +135,11 @@ impl MapFigure {
             let y = area.bottom() - (level + 1) as f64 * step;
             bar.attr("y", y).attr("fill", colour((level as f64 + 0.5) / LEVELS as f64))
         });
-        let frame = Element::new("rect").attrs([
-            ("x", left),
-            ("y", area.y),
-            ("width", SCALE_WIDTH),
-            ("height", area.height),
-        ]);
-        let frame = frame.attr("fill", "none").attr("stroke", INK).attr("stroke-width", HAIRLINE);
+        let frame = Rect { x: left, width: SCALE_WIDTH, ..*area };
+        let frame = frame.element("rect").attr("fill", "none").stroked(INK, HAIRLINE);
         let marks = ticks.major.iter().flat_map(|tick| {
             let y = scale.pixel(tick.value);
-            let mark = line([right, y], [right + TICK, y]).attr("stroke", INK).attr("stroke-width", HAIRLINE);
+            let mark = line([right, y], [right + TICK, y]).stroked(INK, HAIRLINE);
             let at = [right + TICK + GAP, middle_baseline(y, SMALL)];
             [mark, PlacedText::new(&tick.label, at, SMALL, TextAnchor::Start).element()]
         });

@@ -160,7 +160,7 @@ fn circle_points([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
 }
 
 fn outlined(element: Element, pen: Pen) -> Element {
-    element.attr("stroke", pen.colour).attr("stroke-width", OUTLINE)
+    element.stroked(pen.colour, OUTLINE)
 }
 
 /// Thickness of a rod `length` pixels long.
@@ -175,12 +175,8 @@ fn draw_rod(a: [f64; 2], b: [f64; 2], pen: Pen) -> Vec<Element> {
     let thickness = rod_thickness(length);
     let inset = [dx, dy].map(|d| d / length * thickness / 2.0);
     let ends = ([a[0] + inset[0], a[1] + inset[1]], [b[0] - inset[0], b[1] - inset[1]]);
-    let bar = |colour: Rgb, width: f64| {
-        line(ends.0, ends.1)
-            .attr("stroke", colour)
-            .attr("stroke-width", width)
-            .attr("stroke-linecap", "round")
-    };
+    let bar =
+        |colour: Rgb, width: f64| line(ends.0, ends.1).stroked(colour, width).attr("stroke-linecap", "round");
     let full = bar(pen.colour, thickness);
     let hole = pen.hollow.then(|| bar(crate::theme::PAPER, thickness - 2.0 * HAIRLINE));
     std::iter::once(full).chain(hole).collect()

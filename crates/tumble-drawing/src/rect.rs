@@ -1,5 +1,7 @@
 //! Axis-parallel rectangles on the page (pixels, y down).
 
+use crate::svg::Element;
+
 /// Pixels by which rounding misplaces nothing.
 const BEYOND: f64 = 1e-6;
 
@@ -37,6 +39,12 @@ impl Rect {
     fn with_point(self, p: [f64; 2]) -> Self {
         let (x, y) = (self.x.min(p[0]), self.y.min(p[1]));
         Self::new(x, y, self.right().max(p[0]) - x, self.bottom().max(p[1]) - y)
+    }
+
+    /// An element of this place and size.
+    pub(crate) fn element(&self, name: &'static str) -> Element {
+        let Self { x, y, width, height } = *self;
+        Element::new(name).attrs([("x", x), ("y", y), ("width", width), ("height", height)])
     }
 
     /// Right edge.

@@ -43,6 +43,12 @@ impl Range {
         }))
     }
 
+    /// The smallest ranges of x and y that hold all points.
+    pub(crate) fn of_points(points: &[[f64; 2]]) -> Option<[Self; 2]> {
+        let [x, y] = [0, 1].map(|k| Self::of(points.iter().map(|p| p[k])));
+        x.zip(y).map(Into::into)
+    }
+
     /// Width of the interval.
     pub fn span(&self) -> f64 {
         self.high - self.low

@@ -57,7 +57,7 @@ impl Bar {
         let mut path = PathData::polyline(&[[left, y], [right, y]]);
         path.add_polyline(&[[left, y - END], [left, y + END]]);
         path.add_polyline(&[[right, y - END], [right, y + END]]);
-        path.stroke().attr("stroke", INK).attr("stroke-width", THICKNESS)
+        path.stroke(INK, THICKNESS)
     }
 }
 

@@ -5,12 +5,11 @@ use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
 use crate::free_body::Ground;
 use crate::free_body::layout::View;
+use crate::geometry::{minus, plus, times};
 use crate::heading::Heading;
 use crate::legend::Legend;
-use crate::outline::{Pen, Pose};
-use crate::placing::Occupancy;
-use crate::placing::about_point;
-use crate::placing::{Tag, draw_placed, placed};
+use crate::outline::{Pen, Plane, Pose};
+use crate::placing::{Occupancy, Tag, about_point, draw_placed, placed};
 use crate::scale::Range;
 use crate::svg::{Element, PathData, Svg, circle};
 use crate::text::Label;
@@ -50,6 +49,10 @@ const CENTRE_DOT: f64 = 2.1;
 const LABEL_DISTANCE: f64 = 3.0;
 /// Part of the width that a legend may take: letters of other fonts are wider.
 const LEGEND: f64 = 0.9;
+/// What it costs that a label of an instant is led to its body by a line: less than to cover something.
+const FAR_COST: f64 = 25.0;
+/// Where along a surface its name may stand, best first.
+const NAME_PARTS: [f64; 5] = [0.5, 0.3, 0.7, 0.12, 0.88];
 /// So many bodies or more tell their common times once.
 const SEVERAL: usize = 3;
 /// Least distance of a label as a part of the body's reach: there may be room beside a rod's middle.
@@ -83,8 +86,7 @@ impl StroboscopicPicture {
         let feet = self.surfaces.iter().filter_map(|surface| surface.foot_of_lowest(&points));
         let feet: Vec<_> = feet.collect();
         points.extend(feet);
-        let x = Range::of(points.iter().map(|p| p[0]))?;
-        let y = Range::of(points.iter().map(|p| p[1]))?;
+        let [x, y] = Range::of_points(&points)?;
         let room = 2.0 * PADDING * x.span().max(y.span());
         Some([x, y].map(|r| r.widened(r.span() + room).opened()))
     }
@@ -111,16 +113,10 @@ impl<'a> Scene<'a> {
         Self { picture, heading, axes, legend, empty: ranges.is_none() }
     }
 
-    fn width(&self) -> f64 {
-        self.axes.area.right() + self.axes.margins().right
-    }
-
     fn svg(&self) -> Svg {
-        let (width, height) = (self.width(), self.axes.area.bottom() + self.axes.margins().bottom);
+        let [width, height] = self.axes.end();
         let middle = self.axes.area.centre()[0];
-        let mut svg = Svg::new(width, height, self.picture.title.to_plain());
-        let page = Element::new("rect").attr("width", width).attr("height", height);
-        svg.push(page.attr("fill", PAPER));
+        let mut svg = Svg::on_paper(width, height, self.picture.title.to_plain());
         svg.push(self.heading.draw(middle));
         svg.children.extend(self.legend.iter().map(|legend| {
             let left = (middle - legend.size()[0] / 2.0).max(MARGIN);
@@ -158,15 +154,10 @@ impl<'a> Scene<'a> {
     fn draw_trace(&self, index: usize, track: &BodyPath) -> Element {
         let mut path = PathData::default();
         self.trace_pieces(track).iter().for_each(|piece| path.add_polyline(piece));
-        let style = style(index);
-        let line = (!path.is_empty()).then(|| {
-            let line = path.stroke().attr("stroke", self.colour(index)).attr("stroke-width", TRACE);
-            line.attr("stroke-dasharray", style.dashes)
-        });
-        let dots = track.poses().map(|pose| {
-            let dot = circle(self.axes.pixel(pose.centre()), CENTRE_DOT).attr("fill", INK);
-            dot.attr("stroke", PAPER).attr("stroke-width", HAIRLINE)
-        });
+        let line =
+            (!path.is_empty()).then(|| path.stroke(self.colour(index), TRACE).dashed(style(index).dashes));
+        let dot = |at| circle(at, CENTRE_DOT).attr("fill", INK).stroked(PAPER, HAIRLINE);
+        let dots = track.poses().map(|pose| dot(self.axes.pixel(pose.centre())));
         Element::new("g").children(line).children(dots)
     }
 
@@ -213,9 +204,11 @@ impl<'a> Scene<'a> {
         let area = self.axes.area;
         self.surfaces().filter_map(move |surface| {
             let [a, b] = surface.visible(&view, &area)?;
-            let middle = [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])];
-            let near = about_point(middle, LABEL_DISTANCE, Tag::extent(&surface.name, SMALL));
-            (!surface.name.is_empty()).then(|| Tag::new(surface.name.clone(), INK, vec![a, b], near))
+            let size = Tag::extent(&surface.name, SMALL);
+            let at = |part: f64| plus(a, times(minus(b, a), part));
+            let near = NAME_PARTS.into_iter().flat_map(|part| about_point(at(part), LABEL_DISTANCE, size));
+            (!surface.name.is_empty())
+                .then(|| Tag::new(surface.name.clone(), INK, vec![a, b], near.collect()))
         })
     }
 
@@ -250,8 +243,13 @@ impl<'a> Scene<'a> {
         let centre = self.axes.pixel(note.pose.centre());
         let by_ends = ends.iter().flat_map(|end| about_point(*end, LABEL_DISTANCE, size));
         let near = by_ends.chain(about_point(centre, distance, size)).collect();
-        let owner = if ends.is_empty() { vec![centre] } else { ends.clone() };
-        Tag::new(note.label.clone(), note.colour.for_text(), owner, near)
+        let rim = || note.track.shapes.iter().flat_map(|shape| shape.spokes(note.pose));
+        let owner = if ends.is_empty() {
+            rim().map(|p| self.axes.pixel(p)).chain([centre]).collect()
+        } else {
+            ends.clone()
+        };
+        Tag { far: Some(FAR_COST), ..Tag::new(note.label.clone(), note.colour.for_text(), owner, near) }
     }
 }
 

@@ -34,6 +34,14 @@ impl Svg {
         Self { width, height, title: title.into(), description: String::new(), children: Vec::new() }
     }
 
+    /// A sheet of paper of the given size.
+    pub fn on_paper(width: f64, height: f64, title: impl Into<String>) -> Self {
+        let mut svg = Self::new(width, height, title);
+        let page = Element::new("rect").attrs([("width", width), ("height", height)]);
+        svg.push(page.attr("fill", crate::theme::PAPER));
+        svg
+    }
+
     /// The same drawing with a description in plain text.
     pub fn described(mut self, description: impl Into<String>) -> Self {
         self.description = description.into();
@@ -115,6 +123,16 @@ impl Element {
     /// Adds several numeric attributes, for instance `[("x", 1.0), ("y", 2.0)]`.
     pub fn attrs<const N: usize>(self, values: [(&'static str, f64); N]) -> Self {
         values.into_iter().fold(self, |element, (name, value)| element.attr(name, value))
+    }
+
+    /// Adds the colour and the thickness of its line.
+    pub fn stroked(self, colour: impl Into<AttributeValue>, thickness: f64) -> Self {
+        self.attr("stroke", colour).attr("stroke-width", thickness)
+    }
+
+    /// Adds the dashes of its line; none for no text.
+    pub fn dashed(self, dashes: &str) -> Self {
+        if dashes.is_empty() { self } else { self.attr("stroke-dasharray", dashes) }
     }
 
     /// Adds a child element.
@@ -274,9 +292,9 @@ impl PathData {
         self.0.is_empty()
     }
 
-    /// A `path` element without fill.
-    pub fn stroke(self) -> Element {
-        Element::new("path").attr("d", self.0).attr("fill", "none")
+    /// A `path` element without fill, its line in a colour and of a thickness.
+    pub fn stroke(self, colour: impl Into<AttributeValue>, thickness: f64) -> Element {
+        self.fill("none").stroked(colour, thickness)
     }
 
     /// A `path` element; the caller gives its fill.
@@ -329,7 +347,7 @@ mod tests {
     fn paths_separate_pieces() {
         let mut path = PathData::polyline(&[[0.0, 0.0], [1.0, 2.5], [3.0, 4.0]]);
         path.add_polyline(&[[5.0, 5.0], [6.0, 6.0]]);
-        assert_eq!(path.stroke().to_string(), r#"<path d="M0,0L1,2.5 3,4M5,5L6,6" fill="none"/>"#);
+        assert_eq!(path.fill("none").to_string(), r#"<path d="M0,0L1,2.5 3,4M5,5L6,6" fill="none"/>"#);
     }
 
     #[test]

@@ -305,7 +305,7 @@ impl PlacedText {
             text = text.attr("transform", format!("rotate(-90 {x} {y})"));
         }
         if self.halo {
-            text = text.attr("stroke", theme::PAPER).attr("stroke-width", HALO);
+            text = text.stroked(theme::PAPER, HALO);
             text = text.attr("stroke-linejoin", "round").attr("paint-order", "stroke");
         }
         self.runs().fold(text, Element::child)

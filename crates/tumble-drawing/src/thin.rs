@@ -1,5 +1,7 @@
 //! Long curves made short without changing the picture.
 
+use crate::geometry::{length, minus, nearest};
+
 /// Points that one straight piece may replace, at most; bounds the work.
 const LONGEST_RUN: usize = 64;
 
@@ -46,11 +48,7 @@ pub fn simplified(points: &[[f64; 2]], tolerance: f64) -> Vec<[f64; 2]> {
 
 /// Distance of `p` from the straight piece between `a` and `b`.
 fn distance(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
-    let (along, to) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let square = along[0] * along[0] + along[1] * along[1];
-    let part = if square == 0.0 { 0.0 } else { (along[0] * to[0] + along[1] * to[1]) / square };
-    let part = part.clamp(0.0, 1.0);
-    (to[0] - part * along[0]).hypot(to[1] - part * along[1])
+    length(minus(p, nearest(p, [a, b])))
 }
 
 /// Indices of the first, last, lowest and highest point, increasing, each once.

@@ -19,9 +19,7 @@ pub fn as_written(formula: &Formula, symbol: &dyn Fn(&str) -> Math) -> Math {
             Syntax::Quantity { .. } => quantity(text(&node.span)),
             Syntax::Name(span) => symbol(text(span)),
             Syntax::Sign { minus: false, operand } => part(operand),
-            Syntax::Sign { minus: true, operand } => {
-                Math::Row(vec![Math::Operator(Operator::Negative), as_term(part(operand))])
-            }
+            Syntax::Sign { minus: true, operand } => as_term(part(operand)).negative(),
             Syntax::Infix(sign, left, right) => infix(*sign, part(left), part(right)),
             Syntax::Call(span, arguments) => call(text(span), arguments.iter().map(part).collect()),
             Syntax::Vector(rows) => Math::Matrix(rows.iter().map(|row| vec![part(row)]).collect()),

@@ -84,18 +84,15 @@ impl Board<'_> {
     }
 
     fn sum(&mut self, terms: &[(bool, Written)]) -> Result<Math, MathError> {
-        let mut row = vec![];
-        for (index, (minus, term)) in terms.iter().enumerate() {
-            match (index, minus) {
-                (0, false) => {}
-                (0, true) => row.push(Math::Operator(Operator::Negative)),
-                (_, false) => row.push(Math::Operator(Operator::Plus)),
-                (_, true) => row.push(Math::Operator(Operator::Minus)),
-            }
-            let math = self.math(term)?;
-            row.push(if is_sum(&math) { math.bracketed() } else { math });
-        }
-        Ok(Math::Row(row))
+        let term = |(minus, term): &(bool, Written)| Ok((*minus, self.term(term)?));
+        let terms: Vec<_> = terms.iter().map(term).collect::<Result<_, MathError>>()?;
+        Ok(Math::Row(Math::terms(terms)))
+    }
+
+    /// With brackets if it is a sum.
+    fn term(&mut self, term: &Written) -> Result<Math, MathError> {
+        let math = self.math(term)?;
+        Ok(if is_sum(&math) { math.bracketed() } else { math })
     }
 
     fn product(&mut self, factors: &[Written]) -> Result<Math, MathError> {
@@ -118,8 +115,7 @@ impl Board<'_> {
     }
 
     fn integral(&mut self, of: &Written, over: &Symbol, limits: &[Expr; 2]) -> Result<Math, MathError> {
-        let inside = self.math(of)?;
-        let of = if is_sum(&inside) { inside.bracketed() } else { inside };
+        let of = self.term(of)?;
         let limits = Box::new([self.scalar(&limits[0])?, self.scalar(&limits[1])?]);
         let over = Box::new(self.notation.symbol(&over.name));
         Ok(Math::Integral { of: Box::new(of), over, limits })

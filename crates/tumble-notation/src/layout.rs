@@ -111,6 +111,25 @@ impl Math {
         Self::Derivative { of: Identifier::parse(name), order }
     }
 
+    /// Terms one after another, each behind its sign; true is a minus.
+    pub fn terms(terms: impl IntoIterator<Item = (bool, Self)>) -> Vec<Self> {
+        let signed = |(index, (minus, math)): (usize, (bool, Self))| {
+            let sign = match (index, minus) {
+                (0, false) => None,
+                (0, true) => Some(Operator::Negative),
+                (_, false) => Some(Operator::Plus),
+                (_, true) => Some(Operator::Minus),
+            };
+            sign.map(Self::Operator).into_iter().chain([math])
+        };
+        terms.into_iter().enumerate().flat_map(signed).collect()
+    }
+
+    /// With a minus sign before it.
+    pub fn negative(self) -> Self {
+        Self::Row(Self::terms([(true, self)]))
+    }
+
     /// `left = right`
     pub fn equation(left: Self, right: Self) -> Self {
         Self::Row(vec![left, Self::Operator(Operator::Equals), right])

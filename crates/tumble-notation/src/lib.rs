@@ -30,6 +30,7 @@ mod error;
 mod font;
 mod known;
 mod latex;
+mod layers;
 mod layout;
 mod mathml;
 mod notation;

@@ -64,7 +64,7 @@ pub(crate) fn decimal(value: &Rational) -> Math {
 /// An integer of either sign.
 pub(crate) fn signed(value: i64) -> Math {
     let digits = Math::digits(value.unsigned_abs());
-    if value < 0 { Math::Row(vec![Math::Operator(Operator::Negative), digits]) } else { digits }
+    if value < 0 { digits.negative() } else { digits }
 }
 
 /// Whether the decimal of a number ends.

@@ -4,6 +4,7 @@ use num_traits::{One, Signed};
 use tumble_expr::{Binary, Exponent, Relation, Unary};
 
 use crate::algebra::{Algebra, Base, Factor, Form, Function, Id};
+use crate::layers::Layers;
 use crate::layout::{Math, Operator};
 use crate::numbers;
 use crate::order::{self, Class};
@@ -20,22 +21,6 @@ pub(crate) struct Printer<'a> {
     time: Option<Id>,
     /// Which definitions are made of more than parameters.
     varying: Vec<bool>,
-}
-
-/// A product sorted by where its factors go.
-#[derive(Default)]
-struct Layers {
-    /// Numbers, parameters and times above the line.
-    above: Vec<Math>,
-    /// Behind the fraction: bars, variables, functions, sums.
-    behind: Vec<Math>,
-    below: Vec<Math>,
-    /// Behind the fraction there are functions or sums, not only letters.
-    long: bool,
-    /// Below the line there are only digits.
-    digits_below: bool,
-    /// The number's numerator, if it is not 1 and stands first above.
-    numerator: bool,
 }
 
 impl<'a> Printer<'a> {
@@ -59,7 +44,7 @@ impl<'a> Printer<'a> {
             Form::Sum(terms) => self.sum(terms, false),
             _ => {
                 let (minus, math) = self.signed(id);
-                if minus { Math::Row(vec![Math::Operator(Operator::Negative), math]) } else { math }
+                if minus { math.negative() } else { math }
             }
         }
     }
@@ -115,17 +100,7 @@ impl<'a> Printer<'a> {
             let positive = printed.remove(first);
             printed.insert(0, positive);
         }
-        let mut row = vec![];
-        for (index, (_, minus, _, math)) in printed.into_iter().enumerate() {
-            match (index, minus) {
-                (0, false) => {}
-                (0, true) => row.push(Math::Operator(Operator::Negative)),
-                (_, false) => row.push(Math::Operator(Operator::Plus)),
-                (_, true) => row.push(Math::Operator(Operator::Minus)),
-            }
-            row.push(math);
-        }
-        Math::Row(row)
+        Math::Row(Math::terms(printed.into_iter().map(|(_, minus, _, math)| (minus, math))))
     }
 
     /// A positive number times powers; the sum at place `turned` is printed with its sign turned.
@@ -332,14 +307,8 @@ impl<'a> Printer<'a> {
 
     /// The length of a vector by its components.
     fn norm(&self, parts: &[Id]) -> Math {
-        let mut row = vec![];
-        for id in parts {
-            if !row.is_empty() {
-                row.push(Math::Operator(Operator::Plus));
-            }
-            row.push(self.square(*id));
-        }
-        Math::Root(Box::new(Math::Row(row)))
+        let squares = parts.iter().map(|id| (false, self.square(*id)));
+        Math::Root(Box::new(Math::Row(Math::terms(squares))))
     }
 
     /// A square; the sign and the brackets of a single symbol are not needed.
@@ -395,42 +364,6 @@ struct Context {
 impl Math {
     fn bracketed_unless(self, bare: bool) -> Self {
         if bare { self } else { self.bracketed() }
-    }
-}
-
-impl Layers {
-    fn joined(mut self) -> Math {
-        if self.below.is_empty() {
-            self.above.append(&mut self.behind);
-            return Math::product(self.above);
-        }
-        // Two thirds of something stand before it; a third of it is it over three.
-        if self.digits_below && self.numerator {
-            let number = self.above.remove(0);
-            let fraction = number.over(Math::product(self.below));
-            let rest = self.above.into_iter().chain(self.behind);
-            return Math::product(std::iter::once(fraction).chain(rest).collect());
-        }
-        let alone = self.above.is_empty();
-        if self.below.iter().any(|math| matches!(math, Math::Brackets(_))) {
-            self.above.append(&mut self.behind);
-        }
-        let up = !self.digits_below || !self.long;
-        if (alone && up) || (self.digits_below && !self.long) {
-            self.above.append(&mut self.behind);
-        }
-        if let (true, [Math::Brackets(_)]) = (alone, self.above.as_slice())
-            && let Some(Math::Brackets(inside)) = self.above.pop()
-        {
-            self.above.push(*inside);
-        }
-        if let [Math::Brackets(_)] = self.below.as_slice()
-            && let Some(Math::Brackets(inside)) = self.below.pop()
-        {
-            self.below.push(*inside);
-        }
-        let fraction = Math::product(self.above).over(Math::product(self.below));
-        Math::product(std::iter::once(fraction).chain(self.behind).collect())
     }
 }
 

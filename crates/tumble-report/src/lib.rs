@@ -15,5 +15,4 @@ mod fill;
 #[path = "tests/scenes.rs"]
 mod scenes;
 
-pub use fill::animation;
-pub use fill::of;
+pub use fill::{animation, of};

@@ -40,6 +40,7 @@ pub mod templates;
 
 mod figure_files;
 mod jobs;
+mod outcome;
 mod report_file;
 mod runs;
 mod summary;

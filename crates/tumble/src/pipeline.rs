@@ -7,8 +7,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use thiserror::Error;
-use tumble_drawing::Animation;
 #[cfg(feature = "png")]
 use tumble_drawing::gif;
 use tumble_report::results::{
@@ -17,13 +15,12 @@ use tumble_report::results::{
 use tumble_scene::{Diagnostics, Files, Override, Study};
 
 use crate::figure_files;
-use crate::output::{Folder, OutputError, shown};
+pub use crate::outcome::{Outcome, PipelineError};
+use crate::output::Folder;
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
-use crate::report_file;
-use crate::runs;
 use crate::summary::{self, Source};
-use crate::tables;
+use crate::{report_file, runs, tables};
 
 /// How a scene is run, beyond what it says itself.
 #[derive(Clone, Debug, Default)]
@@ -49,86 +46,20 @@ pub struct Options {
     pub stop: Arc<AtomicBool>,
 }
 
-/// What the runs of a scene came to.
-#[derive(Debug)]
-pub struct Outcome {
-    /// The study that was run.
-    pub study: Study,
-    /// Where the results are.
-    pub folder: PathBuf,
-    /// Names of the figures, without ending.
-    pub figures: Vec<String>,
-    /// The runs: one, or one for every combination of swept parameters. None where each was told of as it was made.
-    pub cases: Vec<Finished>,
-    /// How many runs ended how.
-    pub tally: Tally,
-    /// What a user should know of the runs.
-    pub of_runs: Diagnostics,
-    /// The runs that were not made, because no more were wanted.
-    pub missing: Vec<Missing>,
-    /// Where along a sweep of one parameter its answers are greatest and least.
-    pub located: Vec<Located>,
-    /// What was found, in a line; empty where no report was asked for.
-    pub lead: String,
-    /// The motion as the report shows it, if it does.
-    pub motion: Option<Animation>,
-    /// What is left over beside the results and was not removed, with the reason.
-    pub notes: Vec<String>,
-}
-
-impl Outcome {
-    /// What its user should know: warnings of the scene and of its runs, and why a run stopped early.
-    pub fn said(&self) -> Diagnostics {
-        let mut said = self.study.warnings();
-        tumble_report::figures::clashes(&self.study).into_iter().for_each(|alike| said.extend(alike));
-        said.extend(self.of_runs.clone());
-        said
-    }
-
-    /// Whether every run was made, every motion reached its end and every claim holds.
-    pub fn is_success(&self) -> bool {
-        self.missing.is_empty() && self.tally.refused + self.tally.refuted == 0
-    }
-}
-
-/// Why a scene has no results at all.
-#[derive(Debug, Error)]
-pub enum PipelineError {
-    /// The file cannot be read.
-    #[error("cannot read {}: {error}", shown(path))]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        error: std::io::Error,
-    },
-    /// A study whose results cannot have a folder of that name.
-    #[error("`{name}` cannot be the name of a folder: {fault}")]
-    Name {
-        /// The name.
-        name: String,
-        /// What is wrong with it.
-        fault: String,
-    },
-    /// A run, or what is asked of it, has no result.
-    #[error(transparent)]
-    Case(#[from] CaseError),
-    /// Results cannot be written.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    /// An animation cannot be drawn.
-    #[cfg(feature = "png")]
-    #[error(transparent)]
-    Gif(#[from] gif::GifError),
-}
-
 /// Runs a scene file: scene, study, cases (equations and trajectory each), tables, figures, summary.
 ///
 /// A motion that is refused on the way is no error: what was found is written, marked incomplete, and the outcome says
 /// why. If no more runs are wanted, those that were finished are written, and the outcome has the others.
 pub fn run(path: &Path, options: &Options) -> Result<Outcome, PipelineError> {
+    keeping(|keep| run_telling(path, options, keep))
+}
+
+/// The outcome with all that its runs came to.
+fn keeping(
+    run: impl FnOnce(&mut (dyn FnMut(Finished) -> io::Result<()> + Send)) -> Result<Outcome, PipelineError>,
+) -> Result<Outcome, PipelineError> {
     let mut cases = vec![];
-    let outcome = run_telling(path, options, |case| {
+    let outcome = run(&mut |case| {
         cases.push(case);
         Ok(())
     })?;
@@ -182,12 +113,7 @@ pub fn run_study(study: &Study, name: &str, options: &Options) -> Result<Outcome
     if study.title.is_empty() {
         study.title = source.shown_name();
     }
-    let mut cases = vec![];
-    let outcome = written(&source, study, &[], options, |case| {
-        cases.push(case);
-        Ok(())
-    })?;
-    Ok(Outcome { cases, ..outcome })
+    keeping(|keep| written(&source, study, &[], options, keep))
 }
 
 /// Runs a scene that is given as text, and writes what that of a file does, into a folder of that name.
@@ -415,19 +341,4 @@ fn read(source: &mut Source, options: &Options) -> Result<Study, PipelineError> 
     }
     source.beside = beside.read.into_inner();
     Ok(study)
-}
-
-impl PipelineError {
-    /// The same with the place in the scene that it is about.
-    fn placed(self, study: &Study) -> Self {
-        match self {
-            Self::Case(error) => Self::Case(error.placed(study)),
-            other => other,
-        }
-    }
-
-    /// Whether it is none of its own: no more was wanted.
-    pub(crate) fn is_interruption(&self) -> bool {
-        matches!(self, Self::Case(error) if error.is_interruption())
-    }
 }

@@ -3,7 +3,7 @@
 use std::path::{Component, Path};
 
 use tumble_drawing::Animation;
-use tumble_report::report::{Lab, Report, live};
+use tumble_report::report::{Lab, Report, Text, live};
 use tumble_report::results::Runs;
 use tumble_report::site::Ways;
 use tumble_scene::Study;
@@ -86,12 +86,12 @@ fn lab(source: &Source, study: &Study, options: &Options) -> Option<Lab> {
     })
 }
 
-fn meta(source: &Source) -> Vec<(String, String)> {
+fn meta(source: &Source) -> Vec<(Text, Text)> {
     let program = format!("tumble {}", env!("CARGO_PKG_VERSION"));
-    let hash = source.hash().map(|hash| ("SHA-256 of the scene".to_owned(), hash));
+    let hash = source.hash().map(|hash| ("SHA-256 of the scene".into(), hash.into()));
     let kind = if hash.is_some() { "Scene" } else { "Study" };
-    let name = (kind.to_owned(), source.shown_name());
-    [name].into_iter().chain(hash).chain([("Program".to_owned(), program)]).collect()
+    let name = (kind.into(), source.shown_name().into());
+    [name].into_iter().chain(hash).chain([("Program".into(), program.into())]).collect()
 }
 
 /// The way from the folder of the results to the lesson beside the scene, if there is one.

@@ -15,8 +15,7 @@ use tumble_scene::{Diagnostic, Diagnostics, Study, printable};
 
 use crate::output::{Folder, Hash, Spool};
 use crate::pipeline::PipelineError;
-use tumble_report::results::Tally;
-use tumble_report::results::{self, Located, Missing};
+use tumble_report::results::{self, Located, Missing, Tally};
 
 pub(crate) use run::page;
 

@@ -25,30 +25,32 @@ pub enum ArrowKind {
 }
 
 impl ArrowKind {
+    /// The word for it in legends and descriptions, and colour and line style of its arrows.
+    fn looks(self) -> (&'static str, ArrowStyle) {
+        match self {
+            ArrowKind::Weight => ("weight", theme::WEIGHT),
+            ArrowKind::Contact => ("contact", theme::CONTACT),
+            ArrowKind::Air => ("air", theme::AIR),
+            ArrowKind::Applied => ("applied", theme::APPLIED),
+            ArrowKind::Spring => ("spring", theme::SPRING),
+            ArrowKind::Reaction => ("reaction", theme::REACTION),
+            ArrowKind::Resultant => ("sum", theme::RESULTANT),
+        }
+    }
+
     /// The word for it in legends and descriptions.
     pub fn name(self) -> &'static str {
-        match self {
-            ArrowKind::Weight => "weight",
-            ArrowKind::Contact => "contact",
-            ArrowKind::Air => "air",
-            ArrowKind::Applied => "applied",
-            ArrowKind::Spring => "spring",
-            ArrowKind::Reaction => "reaction",
-            ArrowKind::Resultant => "sum",
-        }
+        self.looks().0
     }
 
     /// Colour and line style of its arrows.
     pub fn style(self) -> ArrowStyle {
-        match self {
-            ArrowKind::Weight => theme::WEIGHT,
-            ArrowKind::Contact => theme::CONTACT,
-            ArrowKind::Air => theme::AIR,
-            ArrowKind::Applied => theme::APPLIED,
-            ArrowKind::Spring => theme::SPRING,
-            ArrowKind::Reaction => theme::REACTION,
-            ArrowKind::Resultant => theme::RESULTANT,
-        }
+        self.looks().1
+    }
+
+    /// A symbol, or the word for the kind where there is none.
+    fn called(self, symbol: &Label) -> Label {
+        if symbol.is_empty() { Label::plain(self.name()) } else { symbol.clone() }
     }
 }
 
@@ -115,7 +117,7 @@ impl Arrow {
 
     /// Its symbol, or the word for its kind.
     pub fn name(&self) -> Label {
-        if self.symbol.is_empty() { Label::plain(self.kind.name()) } else { self.symbol.clone() }
+        self.kind.called(&self.symbol)
     }
 }
 
@@ -138,7 +140,7 @@ impl Couple {
 
     /// Its symbol, or the word for its kind.
     pub fn name(&self) -> Label {
-        if self.symbol.is_empty() { Label::plain(self.kind.name()) } else { self.symbol.clone() }
+        self.kind.called(&self.symbol)
     }
 }
 

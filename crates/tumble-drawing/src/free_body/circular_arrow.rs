@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::outline::Outline;
+use crate::outline::{Outline, Plane};
 use crate::text::Label;
 use crate::theme::{ArrowStyle, MOTION};
 

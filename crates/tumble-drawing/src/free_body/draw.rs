@@ -46,9 +46,7 @@ fn full(stroke: &Stroke) -> Element {
 }
 
 fn shaft(points: &[Point], style: ArrowStyle) -> Element {
-    let path = PathData::polyline(points).stroke();
-    let path = path.attr("stroke", style.colour).attr("stroke-width", style.thickness);
-    if style.dashes.is_empty() { path } else { path.attr("stroke-dasharray", style.dashes) }
+    PathData::polyline(points).stroke(style.colour, style.thickness).dashed(style.dashes)
 }
 
 fn head(tip: Point, forward: Point, style: ArrowStyle) -> Element {
@@ -72,7 +70,7 @@ pub(crate) fn bar_pair(middle: Point, forward: Point, style: ArrowStyle) -> Elem
     let at = [-BREAK_DISTANCE, BREAK_DISTANCE].map(|d| along(middle, forward, d));
     let ends = at.map(|p| [plus(p, lean), minus(p, lean)]);
     let gap = PathData::polygon(&[ends[0][0], ends[1][0], ends[1][1], ends[0][1]]).fill(PAPER);
-    let bar = |[a, b]: [Point; 2]| line(a, b).attr("stroke", style.colour).attr("stroke-width", 1.4);
+    let bar = |[a, b]: [Point; 2]| line(a, b).stroked(style.colour, 1.4);
     Element::new("g").attr("class", "break").child(gap).children(ends.map(bar))
 }
 
@@ -102,13 +100,13 @@ fn open_head(mut path: PathData, tip: Point, forward: Point, size: [f64; 2], sty
     let back = along(tip, forward, -size[0]);
     let side = times(turned(forward), size[1]);
     path.add_polyline(&[plus(back, side), tip, minus(back, side)]);
-    path.stroke().attr("stroke", style.colour).attr("stroke-width", style.thickness)
+    path.stroke(style.colour, style.thickness)
 }
 
 /// Small arrows along a line, with a line along their heads.
 pub(crate) fn spread(style: ArrowStyle, arrows: &[[Point; 2]]) -> Element {
     let heads: Vec<Point> = arrows.iter().map(|[_, head]| *head).collect();
-    let rim = PathData::polyline(&heads).stroke().attr("stroke", style.colour).attr("stroke-width", HAIRLINE);
+    let rim = PathData::polyline(&heads).stroke(style.colour, HAIRLINE);
     let arrow = |[tail, head]: &[Point; 2]| {
         let forward = unit(minus(*head, *tail)).filter(|_| length(minus(*head, *tail)) > SMALL_HEAD[0])?;
         let shaft = PathData::polyline(&[*tail, *head]);
@@ -141,19 +139,17 @@ pub(crate) fn centre_mark(at: Point) -> Element {
         sector.push(at);
         PathData::polygon(&sector).fill(INK)
     };
-    let rim = circle(at, CENTRE_RADIUS).attr("fill", PAPER).attr("stroke", INK).attr("stroke-width", 1.1);
+    let rim = circle(at, CENTRE_RADIUS).attr("fill", PAPER).stroked(INK, 1.1);
     let quarters = [quarter(0.0), quarter(std::f64::consts::PI)];
     Element::new("g").attr("class", "centre-of-mass").child(rim).children(quarters)
 }
 
 /// The dot at a point of action.
 pub(crate) fn dot(at: Point, style: ArrowStyle) -> Element {
-    let dot = circle(at, DOT_RADIUS).attr("fill", style.colour);
-    dot.attr("stroke", PAPER).attr("stroke-width", HAIRLINE)
+    circle(at, DOT_RADIUS).attr("fill", style.colour).stroked(PAPER, HAIRLINE)
 }
 
 /// A dashed auxiliary line.
 pub(crate) fn dashed(points: &[Point]) -> Element {
-    let path = PathData::polyline(points).stroke();
-    path.attr("stroke", GREY).attr("stroke-width", 1.0).attr("stroke-dasharray", "5 3")
+    PathData::polyline(points).stroke(GREY, 1.0).dashed("5 3")
 }

@@ -64,9 +64,8 @@ impl Entry {
 }
 
 fn sample_arrow(kind: ArrowKind, tail: [f64; 2]) -> Element {
-    let head = [tail[0] + SAMPLE, tail[1]];
     let form = if kind == ArrowKind::Resultant { Form::Hollow } else { Form::Full };
-    draw::arrow(&Stroke { tail, head, start: tail, point: tail, broken: false, style: kind.style(), form })
+    draw::arrow(&Stroke::new([tail, [tail[0] + SAMPLE, tail[1]]], kind.style(), form))
 }
 
 /// Rows of entries above lines of text.

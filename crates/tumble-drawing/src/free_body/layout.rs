@@ -28,11 +28,6 @@ impl View {
         Self { centre, at: axes.pixel(centre), density: axes.x.density() }
     }
 
-    pub(crate) fn pixel(&self, [x, y]: Point) -> Point {
-        let [x, y] = [x - self.centre[0], y - self.centre[1]];
-        [self.at[0] + x * self.density, self.at[1] - y * self.density]
-    }
-
     pub(crate) fn world(&self, [x, y]: Point) -> Point {
         let [x, y] = [x - self.at[0], self.at[1] - y];
         [self.centre[0] + x / self.density, self.centre[1] + y / self.density]
@@ -40,8 +35,9 @@ impl View {
 }
 
 impl Plane for View {
-    fn pixel(&self, point: Point) -> Point {
-        View::pixel(self, point)
+    fn pixel(&self, [x, y]: Point) -> Point {
+        let [x, y] = [x - self.centre[0], y - self.centre[1]];
+        [self.at[0] + x * self.density, self.at[1] - y * self.density]
     }
 
     fn density(&self) -> f64 {

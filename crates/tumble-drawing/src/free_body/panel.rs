@@ -2,7 +2,7 @@
 
 use crate::font::Face;
 use crate::heading::wrapped;
-use crate::outline::Pen;
+use crate::outline::{Pen, Plane};
 use crate::rect::Rect;
 use crate::svg::{Element, PathData};
 use crate::text::{Label, PlacedText, TextAnchor};
@@ -155,8 +155,7 @@ impl Drawing {
     }
 
     fn draw_arc(&self) -> Option<Element> {
-        let arc = PathData::polyline(self.angle_arc.as_ref()?).stroke();
-        Some(arc.attr("stroke", INK).attr("stroke-width", 1.0))
+        Some(PathData::polyline(self.angle_arc.as_ref()?).stroke(INK, 1.0))
     }
 
     fn draw_arrows(&self) -> Vec<Element> {
@@ -239,7 +238,5 @@ impl Panel {
 
 /// A pale frame.
 pub(super) fn edge(frame: &Rect) -> Element {
-    let Rect { x, y, width, height } = *frame;
-    let rect = Element::new("rect").attrs([("x", x), ("y", y), ("width", width), ("height", height)]);
-    rect.attr("fill", "none").attr("stroke", GREY.strength(0.5)).attr("stroke-width", HAIRLINE)
+    frame.element("rect").attr("fill", "none").stroked(GREY.strength(0.5), HAIRLINE)
 }

@@ -62,8 +62,7 @@ mod tests {
     use crate::free_body::strokes::Form;
 
     fn stroke(tail: Point, head: Point) -> Stroke {
-        let style = crate::theme::WEIGHT;
-        Stroke { tail, head, start: tail, point: tail, broken: false, style, form: Form::Full }
+        Stroke::new([tail, head], crate::theme::WEIGHT, Form::Full)
     }
 
     #[test]

@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 
 use crate::curves::no_data;
 use crate::heading::Heading;
+use crate::outline::Plane;
 use crate::rect::Rect;
-use crate::svg::{Element, Svg};
+use crate::svg::Svg;
 use crate::text::Label;
-use crate::theme::{GAP, MARGIN, PAPER, SMALL};
+use crate::theme::{GAP, MARGIN, SMALL};
 
 use super::arrow::{ArrowKind, ArrowUnit};
 use super::body::FreeBodyDiagram;
@@ -115,9 +116,7 @@ impl<'a> Layout<'a> {
 
     fn svg(&self) -> Svg {
         let [width, height] = self.size;
-        let mut svg = Svg::new(width, height, self.title()).described(self.sheet.description());
-        let page = Element::new("rect").attr("width", width).attr("height", height);
-        svg.push(page.attr("fill", PAPER));
+        let mut svg = Svg::on_paper(width, height, self.title()).described(self.sheet.description());
         svg.push(self.heading.draw(width / 2.0));
         let framed = self.panels.len() > 1;
         svg.children.extend(self.panels.iter().map(|panel| panel.draw(framed)));

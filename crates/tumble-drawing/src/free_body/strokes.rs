@@ -1,5 +1,6 @@
 //! Arrows on the page: where they start and end, straight and circular.
 
+use crate::outline::Plane;
 use crate::text::Label;
 use crate::theme::{ARM, ArrowStyle, MOTION};
 
@@ -48,6 +49,11 @@ pub(crate) struct Stroke {
 }
 
 impl Stroke {
+    /// From its point of action, to scale.
+    pub(crate) fn new([tail, head]: [Point; 2], style: ArrowStyle, form: Form) -> Self {
+        Self { tail, head, start: tail, point: tail, broken: false, style, form }
+    }
+
     pub(crate) fn direction(&self) -> Point {
         unit(minus(self.head, self.tail)).unwrap_or([1.0, 0.0])
     }
@@ -95,14 +101,14 @@ fn stroke(force: &Arrow, view: &View, scales: &Scales) -> Option<Stroke> {
     let head = along(tail, [x, -y], true_length.max(LEAST_LENGTH));
     let form = if force.kind == ArrowKind::Resultant { Form::Hollow } else { Form::Full };
     let broken = true_length < LEAST_LENGTH;
-    Some(Stroke { tail, head, start: tail, point: tail, broken, style: force.kind.style(), form })
+    Some(Stroke { broken, ..Stroke::new([tail, head], force.kind.style(), form) })
 }
 
 fn motion(velocity: &Velocity, view: &View, scales: &Scales) -> Option<Stroke> {
     let [x, y] = unit(velocity.vector)?;
     let tail = view.pixel(velocity.point);
     let head = along(tail, [x, -y], (velocity.speed() / scales.fastest * LONGEST_MOTION).max(LEAST_MOTION));
-    Some(Stroke { tail, head, start: tail, point: tail, broken: false, style: MOTION, form: Form::Thin })
+    Some(Stroke::new([tail, head], MOTION, Form::Thin))
 }
 
 /// The arms of a panel, with the labels of those that are long enough to be seen.
@@ -110,16 +116,7 @@ pub(crate) fn arms(body: &FreeBodyDiagram, view: &View) -> Vec<(Stroke, Label)> 
     let centre = view.pixel(body.pose.centre());
     let arm = |arm: &NamedPoint| {
         let head = view.pixel(arm.at);
-        let stroke = Stroke {
-            tail: centre,
-            head,
-            start: centre,
-            point: head,
-            broken: false,
-            style: ARM,
-            form: Form::Thin,
-        };
-        (stroke, arm.name.clone())
+        (Stroke { point: head, ..Stroke::new([centre, head], ARM, Form::Thin) }, arm.name.clone())
     };
     let mut arms: Vec<_> = body.arms.iter().map(arm).filter(|(arm, _)| arm.length() > LEAST_MOTION).collect();
     arms.iter_mut().for_each(|(arm, _)| arm.leave_rim());

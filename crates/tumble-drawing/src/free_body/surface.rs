@@ -1,5 +1,6 @@
 //! Surfaces near a body: a line, or a circle, with hatching on the side of the material.
 
+use crate::outline::Plane;
 use crate::rect::Rect;
 use crate::scale::drawable;
 use crate::svg::{Element, PathData};
@@ -173,9 +174,7 @@ impl Ground {
         let line = self.visible(view, area)?;
         let mut hatching = PathData::default();
         self.hatching(line, area).iter().for_each(|stroke| hatching.add_polyline(stroke));
-        let hatching = hatching.stroke().attr("stroke", GREY).attr("stroke-width", HAIRLINE);
-        let edge = PathData::polyline(&line).stroke().attr("stroke", INK).attr("stroke-width", THICKNESS);
-        Some(Element::new("g").child(hatching).child(edge))
+        Some(drawn(PathData::polyline(&line), hatching))
     }
 
     fn draw_circle(&self, view: &View, area: &Rect, round: GroundCircle) -> Element {
@@ -194,9 +193,7 @@ impl Ground {
             let end = along(along(*at, *into, HATCH_DEPTH), side, HATCH_DEPTH);
             area.clipped_line(*at, end).iter().for_each(|stroke| hatching.add_polyline(stroke));
         }
-        let hatching = hatching.stroke().attr("stroke", GREY).attr("stroke-width", HAIRLINE);
-        let edge = edge.stroke().attr("stroke", INK).attr("stroke-width", THICKNESS);
-        Element::new("g").child(hatching).child(edge)
+        drawn(edge, hatching)
     }
 
     fn hatching(&self, [from, to]: [Point; 2], area: &Rect) -> Vec<[Point; 2]> {
@@ -212,4 +209,8 @@ impl Ground {
         let long = |[a, b]: &[Point; 2]| length(minus(*a, *b)) > HATCH_DEPTH / 2.0;
         (0..=(whole / HATCH_STEP) as usize + 1).filter_map(stroke).filter(long).collect()
     }
+}
+
+fn drawn(edge: PathData, hatching: PathData) -> Element {
+    Element::new("g").child(hatching.stroke(GREY, HAIRLINE)).child(edge.stroke(INK, THICKNESS))
 }

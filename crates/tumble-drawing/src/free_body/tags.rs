@@ -1,6 +1,6 @@
 //! Which labels a panel has, and what they must keep clear of.
 
-use crate::outline::Outline;
+use crate::outline::{Outline, Plane};
 use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::text::Label;
@@ -13,8 +13,7 @@ use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
 use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
 use super::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, arc, corners, minus, plus, times, unit};
-use crate::placing::Tag;
-use crate::placing::{about_arc, about_arrow};
+use crate::placing::{Tag, about_arc, about_arrow};
 
 /// Leaders point at an arrow beyond this part of it: near tails many arrows may meet.
 const LEADER_PART: f64 = 0.4;
@@ -46,7 +45,7 @@ impl Shown<'_> {
         tags
     }
 
-    fn tag(&self, label: &Label, colour: Rgb, owner: Vec<Point>, far: bool) -> Tag {
+    fn tag(&self, label: &Label, colour: Rgb, owner: Vec<Point>, far: Option<f64>) -> Tag {
         let label = label.fitted(self.size, LONGEST * self.area.width);
         Tag { size: self.size, far, ..Tag::new(label, colour, owner, Vec::new()) }
     }
@@ -55,7 +54,7 @@ impl Shown<'_> {
         let labels = stroke_labels(self.body);
         let tag = |(stroke, label): (&Stroke, Label)| {
             let ends = [stroke.tail, stroke.head];
-            let mut tag = self.tag(&label, stroke.style.colour, ends.to_vec(), true);
+            let mut tag = self.tag(&label, stroke.style.colour, ends.to_vec(), Some(0.0));
             tag.owner[0] = plus(stroke.tail, times(minus(stroke.head, stroke.tail), LEADER_PART));
             tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
             tag
@@ -67,7 +66,7 @@ impl Shown<'_> {
     fn arm_tags(&self) -> Vec<Tag> {
         let tag = |(arm, label): (Stroke, Label)| {
             let ends = [arm.tail, arm.head];
-            let mut tag = self.tag(&label, INK, ends.to_vec(), true);
+            let mut tag = self.tag(&label, INK, ends.to_vec(), Some(0.0));
             let along = |part: f64| plus(arm.tail, times(minus(arm.head, arm.tail), part));
             tag.owner = ARM_PARTS.map(along).to_vec();
             tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
@@ -80,7 +79,7 @@ impl Shown<'_> {
         let labels = ring_labels(self.body);
         let tag = |(ring, label): (&CircularArrow, Label)| {
             let points = ring.points();
-            let mut tag = self.tag(&label, ring.style.colour, points.clone(), true);
+            let mut tag = self.tag(&label, ring.style.colour, points.clone(), Some(0.0));
             tag.near = about_arc(ring.centre, &points, Tag::extent(&tag.label, self.size));
             tag
         };
@@ -92,7 +91,7 @@ impl Shown<'_> {
         let vertex = angle_vertex(self.body, self.view)?;
         let points = self.angle_arc()?;
         let label = equation(&angle.symbol, angle.value.to_degrees(), "deg");
-        let mut tag = self.tag(&label, INK, points.clone(), true);
+        let mut tag = self.tag(&label, INK, points.clone(), Some(0.0));
         tag.near = about_arc(vertex, &points, Tag::extent(&tag.label, self.size));
         Some(tag)
     }
@@ -107,7 +106,7 @@ impl Shown<'_> {
     fn surface_tags(&self) -> impl Iterator<Item = Tag> {
         self.body.surfaces.iter().filter_map(|surface| {
             let line = surface.visible(self.view, self.area)?;
-            let mut tag = self.tag(&surface.name, INK, line.to_vec(), false);
+            let mut tag = self.tag(&surface.name, INK, line.to_vec(), None);
             let depth = times(surface.page_normal(), -HATCH_DEPTH);
             let below = line.map(|p| along(p, depth, 1.0));
             let size = Tag::extent(&tag.label, self.size);

@@ -1,6 +1,6 @@
 //! Tests of whole sheets.
 
-use crate::outline::{Outline, Pose};
+use crate::outline::{Outline, Plane, Pose};
 use crate::rect::Rect;
 use crate::text::Label;
 

@@ -10,7 +10,7 @@ use crate::scale_bar;
 use crate::scene_drawing::marks;
 use crate::svg::{Element, PathData, Svg, circle};
 use crate::text::{Label, PlacedText, TextAnchor};
-use crate::theme::{INK, LineStyle, PAPER, SMALL};
+use crate::theme::{INK, LineStyle, SMALL};
 use crate::thin::{pieces, simplified};
 
 /// Room around the motion as a part of its larger side, and below it for the scale bar, in pixels.
@@ -49,9 +49,7 @@ impl<'a> Scene<'a> {
         let density = (width / self.bounds.width).min(tall / self.bounds.height);
         let view = View { centre: self.bounds.centre(), at: [width / 2.0, tall / 2.0], density };
         let area = Rect::new(0.0, 0.0, width, tall);
-        let mut svg = Svg::new(width, tall + BELOW, "");
-        let page = Element::new("rect").attr("width", width).attr("height", tall + BELOW);
-        svg.push(page.attr("fill", PAPER));
+        let mut svg = Svg::on_paper(width, tall + BELOW, "");
         svg.push(crate::axes::clipped(area, self.contents(t, &view, &area)));
         svg.push(scale_bar::draw([width - 12.0, tall + 6.0], density, "m"));
         let time = Label::symbol("t").then(Label::plain(&format!(" = {:.*} s", self.decimals(), t)));
@@ -60,8 +58,8 @@ impl<'a> Scene<'a> {
     }
 
     fn decimals(&self) -> usize {
-        let times = &self.motion.times;
-        let duration = times.last().copied().unwrap_or(0.0) - times.first().copied().unwrap_or(0.0);
+        let [from, to] = self.motion.span();
+        let duration = to - from;
         if duration > 0.0 { (2.0 - duration.log10().floor()).clamp(0.0, 9.0) as usize } else { 2 }
     }
 
@@ -110,8 +108,7 @@ fn trail(body: &MovingBody, low: usize, index: usize, view: &View) -> Option<Ele
     let centres = body.poses.iter().take(low + 1).map(|pose| view.pixel(pose.centre()));
     let mut path = PathData::default();
     pieces(centres).iter().for_each(|piece| path.add_polyline(&simplified(piece, TOLERANCE)));
-    let line = path.stroke().attr("stroke", LineStyle::of(index).colour).attr("stroke-width", TRAIL);
-    body.trail.then(|| line.attr("stroke-dasharray", TRAIL_DASHES))
+    body.trail.then(|| path.stroke(LineStyle::of(index).colour, TRAIL).dashed(TRAIL_DASHES))
 }
 
 fn draw_link(link: &MovingLink, low: usize, part: f64, view: &View) -> Option<Element> {

@@ -99,13 +99,13 @@ pub(crate) fn about_arc(centre: Point, points: &[Point], size: [f64; 2]) -> Vec<
     points.iter().enumerate().step_by(2).flat_map(place).collect()
 }
 
-/// Places all over `area`.
-pub(crate) fn anywhere(area: &Rect, [width, height]: [f64; 2]) -> Vec<Candidate> {
+/// Places all over `area`, at one cost.
+pub(crate) fn anywhere(area: &Rect, [width, height]: [f64; 2], cost: f64) -> Vec<Candidate> {
     let count = |room: f64| (room / GRID).floor().clamp(0.0, 200.0) as u32;
     let (columns, rows) = (count(area.width - width), count(area.height - height));
     let place = |i: u32, j: u32| {
         let (x, y) = (area.x + GRID * f64::from(i), area.y + GRID * f64::from(j));
-        Candidate { place: Rect::new(x, y, width, height), cost: 0.0 }
+        Candidate { place: Rect::new(x, y, width, height), cost }
     };
     (0..=columns).flat_map(|i| (0..=rows).map(move |j| place(i, j))).collect()
 }

@@ -49,15 +49,15 @@ pub(crate) struct Tag {
     pub(crate) whole: Vec<Point>,
     /// Places near the owner.
     pub(crate) near: Vec<Candidate>,
-    /// Whether it may stand anywhere, with a leader.
-    pub(crate) far: bool,
+    /// What it costs that it stands anywhere, with a leader, if it may.
+    pub(crate) far: Option<f64>,
 }
 
 impl Tag {
     /// A label that stands near what it belongs to.
     pub(crate) fn new(label: Label, colour: Rgb, owner: Vec<Point>, near: Vec<Candidate>) -> Self {
         let whole = owner.clone();
-        Self { label, colour, size: SMALL, owner, whole, near, far: false }
+        Self { label, colour, size: SMALL, owner, whole, near, far: None }
     }
 
     /// Width and height in pixels.
@@ -91,7 +91,7 @@ pub(crate) fn draw_placed(labels: &[Placed]) -> Vec<Element> {
 
 /// The thin line from a label to what it belongs to.
 fn leader([from, to]: [Point; 2]) -> Element {
-    line(from, to).attr("stroke", GREY).attr("stroke-width", LEADER)
+    line(from, to).stroked(GREY, LEADER)
 }
 
 /// A place with all that it costs by itself.
@@ -158,7 +158,7 @@ fn conflict(a: &Spot, b: &Spot) -> f64 {
 fn spots(tags: &[Tag], i: usize, drawn: &Occupancy, area: &Rect) -> Vec<Spot> {
     let tag = &tags[i];
     let size = Tag::extent(&tag.label, tag.size);
-    let far = if tag.far { anywhere(area, size) } else { Vec::new() };
+    let far = tag.far.map(|cost| anywhere(area, size, cost)).unwrap_or_default();
     let others = tags.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, other)| &*other.whole);
     let rivals: Vec<Rival<'_>> = others.map(|whole| (whole, Rect::around(whole.iter().copied()))).collect();
     let candidates = tag.near.iter().chain(&far);
@@ -174,7 +174,7 @@ type Rival<'t> = (&'t [Point], Option<Rect>);
 fn spot(tag: &Tag, candidate: Candidate, drawn: &Occupancy, rivals: &[Rival<'_>]) -> Spot {
     let Candidate { place, cost } = candidate;
     let (ends, own) = gap(&place, &tag.owner);
-    let leader = (tag.far && own > LEADER_FROM).then(|| shortened(ends));
+    let leader = (tag.far.is_some() && own > LEADER_FROM).then(|| shortened(ends));
     let [from, to] = shortened(ends);
     let crossings = drawn.crossed_by(from, to) as f64;
     let parted = if leader.is_some() { CROSSING_COST * crossings } else { PARTED_COST * crossings.min(1.0) };

@@ -1,8 +1,7 @@
 //! Where the parts of a scene lie on the page.
 
-use super::marks;
 use super::tags::tags;
-use super::{SceneBody, SceneDrawing};
+use super::{SceneBody, SceneDrawing, marks};
 use crate::axes::{Axes, clipped};
 use crate::curves::no_data;
 use crate::free_body::circular_arrow::CircularArrow;
@@ -11,9 +10,8 @@ use crate::free_body::layout::View;
 use crate::free_body::strokes::{Form, Stroke};
 use crate::geometry::{Point, along, unit};
 use crate::heading::Heading;
-use crate::outline::Pen;
-use crate::placing::Occupancy;
-use crate::placing::{draw_placed, placed};
+use crate::outline::{Pen, Plane};
+use crate::placing::{Occupancy, draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
 use crate::stroboscope::{ALONE, equal_axes, picture_width};
@@ -55,13 +53,10 @@ impl Layout {
     }
 
     pub(super) fn svg(&self, description: String) -> Svg {
-        let margins = self.axes.margins();
-        let size = [self.axes.area.right() + margins.right, self.axes.area.bottom() + margins.bottom];
+        let [width, height] = self.axes.end();
         let title = self.scene.title.to_plain();
         let title = if title.is_empty() { "The scene".to_owned() } else { title };
-        let mut svg = Svg::new(size[0], size[1], title).described(description);
-        let page = Element::new("rect").attr("width", size[0]).attr("height", size[1]);
-        svg.push(page.attr("fill", PAPER));
+        let mut svg = Svg::on_paper(width, height, title).described(description);
         svg.push(self.heading.draw(self.axes.area.centre()[0]));
         svg.push(clipped(self.axes.area, self.contents()));
         svg.push(self.axes.draw());
@@ -78,10 +73,8 @@ impl Layout {
         parts.extend(scene.links.iter().map(|link| marks::link(link.kind, link.ends.map(|p| view.pixel(p)))));
         parts.extend(scene.bodies.iter().flat_map(|body| self.draw_body(body)));
         parts.extend(scene.pivots.iter().map(|pivot| marks::pivot(view.pixel(pivot.at))));
-        parts.extend(scene.points.iter().map(|point| {
-            let dot = circle(view.pixel(point.at), POINT).attr("fill", PAPER);
-            dot.attr("stroke", INK).attr("stroke-width", 1.1)
-        }));
+        let dot = |at: Point| circle(view.pixel(at), POINT).attr("fill", PAPER).stroked(INK, 1.1);
+        parts.extend(scene.points.iter().map(|point| dot(point.at)));
         parts.extend(self.rings().iter().map(|(ring, _)| draw::ring(ring)));
         parts.extend(self.strokes().iter().map(|(stroke, _)| draw::arrow(stroke)));
         parts.extend(fields);
@@ -114,10 +107,7 @@ impl Layout {
             let tail = self.view.pixel(body.pose.centre());
             let length = (speed(velocity) / fastest * LONGEST).max(SHORTEST);
             let (head, start) = (along(tail, [x, -y], length), along(tail, [x, -y], draw::CENTRE_RADIUS));
-            Some((
-                Stroke { tail, head, start, point: tail, broken: false, style: MOTION, form: Form::Thin },
-                i,
-            ))
+            Some((Stroke { start, ..Stroke::new([tail, head], MOTION, Form::Thin) }, i))
         };
         self.scene.bodies.iter().enumerate().filter_map(stroke).collect()
     }
@@ -179,8 +169,7 @@ fn ranges(scene: &SceneDrawing) -> Option<[Range; 2]> {
     let feet: Vec<Point> = scene.surfaces.iter().filter_map(|s| s.foot_of_lowest(&points)).collect();
     points.extend(feet);
     points.extend(rounds(scene, &points));
-    let x = Range::of(points.iter().map(|p| p[0]))?;
-    let y = Range::of(points.iter().map(|p| p[1]))?;
+    let [x, y] = Range::of_points(&points)?;
     // A lone point is shown with a metre around it.
     let size = x.span().max(y.span());
     let room = if size > 0.0 { 2.0 * PADDING * size } else { 1.0 };

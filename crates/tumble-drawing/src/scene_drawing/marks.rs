@@ -3,7 +3,7 @@
 use super::SceneDrawing;
 use crate::free_body::draw;
 use crate::free_body::strokes::{Form, Stroke};
-use crate::geometry::{Point, along, length, minus, plus, times, turned, unit};
+use crate::geometry::{Point, along, minus, plus, times, turned, unit};
 use crate::placing::Occupancy;
 use crate::rect::Rect;
 use crate::scene_drawing::LinkKind;
@@ -30,14 +30,14 @@ pub(super) fn pivot(at: Point) -> Element {
     let [half, height] = PIVOT;
     let base = [at[0], at[1] + height];
     let corners = [at, plus(base, [half, 0.0]), plus(base, [-half, 0.0])];
-    let triangle = PathData::polygon(&corners).fill(PAPER).attr("stroke", INK).attr("stroke-width", 1.2);
+    let triangle = PathData::polygon(&corners).fill(PAPER).stroked(INK, 1.2);
     let mut hatching = PathData::polyline(&[plus(base, [-1.4 * half, 0.0]), plus(base, [1.4 * half, 0.0])]);
     for i in -2..=2 {
         let top = plus(base, [5.0 * f64::from(i) + 2.0, 0.0]);
         hatching.add_polyline(&[top, plus(top, [-5.0, 5.0])]);
     }
-    let hatching = hatching.stroke().attr("stroke", GREY).attr("stroke-width", HAIRLINE);
-    let ring = circle(at, 3.2).attr("fill", PAPER).attr("stroke", INK).attr("stroke-width", 1.2);
+    let hatching = hatching.stroke(GREY, HAIRLINE);
+    let ring = circle(at, 3.2).attr("fill", PAPER).stroked(INK, 1.2);
     Element::new("g").child(hatching).child(triangle).child(ring)
 }
 
@@ -62,7 +62,7 @@ pub(crate) fn link(kind: LinkKind, [a, b]: [Point; 2]) -> Element {
             path
         }
     };
-    path.stroke().attr("stroke", INK).attr("stroke-width", 1.3).attr("stroke-linejoin", "round")
+    path.stroke(INK, 1.3).attr("stroke-linejoin", "round")
 }
 
 fn spring(at: &impl Fn(f64, f64) -> Point) -> Vec<Point> {
@@ -129,10 +129,8 @@ fn field(
 }
 
 fn arrow(middle: Point, forward: Point, style: ArrowStyle) -> Element {
-    let (tail, head) = (along(middle, forward, -FIELD / 2.0), along(middle, forward, FIELD / 2.0));
-    let stroke = Stroke { tail, head, start: tail, point: tail, broken: false, style, form: Form::Full };
-    debug_assert!(length(minus(head, tail)) > 0.0);
-    draw::arrow(&stroke)
+    let ends = [-0.5, 0.5].map(|part| along(middle, forward, part * FIELD));
+    draw::arrow(&Stroke::new(ends, style, Form::Full))
 }
 
 /// The place along the upper and right, then the other sides that covers least.

@@ -3,9 +3,8 @@
 use super::layout::Layout;
 use crate::free_body::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, times};
-use crate::placing::Tag;
-use crate::placing::beside;
-use crate::placing::{Candidate, about_arc, about_arrow, about_point};
+use crate::outline::Plane;
+use crate::placing::{Candidate, Tag, about_arc, about_arrow, about_point, beside};
 use crate::rect::Rect;
 use crate::text::Label;
 use crate::theme::{INK, MOTION, Rgb, SMALL};

@@ -1,4 +1,5 @@
 use super::*;
+use crate::outline::Plane;
 use crate::text::Label;
 
 fn scene() -> SceneDrawing {

@@ -4,8 +4,7 @@ use tumble_drawing::{Axis, CurveFigure, DataSeries, Label};
 use tumble_scene::{BalancePlot, Sheet, Study};
 
 use crate::figures::{case_label, heading, joined};
-use crate::results::Case;
-use crate::results::CaseBalance;
+use crate::results::{Case, CaseBalance};
 
 /// The balances of some runs in one figure; empty where there are none.
 pub(crate) fn of(study: &Study, cases: &[&Case], asked: &BalancePlot) -> CurveFigure {

@@ -80,24 +80,23 @@ fn on(axis: &SweptAxis, value: f64) -> f64 {
 fn mark(study: &Study, axis: &SweptAxis, located: &Located) -> Mark {
     let at = located.place.best.at;
     let number = tumble_drawing::Label::number(at, DIGITS).to_plain();
-    let symbols = symbols(study);
-    let value = Label::name(&axis.name, &symbols)
-        .then(Label::plain(" = "))
-        .then(Label::quantity(&number, &axis.unit));
+    let value = swept(study, &axis.name).then(Label::plain(" = ")).then(Label::quantity(&number, &axis.unit));
     if located.place.equal.is_some() {
         return Mark { at: on(axis, at), label: Label::default() };
     }
-    let what = if located.which == Extreme::Greatest { "greatest, " } else { "least, " };
-    Mark { at: on(axis, at), label: Label::plain(what).then(value) }
+    Mark { at: on(axis, at), label: Label::plain(&format!("{}, ", located.word())).then(value) }
 }
 
-fn symbols(study: &Study) -> Vec<(&str, &str)> {
-    study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect()
+/// What is swept, by its symbol.
+pub(crate) fn swept(study: &Study, name: &str) -> Label {
+    let symbols: Vec<(&str, &str)> =
+        study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
+    Label::name(name, &symbols)
 }
 
 /// What is swept, as an axis.
 fn shown(study: &Study, axis: &SweptAxis) -> Axis {
-    let name = Label::name(&axis.name, &symbols(study));
+    let name = swept(study, &axis.name);
     if !is_wide(axis) {
         return Axis::new(name, &axis.unit);
     }

@@ -9,9 +9,8 @@ use tumble_ode::Side;
 use tumble_scene::{FreeBody, Study};
 
 use crate::figures::{air, case_label, heading, joined as with_label, outlines, poses, surfaces, symbols};
-use crate::results::Case;
-use crate::results::CaseError;
 use crate::results::moments::Moments;
+use crate::results::{Case, CaseError};
 
 /// Surfaces farther from the body than this many times its size are left out of its diagrams.
 const NEAR: f64 = 1.5;

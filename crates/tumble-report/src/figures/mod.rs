@@ -20,10 +20,8 @@ use tumble_scene::{Curve, Diagnostics, Plot, Stroboscope, Study};
 
 use crate::fill::words;
 use crate::report::END_OF_DIGITS;
-use crate::results::Case;
-use crate::results::CaseError;
 use crate::results::moments::Moments;
-use crate::results::{FAMILY, Runs, SampleRow, sample, sample_between, telling};
+use crate::results::{Case, CaseError, FAMILY, Runs, SampleRow, sample, sample_between, telling};
 
 /// Points of a drawn path: more than a screen has pixels across.
 const TRACE_POINTS: usize = 2000;

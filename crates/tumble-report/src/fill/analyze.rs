@@ -12,12 +12,8 @@ use super::names::{Names, quantity};
 use super::words::spoken;
 use super::{animation, balance, findings, sweep};
 use crate::figures::{self, captions, symbols};
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::CheckResult;
-use crate::results::equilibrium;
 use crate::results::moments::Moments;
-use crate::results::{Runs, telling};
+use crate::results::{Case, CaseError, CheckResult, Runs, equilibrium, telling};
 
 /// Digits of an error: its size is what counts.
 const ERROR_DIGITS: usize = 1;

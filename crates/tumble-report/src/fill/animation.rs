@@ -9,20 +9,17 @@ use tumble_drawing::{
     Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink, Pose, SceneBody,
     SceneDrawing, SceneLink,
 };
-use tumble_expr::{Expr, Substitution, is_identically_zero};
-use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined, place_symbols};
+use tumble_expr::{Vector, is_identically_zero};
+use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined};
 use tumble_ode::{Occurrence, Side};
 use tumble_scene::Study;
 
 use super::names::Names;
-use super::words;
+use super::{wind_at_origin, words};
 use crate::figures::free_bodies::kind;
-use crate::figures::symbols;
-use crate::figures::{captions, case_label, outlines, poses, surfaces};
+use crate::figures::{captions, case_label, outlines, poses, surfaces, symbols};
 use crate::report::END_OF_DIGITS;
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::equal_times;
+use crate::results::{Case, CaseError, equal_times};
 
 /// Frames of a run: smooth at the speed at which it first plays.
 const FRAMES: usize = 400;
@@ -55,7 +52,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
         name: case_label(case),
         forces: forces(study, run, &times, &bodies)?,
         surfaces: surfaces(study, run, 0.0)?,
-        points: points(study, run)?,
+        points: pivots(study, run)?,
         events: marks(study, case),
         links: links(study, run, &times)?,
         bodies,
@@ -92,11 +89,16 @@ fn forces(
 }
 
 /// Pivots, where they are at the start.
-fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
+fn pivots(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
+    placed(run, study.model.pivots.iter().map(|pivot| (symbols::bare(&pivot.name), pivot.world.clone())))
+}
+
+/// Where named places are at the start.
+fn placed(run: &Run, named: impl Iterator<Item = (String, Vector)>) -> Result<Vec<NamedPoint>, CaseError> {
     let mut found = vec![];
-    for pivot in &study.model.pivots {
-        let Some(at) = run.observe(pivot.world.components())?.at(0.0, Side::After) else { continue };
-        found.push(NamedPoint { name: Label::plain(&symbols::bare(&pivot.name)), at: [at[0], at[1]] });
+    for (name, place) in named {
+        let Some(at) = run.observe(place.components())?.at(0.0, Side::After) else { continue };
+        found.push(NamedPoint { name: Label::plain(&name), at: [at[0], at[1]] });
     }
     Ok(found)
 }
@@ -151,12 +153,16 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
         kind: link.kind,
         ends: link.ends.first().copied().unwrap_or_default(),
     });
+    let of_body = |body: &Body| -> Vec<(String, Vector)> {
+        body.points.iter().map(|(name, at)| (name.clone(), body.at(at).position())).collect()
+    };
+    let points = study.model.bodies.iter().flat_map(of_body);
     let drawing = SceneDrawing {
         title: Label::default(),
         bodies: bodies.collect::<Result<_, _>>()?,
         surfaces: surfaces(study, run, 0.0)?,
-        pivots: points(study, run)?,
-        points: named_points(study, run)?,
+        pivots: pivots(study, run)?,
+        points: placed(run, points)?,
         links: links.collect(),
         gravity: gravity(study)?,
         wind: wind(study, run)?,
@@ -181,18 +187,6 @@ fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<Sc
     })
 }
 
-fn named_points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
-    let mut found = vec![];
-    for body in &study.model.bodies {
-        for (name, at) in &body.points {
-            let place = body.at(at).position();
-            let Some(at) = run.observe(place.components())?.at(0.0, Side::After) else { continue };
-            found.push(NamedPoint { name: Label::plain(name), at: [at[0], at[1]] });
-        }
-    }
-    Ok(found)
-}
-
 fn gravity(study: &Study) -> Result<Option<([f64; 2], Label)>, CaseError> {
     let Gravity::Vertical(g) = &study.model.gravity else { return Ok(None) };
     let value = study.number(g)?;
@@ -201,11 +195,6 @@ fn gravity(study: &Study) -> Result<Option<([f64; 2], Label)>, CaseError> {
 
 /// The air at the start, at the world's origin.
 fn wind(study: &Study, run: &Run) -> Result<Option<([f64; 2], Label)>, CaseError> {
-    let mut origin = Substitution::default();
-    for symbol in place_symbols() {
-        origin.insert(symbol, Expr::zero());
-    }
-    let air = study.model.wind.0.map(|component| origin.apply(component));
-    let at = run.observe(air.components())?.at(0.0, Side::After).unwrap_or(vec![0.0; 2]);
+    let at = run.observe(wind_at_origin(study).components())?.at(0.0, Side::After).unwrap_or(vec![0.0; 2]);
     Ok((at[0].hypot(at[1]) > 0.0).then(|| ([at[0], at[1]], Label::symbol("w"))))
 }

@@ -9,8 +9,7 @@ use super::names::{quantity, quantity_to};
 use super::words;
 use crate::figures::captions;
 use crate::figures::energies::sheet;
-use crate::results::Case;
-use crate::results::CaseBalance;
+use crate::results::{Case, CaseBalance};
 
 /// What is less than this part of the largest of its kind in the run is zero but for rounding; a residual is told as it is.
 const NOTHING: f64 = 1e-14;

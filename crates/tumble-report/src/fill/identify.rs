@@ -8,13 +8,10 @@ use tumble_mech::{Body, Extreme, Shape};
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, SweepAxis, Swept, When};
 
-use super::alike;
 use super::names::{MASS, Names, quantity};
-use super::sizes;
+use super::{alike, sizes};
 use crate::figures::symbols;
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::{is_angle, unit};
+use crate::results::{Case, CaseError, is_angle, unit};
 
 /// States that are the components of one vector.
 const VECTORS: [(&str, &str, &str); 2] = [(".x", ".y", "centre of mass"), (".vx", ".vy", "velocity")];

@@ -7,13 +7,19 @@ mod alike;
 mod analyze;
 mod animation;
 mod balance;
+mod closed;
+mod conditions;
 mod equations;
 mod events;
 mod findings;
+mod forces;
 mod identify;
+mod laws;
 mod model;
+mod motion;
 mod names;
 mod once;
+mod pivots;
 mod reduced;
 mod sizes;
 mod solve;
@@ -22,6 +28,7 @@ mod texts;
 pub(crate) mod words;
 
 use crate::report::{Report, Text, Typeset};
+use tumble_expr::{Expr, Substitution, Symbol, Vector};
 use tumble_scene::Study;
 
 use crate::results::{CaseError, Runs};
@@ -63,6 +70,23 @@ fn say_once(report: &mut Report) {
     let modes = report.model.modes.iter_mut().flat_map(|mode| &mut mode.equations);
     laws.chain(modes)
         .for_each(|law| law.definitions.retain(|definition| !said.contains(&&definition.symbol)));
+}
+
+fn sum(parts: impl IntoIterator<Item = Expr>) -> Expr {
+    parts.into_iter().fold(Expr::zero(), |sum, part| sum + part)
+}
+
+/// What makes these symbols zero.
+fn zeros(symbols: impl IntoIterator<Item = Symbol>) -> Substitution {
+    let mut none = Substitution::default();
+    symbols.into_iter().for_each(|symbol| none.insert(symbol, Expr::zero()));
+    none
+}
+
+/// The velocity of the air at the world's origin.
+fn wind_at_origin(study: &Study) -> Vector {
+    let origin = zeros(tumble_mech::place_symbols());
+    study.model.wind.0.map(|component| origin.apply(component))
 }
 
 /// What was found, in a line: the first finding.

@@ -9,7 +9,7 @@ use tumble_mech::{Equations, Law, Mode, Term};
 use tumble_notation::Notation;
 use tumble_scene::Study;
 
-use super::equations::{about_pivot, of_pivots, pivot_torque};
+use super::{pivots, sum, zeros};
 use crate::results::Case;
 
 /// A factor of less is the rounding of zero: those of conditions are components of unit vectors.
@@ -50,8 +50,8 @@ pub(super) fn of(study: &Study, case: &Case, mode: &Mode, conditions: &[Expr]) -
         .collect();
     let directions: Vec<Direction> =
         bodies.iter().flat_map(|body| directions(study, case, mode, *body)).collect();
-    let pivots = of_pivots(study, case);
-    let conditions: Vec<Expr> = conditions.iter().map(|condition| pivots.apply(condition)).collect();
+    let turning = pivots::accelerations(study, case);
+    let conditions: Vec<Expr> = conditions.iter().map(|condition| turning.apply(condition)).collect();
     let (given, by_one) = eliminated(study, &directions, conditions)?;
     let solved = |symbol: &Symbol| given.iter().any(|(known, _)| known == symbol);
     let free: Vec<&Direction> = directions.iter().filter(|one| !solved(&one.symbol)).collect();
@@ -69,11 +69,10 @@ fn directions(study: &Study, case: &Case, mode: &Mode, body: usize) -> Vec<Direc
     let (mass, kinematics) = (equations.mass_properties(body), study.model.bodies[body].kinematics());
     let terms = applied(equations, mode, body);
     if let Some(pivot) = study.model.pivot_of(&study.model.bodies[body].name) {
-        let force = pivot_torque(case, (body, pivot), &terms);
-        let inertia = about_pivot(case, body, pivot);
+        let force = pivots::torque(case, (body, pivot), &terms);
+        let inertia = pivots::inertia(case, body, pivot);
         return vec![Direction { body, symbol: kinematics.alpha_symbol(), inertia, force }];
     }
-    let sum = |part: &dyn Fn(&Term) -> Expr| terms.iter().fold(Expr::zero(), |sum, term| sum + part(term));
     let [ax, ay] = kinematics.acceleration_symbols();
     let along = |symbol: Symbol, inertia: &Expr, force: Expr| Direction {
         body,
@@ -82,9 +81,9 @@ fn directions(study: &Study, case: &Case, mode: &Mode, body: usize) -> Vec<Direc
         force,
     };
     vec![
-        along(ax, &mass.mass, sum(&|term| term.force.x().clone())),
-        along(ay, &mass.mass, sum(&|term| term.force.y().clone())),
-        along(kinematics.alpha_symbol(), &mass.inertia, sum(&Term::torque)),
+        along(ax, &mass.mass, sum(terms.iter().map(|term| term.force.x().clone()))),
+        along(ay, &mass.mass, sum(terms.iter().map(|term| term.force.y().clone()))),
+        along(kinematics.alpha_symbol(), &mass.inertia, sum(terms.iter().map(Term::torque))),
     ]
 }
 
@@ -133,7 +132,7 @@ fn eliminated(
 
 /// A linear condition solved for a symbol, which has this factor in it.
 fn solved_for(condition: &Expr, symbol: &Symbol, factor: &Expr) -> Expr {
-    -(without(condition, std::slice::from_ref(symbol)) / factor)
+    -(zeros([symbol.clone()]).apply(condition) / factor)
 }
 
 /// A condition, an acceleration of a centre in it, and its factor, which does not change; turning is kept.
@@ -163,15 +162,6 @@ fn simple(formula: &Expr) -> Expr {
     line.map_or_else(|| formula.clone(), |line| line.formula)
 }
 
-/// A linear formula where these symbols are zero.
-fn without(formula: &Expr, symbols: &[Symbol]) -> Expr {
-    let mut none = Substitution::default();
-    for symbol in symbols {
-        none.insert(symbol.clone(), Expr::zero());
-    }
-    none.apply(formula)
-}
-
 /// Sum of inertias and forces along one independent acceleration.
 fn projected(directions: &[Direction], given: &[(Symbol, Expr)], along: &Direction) -> Reduced {
     let acceleration = |one: &Direction| {
@@ -186,7 +176,7 @@ fn projected(directions: &[Direction], given: &[(Symbol, Expr)], along: &Directi
             continue;
         }
         inertia = inertia + &one.inertia * (&share * &share);
-        let rest = without(&whole, std::slice::from_ref(&along.symbol));
+        let rest = zeros([along.symbol.clone()]).apply(&whole);
         right = right + &share * (&one.force - &one.inertia * rest);
     }
     Reduced { body: along.body, symbol: along.symbol.clone(), inertia: simple(&inertia), right }

@@ -27,25 +27,19 @@ pub(super) fn inertia(
 
 /// A body of one shape whose sizes are numbers, with letters for them.
 fn lettered(body: &Body) -> Option<(Body, Vec<(&'static str, Expr)>)> {
-    let [part] = &body.parts[..] else { return None };
-    let letter = |name: &str| Expr::from(Symbol::new(name, Dimension::LENGTH));
-    let sizes: Vec<(&str, Expr)> = match &part.shape {
-        Shape::Box { width, height, .. } => vec![("w", width.clone()), ("h", height.clone())],
+    let mut lettered = body.clone();
+    let [part] = &mut lettered.parts[..] else { return None };
+    let letter = |(name, size): (&'static str, &mut Expr)| {
+        (name, std::mem::replace(size, Symbol::new(name, Dimension::LENGTH).into()))
+    };
+    let sizes: Vec<(&str, Expr)> = match &mut part.shape {
+        Shape::Box { width, height, .. } => [("w", width), ("h", height)].map(letter).into(),
         Shape::Disk { radius, .. }
         | Shape::Ring { radius, .. }
         | Shape::Ball { radius, .. }
-        | Shape::Shell { radius, .. } => vec![("R", radius.clone())],
+        | Shape::Shell { radius, .. } => vec![letter(("R", radius))],
         _ => return None,
     };
     let is_number = sizes.iter().all(|(_, size)| size.symbols().is_empty()) && body.stated.is_none();
-    let mut lettered = body.clone();
-    match &mut lettered.parts[0].shape {
-        Shape::Box { width, height, .. } => (*width, *height) = (letter("w"), letter("h")),
-        Shape::Disk { radius, .. }
-        | Shape::Ring { radius, .. }
-        | Shape::Ball { radius, .. }
-        | Shape::Shell { radius, .. } => *radius = letter("R"),
-        _ => return None,
-    }
     is_number.then_some((lettered, sizes))
 }

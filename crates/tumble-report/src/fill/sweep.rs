@@ -1,7 +1,6 @@
 //! What a report says of a sweep as a whole.
 
-use tumble_drawing::{CurveFigure, Label};
-use tumble_mech::Extreme;
+use tumble_drawing::{CurveFigure, Label, Range};
 use tumble_scene::{Question, Study};
 
 use super::findings::with_digits;
@@ -9,7 +8,7 @@ use super::names::{quantity, quantity_to};
 use super::words::spoken;
 use crate::figures::{captions, case_label, finds, symbols};
 use crate::report::{Chart, Column, Picture, Text};
-use crate::results::{Case, Equal, FAMILY, FindResult, Located, Optimum, Runs, Survey, digits};
+use crate::results::{Case, Equal, FAMILY, FindResult, Located, Optimum, Runs, Survey, count, digits};
 
 /// Digits of numbers in tables and captions.
 const DIGITS: usize = 5;
@@ -32,18 +31,14 @@ pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Chart> {
 /// Every answer over the two parameters that are swept.
 pub(super) fn maps(study: &Study, survey: &Survey) -> Vec<Picture> {
     let picture = |(name, figure): (String, tumble_drawing::MapFigure)| {
-        let (least, greatest) = bounds(&figure.cells);
+        let bounds = Range::of(figure.cells.iter().copied()).unwrap_or_default();
         let [x, y, z] = [&figure.x, &figure.y, &figure.z].map(|axis| axis.title().to_plain());
-        let [least, greatest] = [least, greatest].map(|value| Label::number(value, DIGITS).to_plain());
+        let [least, greatest] =
+            [bounds.low, bounds.high].map(|value| Label::number(value, DIGITS).to_plain());
         let words = format!("{z} over {x} and {y}: from {least} to {greatest}.");
         Picture::new(figure.svg().described(words), captions::MAP).stored(format!("{name}.svg"))
     };
     finds::maps(study, survey).into_iter().map(picture).collect()
-}
-
-fn bounds(values: &[f64]) -> (f64, f64) {
-    let finite = values.iter().copied().filter(|value| value.is_finite());
-    finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
 /// Where every answer is greatest and least.
@@ -63,12 +58,10 @@ pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
 
 /// `greatest, 178.2° (6 digits), at T = 2.013 s (4 digits; 11 more runs were made to find it)`
 fn located_words(study: &Study, located: &Located) -> Text {
-    let Located { which, unit, parameter, parameter_unit, place, .. } = located;
+    let Located { unit, parameter, parameter_unit, place, .. } = located;
     let value = with_digits(place.best.value, Some(place.best.error).filter(|e| e.is_finite()), unit);
-    let symbols: Vec<(&str, &str)> =
-        study.symbols.iter().map(|(name, symbol)| (&**name, &**symbol)).collect();
-    let name = tumble_drawing::Label::name(parameter, &symbols);
-    let words = Text::from(format!("{}, ", word(*which))).and(value);
+    let name = finds::swept(study, parameter);
+    let words = Text::from(format!("{}, ", located.word())).and(value);
     if let Some(Equal { runs, first, last }) = place.equal {
         let runs = words.and(format!(", in {runs} runs, the first with ")).and(name.clone()).and(" = ");
         let first = runs.and(quantity(first, parameter_unit)).and(", the last with ");
@@ -76,10 +69,6 @@ fn located_words(study: &Study, located: &Located) -> Text {
     }
     let words = words.and(", at ").and(name).and(" = ");
     words.and(place_words(place, parameter_unit))
-}
-
-fn word(which: Extreme) -> &'static str {
-    if which == Extreme::Greatest { "greatest" } else { "least" }
 }
 
 fn place_words(place: &Optimum, unit: &str) -> Text {
@@ -92,10 +81,10 @@ fn place_words(place: &Optimum, unit: &str) -> Text {
         return quantity(at, unit).and(between).and(quantity(high, unit));
     }
     let held = digits::digits(at, (at - low).max(high - at));
-    let plural = if place.made == 1 { " was" } else { "s were" };
-    let more =
-        format!("; {} more run{plural} made between the best of the sweep and its neighbours)", place.made);
-    let digits = format!(" ({held} digit{}", if held == 1 { "" } else { "s" });
+    let were = if place.made == 1 { "was" } else { "were" };
+    let made = count(place.made as u64, "more run");
+    let more = format!("; {made} {were} made between the best of the sweep and its neighbours)");
+    let digits = format!(" ({}", count(held as u64, "digit"));
     quantity_to(at, held.clamp(1, READ), unit).and(digits).and(more)
 }
 

@@ -19,6 +19,9 @@ const MOST_CHANGES: usize = 5;
 /// Words of its own, at most, that one of two sentences has that are told as one.
 const MOST_OWN: usize = 2;
 
+/// Between a point and the body that it is of.
+const OF: &str = " of ";
+
 /// What a contact does, of one point and of several.
 type Verb = [String; 2];
 
@@ -80,12 +83,21 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect()
 }
 
-/// `the tail and the tip press on the floor`
+/// `the tail and the tip press on the floor`; whose points they are is said once.
 fn group(verb: &Verb, to: &str, points: &[String]) -> String {
+    let whose = |point: &str| point.split_once(OF).map(|(_, body)| body.to_owned());
     match points {
         [only] => format!("{only} {} {to}", verb[0]),
         many if many.len() > MOST_NAMED => format!("{} points {} {to}", many.len(), verb[1]),
-        [before @ .., last] => format!("{} and {last} {} {to}", before.join(", "), verb[1]),
+        [before @ .., last] => {
+            let is_one = before.iter().all(|point| whose(point).is_some() && whose(point) == whose(last));
+            let short = |point: &String| match point.split_once(OF).filter(|_| is_one) {
+                Some((point, _)) => point.to_owned(),
+                None => point.clone(),
+            };
+            let before: Vec<String> = before.iter().map(short).collect();
+            format!("{} and {last} {} {to}", before.join(", "), verb[1])
+        }
         [] => String::new(),
     }
 }
@@ -133,15 +145,22 @@ fn is_round(pair: &Pair) -> bool {
     !is_identically_zero(&pair.radius)
 }
 
-/// What touches: a round body, or a point of one, with its body where there are several.
+/// What touches: a round body, or a point of one, with its body where there are several; a corner that the scene has no name for
+/// always.
 fn point(study: &Study, pair: &Pair) -> String {
-    let body = symbols::the(&study.model.bodies[pair.body].name);
-    let point = symbols::last(&pair.name);
+    let model = &study.model.bodies[pair.body];
+    let (body, point) = (symbols::the(&model.name), symbols::last(&pair.name));
+    let is_named = !is_corner(point) || model.points.iter().any(|(name, _)| name == point);
     match (is_round(pair) || pair.other.is_some(), study.model.bodies.len()) {
         (true, _) => body,
-        (false, 1) => symbols::the_point(point),
-        (false, _) => format!("{} of {body}", symbols::the_point(point)),
+        (false, 1) if is_named => symbols::the_point(point),
+        (false, _) => format!("{}{OF}{body}", symbols::the_point(point)),
     }
+}
+
+/// Whether a point has the name that corners have by themselves.
+fn is_corner(point: &str) -> bool {
+    point.strip_prefix("corner").is_some_and(|number| number.bytes().all(|c| c.is_ascii_digit()))
 }
 
 /// What it touches.
@@ -203,12 +222,15 @@ impl Course {
 
 /// What a contact is called in the table of a body's forces.
 pub(super) fn contact(study: &Study, pair: &Pair, body: usize) -> String {
-    let other = if pair.other == Some(body) {
-        symbols::the(&study.model.bodies[pair.body].name)
-    } else {
-        against(study, pair)
-    };
-    format!("contact with {other}")
+    format!("contact with {}", other(study, pair, body))
+}
+
+/// What a body of a pair touches: a surface, or the other body.
+pub(super) fn other(study: &Study, pair: &Pair, body: usize) -> String {
+    match pair.other == Some(body) {
+        true => symbols::the(&study.model.bodies[pair.body].name),
+        false => against(study, pair),
+    }
 }
 
 /// All that happens at an instant; points that do the same are told together.
@@ -352,6 +374,12 @@ mod tests {
         let (study, cases) = motions_of(&folder);
         let run = &cases[0].run;
         run.events().map(|one| event(&study, &run.equations, one)).collect()
+    }
+
+    #[test]
+    fn a_corner_without_a_name_of_its_own_is_that_of_a_body() {
+        let block = events("17-block-on-a-slope");
+        assert_eq!(block[1], "corner 1 of the block sticks to the floor", "{block:?}");
     }
 
     #[test]

@@ -55,6 +55,11 @@ impl Grid {
         Self { origin: range.low, step }
     }
 
+    /// Values on a grid of `steps` steps over them.
+    pub(super) fn encoded(values: impl Iterator<Item = f64> + Clone, steps: f64) -> String {
+        Self::over(values.clone(), steps).encode(values)
+    }
+
     /// `[origin, step, [differences]]`, where `[count, difference]` stands for several that are equal.
     pub(super) fn encode(&self, values: impl IntoIterator<Item = f64>) -> String {
         let mut last = 0i64;

@@ -1,55 +1,53 @@
 //! The report as Markdown, with LaTeX between dollar signs and links to figure files.
 
+use std::iter;
+
 use super::markup::Markup;
 use super::math::{Block, Definition, Typeset};
-use super::parts::Identify;
-use super::parts::{Analyze, RunAnalysis};
-use super::parts::{BodyModel, ModeEquations, ModelPart};
-use super::parts::{Phase, Solve};
+use super::parts::{BodyModel, CheckRow};
 use super::picture::{Chart, Picture};
 use super::prose::Text;
-use super::rows;
 use super::table::{Align, PrintedTable};
-use super::{LESSON, Report};
+use super::walk::{MOVES, Writer};
+use super::{LESSON, Report, rows};
 use crate::site::url;
+use tumble_drawing::Animation;
 
 /// Characters that Markdown or HTML inside of it would read as markup.
 const SPECIAL: &str = "\\`*_{}[]()#+-.!|<>&$~^=\"':";
 
 pub(super) fn document(report: &Report) -> String {
-    let meta: Vec<_> = report.meta.iter().map(|(k, v)| format!("- {}: {}", escape(k), escape(v))).collect();
-    let parts = [
+    let lesson = report.lesson.as_ref().map(|path| format!("[{LESSON}]({})", url(path)));
+    let head = [
         format!("# {}", escape(&report.title)),
-        text(&report.lead),
-        report.lesson.as_ref().map(|path| format!("[{LESSON}]({})", url(path))).unwrap_or_default(),
-        paragraphs(&report.intro),
-        identify(&report.identify),
-        model(&report.model),
-        solve(&report.solve),
-        analyze(&report.analyze),
-        meta.join("\n"),
+        Markdown::text(&report.lead),
+        lesson.unwrap_or_default(),
+        Markdown::paragraphs(&report.intro),
     ];
-    joined(parts) + "\n"
+    let numbered = |(i, content): (usize, String)| format!("## {} {}\n\n{content}", i + 1, MOVES[i].1);
+    let moves = Markdown.moves(report).into_iter().enumerate().map(numbered);
+    Markdown::joined(head.into_iter().chain(moves).chain([Markdown::facts(&report.meta)])) + "\n"
 }
 
 /// The forces, laws, equations of motion and closed forms alone, as a part of a document of many scenes.
 pub(super) fn equations(report: &Report) -> String {
     let body = |body: &BodyModel| {
         let forces = PrintedTable { caption: Text::default(), ..rows::forces(&body.forces) };
-        titled(&heading(3, &body.name), joined([table(&forces), blocks(&body.laws)]))
+        let content = Markdown::joined([Markdown::table(&forces), Markdown::blocks(&body.laws)]);
+        if content.is_empty() {
+            content
+        } else {
+            Markdown::joined([Markdown::heading(3, &body.name), content])
+        }
     };
     let Report { model, solve, .. } = report;
-    joined([
+    let phases = solve.phases.iter().map(|phase| Markdown::phase(phase, 4));
+    Markdown::joined([
         format!("## {}", escape(&report.title)),
-        joined(model.bodies.iter().map(body)),
-        titled("### Equations of motion", joined(model.modes.iter().map(mode))),
-        titled("### In closed form", joined(solve.phases.iter().map(phase))),
+        Markdown::joined(model.bodies.iter().map(body)),
+        Markdown::equations_of_motion(&model.modes),
+        Markdown::titled("In closed form", Markdown::joined(phases)),
     ]) + "\n"
-}
-
-/// Parts with an empty line between them; empty ones are left out.
-fn joined(parts: impl IntoIterator<Item = String>) -> String {
-    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n\n")
 }
 
 /// Plain characters; whatever could be markup gets a backslash, and lines stay lines of text.
@@ -78,13 +76,9 @@ impl Markup for Markdown {
         escape(text)
     }
 
-    fn math(formula: &Typeset) -> String {
-        math(formula)
+    fn math(math: &Typeset) -> String {
+        latex(math).map_or_else(|| escape(&math.text), |latex| format!("${latex}$"))
     }
-}
-
-fn text(text: &Text) -> String {
-    Markdown::text(text)
 }
 
 /// LaTeX without what would end the formula or begin HTML.
@@ -95,174 +89,115 @@ fn latex(math: &Typeset) -> Option<String> {
     (!latex.is_empty() && !latex.contains('$')).then_some(safe)
 }
 
-fn math(math: &Typeset) -> String {
-    latex(math).map_or_else(|| escape(&math.text), |latex| format!("${latex}$"))
-}
-
 fn display(math: &Typeset) -> String {
     latex(math).map_or_else(|| escape(&math.text), |latex| format!("$$\n{latex}\n$$"))
 }
 
-fn paragraphs(texts: &[Text]) -> String {
-    joined(texts.iter().map(text))
-}
-
-fn list(items: &[Text]) -> String {
-    items.iter().map(|item| format!("- {}", text(item))).collect::<Vec<_>>().join("\n")
-}
-
-fn titled(title: &str, content: String) -> String {
-    if content.is_empty() { content } else { format!("{title}\n\n{content}") }
-}
-
-fn heading(level: usize, title: &Text) -> String {
-    if title.is_empty() { String::new() } else { format!("{} {}", "#".repeat(level), text(title)) }
-}
-
-fn block(block: &Block) -> String {
-    let lines = block.lines.iter().map(display);
-    let definition = |definition: &Definition| match text(&definition.meaning) {
-        meaning if meaning.is_empty() => format!("- {}", math(&definition.symbol)),
-        meaning => format!("- {}: {meaning}", math(&definition.symbol)),
-    };
-    let definitions: Vec<_> = block.definitions.iter().map(definition).collect();
-    let definitions = titled("where", definitions.join("\n"));
-    joined(std::iter::once(text(&block.title)).chain(lines).chain([definitions]))
-}
-
-fn blocks(blocks: &[Block]) -> String {
-    joined(blocks.iter().map(block))
-}
-
-/// A table with its notes; columns without content are left out.
-fn table(table: &PrintedTable) -> String {
-    let PrintedTable { columns, rows, .. } = table;
-    let kept = table.filled();
-    if kept.is_empty() {
-        return paragraphs(&table.notes);
+impl Writer for Markdown {
+    /// With an empty line between them.
+    fn joined(parts: impl IntoIterator<Item = String>) -> String {
+        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n\n")
     }
-    let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
-    let head = line(kept.iter().map(|i| text(&columns[*i].heading)).collect());
-    let rule = |i: &usize| if columns[*i].align == Align::Right { "---:" } else { "---" }.to_owned();
-    let rule = line(kept.iter().map(rule).collect());
-    // A bar inside a formula would end the cell.
-    let cell = |row: &Vec<Text>, i: usize| {
-        row.get(i).map_or(String::new(), |cell| text(cell).replace('|', "\\|").replace("\\\\|", "\\|"))
-    };
-    let body = rows.iter().map(|row| line(kept.iter().map(|i| cell(row, *i)).collect()));
-    let lines: Vec<_> = [head, rule].into_iter().chain(body).collect();
-    let caption = text(&table.caption);
-    let caption = if caption.is_empty() { caption } else { format!("**{caption}**") };
-    let all = paragraphs(table.all_rows().as_slice());
-    joined([caption, lines.join("\n"), paragraphs(&table.notes), all])
-}
 
-fn identify(identify: &Identify) -> String {
-    joined([
-        "## 1 Identify".to_owned(),
-        paragraphs(&identify.intro),
-        identify.scene.as_ref().map(picture).unwrap_or_default(),
-        table(&rows::bodies(&identify.bodies)),
-        table(&rows::quantities("Parameters", &identify.parameters)),
-        table(&rows::quantities("At the start", &identify.initial)),
-        titled("### Sought", list(&identify.sought)),
-    ])
-}
+    fn heading(level: usize, title: &Text) -> String {
+        if title.is_empty() { String::new() } else { format!("{} {}", "#".repeat(level), Self::text(title)) }
+    }
 
-fn model(model: &ModelPart) -> String {
-    let modes = joined(model.modes.iter().map(mode));
-    joined([
-        "## 2 Model".to_owned(),
-        paragraphs(&model.intro),
-        titled("### Assumptions", list(&model.assumptions)),
-        joined(model.bodies.iter().map(body_model)),
-        titled("### Equations of motion", modes),
-    ])
-}
+    fn paragraph(words: &Text) -> String {
+        Self::text(words)
+    }
 
-fn body_model(body: &BodyModel) -> String {
-    joined([
-        heading(3, &body.name),
-        joined(body.diagrams.iter().map(picture)),
-        table(&rows::forces(&body.forces)),
-        blocks(&body.laws),
-    ])
-}
+    fn remark(words: &str) -> String {
+        words.to_owned()
+    }
 
-fn mode(mode: &ModeEquations) -> String {
-    joined([heading(4, &mode.name), text(&mode.holds), blocks(&mode.equations)])
-}
+    fn list(items: &[Text]) -> String {
+        items.iter().map(|item| format!("- {}", Self::text(item))).collect::<Vec<_>>().join("\n")
+    }
 
-fn solve(solve: &Solve) -> String {
-    let facts: Vec<_> = solve.method.iter().map(|(k, v)| format!("- {}: {}", text(k), text(v))).collect();
-    joined([
-        "## 3 Solve".to_owned(),
-        paragraphs(&solve.intro),
-        joined(solve.phases.iter().map(phase)),
-        facts.join("\n"),
-        joined(solve.tables.iter().map(table)),
-    ])
-}
+    fn facts(facts: &[(Text, Text)]) -> String {
+        let facts =
+            facts.iter().map(|(name, value)| format!("- {}: {}", Self::text(name), Self::text(value)));
+        facts.collect::<Vec<_>>().join("\n")
+    }
 
-fn phase(phase: &Phase) -> String {
-    let numbers = titled("With numbers:", blocks(&phase.numbers));
-    joined([heading(4, &phase.name), text(&phase.span), blocks(&phase.symbols), numbers])
-}
+    fn block(block: &Block) -> String {
+        let definition = |Definition { symbol, meaning }: &Definition| match meaning.is_empty() {
+            true => format!("- {}", Self::math(symbol)),
+            false => format!("- {}: {}", Self::math(symbol), Self::text(meaning)),
+        };
+        let definitions: Vec<_> = block.definitions.iter().map(definition).collect();
+        let intro = if definitions.is_empty() { "" } else { "where" };
+        let ends = [intro.to_owned(), definitions.join("\n")];
+        Self::joined(iter::once(Self::text(&block.title)).chain(block.lines.iter().map(display)).chain(ends))
+    }
 
-fn analyze(analyze: &Analyze) -> String {
-    let single = analyze.cases.len() == 1;
-    joined([
-        "## 4 Analyze".to_owned(),
-        paragraphs(&analyze.intro),
-        titled("### Findings", list(&analyze.findings)),
-        joined(analyze.plots.iter().map(plot)),
-        joined(analyze.pictures.iter().map(picture)),
-        analyze.comparison.as_ref().map(table).unwrap_or_default(),
-        joined(analyze.cases.iter().map(|c| case(c, single))),
-        table(&rows::checks(&analyze.checks)),
-    ])
-}
+    /// With its notes; columns without content are left out.
+    fn table(table: &PrintedTable) -> String {
+        let PrintedTable { columns, rows, caption, .. } = table;
+        let kept = table.filled();
+        if kept.is_empty() {
+            return Self::paragraphs(&table.notes);
+        }
+        let line = |cell: &dyn Fn(usize) -> String| {
+            format!("| {} |", kept.iter().map(|i| cell(*i)).collect::<Vec<_>>().join(" | "))
+        };
+        let head = line(&|i| Self::text(&columns[i].heading));
+        let rule = line(&|i| if columns[i].align == Align::Right { "---:" } else { "---" }.to_owned());
+        // A bar inside a formula would end the cell.
+        let cell = |cell: &Text| Self::text(cell).replace('|', "\\|").replace("\\\\|", "\\|");
+        let body = rows.iter().map(|row| line(&|i| row.get(i).map(cell).unwrap_or_default()));
+        let lines: Vec<_> = [head, rule].into_iter().chain(body).collect();
+        let caption = if caption.is_empty() { String::new() } else { format!("**{}**", Self::text(caption)) };
+        let all = Self::paragraphs(table.all_rows().as_slice());
+        Self::joined([caption, lines.join("\n"), Self::paragraphs(&table.notes), all])
+    }
 
-fn case(case: &RunAnalysis, single: bool) -> String {
-    let name = if single { Text::default() } else { case.name.clone().into() };
-    let balance = case.balance.as_ref().map(|balance| {
-        let tables = balance.tables.iter().map(table);
-        joined(
-            std::iter::once(paragraphs(&balance.intro)).chain(tables).chain(balance.plots.iter().map(plot)),
+    fn checks(checks: &[CheckRow]) -> String {
+        Self::table(&rows::checks(checks))
+    }
+
+    fn picture(&mut self, Picture { svg, caption, file }: &Picture) -> String {
+        figure(file, if svg.description.is_empty() { &svg.title } else { &svg.description }, caption)
+    }
+
+    fn plot(&mut self, plot: &Chart) -> String {
+        let title = plot.figure.title.to_plain();
+        figure(
+            &plot.file,
+            if plot.description.is_empty() { &title } else { &plot.description },
+            &plot.caption,
         )
-    });
-    joined([
-        heading(3, &name),
-        paragraphs(&case.intro),
-        joined(case.plots.iter().map(plot)),
-        joined(case.pictures.iter().map(picture)),
-        titled("**Energy and momentum balance**", balance.unwrap_or_default()),
-        joined(case.tables.iter().map(table)),
-        table(&rows::checks(&case.checks)),
-    ])
-}
+    }
 
-fn picture(picture: &Picture) -> String {
-    let alt = if picture.svg.description.is_empty() { &picture.svg.title } else { &picture.svg.description };
-    figure(&picture.file, alt, &picture.caption)
-}
+    /// Nothing moves on paper.
+    fn animation(&mut self, _: &Animation) -> String {
+        String::new()
+    }
 
-fn plot(plot: &Chart) -> String {
-    let title = plot.figure.title.to_plain();
-    let alt = if plot.description.is_empty() { &title } else { &plot.description };
-    figure(&plot.file, alt, &plot.caption)
+    fn panel(_: usize, name: &Text, content: String) -> String {
+        Self::joined([Self::heading(4, name), content])
+    }
+
+    fn group(_: &str, content: String) -> String {
+        content
+    }
+
+    fn pair(parts: [String; 2]) -> String {
+        Self::joined(parts)
+    }
 }
 
 /// A link to a picture with its caption below; the caption alone if there is no file.
 fn figure(file: &str, alt: &str, caption: &Text) -> String {
     let image = if file.is_empty() { String::new() } else { format!("![{}]({})", escape(alt), url(file)) };
-    joined([image, text(caption)])
+    Markdown::joined([image, Markdown::text(caption)])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::Column;
+    use crate::report::{Column, ModeEquations};
     use tumble_drawing::svg::Svg;
 
     #[test]
@@ -285,7 +220,7 @@ mod tests {
     fn tables_have_a_rule_and_one_line_a_row() {
         let table = PrintedTable::new("Events", vec![Column::numbers("t"), Column::words("what")])
             .row(vec!["0.5".into(), "hit | slide\nagain".into()]);
-        let shown = super::table(&table);
+        let shown = Markdown::table(&table);
         assert_eq!(shown, "**Events**\n\n| t | what |\n| ---: | --- |\n| 0\\.5 | hit \\| slide again |");
     }
 
@@ -296,6 +231,6 @@ mod tests {
             !shown.contains('<') && shown.contains("\\[a\\]\\(javascript\\:b\\) \\*\\*c\\*\\* \\$d\\$ \\# e")
         );
         let breakout = Typeset { latex: "a$</script>$b".into(), text: "a".into(), ..Typeset::default() };
-        assert_eq!(math(&breakout), "a");
+        assert_eq!(Markdown::math(&breakout), "a");
     }
 }

@@ -26,6 +26,7 @@ mod play;
 mod prose;
 mod rows;
 mod table;
+mod walk;
 
 pub use math::{Block, Definition, Typeset};
 pub use parts::{
@@ -56,7 +57,7 @@ pub struct Report {
     /// Paragraphs below it.
     pub intro: Vec<Text>,
     /// Where the numbers come from, as name and value: program, version, scene, hash.
-    pub meta: Vec<(String, String)>,
+    pub meta: Vec<(Text, Text)>,
     /// What a page that plays runs; none where it does not play.
     pub lab: Option<Lab>,
     /// What is given and what is sought.

@@ -1,9 +1,7 @@
 //! What has a form of its own in a report, as plain tables.
 
 use crate::report::math::Typeset;
-use crate::report::parts::CheckRow;
-use crate::report::parts::ForceRow;
-use crate::report::parts::{BodyRow, QuantityRow};
+use crate::report::parts::{BodyRow, CheckRow, ForceRow, QuantityRow};
 use crate::report::prose::Text;
 use crate::report::table::{Column, PrintedTable};
 use tumble_drawing::text::Label;

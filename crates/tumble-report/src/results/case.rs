@@ -6,15 +6,14 @@ use tumble_mech::{Equilibrium, Parameters, Run, RunError, Trust};
 use tumble_ode::{Accuracy, Refusal};
 use tumble_scene::{Diagnostics, Study};
 
-use crate::results::CaseBalance;
 use crate::results::checks::{self, CheckResult};
 use crate::results::combinations::{Combinations, Values};
 use crate::results::digits::Held;
 use crate::results::error::CaseError;
-use crate::results::placed;
 use crate::results::questions::{self, FindResult};
 use crate::results::survey::Survey;
 use crate::results::swept::SweptAxis;
+use crate::results::{CaseBalance, placed};
 
 /// One run of a study, with the values it was made with.
 #[derive(Debug)]

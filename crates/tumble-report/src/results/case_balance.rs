@@ -4,9 +4,7 @@ use serde::Serialize;
 use tumble_mech::{Balance, BodyBalance, Contribution, RunBalance};
 use tumble_ode::Side;
 
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::equal_times;
+use crate::results::{Case, CaseError, equal_times};
 
 /// Rows of `balance.csv`, beside both sides of each event.
 const ROWS: usize = 500;

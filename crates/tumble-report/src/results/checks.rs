@@ -3,10 +3,8 @@
 use tumble_mech::Spread;
 use tumble_scene::{Check, Question, Study};
 
-use crate::results::Case;
-use crate::results::CaseError;
-use crate::results::open;
 use crate::results::questions::{Answer, NOT_REACHED, answer};
+use crate::results::{Case, CaseError, open};
 
 /// A claim with what was found.
 #[derive(Clone, Debug)]

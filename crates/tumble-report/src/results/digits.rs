@@ -3,9 +3,9 @@
 use tumble_expr::Expr;
 use tumble_mech::{At, Horizon, Trust};
 
-use crate::results::CaseError;
-use crate::results::FindResult;
 use crate::results::case::Solution;
+use crate::results::told::count;
+use crate::results::{CaseError, FindResult};
 
 /// Doubles have no more.
 const MOST: f64 = 16.0;
@@ -37,8 +37,7 @@ impl FindResult {
         match digits(self.value, error) {
             _ if error == 0.0 => "exact".to_owned(),
             0 => format!("within {error:.0e}"),
-            1 => "1 digit".to_owned(),
-            held => format!("{held} digits"),
+            held => count(held as u64, "digit"),
         }
     }
 }

@@ -7,12 +7,9 @@ use tumble_mech::{Equilibrium, Quadrature, Record};
 use tumble_ode::{Accuracy, Refusal, Work};
 use tumble_scene::Diagnostics;
 
-use crate::results::CheckResult;
-use crate::results::FindResult;
 use crate::results::case::{Case, folder};
-use crate::results::case_balance;
 use crate::results::digits::Held;
-use crate::results::equilibrium;
+use crate::results::{CheckResult, FindResult, case_balance, equilibrium};
 
 /// One run of a study, and what it came to.
 #[derive(Debug)]

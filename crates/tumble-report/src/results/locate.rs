@@ -28,7 +28,7 @@ pub struct Sample {
 }
 
 /// The best run of a sweep with its neighbours, which is all that is kept of the runs as they are made.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Best {
     sign: f64,
     last: Option<Sample>,
@@ -48,17 +48,7 @@ impl Best {
     /// Of no run.
     pub(crate) fn new(which: Extreme) -> Self {
         let sign = if which == Extreme::Greatest { 1.0 } else { -1.0 };
-        Self {
-            sign,
-            last: None,
-            before: None,
-            best: None,
-            after: None,
-            is_last: false,
-            differs: false,
-            equal: None,
-            runs: 0,
-        }
+        Self { sign, ..Self::default() }
     }
 
     /// Adds the next run; `None` where it has no answer.

@@ -4,9 +4,8 @@ use tumble_mech::{Happening, Others, RunError};
 use tumble_ode::Reason;
 use tumble_scene::{Diagnostics, Question, Study, When};
 
-use crate::results::Case;
-use crate::results::CaseError;
 use crate::results::moments::Moments;
+use crate::results::{Case, CaseError};
 
 impl CaseError {
     /// The same with the place that it is about.

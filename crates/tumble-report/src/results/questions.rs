@@ -5,12 +5,11 @@ use tumble_mech::{At, Run, Spread};
 use tumble_ode::Side;
 use tumble_scene::{Question, Study, When};
 
-use crate::results::CaseError;
 use crate::results::case::{Case, Solution};
-use crate::results::digits;
 use crate::results::moments::{Moments, Timed};
 use crate::results::open::{self, NO_VALUE, NOT_UNIQUE};
 use crate::results::works::{Works, is_work};
+use crate::results::{CaseError, digits};
 
 /// A value that the scene asks for.
 #[derive(Clone, Debug)]

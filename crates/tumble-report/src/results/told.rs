@@ -12,33 +12,49 @@ const SMALL: f64 = 1e-5;
 impl Finished {
     /// What it came to.
     pub fn told(&self) -> String {
-        of_run(self)
+        let Self { end, work, .. } = self;
+        let label = if self.label.is_empty() { String::new() } else { format!("{}: ", self.label) };
+        let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
+        let (steps, events) = (count(work.steps, "step"), count(self.events.len() as u64, "event"));
+        let digits = self.held.as_ref().map_or_else(String::new, |held| format!(", {}", held.words()));
+        let mut lines = vec![format!("  {label}{end} s in {steps}{exact}, {events}{digits}")];
+        if let Some(found) = self.quadrature.filter(|found| !found.settled) {
+            let (nodes, change) = (found.nodes, found.change);
+            lines.push(format!("  the sum over {nodes} nodes along a line is only good to {change:.0e}"));
+        }
+        lines.extend(self.equilibrium_lines());
+        lines.extend(self.finds.iter().map(of_find));
+        lines.extend(self.checks.iter().map(of_check));
+        lines.extend(self.refusal.as_ref().map(|refusal| format!("  incomplete: {refusal}")));
+        lines.join("\n")
     }
 }
 
 impl Located {
-    /// Where an answer is greatest or least along a sweep.
-    pub fn told(&self) -> String {
-        of_located(self)
+    /// `greatest` or `least`.
+    pub fn word(&self) -> &'static str {
+        if self.which == Extreme::Greatest { "greatest" } else { "least" }
     }
-}
 
-fn of_run(run: &Finished) -> String {
-    let Finished { end, work, .. } = run;
-    let label = if run.label.is_empty() { String::new() } else { format!("{}: ", run.label) };
-    let exact = if work.exact_steps == work.steps { ", all exact" } else { "" };
-    let (steps, events) = (count(work.steps, "step"), count(run.events.len() as u64, "event"));
-    let digits = run.held.as_ref().map_or_else(String::new, |held| format!(", {}", held.words()));
-    let mut lines = vec![format!("  {label}{end} s in {steps}{exact}, {events}{digits}")];
-    if let Some(found) = run.quadrature.filter(|found| !found.settled) {
-        let (nodes, change) = (found.nodes, found.change);
-        lines.push(format!("  the sum over {nodes} nodes along a line is only good to {change:.0e}"));
+    /// Where an answer is greatest or least along a sweep:
+    /// `  find far: greatest at T = 2.01 s, between 2.009 s and 2.011 s: 178.2 deg (10 more runs)`.
+    pub fn told(&self) -> String {
+        let Self { find, unit, parameter, parameter_unit, place, .. } = self;
+        let at = |value: f64| with_unit(rounded(value), parameter_unit);
+        let between = match (place.between, place.equal) {
+            (_, Some(equal)) => {
+                format!(" and in {} up to {}", count(equal.runs as u64 - 1, "other run"), at(equal.last))
+            }
+            (Some([low, high]), None) => format!(", between {} and {}", at(low), at(high)),
+            (None, None) => ", at an end of the sweep".to_owned(),
+        };
+        let made = match place.made {
+            0 => String::new(),
+            made => format!(" ({})", count(made as u64, "more run")),
+        };
+        let (which, value) = (self.word(), with_unit(place.best.value, unit));
+        format!("  find {find}: {which} at {parameter} = {}{between}: {value}{made}", at(place.best.at))
     }
-    lines.extend(run.equilibrium_lines());
-    lines.extend(run.finds.iter().map(of_find));
-    lines.extend(run.checks.iter().map(of_check));
-    lines.extend(run.refusal.as_ref().map(|refusal| format!("  incomplete: {refusal}")));
-    lines.join("\n")
 }
 
 fn of_find(find: &FindResult) -> String {
@@ -50,24 +66,6 @@ fn of_find(find: &FindResult) -> String {
         return format!("  find {name}: {that} {open}, at {at} s");
     }
     format!("  find {name}: {that} = {} at {at} s, {}", with_unit(*value, unit), find.certainty())
-}
-
-/// `  find far: greatest at T = 2.01 s, between 2.009 s and 2.011 s: 178.2 deg (10 more runs)`
-fn of_located(located: &Located) -> String {
-    let Located { find, unit, parameter, parameter_unit, place, .. } = located;
-    let which = if located.which == Extreme::Greatest { "greatest" } else { "least" };
-    let at = |value: f64| with_unit(rounded(value), parameter_unit);
-    let between = match (place.between, place.equal) {
-        (_, Some(equal)) => {
-            format!(" and in {} up to {}", count(equal.runs as u64 - 1, "other run"), at(equal.last))
-        }
-        (Some([low, high]), None) => format!(", between {} and {}", at(low), at(high)),
-        (None, None) => ", at an end of the sweep".to_owned(),
-    };
-    let made =
-        if place.made == 0 { String::new() } else { format!(" ({})", count(place.made as u64, "more run")) };
-    let value = with_unit(place.best.value, unit);
-    format!("  find {find}: {which} at {parameter} = {}{between}: {value}{made}", at(place.best.at))
 }
 
 fn of_check(check: &CheckResult) -> String {

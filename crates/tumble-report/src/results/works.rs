@@ -4,11 +4,9 @@ use tumble_expr::{Expr, Substitution, Symbol, Unit};
 use tumble_mech::{At, Contribution, ContributionKind, RunBalance, Trust};
 use tumble_ode::Side;
 
-use crate::results::ABOUT;
-use crate::results::CaseError;
 use crate::results::case::Solution;
 use crate::results::moments::is_part;
-use crate::results::tallies;
+use crate::results::{ABOUT, CaseError, tallies};
 
 /// How their names end.
 const WORK: &str = ".work";

@@ -8,9 +8,10 @@ use crate::report::json::{list, object};
 use crate::report::live;
 
 /// What makes the pictures move, in the order in which it runs.
-const SCRIPTS: [&str; 4] = [
+const SCRIPTS: [&str; 5] = [
     include_str!("../report/assets/common.js"),
     include_str!("../report/assets/arrows.js"),
+    include_str!("../report/assets/names.js"),
     include_str!("../report/assets/motion.js"),
     include_str!("assets/living.js"),
 ];

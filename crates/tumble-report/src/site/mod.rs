@@ -15,8 +15,11 @@ pub const GALLERY_SEAL: &str =
 /// The look of reports, and what only these pages have.
 const STYLE: &str = concat!(include_str!("../report/assets/report.css"), include_str!("assets/site.css"));
 /// What plays an example where it stands, and has the keys reach what is scrolled.
-const EXAMPLES: &str =
-    concat!(include_str!("assets/examples.js"), include_str!("../report/assets/scroll.js"));
+const EXAMPLES: &str = concat!(
+    include_str!("../report/assets/address.js"),
+    include_str!("assets/examples.js"),
+    include_str!("../report/assets/scroll.js")
+);
 
 /// The pages of a site that every page leads to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -77,16 +80,23 @@ impl Page {
 impl Display for Page {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { title, language, ways, content, has_formulas, scripts } = self;
-        let title = escape(title);
         let font = if *has_formulas { tumble_notation::page_font() } else { String::new() };
-        let language =
-            if language.is_empty() { String::new() } else { format!(" lang=\"{}\"", escape(language)) };
-        writeln!(f, "<!doctype html>\n<html{language}>\n<head>\n<meta charset=\"utf-8\">")?;
-        writeln!(f, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
-        writeln!(f, "<meta name=\"generator\" content=\"{GALLERY_SEAL}\">")?;
-        writeln!(f, "<title>{title}</title>\n<style>\n{STYLE}{font}\n</style>\n</head>\n<body>")?;
-        writeln!(f, "{}<main>\n{content}</main>\n{scripts}</body>\n</html>", ways.html())
+        let seal = format!("<meta name=\"generator\" content=\"{GALLERY_SEAL}\">\n");
+        let body = format!("{}<main>\n{content}</main>\n{scripts}", ways.html());
+        f.write_str(&document([title, language], &seal, &format!("{STYLE}{font}"), &body))
     }
+}
+
+/// A page of its own, with more for its head.
+pub(crate) fn document([title, language]: [&str; 2], head: &str, style: &str, body: &str) -> String {
+    let language =
+        if language.is_empty() { String::new() } else { format!(" lang=\"{}\"", escape(language)) };
+    let title = escape(title);
+    format!(
+        "<!doctype html>\n<html{language}>\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{head}\
+         <title>{title}</title>\n<style>\n{style}\n</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
+    )
 }
 
 /// A relative path as a URL. Everything but plain characters is

@@ -53,7 +53,7 @@ pub trait TableWriter {
 }
 
 /// A cell of text as CSV has it (RFC 4180).
-pub fn quoted(cell: &str) -> Cow<'_, str> {
+fn quoted(cell: &str) -> Cow<'_, str> {
     match cell.contains(SPECIAL) {
         true => format!("\"{}\"", cell.replace('"', "\"\"")).into(),
         false => cell.into(),
@@ -70,10 +70,11 @@ fn column(name: &str, unit: &str) -> String {
     format!("{name} [{}]", if unit.is_empty() { "1" } else { unit })
 }
 
-/// A table that is held: rows end in a line feed, and numbers are the shortest decimals that read back as the same.
+/// Rows that are held as CSV (RFC 4180): they end in a line feed, and numbers are the shortest decimals that read back as the same.
 #[derive(Default)]
-struct Held {
-    text: String,
+pub struct Held {
+    /// The rows; within one each cell ends in a comma.
+    pub text: String,
     digits: zmij::Buffer,
 }
 

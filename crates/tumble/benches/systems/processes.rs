@@ -1,10 +1,9 @@
 //! What a user waits for: from a scene's text to equations, cold processes, large sweeps and their memory.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::thread;
 use std::time::Duration;
+use std::{fs, thread};
 
 use crate::measure::{Patience, in_turn, timed};
 use tempfile::TempDir;

@@ -11,10 +11,8 @@ mod manifest;
 mod spool;
 mod table;
 
-use std::fmt;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
 
 use thiserror::Error;
 use tumble_scene::printable;

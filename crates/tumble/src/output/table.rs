@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
-use tumble_report::tables::quoted;
+use tumble_report::tables::{Held, TableWriter};
 
 use super::hash::Hash;
 use super::{Folder, OutputError, attempt};
@@ -49,22 +49,20 @@ pub(crate) struct TableFile<'f> {
     folder: &'f Folder,
     name: String,
     sink: Sink,
-    digits: zmij::Buffer,
-    /// What is not written yet; each cell ends in a comma, the last one of a row in a line feed.
-    buffer: Vec<u8>,
+    /// What is not written yet.
+    rows: Held,
 }
 
 impl<'f> TableFile<'f> {
     /// Begins the table of that name in a folder.
     pub(crate) fn begin(folder: &'f Folder, name: &str) -> Result<Self, OutputError> {
-        let (sink, buffer) = (folder.sink(name)?, Vec::with_capacity(2 * BLOCK));
-        Ok(Self { folder, name: name.to_owned(), sink, digits: zmij::Buffer::new(), buffer })
+        Ok(Self { folder, name: name.to_owned(), sink: folder.sink(name)?, rows: Held::default() })
     }
 
     fn write(&mut self) -> Result<(), OutputError> {
-        let written = self.sink.write_all(&self.buffer);
+        let written = self.sink.write_all(self.rows.text.as_bytes());
         attempt(&self.sink.path, written)?;
-        self.buffer.clear();
+        self.rows.text.clear();
         Ok(())
     }
 
@@ -76,27 +74,20 @@ impl<'f> TableFile<'f> {
     }
 }
 
-impl tumble_report::tables::TableWriter for TableFile<'_> {
+impl TableWriter for TableFile<'_> {
     type Error = PipelineError;
 
     fn text(&mut self, cell: &str) {
-        self.buffer.extend_from_slice(quoted(cell).as_bytes());
-        self.buffer.push(b',');
+        self.rows.text(cell);
     }
 
-    /// The shortest decimals that read back as the same numbers.
     fn numbers(&mut self, values: &[f64]) {
-        for value in values {
-            self.buffer.extend_from_slice(self.digits.format(*value).as_bytes());
-            self.buffer.push(b',');
-        }
+        self.rows.numbers(values);
     }
 
     fn end_row(&mut self) -> Result<(), PipelineError> {
-        if let Some(end) = self.buffer.last_mut() {
-            *end = b'\n';
-        }
-        if self.buffer.len() >= BLOCK {
+        self.rows.end_row()?;
+        if self.rows.text.len() >= BLOCK {
             self.write()?;
         }
         Ok(())

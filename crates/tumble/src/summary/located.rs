@@ -3,8 +3,6 @@
 use serde::Serialize;
 use tumble_report::results::Located;
 
-use tumble_mech::Extreme;
-
 /// One of them.
 #[derive(Serialize)]
 pub(super) struct Entry<'a> {
@@ -32,7 +30,7 @@ pub(super) fn entry(located: &Located) -> Entry<'_> {
     let place = &located.place;
     Entry {
         find: &located.find,
-        which: if located.which == Extreme::Greatest { "greatest" } else { "least" },
+        which: located.word(),
         parameter: &located.parameter,
         parameter_unit: &located.parameter_unit,
         at: place.best.at,

@@ -9,10 +9,7 @@ use tumble_report::results::{BalanceSummary, EquilibriumSummary};
 use tumble_scene::Study;
 
 use super::{Said, said};
-use tumble_report::results::CheckResult;
-use tumble_report::results::FindResult;
-use tumble_report::results::{Finished, Happened};
-use tumble_report::results::{is_angle, unit};
+use tumble_report::results::{CheckResult, FindResult, Finished, Happened, is_angle, unit};
 
 /// A new line of a run in the list of all.
 const NEW_LINE: &str = "\n    ";

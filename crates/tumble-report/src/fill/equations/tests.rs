@@ -1,8 +1,9 @@
 //! Printed equations are those that were integrated.
 
 use super::*;
+use crate::fill::motion::Line;
 use crate::scenes::{motions_in, motions_of};
-use tumble_expr::Dimension;
+use tumble_expr::{Dimension, Substitution};
 use tumble_ode::Side;
 
 /// Rounding of formulas in another order of operations.
@@ -36,7 +37,9 @@ fn printed_equations_are_those_that_were_integrated() {
         let study = study.with(&case.parameters);
         let names = Names::of(&study).expect("names");
         for mode in 0..case.run.trajectory().modes.len().min(MOST_MODES) {
-            for motion in motions(&study, &names, case, &case.run.trajectory().modes[mode]) {
+            let mode_of = &case.run.trajectory().modes[mode];
+            let setting = Setting { study: &study, names: &names, case, mode: mode_of };
+            for motion in setting.motions() {
                 compared += compare(case, mode, &motion);
             }
         }
@@ -89,7 +92,7 @@ fn conditions_of_two_contacts_are_added_up() {
     let study = study.with(&cases[0].parameters);
     let names = Names::of(&study).expect("names");
     let mode = lasting(&cases[0])[0];
-    let motion = Motion::of(&study, &names, &cases[0], mode, 0);
+    let motion = Setting { study: &study, names: &names, case: &cases[0], mode }.motion(0);
     let lines: Vec<String> =
         motion.shown().expect("short").lines.iter().map(|line| math(&line.math()).text).collect();
     assert!(lines.contains(&"0 = ω² sin(θ − β) − α cos(θ − β)".to_owned()), "{lines:?}");

@@ -6,8 +6,8 @@ use tumble_ode::Side;
 use super::said::Said;
 use super::seen::Seen;
 use crate::figures::symbols;
-use crate::fill::alike;
 use crate::fill::names::quantity_to;
+use crate::fill::{alike, words};
 use crate::report::Text;
 use crate::results::CaseError;
 
@@ -112,15 +112,8 @@ pub(super) fn slides(seen: &Seen<'_>) -> Option<Said> {
         .then(|| Said::new(before, "all the time, and does not come to roll".into()).leading())
 }
 
-/// What it touches: a surface, or the other body.
 fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {
-    let pair = &seen.run.equations.pairs()[contact.pair];
-    let others = [Some(pair.body), pair.other];
-    let other = others.into_iter().flatten().find(|body| pair.other.is_some() && *body != seen.index);
-    match other {
-        Some(body) => symbols::the(&seen.study.model.bodies[body].name),
-        None => symbols::the(pair.name.split('.').next().unwrap_or_default()),
-    }
+    words::other(seen.study, &seen.run.equations.pairs()[contact.pair], seen.index)
 }
 
 /// Speed of the centre and spin at two instants, where they differ.

@@ -3,7 +3,7 @@
 use crate::figures::case_label;
 use crate::fill::names::{quantity, quantity_to};
 use crate::report::Text;
-use crate::results::{Case, digits};
+use crate::results::{Case, count, digits};
 
 /// Digits that are read.
 const READ: usize = 6;
@@ -108,6 +108,5 @@ pub(in crate::fill) fn with_digits(value: f64, error: Option<f64>, unit: &str) -
     }
     let held = digits::digits(value, error);
     let shown = quantity_to(value, held.clamp(1, READ), unit);
-    let plural = if held == 1 { "" } else { "s" };
-    if held < READ { shown.and(format!(" ({held} digit{plural})")) } else { shown }
+    if held < READ { shown.and(format!(" ({})", count(held as u64, "digit"))) } else { shown }
 }

@@ -2,13 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use tumble_expr::{Dimension, Expr, Node, Substitution, Symbol, Unary, is_identically_zero};
-use tumble_mech::{Extreme, Gravity, place_symbols};
+use tumble_expr::{Dimension, Expr, Node, Symbol, Unary, is_identically_zero};
+use tumble_mech::{Extreme, Gravity};
 use tumble_ode::Side;
 
 use super::said::{Said, with_digits};
 use super::seen::Seen;
 use crate::fill::names::quantity_to;
+use crate::fill::wind_at_origin;
 use crate::report::Text;
 use crate::results::CaseError;
 
@@ -104,9 +105,7 @@ fn swing(seen: &Seen<'_>) -> Result<Option<f64>, CaseError> {
 /// The period of the wind at the origin, s, where it has one: that of the slowest sine or cosine of the time in it, if the wind is
 /// the same a period later.
 fn gusts(seen: &Seen<'_>) -> Result<Option<f64>, CaseError> {
-    let mut origin = Substitution::default();
-    place_symbols().into_iter().for_each(|symbol| origin.insert(symbol, Expr::zero()));
-    let wind = seen.study.model.wind.0.map(|component| origin.apply(component));
+    let wind = wind_at_origin(seen.study);
     let time = Symbol::new("t", Dimension::TIME);
     let mut rates = vec![];
     wind.components().iter().for_each(|component| angular_rates(component, &time, &mut rates));

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::scenes::motions_of;
-use tumble_expr::{Expr, Substitution, language::Value};
-use tumble_mech::Mode;
+use tumble_expr::{Expr, Substitution, Symbol, language::Value};
+use tumble_mech::{Mode, Statement, Term};
 
 /// Integrals of the board are summed over this many pieces by Simpson's rule, those of the program by its own: where the wind on
 /// a line changes its sign, the first is off by about the cube of a piece.

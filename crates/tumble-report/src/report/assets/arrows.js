@@ -33,15 +33,10 @@ function drawArrow(parent, force, [x, y], [fx, fy], scale) {
   if (!(length > 1)) return;
   const [ux, uy] = [fx / size, -fy / size];
   const tip = [x + length * ux, y + length * uy];
-  const head = Math.min(HEAD, length);
-  const back = [tip[0] - head * ux, tip[1] - head * uy];
-  const side = [0.42 * head * uy, -0.42 * head * ux];
   const colour = `var(--${force.kind})`;
-  const shaft = { x1: x, y1: y, x2: back[0], y2: back[1], stroke: colour, "stroke-width": force.thickness };
+  const shaft = { stroke: colour, "stroke-width": force.thickness };
   if (force.dashes) shaft["stroke-dasharray"] = force.dashes;
-  draw("line", shaft, parent);
-  const corners = [tip, [back[0] + side[0], back[1] + side[1]], [back[0] - side[0], back[1] - side[1]]];
-  draw("polygon", { points: corners.join(" "), fill: colour }, parent);
+  drawTip(parent, [x, y], tip, shaft, HEAD);
   const place = { x: tip[0] + 12 * ux, y: tip[1] + 12 * uy + 5, "text-anchor": "middle", class: "halo" };
   drawLabel(parent, force.symbol, place).style.fill = colour;
 }

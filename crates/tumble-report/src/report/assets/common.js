@@ -53,6 +53,49 @@ function drawLabel(parent, runs, attributes) {
   return text;
 }
 
+/** An arrow from one place to another (pixels): its shaft has these attributes, its tip is so long. */
+function drawTip(parent, from, to, shaft, longest) {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const length = Math.hypot(dx, dy);
+  const [ux, uy] = [dx / length, dy / length];
+  const head = Math.min(longest, length);
+  const back = [to[0] - head * ux, to[1] - head * uy];
+  draw("line", { x1: from[0], y1: from[1], x2: back[0], y2: back[1], ...shaft }, parent);
+  const corners = [to, ...[0.42, -0.42].map((side) => [back[0] + side * head * uy, back[1] - side * head * ux])];
+  draw("polygon", { points: corners.join(" "), fill: shaft.stroke }, parent);
+}
+
+/** Calls `act` whenever an element has another width, and soon for its first. */
+function watchWidth(element, act) {
+  let width = 0;
+  new ResizeObserver(() => {
+    const now = element.clientWidth;
+    if (!now || now === width) return;
+    width = now;
+    act();
+  }).observe(element);
+}
+
+/** Where a pointer is in a drawing that is `width` wide in pixels of its own. */
+function pointerIn(svg, { clientX, clientY }, width) {
+  const box = svg.getBoundingClientRect();
+  return [clientX - box.left, clientY - box.top].map((pixels) => (pixels * width) / box.width);
+}
+
+const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+
+/** The places of the values before and behind `at` in a list that is in order, and how far on the way it is from one to the other. */
+function around(values, at) {
+  let [low, high] = [0, Math.max(values.length - 1, 0)];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (values[middle] <= at) low = middle;
+    else high = middle;
+  }
+  const span = values[high] - values[low];
+  return [low, high, span > 0 ? (at - values[low]) / span : 0];
+}
+
 const plain = (runs) => runs.map(([text]) => text).join("");
 
 const RAISED = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
@@ -61,7 +104,7 @@ const RAISED = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "
 function shown(value, digits) {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
-  const rounded = Number(value.toPrecision(Math.min(Math.max(digits, 1), 15)));
+  const rounded = Number(value.toPrecision(clamp(digits, 1, 15)));
   const size = Math.abs(rounded);
   if (size >= 1e-4 && size < 1e7) return String(rounded).replace("-", "−");
   const [mantissa, exponent] = rounded.toExponential().split("e");

@@ -17,8 +17,6 @@ function foldTable(box) {
   set(true);
 }
 
-document.querySelectorAll("[data-long]").forEach(foldTable);
-
 /** Cases as tabs: one is shown, arrow keys go to the next; in print all stand below each other. */
 class Tabs {
   constructor(box) {
@@ -62,8 +60,6 @@ class Tabs {
     this.tabs[this.index].focus();
   }
 }
-
-document.querySelectorAll(".cases").forEach((box) => new Tabs(box));
 
 // Formulas that no line can hold are set smaller where the page is narrow, as long as they can be read.
 

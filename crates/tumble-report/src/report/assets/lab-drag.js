@@ -94,8 +94,7 @@ class LivePlayer extends Player {
       const style = `color:var(--c${i % 7})`;
       const path = body.trail ? this.trailPoints(body).filter((point) => !point.includes("NaN")) : [];
       if (path.length) draw("path", { class: "trail", style, d: `M${path.join("L")}` }, layer);
-      const group = draw("g", { class: "body", style }, layer);
-      for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+      const group = this.buildShape(body, style, layer);
       const name = label && i === 0 ? drawLabel(this.ghostLayer, [[label, "", ""]], { class: "halo" }) : null;
       return { body, group, name };
     });
@@ -115,8 +114,7 @@ class LivePlayer extends Player {
     const i = at < 0 ? times.length - 1 : at;
     const [x, y] = this.pixel(body.x[i], body.y[i]);
     if (!Number.isFinite(x + y)) return;
-    const turned = (-body.angle[i] * 180) / Math.PI;
-    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turned.toFixed(2)})`);
+    this.pose(group, [x, y], body.angle[i]);
     // Beside the body, and within the picture.
     const left = x < this.size[0] / 2 ? 14 : -14;
     name?.setAttribute("text-anchor", left > 0 ? "start" : "end");
@@ -135,7 +133,7 @@ class LivePlayer extends Player {
       const by = [body.x, body.y].map((values) => ((values[high] - values[low]) / span) * this.arrowTime() * this.scale);
       const to = [from[0] + by[0], from[1] - by[1]];
       if (![...from, ...to].every(Number.isFinite)) continue;
-      drawTip(this.speedLayer, from, to, `var(--c${i % 7})`);
+      drawSpeed(this.speedLayer, from, to, i);
     }
   }
 
@@ -191,11 +189,7 @@ class LivePlayer extends Player {
     const { scale, middle, size } = this;
     this.frozen = { scale, middle, size, arrow: this.arrowTime() };
     const move = (moved) => {
-      const box = this.svg.getBoundingClientRect();
-      const unit = this.size[0] / box.width;
-      const px = [(moved.clientX - box.left) * unit, (moved.clientY - box.top) * unit];
-      const at = this.place(...px);
-      this.grips.set(set(at));
+      this.grips.set(set(this.place(...pointerIn(this.svg, moved, this.size[0]))));
     };
     const end = () => {
       removeEventListener("pointermove", move);
@@ -249,20 +243,13 @@ class LivePlayer extends Player {
   speedGrip(centre, name, knobs, index) {
     const long = this.arrowTime();
     const tip = centre.map((at, k) => at + knobs[k].value() * long);
-    drawTip(this.gripLayer, this.pixel(...centre), this.pixel(...tip), `var(--c${index % 7})`);
+    drawSpeed(this.gripLayer, this.pixel(...centre), this.pixel(...tip), index);
     this.grip(tip, `Start velocity of ${name}`, knobs, (at) => knobs.map((knob, k) => [knob, (at[k] - centre[k]) / long]));
   }
 }
 
-/** A thin arrow between two places on the screen. */
-function drawTip(parent, from, to, colour) {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  const length = Math.hypot(dx, dy);
-  if (length < 2) return;
-  const [ux, uy] = [dx / length, dy / length];
-  const head = Math.min(9, length);
-  const back = [to[0] - head * ux, to[1] - head * uy];
-  draw("line", { x1: from[0], y1: from[1], x2: back[0], y2: back[1], stroke: colour, "stroke-width": 1.6 }, parent);
-  const corners = [to, [back[0] + 0.4 * head * uy, back[1] - 0.4 * head * ux], [back[0] - 0.4 * head * uy, back[1] + 0.4 * head * ux]];
-  draw("polygon", { points: corners.join(" "), fill: colour }, parent);
+/** A thin arrow between two places on the screen, of a body by its place among all. */
+function drawSpeed(parent, from, to, index) {
+  const shaft = { stroke: `var(--c${index % 7})`, "stroke-width": 1.6 };
+  if (Math.hypot(to[0] - from[0], to[1] - from[1]) >= 2) drawTip(parent, from, to, shaft, 9);
 }

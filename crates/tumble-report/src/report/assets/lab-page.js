@@ -25,7 +25,7 @@ class Sections {
       section.replaceWith(fresh);
       // What is being looked at stays where it is.
       if (place < 0) scrollBy(0, fresh.getBoundingClientRect().top - place);
-      this.mount(fresh, plots, parts.motions);
+      mount(fresh, { plots, motions: parts.motions });
     });
     clock.tidy();
     chosenCase.tidy();
@@ -39,18 +39,6 @@ class Sections {
     const line = header.querySelector(".lead") ?? make("p", { class: "lead" });
     line.innerHTML = html;
     if (!line.isConnected) header.querySelector("h1").after(line);
-  }
-
-  /** What the page's own scripts do once it is there. */
-  mount(section, plots, motions) {
-    for (const figure of section.querySelectorAll("figure[data-plot]")) new Plot(figure, plots[Number(figure.dataset.plot)]);
-    for (const figure of section.querySelectorAll("figure[data-motion]")) {
-      const player = new Player(figure, motions[Number(figure.dataset.motion)]);
-      if (clock.value !== null) player.seek(clock.value);
-    }
-    reachable(section);
-    section.querySelectorAll("[data-long]").forEach(foldTable);
-    section.querySelectorAll(".cases").forEach((box) => new Tabs(box));
   }
 
   /** A plot with the curves of the last run and of those that were pinned. */

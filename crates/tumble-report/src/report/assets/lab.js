@@ -39,7 +39,7 @@ class Control {
   part(number) {
     const [low, high] = this.knob.range;
     const part = this.knob.log ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
-    return Math.min(Math.max(part, 0), 1) || 0;
+    return clamp(part, 0, 1) || 0;
   }
 
   slide() {

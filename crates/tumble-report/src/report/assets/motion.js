@@ -12,8 +12,6 @@ const CALM = 0.5;
 const HATCH = 8;
 /** Pixels above the motion that are kept for the scale. */
 const STRIP = 30;
-/** About how wide a letter of a name is, in pixels, and how high a line is. */
-const [LETTER, LINE] = [7, 15];
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -98,7 +96,7 @@ class Player {
     const label = make("label", {}, bar);
     label.append(title);
     const select = make("select", {}, label);
-    names.forEach((name, i) => (make("option", { value: i }, select).textContent = name));
+    select.append(...names.map((name, i) => new Option(name, i)));
     return select;
   }
 
@@ -119,13 +117,7 @@ class Player {
       this.tell();
     });
     this.svg.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
-    let width = 0;
-    new ResizeObserver(() => {
-      if (this.live.clientWidth && this.live.clientWidth !== width) {
-        width = this.live.clientWidth;
-        this.layOut();
-      }
-    }).observe(this.live);
+    watchWidth(this.live, () => this.layOut());
     this.agree();
     document.addEventListener("visibilitychange", () => document.hidden && this.pause());
     this.pause();
@@ -154,7 +146,7 @@ class Player {
     this.start = times[0] ?? 0;
     this.duration = (times[times.length - 1] ?? 0) - this.start;
     this.layOut();
-    this.seek(Math.min(Math.max(this.time, this.start), this.start + this.duration));
+    this.seek(this.time);
   }
 
   /** What has to be in the picture. */
@@ -202,12 +194,16 @@ class Player {
   /** What does not change while it plays, and the parts that move. */
   build() {
     this.svg.replaceChildren();
+    this.board = new NameBoard(draw("g", {}), this.size);
     for (const surface of this.motion.surfaces) this.drawSurface(surface);
     this.drawScaleBar();
     this.parts = this.motion.bodies.map((body, i) => this.buildBody(body, i));
     this.linkLayer = draw("g", {}, this.svg);
-    this.named = [];
-    for (const point of this.motion.points) this.drawPoint(point);
+    for (const { at: [x, y] } of this.motion.points) {
+      const [cx, cy] = this.pixel(x, y);
+      draw("circle", { class: "pin", cx, cy, r: 3.5 }, this.svg);
+    }
+    this.addNames();
     this.arrowLayer = draw("g", {}, this.svg);
     this.draw();
   }
@@ -224,7 +220,8 @@ class Player {
     draw("path", { class: "hatch", d: strokes, fill: "none" }, this.svg);
     draw("circle", { class: "ground", cx: px, cy: py, r: size, fill: "none" }, this.svg);
     const below = hollow ? py + size + 22 : py - size + 22;
-    drawLabel(this.svg, name, { x: px, y: Math.min(below, this.size[1] - 8), "text-anchor": "middle", class: "halo" });
+    for (let i = 0; i < count; i += 1) this.board.keep(at(i * step, size));
+    this.board.write(this.svg, name, [px, Math.min(below, this.size[1] - 8)], "middle");
   }
 
   /** With a reach it ends there to both sides, as the edge of a polygon does. */
@@ -245,30 +242,39 @@ class Player {
     for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;
     draw("path", { class: "hatch", d: strokes }, this.svg);
     draw("path", { class: "ground", d: `M${at(-reach, 0)}L${at(reach, 0)}` }, this.svg);
+    for (let s = -reach; s < reach; s += APART) this.board.keep(at(s, 0), at(s, HATCH));
+    if (foot.some((value, k) => value < 0 || value > this.size[k])) return;
     // Below the hatching, or above the surface where there is no room.
     const isWall = Math.abs(ux) > Math.abs(uy);
     const below = at(0, isWall ? HATCH + 6 : 22);
     const isRight = below[0] > foot[0];
-    const wide = isWall ? LETTER * plain(name).length : 0;
+    const wide = isWall ? widthOf(name) : 0;
     const fits = isWall ? below[0] - (isRight ? 0 : wide) > 0 && below[0] + (isRight ? wide : 0) < this.size[0] : below[1] < this.size[1] - 8;
     const place = fits ? below : at(0, isWall ? -6 : -12);
     // Above level ground it stands aside, where it covers least.
     const isAside = !isWall && !fits && Math.abs(ux) < 0.1;
     const anchor = isWall ? (isRight === fits ? "start" : "end") : isAside ? "end" : "middle";
-    drawLabel(this.svg, name, { x: isAside ? this.size[0] - 8 : place[0], y: place[1] + 5, "text-anchor": anchor, class: "halo" });
+    this.board.write(this.svg, name, [isAside ? this.size[0] - 8 : place[0], place[1] + 5], anchor);
   }
 
-  drawPoint({ at, name }) {
-    const [x, y] = this.pixel(...at);
-    draw("circle", { class: "pin", cx: x, cy: y, r: 3.5 }, this.svg);
-    const wide = LETTER * plain(name).length;
-    const places = [[8, -7], [-8 - wide, -7], [8, LINE + 3], [-8 - wide, LINE + 3]].map(([dx, dy]) => [x + dx, y + dy]);
-    const isFree = ([left, at]) => this.named.every((other) => Math.abs(other.at - at) >= LINE || left >= other.left + other.wide || other.left >= left + wide);
-    // Where there is no room the name is left out: the picture of the start has it.
-    const place = places.find(isFree);
-    if (!place) return;
-    this.named.push({ left: place[0], at: place[1], wide });
-    drawLabel(this.svg, name, { x: place[0], y: place[1], class: "halo" });
+  /** Points and bodies, by their names. */
+  addNames() {
+    const { points, bodies } = this.motion;
+    this.svg.append(this.board.layer);
+    const few = bodies.length > MOST_NAMED ? [] : bodies;
+    this.names = [...points, ...few].map(({ name }) => this.board.add(name));
+  }
+
+  /** Names are where there is nothing else: outlines, links and surfaces. */
+  placeNames(between) {
+    const { points, bodies } = this.motion;
+    const centres = bodies.map((body) => this.pixel(between(body.x), between(body.y)));
+    const dots = bodies.flatMap((body, i) => {
+      const [cos, sin] = [Math.cos(between(body.angle)), Math.sin(between(body.angle))];
+      return this.parts[i].rim.map(([x, y]) => [centres[i][0] + cos * x - sin * y, centres[i][1] - sin * x - cos * y]);
+    });
+    const at = [...points.map((point) => this.pixel(...point.at)), ...centres];
+    this.board.put(this.names.map((name, i) => ({ name, at: at[i] })), [...dots, ...at]);
   }
 
   drawScaleBar() {
@@ -276,6 +282,7 @@ class Player {
     const power = 10 ** Math.floor(Math.log10(most));
     const metres = [5, 2, 1].find((m) => m * power <= most) * power;
     const [x, y, length] = [12, 28, metres * this.scale];
+    this.board.taken.push({ left: 4, at: STRIP, wide: length + 16 });
     draw("rect", { class: "behind", x: 4, y: 4, width: length + 16, height: STRIP }, this.svg);
     draw("path", { class: "link", d: `M${x} ${y - 4}v8m0 -4h${length}m0 -4v8` }, this.svg);
     draw("text", { x: x + length / 2, y: y - 6, "text-anchor": "middle", class: "halo" }, this.svg).textContent =
@@ -285,15 +292,26 @@ class Player {
   buildBody(body, index) {
     const style = `color:var(--c${index % 7})`;
     const trail = draw("path", { class: "trail", style }, this.svg);
-    const group = draw("g", { class: "body", style }, this.svg);
-    for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+    const group = this.buildShape(body, style, this.svg);
     const centre = draw("circle", { class: "pin", r: 2.4 }, this.svg);
-    return { trail, group, centre, path: body.trail ? this.trailPoints(body) : [] };
+    const points = body.outlines.flatMap((outline) => rim(outline, this.scale));
+    return { trail, group, centre, rim: points, path: body.trail ? this.trailPoints(body) : [] };
+  }
+
+  buildShape(body, style, parent) {
+    const group = draw("g", { class: "body", style }, parent);
+    for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
+    return group;
+  }
+
+  /** Puts a shape where its body is. */
+  pose(group, [x, y], angle) {
+    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${((-angle * 180) / Math.PI).toFixed(2)})`);
   }
 
   buildOutline(group, kind, n) {
     if (kind === "rod") {
-      const width = Math.min(Math.max(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3), 9);
+      const width = clamp(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3, 9);
       draw("line", { class: "rod", x1: n[0], y1: -n[1], x2: n[2], y2: -n[3], "stroke-width": width }, group);
     } else if (kind === "circle") {
       draw("circle", { class: "face", cx: n[0], cy: -n[1], r: n[2] }, group);
@@ -312,15 +330,8 @@ class Player {
 
   /** The frame before a time, and how far the time is on the way to the next. */
   frame() {
-    const times = this.motion.times;
-    let [low, high] = [0, times.length - 1];
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (times[middle] <= this.time) low = middle;
-      else high = middle;
-    }
-    const span = times[high] - times[low];
-    return [low, Math.max(high, 0), span > 0 ? Math.min(Math.max((this.time - times[low]) / span, 0), 1) : 0];
+    const [low, high, part] = around(this.motion.times, this.time);
+    return [low, high, clamp(part, 0, 1)];
   }
 
   draw() {
@@ -328,6 +339,7 @@ class Player {
     const [low, high, part] = this.frame();
     const between = (values) => values[low] + part * (values[high] - values[low]);
     this.motion.bodies.forEach((body, i) => this.drawBody(body, this.parts[i], between, low));
+    this.placeNames(between);
     this.linkLayer.replaceChildren();
     for (const link of this.motion.links) this.drawLink(link, link.ends.map(between));
     this.arrowLayer.replaceChildren();
@@ -346,8 +358,7 @@ class Player {
     const there = Number.isFinite(x + y);
     group.style.display = centre.style.display = there ? "" : "none";
     if (!there) return;
-    const degrees = (-between(body.angle) * 180) / Math.PI;
-    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${degrees.toFixed(2)})`);
+    this.pose(group, [x, y], between(body.angle));
     centre.setAttribute("cx", x);
     centre.setAttribute("cy", y);
     const shownPath = this.trails?.checked && path.length ? path.slice(0, low + 1) : [];
@@ -381,12 +392,16 @@ class Player {
   }
 
   seek(time) {
-    this.time = Math.min(Math.max(time, this.start), this.start + this.duration);
+    this.time = clamp(time, this.start, this.start + this.duration);
     this.draw();
   }
 
+  get isOver() {
+    return this.time >= this.start + this.duration - 1e-12;
+  }
+
   play() {
-    if (this.time >= this.start + this.duration - 1e-12) this.seek(this.start);
+    if (this.isOver) this.seek(this.start);
     this.playing = true;
     this.button.textContent = "Pause";
     this.last = null;
@@ -406,11 +421,7 @@ class Player {
       this.seek(this.time + passed * this.speeds[this.speed.selectedIndex]);
       this.tell();
     }
-    if (this.time >= this.start + this.duration - 1e-12) this.pause();
+    if (this.isOver) this.pause();
     else requestAnimationFrame((next) => this.tick(next));
   }
-}
-
-for (const figure of document.querySelectorAll("figure[data-motion]")) {
-  new Player(figure, DATA.motions[Number(figure.dataset.motion)]);
 }

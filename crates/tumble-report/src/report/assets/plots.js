@@ -37,6 +37,9 @@ function opened([low, high], padding) {
   return [low - padding * (high - low), high + padding * (high - low)];
 }
 
+/** A coordinate as paths have it; what is far outside stays there. */
+const drawable = (pixels) => clamp(pixels, -1e5, 1e5).toFixed(1);
+
 class Plot {
   constructor(figure, data) {
     Object.assign(this, { figure, data });
@@ -93,17 +96,18 @@ class Plot {
       key.title = "Show or hide this curve";
       key.addEventListener("click", () => this.toggle(series));
     }
-    const sample = draw("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, key);
-    draw("line", { x1: 0, x2: 28, y1: 5, y2: 5, ...this.stroke(series) }, sample);
-    addLabel(make("span", {}, key), series.label.length ? series.label : this.data.y.name);
+    this.sample(key, "line", { x1: 0, x2: 28, y1: 5, y2: 5, ...this.stroke(series) }, series.label.length ? series.label : this.data.y.name);
     series.value = make("span", { class: "value" }, key);
   }
 
   addBandKey(band, bar) {
-    const key = make("span", { class: "key" }, bar);
-    const sample = draw("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, key);
-    draw("rect", { x: 0, y: 0, width: 28, height: 10, ...this.shade(band) }, sample);
-    addLabel(make("span", {}, key), band.label);
+    this.sample(make("span", { class: "key" }, bar), "rect", { width: 28, height: 10, ...this.shade(band) }, band.label);
+  }
+
+  /** What a curve or a band looks like, and what it is called. */
+  sample(key, shape, looks, label) {
+    draw(shape, looks, draw("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, key));
+    addLabel(make("span", {}, key), label);
   }
 
   shade(band) {
@@ -112,9 +116,8 @@ class Plot {
 
   drawBand(band, parent) {
     const there = Array.from(band.x.keys()).filter((i) => [band.x[i], band.low[i], band.high[i]].every(Number.isFinite));
-    const corner = (i, side) => this.pixel(band.x[i], side[i]).map((v) => Math.min(Math.max(v, -1e5), 1e5).toFixed(1)).join(" ");
-    const up = there.map((i) => corner(i, band.high));
-    const down = there.map((i) => corner(i, band.low)).reverse();
+    const side = (values) => there.map((i) => this.pixel(band.x[i], values[i]).map(drawable).join(" "));
+    const [up, down] = [side(band.high), side(band.low).reverse()];
     if (there.length > 1) draw("path", { ...this.shade(band), d: `M${[...up, ...down].join("L")}Z` }, parent);
   }
 
@@ -151,14 +154,7 @@ class Plot {
   }
 
   watch() {
-    let width = 0;
-    new ResizeObserver(() => {
-      const now = this.live.clientWidth;
-      if (now && now !== width) {
-        width = now;
-        this.draw();
-      }
-    }).observe(this.live);
+    watchWidth(this.live, () => this.draw());
     this.svg.addEventListener("pointermove", (event) => this.move(event));
     this.svg.addEventListener("pointerdown", (event) => this.press(event));
     this.svg.addEventListener("pointerup", (event) => this.release(event));
@@ -170,7 +166,7 @@ class Plot {
 
   get size() {
     const width = Math.max(this.live.clientWidth, 240);
-    return [width, Math.min(Math.max(0.52 * width, 230), 380)];
+    return [width, clamp(0.52 * width, 230, 380)];
   }
 
   /** Pixels of a point of the diagram. */
@@ -235,8 +231,7 @@ class Plot {
     for (let i = 0; i < series.x.length; i += 1) {
       const [x, y] = this.pixel(series.x[i], series.y[i]);
       if (Number.isFinite(x) && Number.isFinite(y)) {
-        const [a, b] = [x, y].map((v) => Math.min(Math.max(v, -1e5), 1e5).toFixed(1));
-        path += `${pen ? "L" : "M"}${a} ${b}`;
+        path += `${pen ? "L" : "M"}${drawable(x)} ${drawable(y)}`;
         pen = true;
       } else {
         pen = false;
@@ -252,9 +247,7 @@ class Plot {
   }
 
   place(event) {
-    const box = this.svg.getBoundingClientRect();
-    const scale = this.size[0] / box.width;
-    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+    return pointerIn(this.svg, event, this.size[0]);
   }
 
   move(event) {
@@ -324,18 +317,11 @@ class Plot {
   /** The value of a curve at x: a sample, or between two samples. */
   valueAt(series, x) {
     const last = series.x.length - 1;
-    let [low, high] = [0, last];
     if (last < 0 || x < series.x[0] || x > series.x[last]) return null;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (series.x[middle] <= x) low = middle;
-      else high = middle;
-    }
-    const span = series.x[high] - series.x[low];
+    const [low, high, part] = around(series.x, x);
     const near = Math.abs(series.x[high] - x) < Math.abs(series.x[low] - x) ? high : low;
     const tiny = 1e-6 * (series.x[last] - series.x[0]);
     if (Math.abs(series.x[near] - x) <= tiny) return { value: series.y[near], exact: true };
-    const part = span > 0 ? (x - series.x[low]) / span : 0;
     return { value: series.y[low] + part * (series.y[high] - series.y[low]), exact: false };
   }
 
@@ -406,7 +392,7 @@ class Plot {
     const series = this.series.find((s) => s.visible && s.x.length);
     if (!series) return;
     const at = this.index ?? (this.cursor ? this.nearest(this.pixel(this.cursor.x, 0))?.i ?? 0 : 0);
-    this.index = Math.min(Math.max(at + by, 0), series.x.length - 1);
+    this.index = clamp(at + by, 0, series.x.length - 1);
     if (this.forward) this.show(series.x[this.index]);
     else this.showSample({ series, i: this.index });
     if (this.data.time) clock.set(series.x[this.index], this);
@@ -420,8 +406,4 @@ class Plot {
     if (factor > 1 && this.all.hidden) return;
     this.zoom([[middle + (x0 - middle) * factor, middle + (x1 - middle) * factor], ys]);
   }
-}
-
-for (const figure of document.querySelectorAll("figure[data-plot]")) {
-  new Plot(figure, DATA.plots[Number(figure.dataset.plot)]);
 }

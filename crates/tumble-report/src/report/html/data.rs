@@ -69,10 +69,7 @@ pub(super) fn mark(mark: &Mark) -> String {
 
 fn series_data(index: usize, series: &DataSeries) -> String {
     let (style, points) = (LineStyle::of(index), shortened(&series.points));
-    let column = |k: usize| {
-        let values = || points.iter().map(move |p| p[k]);
-        Grid::over(values(), STEPS).encode(values())
-    };
+    let column = |k: usize| Grid::encoded(points.iter().map(|p| p[k]), STEPS);
     object([
         ("label", label(&series.label)),
         ("style", (index % tumble_drawing::theme::PALETTE_SIZE).to_string()),
@@ -84,10 +81,7 @@ fn series_data(index: usize, series: &DataSeries) -> String {
 }
 
 fn band(band: &Band) -> String {
-    let column = |k: usize| {
-        let values = || band.points.iter().map(move |p| p[k]);
-        Grid::over(values(), STEPS).encode(values())
-    };
+    let column = |k: usize| Grid::encoded(band.points.iter().map(|p| p[k]), STEPS);
     object([
         ("label", label(&band.label)),
         ("style", (band.series % tumble_drawing::theme::PALETTE_SIZE).to_string()),

@@ -1,88 +1,38 @@
-//! Figures of the page: what stands there without scripts.
+//! Figures of the page: their numbers, and curves in words.
 
-use super::data::plot_data;
-use super::inline::{tagged, text};
-use super::motion::{motion_data, still};
 use super::page::Page;
-use crate::figures::captions;
-use crate::report::picture::{Chart, Picture};
+use crate::report::markup::Markup;
+use crate::report::picture::Chart;
 use crate::report::prose::Text;
-use tumble_drawing::Animation;
 use tumble_drawing::Label;
 use tumble_drawing::curves::{CurveFigure, DataSeries};
 use tumble_drawing::scale::Range;
 use tumble_drawing::svg::Svg;
 
-/// Pixels: on paper narrower drawings fit into half its width.
-const NARROW: f64 = 490.0;
 /// Digits of numbers in descriptions.
 const DIGITS: usize = 4;
 /// Curves that a description names one by one.
 const NAMED: usize = 12;
 
 impl Page {
-    /// A drawing with its caption.
-    pub(super) fn picture(&mut self, picture: &Picture) -> String {
-        let drawing = self.inline(&picture.svg);
-        let class = if picture.svg.width < NARROW { "drawing narrow" } else { "drawing" };
-        self.figure(class, &format!("<div class=\"sheet\">{drawing}</div>\n"), &picture.caption)
-    }
-
-    /// Drawings side by side where there is room.
-    pub(super) fn pictures(&mut self, pictures: &[Picture]) -> String {
-        let pictures: String = pictures.iter().map(|picture| self.picture(picture)).collect();
-        tagged("div", "figures", &pictures)
-    }
-
-    /// Curves one below the other.
-    pub(super) fn plots(&mut self, plots: &[Chart]) -> String {
-        let plots: String = plots.iter().map(|plot| self.plot(plot)).collect();
-        tagged("div", "plots", &plots)
-    }
-
-    fn plot(&mut self, plot: &Chart) -> String {
-        let description = description(plot);
-        let drawing = self.inline(&plot.figure.small_svg().described(description.clone()));
-        self.plots.push(plot_data(plot, &description));
-        let (number, title) = (self.plots.len() - 1, plot.figure.title.to_plain());
-        let content = format!("<div class=\"sheet still\">{drawing}</div>\n");
-        let name = if title.is_empty() { "Curves".to_owned() } else { title };
-        let data =
-            format!("plot\" data-plot=\"{number}\" data-name=\"{}", tumble_drawing::svg::escape(&name));
-        self.figure(&data, &content, &plot.caption)
-    }
-
-    /// A motion: a stroboscopic picture until a script makes it move.
-    pub(super) fn animation(&mut self, animation: &Animation) -> String {
-        if animation.cases.is_empty() {
-            return String::new();
-        }
-        let svg = still(animation);
-        let description = svg.description.clone();
-        let drawing = self.inline(&svg);
-        self.motions.push(motion_data(animation, &description));
-        let content = format!("<div class=\"sheet still\">{drawing}</div>\n");
-        let data = format!("motion\" data-motion=\"{}", self.motions.len() - 1);
-        format!("<h3>Motion</h3>\n{}", self.figure(&data, &content, &captions::motion(animation)))
-    }
-
-    fn inline(&mut self, svg: &Svg) -> String {
+    /// A drawing that has its number.
+    pub(super) fn inline(&mut self, svg: &Svg) -> String {
         self.figures += 1;
         svg.inline(&format!("figure-{}", self.figures))
     }
 
-    /// A figure with its number and caption; the class may end in further attributes.
-    fn figure(&self, class: &str, content: &str, caption: &Text) -> String {
-        let number = self.figures;
+    /// A drawing on a sheet with its number and caption; the class may end in further attributes.
+    pub(super) fn figure(&self, class: &str, sheet: &str, drawing: &str, caption: &Text) -> String {
+        let (number, caption) = (self.figures, Self::text(caption));
         format!(
-            "<figure class=\"{class}\">\n{content}<figcaption><span class=\"number\">Figure {number}.</span> {}</figcaption>\n</figure>\n",
-            text(caption)
+            "<figure class=\"{class}\">\n<div class=\"{sheet}\">{drawing}</div>\n\
+             <figcaption><span class=\"number\">Figure {number}.</span> {caption}</figcaption>\n</figure>\n"
         )
     }
 }
 
 /// The curves in words.
-pub(in crate::report) fn description(plot: &Chart) -> String {
+pub(super) fn description(plot: &Chart) -> String {
     if !plot.description.is_empty() {
         return plot.description.clone();
     }

@@ -6,7 +6,7 @@ mod inline;
 mod lab;
 mod motion;
 mod page;
-mod sections;
+mod parts;
 mod tables;
 #[cfg(test)]
 mod tests;

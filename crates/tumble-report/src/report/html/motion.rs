@@ -2,13 +2,12 @@
 
 use super::data::{label, mark};
 use crate::report::json::{Grid, list, number, object, string};
-use tumble_drawing::Label;
 use tumble_drawing::free_body::{Ground, GroundCircle, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
 use tumble_drawing::svg::Svg;
 use tumble_drawing::track::BodyPath;
-use tumble_drawing::{Animation, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink};
+use tumble_drawing::{Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink};
 
 /// Steps over the range of places and of forces: finer than a screen shows.
 const STEPS: f64 = 1e4;
@@ -42,8 +41,7 @@ pub(in crate::report) fn still(animation: &Animation) -> Svg {
 fn track(motion: &MovingCase, body: &MovingBody) -> BodyPath {
     let timed = motion.times.iter().zip(&body.poses).map(|(t, pose)| Pose { t: *t, ..*pose });
     let poses: Vec<Pose> = timed.collect();
-    let (from, to) =
-        (motion.times.first().copied().unwrap_or(0.0), motion.times.last().copied().unwrap_or(0.0));
+    let [from, to] = motion.span();
     let instant = |i: usize| from + (to - from) * i as f64 / (INSTANTS - 1) as f64;
     let nearest =
         |i: usize| poses.iter().min_by(|a, b| (a.t - instant(i)).abs().total_cmp(&(b.t - instant(i)).abs()));
@@ -122,7 +120,7 @@ fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }
-    let (from, to) = (motion.times[0], motion.times[count - 1]);
+    let [from, to] = motion.span();
     let at = |t: f64| motion.times.partition_point(|other| *other < t).min(count - 1);
     let even = (0..most).map(|i| at(from + (to - from) * i as f64 / (most - 1) as f64));
     let events = motion.events.iter().take(most).map(|event| at(event.at));
@@ -134,10 +132,9 @@ fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
 }
 
 fn case(motion: &MovingCase, frames: &[usize]) -> String {
-    let times = || frames.iter().map(|i| motion.times[*i]);
     object([
         ("name", label(&motion.name)),
-        ("times", Grid::over(times(), TIME_STEPS).encode(times())),
+        ("times", Grid::encoded(frames.iter().map(|i| motion.times[*i]), TIME_STEPS)),
         ("bodies", list(motion.bodies.iter().map(|b| body(b, frames)))),
         ("links", list(motion.links.iter().map(|l| link(l, frames)))),
         ("forces", list(motion.forces.iter().map(|f| force(f, frames)))),
@@ -151,7 +148,7 @@ fn case(motion: &MovingCase, frames: &[usize]) -> String {
 /// The values at the kept frames; the last one stays where there are too few.
 fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> String {
     let values: Vec<f64> = frames.iter().filter_map(|i| values.get(*i).or(values.last()).map(&of)).collect();
-    Grid::over(values.iter().copied(), STEPS).encode(values.iter().copied())
+    Grid::encoded(values.iter().copied(), STEPS)
 }
 
 fn body(body: &MovingBody, frames: &[usize]) -> String {

@@ -1,26 +1,26 @@
 //! The frame of the page: head, title, contents, sections, data, scripts.
 
-use super::inline::{paragraphs, tagged, text};
+use super::inline::tagged;
 use super::lab;
+use crate::report::markup::Markup;
+use crate::report::walk::{MOVES, Writer};
 use crate::report::{LESSON, Report, json};
-use crate::site::{Ways, url};
+use crate::site::{Ways, document, url};
 use tumble_drawing::svg::escape;
 
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
 
 /// Scripts in the order in which they run.
-const SCRIPTS: [&str; 6] = [
+const SCRIPTS: [&str; 8] = [
     include_str!("../assets/common.js"),
     include_str!("../assets/plots.js"),
     include_str!("../assets/arrows.js"),
+    include_str!("../assets/names.js"),
     include_str!("../assets/motion.js"),
     include_str!("../assets/folds.js"),
     include_str!("../assets/scroll.js"),
+    include_str!("../assets/page.js"),
 ];
-
-/// Names of the four moves with their anchors.
-const MOVES: [(&str, &str); 4] =
-    [("identify", "Identify"), ("model", "Model"), ("solve", "Solve"), ("analyze", "Analyze")];
 
 /// What gathers while the page is written.
 #[derive(Debug, Default)]
@@ -36,21 +36,20 @@ pub(super) struct Page {
 /// The page.
 pub(crate) fn page(report: &Report) -> String {
     let mut page = Page::default();
-    let sections: String = page.sections(report).concat();
-    let (head, header) = (head(report), header(report));
-    let (data, scripts) = (page.data(), SCRIPTS.concat());
-    let lab = report.lab.as_ref().map_or("", |_| lab::PANEL);
-    let language = if report.language.is_empty() {
-        String::new()
-    } else {
-        format!(" lang=\"{}\"", escape(&report.language))
+    let sections = page.sections(report).concat();
+    let (header, footer) = (header(report), tagged("footer", "", &Page::facts(&report.meta)));
+    let data = json::object([("plots", json::list(page.plots)), ("motions", json::list(page.motions))]);
+    let (panel, looks, lab) = match &report.lab {
+        Some(lab) => (lab::PANEL, lab::STYLE, lab::scripts(lab)),
+        None => ("", "", String::new()),
     };
-    format!(
-        "<!doctype html>\n<html{language}>\n{head}<body>\n{header}{lab}<main>\n{sections}</main>\n{}\
-         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n{}</body>\n</html>\n",
-        footer(&report.meta),
-        report.lab.as_ref().map(lab::scripts).unwrap_or_default()
-    )
+    let body = format!(
+        "{header}{panel}<main>\n{sections}</main>\n{footer}\
+         <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{}</script>\n{lab}",
+        SCRIPTS.concat()
+    );
+    let style = format!("{STYLE}{looks}{}", tumble_notation::page_font());
+    document([&report.title, &report.language], "", &style, &body)
 }
 
 /// The sections with their data, for a page that is there already.
@@ -59,7 +58,7 @@ pub(crate) fn parts(report: &Report) -> String {
     let sections = page.sections(report).map(|section| json::string(&section));
     let (plots, motions) = (json::list(page.plots), json::list(page.motions));
     json::object([
-        ("lead", json::string(&text(&report.lead))),
+        ("lead", json::string(&Page::text(&report.lead))),
         ("sections", json::list(sections)),
         ("plots", plots),
         ("motions", motions),
@@ -68,29 +67,9 @@ pub(crate) fn parts(report: &Report) -> String {
 
 impl Page {
     fn sections(&mut self, report: &Report) -> [String; 4] {
-        let contents = [
-            self.identify(&report.identify),
-            self.model(&report.model),
-            self.solve(&report.solve),
-            self.analyze(&report.analyze),
-        ];
+        let contents = self.moves(report);
         std::array::from_fn(|i| section(i + 1, &MOVES[i], &contents[i]))
     }
-
-    fn data(&self) -> String {
-        let (plots, motions) = (json::list(self.plots.clone()), json::list(self.motions.clone()));
-        json::object([("plots", plots), ("motions", motions)])
-    }
-}
-
-fn head(report: &Report) -> String {
-    let font = tumble_notation::page_font();
-    let lab = report.lab.as_ref().map_or("", |_| lab::STYLE);
-    format!(
-        "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{}</title>\n<style>\n{STYLE}{lab}{font}\n</style>\n</head>\n",
-        escape(&report.title)
-    )
 }
 
 fn header(report: &Report) -> String {
@@ -104,9 +83,9 @@ fn header(report: &Report) -> String {
         "{}<header>\n<h1>{}</h1>\n{}{}{}<nav aria-label=\"Sections\"><ol>{links}</ol></nav>\n</header>\n",
         report.ways.as_ref().map(Ways::html).unwrap_or_default(),
         escape(&report.title),
-        tagged("p", "lead", &text(&report.lead)),
+        tagged("p", "lead", &Page::text(&report.lead)),
         lesson.unwrap_or_default(),
-        paragraphs(&report.intro)
+        Page::paragraphs(&report.intro)
     )
 }
 
@@ -116,12 +95,4 @@ fn section(number: usize, (id, name): &(&str, &str), content: &str) -> String {
         "<section id=\"{id}\" aria-labelledby=\"{id}-heading\">\n<h2 id=\"{id}-heading\">\
          <span class=\"move\">{number}</span> {name}</h2>\n{content}</section>\n"
     )
-}
-
-fn footer(meta: &[(String, String)]) -> String {
-    let row = |(name, value): &(String, String)| {
-        format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
-    };
-    let rows = tagged("dl", "facts", &meta.iter().map(row).collect::<String>());
-    tagged("footer", "", &rows)
 }

@@ -1,6 +1,8 @@
 //! Tables as HTML.
 
-use super::inline::{tagged, text};
+use super::inline::tagged;
+use super::page::Page;
+use crate::report::markup::Markup;
 use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
 use crate::report::rows;
@@ -28,12 +30,12 @@ pub(super) fn table(table: &PrintedTable) -> String {
     let grid = grid(table, &cells(table));
     let grid = if table.rows.len() > FOLD { long(table, &grid) } else { grid };
     let notes = table.notes.iter().cloned().chain(table.all_rows());
-    let notes: String = notes.map(|note| tagged("p", "note", &text(&note))).collect();
+    let notes: String = notes.map(|note| tagged("p", "note", &Page::text(&note))).collect();
     if notes.is_empty() { grid } else { tagged("div", "", &(grid + &notes)) }
 }
 
 fn cells(table: &PrintedTable) -> Vec<Vec<String>> {
-    let cell = |row: &Vec<Text>, i: usize| row.get(i).map(text).unwrap_or_default();
+    let cell = |row: &Vec<Text>, i: usize| row.get(i).map(Page::text).unwrap_or_default();
     let cells = |row: &Vec<Text>| (0..table.columns.len()).map(|i| cell(row, i)).collect();
     table.rows.iter().map(cells).collect()
 }
@@ -89,12 +91,12 @@ fn grid(table: &PrintedTable, rows: &[Vec<String>]) -> String {
     };
     format!(
         "<div class=\"{class}{many}\"{long}>\n<table>\n{}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n",
-        tagged("caption", "", &text(&table.caption))
+        tagged("caption", "", &Page::text(&table.caption))
     )
 }
 
 fn heading(column: &Column) -> String {
-    format!("<th scope=\"col\"{}>{}</th>", class(column.align), text(&column.heading))
+    format!("<th scope=\"col\"{}>{}</th>", class(column.align), Page::text(&column.heading))
 }
 
 fn class(align: Align) -> &'static str {
@@ -109,7 +111,7 @@ fn line(columns: &[Column], kept: &[usize], row: &[String], (more, names): (bool
         let (content, class) = (&row[*i], class(columns[*i].align));
         // What is a name has none of its column.
         let is_named = names && !content.is_empty() && (n > 0 || !class.is_empty());
-        let head = if is_named { text(&columns[*i].heading) } else { String::new() };
+        let head = if is_named { Page::text(&columns[*i].heading) } else { String::new() };
         let head = if head.is_empty() { head } else { format!("<span class=\"head\">{head} </span>") };
         match n {
             0 => format!("<th scope=\"row\"{class}>{head}{content}</th>"),
@@ -131,18 +133,4 @@ pub(super) fn checks(checks: &[CheckRow]) -> String {
         row[rows::RESULT] = format!("<span class=\"{class}\">{result}</span>");
     }
     grid(&table, &cells)
-}
-
-/// Names and values.
-pub(super) fn facts(facts: &[(Text, Text)]) -> String {
-    let facts: String = facts
-        .iter()
-        .map(|(name, value)| format!("<div><dt>{}</dt><dd>{}</dd></div>\n", text(name), text(value)))
-        .collect();
-    tagged("dl", "facts", &facts)
-}
-
-/// Content below a heading of its own; nothing for no content.
-pub(super) fn titled(title: &str, content: &str) -> String {
-    if content.is_empty() { String::new() } else { format!("<h3>{title}</h3>\n{content}") }
 }

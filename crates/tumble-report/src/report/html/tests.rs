@@ -3,8 +3,7 @@ use tumble_drawing::curves::{CurveFigure, DataSeries, Mark};
 use tumble_drawing::free_body::{Ground, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::svg::Svg;
-use tumble_drawing::{Animation, MovingBody, MovingCase, MovingForce, MovingLink};
-use tumble_drawing::{Axis, Label};
+use tumble_drawing::{Animation, Axis, Label, MovingBody, MovingCase, MovingForce, MovingLink};
 
 /// Ends every kind of context that it could stand in.
 const HOSTILE: &str = "</script></style></title></svg></math><script>alert(1)</script><img src=x onerror=alert(1)>\"'><!--\u{2028}]]>";

@@ -5,14 +5,7 @@
   const PLAYER = document.currentScript.dataset.player;
   const frames = new Map();
 
-  /** A text, packed for an address. */
-  const packed = async (text) => {
-    const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
-    const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-    return btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-  };
-
-  const address = async ({ scene, page }) => (scene === undefined ? `${page}#embed` : `${PLAYER}#embed&scene=${await packed(scene)}`);
+  const address = async ({ scene, page }) => (scene === undefined ? `${page}#embed` : `${PLAYER}#embed&scene=${await packedText(scene)}`);
 
   const open = async (box, button) => {
     const frame = document.createElement("iframe");

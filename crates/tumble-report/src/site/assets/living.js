@@ -28,7 +28,7 @@ class Living extends Player {
 
   tick(now) {
     super.tick(now);
-    if (this.playing || this.time < this.start + this.duration - 1e-12) return;
+    if (this.playing || !this.isOver) return;
     setTimeout(() => this.isSeen && !this.isStopped && !this.playing && this.play(), REST_BETWEEN);
   }
 }

@@ -1,0 +1,86 @@
+//! Newton's laws for a body, each load by its symbol.
+
+use crate::report::Block;
+use tumble_expr::{Expr, Symbol, is_identically_zero};
+use tumble_mech::Term;
+use tumble_notation::{Left, Math};
+use tumble_scene::Study;
+
+use super::forces::is_on_other;
+use super::names::Names;
+use super::sum;
+use crate::figures::symbols;
+use crate::results::Case;
+
+/// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
+pub(super) fn of(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
+    let run = case.run.of_body(body);
+    let modes = run.trajectory().modes.iter();
+    let terms = modes.flat_map(|mode| case.run.equations.shown_terms(mode));
+    let terms = distinct(terms.filter(|term| term.body == body).collect());
+    laws_of(study, names, case, (body, &terms), "Newton's laws")
+}
+
+fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[Term]), title: &str) -> Block {
+    let kinematics = study.model.bodies[body].kinematics();
+    let mass = case.run.equations.mass_properties(body);
+    let component = |axis: usize| {
+        let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
+        let signed = |term| {
+            let component = component(study, names, term, axis);
+            let is_opposite = is_on_other(&case.run.equations, term) && term.force[axis].symbols().len() > 1;
+            if is_opposite { -component } else { component }
+        };
+        sum(parts.map(signed))
+    };
+    let turns =
+        |term: &&Term| !is_identically_zero(&term.torque()) && names.formula(&term.torque()).text != "0";
+    let torque = terms.iter().filter(turns);
+    let torque = torque.map(|term| {
+        let force = symbols::force(study, &term.load, term.law);
+        let name = if term.law.is_couple() { force } else { symbols::torque(&force) };
+        Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
+    });
+    let torque = sum(torque);
+    let [ax, ay] = kinematics.acceleration_symbols();
+    let left = |factor: &Expr, symbol: &Symbol| Left::times(factor, Math::symbol(names.shown(&symbol.name)));
+    let (m, inertia) = (&names.mass(&mass.mass), &mass.inertia);
+    // The right sides are accelerations: the factor of the left side is multiplied on.
+    let mut lines = vec![(left(m, &ax), component(0) / m), (left(m, &ay), component(1) / m)];
+    if !is_identically_zero(inertia) {
+        lines.push((left(inertia, &kinematics.alpha_symbol()), torque / inertia));
+    }
+    names.with_inertia(study, body, inertia).block(title, &lines)
+}
+
+/// A component of a force by its symbol.
+fn component(study: &Study, names: &Names, term: &Term, axis: usize) -> Expr {
+    let force = symbols::force(study, &term.load, term.law);
+    // What is along an axis has its symbol, with the sign that it acts with.
+    let own = term.force[axis].symbols();
+    let is_own = |symbol: &Symbol| is_multiplier(study, symbol) || names.shown(&symbol.name) == force;
+    if !own.is_empty() && own.iter().all(is_own) {
+        return term.force[axis].clone();
+    }
+    Symbol::new(symbols::below(&force, ["x", "y"][axis]), tumble_expr::Dimension::FORCE).into()
+}
+
+/// Whether a symbol stands for a force that follows from conditions.
+fn is_multiplier(study: &Study, symbol: &Symbol) -> bool {
+    let contacts = study.model.pairs();
+    let joints = study.model.joints.iter().flat_map(tumble_mech::Joint::multipliers);
+    let pivots = study.model.pivots.iter().flat_map(tumble_mech::Pivot::force_symbols);
+    contacts.iter().any(|pair| pair.force_symbol() == *symbol)
+        || joints.chain(pivots).any(|known| known == *symbol)
+}
+
+/// The first term of each load.
+fn distinct(terms: Vec<Term>) -> Vec<Term> {
+    let mut found: Vec<Term> = vec![];
+    for term in terms {
+        if !found.iter().any(|known| known.load == term.load) {
+            found.push(term);
+        }
+    }
+    found
+}
