@@ -423,7 +423,6 @@ impl Patch {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::contact::certain::tests::{Draw, random};
 
     /// Much friction may hold one choice with several sets of contacts: of some thousand problems a few are solved by trying these alone.
