@@ -192,10 +192,12 @@ async function dragged(browser) {
   const before = await numbers(page);
   const handle = page.locator("#play .grip").last();
   await handle.scrollIntoViewIfNeeded();
-  const middle = async () => {
-    const { x, y, width, height } = await handle.boundingBox();
-    return [x + width / 2, y + height / 2];
-  };
+  // Measured within the page: between two questions from outside it is drawn anew.
+  const middle = () =>
+    page.evaluate(() => {
+      const { x, y, width, height } = [...document.querySelectorAll("#play .grip")].at(-1).getBoundingClientRect();
+      return [x + width / 2, y + height / 2];
+    });
   const [x, y] = await middle();
   await page.mouse.move(x, y);
   await page.mouse.down();
