@@ -58,9 +58,11 @@ fn formatting(workspace: &Workspace) -> Result<()> {
     workspace.cargo(["fmt", "--all", "--check"]).run()
 }
 
+/// Of the workspace, and of the facade without its features.
 fn lints(workspace: &Workspace) -> Result<()> {
-    let arguments = ["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"];
-    workspace.cargo(arguments).run()
+    workspace.cargo(["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]).run()?;
+    let bare = ["clippy", "-p", "tumble", "--no-default-features", "--all-targets", "--locked"];
+    workspace.cargo(bare).args(["--", "-D", "warnings"]).run()
 }
 
 /// Unit, property, scene and document tests in one build.

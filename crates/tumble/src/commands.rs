@@ -8,7 +8,8 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use tumble::gallery::{self, GalleryError, Shown};
 #[cfg(feature = "png")]
-use tumble::pipeline::{self, AnimationOptions, Options, Outcome, PipelineError};
+use tumble::pipeline::AnimationOptions;
+use tumble::pipeline::{self, Options, Outcome, PipelineError};
 use tumble::{CaseError, ReportForm};
 use tumble_report::results::count;
 use tumble_scene::{Diagnostics, printable};
