@@ -42,7 +42,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::rough::{Patch, Rough};
 
 /// What is taken off besides, so that no rounding makes it certain.
-const SPARE: f64 = 1e-6;
+pub(super) const SPARE: f64 = 1e-6;
 
 impl Rough<'_> {
     /// Whether no forces leave more than one motion possible, by the friction alone; of as many freedoms.

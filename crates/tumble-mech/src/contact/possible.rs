@@ -40,6 +40,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::contact::certain::SPARE;
 use crate::contact::complementarity::DEPENDENT;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::rough::{Patch, Pushes, Rough};
@@ -50,9 +51,6 @@ use crate::linear_program::best;
 const ONE: f64 = 1e-6;
 /// What is left of an equation, or is lacking in a condition, in units of what is zero: elimination has made it larger.
 const LEFT: f64 = 100.0;
-
-/// Responses are positive definite if they are with this part less of their own, so that no rounding makes them so.
-const DEFINITE: f64 = 1e-6;
 
 /// Motions that differ.
 pub(super) struct Motions {
@@ -114,11 +112,11 @@ impl Rough<'_> {
             grip => *grip,
         };
         let grips: Vec<Grip> = self.patches.iter().zip(grips).map(begins).collect();
-        let (across, _) = self.across(&grips)?;
-        let mut mean = (&across + across.transpose()) / 2.0;
-        (0..mean.nrows()).for_each(|i| mean[(i, i)] *= 1.0 - DEFINITE);
+        let reduced = self.reduced(&grips)?;
+        let mut mean = (&reduced.matrix + reduced.matrix.transpose()) / 2.0;
+        (0..mean.nrows()).for_each(|i| mean[(i, i)] *= 1.0 - SPARE);
         mean.cholesky()?;
-        let found = self.attempt(&grips)?;
+        let found = self.solved(&grips, reduced)?;
         let sticking = grips.iter().filter(|grip| **grip == Grip::Sticks).count();
         (found.holding.len() == sticking).then_some(found.held)
     }

@@ -83,9 +83,9 @@ struct Tie {
 }
 
 /// The problem along the normals that is left once friction is eliminated.
-struct Reduced {
-    matrix: DMatrix<f64>,
-    without: DVector<f64>,
+pub(super) struct Reduced {
+    pub(super) matrix: DMatrix<f64>,
+    pub(super) without: DVector<f64>,
     friction: Vec<Tie>,
     holding: Vec<usize>,
     /// What holds, without pushes and for each unit of them.
@@ -245,19 +245,19 @@ impl Rough<'_> {
         Some(self.complete(grips, reduced, &held, &pushes))
     }
 
-    /// Responses along the normals for a choice of grips, and what gaps do without pushes there.
-    pub(super) fn across(&self, grips: &[Grip]) -> Option<(DMatrix<f64>, DVector<f64>)> {
-        self.reduced(grips).map(|reduced| (reduced.matrix, reduced.without))
-    }
-
     /// The solution for a choice of grips, whether or not friction allows it.
     pub(super) fn attempt(&self, grips: &[Grip]) -> Option<Pushes> {
-        let reduced = self.reduced(grips)?;
+        self.solved(grips, self.reduced(grips)?)
+    }
+
+    /// The same of the problem that is left.
+    pub(super) fn solved(&self, grips: &[Grip], reduced: Reduced) -> Option<Pushes> {
         let (held, pushes) = pushing(&reduced.matrix, &reduced.without)?;
         Some(self.complete(grips, reduced, &held, &pushes))
     }
 
-    fn reduced(&self, grips: &[Grip]) -> Option<Reduced> {
+    /// The problem along the normals that a choice of grips leaves.
+    pub(super) fn reduced(&self, grips: &[Grip]) -> Option<Reduced> {
         let friction = self.ties(grips);
         let mut columns = DMatrix::from_fn(self.response.nrows(), self.contacts.len(), |row, index| {
             self.response[(row, self.contacts[index])]

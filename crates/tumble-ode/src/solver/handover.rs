@@ -31,7 +31,7 @@ pub struct Carried {
     /// Events since time last passed.
     at_once: u64,
     guards: GuardSigns,
-    /// Bytes that all motions beside each other hold.
+    /// What all motions beside each other hold.
     held: Rc<Cell<Held>>,
 }
 

@@ -137,8 +137,9 @@ impl Settling<'_> {
         let grips: Vec<Grip> = patches.iter().map(grip).collect();
         let of = |patches: &[Patch], grips: &[Grip]| {
             let rough = self.rough(some, patches, self.accelerations());
-            let ((response, free), Pushes { pushes, then, .. }) =
-                (rough.across(grips)?, rough.attempt(grips)?);
+            let reduced = rough.reduced(grips)?;
+            let (response, free) = (reduced.matrix.clone(), reduced.without.clone());
+            let Pushes { pushes, then, .. } = rough.solved(grips, reduced)?;
             Some(Pressed { response, free, pushes: self.some(some, &pushes), then })
         };
         of(&patches, &grips).or_else(|| of(&[], &[]))

@@ -76,7 +76,7 @@ impl Settling<'_> {
 
     /// How much a push at one of some contacts moves it while the others hold, 1/kg.
     fn yielding(&self, held: &[usize], position: usize, patches: &[Patch], grips: &[Grip]) -> Option<f64> {
-        let (across, _) = self.forces(held, patches).across(grips)?;
+        let across = self.forces(held, patches).reduced(grips)?.matrix;
         let place = held.iter().position(|known| *known == position)?;
         let mut unit = DVector::zeros(held.len());
         unit[place] = 1.0;
