@@ -30,7 +30,10 @@ pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
         forget(&registry)?;
     }
     let arguments = ["package", "--workspace", "--exclude", "xtask", "--locked", "--allow-dirty"];
-    workspace.cargo(arguments).arg("--target-dir").arg(&folder).run()
+    // What is built is not run: nobody debugs it, and it is built once.
+    let bare = [("CARGO_PROFILE_DEV_DEBUG", "none"), ("CARGO_INCREMENTAL", "0")];
+    let packaging = workspace.cargo(arguments).arg("--target-dir").arg(&folder);
+    bare.into_iter().fold(packaging, |packaging, (name, value)| packaging.env(name, value)).run()
 }
 
 fn cargo_home() -> Result<PathBuf> {

@@ -24,6 +24,8 @@ pub(crate) struct Known<'a> {
     pub(crate) roots: &'a dyn Fn() -> usize,
     /// What its rounding error is a unit in the last place of.
     pub(crate) size: f64,
+    /// What is not larger than this has no effect.
+    pub(crate) nothing: f64,
 }
 
 /// Whether all zeros on the stretch are known.
@@ -32,7 +34,8 @@ pub(crate) fn is_settled(bounds: &Bounds<'_>, known: Known<'_>) -> bool {
     if known.zeros >= ORDER || divided.range(0).definite_sign() != 0.0 {
         return true;
     }
-    if known.zeros == 0 && known.size.is_finite() && bounds.range(0).magnitude() <= FLAT * known.size {
+    let flat = if known.zeros == 0 && known.size.is_finite() { FLAT * known.size } else { 0.0 };
+    if bounds.range(0).magnitude() <= flat.max(known.nothing) {
         return true;
     }
     let ends = Ends {

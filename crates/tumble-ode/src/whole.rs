@@ -104,6 +104,8 @@ struct Watched<'a> {
     sign: f64,
     /// Sum of the sizes of what it is made of, at the start of the step.
     size: f64,
+    /// What has no effect along the step.
+    nothing: f64,
     found: OnceCell<SmallVec<[f64; 4]>>,
 }
 
@@ -134,6 +136,7 @@ impl<'a> Watched<'a> {
             sign: if first < series.len() { term(first).signum() } else { 0.0 },
             ends_at_zero: is_hit || (largest.is_finite() && end.abs() <= VANISHES * largest),
             size: size + offset.abs(),
+            nothing: 0.0,
             found: OnceCell::new(),
         }
     }
@@ -155,6 +158,7 @@ impl<'a> Watched<'a> {
             ends_at_zero: high == length && self.ends_at_zero,
             roots: &roots,
             size: self.size,
+            nothing: self.nothing,
         };
         is_settled(&bounds.less(self.offset), known)
     }
@@ -282,7 +286,7 @@ impl Engine {
         let mut enclosure = self.enclosure.take().unwrap_or_else(made);
         let path = step.path();
         self.weigh(step.expansion);
-        let watched = self.watched(step);
+        let watched = self.watched(step, demand);
         let vanishing = self.vanishing(step);
         let [nothing, at_start, at_end] = &vanishing;
         let mut halvings = self.halvings;
@@ -350,7 +354,7 @@ impl Engine {
     }
 
     /// Functions of the tape whose zeros are watched, each with its slot.
-    fn watched<'a>(&self, step: Stretch<'a>) -> SmallVec<[(Slot, Watched<'a>); 4]> {
+    fn watched<'a>(&self, step: Stretch<'a>, demand: &Demand<'_>) -> SmallVec<[(Slot, Watched<'a>); 4]> {
         let Stretch { expansion, length, hits } = step;
         let tape = &self.system.tape;
         let active = self.active();
@@ -372,17 +376,10 @@ impl Engine {
         let first = self.system.len() + usize::from(self.system.transformed);
         let guards = expansion.guards.iter().enumerate().map(|(guard, series)| {
             let is_hit = hits.contains(&Hit::Guard(guard));
-            let slot = tape.outputs()[first + guard];
-            (
-                slot,
-                Watched::new(
-                    (What::Guard(guard), series, 0.0),
-                    self.size_of(slot),
-                    self.zeros_of_guard(guard),
-                    is_hit,
-                    length,
-                ),
-            )
+            let (slot, zeros) = (tape.outputs()[first + guard], self.zeros_of_guard(guard));
+            let of = (What::Guard(guard), &series[..], 0.0);
+            let nothing = self.moves_nothing(guard, (expansion, length), demand.scales);
+            (slot, Watched { nothing, ..Watched::new(of, self.size_of(slot), zeros, is_hit, length) })
         });
         let tables = tape.tables().iter().enumerate().filter(|(lookup, _)| active.tables[*lookup]);
         let knots = tables.flat_map(|(lookup, table)| {

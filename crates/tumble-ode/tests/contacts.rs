@@ -285,3 +285,21 @@ fn a_guard_that_is_kept_crosses_again_where_its_jump_left_it_away_from_zero() {
     let times = times(&motion);
     assert!(times.len() == 2 && times[1] - times[0] < 1e-14, "{times:?}");
 }
+
+/// A force of -1e-60 moves nothing within any step, and no range of it, which has twins cancel, knows its sign: steps need not be
+/// shorter for that. What moves something is still located.
+#[test]
+fn the_sign_of_a_force_that_moves_nothing_need_not_be_known() {
+    let rates = || vec![("x", leaf("v")), ("v", -leaf("x")), ("y", leaf("w")), ("w", -leaf("y"))];
+    let held = |force: f64, coupling: f64| Guard {
+        at_zero: AtZero::EndsIfItMoves { response: Expr::one(), group: 0 },
+        ..guard("held", Expr::from(force) + Expr::from(coupling) * (leaf("x") - leaf("y")))
+    };
+    let jump = |at: &Crossing<'_, i32>| Jump::to(*at.mode, at.states.to_vec());
+    let with = |guards| Toy { rates: rates(), guards, lazy_guards: vec![], invariants: vec![], jump };
+    let start = [1.0, 0.0, 1.0, 0.0];
+    let steps = |toy: &Toy| run(toy, &start, 20.0).work.steps;
+    assert_eq!(steps(&with(vec![held(-1e-60, 1e-40)])), steps(&with(vec![])));
+    let pulls = run(&with(vec![held(-1e-3, 1e-40)]), &start, 20.0);
+    assert_eq!(times(&pulls)[..1], [0.0]);
+}

@@ -232,19 +232,31 @@ impl Engine {
         match self.system.guard_limits[guard] {
             Limit::None | Limit::Kept(_) | Limit::IfBeyond(_) => false,
             Limit::Always => is_overdue(series, zeros, direction),
-            Limit::IfItMoves(response, group) => {
+            Limit::IfItMoves(..) => {
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
                 // What is beyond zero and comes back moves something until then only.
                 let back = if is_beyond { roots(series, length).first().map(|root| root.at) } else { None };
                 let until = back.unwrap_or(length);
-                let time = expansion.time.as_ref();
-                let elapsed = time.map_or(until, |series| polynomial::increment(series, until));
                 let most = [0.0, 0.5 * until, until].map(|s| polynomial::value(series, s).abs());
                 let push = if back.is_some() { most[0].max(most[1]) } else { most[2] };
-                let moves = response * push * elapsed * elapsed > ROUNDING * scales.of(group);
+                let moves = push > self.moves_nothing(guard, (expansion, until), scales);
                 (is_beyond || is_overdue(series, zeros, direction)) && moves
             }
         }
+    }
+
+    /// What a guard may be without moving anything along a step of that length; zero where its sign is all that counts.
+    pub(crate) fn moves_nothing(
+        &self,
+        guard: usize,
+        (expansion, length): (&Expansion, f64),
+        scales: &Scales,
+    ) -> f64 {
+        let Limit::IfItMoves(response, group) = self.system.guard_limits[guard] else { return 0.0 };
+        let time = expansion.time.as_ref();
+        let elapsed = time.map_or(length, |series| polynomial::increment(series, length));
+        let rounding = ROUNDING * scales.of(group);
+        if rounding > 0.0 { rounding / (response * elapsed * elapsed) } else { 0.0 }
     }
 }
 

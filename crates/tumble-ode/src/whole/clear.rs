@@ -14,6 +14,7 @@ use tumble_expr::{Bernstein, Slot};
 use super::{Demand, Doubt, Stretch, Unknown, VANISHES};
 use crate::engine::{Engine, Hit};
 use crate::expansion::Expansion;
+use crate::scale::Scales;
 
 /// What is zero at the end of a step is so but for this part of it.
 const END: f64 = 1e-9;
@@ -38,7 +39,7 @@ impl Engine {
             return Clear::Not;
         }
         let found = self.disobedient(expansion, length, demand);
-        if !self.keeps_away(expansion, length, hits) {
+        if !self.keeps_away(step, demand.scales) {
             return Clear::Not;
         }
         let Some(state) = found else { return Clear::Whole };
@@ -87,17 +88,19 @@ impl Engine {
     }
 
     /// Whether nothing that is watched comes to zero within a step: at its start what is zero now, at its end what ends it.
-    fn keeps_away(&self, expansion: &Expansion, length: f64, hits: &[Hit]) -> bool {
+    fn keeps_away(&self, step: Stretch<'_>, scales: &Scales) -> bool {
+        let Stretch { expansion, length, hits } = step;
         let (tape, active) = (&self.system.tape, self.active());
         let is_hit = |hit: &dyn Fn(&Hit) -> bool| hits.iter().any(hit);
         let branch = |(branch, (slot, series)): (usize, (&Slot, &[f64]))| {
             let ends = is_hit(&|hit| matches!(hit, Hit::Branch(hit, _) if *hit == branch));
             let zeros = usize::from(self.is_zero_branch(branch));
-            !active.branches[branch] || self.is_away((*slot, series, 0.0), length, (zeros, ends))
+            !active.branches[branch] || self.is_away((*slot, series, 0.0), length, (zeros, ends), 0.0)
         };
         let guard = |(guard, (slot, series)): (usize, (&Slot, &[f64]))| {
             let ends = is_hit(&|hit| *hit == Hit::Guard(guard));
-            self.is_away((*slot, series, 0.0), length, (self.zeros_of_guard(guard), ends))
+            let nothing = self.moves_nothing(guard, (expansion, length), scales);
+            self.is_away((*slot, series, 0.0), length, (self.zeros_of_guard(guard), ends), nothing)
         };
         let guards = &tape.outputs()[self.system.len()..];
         tape.guards().iter().zip(expansion.branches.iter()).enumerate().all(branch)
@@ -112,20 +115,25 @@ impl Engine {
         let tape = &self.system.tape;
         let (table, segment) = (&tape.tables()[lookup], self.signs()[tape.guards().len() + lookup] as usize);
         let mut ends = table.table.0.ends(segment).into_iter().filter(|knot| knot.is_finite());
-        ends.all(|knot| self.is_away((table.of, series, knot), length, (0, false)))
+        ends.all(|knot| self.is_away((table.of, series, knot), length, (0, false), 0.0))
     }
 
-    /// Whether a function, less an offset, has no zero along a step, but so many at its start, and perhaps one at its end.
+    /// Whether a function, less an offset, has no zero along a step, but so many at its start, and perhaps one at its end; or is not
+    /// larger than what has no effect.
     fn is_away(
         &self,
         (slot, series, offset): (Slot, &[f64], f64),
         length: f64,
         (zeros, ends): (usize, bool),
+        nothing: f64,
     ) -> bool {
         let powers = std::iter::successors(Some(1.0), |power| Some(power * length));
         let term = |(k, (c, power)): (usize, (&f64, f64))| if k == 0 { c - offset } else { c * power };
         let terms = series.iter().zip(powers).enumerate().map(term);
         let size = terms.clone().map(f64::abs).sum::<f64>();
+        if size + self.remainders.of(slot) <= nothing {
+            return true;
+        }
         let own = if zeros == 0 { VANISHES * (self.size_of(slot) + offset.abs()) } else { 0.0 };
         let noise = own.max(f64::EPSILON * size) + self.remainders.of(slot);
         let mut terms = terms.skip(zeros);
