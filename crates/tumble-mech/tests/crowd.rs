@@ -96,6 +96,18 @@ fn deepest(run: &Run, time: f64) -> f64 {
     gaps.into_iter().fold(f64::INFINITY, f64::min)
 }
 
+/// Bodies that move, with their velocities and rates of turning, m/s and rad/s.
+fn moving(run: &Run, time: f64) -> Vec<String> {
+    let velocities = |body: &Body| {
+        let motion = body.kinematics();
+        let formulas = [motion.velocity().components(), &[motion.omega()]].concat();
+        run.observe(&formulas).expect("velocities").at(time, Side::After).expect("within the run")
+    };
+    let bodies = run.equations.model().bodies.iter().map(|body| (&body.name, velocities(body)));
+    let moves = |rates: &[f64]| rates.iter().any(|rate| rate.abs() > 1e-9);
+    bodies.filter(|(_, rates)| moves(rates)).map(|(name, rates)| format!("{name} {rates:?}")).collect()
+}
+
 /// Why a scene failed, if it did.
 fn attack(seed: u64, is_rough: bool, until: f64) -> Result<(), String> {
     let accuracy = Accuracy::new(1e-10).expect("an accuracy");
@@ -274,6 +286,8 @@ fn a_pile_of_disks_comes_to_rest() {
     println!("{events} events, {work:?} after {:.1} s", begun.elapsed().as_secs_f64());
     assert_eq!(refusal, None);
     let end = run.end().expect("it is not empty");
-    assert!(run.rest().expect("a motion").is_some_and(|rest| rest <= end), "it moves at {end} s");
+    let moving = moving(&run, end);
+    assert!(moving.is_empty(), "at {end} s: {moving:#?}");
+    assert!(run.rest().expect("a motion").is_some_and(|rest| rest <= end), "it comes to rest by {end} s");
     assert!(deepest(&run, end) > -DEEP * SIDE);
 }

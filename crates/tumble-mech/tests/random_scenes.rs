@@ -286,6 +286,14 @@ fn nothing_gets_into_each_other_or_gains_energy() {
     assert!(failed.is_empty(), "{failed:#?}");
 }
 
+/// Each contact of this heap could be held, and all of them together cannot.
+#[test]
+fn painleves_paradox_of_several_contacts_is_named() {
+    let refused = outcome(806_719, 6, 1.0).expect_err("no forces hold it");
+    assert!(refused.contains("Painleve's paradox, of several contacts"), "{refused}");
+    assert!(refused.contains("slides with the kinetic coefficient"), "{refused}");
+}
+
 /// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100 COUNT=10`.
 #[test]
 #[ignore = "takes minutes"]

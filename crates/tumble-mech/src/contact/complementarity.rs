@@ -24,11 +24,25 @@ const ROUNDS: usize = 10;
 /// A solution z: the w are the same for all solutions, and so is the motion. `None` if there is none: contacts close that nothing
 /// parts, or numbers are not finite.
 pub(crate) fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
-    pushing(a, b).map(|(_, z)| z)
+    some_that_push(a, b).map(|(_, z)| z)
 }
 
 /// A largest set of contacts that push independently, in order, and the solution with their pushes. Some may push with no force.
 pub(crate) fn pushing(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>, DVector<f64>)> {
+    let (mut set, mut z) = some_that_push(a, b)?;
+    // A contact that stands still without a push may join a set: every set that cannot be enlarged is as large as the rank.
+    let (w, zero) = (b + a * &z, rounding(a, b, &z));
+    for contact in (0..b.len()).filter(|contact| w[*contact] <= zero) {
+        let grown = with(&set, contact);
+        if let (false, Some(same)) = (set.contains(&contact), by_set(a, b, &grown)) {
+            (set, z) = (grown, same);
+        }
+    }
+    Some((set, z))
+}
+
+/// Contacts that push, independent of each other, and the solution with their pushes.
+fn some_that_push(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>, DVector<f64>)> {
     // With friction that is tied to pushes, pushes may be found that close what opens without them.
     let none = DVector::zeros(b.len());
     if b.iter().all(|opens| *opens > rounding(a, b, &none)) {
@@ -39,15 +53,7 @@ pub(crate) fn pushing(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(Vec<usize>,
     if let Some(z) = by_set(a, b, &all) {
         return Some((all, z));
     }
-    let (mut set, mut z) = active_set(a, b).or_else(|| by_pivoting(a, b))?;
-    // A contact that stands still without a push may join a set: every set that cannot be enlarged is as large as the rank.
-    for contact in all {
-        let grown = with(&set, contact);
-        if let (false, Some(same)) = (set.contains(&contact), by_set(a, b, &grown)) {
-            (set, z) = (grown, same);
-        }
-    }
-    Some((set, z))
+    active_set(a, b).or_else(|| by_pivoting(a, b))
 }
 
 /// The solution in which just these contacts stand still.

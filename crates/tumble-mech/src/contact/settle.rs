@@ -204,7 +204,9 @@ impl<'a> Settling<'a> {
         }
         let (found, then) = match self.hold(&without, &members) {
             Some(held) => held,
-            None => self.hold(&members, &members).ok_or_else(|| self.without_forces(&members, &jump.mode))?,
+            None => {
+                self.hold(&members, &members).ok_or_else(|| self.without_forces(&members, touched, jump))?
+            }
         };
         self.then = then;
         let lasting = Lasting { modes: found, rubbing: None };

@@ -94,6 +94,7 @@ impl Settling<'_> {
             restitution: &self.some(&members, &self.touch.restitution),
             free: &free,
             lowest,
+            resolution: f64::EPSILON * self.now.time.abs(),
         };
         let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate))?;
         (AT_ONCE * time <= self.next_without(&members, &then)).then_some(Ending { members, time, slow })

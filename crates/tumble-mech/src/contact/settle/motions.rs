@@ -27,6 +27,12 @@ impl Settling<'_> {
         }
     }
 
+    /// Whether there are motions without an impact; `None` where they are too many to be examined.
+    pub(super) fn has_motions(&self, some: &[usize], patches: &[Patch]) -> Option<bool> {
+        let forced: Vec<Option<Way>> = patches.iter().map(|patch| patch.slips).collect();
+        self.motions(some, patches, &forced).map(|motions| !motions.found.is_empty() || motions.is_unbounded)
+    }
+
     /// What else may be possible than what was found for some contacts; refused where what was found does not go on as before.
     pub(super) fn other_motions(
         &self,

@@ -169,7 +169,7 @@ impl Settling<'_> {
             Some(rubbing) => (some, rubbing),
             None => {
                 let found = self.rub([all, all], touched, jump)?;
-                (all, found.ok_or_else(|| self.without_forces(all, &jump.mode))?)
+                (all, found.ok_or_else(|| self.without_forces(all, touched, jump))?)
             }
         };
         self.refuse_undetermined(some, &rubbing)?;

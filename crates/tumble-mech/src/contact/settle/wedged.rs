@@ -95,8 +95,8 @@ impl Settling<'_> {
         }
     }
 
-    /// Why some contacts have no forces: loads that read them feed back too much of them, or else what nobody knows.
-    pub(super) fn without_forces(&self, some: &[usize], mode: &Mode) -> Reason {
+    /// Why some contacts have no forces: loads that read them feed back too much of them, friction leaves none, or else what nobody knows.
+    pub(super) fn without_forces(&self, some: &[usize], touched: &Touched, jump: &Jump<Mode>) -> Reason {
         let own = |matrix: DMatrix<f64>| match matrix.try_inverse() {
             Some(inverse) => inverse.diagonal().map(|push| 1.0 / push),
             None => DVector::zeros(some.len()),
@@ -105,9 +105,34 @@ impl Settling<'_> {
         let least =
             (0..some.len()).filter(|i| left[*i] <= WEDGED).min_by(|i, j| left[*i].total_cmp(&left[*j]));
         match least {
-            Some(index) if self.touch.is_fed() => self.jammed(some[index], left[index], mode),
-            _ => self.unsolved("contact"),
+            Some(index) if self.touch.is_fed() => self.jammed(some[index], left[index], &jump.mode),
+            _ => self.paradox(some, touched, jump).unwrap_or_else(|| self.unsolved("contact")),
         }
+    }
+
+    /// Painleve's configuration of several contacts by its name: what slips goes on so, and whichever of them press, stick or begin to
+    /// slide, no forces are as friction has them. `None` where some are.
+    fn paradox(&self, some: &[usize], touched: &Touched, jump: &Jump<Mode>) -> Option<Reason> {
+        let mut patches = self.patches(&[some, &self.pressed(jump)].concat(), true);
+        for patch in &mut patches {
+            patch.slips = self.slips_now(patch, touched);
+        }
+        if self.has_motions(some, &patches)? {
+            return None;
+        }
+        let slides = |patch: &Patch| {
+            let name = &self.equations.pairs()[self.slipping(patch.slips.map(|_| patch.row())?)].name;
+            Some(format!("`{name}` slides with the kinetic coefficient {}", patch.friction[1]))
+        };
+        let slides: Vec<String> = patches.iter().filter_map(slides).collect();
+        (!slides.is_empty()).then(|| {
+            Reason::Model(format!(
+                "{}: no forces hold {} then, whichever of the contacts press, stick or open (Painleve's paradox, of several contacts). Take less \
+                 friction, another speed, or a compliant surface",
+                slides.join(", "),
+                self.equations.body_names(&self.island)
+            ))
+        })
     }
 
     fn jammed(&self, position: usize, left: f64, mode: &Mode) -> Reason {
