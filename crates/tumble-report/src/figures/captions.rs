@@ -114,9 +114,10 @@ fn dashed(marks: &[Mark]) -> String {
 }
 
 /// An answer over what is swept.
-pub(crate) fn answers(has_more_runs: bool) -> String {
+pub(crate) fn answers(figure: &CurveFigure, has_more_runs: bool) -> Text {
+    let [x, y] = [&figure.x.label, &figure.y.label].map(|label| Text::from(label.clone()));
     let more = if has_more_runs { ", with the best of the runs that were made between them" } else { "" };
-    format!("What each run of the sweep comes to{more}.")
+    y.and(" of each run over ").and(x).and(more).and(dashed(&figure.marks)).and(".").capitalised()
 }
 
 /// What a stroboscopic picture shows.

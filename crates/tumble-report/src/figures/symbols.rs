@@ -45,7 +45,7 @@ pub(crate) fn all(study: &Study) -> BTreeMap<String, String> {
 
 /// Pairs of different quantities that a reader could not tell apart, with what both are shown as: parameters, and what moves.
 pub(crate) fn clashes(study: &Study) -> Vec<(String, String, String)> {
-    const MOVES: [&str; 6] = ["x", "y", "vx", "vy", "angle", "omega"];
+    const MOVES: [&str; 7] = ["x", "y", "vx", "vy", "angle", "omega", "alpha"];
     let all = all(study);
     let parameters = study.model.parameters.symbols();
     let parameters = parameters.iter().map(|parameter| parameter.name.to_string());
@@ -295,6 +295,11 @@ pub(crate) fn impulse(place: &str) -> String {
     format!("J_{place}")
 }
 
+/// The couple by which a weld holds a body at its angle: `C_wood`.
+pub(crate) fn couple(joint: &str) -> String {
+    format!("C_{}", last(joint))
+}
+
 /// The arm of a force: `r_air` of `F_air`, `r_tip` of the contact's `N_tip`.
 pub(crate) fn arm(force: &str) -> String {
     format!("r_{}", force.split_once('_').map_or(force, |(_, below)| below))
@@ -309,8 +314,10 @@ pub(crate) fn last(name: &str) -> &str {
 fn usual(study: &Study) -> BTreeMap<String, String> {
     let bodies = &study.model.bodies;
     let mut symbols = BTreeMap::new();
+    let turning = turning(study);
     for body in bodies {
         for (name, letter, _) in QUANTITIES.into_iter().filter(|(_, letter, _)| !letter.is_empty()) {
+            let letter = if name == "alpha" { turning } else { letter };
             let shown = if bodies.len() == 1 { letter.to_owned() } else { below(letter, &body.name) };
             symbols.insert(format!("{}.{name}", body.name), shown);
         }
@@ -345,13 +352,23 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
             symbols.insert(symbol.name.to_string(), below(&force, letter));
         }
         if let Some(couple) = multipliers.get(2) {
-            symbols.insert(couple.name.to_string(), format!("C_{}", last(&joint)));
+            symbols.insert(couple.name.to_string(), self::couple(&joint));
         }
         for (seat, letter) in [("seat_x", "x"), ("seat_y", "y")] {
             symbols.insert(format!("{joint}.{seat}"), format!("{letter}_{}", last(&joint)));
         }
     }
     symbols
+}
+
+/// The letter of angular accelerations: epsilon where a parameter is shown as alpha.
+fn turning(study: &Study) -> &'static str {
+    let shown = |symbol: &Symbol| {
+        study.symbols.iter().find(|(name, _)| **name == *symbol.name).map(|(_, shown)| &**shown)
+    };
+    let parameters = study.model.parameters.symbols();
+    let is_taken = parameters.iter().any(|symbol| shown(symbol).unwrap_or(&symbol.name) == "alpha");
+    if is_taken { "epsilon" } else { "alpha" }
 }
 
 /// What keeps each pivot and joint, by its name: components of the force, and the couple of a weld.
@@ -379,5 +396,16 @@ mod tests {
     fn names_are_spoken() {
         let spoken = ["rod", "front_wheel", "corner1", "A", "link-12"].map(the);
         assert_eq!(spoken, ["the rod", "the front wheel", "corner 1", "A", "link 12"]);
+    }
+
+    #[test]
+    fn a_parameter_called_alpha_keeps_its_letter() {
+        let shown = |name: &str| {
+            let folder =
+                crate::scenes::all().find(|path| path.to_string_lossy().contains(name)).expect("a scene");
+            all(&crate::scenes::motions_of(&folder).0)["block.alpha"].clone()
+        };
+        assert_eq!(shown("27-rocking-block"), "epsilon");
+        assert_eq!(shown("17-block-on-a-slope"), "alpha");
     }
 }
