@@ -185,8 +185,7 @@ impl<'a> Scene<'a> {
                 let centre = self.axes.pixel(pose.centre());
                 drawn.add_line(vec![centre]);
                 for shape in &track.shapes {
-                    let outline = shape.spokes(pose).into_iter().map(|p| self.axes.pixel(p));
-                    drawn.add_line(outline.collect());
+                    shape.lines(pose, &self.axes).into_iter().for_each(|line| drawn.add_line(line));
                 }
             }
         }

@@ -13,12 +13,12 @@ use super::words::spoken;
 use super::{animation, balance, findings, sweep};
 use crate::figures::{self, captions, symbols};
 use crate::results::moments::Moments;
-use crate::results::{Case, CaseError, CheckResult, Runs, digits, equilibrium, telling};
+use crate::results::{Case, CaseError, CheckResult, Runs, equilibrium, telling};
 
 /// Digits of an error: its size is what counts.
 const ERROR_DIGITS: usize = 1;
 /// Doubles have no more digits.
-const MOST_DIGITS: usize = 17;
+const MOST_DIGITS: f64 = 17.0;
 /// What is less than this part of the largest value of a curve is zero but for rounding.
 const NOTHING: f64 = 1e-15;
 
@@ -203,8 +203,9 @@ fn found(check: &CheckResult) -> Text {
     match check.error {
         Some(error) if error > 0.0 && check.found.abs() <= error => precise(0.0, &check.unit),
         Some(error) if error > 0.0 && error.is_finite() => {
-            let digits = digits::digits(check.found, error) + 1;
-            quantity_to(check.found, digits.min(MOST_DIGITS), &check.unit)
+            let place = |value: f64| value.abs().log10().floor();
+            let digits = (place(check.found) - place(error) + 1.0).clamp(1.0, MOST_DIGITS);
+            quantity_to(check.found, digits as usize, &check.unit)
         }
         _ => precise(check.found, &check.unit),
     }
@@ -249,6 +250,7 @@ mod tests {
             found(&check).to_plain()
         };
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1e-14)), "1.02469010864072");
+        assert_eq!(shown(1.024_690_108_640_719_6, Some(1.6e-14)), "1.02469010864072");
         assert_eq!(shown(6.93e-16, Some(5e-12)), "0");
         assert_eq!(shown(374.999_999_999_999_9, Some(7e-10)), "375");
         // Nothing is known of it, or it is exact.

@@ -167,7 +167,7 @@ impl<'a> Load<'a> {
             }
             (None, Law::Reaction) => {
                 let couple = symbols::couple(&term.load);
-                let by = Math::Row(vec![Math::Text("by the couple ".to_owned()), Math::symbol(&couple)]);
+                let by = Math::Row(vec![Math::Text("the couple\u{a0}".to_owned()), Math::symbol(&couple)]);
                 return vec![words("holds the point in its place, and the body at its angle"), math(&by)];
             }
             (None, law) if law.is_couple() => Written::Scalar(term.couple.clone()),

@@ -21,9 +21,6 @@ const MOST_SIGNS: usize = 800;
 /// which takes long.
 const MOST_OPERATIONS: usize = 300;
 
-/// The moment of inertia about a body's pivot.
-pub(super) const ABOUT_PIVOT: &str = "I_P";
-
 /// What is told of in a mode of a case.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
@@ -308,8 +305,8 @@ fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr)
 }
 
 /// `I_P`, with the body's name where there are several.
-fn inertia_name(study: &Study, body: &str) -> String {
-    if study.model.bodies.len() > 1 { format!("{ABOUT_PIVOT},{body}") } else { ABOUT_PIVOT.to_owned() }
+pub(super) fn inertia_name(study: &Study, body: &str) -> String {
+    if study.model.bodies.len() > 1 { format!("I_P,{body}") } else { "I_P".to_owned() }
 }
 
 /// The left side of what is zero.

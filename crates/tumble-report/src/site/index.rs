@@ -4,17 +4,13 @@ use tumble_drawing::Animation;
 use tumble_drawing::svg::escape;
 
 use super::{Page, Ways, url};
+use crate::report::html::MOTION;
 use crate::report::json::{list, object};
 use crate::report::live;
 
 /// What makes the pictures move, in the order in which it runs.
-const SCRIPTS: [&str; 5] = [
-    include_str!("../report/assets/common.js"),
-    include_str!("../report/assets/arrows.js"),
-    include_str!("../report/assets/names.js"),
-    include_str!("../report/assets/motion.js"),
-    include_str!("assets/living.js"),
-];
+const SCRIPTS: [&str; 3] =
+    [include_str!("../report/assets/common.js"), MOTION, include_str!("assets/living.js")];
 
 /// A gallery of runs.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -147,3 +147,15 @@ fn letters_of_accelerations_are_explained_at_the_first_body_only() {
     });
     assert_eq!(explained.collect::<Vec<_>>(), [2, 0]);
 }
+
+#[test]
+fn a_moment_of_inertia_about_a_pivot_says_so() {
+    let (model, _) = model_of("12-bullet-in-a-rod");
+    let definitions =
+        model.modes.iter().flat_map(|mode| &mode.equations).flat_map(|block| &block.definitions);
+    let own: Vec<String> = definitions
+        .filter(|one| one.symbol.latex.contains("I_{P"))
+        .map(|one| one.meaning.to_plain())
+        .collect();
+    assert_eq!(own, ["about the pivot"]);
+}

@@ -13,4 +13,5 @@ mod tests;
 
 pub(super) use data::label;
 pub(super) use motion::{living, motion};
+pub(crate) use page::MOTION;
 pub(super) use page::{page, parts};
