@@ -5,11 +5,12 @@ use crate::axes::{Axes, Axis, clipped};
 use crate::curves::no_data;
 use crate::free_body::Ground;
 use crate::free_body::layout::View;
-use crate::geometry::{minus, plus, times};
+use crate::geometry::{along, minus, plus, times};
 use crate::heading::Heading;
 use crate::legend::Legend;
 use crate::outline::{Pen, Plane, Pose};
 use crate::placing::{Occupancy, Tag, about_point, draw_placed, placed};
+use crate::rect::Rect;
 use crate::scale::Range;
 use crate::svg::{Element, PathData, Svg, circle};
 use crate::text::Label;
@@ -45,6 +46,8 @@ const COLUMN: f64 = 0.5;
 const TOLERANCE: f64 = 0.04;
 /// Radius of the dot at each centre of mass.
 const CENTRE_DOT: f64 = 2.1;
+/// Least distance of labels from the frame: ticks are as long.
+const EDGE: f64 = 6.0;
 /// Distance of a label from its body.
 const LABEL_DISTANCE: f64 = 3.0;
 /// Part of the width that a legend may take: letters of other fonts are wider.
@@ -171,11 +174,20 @@ impl<'a> Scene<'a> {
         pixels.iter().map(|piece| simplified(&thinned(piece, COLUMN), TOLERANCE)).collect()
     }
 
-    /// What labels must keep clear of.
+    /// Where labels may stand: on no tick of the frame.
+    fn room(&self) -> Rect {
+        self.axes.area.grown(-EDGE)
+    }
+
+    /// What labels must keep clear of; they rather stand above ground than in it.
     fn occupancy(&self) -> Occupancy {
         let area = self.axes.area;
-        let mut drawn = Occupancy::new(area);
+        let mut drawn = Occupancy::new(self.room());
         let view = View::of(&self.axes);
+        for (surface, [a, b]) in self.surfaces().filter_map(|one| Some((one, one.visible(&view, &area)?))) {
+            let down = |point| along(point, surface.page_normal(), -area.width - area.height);
+            drawn.add_face(vec![a, b, down(b), down(a)]);
+        }
         for strip in self.surfaces().flat_map(|surface| surface.strip(&view, &area)) {
             drawn.add_line(strip.to_vec());
         }
@@ -195,7 +207,7 @@ impl<'a> Scene<'a> {
     fn draw_labels(&self) -> Element {
         let mut tags: Vec<Tag> = self.notes().iter().map(|note| self.tag(note)).collect();
         tags.extend(self.surface_names());
-        Element::new("g").children(draw_placed(&placed(&tags, &self.occupancy(), &self.axes.area)))
+        Element::new("g").children(draw_placed(&placed(&tags, &self.occupancy(), &self.room())))
     }
 
     fn surface_names(&self) -> impl Iterator<Item = Tag> {
@@ -346,6 +358,28 @@ mod tests {
         assert!(lowest(&picture) < -3.0, "the floor is in the picture");
         assert!(drawn.len() > bare.len() && drawn.contains("floor") && !drawn.contains("NaN"));
         assert!(drawn.find("floor") > drawn.find("<circle"), "names stand over bodies");
+    }
+
+    #[test]
+    fn labels_of_instants_stand_above_ground_and_on_no_tick() {
+        let mut picture = flight();
+        // It lies on the ground all the time, from one side of the picture to the other.
+        let track = &mut picture.tracks[0];
+        track.poses.iter_mut().for_each(|pose| (pose.y, pose.angle) = (0.0, 0.0));
+        track.trace = track.poses.iter().map(Pose::centre).collect();
+        picture.surfaces = vec![Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor"))];
+        let scene = Scene::new(&picture, ALONE);
+        let tags: Vec<Tag> = scene.notes().iter().map(|note| scene.tag(note)).collect();
+        let labels = placed(&tags, &scene.occupancy(), &scene.room());
+        let ground = scene.axes.pixel([0.0, 0.0])[1];
+        assert_eq!(labels.len(), 2);
+        for label in labels {
+            assert!(
+                label.place.bottom() < ground && scene.room().encloses(&label.place),
+                "{:?}",
+                label.place
+            );
+        }
     }
 
     #[test]
