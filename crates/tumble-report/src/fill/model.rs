@@ -44,6 +44,9 @@ fn assumptions(study: &Study) -> Vec<Text> {
     let resists = frictions.flatten().any(|friction| friction.rolling.is_some());
     // A torque may be what rubs in a pivot.
     let is_turned = model.loads.iter().any(|load| matches!(load.application, Application::Torque(_)));
+    let none = if is_turned { "no friction but for the torques that are stated." } else { "no friction." };
+    let [pivots, joints] =
+        ["Pivots have", "Pivots and joints are rigid and have"].map(|words| format!("{words} {none}"));
     // Else there is one only who could say it.
     let is_said_by_several = of_bodies
         || model.bodies.iter().any(|body| body.restitution.is_some())
@@ -54,16 +57,8 @@ fn assumptions(study: &Study) -> Vec<Text> {
             matches!(model.gravity, tumble_mech::Gravity::Horizontal(_)),
             "The plane is horizontal: weight and support cancel out of it.",
         ),
-        (!model.pivots.is_empty() && model.joints.is_empty() && !is_turned, "Pivots have no friction."),
-        (!model.joints.is_empty() && !is_turned, "Pivots and joints are rigid and have no friction."),
-        (
-            !model.pivots.is_empty() && model.joints.is_empty() && is_turned,
-            "Pivots have no friction but for the torques that are stated.",
-        ),
-        (
-            !model.joints.is_empty() && is_turned,
-            "Pivots and joints are rigid and have no friction but for the torques that are stated.",
-        ),
+        (!model.pivots.is_empty() && model.joints.is_empty(), &*pivots),
+        (!model.joints.is_empty(), &*joints),
         (
             model.joints.iter().any(|joint| joint.from.is_some()),
             "Bodies that are joined on the way are joined in an instant, by an impact without rebound.",
