@@ -124,10 +124,7 @@ impl Drawing<'_> {
 
     /// Which forces of a diagram may be others.
     fn not_unique(&self, time: f64) -> Result<Option<Label>, CaseError> {
-        let mut open = vec![];
-        for name in self.run.open_forces(self.body, time, Side::After)? {
-            open.extend(self.open_parts(&name, time)?);
-        }
+        let open = self.open(time)?;
         let names = open.iter().map(|symbol| format!("${symbol}$")).collect::<Vec<_>>().join(", ");
         let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
         let text = format!(
@@ -135,6 +132,12 @@ impl Drawing<'_> {
             shown(time)
         );
         Ok(has_forces.then(|| Label::markup(&text)))
+    }
+
+    /// The symbols of all forces that may be others.
+    fn open(&self, time: f64) -> Result<Vec<String>, CaseError> {
+        let names = self.run.open_forces(self.body, time, Side::After)?;
+        Ok(names.iter().map(|name| self.open_parts(name, time)).collect::<Result<Vec<_>, _>>()?.concat())
     }
 
     /// Which forces of what keeps a body are open, by their symbols: of a contact its friction alone may be, where two points of the
@@ -176,6 +179,14 @@ impl Drawing<'_> {
                 let name = symbols::force(self.study, &force.load, force.law);
                 let name = if force.law.is_couple() { name } else { symbols::torque(&name) };
                 panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
+            }
+        }
+        // What is open and was given nothing is none of the motion's forces.
+        for symbol in self.open(time)? {
+            let symbol = Label::symbol(&symbol);
+            if !panel.forces.iter().any(|arrow| arrow.symbol == symbol) {
+                let centre = panel.pose.centre();
+                panel = panel.force(Arrow::new(kind(Law::Contact), symbol, centre, [0.0; 2]));
             }
         }
         panel.side = self.side_view(&own)?;

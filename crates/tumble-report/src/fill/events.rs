@@ -67,12 +67,11 @@ fn accumulating(events: &[&Occurrence<Record>], told: &[String]) -> Vec<[usize; 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{all, motions_of};
+    use crate::scenes::motions_called;
 
     #[test]
     fn of_a_zeno_sequence_the_first_impacts_and_the_end_are_told() {
-        let folder = all().find(|path| path.to_string_lossy().contains("09-bouncing-ball")).expect("a scene");
-        let (study, cases) = motions_of(&folder);
+        let (study, cases) = motions_called("09-bouncing-ball");
         let table = of(&study, &cases[0]);
         let rows: Vec<[String; 2]> = table.rows.iter().map(|row| [0, 1].map(|i| row[i].to_plain())).collect();
         let cut = rows.iter().position(|[time, _]| time == "…").expect("a row for those left out");

@@ -64,7 +64,9 @@ pub(super) fn either(one: &str, other: &str) -> String {
     let own = |words: &[&str]| words[before..words.len() - after].join(" ");
     let is_little = |words: &[&str]| (1..=MOST_OWN).contains(&(words.len() - after - before));
     if before == 0 || !is_little(&first) || !is_little(&second) {
-        return format!("{one}, or {other}");
+        // Where one of them is a row of sentences, a comma would read as one more of them.
+        let pause = if one.contains(", ") || other.contains(", ") { ";" } else { "," };
+        return format!("{one}{pause} or {other}");
     }
     let [start, end] = [&first[..before], &first[first.len() - after..]].map(|words| words.join(" "));
     format!("{start} {} or {} {end}", own(&first), own(&second)).trim_end().to_owned()
@@ -261,4 +263,20 @@ pub(super) fn load(study: &Study, equations: &Equations, name: &str, body: Optio
 /// A name of the scene as it is spoken.
 pub(super) fn spoken(name: &str) -> String {
     name.replace(['-', '_'], " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::either;
+
+    #[test]
+    fn sentences_that_share_little_are_both_told() {
+        assert_eq!(
+            either("the tip settles on the floor", "the tip slides on the floor"),
+            "the tip settles or slides on the floor"
+        );
+        assert_eq!(either("nothing touches", "the rod holds"), "nothing touches, or the rod holds");
+        // A comma is within the first.
+        assert_eq!(either("a holds, b holds", "c rolls on d"), "a holds, b holds; or c rolls on d");
+    }
 }

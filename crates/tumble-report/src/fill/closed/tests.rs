@@ -68,8 +68,7 @@ fn closed_forms_are_what_the_motion_does() {
 #[test]
 fn spans_end_where_something_happens_and_nowhere_else() {
     let spans = |name: &str| {
-        let folder = scenes::all().find(|path| path.to_string_lossy().contains(name)).expect("a scene");
-        let (study, cases) = scenes::motions_of(&folder);
+        let (study, cases) = scenes::motions_called(name);
         let study = study.with(&cases[0].parameters);
         let solved = solved(&study, &cases[0].run);
         let text = |stretch| span(&study, stretch).expect("a span").to_plain().replace('\u{a0}', " ");

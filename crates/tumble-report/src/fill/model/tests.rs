@@ -104,8 +104,7 @@ fn one(symbol: &Symbol) -> Expr {
 
 /// The model of a scene of the gallery, and the captions of the free-body sheets that it asks for.
 fn model_of(name: &str) -> (ModelPart, Vec<String>) {
-    let folder = crate::scenes::all().find(|path| path.to_string_lossy().contains(name)).expect("a scene");
-    let (study, cases) = motions_of(&folder);
+    let (study, cases) = crate::scenes::motions_called(name);
     let names = Names::of(&study).expect("names");
     let sheet = |asked| free_bodies::sheet(&study, &cases[0], asked).expect("a sheet");
     let captions = study.free_bodies.iter().flat_map(|asked| sheet(asked).captions);
@@ -121,6 +120,18 @@ fn of_two_corners_that_stick_to_one_slope_only_friction_is_open() {
     assert!(open.contains("f_corner1") && open.contains("f_corner2") && !open.contains("N_"), "{open}");
     let (_, captions) = model_of("16-bench-on-three-feet");
     assert!(captions.iter().any(|caption| caption.contains("N_left, N_middle, N_right")), "{captions:?}");
+}
+
+#[test]
+fn a_force_that_is_open_and_given_nothing_is_in_the_picture() {
+    let shown = |name: &str, panel: usize, letter: char| {
+        let (study, cases) = crate::scenes::motions_called(name);
+        let sheet = free_bodies::sheet(&study, &cases[0], &study.free_bodies[0]).expect("a sheet");
+        let symbols = sheet.panels[panel].forces.iter().map(|arrow| arrow.symbol.to_plain());
+        symbols.filter(|symbol| symbol.starts_with(letter)).collect::<Vec<_>>()
+    };
+    assert_eq!(shown("16-bench", 0, 'N'), ["N_left", "N_right", "N_middle"]);
+    assert_eq!(shown("17-block", 1, 'f'), ["f_corner1", "f_corner2"]);
 }
 
 #[test]

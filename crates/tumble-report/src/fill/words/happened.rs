@@ -177,12 +177,11 @@ pub(super) fn changes_to(change: Change) -> [&'static str; 2] {
 #[cfg(test)]
 mod tests {
     use super::event;
-    use crate::scenes::{all, motions_of};
+    use crate::scenes::motions_called;
 
     /// What happens at each event of the first run of a scene.
     fn events(scene: &str) -> Vec<String> {
-        let folder = all().find(|path| path.to_string_lossy().contains(scene)).expect("a scene");
-        let (study, cases) = motions_of(&folder);
+        let (study, cases) = motions_called(scene);
         let run = &cases[0].run;
         run.events().map(|one| event(&study, run, one)).collect()
     }
