@@ -181,7 +181,7 @@ class LivePlayer extends Player {
   /** A place that is dragged with a pointer or moved by keys; `set` makes values of where it is. */
   grip(at, label, knobs, set) {
     const [cx, cy] = this.pixel(...at);
-    this.handles.push(...rim(["circle", cx, cy, HANDLE], 1));
+    this.handles.push(...rim(["circle", cx, cy, HANDLE + 3], 1));
     const handle = draw("circle", { class: "grip", cx, cy, r: HANDLE, tabindex: 0, role: "slider", "aria-label": label }, this.gripLayer);
     handle.setAttribute("aria-valuetext", knobs.map((knob) => knob.text()).join(", "));
     handle.setAttribute("aria-valuenow", knobs[0].value());
