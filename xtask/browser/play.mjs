@@ -55,6 +55,15 @@ async function moved(page, index = 0) {
 /** The places of all bodies, as the page has them. */
 const picture = (page) => page.evaluate(() => lab.player.motion.bodies.flatMap(({ x, y, angle }) => [...x, ...y, ...angle]).join());
 
+/** The names in the picture that stand on a handle. */
+const covered = (page) => page.evaluate(() => {
+  const boxes = (what) => [...document.querySelectorAll(`#play svg ${what}`)].map((one) => [one.textContent, one.getBoundingClientRect()]);
+  // The corners of a circle's box are none of its own.
+  const meet = ([, a], [, b]) => a.left < b.right - 3 && b.left + 3 < a.right && a.top < b.bottom - 3 && b.top + 3 < a.bottom;
+  const handles = boxes(".grip");
+  return boxes("text.halo").filter((name) => name[1].width > 0 && handles.some((handle) => meet(name, handle))).map(([name]) => name).join();
+});
+
 async function play(browser, name) {
   const page = await opened(browser, report(gallery, name));
   const where = `${browser.name}, ${name}`;
@@ -70,6 +79,7 @@ async function play(browser, name) {
   const [shown, expected] = [await numbers(page), said(tumble, join(scenes, name, "scene.toml"), set)];
   check(`${where}: numbers are those of the command`, shown === expected && shown !== "", `${shown}\n-- the command:\n${expected}`);
   check(`${where}: the picture has changed`, (await picture(page)) !== before);
+  check(`${where}: no name stands on a handle`, (await covered(page)) === "", await covered(page));
   await tables(page, name, where);
   if (name === FIRST) await look(browser, page, { knob, value, shown });
   await page.close();

@@ -1,5 +1,6 @@
 //! Outlines of bodies, and how a body in some pose is drawn.
 
+use crate::geometry::{length, minus, plus, times, turned, unit};
 use crate::scale::drawable;
 use crate::svg::{Element, PathData, circle, line};
 use crate::theme::{HAIRLINE, Rgb};
@@ -133,6 +134,16 @@ impl Outline {
         };
         let there_and_back = rim.iter().zip(rim.iter().cycle().skip(1)).flat_map(|(a, b)| [*a, *b, [0.0; 2]]);
         there_and_back.map(|p| pose.world(p)).collect()
+    }
+
+    /// Lines on the page that labels keep clear of; a rod has its two sides.
+    pub(crate) fn lines(&self, pose: &Pose, plane: &impl Plane) -> Vec<Vec<[f64; 2]>> {
+        let pixels: Vec<[f64; 2]> = self.spokes(pose).into_iter().map(|point| plane.pixel(point)).collect();
+        let (Outline::Segment { .. }, [from, to]) = (self, &pixels[..]) else { return vec![pixels] };
+        let along = minus(*to, *from);
+        let Some(across) = unit(turned(along)) else { return vec![pixels] };
+        let half = rod_thickness(length(along)) / 2.0;
+        [half, -half].map(|side| [*from, *to].map(|end| plus(end, times(across, side))).to_vec()).to_vec()
     }
 
     /// The outline on the page.

@@ -10,6 +10,7 @@ use crate::heading::Heading;
 use crate::legend::Legend;
 use crate::outline::{Pen, Plane, Pose};
 use crate::placing::{Occupancy, Tag, about_point, draw_placed, placed};
+use crate::rect::Rect;
 use crate::scale::Range;
 use crate::svg::{Element, PathData, Svg, circle};
 use crate::text::Label;
@@ -45,6 +46,8 @@ const COLUMN: f64 = 0.5;
 const TOLERANCE: f64 = 0.04;
 /// Radius of the dot at each centre of mass.
 const CENTRE_DOT: f64 = 2.1;
+/// Least distance of labels from the frame: ticks are as long.
+const EDGE: f64 = 6.0;
 /// Distance of a label from its body.
 const LABEL_DISTANCE: f64 = 3.0;
 /// Part of the width that a legend may take: letters of other fonts are wider.
@@ -171,10 +174,15 @@ impl<'a> Scene<'a> {
         pixels.iter().map(|piece| simplified(&thinned(piece, COLUMN), TOLERANCE)).collect()
     }
 
+    /// Where labels may stand: on no tick of the frame.
+    fn room(&self) -> Rect {
+        self.axes.area.grown(-EDGE)
+    }
+
     /// What labels must keep clear of.
     fn occupancy(&self) -> Occupancy {
         let area = self.axes.area;
-        let mut drawn = Occupancy::new(area);
+        let mut drawn = Occupancy::new(self.room());
         let view = View::of(&self.axes);
         for strip in self.surfaces().flat_map(|surface| surface.strip(&view, &area)) {
             drawn.add_line(strip.to_vec());
@@ -185,8 +193,7 @@ impl<'a> Scene<'a> {
                 let centre = self.axes.pixel(pose.centre());
                 drawn.add_line(vec![centre]);
                 for shape in &track.shapes {
-                    let outline = shape.spokes(pose).into_iter().map(|p| self.axes.pixel(p));
-                    drawn.add_line(outline.collect());
+                    shape.lines(pose, &self.axes).into_iter().for_each(|line| drawn.add_line(line));
                 }
             }
         }
@@ -196,7 +203,7 @@ impl<'a> Scene<'a> {
     fn draw_labels(&self) -> Element {
         let mut tags: Vec<Tag> = self.notes().iter().map(|note| self.tag(note)).collect();
         tags.extend(self.surface_names());
-        Element::new("g").children(draw_placed(&placed(&tags, &self.occupancy(), &self.axes.area)))
+        Element::new("g").children(draw_placed(&placed(&tags, &self.occupancy(), &self.room())))
     }
 
     fn surface_names(&self) -> impl Iterator<Item = Tag> {
@@ -347,6 +354,22 @@ mod tests {
         assert!(lowest(&picture) < -3.0, "the floor is in the picture");
         assert!(drawn.len() > bare.len() && drawn.contains("floor") && !drawn.contains("NaN"));
         assert!(drawn.find("floor") > drawn.find("<circle"), "names stand over bodies");
+    }
+
+    #[test]
+    fn labels_of_instants_stand_on_no_tick() {
+        for turned in 0..20 {
+            let mut picture = flight();
+            let poses = &mut picture.tracks[0].poses;
+            poses.iter_mut().for_each(|pose| pose.angle += 0.3 * f64::from(turned));
+            let scene = Scene::new(&picture, ALONE);
+            let tags: Vec<Tag> = scene.notes().iter().map(|note| scene.tag(note)).collect();
+            let labels = placed(&tags, &scene.occupancy(), &scene.room());
+            assert_eq!(labels.len(), 2);
+            for label in labels {
+                assert!(scene.axes.area.grown(-EDGE).encloses(&label.place), "{turned}: {:?}", label.place);
+            }
+        }
     }
 
     #[test]

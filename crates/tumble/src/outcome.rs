@@ -6,6 +6,7 @@ use thiserror::Error;
 use tumble_drawing::Animation;
 #[cfg(feature = "png")]
 use tumble_drawing::gif;
+use tumble_report::report::Text;
 use tumble_report::results::{CaseError, Finished, Located, Missing, Tally};
 use tumble_scene::{Diagnostics, Study};
 
@@ -31,7 +32,7 @@ pub struct Outcome {
     /// Where along a sweep of one parameter its answers are greatest and least.
     pub located: Vec<Located>,
     /// What was found, in a line; empty where no report was asked for.
-    pub lead: String,
+    pub lead: Text,
     /// The motion as the report shows it, if it does.
     pub motion: Option<Animation>,
     /// What is left over beside the results and was not removed, with the reason.

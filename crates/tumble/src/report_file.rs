@@ -45,7 +45,7 @@ pub struct InSite {
 #[derive(Debug, Default)]
 pub(crate) struct Told {
     /// Its first line: what was found.
-    pub(crate) lead: String,
+    pub(crate) lead: Text,
     pub(crate) motion: Option<Animation>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn write(
     };
     let report = Report { lesson, ways, meta, lab, ..tumble_report::of(study, runs)? };
     folder.write(file, written(&report).as_bytes())?;
-    Ok(Told { lead: report.lead.to_plain(), motion: report.analyze.animation })
+    Ok(Told { lead: report.lead, motion: report.analyze.animation })
 }
 
 /// The engine with the scene that the page plays; a study of a program has none.

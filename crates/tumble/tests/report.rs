@@ -27,8 +27,10 @@ fn numbers_are_those_of_the_summary() {
         for check in outcome.cases.iter().flat_map(|case| &case.checks) {
             let found = format!("{:?}", check.found);
             assert!(text.contains(&format!("\"found\": {found}")), "{name}: {found} is not in the summary");
-            let shown = as_printed(&found);
-            assert!(page.contains(&shown), "{name}: {shown} of check {} is not in the report", check.name);
+            let known = to_its_error(check.found, check.error);
+            let ways = [format!("{known:?}"), format!("{known:e}")].map(|number| as_printed(&number));
+            let is_shown = ways.iter().any(|shown| page.contains(shown));
+            assert!(is_shown, "{name}: {} of check {} is not in the report", ways[0], check.name);
             compared += 1;
         }
         let summary: Value = serde_json::from_str(&text).expect("JSON");
@@ -39,6 +41,19 @@ fn numbers_are_those_of_the_summary() {
             assert!(residual < BALANCED, "{name}: {residual:e} of the balance is left");
         }
         assert!(compared > 0, "{name} has checks");
+    }
+}
+
+/// A number to the place of its error, where there is one.
+fn to_its_error(number: f64, error: Option<f64>) -> f64 {
+    let place = |value: f64| value.abs().log10().floor();
+    match error.filter(|error| *error > 0.0) {
+        Some(error) if number.abs() <= error => 0.0,
+        Some(error) => {
+            let behind = (place(number) - place(error)).clamp(0.0, 16.0);
+            format!("{number:.*e}", behind as usize).parse().expect("a number")
+        }
+        None => number,
     }
 }
 

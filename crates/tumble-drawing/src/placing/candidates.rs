@@ -33,15 +33,22 @@ pub(crate) struct Candidate {
 pub(crate) fn about_arrow([tail, head]: [Point; 2], size: [f64; 2]) -> Vec<Candidate> {
     let Some(forward) = unit(minus(head, tail)) else { return about_point(head, DISTANCE, size) };
     let mut candidates = about_head(head, forward, size);
-    let side = turned(forward);
-    for (i, part) in SHAFT_PARTS.into_iter().enumerate() {
-        let at = plus(tail, times(minus(head, tail), part));
-        for normal in [side, times(side, -1.0)] {
-            let cost = SIDE_COST * (i as f64 + 0.5);
-            candidates.extend(steps(at, normal, DISTANCE + 2.0, size, cost));
-        }
-    }
+    candidates.extend(beside_shaft([tail, head], size));
     candidates
+}
+
+/// Places on both sides of a line.
+pub(crate) fn beside_shaft([tail, head]: [Point; 2], size: [f64; 2]) -> Vec<Candidate> {
+    let Some(forward) = unit(minus(head, tail)) else { return vec![] };
+    let side = turned(forward);
+    let place = |(i, part): (usize, f64)| {
+        let at = plus(tail, times(minus(head, tail), part));
+        let cost = SIDE_COST * (i as f64 + 0.5);
+        [side, times(side, -1.0)]
+            .into_iter()
+            .flat_map(move |normal| steps(at, normal, DISTANCE + 2.0, size, cost))
+    };
+    SHAFT_PARTS.into_iter().enumerate().flat_map(place).collect()
 }
 
 fn about_head(head: Point, forward: Point, size: [f64; 2]) -> Vec<Candidate> {

@@ -130,8 +130,7 @@ impl Layout {
         strips.for_each(|line| drawn.add_line(line.to_vec()));
         for body in &self.scene.bodies {
             for outline in &body.outlines {
-                let rim = outline.spokes(&body.pose);
-                drawn.add_line(rim.into_iter().map(|p| self.view.pixel(p)).collect());
+                outline.lines(&body.pose, &self.axes).into_iter().for_each(|line| drawn.add_line(line));
             }
             drawn.add_box(Rect::centred(self.view.pixel(body.pose.centre()), 11.0, 11.0));
         }

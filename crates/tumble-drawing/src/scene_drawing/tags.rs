@@ -4,7 +4,7 @@ use super::layout::Layout;
 use crate::free_body::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, times};
 use crate::outline::Plane;
-use crate::placing::{Candidate, Tag, about_arc, about_arrow, about_point, beside};
+use crate::placing::{Candidate, Tag, about_arc, about_arrow, about_point, beside, beside_shaft};
 use crate::rect::Rect;
 use crate::text::Label;
 use crate::theme::{INK, MOTION, Rgb, SMALL};
@@ -69,7 +69,14 @@ fn bodies(layout: &Layout) -> Vec<Tag> {
             body.outlines.iter().flat_map(|o| o.spokes(&body.pose)).map(|p| layout.view.pixel(p)).collect();
         let owner = if rim.is_empty() { vec![at] } else { rim.clone() };
         let frame = Rect::around(owner.iter().copied()).unwrap_or(Rect::centred(at, 0.0, 0.0));
-        tag(layout, &body.name, INK, owner, |size| about_body(at, &frame, size))
+        let rods: Vec<Vec<Point>> = body.outlines.iter().map(|o| o.ends(&body.pose)).collect();
+        let rods = rods.iter().filter_map(|ends| <[Point; 2]>::try_from(&ends[..]).ok());
+        let rods: Vec<[Point; 2]> = rods.map(|ends| ends.map(|end| layout.view.pixel(end))).collect();
+        let near = |size| {
+            let beside_rods = rods.iter().flat_map(|ends| beside_shaft(*ends, size));
+            about_body(at, &frame, size).into_iter().chain(beside_rods).collect()
+        };
+        tag(layout, &body.name, INK, owner, near)
     };
     let bodies = &layout.scene.bodies;
     // Of many, those that move have names: others' could not stand by them.

@@ -88,3 +88,24 @@ fn labels_stay_off_bodies_and_springs() {
         }
     }
 }
+
+#[test]
+fn names_keep_clear_of_the_thickness_of_rods() {
+    let upright = Pose { t: 0.0, x: 0.0, y: 0.0, angle: std::f64::consts::FRAC_PI_2 };
+    let rod = Outline::Segment { from: [-0.5, 0.0], to: [0.5, 0.0] };
+    let body = SceneBody {
+        name: Label::plain("rod"),
+        pose: upright,
+        outlines: vec![rod],
+        velocity: None,
+        rate: None,
+    };
+    let layout = Layout::new(SceneDrawing { bodies: vec![body], ..SceneDrawing::default() });
+    let [name] = &layout.labels()[..] else { panic!("one name") };
+    let [bottom, top] = [[0.0, -0.5], [0.0, 0.5]].map(|end| layout.axes.pixel(end));
+    let half =
+        crate::outline::rod_thickness(crate::geometry::length(crate::geometry::minus(top, bottom))) / 2.0;
+    let [left, right] = [bottom[0] - half, bottom[0] + half];
+    let bar = crate::rect::Rect::new(left, top[1], right - left, bottom[1] - top[1]);
+    assert!(half > 3.0 && name.place.overlap(&bar) == 0.0, "{:?} over {bar:?}", name.place);
+}

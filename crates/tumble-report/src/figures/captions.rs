@@ -95,28 +95,29 @@ pub(crate) fn curves(figure: &CurveFigure) -> Text {
 }
 
 /// What happens where there are dashed lines.
-fn dashed(marks: &[Mark]) -> String {
+fn dashed(marks: &[Mark]) -> Label {
     let end_of_digits = Label::plain(END_OF_DIGITS);
-    let mut events: Vec<String> = vec![];
-    for mark in marks.iter().filter(|mark| mark.label != end_of_digits) {
-        let words = mark.label.to_plain();
-        if !events.contains(&words) {
-            events.push(words);
+    let mut events: Vec<&Label> = vec![];
+    for Mark { label, .. } in marks.iter().filter(|mark| mark.label != end_of_digits) {
+        if !events.contains(&label) {
+            events.push(label);
         }
     }
     match events.len() {
-        0 => String::new(),
-        1..=MOST_EVENTS if events.iter().map(String::len).sum::<usize>() <= MOST_SIGNS => {
-            format!("; dashed: {}", events.join("; "))
+        0 => Label::default(),
+        1..=MOST_EVENTS if events.iter().map(|label| label.to_plain().len()).sum::<usize>() <= MOST_SIGNS => {
+            let all = events.into_iter().cloned().reduce(|all, next| all.then(Label::plain("; ")).then(next));
+            Label::plain("; dashed: ").then(all.unwrap_or_default())
         }
-        _ => "; dashed lines are events".to_owned(),
+        _ => Label::plain("; dashed lines are events"),
     }
 }
 
 /// An answer over what is swept.
-pub(crate) fn answers(has_more_runs: bool) -> String {
+pub(crate) fn answers(figure: &CurveFigure, has_more_runs: bool) -> Text {
+    let [x, y] = [&figure.x.label, &figure.y.label].map(|label| Text::from(label.clone()));
     let more = if has_more_runs { ", with the best of the runs that were made between them" } else { "" };
-    format!("What each run of the sweep comes to{more}.")
+    y.and(" of each run over ").and(x).and(more).and(dashed(&figure.marks)).and(".").capitalised()
 }
 
 /// What a stroboscopic picture shows.

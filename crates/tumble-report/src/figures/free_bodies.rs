@@ -4,6 +4,7 @@ use tumble_drawing::free_body::{
     AngleMark, Arrow, ArrowKind, Couple, FreeBodyDiagram, FreeBodySheet, Ground, SideView, Velocity,
 };
 use tumble_drawing::{Label, Pose};
+use tumble_expr::Expr;
 use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, Source, joined};
 use tumble_ode::Side;
 use tumble_scene::{FreeBody, Study};
@@ -123,21 +124,37 @@ impl Drawing<'_> {
 
     /// Which forces of a diagram may be others.
     fn not_unique(&self, time: f64) -> Result<Option<Label>, CaseError> {
-        let open = self.run.open_forces(self.body, time, Side::After)?;
-        let known = symbols::all(self.study);
-        let name = |name: &String| {
-            let force = [format!("{name}.normal"), name.clone()]
-                .into_iter()
-                .find_map(|name| known.get(&name).cloned());
-            format!("${}$", force.unwrap_or_else(|| symbols::force(self.study, name, Law::Reaction)))
-        };
-        let names = open.iter().map(name).collect::<Vec<_>>().join(", ");
+        let open = self.open(time)?;
+        let names = open.iter().map(|symbol| format!("${symbol}$")).collect::<Vec<_>>().join(", ");
         let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
         let text = format!(
             "At {} s there are more supports than conditions, so these forces are not unique: {names}.",
             shown(time)
         );
         Ok(has_forces.then(|| Label::markup(&text)))
+    }
+
+    /// The symbols of all forces that may be others.
+    fn open(&self, time: f64) -> Result<Vec<String>, CaseError> {
+        let names = self.run.open_forces(self.body, time, Side::After)?;
+        Ok(names.iter().map(|name| self.open_parts(name, time)).collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    /// Which forces of what keeps a body are open, by their symbols: of a contact its friction alone may be, where two points of the
+    /// body stick to one surface.
+    fn open_parts(&self, name: &str, time: f64) -> Result<Vec<String>, CaseError> {
+        let Some(pair) = self.run.equations.pairs().iter().find(|pair| pair.name == name) else {
+            return Ok(vec![symbols::force(self.study, name, Law::Reaction)]);
+        };
+        let friction = pair.friction.iter().map(|_| (Law::Friction, pair.friction_symbol()));
+        let parts: Vec<(Law, Expr)> = std::iter::once((Law::Contact, pair.force_symbol()))
+            .chain(friction)
+            .map(|(law, symbol)| (law, symbol.into()))
+            .collect();
+        let formulas: Vec<Expr> = parts.iter().map(|(_, formula)| formula.clone()).collect();
+        let spreads = self.run.spreads(&formulas, time, Side::After)?;
+        let open = parts.iter().zip(spreads).filter(|(_, spread)| spread.is_some());
+        Ok(open.map(|((law, _), _)| symbols::force(self.study, name, *law)).collect())
     }
 
     /// Where a body points at angle zero, rad: along a rod, else to the right; `None` for one whose turning is not seen.
@@ -162,6 +179,14 @@ impl Drawing<'_> {
                 let name = symbols::force(self.study, &force.load, force.law);
                 let name = if force.law.is_couple() { name } else { symbols::torque(&name) };
                 panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
+            }
+        }
+        // What is open and was given nothing is none of the motion's forces.
+        for symbol in self.open(time)? {
+            let symbol = Label::symbol(&symbol);
+            if !panel.forces.iter().any(|arrow| arrow.symbol == symbol) {
+                let centre = panel.pose.centre();
+                panel = panel.force(Arrow::new(kind(Law::Contact), symbol, centre, [0.0; 2]));
             }
         }
         panel.side = self.side_view(&own)?;

@@ -177,8 +177,7 @@ fn mark_events(figure: &mut CurveFigure, study: &Study, case: &Case, [from, to]:
     }
     let is_one = |a: &&Occurrence<Record>, b: &&Occurrence<Record>| b.time - a.time <= ONE_LINE * (to - from);
     for instant in events.chunk_by(is_one) {
-        let said: Vec<_> =
-            instant.iter().map(|event| words::event(study, &case.run.equations, event)).collect();
+        let said: Vec<_> = instant.iter().map(|event| words::event(study, &case.run, event)).collect();
         figure.marks.push(Mark { at: instant[0].time, label: Label::plain(&said.join(", ")) });
     }
 }

@@ -3,10 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_drawing::Label;
-use tumble_expr::language::is_name;
 use tumble_expr::{Node, Symbol, Unary, is_identically_zero};
 use tumble_mech::{Application, Frame, Gravity, Law};
 use tumble_scene::Study;
+
+mod spoken;
+
+pub(crate) use spoken::{
+    bare, called, holder, in_words, is_moment, joint, noun, the, the_point, without_unit, words,
+};
 
 /// Quantities by the end of their names, with the usual letter and in words.
 const QUANTITIES: [(&str, &str, &str); 19] = [
@@ -33,8 +38,6 @@ const QUANTITIES: [(&str, &str, &str); 19] = [
 /// Those that points have too.
 const PLACES: [(&str, &str, &str); 6] =
     [QUANTITIES[0], QUANTITIES[1], QUANTITIES[2], QUANTITIES[3], QUANTITIES[4], QUANTITIES[5]];
-/// Words for coordinates of a plane that is seen from above.
-const FROM_ABOVE: [&str; 2] = ["position", "velocity"];
 
 /// What everything in a study is shown as: the user's own symbols, else the usual letters.
 pub(crate) fn all(study: &Study) -> BTreeMap<String, String> {
@@ -45,7 +48,7 @@ pub(crate) fn all(study: &Study) -> BTreeMap<String, String> {
 
 /// Pairs of different quantities that a reader could not tell apart, with what both are shown as: parameters, and what moves.
 pub(crate) fn clashes(study: &Study) -> Vec<(String, String, String)> {
-    const MOVES: [&str; 6] = ["x", "y", "vx", "vy", "angle", "omega"];
+    const MOVES: [&str; 7] = ["x", "y", "vx", "vy", "angle", "omega", "alpha"];
     let all = all(study);
     let parameters = study.model.parameters.symbols();
     let parameters = parameters.iter().map(|parameter| parameter.name.to_string());
@@ -92,120 +95,6 @@ pub(crate) fn label(symbols: &BTreeMap<String, String>, text: &str) -> Label {
         rest = after;
     }
     label
-}
-
-/// What a quantity is in words: `angle of the rod`, with the body's name where there are several; none of other formulas.
-pub(crate) fn words(study: &Study, text: &str) -> Option<String> {
-    let noun = noun(study, text)?;
-    let (owner, _) = without_unit(text).rsplit_once('.')?;
-    let is_one_of_many =
-        study.model.bodies.len() > 1 && study.model.bodies.iter().any(|body| body.name == owner);
-    Some(if is_one_of_many { format!("{noun} of {}", the(owner)) } else { noun.to_owned() })
-}
-
-/// What a quantity is called in a sentence: words and symbol where it has them, `angle θ`.
-pub(crate) fn called(study: &Study, symbols: &BTreeMap<String, String>, text: &str) -> Label {
-    let name = without_unit(text);
-    if is_name(name) && name.contains('.') && !symbols.contains_key(name) {
-        return Label::plain(&in_words(study, name));
-    }
-    let label = label(symbols, text);
-    match words(study, text) {
-        Some(words) => Label::plain(&format!("{words} ")).then(label),
-        None => label,
-    }
-}
-
-/// Whether a name is one of what an event has left behind, which does not change any more.
-pub(crate) fn is_moment(study: &Study, name: &str) -> bool {
-    let is_event = study.model.events.iter().any(|event| event.name == name);
-    is_name(name) && (name.contains(".contact[") || name.ends_with(".rolls") || is_event)
-}
-
-/// A quantity that has no symbol: `start of contact 1 with the floor`, `work of the spring`.
-pub(crate) fn in_words(study: &Study, name: &str) -> String {
-    if let Some((place, rest)) = name.split_once(".contact[")
-        && let Some((number, part)) = rest.split_once("].")
-    {
-        let part = match part {
-            "impulse.x" => "horizontal impulse",
-            "impulse.y" => "vertical impulse",
-            other => other,
-        };
-        return format!("{part} of contact {number} {}", touching(study, place, "with"));
-    }
-    let Some((owner, last)) = name.rsplit_once('.') else { return format!("time of “{name}”") };
-    match noun(study, name) {
-        Some(noun) if owner.contains('.') => format!("{noun} {}", touching(study, owner, "on")),
-        Some(noun) => format!("{noun} of {}", holder(study, owner).unwrap_or_else(|| the(owner))),
-        None if last == "rolls" => format!("beginning of rolling {}", touching(study, owner, "on")),
-        None => format!("{last} of {}", the(owner)),
-    }
-}
-
-/// What touches and where: `with the floor` of `floor`, `of corner 2 with the floor` of `floor.block.corner2`.
-fn touching(study: &Study, place: &str, with: &str) -> String {
-    let parts: Vec<&str> = place.split('.').collect();
-    match parts[..] {
-        [contact, a, b] if study.model.contacts.iter().any(|known| known.name == contact) => {
-            format!("of {} {with} {}", the(a), the(b))
-        }
-        [surface, body] | [surface, body, "rim"] => format!("of {} {with} {}", the(body), the(surface)),
-        [surface, _, point] => format!("of {} {with} {}", the(point), the(surface)),
-        _ => format!("{with} {}", the(place)),
-    }
-}
-
-/// The same without the body.
-pub(crate) fn noun(study: &Study, text: &str) -> Option<&'static str> {
-    let (owner, quantity) = without_unit(text).rsplit_once('.')?;
-    let known = QUANTITIES.into_iter().find(|(name, ..)| *name == quantity && !owner.contains(' '))?;
-    Some(match (&study.model.gravity, quantity) {
-        (Gravity::Horizontal(_), "x" | "y") => FROM_ABOVE[0],
-        (Gravity::Horizontal(_), "vx" | "vy") => FROM_ABOVE[1],
-        _ => known.2,
-    })
-}
-
-/// Without the unit that a value is asked for in.
-pub(crate) fn without_unit(text: &str) -> &str {
-    text.rsplit_once(" in ").map_or(text, |(formula, _)| formula)
-}
-
-/// A body or point in running text: `the rod`, `the front wheel` of `front_wheel`, but `link 6` and `A`.
-pub(crate) fn the(name: &str) -> String {
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let is_word = stem.chars().count() > 1 && stem.chars().all(|c| c.is_lowercase() || c == '_' || c == '-');
-    match (is_word, stem.len() == name.len()) {
-        (false, _) => name.to_owned(),
-        (true, true) => format!("the {}", name.replace(['_', '-'], " ")),
-        (true, false) => format!("{} {}", stem.replace(['_', '-'], " ").trim_end(), &name[stem.len()..]),
-    }
-}
-
-/// A point of a body in running text: `the tail`; the ends of a rod have names that are no words for them, `the end "from"`.
-pub(crate) fn the_point(name: &str) -> String {
-    if ["from", "to"].contains(&name) { format!("the end \u{201c}{name}\u{201d}") } else { the(name) }
-}
-
-/// A body or point in a list or a picture: `rod`, `link 6`.
-pub(crate) fn bare(name: &str) -> String {
-    let spoken = the(name);
-    spoken.strip_prefix("the ").map(str::to_owned).unwrap_or(spoken)
-}
-
-/// A pivot or joint in running text: `the hinge`, `joint 3`, but `pin A`.
-pub(crate) fn joint(name: &str) -> String {
-    let spoken = the(name);
-    let is_letter = spoken.starts_with(|c: char| c.is_uppercase());
-    if is_letter { format!("pin {spoken}") } else { spoken }
-}
-
-/// The pivot or joint of this name in running text, if it is one.
-pub(crate) fn holder(study: &Study, name: &str) -> Option<String> {
-    let pivots = study.model.pivots.iter().map(|pivot| &pivot.name);
-    let mut all = pivots.chain(study.model.joints.iter().map(|joint| &joint.name));
-    all.any(|known| known == name).then(|| joint(name))
 }
 
 /// The user's own symbol for a load, or the usual letter with the load's name.
@@ -295,6 +184,11 @@ pub(crate) fn impulse(place: &str) -> String {
     format!("J_{place}")
 }
 
+/// The couple by which a weld holds a body at its angle: `C_wood`.
+pub(crate) fn couple(joint: &str) -> String {
+    format!("C_{}", last(joint))
+}
+
 /// The arm of a force: `r_air` of `F_air`, `r_tip` of the contact's `N_tip`.
 pub(crate) fn arm(force: &str) -> String {
     format!("r_{}", force.split_once('_').map_or(force, |(_, below)| below))
@@ -309,8 +203,10 @@ pub(crate) fn last(name: &str) -> &str {
 fn usual(study: &Study) -> BTreeMap<String, String> {
     let bodies = &study.model.bodies;
     let mut symbols = BTreeMap::new();
+    let turning = turning(study);
     for body in bodies {
         for (name, letter, _) in QUANTITIES.into_iter().filter(|(_, letter, _)| !letter.is_empty()) {
+            let letter = if name == "alpha" { turning } else { letter };
             let shown = if bodies.len() == 1 { letter.to_owned() } else { below(letter, &body.name) };
             symbols.insert(format!("{}.{name}", body.name), shown);
         }
@@ -345,13 +241,23 @@ fn usual(study: &Study) -> BTreeMap<String, String> {
             symbols.insert(symbol.name.to_string(), below(&force, letter));
         }
         if let Some(couple) = multipliers.get(2) {
-            symbols.insert(couple.name.to_string(), format!("C_{}", last(&joint)));
+            symbols.insert(couple.name.to_string(), self::couple(&joint));
         }
         for (seat, letter) in [("seat_x", "x"), ("seat_y", "y")] {
             symbols.insert(format!("{joint}.{seat}"), format!("{letter}_{}", last(&joint)));
         }
     }
     symbols
+}
+
+/// The letter of angular accelerations: epsilon where a parameter is shown as alpha.
+fn turning(study: &Study) -> &'static str {
+    let shown = |symbol: &Symbol| {
+        study.symbols.iter().find(|(name, _)| **name == *symbol.name).map(|(_, shown)| &**shown)
+    };
+    let parameters = study.model.parameters.symbols();
+    let is_taken = parameters.iter().any(|symbol| shown(symbol).unwrap_or(&symbol.name) == "alpha");
+    if is_taken { "epsilon" } else { "alpha" }
 }
 
 /// What keeps each pivot and joint, by its name: components of the force, and the couple of a weld.
@@ -376,8 +282,9 @@ mod tests {
     }
 
     #[test]
-    fn names_are_spoken() {
-        let spoken = ["rod", "front_wheel", "corner1", "A", "link-12"].map(the);
-        assert_eq!(spoken, ["the rod", "the front wheel", "corner 1", "A", "link 12"]);
+    fn a_parameter_called_alpha_keeps_its_letter() {
+        let shown = |name: &str| all(&crate::scenes::motions_called(name).0)["block.alpha"].clone();
+        assert_eq!(shown("27-rocking-block"), "epsilon");
+        assert_eq!(shown("17-block-on-a-slope"), "alpha");
     }
 }

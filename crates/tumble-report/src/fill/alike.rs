@@ -119,8 +119,14 @@ fn stated_as(load: &str, law: Law) -> String {
     }
 }
 
-/// Names in a row; of many, the first two and the last.
+/// Names in a row; of many, the first two and the last. Corners are told by their numbers: `corners 1 and 2`.
 pub(crate) fn listed(names: &[String]) -> String {
+    let number = |name: &String| name.strip_prefix("corner ").map(str::to_owned);
+    if names.len() > 1
+        && let Some(numbers) = names.iter().map(number).collect::<Option<Vec<_>>>()
+    {
+        return format!("corners {}", listed(&numbers));
+    }
     match names {
         [] => String::new(),
         [only] => only.clone(),
@@ -170,5 +176,6 @@ mod tests {
         assert_eq!(listed(&names(1)), "b1");
         assert_eq!(listed(&names(3)), "b1, b2 and b3");
         assert_eq!(listed(&names(15)), "b1, b2, …, b15");
+        assert_eq!(listed(&["corner 1", "corner 2"].map(str::to_owned)), "corners 1 and 2");
     }
 }

@@ -8,7 +8,7 @@ use tumble_mech::Extreme;
 use tumble_ode::Side;
 use tumble_scene::{Instant, Study};
 
-use super::names::{Names, quantity};
+use super::names::{Names, quantity, quantity_to};
 use super::words::spoken;
 use super::{animation, balance, findings, sweep};
 use crate::figures::{self, captions, symbols};
@@ -17,6 +17,8 @@ use crate::results::{Case, CaseError, CheckResult, Runs, equilibrium, telling};
 
 /// Digits of an error: its size is what counts.
 const ERROR_DIGITS: usize = 1;
+/// Doubles have no more digits.
+const MOST_DIGITS: f64 = 17.0;
 /// What is less than this part of the largest value of a curve is zero but for rounding.
 const NOTHING: f64 = 1e-15;
 
@@ -189,10 +191,23 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
         found: match check.open() {
             _ if !check.is_reached() => check.status().into(),
             Some(open) => open.into(),
-            None => precise(check.found, unit).and(error(check)),
+            None => found(check).and(error(check)),
         },
         within: precise(check.within, unit),
         passed: check.holds,
+    }
+}
+
+/// What was found, to the place of its error: digits beyond that say nothing.
+fn found(check: &CheckResult) -> Text {
+    match check.error {
+        Some(error) if error > 0.0 && check.found.abs() <= error => precise(0.0, &check.unit),
+        Some(error) if error > 0.0 && error.is_finite() => {
+            let place = |value: f64| value.abs().log10().floor();
+            let digits = (place(check.found) - place(error) + 1.0).clamp(1.0, MOST_DIGITS);
+            quantity_to(check.found, digits as usize, &check.unit)
+        }
+        _ => precise(check.found, &check.unit),
     }
 }
 
@@ -211,4 +226,35 @@ fn precise(value: f64, unit: &str) -> Text {
     }
     let number = Text::from(Label::exact(value));
     if unit.is_empty() { number } else { number.and("\u{a0}").and(tumble_drawing::Label::unit(unit)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_found_is_shown_to_the_place_of_its_error() {
+        let shown = |value: f64, error: Option<f64>| {
+            let check = CheckResult {
+                name: String::new(),
+                that: String::new(),
+                unit: String::new(),
+                at: 0.0,
+                found: value,
+                expected: value,
+                within: 1.0,
+                error,
+                spread: None,
+                holds: true,
+            };
+            found(&check).to_plain()
+        };
+        assert_eq!(shown(1.024_690_108_640_719_6, Some(1e-14)), "1.02469010864072");
+        assert_eq!(shown(1.024_690_108_640_719_6, Some(1.6e-14)), "1.02469010864072");
+        assert_eq!(shown(6.93e-16, Some(5e-12)), "0");
+        assert_eq!(shown(374.999_999_999_999_9, Some(7e-10)), "375");
+        // Nothing is known of it, or it is exact.
+        assert_eq!(shown(0.1 + 0.2, None), "0.30000000000000004");
+        assert_eq!(shown(0.1 + 0.2, Some(0.0)), "0.30000000000000004");
+    }
 }

@@ -106,7 +106,7 @@ fn placed(run: &Run, named: impl Iterator<Item = (String, Vector)>) -> Result<Ve
 /// What happens, unless that is too much, and where digits end.
 fn marks(study: &Study, case: &Case) -> Vec<Mark> {
     let run = &case.run;
-    let what = |event: &Occurrence<Record>| words::event(study, &run.equations, event);
+    let what = |event: &Occurrence<Record>| words::event(study, run, event);
     let events: Vec<Mark> =
         run.events().map(|event| Mark { at: event.time, label: Label::plain(&what(event)) }).collect();
     let mut marks = if events.len() > MOST_MARKS { vec![] } else { events };

@@ -91,10 +91,13 @@ fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) ->
         Column::numbers(with("Angular impulse", "N*m*s")),
     ];
     let mut table = PrintedTable::new("What every load did", columns);
-    for (_, contribution) in &balance.contributions {
+    for (index, (_, contribution)) in balance.contributions.iter().enumerate() {
+        // Where its error is known, what is less is none.
+        let error = balance.work_errors.as_ref().map_or(0.0, |errors| errors[index]);
+        let work = if contribution.work.abs() <= error { 0.0 } else { contribution.work };
         let ([x, y], angular) = (&balance.total.momentum, &balance.total.angular_momentum);
         let cells = [
-            seen(contribution.work, &balance.energy),
+            seen(work, &balance.energy),
             seen(contribution.impulse[0], x),
             seen(contribution.impulse[1], y),
             seen(contribution.angular_impulse, angular),
@@ -110,4 +113,23 @@ fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) ->
         table.notes.push("Work marked (potential) is already in the potential energy.".into());
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::motions_called;
+
+    #[test]
+    fn work_that_is_less_than_its_error_is_none() {
+        let (study, mut cases) = motions_called("03-bouncing-rod");
+        cases[0].balance = CaseBalance::of(&cases[0]).expect("a balance");
+        let part = of(&study, &cases[0]).expect("a balance");
+        let works: Vec<[String; 2]> =
+            part.tables[1].rows.iter().map(|row| [row[0].to_plain(), row[1].to_plain()]).collect();
+        // A floor without damping gives back all that it takes.
+        let floor = |point: &str| [format!("the floor on the {point} (potential)"), "0".to_owned()];
+        assert!(works.contains(&floor("tail")) && works.contains(&floor("tip")), "{works:?}");
+        assert!(works[0][0] == "gravity (potential)" && works[0][1] != "0", "{works:?}");
+    }
 }

@@ -30,6 +30,8 @@ struct Coordinate {
 struct Stretch<'r> {
     mode: &'r Mode,
     begins: Expr,
+    /// The time at which it ends, where that has a formula.
+    end: Option<Expr>,
     /// Whether an event ends it before the run does.
     ends: bool,
     elapsed: Symbol,
@@ -47,8 +49,8 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
     let count = stretches.len();
     // An impact ends a closed form though the mode stays.
     let is_jump = |one: &Happening| !matches!(one, Happening::Event(_) | Happening::Rest);
-    let jumps =
-        run.events().filter(|event| event.time > 0.0 && event.record.happened.iter().any(is_jump)).count();
+    let jumps = run.events().filter(|event| event.record.happened.iter().any(is_jump));
+    let last_jump = jumps.map(|event| event.time).fold(0.0, f64::max);
     for (number, (mode, ends)) in stretches.into_iter().take(MOST_PHASES).enumerate() {
         let elapsed = Symbol::new(elapsed_since(number), Dimension::TIME);
         let Some(motions) = motions(run, mode, &coordinates, &begins, &elapsed) else { break };
@@ -60,10 +62,12 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
                 coordinate.start = (at_end.apply(&motion.position), at_end.apply(&motion.velocity));
             }
         }
+        let ends_later = study.number(&begins).is_ok_and(|begins| last_jump > begins);
         found.push(Stretch {
             mode,
             begins,
-            ends: number + 1 < count || jumps > 0,
+            end: ends.clone(),
+            ends: number + 1 < count || ends_later,
             elapsed,
             coordinates,
             motions,
@@ -174,7 +178,7 @@ fn without_states(run: &Run, mode: &Mode, formula: &Expr) -> Option<Expr> {
 }
 
 fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Result<Phase, CaseError> {
-    let Stretch { mode, begins, ends, elapsed, coordinates, motions } = stretch;
+    let Stretch { mode, begins, elapsed, coordinates, motions, .. } = stretch;
     let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
     let mut numbers: Vec<Typeset> = vec![];
     for (coordinate, motion) in coordinates.iter().zip(motions) {
@@ -201,14 +205,20 @@ fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Re
     numbers.retain(|line| !said.contains(&&*line.text));
     let numbers =
         if numbers.is_empty() { vec![] } else { vec![Block { lines: numbers, ..Default::default() }] };
-    let from = study.number(begins)?;
-    let until = if *ends { " to the next event" } else { " on" };
-    Ok(Phase {
-        name: Text::from(words::mode(study, &case.run.equations, mode)),
-        span: Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")).and(until),
-        symbols,
-        numbers,
-    })
+    let name = Text::from(words::mode(study, &case.run.equations, mode));
+    Ok(Phase { name, span: span(study, stretch)?, symbols, numbers })
+}
+
+/// `from t = 0 s to 0.01 s`; nothing of what holds all the time.
+fn span(study: &Study, stretch: &Stretch<'_>) -> Result<Text, CaseError> {
+    let from = study.number(&stretch.begins)?;
+    let until = match &stretch.end {
+        Some(end) => Text::from(" to ").and(quantity(study.number(end)?, "s")),
+        None if stretch.ends => " to the next event".into(),
+        None if from == 0.0 => return Ok(Text::default()),
+        None => " on".into(),
+    };
+    Ok(Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")).and(until))
 }
 
 /// The polynomial with its coefficients as numbers with their units.

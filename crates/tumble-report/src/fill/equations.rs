@@ -8,7 +8,7 @@ use tumble_ode::Piece;
 use tumble_scene::Study;
 
 use super::alike::Kind;
-use super::motion::{Motion, Setting, second};
+use super::motion::{Motion, Setting, inertia_name, second};
 use super::names::{Names, math};
 use super::once::{BESIDE_LAWS, BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
 use super::words;
@@ -71,7 +71,12 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
         (false, false) if is_beside => Text::from(BESIDE_LAWS).capitalised().to_plain(),
         (false, false) => String::new(),
     };
+    let about_pivot = Math::symbol(&inertia_name(study, &study.model.bodies[motion.body].name));
+    let place = shown.definitions.iter().position(|line| line.left.as_ref() == Some(&about_pivot));
     let mut block = names.shown_block(title.into(), Ok(shown));
+    if let Some(index) = place {
+        block.definitions[index].meaning = "about the pivot".into();
+    }
     block.definitions.extend(seats(study, names, motion));
     block.definitions.extend(second_rate(study, names, motion));
     Some(block)

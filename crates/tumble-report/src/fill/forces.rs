@@ -166,7 +166,9 @@ impl<'a> Load<'a> {
                 return vec![words("holds the point in its place")];
             }
             (None, Law::Reaction) => {
-                return vec![words("holds the point in its place, and the body at its angle")];
+                let couple = symbols::couple(&term.load);
+                let by = Math::Row(vec![Math::Text("the couple\u{a0}".to_owned()), Math::symbol(&couple)]);
+                return vec![words("holds the point in its place, and the body at its angle"), math(&by)];
             }
             (None, law) if law.is_couple() => Written::Scalar(term.couple.clone()),
             (None, _) => Written::Vector(term.force.clone()),

@@ -9,6 +9,7 @@ use tumble_ode::Side;
 use tumble_scene::{Question, Study, SweepAxis, Swept, When};
 
 use super::names::{MASS, Names, quantity};
+use super::words::spoken;
 use super::{alike, sizes};
 use crate::figures::symbols;
 use crate::results::{Case, CaseError, is_angle, unit};
@@ -266,10 +267,10 @@ fn sought(study: &Study) -> Vec<Text> {
     let called = |text: &str| Text::from(symbols::called(study, &all, text));
     let find = |question: &Question| {
         let when = match question.at {
-            When::Extreme { which: Extreme::Greatest, .. } => "the greatest ",
-            When::Extreme { which: Extreme::Least, .. } => "the least ",
-            When::End => "at the end, ",
-            When::At(_) => "at an instant, ",
+            When::Extreme { which: Extreme::Greatest, .. } => "the greatest ".to_owned(),
+            When::Extreme { which: Extreme::Least, .. } => "the least ".to_owned(),
+            When::End => "at the end, ".to_owned(),
+            When::At(_) => format!("{}: ", spoken(&question.name)),
         };
         Text::from(when).and(called(&question.that.text))
     };

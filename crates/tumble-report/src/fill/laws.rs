@@ -1,24 +1,45 @@
 //! Newton's laws for a body, each load by its symbol.
 
-use crate::report::Block;
+use crate::report::{Block, Definition};
 use tumble_expr::{Expr, Symbol, is_identically_zero};
 use tumble_mech::Term;
 use tumble_notation::{Left, Math};
 use tumble_scene::Study;
 
 use super::forces::is_on_other;
-use super::names::Names;
+use super::names::{Names, math};
 use super::sum;
 use crate::figures::symbols;
 use crate::results::Case;
 
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
-pub(super) fn of(study: &Study, names: &Names, case: &Case, body: usize) -> Block {
+/// What their letters mean stands at the first body: `said` has the letters that are known.
+pub(super) fn of(study: &Study, names: &Names, case: &Case, body: usize, said: &mut Vec<String>) -> Block {
     let run = case.run.of_body(body);
     let modes = run.trajectory().modes.iter();
     let terms = modes.flat_map(|mode| case.run.equations.shown_terms(mode));
     let terms = distinct(terms.filter(|term| term.body == body).collect());
-    laws_of(study, names, case, (body, &terms), "Newton's laws")
+    let mut block = laws_of(study, names, case, (body, &terms), "Newton's laws");
+    let is_new = |definition: &Definition| !said.contains(&definition.symbol.text);
+    let new: Vec<Definition> = letters(study, names, case, body).into_iter().filter(is_new).collect();
+    said.extend(new.iter().map(|definition| definition.symbol.text.clone()));
+    block.definitions.splice(..0, new);
+    block
+}
+
+/// The letters of the left sides.
+fn letters(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<Definition> {
+    let kinematics = study.model.bodies[body].kinematics();
+    let [along, _] = kinematics.acceleration_symbols();
+    let turns = !is_identically_zero(&case.run.equations.mass_properties(body).inertia);
+    let turning = kinematics.alpha_symbol();
+    let all = [(true, along, "acceleration of the centre of mass"), (turns, turning, "angular acceleration")];
+    let letter = |(_, symbol, meaning): (bool, Symbol, &str)| {
+        let shown = names.shown(&symbol.name);
+        let letter = Math::symbol(shown.split('_').next().unwrap_or(shown));
+        Definition { symbol: math(&letter), meaning: meaning.into() }
+    };
+    all.into_iter().filter(|(has, ..)| *has).map(letter).collect()
 }
 
 fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[Term]), title: &str) -> Block {

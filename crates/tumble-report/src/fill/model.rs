@@ -1,6 +1,7 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
 use crate::report::{BodyModel, ModelPart, Picture, Text, Typeset};
+use tumble_mech::Application;
 use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
@@ -41,6 +42,11 @@ fn assumptions(study: &Study) -> Vec<Text> {
     let frictions =
         surfaces.clone().map(|surface| &surface.friction).chain(contacts.clone().map(|own| &own.friction));
     let resists = frictions.flatten().any(|friction| friction.rolling.is_some());
+    // A torque may be what rubs in a pivot.
+    let is_turned = model.loads.iter().any(|load| matches!(load.application, Application::Torque(_)));
+    let none = if is_turned { "no friction but for the torques that are stated." } else { "no friction." };
+    let [pivots, joints] =
+        ["Pivots have", "Pivots and joints are rigid and have"].map(|words| format!("{words} {none}"));
     // Else there is one only who could say it.
     let is_said_by_several = of_bodies
         || model.bodies.iter().any(|body| body.restitution.is_some())
@@ -51,8 +57,8 @@ fn assumptions(study: &Study) -> Vec<Text> {
             matches!(model.gravity, tumble_mech::Gravity::Horizontal(_)),
             "The plane is horizontal: weight and support cancel out of it.",
         ),
-        (!model.pivots.is_empty() && model.joints.is_empty(), "Pivots have no friction."),
-        (!model.joints.is_empty(), "Pivots and joints are rigid and have no friction."),
+        (!model.pivots.is_empty() && model.joints.is_empty(), &*pivots),
+        (!model.joints.is_empty(), &*joints),
         (
             model.joints.iter().any(|joint| joint.from.is_some()),
             "Bodies that are joined on the way are joined in an instant, by an impact without rebound.",
@@ -88,7 +94,7 @@ fn one(
         name: Text::from(kind.name(study)).capitalised(),
         diagrams: diagrams(study, drawn, body, said)?,
         forces: forces::of(study, names, case, body),
-        laws: vec![laws::of(study, names, case, body)],
+        laws: vec![laws::of(study, names, case, body, said)],
     })
 }
 

@@ -305,7 +305,7 @@ fn named_inertia(notation: Notation, study: &Study, body: usize, inertia: &Expr)
 }
 
 /// `I_P`, with the body's name where there are several.
-fn inertia_name(study: &Study, body: &str) -> String {
+pub(super) fn inertia_name(study: &Study, body: &str) -> String {
     if study.model.bodies.len() > 1 { format!("I_P,{body}") } else { "I_P".to_owned() }
 }
 

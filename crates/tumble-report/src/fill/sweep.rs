@@ -17,13 +17,14 @@ const READ: usize = 6;
 
 /// Every answer over what is swept.
 pub(super) fn curves(study: &Study, survey: &Survey) -> Vec<Chart> {
-    let caption = |name: &str| {
+    let caption = |name: &str, figure: &CurveFigure| {
         let mut own = survey.located.iter().filter(|located| format!("find.{}", located.find) == name);
         let made = own.any(|located| located.place.made > 0);
-        captions::answers(made)
+        captions::answers(figure, made)
     };
     let plot = |(name, figure): (String, CurveFigure)| {
-        Chart::new(figure, caption(&name)).stored(format!("{name}.svg"))
+        let caption = caption(&name, &figure);
+        Chart::new(figure, caption).stored(format!("{name}.svg"))
     };
     finds::curves(study, survey).into_iter().map(plot).collect()
 }

@@ -1,20 +1,21 @@
 //! What touches, what acts and what happens, in words: `the tail presses on the floor`.
 
 use tumble_expr::is_identically_zero;
-use tumble_mech::{
-    Change, ContactMode, Equations, Grip, Happening, Mode, Others, Pair, PossibleChange, Record, Way,
-};
-use tumble_ode::Occurrence;
+use tumble_mech::{Change, ContactMode, Equations, Grip, Mode, Pair, PossibleChange, Way};
 use tumble_scene::Study;
 
+use super::alike::listed;
 use crate::figures::symbols;
+
+mod happened;
+
+use happened::changes_to;
+pub(crate) use happened::event;
 
 /// More groups of contacts than these are counted.
 const MOST_GROUPS: usize = 3;
 /// More contacts of one group than these are counted.
 const MOST_NAMED: usize = 4;
-/// More groups than these that change at one instant are counted, where bodies meet each other.
-const MOST_CHANGES: usize = 5;
 
 /// Words of its own, at most, that one of two sentences has that are told as one.
 const MOST_OWN: usize = 2;
@@ -63,7 +64,9 @@ pub(super) fn either(one: &str, other: &str) -> String {
     let own = |words: &[&str]| words[before..words.len() - after].join(" ");
     let is_little = |words: &[&str]| (1..=MOST_OWN).contains(&(words.len() - after - before));
     if before == 0 || !is_little(&first) || !is_little(&second) {
-        return format!("{one}, or {other}");
+        // Where one of them is a row of sentences, a comma would read as one more of them.
+        let pause = if one.contains(", ") || other.contains(", ") { ";" } else { "," };
+        return format!("{one}{pause} or {other}");
     }
     let [start, end] = [&first[..before], &first[first.len() - after..]].map(|words| words.join(" "));
     format!("{start} {} or {} {end}", own(&first), own(&second)).trim_end().to_owned()
@@ -83,22 +86,24 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect()
 }
 
-/// `the tail and the tip press on the floor`; whose points they are is said once.
+/// `the tail and the tip press on the floor`
 fn group(verb: &Verb, to: &str, points: &[String]) -> String {
-    let whose = |point: &str| point.split_once(OF).map(|(_, body)| body.to_owned());
     match points {
         [only] => format!("{only} {} {to}", verb[0]),
         many if many.len() > MOST_NAMED => format!("{} points {} {to}", many.len(), verb[1]),
-        [before @ .., last] => {
-            let is_one = before.iter().all(|point| whose(point).is_some() && whose(point) == whose(last));
-            let short = |point: &String| match point.split_once(OF).filter(|_| is_one) {
-                Some((point, _)) => point.to_owned(),
-                None => point.clone(),
-            };
-            let before: Vec<String> = before.iter().map(short).collect();
-            format!("{} and {last} {} {to}", before.join(", "), verb[1])
+        several => format!("{} {} {to}", together(several), verb[1]),
+    }
+}
+
+/// `the tail and the tip`; whose points they are is said once.
+fn together(points: &[String]) -> String {
+    let of = |point: &String| point.split_once(OF).map(|(point, body)| (point.to_owned(), body.to_owned()));
+    match points.iter().map(of).collect::<Option<Vec<_>>>().as_deref() {
+        Some([(_, body), others @ ..]) if others.iter().all(|(_, other)| other == body) => {
+            let short: Vec<String> = points.iter().filter_map(of).map(|(point, _)| point).collect();
+            format!("{}{OF}{body}", listed(&short))
         }
-        [] => String::new(),
+        _ => listed(points),
     }
 }
 
@@ -233,114 +238,11 @@ pub(super) fn other(study: &Study, pair: &Pair, body: usize) -> String {
     }
 }
 
-/// All that happens at an instant; points that do the same are told together.
-pub(crate) fn event(study: &Study, equations: &Equations, event: &Occurrence<Record>) -> String {
-    let mut changed: Vec<(usize, Vec<Change>)> = vec![];
-    let mut told: Vec<String> = vec![];
-    for one in &event.record.happened {
-        match *one {
-            Happening::Contact { pair, change } => match changed.iter_mut().find(|(of, _)| *of == pair) {
-                Some((_, changes)) => changes.push(change),
-                None => changed.push((pair, vec![change])),
-            },
-            _ => told.push(happening(study, equations, one)),
-        }
-    }
-    let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
-    for (pair, changes) in changed {
-        let pair = &equations.pairs()[pair];
-        add(&mut groups, (all_of(&changes, event.time == 0.0), against(study, pair)), point(study, pair));
-    }
-    told.extend(match groups.len() > MOST_CHANGES {
-        true => pairs_of_bodies(&groups),
-        false => groups.iter().map(|(verb, to, points)| group(verb, to, points)).collect(),
-    });
-    let is_possible = |others: &Others| matches!(others, Others::Possible(_));
-    told.extend(event.record.others.iter().any(is_possible).then(|| "other motions are possible".to_owned()));
-    told.join(", ")
-}
-
-/// `the cue strikes b1, 30 pairs of bodies strike and leave each other`
-fn pairs_of_bodies(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
-    let mut kinds: Vec<(&Verb, usize, String)> = vec![];
-    for (verb, to, points) in groups {
-        match kinds.iter_mut().find(|(known, ..)| *known == verb) {
-            Some((_, count, _)) => *count += points.len(),
-            None => kinds.push((verb, points.len(), group(verb, to, points))),
-        }
-    }
-    let one = |(verb, count, only): (&Verb, usize, String)| match count {
-        1 => only,
-        _ => format!("{count} pairs of bodies {} each other", verb[1]),
-    };
-    kinds.into_iter().map(one).collect()
-}
-
-/// All that one contact does at an instant: `strikes and sticks to`. What holds from then on tells that it touches.
-fn all_of(changes: &[Change], is_start: bool) -> Verb {
-    let lasts = |change: &Change| matches!(change, Change::Slides | Change::Sticks | Change::Rolls);
-    let is_told = |change: &&Change| **change != Change::Start || !changes.iter().any(lasts);
-    let stays = changes.contains(&Change::Impact);
-    let verbs: Vec<[&str; 2]> = changes
-        .iter()
-        .filter(is_told)
-        .map(|change| match change {
-            Change::Start if stays => ["stays on", "stay on"],
-            Change::Start if is_start => ["touches", "touch"],
-            Change::Slides if is_start => ["slides on", "slide on"],
-            Change::Rolls if is_start => ["rolls on", "roll on"],
-            other => changes_to(*other),
-        })
-        .collect();
-    [0, 1].map(|number| verbs.iter().map(|verb| verb[number]).collect::<Vec<_>>().join(" and "))
-}
-
 /// One more point that does this to that.
 fn add(groups: &mut Vec<(Verb, String, Vec<String>)>, (verb, to): (Verb, String), point: String) {
     match groups.iter_mut().find(|(known, other, _)| *known == verb && *other == to) {
         Some((.., points)) => points.push(point),
         None => groups.push((verb, to, vec![point])),
-    }
-}
-
-fn happening(study: &Study, equations: &Equations, happening: &Happening) -> String {
-    match *happening {
-        Happening::Event(event) => spoken(&study.model.events[event].name),
-        Happening::Window { window, ends } => {
-            let load = symbols::the(&equations.windows()[window].load);
-            format!("{load} {}", if ends { "ends" } else { "begins" })
-        }
-        Happening::Joint { joint, holds } => {
-            let joint = symbols::joint(&study.model.joints[joint].name);
-            format!("{joint} {}", if holds { "begins to hold" } else { "lets go" })
-        }
-        Happening::Impulse(impulse) => {
-            format!("{} gives its impulse", symbols::the(&study.model.impulses[impulse].name))
-        }
-        Happening::Contact { pair, .. } => equations.pairs()[pair].name.clone(),
-        Happening::Brake { brake, sticks } => {
-            let load = symbols::the(equations.brake_name(brake));
-            format!("{load} {}", if sticks { "begins to hold" } else { "gives way" })
-        }
-        Happening::Rest => "all is at rest".to_owned(),
-        Happening::Singular => "the joints pass a singular configuration".to_owned(),
-    }
-}
-
-fn changes_to(change: Change) -> [&'static str; 2] {
-    match change {
-        Change::Impact => ["strikes", "strike"],
-        Change::Zeno => {
-            ["bounces no higher than can be followed on", "bounce no higher than can be followed on"]
-        }
-        Change::Start => ["begins to touch", "begin to touch"],
-        Change::End => ["leaves", "leave"],
-        Change::Slides => ["begins to slide on", "begin to slide on"],
-        Change::Stops => ["stops turning on", "stop turning on"],
-        Change::Turns => ["begins to turn on", "begin to turn on"],
-        Change::Sticks => ["sticks to", "stick to"],
-        Change::Rolls => ["begins to roll on", "begin to roll on"],
-        Change::Clear => ["is out of", "are out of"],
     }
 }
 
@@ -365,33 +267,16 @@ pub(super) fn spoken(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::event;
-    use crate::scenes::{all, motions_of};
-
-    /// What happens at each event of the first run of a scene.
-    fn events(scene: &str) -> Vec<String> {
-        let folder = all().find(|path| path.to_string_lossy().contains(scene)).expect("a scene");
-        let (study, cases) = motions_of(&folder);
-        let run = &cases[0].run;
-        run.events().map(|one| event(&study, &run.equations, one)).collect()
-    }
+    use super::either;
 
     #[test]
-    fn a_corner_without_a_name_of_its_own_is_that_of_a_body() {
-        let block = events("17-block-on-a-slope");
-        assert_eq!(block[1], "corner 1 of the block sticks to the floor", "{block:?}");
-    }
-
-    #[test]
-    fn points_that_do_the_same_are_told_together() {
-        assert_eq!(events("16-bench"), ["the left, the middle and the right touch the floor".to_owned()]);
-        let falling = events("10-falling-rod");
-        assert!(
-            falling
-                .iter()
-                .any(|text| text
-                    .contains("the foot strikes the floor, the head strikes and stays on the floor")),
-            "{falling:?}"
+    fn sentences_that_share_little_are_both_told() {
+        assert_eq!(
+            either("the tip settles on the floor", "the tip slides on the floor"),
+            "the tip settles or slides on the floor"
         );
+        assert_eq!(either("nothing touches", "the rod holds"), "nothing touches, or the rod holds");
+        // A comma is within the first.
+        assert_eq!(either("a holds, b holds", "c rolls on d"), "a holds, b holds; or c rolls on d");
     }
 }

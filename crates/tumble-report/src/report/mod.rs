@@ -14,7 +14,7 @@
 //! assert!(page.contains("It lands after 1.2 s."));
 //! ```
 
-mod html;
+pub(crate) mod html;
 pub mod json;
 pub mod live;
 mod markdown;

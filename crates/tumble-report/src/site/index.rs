@@ -4,17 +4,14 @@ use tumble_drawing::Animation;
 use tumble_drawing::svg::escape;
 
 use super::{Page, Ways, url};
+use crate::report::Text;
+use crate::report::html::{self, MOTION};
 use crate::report::json::{list, object};
 use crate::report::live;
 
 /// What makes the pictures move, in the order in which it runs.
-const SCRIPTS: [&str; 5] = [
-    include_str!("../report/assets/common.js"),
-    include_str!("../report/assets/arrows.js"),
-    include_str!("../report/assets/names.js"),
-    include_str!("../report/assets/motion.js"),
-    include_str!("assets/living.js"),
-];
+const SCRIPTS: [&str; 3] =
+    [include_str!("../report/assets/common.js"), MOTION, include_str!("assets/living.js")];
 
 /// A gallery of runs.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,7 +36,7 @@ pub struct Entry {
     /// Path of its report, likewise.
     pub report: String,
     /// Paragraphs of the summary: what happens, and what was found.
-    pub summary: Vec<String>,
+    pub summary: Vec<Text>,
     /// The motion.
     pub motion: Option<Animation>,
     /// Links to files of data.
@@ -96,7 +93,8 @@ impl Entry {
         } else {
             String::new()
         };
-        let summary: String = self.summary.iter().map(|line| format!("<p>{}</p>\n", escape(line))).collect();
+        let summary: String =
+            self.summary.iter().map(|line| format!("<p>{}</p>\n", html::text(line))).collect();
         let lesson =
             self.lesson.iter().map(|_| format!("<a href=\"{first}\">Lesson</a> · ")).collect::<String>();
         format!(
@@ -128,7 +126,7 @@ mod tests {
             title: hostile(),
             lesson: Some("javascript:alert(1)".into()),
             report: "javascript:alert(1)".into(),
-            summary: vec![hostile()],
+            summary: vec![hostile().into()],
             motion: Some(Animation {
                 title: tumble_drawing::Label::plain(&hostile()),
                 ..Animation::default()

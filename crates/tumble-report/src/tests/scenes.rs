@@ -13,6 +13,17 @@ pub(crate) fn all() -> impl Iterator<Item = PathBuf> {
     folders.map(|folder| folder.expect("readable").path().join("scene.toml"))
 }
 
+/// The runs of the scene of the gallery whose folder begins so.
+pub(crate) fn motions_called(name: &str) -> (Study, Vec<Case>) {
+    let is_own = |scene: &PathBuf| {
+        scene
+            .parent()
+            .and_then(Path::file_name)
+            .is_some_and(|folder| folder.to_string_lossy().starts_with(name))
+    };
+    motions_of(&all().find(is_own).expect("a scene of this name"))
+}
+
 /// The runs of a scene with their motions.
 pub(crate) fn motions_of(scene: &Path) -> (Study, Vec<Case>) {
     let bytes = std::fs::read(scene).expect("readable");

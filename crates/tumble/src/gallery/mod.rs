@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 use thiserror::Error;
+use tumble_report::report::Text;
 use tumble_report::results::Finished;
 use tumble_report::site::{Entry, GALLERY_SEAL, Index, Link, Page, Ways, url};
 use tumble_report::tables::OF_RUN;
@@ -176,9 +177,9 @@ impl Site {
             outcome.cases.iter().flat_map(|case| OF_RUN.map(|table| format!("{}/{table}", case.folder())));
         let link = |file: String| Link { path: format!("{name}/{file}"), text: file };
         let lesson = self.documents.lesson(name);
-        let happens = lesson.map(markdown::first_paragraph);
+        let happens = lesson.map(markdown::first_paragraph).map(Text::from);
         let summary = happens.into_iter().chain([outcome.lead.clone()]);
-        let summary = summary.chain(outcome.cases.iter().filter_map(fault));
+        let summary = summary.chain(outcome.cases.iter().filter_map(fault).map(Text::from));
         Entry {
             title: outcome.study.title.clone(),
             lesson: lesson.map(|_| lesson_page(name)),

@@ -3,7 +3,7 @@
 use tumble_expr::{Expr, Substitution, units};
 use tumble_ode::Side;
 
-use super::solved;
+use super::{solved, span};
 use crate::scenes;
 
 /// Instants of each stretch.
@@ -63,4 +63,20 @@ fn closed_forms_are_what_the_motion_does() {
         }
     }
     assert!(runs >= 5 && values > 200, "{runs} runs have closed forms, {values} values");
+}
+
+#[test]
+fn spans_end_where_something_happens_and_nowhere_else() {
+    let spans = |name: &str| {
+        let (study, cases) = scenes::motions_called(name);
+        let study = study.with(&cases[0].parameters);
+        let solved = solved(&study, &cases[0].run);
+        let text = |stretch| span(&study, stretch).expect("a span").to_plain().replace('\u{a0}', " ");
+        solved.iter().map(text).collect::<Vec<_>>()
+    };
+    // The kick ends at a time that the scene says, and nothing comes after it.
+    assert_eq!(spans("04-kicked-ball"), ["from t = 0 s to 0.01 s", "from t = 0.01 s on"]);
+    assert_eq!(spans("03-bouncing-rod"), ["from t = 0 s to the next event"]);
+    // An event that changes nothing, the apex, ends nothing.
+    assert_eq!(spans("02-thrown-rod"), [""]);
 }

@@ -86,9 +86,7 @@ fn seats_of(case: &Case, mode: usize, piece: Option<&tumble_ode::Piece>) -> Subs
 /// Of two corners on a slope the conditions are how the middle moves and how the body turns, beside the laws.
 #[test]
 fn conditions_of_two_contacts_are_added_up() {
-    let scene =
-        crate::scenes::all().find(|path| path.to_string_lossy().contains("17-block")).expect("a scene");
-    let (study, cases) = motions_of(&scene);
+    let (study, cases) = crate::scenes::motions_called("17-block");
     let study = study.with(&cases[0].parameters);
     let names = Names::of(&study).expect("names");
     let mode = lasting(&cases[0])[0];

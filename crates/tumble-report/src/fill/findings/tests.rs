@@ -10,8 +10,7 @@ use crate::scenes;
 
 /// What is found in a scene of the gallery.
 fn found_in(name: &str) -> Vec<String> {
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name).join("scene.toml");
-    let (study, cases) = scenes::motions_of(&scene);
+    let (study, cases) = scenes::motions_called(name);
     plain(&study, cases)
 }
 

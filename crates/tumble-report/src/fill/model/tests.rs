@@ -101,3 +101,72 @@ fn one(symbol: &Symbol) -> Expr {
     let units = [1.0 * M, 1.0 * M / S, 1.0 / S];
     units.into_iter().find(|unit| unit.dimension() == Ok(symbol.dimension)).unwrap_or_else(Expr::one)
 }
+
+/// The model of a scene of the gallery, and the captions of the free-body sheets that it asks for.
+fn model_of(name: &str) -> (ModelPart, Vec<String>) {
+    let (study, cases) = crate::scenes::motions_called(name);
+    let names = Names::of(&study).expect("names");
+    let sheet = |asked| free_bodies::sheet(&study, &cases[0], asked).expect("a sheet");
+    let captions = study.free_bodies.iter().flat_map(|asked| sheet(asked).captions);
+    let captions = captions.map(|caption| caption.to_plain()).collect();
+    (of(&study, &names, &cases).expect("a model"), captions)
+}
+
+#[test]
+fn of_two_corners_that_stick_to_one_slope_only_friction_is_open() {
+    let (_, captions) = model_of("17-block-on-a-slope");
+    let open: Vec<&String> = captions.iter().filter(|caption| caption.contains("not unique")).collect();
+    let [open] = open[..] else { panic!("{captions:?}") };
+    assert!(open.contains("f_corner1") && open.contains("f_corner2") && !open.contains("N_"), "{open}");
+    let (_, captions) = model_of("16-bench-on-three-feet");
+    assert!(captions.iter().any(|caption| caption.contains("N_left, N_middle, N_right")), "{captions:?}");
+}
+
+#[test]
+fn a_force_that_is_open_and_given_nothing_is_in_the_picture() {
+    let shown = |name: &str, panel: usize, letter: char| {
+        let (study, cases) = crate::scenes::motions_called(name);
+        let sheet = free_bodies::sheet(&study, &cases[0], &study.free_bodies[0]).expect("a sheet");
+        let symbols = sheet.panels[panel].forces.iter().map(|arrow| arrow.symbol.to_plain());
+        symbols.filter(|symbol| symbol.starts_with(letter)).collect::<Vec<_>>()
+    };
+    assert_eq!(shown("16-bench", 0, 'N'), ["N_left", "N_right", "N_middle"]);
+    assert_eq!(shown("17-block", 1, 'f'), ["f_corner1", "f_corner2"]);
+}
+
+#[test]
+fn a_pivot_with_a_torque_is_not_said_to_have_no_friction() {
+    let said = |name: &str| {
+        let (model, _) = model_of(name);
+        model
+            .assumptions
+            .iter()
+            .map(Text::to_plain)
+            .find(|words| words.starts_with("Pivots"))
+            .expect("a pivot")
+    };
+    assert_eq!(said("07-measured-gust"), "Pivots have no friction but for the torques that are stated.");
+    assert_eq!(said("01-pendulum-in-the-wind"), "Pivots have no friction.");
+}
+
+#[test]
+fn letters_of_accelerations_are_explained_at_the_first_body_only() {
+    let (model, _) = model_of("11-double-pendulum");
+    let explained = model.bodies.iter().map(|body| {
+        let definitions = body.laws.iter().flat_map(|law| &law.definitions);
+        definitions.filter(|one| one.meaning.to_plain().contains("acceleration")).count()
+    });
+    assert_eq!(explained.collect::<Vec<_>>(), [2, 0]);
+}
+
+#[test]
+fn a_moment_of_inertia_about_a_pivot_says_so() {
+    let (model, _) = model_of("12-bullet-in-a-rod");
+    let definitions =
+        model.modes.iter().flat_map(|mode| &mode.equations).flat_map(|block| &block.definitions);
+    let own: Vec<String> = definitions
+        .filter(|one| one.symbol.latex.contains("I_{P"))
+        .map(|one| one.meaning.to_plain())
+        .collect();
+    assert_eq!(own, ["about the pivot"]);
+}

@@ -2,6 +2,8 @@
 
 /** Arrows of velocities are as long as what is passed in this part of the motion. */
 const ARROW_PART = 0.06;
+/** Pixels from the middle of a handle to its edge. */
+const HANDLE = 8;
 /** Part of a range for a key. */
 const KEY_STEP = 0.01;
 
@@ -14,6 +16,11 @@ class LivePlayer extends Player {
     // What can be dragged is in it.
     this.svg.setAttribute("role", "group");
     this.layOut();
+  }
+
+  /** Names stand on no handle, and on no arrow to one. */
+  kept() {
+    return this.handles ?? [];
   }
 
   boxes() {
@@ -94,7 +101,7 @@ class LivePlayer extends Player {
       const style = `color:var(--c${i % 7})`;
       const path = body.trail ? this.trailPoints(body).filter((point) => !point.includes("NaN")) : [];
       if (path.length) draw("path", { class: "trail", style, d: `M${path.join("L")}` }, layer);
-      const group = this.buildShape(body, style, layer);
+      const group = drawShape(body, this.scale, style, layer);
       const name = label && i === 0 ? drawLabel(this.ghostLayer, [[label, "", ""]], { class: "halo" }) : null;
       return { body, group, name };
     });
@@ -114,7 +121,7 @@ class LivePlayer extends Player {
     const i = at < 0 ? times.length - 1 : at;
     const [x, y] = this.pixel(body.x[i], body.y[i]);
     if (!Number.isFinite(x + y)) return;
-    this.pose(group, [x, y], body.angle[i]);
+    pose(group, [x, y], body.angle[i]);
     // Beside the body, and within the picture.
     const left = x < this.size[0] / 2 ? 14 : -14;
     name?.setAttribute("text-anchor", left > 0 ? "start" : "end");
@@ -159,6 +166,7 @@ class LivePlayer extends Player {
   /** What can be dragged of the bodies' starts. */
   drawGrips() {
     this.gripLayer.replaceChildren();
+    this.handles = [];
     for (const [index, body] of this.motion.bodies.entries()) {
       const name = plain(body.name);
       const centre = [body.x[0], body.y[0]];
@@ -173,7 +181,8 @@ class LivePlayer extends Player {
   /** A place that is dragged with a pointer or moved by keys; `set` makes values of where it is. */
   grip(at, label, knobs, set) {
     const [cx, cy] = this.pixel(...at);
-    const handle = draw("circle", { class: "grip", cx, cy, r: 8, tabindex: 0, role: "slider", "aria-label": label }, this.gripLayer);
+    this.handles.push(...rim(["circle", cx, cy, HANDLE + 3], 1));
+    const handle = draw("circle", { class: "grip", cx, cy, r: HANDLE, tabindex: 0, role: "slider", "aria-label": label }, this.gripLayer);
     handle.setAttribute("aria-valuetext", knobs.map((knob) => knob.text()).join(", "));
     handle.setAttribute("aria-valuenow", knobs[0].value());
     handle.addEventListener("pointerdown", (event) => this.drag(event, set));
@@ -243,7 +252,9 @@ class LivePlayer extends Player {
   speedGrip(centre, name, knobs, index) {
     const long = this.arrowTime();
     const tip = centre.map((at, k) => at + knobs[k].value() * long);
-    drawSpeed(this.gripLayer, this.pixel(...centre), this.pixel(...tip), index);
+    const ends = [this.pixel(...centre), this.pixel(...tip)];
+    this.handles.push(...along(ends));
+    drawSpeed(this.gripLayer, ...ends, index);
     this.grip(tip, `Start velocity of ${name}`, knobs, (at) => knobs.map((knob, k) => [knob, (at[k] - centre[k]) / long]));
   }
 }

@@ -2,8 +2,8 @@
 
 /** Typing that rests for so long, ms, has the scene run. */
 const TYPING = 350;
-/** What is told apart in a line: comments, texts, titles of sections, keys. */
-const TOKENS = /(#.*)|("(?:[^"\\]|\\.)*"?|'[^']*'?)|(^\s*\[[^\]]*\]?)|(^\s*[\w."-]+(?=\s*=))/g;
+/** What is told apart: comments, texts of several lines and of one, titles of sections, keys. */
+const TOKENS = /(#.*)|("""(?:[^\\]|\\[^])*?(?:"""|$(?![^]))|'''[^]*?(?:'''|$(?![^]))|"(?:[^"\\\n]|\\.)*"?|'[^'\n]*'?)|(^[ \t]*\[[^\]\n]*\]?)|(^[ \t]*[\w."-]+(?=[ \t]*=))/gm;
 const KINDS = ["comment", "text", "title", "key"];
 
 class SceneEditor {
@@ -51,14 +51,11 @@ class SceneEditor {
     const text = this.area.value;
     this.back.replaceChildren();
     let at = 0;
-    for (const line of text.split("\n")) {
-      for (const [part, kind] of tokens(line)) {
-        this.piece(part, kind, at);
-        at += part.length;
-      }
-      this.back.append("\n");
-      at += 1;
+    for (const [part, kind] of tokens(text)) {
+      this.piece(part, kind, at);
+      at += part.length;
     }
+    this.back.append("\n");
     this.numbers.textContent = Array.from({ length: text.split("\n").length }, (_, i) => i + 1).join("\n") + "\n";
     this.follow();
   }
@@ -102,15 +99,15 @@ class SceneEditor {
   }
 }
 
-/** The parts of a line, each with its kind, nothing left out. */
-function tokens(line) {
+/** The parts of a text, each with its kind, nothing left out. */
+function tokens(text) {
   const parts = [];
   let at = 0;
-  for (const match of line.matchAll(TOKENS)) {
-    if (match.index > at) parts.push([line.slice(at, match.index), ""]);
+  for (const match of text.matchAll(TOKENS)) {
+    if (match.index > at) parts.push([text.slice(at, match.index), ""]);
     parts.push([match[0], KINDS[match.slice(1).findIndex((group) => group !== undefined)]]);
     at = match.index + match[0].length;
   }
-  if (at < line.length) parts.push([line.slice(at), ""]);
+  if (at < text.length) parts.push([text.slice(at), ""]);
   return parts;
 }

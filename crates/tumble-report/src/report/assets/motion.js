@@ -9,9 +9,6 @@ const GOOD_LENGTH = 7;
 const SLIDER = 1000;
 /** Seconds between pictures for readers who asked for less motion. */
 const CALM = 0.5;
-const HATCH = 8;
-/** Pixels above the motion that are kept for the scale. */
-const STRIP = 30;
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -195,8 +192,7 @@ class Player {
   build() {
     this.svg.replaceChildren();
     this.board = new NameBoard(draw("g", {}), this.size);
-    for (const surface of this.motion.surfaces) this.drawSurface(surface);
-    this.drawScaleBar();
+    new Ground(this, this.motion.surfaces);
     this.parts = this.motion.bodies.map((body, i) => this.buildBody(body, i));
     this.linkLayer = draw("g", {}, this.svg);
     for (const { at: [x, y] } of this.motion.points) {
@@ -208,61 +204,17 @@ class Player {
     this.draw();
   }
 
-  /** A circle of material, or a hollow in it. */
-  drawCircle([x, y], name, [radius, hollow]) {
-    const [px, py] = this.pixel(x, y);
-    const size = radius * this.scale;
-    const [depth, count] = [hollow ? HATCH : -HATCH, Math.max(12, Math.round((2 * Math.PI * size) / HATCH))];
-    const at = (turn, r) => [px + r * Math.cos(turn), py + r * Math.sin(turn)];
-    const step = (2 * Math.PI) / count;
-    let strokes = "";
-    for (let i = 0; i < count; i += 1) strokes += `M${at(i * step, size)}L${at((i - 1) * step, size + depth)}`;
-    draw("path", { class: "hatch", d: strokes, fill: "none" }, this.svg);
-    draw("circle", { class: "ground", cx: px, cy: py, r: size, fill: "none" }, this.svg);
-    const below = hollow ? py + size + 22 : py - size + 22;
-    for (let i = 0; i < count; i += 1) this.board.keep(at(i * step, size));
-    this.board.write(this.svg, name, [px, Math.min(below, this.size[1] - 8)], "middle");
-  }
-
-  /** With a reach it ends there to both sides, as the edge of a polygon does. */
-  drawSurface({ at: [x, y, nx, ny, ends], name, round }) {
-    if (round) {
-      this.drawCircle([x, y], name, round);
-      return;
-    }
-    const size = Math.hypot(nx, ny);
-    const [ux, uy] = [nx / size, -ny / size];
-    const [px, py] = this.pixel(x, y);
-    const middle = [this.size[0] / 2 - px, this.size[1] / 2 - py];
-    const along = ends === undefined ? -uy * middle[0] + ux * middle[1] : 0;
-    const foot = [px - uy * along, py + ux * along];
-    const reach = ends === undefined ? Math.hypot(...this.size) : ends * this.scale;
-    const at = (s, depth) => [foot[0] - uy * s - ux * depth, foot[1] + ux * s - uy * depth];
-    let strokes = "";
-    for (let s = -reach; s < reach; s += HATCH) strokes += `M${at(s, 0)}L${at(s - HATCH, HATCH)}`;
-    draw("path", { class: "hatch", d: strokes }, this.svg);
-    draw("path", { class: "ground", d: `M${at(-reach, 0)}L${at(reach, 0)}` }, this.svg);
-    for (let s = -reach; s < reach; s += APART) this.board.keep(at(s, 0), at(s, HATCH));
-    if (foot.some((value, k) => value < 0 || value > this.size[k])) return;
-    // Below the hatching, or above the surface where there is no room.
-    const isWall = Math.abs(ux) > Math.abs(uy);
-    const below = at(0, isWall ? HATCH + 6 : 22);
-    const isRight = below[0] > foot[0];
-    const wide = isWall ? widthOf(name) : 0;
-    const fits = isWall ? below[0] - (isRight ? 0 : wide) > 0 && below[0] + (isRight ? wide : 0) < this.size[0] : below[1] < this.size[1] - 8;
-    const place = fits ? below : at(0, isWall ? -6 : -12);
-    // Above level ground it stands aside, where it covers least.
-    const isAside = !isWall && !fits && Math.abs(ux) < 0.1;
-    const anchor = isWall ? (isRight === fits ? "start" : "end") : isAside ? "end" : "middle";
-    this.board.write(this.svg, name, [isAside ? this.size[0] - 8 : place[0], place[1] + 5], anchor);
-  }
-
   /** Points and bodies, by their names. */
   addNames() {
     const { points, bodies } = this.motion;
     this.svg.append(this.board.layer);
     const few = bodies.length > MOST_NAMED ? [] : bodies;
     this.names = [...points, ...few].map(({ name }) => this.board.add(name));
+  }
+
+  /** Places, in pixels, that names keep clear of beside all that is drawn here. */
+  kept() {
+    return [];
   }
 
   /** Names are where there is nothing else: outlines, links and surfaces. */
@@ -274,54 +226,16 @@ class Player {
       return this.parts[i].rim.map(([x, y]) => [centres[i][0] + cos * x - sin * y, centres[i][1] - sin * x - cos * y]);
     });
     const at = [...points.map((point) => this.pixel(...point.at)), ...centres];
-    this.board.put(this.names.map((name, i) => ({ name, at: at[i] })), [...dots, ...at]);
-  }
-
-  drawScaleBar() {
-    const most = 0.25 * this.size[0] / this.scale;
-    const power = 10 ** Math.floor(Math.log10(most));
-    const metres = [5, 2, 1].find((m) => m * power <= most) * power;
-    const [x, y, length] = [12, 28, metres * this.scale];
-    this.board.taken.push({ left: 4, at: STRIP, wide: length + 16 });
-    draw("rect", { class: "behind", x: 4, y: 4, width: length + 16, height: STRIP }, this.svg);
-    draw("path", { class: "link", d: `M${x} ${y - 4}v8m0 -4h${length}m0 -4v8` }, this.svg);
-    draw("text", { x: x + length / 2, y: y - 6, "text-anchor": "middle", class: "halo" }, this.svg).textContent =
-      `${shown(metres, 3)}\u00a0m`;
+    this.board.put(this.names.map((name, i) => ({ name, at: at[i] })), [...dots, ...at, ...this.kept()]);
   }
 
   buildBody(body, index) {
     const style = `color:var(--c${index % 7})`;
     const trail = draw("path", { class: "trail", style }, this.svg);
-    const group = this.buildShape(body, style, this.svg);
+    const group = drawShape(body, this.scale, style, this.svg);
     const centre = draw("circle", { class: "pin", r: 2.4 }, this.svg);
     const points = body.outlines.flatMap((outline) => rim(outline, this.scale));
     return { trail, group, centre, rim: points, path: body.trail ? this.trailPoints(body) : [] };
-  }
-
-  buildShape(body, style, parent) {
-    const group = draw("g", { class: "body", style }, parent);
-    for (const [kind, ...n] of body.outlines) this.buildOutline(group, kind, n.map((v) => v * this.scale));
-    return group;
-  }
-
-  /** Puts a shape where its body is. */
-  pose(group, [x, y], angle) {
-    group.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${((-angle * 180) / Math.PI).toFixed(2)})`);
-  }
-
-  buildOutline(group, kind, n) {
-    if (kind === "rod") {
-      const width = clamp(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3, 9);
-      draw("line", { class: "rod", x1: n[0], y1: -n[1], x2: n[2], y2: -n[3], "stroke-width": width }, group);
-    } else if (kind === "circle") {
-      draw("circle", { class: "face", cx: n[0], cy: -n[1], r: n[2] }, group);
-      draw("line", { x1: n[0], y1: -n[1], x2: n[0] + n[2], y2: -n[1], "stroke-width": 1.6 }, group);
-    } else if (kind === "polygon") {
-      const points = n.map((v, i) => (i % 2 ? -v : v)).join(" ");
-      draw("polygon", { class: "face", points, "stroke-linejoin": "round" }, group);
-    } else {
-      draw("circle", { cx: n[0], cy: -n[1], r: 4 }, group);
-    }
   }
 
   trailPoints(body) {
@@ -341,7 +255,10 @@ class Player {
     this.motion.bodies.forEach((body, i) => this.drawBody(body, this.parts[i], between, low));
     this.placeNames(between);
     this.linkLayer.replaceChildren();
-    for (const link of this.motion.links) this.drawLink(link, link.ends.map(between));
+    for (const { kind, ends } of this.motion.links) {
+      const [x0, y0, x1, y1] = ends.map(between);
+      drawLink(this.linkLayer, kind, this.pixel(x0, y0), this.pixel(x1, y1));
+    }
     this.arrowLayer.replaceChildren();
     if (this.forces?.checked) {
       for (const force of this.motion.forces) {
@@ -358,27 +275,12 @@ class Player {
     const there = Number.isFinite(x + y);
     group.style.display = centre.style.display = there ? "" : "none";
     if (!there) return;
-    this.pose(group, [x, y], between(body.angle));
+    pose(group, [x, y], between(body.angle));
     centre.setAttribute("cx", x);
     centre.setAttribute("cy", y);
     const shownPath = this.trails?.checked && path.length ? path.slice(0, low + 1) : [];
     const points = shownPath.filter((point) => !point.includes("NaN"));
     trail.setAttribute("d", points.length ? `M${points.join("L")}L${x} ${y}` : "");
-  }
-
-  drawLink({ kind }, [x0, y0, x1, y1]) {
-    const [a, b] = [this.pixel(x0, y0), this.pixel(x1, y1)];
-    if (![...a, ...b].every(Number.isFinite)) return;
-    const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
-    const length = Math.hypot(dx, dy) || 1;
-    const at = (s, side) => [a[0] + dx * s - (dy / length) * side, a[1] + dy * s + (dx / length) * side];
-    const zigzag = [0.1, ...Array.from({ length: 10 }, (_, i) => 0.14 + 0.08 * i), 0.9];
-    const points = {
-      spring: [a, ...zigzag.map((s, i) => at(s, i === 0 || i === 11 ? 0 : i % 2 ? 6 : -6)), b],
-      damper: [a, at(0.35, 0), at(0.35, 6), at(0.65, 6), at(0.35, 6), at(0.35, -6), at(0.65, -6), at(0.35, -6), at(0.35, 0),
-        at(0.55, 0), at(0.55, 5), at(0.55, -5), at(0.55, 0), b],
-    }[kind];
-    draw("polyline", { class: "link", points: points.join(" ") }, this.linkLayer);
   }
 
   showTime() {

@@ -40,11 +40,18 @@ class NameBoard {
     this.dots.push(...points.filter(([x, y]) => x > 0 && y > 0 && x < this.width && y < this.height));
   }
 
-  /** A name that stays where it is. */
-  write(parent, name, [x, y], anchor) {
-    const wide = widthOf(name);
-    this.taken.push({ left: x - wide * { start: 0, middle: 0.5, end: 1 }[anchor], at: y, wide });
-    drawLabel(parent, name, { x, y, "text-anchor": anchor, class: "halo" });
+  /** Takes the first of some places where nothing is, else the first of those within the picture. */
+  take(places) {
+    const isIn = ({ left, at, wide }) => left >= 0 && left + wide <= this.width && at <= this.height - 3;
+    const found = places.find((place) => this.isEmpty(place, this.dots)) ?? places.find(isIn) ?? places[0];
+    this.taken.push(found);
+    return found;
+  }
+
+  /** A name that stays where it is, at the best of some places. */
+  write(parent, name, places) {
+    const { left, at, wide } = this.take(places);
+    drawLabel(parent, name, { x: left + wide / 2, y: at, "text-anchor": "middle", class: "halo" });
   }
 
   /** A name that has no place yet. */
@@ -62,10 +69,13 @@ class NameBoard {
   }
 
   /** Whether a name is alone there, and nearer to what it names than to anything else that has a name. */
-  isFree({ left, at, wide }, dots, own, others) {
-    const away = ([x, y]) => Math.hypot(left + wide / 2 - x, at - LINE / 3 - y);
-    if (others.some((other) => away(other) < away(own))) return false;
+  isFree(place, dots, own, others) {
+    const away = ([x, y]) => Math.hypot(place.left + place.wide / 2 - x, place.at - LINE / 3 - y);
+    return !others.some((other) => away(other) < away(own)) && this.isEmpty(place, dots);
+  }
 
+  /** Whether nothing is there. */
+  isEmpty({ left, at, wide }, dots) {
     const isIn = left > 2 && left + wide < this.width - 2 && at > LINE && at < this.height - 4;
     const isBeside = (other) => Math.abs(other.at - at) >= LINE || left >= other.left + other.wide || other.left >= left + wide;
     const isClear = ([x, y]) => x < left - 2 || x > left + wide + 2 || y < at - LINE || y > at + 4;

@@ -2,44 +2,6 @@
 
 const LEFT = 84, RIGHT = 14, TOP = 14, BELOW = 46;
 
-/** Places and texts of ticks over a range `[low, high]` for about `wanted` of them, at round steps. */
-function ticks([low, high], wanted) {
-  const least = (high - low) / Math.max(wanted, 1);
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = power * ([1, 2, 5].find((m) => m * power >= least * 0.999) ?? 10);
-  const result = [];
-  for (let n = Math.ceil(low / step - 1e-9); n * step <= high + 1e-9 * step && result.length < 60; n += 1) {
-    const size = Math.max(Math.abs(low), Math.abs(high));
-    const digits = Math.max(1, Math.floor(Math.log10(size)) - Math.floor(Math.log10(step) + 1e-9) + 2);
-    result.push([n * step, shown(n === 0 ? 0 : n * step, digits)]);
-  }
-  return result;
-}
-
-/** Bounds of numbers; gaps do not count. */
-function bounds(lists) {
-  let [low, high] = [Infinity, -Infinity];
-  for (const list of lists)
-    for (const value of list) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-  return low <= high ? [low, high] : [0, 1];
-}
-
-/** A range with something in it. */
-function opened([low, high], padding) {
-  const size = Math.max(Math.abs(low), Math.abs(high));
-  if (high - low <= 1e-12 * size || high === low) {
-    const by = size > 0 ? 0.1 * size : 1;
-    return [low - by, high + by];
-  }
-  return [low - padding * (high - low), high + padding * (high - low)];
-}
-
-/** A coordinate as paths have it; what is far outside stays there. */
-const drawable = (pixels) => clamp(pixels, -1e5, 1e5).toFixed(1);
-
 class Plot {
   constructor(figure, data) {
     Object.assign(this, { figure, data });
@@ -221,8 +183,11 @@ class Plot {
     }
     const middle = [(LEFT + right) / 2, (TOP + bottom) / 2];
     drawLabel(this.svg, this.data.x.title, { class: "name", x: middle[0], y: height - 8, "text-anchor": "middle" });
-    const turn = `translate(11 ${middle[1]}) rotate(-90)`;
-    drawLabel(this.svg, this.data.y.title, { class: "name", transform: turn, "text-anchor": "middle" });
+    const name = drawLabel(this.svg, this.data.y.title, { class: "name", "text-anchor": "middle" });
+    const turned = (y, part) => name.setAttribute("transform", `translate(11 ${y}) rotate(-90) scale(${part.toFixed(3)})`);
+    // Words that are longer than the picture is high are written smaller, and those longer than its frame in the middle of it.
+    const long = name.getComputedTextLength();
+    turned(long > 2 * middle[1] ? height / 2 : middle[1], Math.min(1, (height - 8) / Math.max(long, 1)));
   }
 
   drawCurve(series, parent) {

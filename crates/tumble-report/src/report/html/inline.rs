@@ -3,6 +3,7 @@
 use super::page::Page;
 use crate::report::markup::Markup;
 use crate::report::math::Typeset;
+use crate::report::prose::Text;
 use tumble_drawing::svg::escape;
 
 impl Markup for Page {
@@ -21,6 +22,11 @@ impl Markup for Page {
             }
         }
     }
+}
+
+/// Running text, for other pages.
+pub(crate) fn text(text: &Text) -> String {
+    Page::text(text)
 }
 
 /// Content in an element of a class; nothing for no content.

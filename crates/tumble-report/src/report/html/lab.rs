@@ -9,7 +9,7 @@ use crate::report::json::{list, object, string};
 pub(super) const STYLE: &str = include_str!("../assets/lab.css");
 
 /// Scripts in the order in which they run.
-const SCRIPTS: [&str; 8] = [
+const SCRIPTS: [&str; 9] = [
     include_str!("../assets/lab-runs.js"),
     include_str!("../assets/lab-page.js"),
     include_str!("../assets/lab-drag.js"),
@@ -17,6 +17,7 @@ const SCRIPTS: [&str; 8] = [
     include_str!("../assets/lab-scene.js"),
     include_str!("../assets/address.js"),
     include_str!("../assets/lab-save.js"),
+    include_str!("../assets/lab-knobs.js"),
     include_str!("../assets/lab.js"),
 ];
 

@@ -12,5 +12,7 @@ mod tables;
 mod tests;
 
 pub(super) use data::label;
+pub(crate) use inline::text;
 pub(super) use motion::{living, motion};
+pub(crate) use page::MOTION;
 pub(super) use page::{page, parts};

@@ -10,13 +10,21 @@ use tumble_drawing::svg::escape;
 
 pub(crate) const STYLE: &str = include_str!("../assets/report.css");
 
-/// Scripts in the order in which they run.
-const SCRIPTS: [&str; 8] = [
-    include_str!("../assets/common.js"),
-    include_str!("../assets/plots.js"),
+/// What a motion that plays is made of, behind what all share.
+pub(crate) const MOTION: &str = concat!(
     include_str!("../assets/arrows.js"),
     include_str!("../assets/names.js"),
+    include_str!("../assets/ground.js"),
+    include_str!("../assets/shapes.js"),
     include_str!("../assets/motion.js"),
+);
+
+/// Scripts in the order in which they run.
+const SCRIPTS: [&str; 7] = [
+    include_str!("../assets/common.js"),
+    include_str!("../assets/axes.js"),
+    include_str!("../assets/plots.js"),
+    MOTION,
     include_str!("../assets/folds.js"),
     include_str!("../assets/scroll.js"),
     include_str!("../assets/page.js"),
