@@ -377,7 +377,7 @@ impl Engine {
         let guards = expansion.guards.iter().enumerate().map(|(guard, series)| {
             let is_hit = hits.contains(&Hit::Guard(guard));
             let (slot, zeros) = (tape.outputs()[first + guard], self.zeros_of_guard(guard));
-            let of = (What::Guard(guard), &series[..], 0.0);
+            let of = (What::Guard(guard), series, 0.0);
             let nothing = self.moves_nothing(guard, (expansion, length), demand.scales);
             (slot, Watched { nothing, ..Watched::new(of, self.size_of(slot), zeros, is_hit, length) })
         });
