@@ -14,12 +14,12 @@ use crate::equations::Equations;
 use crate::error::ModelError;
 use crate::event::Event;
 use crate::fixed::{Fixed, LARGEST_ANGLE};
+use crate::formulas::Stated;
 use crate::friction::Friction;
 use crate::interaction::Interaction;
 use crate::model::Model;
 use crate::parameters::{Known, Parameters};
 use crate::shape::{Shape, square};
-use crate::stated::Stated;
 use crate::surface::{ContactLaw, Surface};
 
 /// A moment of inertia about a pivot is nothing if it is this part of what the same mass has at the distances that its lever

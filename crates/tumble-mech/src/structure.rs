@@ -9,6 +9,7 @@ use crate::contact::{BodyContact, Feature, friction_of_bodies, moves, of_surface
 use crate::coordinates::Pivot;
 use crate::error::{ModelError, ModelErrors};
 use crate::event::Event;
+use crate::formulas::Stated;
 use crate::friction::Friction;
 use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
@@ -18,7 +19,6 @@ use crate::model::Model;
 use crate::parameters::time_symbol;
 use crate::shape::Shape;
 use crate::start::Start;
-use crate::stated::Stated;
 use crate::surface::{ContactLaw, Surface, is_at};
 
 impl Model {

@@ -1,30 +1,29 @@
 //! The loop that takes steps: expand, propose, check, accept, and jump where a flow ends.
 
+mod acceptance;
 mod handover;
 mod jump;
 pub(crate) mod late;
 mod memory;
+mod modes;
 mod over;
 mod proposal;
 mod step;
 
 use std::collections::HashMap;
 
-use step::{Step, shrink};
+use step::Step;
 use thiserror::Error;
 use tumble_expr::{Rounding, Row, rounded_sum};
 
-use crate::check::Verdict;
-use crate::compiled::{Compiled, beside};
 use crate::engine::Engine;
 use crate::expansion::Expansion;
 use crate::hybrid::{Cause, Crossing, Hybrid};
-use crate::invariants::Slack;
 use crate::order::{order, reach};
 use crate::polynomial;
 use crate::scale::Scales;
 use crate::trajectory::{Piece, Trajectory};
-use crate::whole::{Blur, Demand, Doubt, Noise, Stretch, Unknown};
+use crate::whole::{Blur, Noise};
 use crate::{Accuracy, Reason, Refusal, Work};
 use handover::GuardSigns;
 pub use handover::{Carried, Handover};
@@ -32,12 +31,6 @@ use memory::Memory;
 pub use over::Over;
 use proposal::Proposal;
 
-/// Where no coefficient limits a step, it is at most this part of the run.
-const BLIND_PART: f64 = 1.0 / 8.0;
-/// Steps shorter than this part of the run are not shortened for what drifts along them: it is projected out.
-const SHORT_PART: f64 = 1e-6;
-/// Shorter than this many units in the last place of the time, a step is stuck.
-const SHORTEST_STEP_ULPS: f64 = 4.0;
 /// Scheduled times closer than this many units in the last place are one instant.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What a check run adds to each state in a step, in units of eps times its change, which is added up with care.
@@ -262,81 +255,11 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         move |reason| Refusal { time, reason }
     }
 
-    /// Index of the mode that holds, entered if need be.
-    fn current_mode(&mut self) -> Result<usize, Reason> {
-        match self.mode {
-            Some(mode) => Ok(mode),
-            None => {
-                if !(self.until.is_finite() && self.span > 0.0) {
-                    return Err(Reason::BadEnd { until: self.until });
-                }
-                let mode = self.enter_first()?;
-                let causes = std::mem::take(&mut self.first_causes);
-                if causes.is_empty() {
-                    return Ok(mode);
-                }
-                self.jump(mode, causes, false)?;
-                Ok(self.mode.unwrap_or(mode))
-            }
-        }
-    }
-
     /// The next time at which a step must end.
     fn next_stop(&self, mode: usize) -> f64 {
         let scheduled = self.engines[mode].system.next_scheduled(self.just_after());
         let wake = self.wakes.iter().copied().reduce(f64::min);
         [scheduled, wake].into_iter().flatten().fold(self.until, f64::min).max(self.time)
-    }
-
-    /// Begins a mode; `zeros` are the guards that are zero now, each with how many of its derivatives.
-    fn enter(&mut self, mode: H::Mode, states: Vec<f64>, zeros: &[(String, usize)]) -> Result<usize, Reason> {
-        let index = match self.known.get(&mode) {
-            Some(&index) => index,
-            None => self.compile(mode)?,
-        };
-        let before = self.mode.filter(|_| states == self.states);
-        let sides = before.map(|before| self.engines[before].sides());
-        let engine = &mut self.engines[index];
-        let system = &engine.system;
-        assert_eq!(states.len(), system.len(), "a model gives a mode as many states as its flow has");
-        if let Some(bad) = states.iter().position(|value| !value.is_finite()) {
-            return Err(Reason::BadStart { state: system.names[bad].clone(), value: states[bad] });
-        }
-        self.scales.raise(&system.floors);
-        self.scales.watch(system, &states);
-        engine.enter(self.time, &states, zeros);
-        if let Some(sides) = sides {
-            engine.carry_sides(&sides);
-        }
-        self.compensation = self.carried(index, &states);
-        self.states = states;
-        self.mode = Some(index);
-        Ok(index)
-    }
-
-    /// What rounding left out of the states that are the same, to the bit, after a jump.
-    fn carried(&self, mode: usize, states: &[f64]) -> Vec<f64> {
-        let names = |mode: usize| &self.engines[mode].system.names;
-        match self.mode {
-            Some(before) if names(before) == names(mode) => {
-                let same = self.states.iter().zip(states).zip(&self.compensation);
-                same.map(|((before, after), compensation)| if before == after { *compensation } else { 0.0 })
-                    .collect()
-            }
-            Some(_) => vec![0.0; states.len()],
-            None => self.compensation.clone(),
-        }
-    }
-
-    fn compile(&mut self, mode: H::Mode) -> Result<usize, Reason> {
-        let program = self.system.program(&mode)?;
-        let system = Compiled::new(&program, &self.inputs, self.span)?;
-        let beside = beside(&program, &self.inputs, self.trajectory.order);
-        self.engines.push(Engine::new(system, beside, self.trajectory.order, &self.inputs));
-        self.trajectory.modes.push(mode.clone());
-        self.trajectory.work.modes += 1;
-        self.known.insert(mode, self.engines.len() - 1);
-        Ok(self.engines.len() - 1)
     }
 
     fn expand(&mut self, mode: usize, found: &mut Expansion) -> Result<(), Reason> {
@@ -368,111 +291,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.engines[mode].watch_noise(&mut self.noise, now);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
         self.watch_off();
-    }
-
-    /// How far a step is known, if not to its end.
-    fn unknown(
-        &mut self,
-        mode: usize,
-        expansion: &Expansion,
-        step: &Step,
-    ) -> Result<Option<Unknown>, Reason> {
-        if self.time < self.not_enclosed {
-            return Ok(None);
-        }
-        let stretch = Stretch { expansion, length: step.length, hits: &step.hits };
-        let demand = Demand {
-            scales: &self.scales,
-            tolerance: self.tolerance,
-            accuracy: self.accuracy,
-            noise: &self.noise,
-        };
-        self.engines[mode].unknown(stretch, &demand, self.is_proved, &mut self.trajectory.work)
-    }
-
-    /// The longest step up to `end` that passes the check, cut where something happens.
-    fn accepted_step(&mut self, mode: usize, expansion: &mut Expansion, end: f64) -> Result<Step, Reason> {
-        let exact = self.engines[mode].system.exact_degree.is_some();
-        let length = if exact { end - self.time } else { self.proposal(mode, expansion) };
-        let ahead = (self.reach, self.compensation.as_slice());
-        let mut length = self.engines[mode].approach(expansion, length, ahead, &mut self.trajectory.work)?;
-        let expansion = &*expansion;
-        loop {
-            let step = self.cut(mode, expansion, length, end);
-            if step.length == 0.0 && step.hits.is_empty() {
-                let state = self.engines[mode].narrowest(expansion, &self.scales);
-                return Err(Reason::Stalled { step: length, state });
-            }
-            if step.length == 0.0 {
-                return Ok(step);
-            }
-            let verdict = self.verdict(mode, expansion, &step);
-            let changes_too_fast;
-            (length, changes_too_fast) = if verdict.excess <= 1.0 {
-                match self.unknown(mode, expansion, &step)? {
-                    None => {
-                        self.trajectory.work.exact_steps += u64::from(exact);
-                        return Ok(self.polished(mode, expansion, step, end));
-                    }
-                    Some(unknown) => {
-                        self.trajectory.work.cuts += 1;
-                        (self.shorter(expansion, &step, unknown.length), unknown.of)
-                    }
-                }
-            } else {
-                (step.length * shrink(verdict.excess, expansion.order()), Doubt::Leaf(verdict.state))
-            };
-            self.trajectory.work.rejected += 1;
-            if self.is_stuck(expansion, length) {
-                let state = self.engines[mode].name_of_doubt(changes_too_fast);
-                return Err(Reason::Stalled { step: length, state });
-            }
-        }
-    }
-
-    fn proposal(&self, mode: usize, expansion: &Expansion) -> f64 {
-        let radius = self.engines[mode].radius(expansion, &self.scales);
-        if radius.is_finite() { radius * self.reach } else { self.span * self.stride * BLIND_PART }
-    }
-
-    /// Whether a step is good enough: its states, what it watches, and what it must keep.
-    fn verdict(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Verdict {
-        let exact = self.engines[mode].system.exact_degree.is_some();
-        let fine = Verdict { excess: 0.0, state: 0 };
-        let states = if exact { fine } else { self.check(mode, expansion, step) };
-        let Engine { system, lazy_guards, invariants, .. } = &mut self.engines[mode];
-        let watched = lazy_guards.excess(expansion, step.length, &self.scales, self.tolerance);
-        let mut verdict = states.or(Verdict { excess: watched, state: 0 });
-        if !invariants.is_empty() && step.end - self.time > self.span * SHORT_PART {
-            let end: Row =
-                expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
-            let mut scales = self.scales.clone();
-            scales.watch(system, &end);
-            let slack = Slack {
-                tolerance: self.tolerance,
-                off: &self.off,
-                length: step.length,
-                rounding: f64::EPSILON,
-            };
-            let drift = invariants.excess_of_step(step.end, &end, &scales, &slack);
-            verdict = verdict.or(Verdict { excess: drift, state: 0 });
-        }
-        verdict
-    }
-
-    fn check(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Verdict {
-        let demand = Demand {
-            scales: &self.scales,
-            tolerance: self.tolerance,
-            accuracy: self.accuracy,
-            noise: &self.noise,
-        };
-        self.engines[mode].check(expansion, step.length, &demand, &mut self.trajectory.work)
-    }
-
-    fn is_stuck(&self, expansion: &Expansion, length: f64) -> bool {
-        let advance = expansion.time.as_ref().map_or(length, |series| polynomial::increment(series, length));
-        advance <= SHORTEST_STEP_ULPS * f64::EPSILON * self.time.abs().max(f64::MIN_POSITIVE)
     }
 
     /// Changes branch signs at the end of a step.

@@ -2,7 +2,7 @@
 //!
 //! A step is accepted if along all of it the defect `p'(s) - f(t(s), p(s))` is bounded by a millionth of the scale of its rate,
 //! or by the accuracy if that is larger; if nothing weaker hides in it, see [`defect`]; and if it is settled where each watched
-//! function is zero: those are its series' zeros and no others. What is not settled at once is halved, down to [`SMALLEST`] of the step. The step then ends where
+//! function is zero: those are its series' zeros and no others. What is not settled at once is halved, down to parts that are too small, see [`halvings`]. The step then ends where
 //! the first part begins that is not settled; if that is the beginning, it becomes that part.
 //!
 //! The scale of a rate is the largest that it has been, and that of the state over the length of the run: a force that has not
@@ -10,34 +10,27 @@
 
 mod clear;
 mod defect;
-
-use std::cell::OnceCell;
+mod halvings;
+mod watched;
 
 use smallvec::{SmallVec, smallvec};
-use tumble_expr::{Rounded, Row, Scalar, Slot, Turning};
+use tumble_expr::{Rounded, Scalar, Slot, Turning};
 
 use clear::Clear;
+pub(crate) use halvings::Halvings;
+use halvings::first_unsettled;
+use watched::Watched;
 
 use crate::Reason;
-use crate::enclosure::{Bounds, Enclosure, Path, Vanishing};
-use crate::engine::{Engine, Hit, ahead};
+use crate::enclosure::{Enclosure, Path, Vanishing};
+use crate::engine::{Engine, Hit};
 use crate::expansion::{Expansion, Near};
 use crate::polynomial;
-use crate::roots::roots;
 use crate::scale::Scales;
-use crate::settle::{Known, is_settled};
 use crate::work::Work;
 
-/// Parts shorter than this part of a step are not halved any more: the step is cut, and its successor has other coefficients.
-const SMALLEST: f64 = 1.0 / 128.0;
-/// Parts of one step that are looked at, at most.
-const MOST_PARTS: usize = 96;
-/// Where a part is cut in two: not in the middle, which round numbers have their zeros at.
-const CUT: f64 = 0.487_139;
 /// A value that is this part of its terms is zero but for rounding.
 const VANISHES: f64 = 64.0 * f64::EPSILON;
-/// Which end of its segment an argument has come to is told from what it is, to this part of it.
-const NEAR: f64 = 1e-9;
 
 /// Rates and what is watched, with rounding errors, at the start of a step.
 #[derive(Clone, Debug, Default)]
@@ -91,77 +84,6 @@ pub(crate) enum What {
     Branch(usize),
     Guard(usize),
     Table(usize),
-}
-
-/// Something whose zeros are watched.
-struct Watched<'a> {
-    what: What,
-    series: &'a [f64],
-    /// What is taken from the series and the slot.
-    offset: f64,
-    zeros: usize,
-    ends_at_zero: bool,
-    sign: f64,
-    /// Sum of the sizes of what it is made of, at the start of the step.
-    size: f64,
-    /// What has no effect along the step.
-    nothing: f64,
-    found: OnceCell<SmallVec<[f64; 4]>>,
-}
-
-impl<'a> Watched<'a> {
-    fn new(
-        (what, series, offset): (What, &'a [f64], f64),
-        size: f64,
-        zeros: usize,
-        is_hit: bool,
-        length: f64,
-    ) -> Self {
-        let powers = std::iter::successors(Some(1.0), |power| Some(power * length));
-        let terms: Row = series.iter().zip(powers).map(|(c, power)| c * power).collect();
-        let term = |k: usize| if k == 0 { series[0] - offset } else { terms[k] };
-        let largest = (0..series.len()).map(|k| term(k).abs()).fold(offset.abs() * VANISHES, f64::max);
-        let counts = |k: &usize| term(*k).abs() > VANISHES * largest;
-        // Of a series beyond the range of numbers nothing is read.
-        let first = match largest.is_finite() {
-            true => (zeros..series.len()).find(counts).unwrap_or(series.len()),
-            false => zeros,
-        };
-        let end = polynomial::value(series, length) - offset;
-        Self {
-            what,
-            series,
-            offset,
-            zeros: first,
-            sign: if first < series.len() { term(first).signum() } else { 0.0 },
-            ends_at_zero: is_hit || (largest.is_finite() && end.abs() <= VANISHES * largest),
-            size: size + offset.abs(),
-            nothing: 0.0,
-            found: OnceCell::new(),
-        }
-    }
-
-    fn is_settled(&self, bounds: Bounds<'_>, [low, high]: [f64; 2], length: f64) -> bool {
-        let roots = || {
-            let found = self.found.get_or_init(|| {
-                let mut series = Row::from_slice(self.series);
-                series[0] -= self.offset;
-                let crossing = roots(ahead(&series, self.zeros), length).into_iter();
-                crossing.filter(|root| root.crosses_to.is_some()).map(|root| root.at).collect()
-            });
-            found.iter().filter(|at| low < **at && **at < high).count()
-        };
-        let is_first = low == 0.0;
-        let known = Known {
-            zeros: if is_first { self.zeros } else { 0 },
-            sign: self.sign,
-            ends_at_zero: high == length && self.ends_at_zero,
-            roots: &roots,
-            size: self.size,
-            nothing: self.nothing,
-        };
-        is_settled(&bounds.less(self.offset), known)
-    }
 }
 
 /// What rounding makes of the end of a step.
@@ -353,56 +275,6 @@ impl Engine {
         }
     }
 
-    /// Functions of the tape whose zeros are watched, each with its slot.
-    fn watched<'a>(&self, step: Stretch<'a>, demand: &Demand<'_>) -> SmallVec<[(Slot, Watched<'a>); 4]> {
-        let Stretch { expansion, length, hits } = step;
-        let tape = &self.system.tape;
-        let active = self.active();
-        let branches = tape.guards().iter().enumerate().filter(|(branch, _)| active.branches[*branch]);
-        let branches = branches.map(|(branch, slot)| {
-            let is_hit = hits.iter().any(|hit| matches!(hit, Hit::Branch(hit, _) if *hit == branch));
-            let zeros = usize::from(self.is_zero_branch(branch));
-            (
-                *slot,
-                Watched::new(
-                    (What::Branch(branch), &expansion.branches[branch], 0.0),
-                    self.size_of(*slot),
-                    zeros,
-                    is_hit,
-                    length,
-                ),
-            )
-        });
-        let first = self.system.len() + usize::from(self.system.transformed);
-        let guards = expansion.guards.iter().enumerate().map(|(guard, series)| {
-            let is_hit = hits.contains(&Hit::Guard(guard));
-            let (slot, zeros) = (tape.outputs()[first + guard], self.zeros_of_guard(guard));
-            let of = (What::Guard(guard), series, 0.0);
-            let nothing = self.moves_nothing(guard, (expansion, length), demand.scales);
-            (slot, Watched { nothing, ..Watched::new(of, self.size_of(slot), zeros, is_hit, length) })
-        });
-        let tables = tape.tables().iter().enumerate().filter(|(lookup, _)| active.tables[*lookup]);
-        let knots = tables.flat_map(|(lookup, table)| {
-            let segment = self.signs()[tape.guards().len() + lookup] as usize;
-            let ends = table.table.0.ends(segment).into_iter().filter(|knot| knot.is_finite());
-            let series = &expansion.arguments[lookup];
-            let passes = hits.iter().any(|hit| matches!(hit, Hit::Knot(hit, _) if *hit == lookup));
-            let end = polynomial::value(series, length);
-            let is_near = move |knot: f64| (end - knot).abs() <= NEAR * knot.abs().max(end.abs());
-            ends.map(move |knot| {
-                let watched = Watched::new(
-                    (What::Table(lookup), series, knot),
-                    self.size_of(table.of),
-                    0,
-                    passes && is_near(knot),
-                    length,
-                );
-                (table.of, watched)
-            })
-        });
-        branches.chain(guards).chain(knots).collect()
-    }
-
     /// Which norms of the tape are zero nowhere, at the start and at the end of a step.
     fn vanishing(&self, step: Stretch<'_>) -> [SmallVec<[bool; 16]>; 3] {
         let nothing = smallvec![false; self.system.tape.norms()];
@@ -465,58 +337,4 @@ impl<'a> Stretch<'a> {
         let Expansion { start, states, time, .. } = self.expansion;
         Path { start: *start, states, time: time.as_deref() }
     }
-}
-
-/// How often the last step had to be halved until the first of its parts was settled: the next is begun with such parts.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Halvings {
-    needed: u32,
-    /// Steps since larger parts were last tried.
-    since: u32,
-}
-
-impl Halvings {
-    /// One step in so many is begun with parts of twice the length, in case they would do again.
-    const PATIENCE: u32 = 8;
-
-    fn begin(&mut self) -> u32 {
-        self.since = (self.since + 1) % Self::PATIENCE;
-        if self.since == 0 { self.needed.saturating_sub(1) } else { self.needed }
-    }
-}
-
-/// Both parts of a part, the later one first.
-fn halves([low, high]: [f64; 2]) -> [[f64; 2]; 2] {
-    let middle = low + CUT * (high - low);
-    [[middle, high], [low, middle]]
-}
-
-/// The end of what is settled of a length, from its beginning on; `None` if all of it is. `unsettled` says what is not known of
-/// a part.
-fn first_unsettled(
-    length: f64,
-    halvings: &mut Halvings,
-    mut unsettled: impl FnMut([f64; 2]) -> Option<Doubt>,
-) -> Option<Unknown> {
-    let begin = halvings.begin();
-    let mut pending: SmallVec<[_; 16]> = smallvec![([0.0, length], 0)];
-    let (mut looked, mut needed) = (0, u32::MAX);
-    while let Some((part, depth)) = pending.pop() {
-        if depth < begin {
-            pending.extend(halves(part).map(|half| (half, depth + 1)));
-            continue;
-        }
-        looked += 1;
-        let Some(of) = unsettled(part) else {
-            needed = needed.min(depth);
-            continue;
-        };
-        let [low, high] = part;
-        if high - low <= SMALLEST * length || looked >= MOST_PARTS {
-            return Some(Unknown { length: if low > 0.0 { low } else { high }, of });
-        }
-        pending.extend(halves(part).map(|half| (half, depth + 1)));
-    }
-    halvings.needed = needed;
-    None
 }

@@ -2,11 +2,11 @@
 
 use num_rational::BigRational;
 
-use super::chain::{self, Chain};
 use super::characters::{begins_word, foreign, foreign_run, is_space, mixed_alphabets};
 use super::error::{Code, FormulaError, Span};
 use super::numbers;
 use super::syntax::BinaryOperator;
+use super::unit_chain::{self, Chain};
 
 /// A word or a sign of a formula.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +97,7 @@ impl Lexer<'_> {
     fn number(&mut self) {
         let literal = numbers::read(self.text, self.at);
         let spaces = self.text[literal.end..].bytes().take_while(|b| is_space(char::from(*b))).count();
-        let (chain, chain_error) = match chain::read(self.text, literal.end + spaces) {
+        let (chain, chain_error) = match unit_chain::read(self.text, literal.end + spaces) {
             Some((chain, error)) => (Some(chain), error),
             None => (None, None),
         };
@@ -165,12 +165,12 @@ const LAST: &str = "last";
 
 /// One past the name that begins at `start`: words joined by dots, each perhaps with a count such as `contact[1]` or `apex[last]`.
 pub(super) fn name_end(text: &str, start: usize) -> usize {
-    let mut end = counted_end(text, chain::word_end(text, start));
+    let mut end = counted_end(text, unit_chain::word_end(text, start));
     while let Some(rest) = text[end..].strip_prefix('.') {
         if !rest.starts_with(begins_word) {
             break;
         }
-        end = counted_end(text, chain::word_end(text, end + 1));
+        end = counted_end(text, unit_chain::word_end(text, end + 1));
     }
     end
 }

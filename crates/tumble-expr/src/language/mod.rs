@@ -53,7 +53,6 @@
 //! of the text it lies in and, mostly, its cure. Nothing recurses over the text, so no text overflows the stack.
 
 mod builtins;
-mod chain;
 mod characters;
 mod check;
 mod codes;
@@ -66,9 +65,10 @@ mod numbers;
 mod parser;
 mod quantity;
 mod scope;
-mod stated;
+mod stated_unit;
 mod suggest;
 mod syntax;
+mod unit_chain;
 mod units;
 mod value;
 
@@ -78,13 +78,13 @@ mod tests;
 use std::sync::Arc;
 
 pub use builtins::{BUILTINS, Builtin, PI, builtin, is_reserved};
-pub use chain::{Chain, Factor};
 pub use error::{CallSite, Code, FormulaError, Span, SpannedText};
 pub use header::Header;
 pub use scope::{Function, FunctionError, Measured, Scope, ScopeError, is_name};
-pub use stated::StatedUnit;
+pub use stated_unit::StatedUnit;
 pub use suggest::nearest;
 pub use syntax::{BinaryOperator, NodeId, Standing, Syntax, SyntaxNode, Tree};
+pub use unit_chain::{Chain, Factor};
 pub use units::{NamedUnit, UNITS, UnitTag, nearest_unit, unit};
 pub use value::Value;
 
@@ -214,12 +214,12 @@ impl Formula {
 
     /// Which unit it states, for places where an angle must say that it is one.
     pub fn stated_unit(&self) -> StatedUnit {
-        stated::stated_unit(self)
+        stated_unit::stated_unit(self)
     }
 
     /// A mistake unless the formula may stand for an angle, or an angle per time: `35` and `2 Hz` may not.
     pub fn demand_angle_unit(&self) -> Result<(), FormulaError> {
-        stated::demand_angle(self)
+        stated_unit::demand_angle(self)
     }
 
     fn demand(&self, outcome: Result<(), TypeError>) -> Result<(), Vec<FormulaError>> {

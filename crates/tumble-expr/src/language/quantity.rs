@@ -3,12 +3,12 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::chain::{Chain, Factor};
 use super::characters;
 use super::error::{Code, FormulaError, Span};
 use super::numbers;
 use super::suggest;
 use super::syntax::Standing;
+use super::unit_chain::{Chain, Factor};
 use super::units::{self, NamedUnit, UnitTag};
 use crate::expr::Node;
 use crate::{Dimension, Exponent, Expr, Kind};

@@ -2,8 +2,8 @@
 
 use num_rational::BigRational;
 
-use super::chain::Chain;
 use super::error::Span;
+use super::unit_chain::Chain;
 
 /// Where a node stands in its [`Tree`].
 pub type NodeId = usize;

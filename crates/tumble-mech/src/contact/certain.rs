@@ -21,7 +21,7 @@
 //!
 //! # Sign and frame
 //!
-//! As `contact/rough`.
+//! As `contact/sticking`.
 //!
 //! # Validity
 //!
@@ -39,7 +39,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::rough::{Patch, Rough};
+use crate::contact::sticking::{Patch, Rough};
 
 /// What is taken off besides, so that no rounding makes it certain.
 pub(super) const SPARE: f64 = 1e-6;

@@ -3,7 +3,7 @@
 //! # Law
 //!
 //! With w what gaps and slips do, b what they would do without pushes, z the pushes and A the response, `w = b + A z`; of each contact
-//! `w_n >= 0`, `z_n >= 0`, one of the two zero, and of each surface Coulomb's law (`contact/rough`). Rigid bodies have no memory of how hard
+//! `w_n >= 0`, `z_n >= 0`, one of the two zero, and of each surface Coulomb's law (`contact/sticking`). Rigid bodies have no memory of how hard
 //! they are pressed: with friction these conditions may hold for several w. A *choice* says of each contact whether it is held and of each
 //! surface whether it sticks or slides, and which way. Its conditions are linear, and so is what is left open where its rows depend on each
 //! other. All choices are tried, and w that differ are told apart.
@@ -43,8 +43,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::certain::SPARE;
 use crate::contact::complementarity::DEPENDENT;
 use crate::contact::grip::{Grip, Way};
-use crate::contact::rough::{Patch, Pushes, Rough};
 use crate::contact::settle::BALANCED;
+use crate::contact::sticking::{Patch, Pushes, Rough};
 use crate::linear_program::best;
 
 /// Motions whose accelerations differ by less than this part are one.

@@ -6,7 +6,8 @@
 
 use tumble_expr::Row;
 
-use super::{Demand, Doubt, halves};
+use super::halvings::halves;
+use super::{Demand, Doubt};
 use crate::enclosure::{Enclosure, Path};
 use crate::engine::Engine;
 use crate::work::Work;

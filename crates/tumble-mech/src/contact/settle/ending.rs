@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{Settling, Touched};
 use crate::contact::grip::Grip;
-use crate::contact::rough::{Patch, Pushes};
+use crate::contact::sticking::{Patch, Pushes};
 use crate::contact::touch::Touch;
 use crate::contact::zeno::{LOWEST, ZenoSequence, alone, falls, flight, is_low};
 use crate::coordinates::Measure;

@@ -7,7 +7,7 @@ use super::rubbing::Rubbing;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::possible::Motions;
-use crate::contact::rough::{Patch, Pushes};
+use crate::contact::sticking::{Patch, Pushes};
 use crate::mode::Mode;
 use crate::others::{Beyond, Others, PossibleChange, PossibleContact, PossibleMotions};
 use crate::record::Jump;

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::{BALANCED, STANDS, Settling};
 use crate::contact::grip::{Grip, Way};
-use crate::contact::rough::{Patch, Rough};
+use crate::contact::sticking::{Patch, Rough};
 use crate::contact::touch::Touch;
 use crate::coordinates::Measure;
 use crate::mode::Mode;

@@ -9,7 +9,7 @@ use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::Alike;
-use crate::contact::rough::{Patch, Pushes, Rough};
+use crate::contact::sticking::{Patch, Pushes, Rough};
 use crate::contact::touch::stacked_column;
 use crate::contact::watched::Watched;
 use crate::mode::Mode;

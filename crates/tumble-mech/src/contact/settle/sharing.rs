@@ -5,7 +5,7 @@
 
 use super::Settling;
 use crate::contact::grip::Grip;
-use crate::contact::rough::{Patch, Pushes, Rough};
+use crate::contact::sticking::{Patch, Pushes, Rough};
 
 /// Who holds has this part of its friction to spare at least, else it is about to slip too.
 const SPARE: f64 = 1e-6;

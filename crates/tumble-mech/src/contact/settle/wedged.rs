@@ -5,8 +5,8 @@ use tumble_ode::Reason;
 
 use super::{Settling, Touched};
 use crate::contact::grip::Grip;
-use crate::contact::rough::{Patch, Pushes};
 use crate::contact::slip::WEDGED;
+use crate::contact::sticking::{Patch, Pushes};
 use crate::mode::Mode;
 use crate::record::Jump;
 
