@@ -22,6 +22,7 @@ use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
 use crate::contact::watched::Watched;
+use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::impulse::Sizes;
 use crate::mode::Mode;
@@ -33,6 +34,10 @@ use rubbing::Rubbing;
 pub(crate) const STANDS: f64 = 1e-12;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
 pub(crate) const BALANCED: f64 = 1e-10;
+
+/// What is left of the motion of contacts that come to stand is at most this part of the largest speed: bounces are followed down to some 1e-7 of
+/// it. If more is to be taken away, what takes it was not found.
+const LEFT_OVER: f64 = 1e-3;
 
 /// No step is shorter than this part of the time.
 const SHORTEST: f64 = 4.0 * f64::EPSILON;
@@ -328,6 +333,12 @@ impl<'a> Settling<'a> {
 
     /// Takes away what is left of the rates of contacts that are held.
     fn stop(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let (speed, taken) =
+            (self.now.scales[Measure::Speed as usize], (&self.touch.response * impulses).amax());
+        let most = LEFT_OVER * speed.max(self.speed.amax());
+        if speed > 0.0 && (taken > most || taken.is_nan()) {
+            return Err(self.unsolved("contact"));
+        }
         self.cut_off += impulses;
         self.apply(impulses, jump)
     }

@@ -24,6 +24,8 @@ const MOST_BOUNCES: usize = 1_600_000;
 /// An acceleration that is this part of the largest is none: rounding of what many contacts do to it. A contact without a push stays, and what
 /// opens does not come back.
 const IDLE: f64 = 1e-10;
+/// A flight so many times as long as any of them would bounce alone is none: what stands by what others bear is left with a rate that is rounding.
+const TOO_LONG: f64 = 1e3;
 /// In miniature, what differs from rest or from its own rebound by less than this part of the fastest after a hit is that: rounding
 /// of the hit.
 const STANDS: f64 = 1e-12;
@@ -45,13 +47,17 @@ pub(crate) struct ZenoSequence<'a> {
 
 impl ZenoSequence<'_> {
     /// Time until all gaps are closed for good, s; `None` if this is no such motion. Contacts that stand have no gap
-    /// and no rate.
-    pub(crate) fn remaining(&self, gap: &DVector<f64>, rate: &DVector<f64>) -> Option<f64> {
-        let pushes = solve(self.response, self.free)?;
+    /// and no rate. Where several sets of forces would hold them in the end, `pushes` are those that they were chosen by.
+    pub(crate) fn remaining(
+        &self,
+        gap: &DVector<f64>,
+        rate: &DVector<f64>,
+        pushes: &DVector<f64>,
+    ) -> Option<f64> {
         let moves = |i: &usize| gap[*i] != 0.0 || rate[*i] != 0.0;
         let moving: Vec<usize> = (0..gap.len()).filter(moves).collect();
         let loses = self.restitution.iter().all(|e| *e < 1.0);
-        let falls = falls(self.response, self.free, &pushes);
+        let falls = falls(self.response, self.free, pushes);
         let is_low = |i: usize| is_low(gap[i], rate[i], falls[i], self.lowest);
         if moving.is_empty() || !(loses && moving.iter().copied().all(is_low)) {
             return None;
@@ -60,7 +66,7 @@ impl ZenoSequence<'_> {
         let longest = || moving.iter().map(|i| alone(gap[*i], rate[*i], *i)).fold(0.0, f64::max);
         match gap.len() {
             1 => Some(alone(gap[0], rate[0], 0)),
-            _ => self.several(gap, rate, alone).unwrap_or_else(|Endless| Some(longest())),
+            _ => self.several(gap, rate, (alone, longest())).unwrap_or_else(|Endless| Some(longest())),
         }
     }
 
@@ -69,7 +75,7 @@ impl ZenoSequence<'_> {
         &self,
         gap: &DVector<f64>,
         rate: &DVector<f64>,
-        alone: impl Fn(f64, f64, usize) -> f64,
+        (alone, longest): (impl Fn(f64, f64, usize) -> f64, f64),
     ) -> Result<Option<f64>, Endless> {
         let (mut gap, mut rate) = (gap.map(|g| g.max(0.0)), rate.clone());
         let fastest = self.fastest(&gap, &rate).max(f64::MIN_POSITIVE);
@@ -95,6 +101,9 @@ impl ZenoSequence<'_> {
             }
             let Some((stands, free)) = &held else { return Ok(None) };
             let Some(flown) = fly((&mut gap, &mut rate), free, stands) else { return Ok(None) };
+            if flown > TOO_LONG * longest {
+                return Err(Endless);
+            }
             time += flown;
             let is_solved = self.bounce(&gap, &mut rate).is_some();
             if !is_solved || gap.max() > 4.0 * self.lowest {
@@ -229,15 +238,17 @@ mod tests {
 
     fn remaining(response: &[f64], e: f64, gap: &[f64], rate: &[f64]) -> Option<f64> {
         let n = gap.len();
+        let (response, free) = (DMatrix::from_row_slice(n, n, response), DVector::from_element(n, -10.0));
         let zeno = ZenoSequence {
             rule: MultipleImpacts::Simultaneous,
-            response: &DMatrix::from_row_slice(n, n, response),
+            response: &response,
             restitution: &DVector::from_element(n, e),
-            free: &DVector::from_element(n, -10.0),
+            free: &free,
             lowest: 1.0,
             resolution: 0.0,
         };
-        zeno.remaining(&DVector::from_row_slice(gap), &DVector::from_row_slice(rate))
+        let pushes = solve(&response, &free)?;
+        zeno.remaining(&DVector::from_row_slice(gap), &DVector::from_row_slice(rate), &pushes)
     }
 
     #[test]
@@ -279,8 +290,9 @@ mod tests {
         let remaining = |resolution: f64| {
             let (response, restitution, free) = (&response, &e, &free);
             let zeno = ZenoSequence { rule, response, restitution, free, lowest: 1.0, resolution };
-            zeno.remaining(&DVector::zeros(2), &DVector::from_row_slice(&[2.0, 1.0]))
-                .expect("a Zeno sequence")
+            let (rate, pushes) =
+                (DVector::from_row_slice(&[2.0, 1.0]), solve(response, free).expect("forces"));
+            zeno.remaining(&DVector::zeros(2), &rate, &pushes).expect("a Zeno sequence")
         };
         let exact = remaining(0.0);
         for resolution in [1e-12, 1e-6, 1e-3] {

@@ -86,7 +86,7 @@ impl Settling<'_> {
         lowest: f64,
         slow: Slow,
     ) -> Option<Ending> {
-        let (members, Pressed { response, free, then, .. }) =
+        let (members, Pressed { response, free, then, pushes }) =
             self.ending(low, [gap, rate], lowest, &slow.pairs)?;
         let zeno = ZenoSequence {
             rule: self.equations.model().multiple_impacts,
@@ -96,7 +96,7 @@ impl Settling<'_> {
             lowest,
             resolution: f64::EPSILON * self.now.time.abs(),
         };
-        let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate))?;
+        let time = zeno.remaining(&self.some(&members, gap), &self.some(&members, rate), &pushes)?;
         (AT_ONCE * time <= self.next_without(&members, &then)).then_some(Ending { members, time, slow })
     }
 
