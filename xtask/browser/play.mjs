@@ -57,11 +57,19 @@ const picture = (page) => page.evaluate(() => lab.player.motion.bodies.flatMap((
 
 /** The names in the picture that stand on a handle. */
 const covered = (page) => page.evaluate(() => {
-  const boxes = (what) => [...document.querySelectorAll(`#play svg ${what}`)].map((one) => [one.textContent, one.getBoundingClientRect()]);
+  const all = (what) => [...document.querySelectorAll(`#play svg ${what}`)];
+  // Letters, from their line up and a little down: the box of a text has room above and below that differs by browser.
+  const letters = (one) => {
+    const { left, right } = one.getBoundingClientRect();
+    const at = one.getStartPositionOfChar(0).matrixTransform(one.getScreenCTM()).y;
+    const size = parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().d;
+    return { left, right, top: at - 0.75 * size, bottom: at + 0.25 * size };
+  };
   // The corners of a circle's box are none of its own.
-  const meet = ([, a], [, b]) => a.left < b.right - 3 && b.left + 3 < a.right && a.top < b.bottom - 3 && b.top + 3 < a.bottom;
-  const handles = boxes(".grip");
-  return boxes("text.halo").filter((name) => name[1].width > 0 && handles.some((handle) => meet(name, handle))).map(([name]) => name).join();
+  const meet = (a, b) => a.left < b.right - 3 && b.left + 3 < a.right && a.top < b.bottom - 3 && b.top + 3 < a.bottom;
+  const handles = all(".grip").map((one) => one.getBoundingClientRect());
+  const names = all("text.halo").filter((one) => one.getBoundingClientRect().width > 0);
+  return names.filter((one) => handles.some((handle) => meet(letters(one), handle))).map((one) => one.textContent).join();
 });
 
 async function play(browser, name) {
