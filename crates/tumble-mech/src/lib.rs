@@ -57,6 +57,7 @@ mod parameters;
 mod place;
 mod placement;
 mod potential;
+mod product;
 mod record;
 mod refined;
 mod rest;

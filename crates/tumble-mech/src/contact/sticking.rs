@@ -17,6 +17,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::complementarity::{DEPENDENT, pushing, standing, standing_together};
 use crate::contact::grip::{Grip, Way};
 use crate::contact::lemke;
+use crate::product::product;
 
 /// Friction that is beyond what it can be by less than this part has all that it can be.
 const FULL: f64 = 1e-11;
@@ -208,7 +209,7 @@ impl Rough<'_> {
             push[(patch.row(), n + 3 * index)] = 1.0;
             push[(patch.row(), n + 3 * index + 1)] = -1.0;
         }
-        let (moved, without) = (self.response * &push, &self.without + self.response * &pushes);
+        let (moved, without) = (product(self.response, &push), &self.without + self.response * &pushes);
         let mut m = DMatrix::zeros(size, size);
         let mut q = DVector::zeros(size);
         for (i, contact) in self.contacts.iter().enumerate() {
@@ -279,7 +280,7 @@ impl Rough<'_> {
         let factors = among.cholesky()?;
         let (held_by, held_without) = (factors.solve(&of(&holding)), factors.solve(&part(&holding)));
         let mut reduced = Reduced {
-            matrix: of(&self.contacts) - &across * &held_by,
+            matrix: of(&self.contacts) - product(&across, &held_by),
             without: part(&self.contacts) - across * &held_without,
             friction,
             holding,

@@ -17,6 +17,7 @@ use crate::coordinates::Measure;
 use crate::equations::Equations;
 use crate::link::{InstantTape, Measured, Pushes, Slipping};
 use crate::mode::Mode;
+use crate::product::product;
 use crate::restrained::{Gradients, respond};
 
 /// Where and when.
@@ -199,7 +200,7 @@ impl Equations {
             free,
             restitution: read.column(&|pair| pair.end() + 1),
             loads: read.column(&|pair| pair.end() + 2).map(|load| load.max(0.0)),
-            response: &rows * &kicks,
+            response: product(&rows, &kicks),
             pushes: tape.pushes.as_ref().map(|pushes| read.pushes(pushes)),
             slips: Slips { speed: speeds(pairs.len(), &slips.rate), ..slips },
             pairs,
@@ -208,7 +209,8 @@ impl Equations {
             joints,
         };
         touch.pass_over(|pair| self.pairs()[pair].has_edge());
-        touch.clear(&(&rows * DMatrix::from_diagonal(&inverse) * rows.transpose()));
+        let each = &rows * DMatrix::from_diagonal(&inverse);
+        touch.clear(&product(&each, &rows.transpose()));
         if touch.is_finite() { Ok(touch) } else { Err(self.not_finite(island)) }
     }
 

@@ -3,6 +3,7 @@
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 use super::Linearised;
+use crate::product::product;
 
 /// Squares of frequencies below this part of the largest stiffness over its mass are none: rounding leaves a thousandth of it.
 const NEUTRAL: f64 = 1e-10;
@@ -67,8 +68,9 @@ impl SmallMotions {
 
     pub(crate) fn of(linear: &Linearised) -> Self {
         let free = kernel(linear);
-        let mass = free.transpose() * DMatrix::from_diagonal(&linear.mass) * &free;
-        let stiffness = -(free.transpose() * &linear.stiffness * &free);
+        let across = free.transpose();
+        let mass = product(&(&across * DMatrix::from_diagonal(&linear.mass)), &free);
+        let stiffness = -product(&product(&across, &linear.stiffness), &free);
         let mut found = Self { frequencies: vec![], growing: vec![], neutral: 0 };
         let Some(factor) = mass.cholesky().map(|factors| factors.l()) else {
             found.neutral = free.ncols();

@@ -37,6 +37,7 @@ use crate::assembly::Rows;
 use crate::equations::Equations;
 use crate::gauge::Gauge;
 use crate::mode::Mode;
+use crate::product::product;
 
 /// How far poses are moved to see how J changes, in units of the coordinates: slopes are then known to some eight digits.
 const MOVED: f64 = 1e-4;
@@ -94,7 +95,8 @@ impl Pose {
                 states
             };
             let [after, before] = [MOVED, -MOVED].map(|by| scaled(&gauge.at(time, &moved(by))));
-            let change = left.transpose() * ((after - before) / (2.0 * MOVED)) * &free;
+            let change = (after - before) / (2.0 * MOVED);
+            let change = product(&product(&left.transpose(), &change), &free);
             for (own, changed) in change.row_iter().enumerate() {
                 changes[own] = changes[own].max(changed.amax());
                 forms[own].row_mut(index).copy_from(&(most * changed));

@@ -18,8 +18,7 @@ const MOST_EXAMINED: usize = 6;
 impl Settling<'_> {
     /// What some contacts may do, for a message.
     pub(super) fn possible_motions(&self, some: &[usize], patches: &[Patch]) -> String {
-        let forced: Vec<Option<Way>> = patches.iter().map(|patch| patch.slips).collect();
-        match self.motions(some, patches, &forced) {
+        match self.motions_of(some, patches) {
             Some(motions) => self.listed(some, patches, &motions, None).told(self.equations),
             None => {
                 format!("Which of these it is was not examined: more than {MOST_EXAMINED} contacts take part")
@@ -29,8 +28,7 @@ impl Settling<'_> {
 
     /// Whether there are motions without an impact; `None` where they are too many to be examined.
     pub(super) fn has_motions(&self, some: &[usize], patches: &[Patch]) -> Option<bool> {
-        let forced: Vec<Option<Way>> = patches.iter().map(|patch| patch.slips).collect();
-        self.motions(some, patches, &forced).map(|motions| !motions.found.is_empty() || motions.is_unbounded)
+        self.motions_of(some, patches).map(|motions| !motions.found.is_empty() || motions.is_unbounded)
     }
 
     /// What else may be possible than what was found for some contacts; refused where what was found does not go on as before.
@@ -64,6 +62,12 @@ impl Settling<'_> {
             self.equations.body_names(&self.island),
             motions.told(self.equations)
         )))
+    }
+
+    /// The motions in which what slips goes on so; `None` where they are too many.
+    fn motions_of(&self, some: &[usize], patches: &[Patch]) -> Option<Motions> {
+        let forced: Vec<Option<Way>> = patches.iter().map(|patch| patch.slips).collect();
+        self.motions(some, patches, &forced)
     }
 
     /// `None` where they are too many.

@@ -83,11 +83,7 @@ impl Settling<'_> {
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<Option<Rubbing>, Reason> {
-        let pressed = self.pressed(jump);
-        let mut patches = self.patches(&[some, &pressed].concat(), true);
-        for patch in &mut patches {
-            patch.slips = self.slips_now(patch, touched);
-        }
+        let patches = self.slipping_patches(some, touched, jump);
         self.refuse_wedged(some, &patches, touched, jump)?;
         let beginning = self.slipping_from_the_start(some, &patches, jump);
         let forced = self.forced(&patches, touched, &beginning, jump);
@@ -121,6 +117,17 @@ impl Settling<'_> {
     /// Accelerations of all gaps and slips without forces of contacts that last.
     pub(super) fn accelerations(&self) -> DVector<f64> {
         stacked_column(&self.touch.free, &self.touch.slips.free)
+    }
+
+    /// What slips alike of some contacts and of all that is pressed, with the ways that it slips before anything is settled.
+    pub(super) fn slipping_patches(
+        &self,
+        some: &[usize],
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Vec<Patch> {
+        let patches = self.patches(&[some, &self.pressed(jump)].concat(), true).into_iter();
+        patches.map(|patch| Patch { slips: self.slips_now(&patch, touched), ..patch }).collect()
     }
 
     /// The way that a patch slips before anything is settled, if it does.

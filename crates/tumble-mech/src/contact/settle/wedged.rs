@@ -113,10 +113,7 @@ impl Settling<'_> {
     /// Painleve's configuration of several contacts by its name: what slips goes on so, and whichever of them press, stick or begin to
     /// slide, no forces are as friction has them. `None` where some are.
     fn paradox(&self, some: &[usize], touched: &Touched, jump: &Jump<Mode>) -> Option<Reason> {
-        let mut patches = self.patches(&[some, &self.pressed(jump)].concat(), true);
-        for patch in &mut patches {
-            patch.slips = self.slips_now(patch, touched);
-        }
+        let patches = self.slipping_patches(some, touched, jump);
         if self.has_motions(some, &patches)? {
             return None;
         }
