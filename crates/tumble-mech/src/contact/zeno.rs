@@ -62,10 +62,10 @@ impl ZenoSequence<'_> {
         if moving.is_empty() || !(loses && moving.iter().copied().all(is_low)) {
             return None;
         }
-        let longest = self.longest(gap, rate, &falls);
+        let longest = || Some(self.longest(gap, rate, &falls));
         match gap.len() {
-            1 => Some(longest),
-            _ => self.several(gap, rate, &falls).unwrap_or_else(|Endless| Some(longest)),
+            1 => longest(),
+            _ => self.several(gap, rate, &falls).unwrap_or_else(|Endless| longest()),
         }
     }
 
