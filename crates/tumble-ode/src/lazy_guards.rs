@@ -31,7 +31,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Rounding errors of a value, in units of the last place of the lengths it is the difference of.
 const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Of what rounding alone makes of a value: less is not worth another step, whose end is rounded too.
-const NOISE: f64 = 32.0;
+const NOISE: f64 = 2.0;
 /// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
 const BETTER: f64 = 0.5;
 /// A zero that is further away than this part of the step is another one, or that of what is nothing but rounding.
