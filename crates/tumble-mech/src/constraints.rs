@@ -187,7 +187,8 @@ impl Equations {
             }
         }
         for (pair, contact_mode) in &mode.contacts {
-            if contact_mode.is_lasting() || *contact_mode == ContactMode::Pressed {
+            let is_in = *contact_mode == ContactMode::Pressed || contact_mode.is_slight();
+            if contact_mode.is_lasting() || is_in {
                 self.pairs()[*pair].join(&mut neighbours);
             }
         }

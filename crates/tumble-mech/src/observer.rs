@@ -67,9 +67,8 @@ impl Observer {
     /// Values of the formulas just before and just after an event, by its index among those of the run.
     pub fn at_event(&mut self, index: usize) -> Option<[Vec<f64>; 2]> {
         let Self { parts, formulas, tracks, .. } = self;
-        let events = tracks.events();
-        let (of, _) = *events.get(index)?;
-        let time = tracks.event(events[index]).time;
+        let place = tracks.events().nth(index)?;
+        let (of, time) = (place.0, tracks.event(place).time);
         let mut found = [vec![f64::NAN; *formulas], vec![f64::NAN; *formulas]];
         for part in parts {
             // Of a run that is one motion its events are all.
@@ -78,7 +77,8 @@ impl Observer {
             let is_of = |of: usize| each.len() == 1 || each[of].groups.iter().any(is_own);
             let values = match is_of(of) {
                 true => {
-                    let before = events[..index].iter().filter(|(of, _)| is_of(*of)).count();
+                    let before = tracks.all_events().iter().take_while(|event| **event != place);
+                    let before = before.filter(|(of, _)| is_of(*of)).count();
                     part.along.at_event(before)?
                 }
                 false => [part.along.at(time, Side::Before)?, part.along.at(time, Side::After)?],

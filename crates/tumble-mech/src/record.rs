@@ -68,6 +68,11 @@ impl Record {
         self.happened.iter().any(is_zeno)
     }
 
+    /// Whether an instant was only looked at, or what a contact does there has no force on either side.
+    pub(crate) fn is_nothing(&self) -> bool {
+        self.happened.is_empty() && self.impulses.is_empty() && self.others.is_empty()
+    }
+
     /// Bytes that it holds beside its own size.
     pub(crate) fn held(&self) -> usize {
         self.happened.capacity() * size_of::<Happening>()

@@ -201,9 +201,9 @@ impl Run {
         &self.tracks
     }
 
-    /// All that happens, in order of time. The modes and states of an event are those of the motion that it belongs to.
+    /// All events at which something happens, in order of time. The modes and states of an event are those of the motion that it belongs to.
     pub fn events(&self) -> impl DoubleEndedIterator<Item = &Occurrence<Record>> + Clone {
-        self.tracks.events().iter().map(|event| self.tracks.event(*event))
+        self.tracks.events().map(|event| self.tracks.event(event))
     }
 
     /// Time of the start, s; `None` if nothing was integrated and nothing happened.

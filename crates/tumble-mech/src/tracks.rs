@@ -114,8 +114,13 @@ impl Tracks {
         one(motion)
     }
 
-    /// Where each event is, in order of time: the motion and its index there.
-    pub(crate) fn events(&self) -> &[(usize, usize)] {
+    /// Where each event is at which something happens, in order of time: the motion and its index there.
+    pub(crate) fn events(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> + Clone {
+        self.all_events().iter().copied().filter(|event| !self.event(*event).record.is_nothing())
+    }
+
+    /// The same of all events.
+    pub(crate) fn all_events(&self) -> &[(usize, usize)] {
         self.order.get_or_init(|| {
             let each = self.each.iter().enumerate();
             let places =

@@ -84,6 +84,75 @@ fn hertz_s_contact_time() {
     }
 }
 
+/// Put down on the floor, a ball of mass m sinks in by `D = (5 m g/(2 k))^(2/3)` and is back after `(2/3) B(1/3, 1/2) sqrt(2 D/g)`.
+#[test]
+fn put_down_on_hertz_s_floor() {
+    let gravity = 9.81;
+    for stiffness in [1e4, 1e6, 1e9] {
+        let mut model = falling(hertz(stiffness, 0.0), gravity);
+        model.starts[0].1 = Start::default().at([0 * M, 0.1 * M]);
+        let depth = (2.5 * MASS * gravity / stiffness).powf(2.0 / 3.0);
+        let period = 2.804_364_210_650_908_3 * (2.0 * depth / gravity).sqrt();
+        let run = run(model, 1.1 * period, 1e-13);
+        let ball = run.equations.model().bodies[0].kinematics();
+        let [y, speed] = at(&run, 0.5 * period, [ball.position().y().clone(), ball.velocity().y().clone()]);
+        close((0.1 - y) / depth, 1.0, 1e-11);
+        close(speed * period / depth, 0.0, 1e-9);
+        let [back] = at(&run, period, [ball.position().y().clone()]);
+        close((0.1 - back) / depth, 0.0, 1e-11);
+        assert_eq!(run.contacts()[0].start, 0.0);
+    }
+}
+
+/// A rod of mass M that comes down flat with the speed v strikes with both ends at once: `(1/2) M v^2 = 2 (2/5) k D^(5/2)`, and it is in for
+/// `(4/5) B(2/5, 1/2) D/v`. It does not begin to turn.
+#[test]
+fn flat_on_hertz_s_floor() {
+    let stiffness = 1e6;
+    let mut model = Model::new();
+    let rod = model.add(Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(MASS * KG));
+    model
+        .starts
+        .push((rod.name, Start::default().at([0 * M, 0.1 * M]).velocity([0 * M / S, -SPEED * M / S])));
+    model.surface(Surface::floor("floor", 0 * M, hertz(stiffness, 0.0)));
+    let run = run(model, 0.2, 1e-13);
+    let depth = (5.0 * MASS * SPEED * SPEED / (8.0 * stiffness)).powf(0.4);
+    let contacts = run.contacts();
+    assert_eq!(contacts.len(), 2);
+    for contact in &contacts {
+        let lasts = 2.943_275_184_324_704_7 * depth / SPEED;
+        assert!(((contact.end - contact.start) / lasts - 1.0).abs() < 1e-11, "{contact:?}");
+    }
+    let rod = run.equations.model().bodies[0].kinematics();
+    let after = [rod.velocity().y().clone(), rod.angle(), rod.omega()];
+    let [speed, angle, omega] = at(&run, 0.2, after);
+    close(speed, SPEED, 1e-12);
+    close(angle, 0.0, 1e-12);
+    close(omega, 0.0, 1e-10);
+}
+
+/// Nearly flat, it turns in proportion to how aslant it was, however little that is: that both ends begin at one instant is not taken for equal
+/// depths.
+#[test]
+fn nearly_flat_on_hertz_s_floor() {
+    let turned = |aslant: f64| {
+        let mut model = Model::new();
+        let rod = model.add(Body::rod("rod", [-0.5 * M, 0 * M], [0.5 * M, 0 * M]).mass(MASS * KG));
+        let start = Start::default().at([0 * M, 0.1 * M]).velocity([0 * M / S, -SPEED * M / S]);
+        model.starts.push((rod.name, start.angle(Expr::from(aslant))));
+        model.surface(Surface::floor("floor", 0 * M, hertz(1e6, 0.0)));
+        let run = run(model, 0.2, 1e-13);
+        let rod = run.equations.model().bodies[0].kinematics();
+        at(&run, 0.2, [rod.angle()])[0] / aslant
+    };
+    let much = turned(1e-7);
+    assert!(much.abs() > 10.0, "{much}");
+    for (aslant, off) in [(1e-9, 1e-5), (1e-11, 1e-3), (1e-13, 0.1)] {
+        let little = turned(aslant);
+        assert!((little / much - 1.0).abs() < off, "{little} is not {much}");
+    }
+}
+
 /// Energy returns after any number of bounces on Hertz's floor, and is lost with damping.
 #[test]
 fn hertz_with_gravity_keeps_the_energy() {

@@ -75,6 +75,38 @@ fn covers((run, trust): &(Run, Trust), time: f64, formulas: &[Expr], expected: &
     }
 }
 
+/// A ball that is put down on a compliant floor comes back to it for a moment, or just not: both go on alike, and its digits with them.
+#[test]
+fn of_a_ball_that_just_leaves_what_it_was_put_on() {
+    let (gravity, radius) = (9.81, 0.1);
+    let ball = |law: ContactLaw| {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(gravity * M / (S * S));
+        model.add(Body::ball("ball", radius * M).mass(1 * KG));
+        model.starts.push(("ball".into(), Start::default().at([0 * M, radius * M])));
+        model.surface(Surface::floor("floor", 0 * M, law));
+        model
+    };
+    let height = |run: &Run| run.equations.model().bodies[0].kinematics().position().y().clone();
+    let law =
+        ContactLaw::Spring { stiffness: 1e4 * N / M, damping: 0 * N * S / M, release: Release::AtZeroForce };
+    let on_spring = trusted(&ball(law), 3.0, 1e-9);
+    assert_eq!(on_spring.1.horizon, None);
+    for time in [0.5_f64, 1.7, 2.9] {
+        let y = radius - gravity / 1e4 * (1.0 - (100.0 * time).cos());
+        covers(&on_spring, time, &[height(&on_spring.0)], &[y]);
+    }
+    let root = (1 * M).powr(Exponent::new(3, 2));
+    let law = ContactLaw::Hertz { stiffness: 1e6 * N / root, damping: 0 * S / M };
+    let depth = (2.5 * gravity / 1e6_f64).powf(2.0 / 3.0);
+    let period = 2.804_364_210_650_908_3 * (2.0 * depth / gravity).sqrt();
+    let on_hertz = trusted(&ball(law), 1.0, 1e-9);
+    assert_eq!(on_hertz.1.horizon, None);
+    for cycles in [2.5, 9.5, 20.5] {
+        covers(&on_hertz, cycles * period, &[height(&on_hertz.0)], &[radius - depth]);
+    }
+}
+
 #[test]
 fn of_a_pendulum_in_the_wind() {
     for (name, period) in [("0.5", 0.5), ("1.0", 1.0), ("2.0", 2.0), ("4.0", 4.0)] {

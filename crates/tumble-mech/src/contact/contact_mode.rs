@@ -7,6 +7,10 @@ pub enum ContactMode {
     Pressed,
     /// Still inside a compliant surface, but let go by it.
     Released,
+    /// In a Hertzian surface, since it touches, and so little that there is no force yet.
+    Entering,
+    /// In a Hertzian surface, and so little that there is no force any more.
+    Leaving,
     /// On a rigid surface, which pushes as much as keeps it there.
     Resting,
     /// On a rigid surface after impacts that have become too small to be told apart and will soon have ended.
@@ -20,6 +24,11 @@ impl ContactMode {
     /// Whether the surface is rigid and keeps the point on it by a force that the equations solve for.
     pub(crate) fn is_held(self) -> bool {
         matches!(self, Self::Resting | Self::Settling)
+    }
+
+    /// Whether it is in a compliant surface by less than rounding tells from touching.
+    pub(crate) fn is_slight(self) -> bool {
+        matches!(self, Self::Entering | Self::Leaving)
     }
 
     /// Whether the point stays on a rigid surface.

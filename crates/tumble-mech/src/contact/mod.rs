@@ -28,6 +28,7 @@ mod release;
 mod routh;
 mod said;
 mod settle;
+mod slight;
 mod slip;
 mod slipping;
 mod start;

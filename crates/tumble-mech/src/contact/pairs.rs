@@ -182,6 +182,18 @@ impl Equations {
         let watched = |(pair, contact_mode): &(usize, ContactMode)| -> Vec<(usize, Watched, Direction)> {
             let gap = (*pair, Watched::Gap, Direction::Rising);
             match contact_mode {
+                ContactMode::Pressed if self.is_among_roots(mode, *pair) => {
+                    let own = &self.pairs()[*pair];
+                    let force = own.releases_early().then_some((*pair, Watched::Force, Direction::Falling));
+                    [gap, (*pair, Watched::Shallow, Direction::Rising)].into_iter().chain(force).collect()
+                }
+                ContactMode::Entering => {
+                    vec![
+                        (*pair, Watched::Out, Direction::Rising),
+                        (*pair, Watched::Depth, Direction::Falling),
+                    ]
+                }
+                ContactMode::Leaving => vec![gap, (*pair, Watched::Depth, Direction::Falling)],
                 ContactMode::Pressed => {
                     let own = &self.pairs()[*pair];
                     let force = own.releases_early().then_some((*pair, Watched::Force, Direction::Falling));

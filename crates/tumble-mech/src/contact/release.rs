@@ -23,7 +23,7 @@ impl Equations {
         watched: Watched,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Option<usize>, Reason> {
+    ) -> Result<Vec<usize>, Reason> {
         let pair = &self.pairs()[index];
         let (after, change) = match (watched, jump.mode.contact_mode(index)) {
             (Watched::Force, Some(ContactMode::Pressed)) if self.is_at_surface(index, now, jump)? => {
@@ -38,7 +38,7 @@ impl Equations {
         jump.mode.set_contact_mode(index, after);
         jump.mode.set_grip(index, None);
         jump.record.happened.push(Happening::Contact { pair: index, change });
-        Ok(Some(index).filter(|_| after == Some(ContactMode::Pressed)))
+        Ok(if after == Some(ContactMode::Pressed) { vec![index] } else { vec![] })
     }
 
     /// A contact leaves where there may be one while it is pressed in. Another of the same two takes over what depth there is, a corner
@@ -48,12 +48,12 @@ impl Equations {
         index: usize,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Option<usize>, Reason> {
-        let Some(before) = jump.mode.contact_mode(index) else { return Ok(None) };
+    ) -> Result<Vec<usize>, Reason> {
+        let Some(before) = jump.mode.contact_mode(index) else { return Ok(vec![]) };
         let next = self.next_to(index, now, jump)?;
         let mut tell = |pair, change| jump.record.happened.push(Happening::Contact { pair, change });
         match before {
-            ContactMode::Pressed => {
+            ContactMode::Pressed | ContactMode::Entering | ContactMode::Leaving => {
                 tell(index, Change::End);
                 next.into_iter().for_each(|next| tell(next, Change::Start));
             }
@@ -63,7 +63,7 @@ impl Equations {
         jump.mode.set_contact_mode(index, None);
         jump.mode.set_grip(index, None);
         next.into_iter().for_each(|next| jump.mode.set_contact_mode(next, Some(before)));
-        Ok(next)
+        Ok(next.into_iter().collect())
     }
 
     /// Of the pairs of the same two that are open, though they are in each other where that is a contact, the deepest that is no deeper than
@@ -117,7 +117,7 @@ impl Equations {
             }
             let roots = self.roots(&jump.mode);
             let pressed = self.let_go(pair, Watched::Force, now, jump)?;
-            self.restate(&roots, pressed, now, jump)?;
+            self.restate(&roots, &pressed, now, jump)?;
             turned = true;
         }
         Ok(turned)

@@ -68,7 +68,9 @@ impl Touched {
             Watched::Cone(way) => _ = self.broken.insert((pair, way)),
             Watched::Wedge => _ = self.wedged.insert(pair),
             Watched::Limit(_) => _ = self.left.insert(pair),
-            Watched::Gap | Watched::Force => _ = self.closed.insert(pair),
+            Watched::Gap | Watched::Depth | Watched::Shallow | Watched::Out | Watched::Force => {
+                self.closed.insert(pair);
+            }
         }
     }
 }

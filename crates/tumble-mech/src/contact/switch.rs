@@ -5,6 +5,7 @@ use tumble_ode::{Cause, Crossing, Direction, Reason};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::settle::{BALANCED, STANDS, Touched};
+use crate::contact::slight::LEAST;
 use crate::contact::touch::Now;
 use crate::contact::watched::Watched;
 use crate::equations::Equations;
@@ -83,6 +84,12 @@ impl Causes {
     }
 }
 
+/// What was before contacts of an instant changed.
+struct Before {
+    mode: Mode,
+    states: Vec<f64>,
+}
+
 impl Equations {
     /// Deals with all contacts of an instant; `jump` holds what else happens then. The sizes of the impulses.
     pub(crate) fn switch_contacts(
@@ -100,6 +107,7 @@ impl Equations {
         }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         let woken = if causes.wakes { self.wake(jump) } else { vec![] };
+        let before_contacts = Before { mode: jump.mode.clone(), states: jump.states.clone() };
         let (islands, touching) = self.islands_now(&causes, now, jump)?;
         let mut touched = vec![None; islands.len()];
         let of = |pair: usize| {
@@ -110,7 +118,7 @@ impl Equations {
         }
         for (pair, watched, closes) in causes.seen {
             let before = self.roots(&jump.mode);
-            let mut pressed = None;
+            let mut pressed = vec![];
             let is_rigid = self.pairs()[pair].is_rigid();
             let own = of(pair).filter(|_| is_rigid || self.pairs()[pair].friction.is_some());
             let own = own.map(|island| touched[island].get_or_insert_with(Touched::default));
@@ -120,15 +128,19 @@ impl Equations {
                 }
                 (false, _) if closes => self.press(pair, None, now, jump)?,
                 (false, Watched::Limit(_)) => pressed = self.pass_on(pair, now, jump)?,
+                // It has passed with another.
+                (false, Watched::Depth | Watched::Shallow)
+                    if jump.mode.contact_mode(pair) != at.mode.contact_mode(pair) => {}
+                (false, Watched::Depth | Watched::Shallow) => pressed = self.pass_slight(pair, now, jump)?,
                 (false, watched) => pressed = self.let_go(pair, watched, now, jump)?,
             }
-            self.restate(&before, pressed, now, jump)?;
+            self.restate(&before, &pressed, now, jump)?;
         }
         self.turn_round(at, jump)?;
         let before = self.roots(&jump.mode);
-        self.press_behind(&touching, now, jump)?;
-        self.restate(&before, None, now, jump)?;
-        self.refuse_common_beginning(jump)?;
+        self.press_behind(&touching, &before_contacts, now, jump)?;
+        self.restate(&before, &[], now, jump)?;
+        self.enter_together(now, jump)?;
         let mut impulses = Sizes::default();
         for (island, touched) in islands.iter().zip(touched) {
             let Some(touched) = touched else { continue };
@@ -183,14 +195,15 @@ impl Equations {
 
     /// What touches bodies that are pressed from now on, and lies still, is pressed with them, though with no force at first: rounding would
     /// say when it begins. Each one further along has two more derivatives that are zero.
-    fn press_behind(&self, touching: &[usize], now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let begun = jump.record.happened.iter().filter_map(|happening| match happening {
-            Happening::Contact { pair, change: Change::Start } if !self.pairs()[*pair].is_rigid() => {
-                Some(*pair)
-            }
-            _ => None,
-        });
-        let mut last: Vec<usize> = begun.collect();
+    fn press_behind(
+        &self,
+        touching: &[usize],
+        before: &Before,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
+        let mut last: Vec<usize> =
+            jump.mode.pressed().filter(|pair| !before.mode.is_pressed(*pair)).collect();
         for row in 1.. {
             let is_next = |pair: &&usize| {
                 let own = &self.pairs()[**pair];
@@ -199,7 +212,7 @@ impl Equations {
             };
             let next: Vec<usize> = touching.iter().filter(is_next).copied().collect();
             for pair in &next {
-                self.press(*pair, Some(1 + 2 * row), now, jump)?;
+                self.press(*pair, Some((1 + 2 * row, before)), now, jump)?;
             }
             last = next.into_iter().filter(|pair| jump.mode.is_pressed(*pair)).collect();
             if last.is_empty() {
@@ -214,12 +227,16 @@ impl Equations {
     fn press(
         &self,
         index: usize,
-        behind: Option<usize>,
+        behind: Option<(usize, &Before)>,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
-        let touch = self.touch(&self.island_with(index, &jump.mode), &jump.mode, &jump.states, now)?;
+        let island = self.island_with(index, &jump.mode);
+        // What has just begun to press has no force yet, but for rounding of its depth.
+        let (mode, states) =
+            behind.map_or((&jump.mode, &jump.states), |(_, Before { mode, states })| (mode, states));
+        let touch = self.touch(&island, mode, states, now)?;
         let Some(own) = touch.position(index) else { return Ok(()) };
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
         let is_calm = stands && touch.free[own].abs() <= BALANCED * touch.strength;
@@ -228,19 +245,15 @@ impl Equations {
             _ if stands => touch.free[own] < 0.0,
             _ => touch.rate[own] < 0.0,
         };
-        let zeros = behind.filter(|_| is_calm).unwrap_or(if stands { 2 } else { 1 });
-        jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
-        if closes && stands && pair.is_hertzian() {
-            return Err(Reason::Model(format!(
-                "`{}` touches without speed, and the time transformation of a Hertzian contact cannot start: let it begin a little \
-                 above the surface, or with some speed",
-                pair.name
-            )));
-        }
         if closes {
-            jump.mode.set_contact_mode(index, Some(ContactMode::Pressed));
             jump.record.happened.push(Happening::Contact { pair: index, change: Change::Start });
+            if stands && pair.is_hertzian() {
+                return self.enter(index, now, jump);
+            }
+            jump.mode.set_contact_mode(index, Some(ContactMode::Pressed));
         }
+        let zeros = behind.map(|(zeros, _)| zeros).filter(|_| is_calm).unwrap_or(if stands { 2 } else { 1 });
+        jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
         Ok(())
     }
 
@@ -250,11 +263,11 @@ impl Equations {
     }
 
     /// Gives the new mode's states: roots of depths come with Hertzian contacts and go with them. `before` are those that the states are
-    /// with; of what is pressed in as it comes the root is that of its depth.
+    /// with; of what is pressed in as it comes the root is that of its depth, or of half the least that has a force.
     pub(super) fn restate(
         &self,
         before: &[usize],
-        pressed: Option<usize>,
+        pressed: &[usize],
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<(), Reason> {
@@ -264,8 +277,8 @@ impl Equations {
         for pair in after {
             roots.push(match before.iter().position(|known| *known == pair) {
                 Some(known) => jump.states[base + known],
-                None if pressed == Some(pair) => {
-                    let depth = [-self.pairs()[pair].gap()];
+                None if pressed.contains(&pair) => {
+                    let depth = [-self.pairs()[pair].gap(), self.pairs()[pair].slight()];
                     let depth = self.values(
                         &depth,
                         &Mode { contacts: vec![], ..jump.mode.clone() },
@@ -273,7 +286,7 @@ impl Equations {
                         &jump.states[..base],
                         now.inputs,
                     )?;
-                    libm::sqrt(depth[0].max(0.0))
+                    libm::sqrt(depth[0].max(LEAST * depth[1]))
                 }
                 None => 0.0,
             });
@@ -281,20 +294,5 @@ impl Equations {
         jump.states.truncate(base);
         jump.states.extend(roots);
         Ok(())
-    }
-
-    /// The time transformation of Hertzian contacts is singular where two roots of depths are zero.
-    fn refuse_common_beginning(&self, jump: &Jump<Mode>) -> Result<(), Reason> {
-        let pressed = self.roots(&jump.mode);
-        let roots = &jump.states[jump.states.len() - pressed.len()..];
-        if roots.iter().filter(|root| **root == 0.0).count() <= 1 {
-            return Ok(());
-        }
-        let names: Vec<&str> = pressed.iter().map(|pair| self.pairs()[*pair].name.as_str()).collect();
-        Err(Reason::Model(format!(
-            "Hertzian contacts begin at the same instant ({}), for which there is no time transformation: let one begin a \
-             little later",
-            names.join(", ")
-        )))
     }
 }

@@ -15,6 +15,12 @@ use crate::kinematics::Kinematics;
 pub(crate) enum Watched {
     /// Its gap.
     Gap,
+    /// How far a Hertzian contact is from the depth up to which it may have no force.
+    Depth,
+    /// How far one of several is from the depth up to which it may have none again.
+    Shallow,
+    /// How far one without force yet is from being as far out.
+    Out,
     /// The force of a spring with a damper.
     Force,
     /// The force that keeps it on a rigid surface.
@@ -138,6 +144,9 @@ impl Pair {
             Watched::Cone(Way::Forward) if self.is_rolling() => "rolling forward",
             Watched::Cone(Way::Backward) if self.is_rolling() => "rolling backward",
             Watched::Gap => "gap",
+            Watched::Depth => "depth",
+            Watched::Shallow => "shallow",
+            Watched::Out => "out",
             Watched::Force => "force",
             Watched::Normal => "normal",
             Watched::Slip => "slip",

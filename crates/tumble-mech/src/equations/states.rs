@@ -31,10 +31,9 @@ impl Equations {
             let pair = &self.parts.pairs.all[*index];
             let others = roots.iter().filter(|other| *other != index);
             let others = others.map(|other| Expr::from(self.parts.pairs.all[*other].root_symbol()));
-            let others = others.fold(Expr::one(), |product, root| product * root);
             StateRate {
                 symbol: pair.root_symbol(),
-                rate: laws::compliant::root_rate(pair, &others),
+                rate: laws::compliant::root_rate(pair, others),
                 measure: Measure::Root,
                 per_parameter: true,
             }

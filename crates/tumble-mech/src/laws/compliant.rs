@@ -14,7 +14,8 @@
 //! N is along the pair's normal, out of the solid, on the first body, and against it on another.
 //! # Validity
 //! Depths small against the body. Friction is a law of its own. No rebound is faster than 1/c by itself. The power d^(3/2) has no Taylor series at first touch, so a Hertzian
-//! contact runs in a transformed time: with the root w of the depth and `dt = w ds` all rates are polynomials.
+//! contact runs in a transformed time: with the root w of the depth and `dt = w ds` all rates are polynomials; with several, see
+//! [`time_transformation`].
 //! # Source
 //! Hooke; Hertz 1882; Hunt and Crossley 1975, "Coefficient of restitution interpreted as damping in vibroimpact", of approach and rebound,
 //! where 1 + c d' stays positive. That contacts do not pull is added where bodies are driven: Marhefka and Orin 1999, "A compliant contact model
@@ -97,11 +98,19 @@ fn damped_force(pair: &Pair, stiffness: &Expr, damping: &Expr) -> Expr {
     }
 }
 
-/// Rate of the root w of the depth with respect to the parameter s: `d' / 2`, since `d = w^2` and `dt = w ds`.
-///
-/// Other Hertzian contacts pressed at the same time multiply dt/ds by their roots.
-pub(crate) fn root_rate(pair: &Pair, others: &Expr) -> Expr {
-    -pair.gap_rate() * others / 2
+/// dt/ds of Hertzian contacts that are pressed at the same time, by the roots of their depths: `1/(1/w_1 + 1/w_2 + ...)`, written so that one of
+/// them may be zero. It is of the size of the least, however many there are.
+pub(crate) fn time_transformation(roots: impl Iterator<Item = Expr>) -> Option<Expr> {
+    roots.reduce(|rate, root| &rate * &root / (&rate + &root))
+}
+
+/// Rate of the root w of the depth with respect to the parameter s: `d' / 2` of one alone, since `d = w^2` and `dt = w ds`.
+pub(crate) fn root_rate(pair: &Pair, others: impl Iterator<Item = Expr>) -> Expr {
+    let alone = -pair.gap_rate() / 2;
+    match time_transformation(others) {
+        Some(others) => alone * &others / (&others + Expr::from(pair.root_symbol())),
+        None => alone,
+    }
 }
 
 /// What is zero while a Hertzian pair is pressed: the gap and the square of the root, m.

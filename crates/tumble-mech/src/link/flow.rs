@@ -13,7 +13,7 @@ use super::part::{Part, Pusher, RowOf};
 use crate::contact::{Pair, WEDGED, Watched};
 use crate::coordinates::Measure;
 use crate::event::Event;
-use crate::laws::compliant::resistance;
+use crate::laws::compliant::{resistance, time_transformation};
 use crate::parameters::time_symbol;
 
 impl<A: Algebra> Linking<'_, A> {
@@ -50,9 +50,8 @@ impl<A: Algebra> Linking<'_, A> {
     /// The rate dt/ds is a pure number; the unit of the roots goes into the pieces' own parameter.
     pub(super) fn time_transformation(&mut self) -> Option<A::Value> {
         let roots = self.equations.roots(self.mode).into_iter();
-        let roots: Vec<A::Value> =
-            roots.map(|pair| self.algebra.leaf(&self.equations.pairs()[pair].root_symbol())).collect();
-        roots.into_iter().reduce(|product, root| self.algebra.binary(Binary::Mul, product, root))
+        let roots = roots.map(|pair| Expr::from(self.equations.pairs()[pair].root_symbol()));
+        time_transformation(roots).map(|rate| self.formula(&rate))
     }
 
     /// What each kind of state is measured against; the order is [`Measure`]'s.
@@ -134,6 +133,12 @@ impl<A: Algebra> Linking<'_, A> {
                 self.algebra.unary(Unary::Neg, root)
             }
             Watched::Gap => self.part(Part::Gap(index)).remove(0),
+            Watched::Shallow => self.formula(&pair.shallow()),
+            Watched::Depth | Watched::Out => {
+                let (gap, slight) = (self.part(Part::Gap(index)).remove(0), self.formula(&pair.slight()));
+                let of = if watched == Watched::Depth { Binary::Add } else { Binary::Sub };
+                self.algebra.binary(of, gap, slight)
+            }
             // The root of the depth is no state of what is let go.
             Watched::Force if pair.is_hertzian() => {
                 let [elastic, damped] = resistance(pair);
@@ -154,7 +159,9 @@ impl<A: Algebra> Linking<'_, A> {
             Watched::Normal | Watched::Cone(_) => {
                 AtZero::EndsIfItMoves { response: self.lightness(pair), group: Measure::Length as usize }
             }
-            Watched::Gap | Watched::Force => AtZero::Begins,
+            Watched::Gap | Watched::Depth | Watched::Out | Watched::Shallow | Watched::Force => {
+                AtZero::Begins
+            }
             // Friction acts against the slip.
             Watched::Slip => AtZero::Keeps { group: Measure::Speed as usize },
             Watched::Wedge => AtZero::Ends,

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use tumble_ode::{Motion, Occurrence};
 
+use crate::contact::ContactMode;
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::record::{Happening, Record};
@@ -45,8 +46,8 @@ impl Own {
             true => {
                 // What was looked at and is as it was, such as friction that breaks where nothing presses any more: check runs round states anew
                 // there too.
-                let is_nothing = event.record.happened.is_empty() && event.record.impulses.is_empty();
-                event.mode_before != event.mode_after || (event.before != event.after && !is_nothing)
+                let is_something = !event.record.is_nothing();
+                self.mode(before) != self.mode(after) || (event.before != event.after && is_something)
             }
             false => {
                 // Check runs round all states anew at any event.
@@ -67,8 +68,16 @@ impl Own {
         record.happened.iter().filter(|happening| self.concerns(happening)).copied().collect()
     }
 
-    /// A mode as far as it is theirs, with what they touch of others.
+    /// A mode as far as it is theirs, with what they touch of others; that some contacts press too little to have a force is no difference.
     pub(super) fn mode<'a>(&self, mode: &'a Mode) -> Cow<'a, Mode> {
+        if mode.contacts.iter().any(|(_, contact_mode)| contact_mode.is_slight()) {
+            let pressed = |contact_mode: ContactMode| {
+                if contact_mode.is_slight() { ContactMode::Pressed } else { contact_mode }
+            };
+            let contacts = mode.contacts.iter().map(|(pair, contact_mode)| (*pair, pressed(*contact_mode)));
+            let mode = Mode { contacts: contacts.collect(), ..mode.clone() };
+            return Cow::Owned(self.mode(&mode).into_owned());
+        }
         if self.is_all(mode) {
             return Cow::Borrowed(mode);
         }

@@ -11,8 +11,11 @@ use crate::trust::own::Own;
 use crate::trust::{Divergence, Horizon};
 
 /// Two Zeno sequences end at one time if that differs by no more than this part of it: their last impacts need not
-/// match.
+/// match. So do contacts with compliant surfaces that one of two runs has more of.
 const SAME_LIMIT: f64 = 1e-6;
+
+/// Beginnings and ends of compliant contacts that only one of two runs has are followed no further.
+const MOST_PASSED: usize = 16;
 
 type Event = tumble_ode::Occurrence<Record>;
 
@@ -48,12 +51,21 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
     let (mut from, mut at) = ([0.0; 2], [0; 2]);
     loop {
         let events = [0, 1].map(|run| changing[run].get(at[run]).copied());
-        let (next, is_zeno) = match events {
+        let matching = match events {
             [None, None] => break,
-            [Some(a), Some(b)] if is_same(runs, own, [a, b]) => {
-                (at.map(|index| index + 1), a.record.ends_zeno_sequence())
-            }
-            _ => match after_zeno_sequences(&changing, own, at) {
+            [Some(a), Some(b)] if is_same(runs, own, [a, b]) => Some([a, b]),
+            _ => None,
+        };
+        let is_certain = |[a, b]: [&Event; 2]| is_at_once([a, b]) || !is_of_compliant(first, a);
+        if !matching.is_some_and(is_certain)
+            && let Some(next) = after_compliant(runs, &changing, own, at)
+        {
+            at = next;
+            continue;
+        }
+        let (next, is_zeno) = match matching {
+            Some([a, _]) => (at.map(|index| index + 1), a.record.ends_zeno_sequence()),
+            None => match after_zeno_sequences(&changing, own, at) {
                 Some(next) => (next, true),
                 None => {
                     let times = [0, 1].map(|run| events[run].map_or(ends[run], |event| event.time));
@@ -156,10 +168,44 @@ fn after_zeno_sequences(runs: &[Vec<&Event>; 2], own: &Own, at: [usize; 2]) -> O
     };
     let [a, b] = [next(0)?, next(1)?];
     let events = [runs[0][a], runs[1][b]];
-    let difference = (events[0].time - events[1].time).abs();
     let [a_happened, b_happened] = events.map(|event| own.happened(&event.record));
-    let is_limit = a_happened == b_happened && difference <= SAME_LIMIT * events[0].time;
-    is_limit.then_some([a + 1, b + 1])
+    (a_happened == b_happened && is_at_once(events)).then_some([a + 1, b + 1])
+}
+
+/// The next events that both have at once, or the ends of both, where only compliant contacts begin and end before: a surface that is left for
+/// a moment, or just not, pushes as much in both. Of what they differ by there, the difference of the states tells.
+fn after_compliant(
+    runs: [&Run; 2],
+    changing: &[Vec<&Event>; 2],
+    own: &Own,
+    at: [usize; 2],
+) -> Option<[usize; 2]> {
+    let rest = [0, 1].map(|run| &changing[run][at[run]..]);
+    let passed = rest.map(|rest| rest.iter().take_while(|event| is_of_compliant(runs[0], event)).count());
+    let [most, others] =
+        [0, 1].map(|run| passed[run].min(MOST_PASSED).min(rest[run].len().saturating_sub(1)));
+    let ways = (1..=most + others).flat_map(|sum| (0..=sum.min(most)).map(move |first| [first, sum - first]));
+    let mut ways = ways.filter(|[_, second]| *second <= others && !rest.iter().any(|rest| rest.is_empty()));
+    let is_next = |[a, b]: &[usize; 2]| {
+        let events = [rest[0][*a], rest[1][*b]];
+        is_at_once(events) && is_same(runs, own, events)
+    };
+    let is_over = || [0, 1].iter().all(|run| passed[*run] == rest[*run].len());
+    let next = ways.find(is_next).or_else(|| is_over().then_some(passed))?;
+    Some([at[0] + next[0], at[1] + next[1]])
+}
+
+/// Whether all that happens is of compliant contacts.
+fn is_of_compliant(run: &Run, event: &Event) -> bool {
+    let is_own = |happening: &Happening| match happening {
+        Happening::Contact { pair, .. } => !run.equations.pairs()[*pair].is_rigid(),
+        _ => false,
+    };
+    event.record.impulses.is_empty() && event.record.happened.iter().all(is_own)
+}
+
+fn is_at_once([a, b]: [&Event; 2]) -> bool {
+    (a.time - b.time).abs() <= SAME_LIMIT * a.time
 }
 
 #[cfg(test)]
