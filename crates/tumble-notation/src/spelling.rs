@@ -60,7 +60,7 @@ pub(crate) fn exponent(numerator: i32, denominator: i32) -> Math {
     Math::Row(vec![Math::digits(numerator), Math::Operator(Operator::Over), Math::digits(denominator)])
 }
 
-/// Units as words, such as `kg m²/s²`.
+/// Units as words, such as `kg·m²/s²`.
 pub(crate) fn unit_text(units: &[(Base, Exponent)]) -> String {
     let mut dimension = Dimension::NONE;
     for (base, exponent) in units {
@@ -70,7 +70,7 @@ pub(crate) fn unit_text(units: &[(Base, Exponent)]) -> String {
             Base::Second => dimension.time = *exponent,
         }
     }
-    dimension.to_string().replace("^2", "²").replace("^3", "³")
+    dimension.to_string().replace('*', "·").replace("^2", "²").replace("^3", "³")
 }
 
 /// What leaves show, by their index.
@@ -87,4 +87,19 @@ pub(crate) fn shown_leaves(
         None => Math::symbol(names.get(&leaf.name).unwrap_or(&leaf.name)),
     };
     algebra.symbols.iter().map(show).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_in_equations_are_written_as_in_tables() {
+        let units = [(Base::Kilogram, Exponent::from(1)), (Base::Metre, Exponent::from(2))];
+        assert_eq!(unit_text(&units), "kg·m²");
+        assert_eq!(
+            unit_text(&[(Base::Metre, Exponent::from(1)), (Base::Second, Exponent::from(-2))]),
+            "m/s²"
+        );
+    }
 }

@@ -2,7 +2,7 @@
 //! acts together.
 
 use tumble_expr::units::S;
-use tumble_mech::{Force, Forces, Law, joined};
+use tumble_mech::{Contact, Force, Forces, Law, Pair, joined};
 use tumble_ode::Side;
 use tumble_scene::{Instant, Study};
 
@@ -11,6 +11,9 @@ use crate::results::{Case, CaseError, equal_times};
 
 /// Instants at which forces are looked at.
 const SAMPLES: usize = 400;
+/// The same within a contact, and in how many of them.
+const PARTS: usize = 20;
+const MOST_CONTACTS: usize = 20;
 /// Diagrams of a body in a scene of few bodies; of many each has one.
 const MOST: usize = 3;
 const FEW_BODIES: usize = 3;
@@ -76,7 +79,21 @@ fn seen(case: &Case, body: usize) -> Result<Vec<Seen>, CaseError> {
         let all = joined(&forces.at(time, Side::After)?);
         Ok(Seen { time, forces: all.into_iter().filter(|force| force.body == body).collect() })
     };
-    equal_times(&case.run, SAMPLES).map(at).collect()
+    let mut times: Vec<f64> = equal_times(&case.run, SAMPLES).chain(within_contacts(case, body)).collect();
+    times.sort_by(f64::total_cmp);
+    times.into_iter().map(at).collect()
+}
+
+/// Times within the first contacts of a body with what is compliant: they may be shorter than what lies between two of those above.
+fn within_contacts(case: &Case, body: usize) -> impl Iterator<Item = f64> {
+    let is_own = |pair: &Pair| !pair.is_rigid() && pair.bodies().any(|own| own == body);
+    let mut contacts = case.run.contacts();
+    contacts.retain(|contact| is_own(&case.run.equations.pairs()[contact.pair]));
+    contacts.truncate(MOST_CONTACTS);
+    let part = |index: usize| index as f64 / PARTS as f64;
+    contacts.into_iter().flat_map(move |Contact { start, end, .. }| {
+        (1..PARTS).map(move |index| start + (end - start) * part(index))
+    })
 }
 
 fn size(force: &Force) -> f64 {
@@ -164,5 +181,38 @@ fn words(study: &Study, set: &[Load]) -> String {
         [] => "nothing acts".to_owned(),
         [only] => format!("{only} alone"),
         [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::motions_in;
+
+    /// The ball is in for 1 ms of 1 s.
+    const SCENE: &str = r#"
+        version = 1
+        world.gravity = 0
+        run.until = "1 s"
+        [body.ball]
+        ball = { radius = "5 cm" }
+        mass = "1 kg"
+        start = { at = [0, "1 m"], velocity = [0, "-2 m/s"] }
+        [surface.floor]
+        through = [0, 0]
+        hertz = { stiffness = "1e9 N/m^(3/2)", damping = 0 }
+    "#;
+
+    #[test]
+    fn the_largest_force_of_a_short_contact_is_seen() {
+        let (study, cases) = motions_in("short", SCENE.as_bytes(), &tumble_scene::NoFiles);
+        let contact = cases[0].run.contacts()[0].clone();
+        let found = of(&study, &cases[0], 0).expect("instants");
+        let inside = |(instant, _): &&(Instant, String)| {
+            let time = study.number(&instant.time).expect("a time");
+            let middle = 0.5 * (contact.start + contact.end);
+            (time - middle).abs() < 0.05 * (contact.end - contact.start)
+        };
+        assert!(found.iter().any(|one| inside(&one) && one.1.starts_with("largest")), "{found:?}");
     }
 }
