@@ -83,7 +83,8 @@ pub use anchor::{Anchor, place_symbols};
 pub use balance::{Balance, BodyBalance, Contribution, ContributionKind, Reading, RunBalance, Store};
 pub use body::{Body, Part};
 pub use contact::{
-    BodyContact, Change, Contact, ContactMode, Feature, Grip, NORMAL, Pair, PolygonSide, Rule, TANGENT, Way,
+    BodyContact, Change, Contact, ContactMode, Feature, Grip, Margin, NORMAL, Pair, PolygonSide, Rule,
+    TANGENT, Way,
 };
 pub use coordinates::Pivot;
 pub use equations::Equations;

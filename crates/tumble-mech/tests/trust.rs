@@ -107,6 +107,53 @@ fn of_a_ball_that_just_leaves_what_it_was_put_on() {
     }
 }
 
+/// Where a Hertzian floor is so stiff, or so far from the origin, that the depth up to which a contact begins without force is no small part of
+/// the whole, the stated error says so; and where nothing can be said, that is refused.
+#[test]
+fn of_a_floor_so_stiff_that_rounding_counts() {
+    let (gravity, radius) = (9.81, 0.25);
+    let put_down = |far: f64, stiffness: f64| {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(gravity * M / (S * S));
+        model.add(Body::ball("ball", radius * M).mass(1 * KG));
+        model.starts.push(("ball".into(), Start::default().at([3 * M, (far + radius) * M])));
+        let root = (1 * M).powr(Exponent::new(3, 2));
+        let law = ContactLaw::Hertz { stiffness: stiffness * N / root, damping: 0 * S / M };
+        model.surface(Surface::floor("floor", far * M, law));
+        model
+    };
+    for (far, stiffness) in [(1e3, 1e9), (1e3, 1e14), (1e6, 1e7), (1e6, 1e9)] {
+        let depth = (2.5 * gravity / stiffness).powf(2.0 / 3.0);
+        let period = 2.804_364_210_650_908_3 * (2.0 * depth / gravity).sqrt();
+        let found = trusted(&put_down(far, stiffness), 12.0 * period, 1e-9);
+        let ball = found.0.equations.model().bodies[0].kinematics();
+        let asked = [ball.position().y().clone(), ball.velocity().y().clone()];
+        let stated = found.1.errors(&found.0, &asked).expect("formulas of the motion");
+        for cycles in [0.5, 1.5, 9.5] {
+            let time = cycles * period;
+            let now = found.0.at(time).expect("within");
+            let off = [(0, far + radius - depth), (1, 0.0)].map(|(index, truth): (usize, f64)| {
+                (now.value(asked[index].clone()).expect("a value") - truth).abs()
+            });
+            // Beyond the horizon nothing is stated.
+            let Some(stated) = stated.at(time) else { continue };
+            println!("{far} {stiffness:e} {cycles}: {off:?} {stated:?}");
+            assert!(off.iter().zip(&stated).all(|(off, stated)| off <= stated), "{off:?} {stated:?}");
+        }
+    }
+    let too_stiff = put_down(1e6, 1e13);
+    let found =
+        Run::trusted(
+            &too_stiff,
+            &too_stiff.parameters,
+            1.0,
+            Accuracy::DEFAULT,
+            |_| ControlFlow::Continue(()),
+        );
+    let Err(RunError::Refused { refusal, .. }) = found else { panic!("{found:?}") };
+    assert!(refusal.to_string().contains("about what rounding makes of its gap"), "{refusal}");
+}
+
 #[test]
 fn of_a_pendulum_in_the_wind() {
     for (name, period) in [("0.5", 0.5), ("1.0", 1.0), ("2.0", 2.0), ("4.0", 4.0)] {

@@ -30,7 +30,8 @@ const SLACK: f64 = 4.0;
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Rounding errors of a value, in units of the last place of the lengths it is the difference of.
 const VALUE_ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Of what rounding alone makes of a value: less is not worth another step, whose end is rounded too.
+/// Of what rounding alone makes of a value: less is not worth another step, whose end is rounded too. What is left is the same in check runs of
+/// equal numbers, so that it has to be less than what errors are stated for.
 const NOISE: f64 = 2.0;
 /// A corrected zero is to leave less than this part of the value: what does not come down is rounding.
 const BETTER: f64 = 0.5;

@@ -8,9 +8,9 @@ pub enum ContactMode {
     /// Still inside a compliant surface, but let go by it.
     Released,
     /// In a Hertzian surface, since it touches, and so little that there is no force yet.
-    Entering,
+    Entering(Margin),
     /// In a Hertzian surface, and so little that there is no force any more.
-    Leaving,
+    Leaving(Margin),
     /// On a rigid surface, which pushes as much as keeps it there.
     Resting,
     /// On a rigid surface after impacts that have become too small to be told apart and will soon have ended.
@@ -18,6 +18,15 @@ pub enum ContactMode {
     /// On a rigid surface, kept there by other contacts of the same body: the forces between them are undetermined, and
     /// this one is given none.
     Idle,
+}
+
+/// How deep is little. What the force that is left out would do is so in the difference of a motion and its check runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Margin {
+    /// As little as rounding allows.
+    Narrow,
+    /// Four times that, in check runs.
+    Wide,
 }
 
 impl ContactMode {
@@ -28,7 +37,7 @@ impl ContactMode {
 
     /// Whether it is in a compliant surface by less than rounding tells from touching.
     pub(crate) fn is_slight(self) -> bool {
-        matches!(self, Self::Entering | Self::Leaving)
+        matches!(self, Self::Entering(_) | Self::Leaving(_))
     }
 
     /// Whether the point stays on a rigid surface.

@@ -42,7 +42,7 @@ mod zeno;
 pub(crate) use border::{Border, Rim};
 pub use change::Change;
 pub(crate) use circles::{Circles, Surrounding, meeting, meeting_within};
-pub use contact_mode::ContactMode;
+pub use contact_mode::{ContactMode, Margin};
 pub use feature::{Feature, PolygonSide};
 pub use grip::{Grip, Way};
 pub use interval::Contact;

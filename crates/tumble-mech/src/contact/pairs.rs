@@ -182,25 +182,20 @@ impl Equations {
         let watched = |(pair, contact_mode): &(usize, ContactMode)| -> Vec<(usize, Watched, Direction)> {
             let gap = (*pair, Watched::Gap, Direction::Rising);
             match contact_mode {
-                ContactMode::Pressed if self.is_among_roots(mode, *pair) => {
-                    let own = &self.pairs()[*pair];
-                    let force = own.releases_early().then_some((*pair, Watched::Force, Direction::Falling));
-                    [gap, (*pair, Watched::Shallow, Direction::Rising)].into_iter().chain(force).collect()
-                }
-                ContactMode::Entering => {
-                    vec![
-                        (*pair, Watched::Out, Direction::Rising),
-                        (*pair, Watched::Depth, Direction::Falling),
-                    ]
-                }
-                ContactMode::Leaving => vec![gap, (*pair, Watched::Depth, Direction::Falling)],
                 ContactMode::Pressed => {
                     let own = &self.pairs()[*pair];
                     let force = own.releases_early().then_some((*pair, Watched::Force, Direction::Falling));
                     // Of a damped spring the force comes down to zero first, always.
                     let gap = Some(gap).filter(|_| force.is_none() || own.is_hertzian());
-                    gap.into_iter().chain(force).collect()
+                    let shallow = (*pair, Watched::Shallow, Direction::Rising);
+                    let shallow = Some(shallow).filter(|_| self.is_among_roots(mode, *pair));
+                    gap.into_iter().chain(shallow).chain(force).collect()
                 }
+                ContactMode::Entering(_) => vec![
+                    (*pair, Watched::Out, Direction::Rising),
+                    (*pair, Watched::Depth, Direction::Falling),
+                ],
+                ContactMode::Leaving(_) => vec![gap, (*pair, Watched::Depth, Direction::Falling)],
                 ContactMode::Released => vec![gap, (*pair, Watched::Force, Direction::Rising)],
                 ContactMode::Resting | ContactMode::Settling if !self.lacks_friction(mode, *pair) => {
                     vec![(*pair, Watched::Normal, Direction::Falling)]

@@ -53,7 +53,7 @@ impl Equations {
         let next = self.next_to(index, now, jump)?;
         let mut tell = |pair, change| jump.record.happened.push(Happening::Contact { pair, change });
         match before {
-            ContactMode::Pressed | ContactMode::Entering | ContactMode::Leaving => {
+            ContactMode::Pressed | ContactMode::Entering(_) | ContactMode::Leaving(_) => {
                 tell(index, Change::End);
                 next.into_iter().for_each(|next| tell(next, Change::Start));
             }

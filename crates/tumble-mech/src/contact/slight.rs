@@ -3,15 +3,17 @@
 //! # Law
 //! The force k d^(3/2) has no Taylor series at the surface. Alone, with some speed, a contact begins there in a transformed time (see
 //! [`crate::laws::compliant`]); where several begin at one instant, or one without speed, there is none. Then the force is left out up to a
-//! depth delta that rounding hardly tells from touching, and at the end of several at once from a quarter of it on, so that rounding does not
-//! take back what has begun:
+//! depth delta that rounding hardly tells from touching:
 //!
 //! ```text
 //! delta = SLIGHT sqrt(sum of l^2)
 //! ```
 //!
-//! with l the lengths that the gap is made of. Of the impulse of a contact that goes as deep as D that is a part of (delta/D)^2 or less,
-//! which is less than what rounding of the gap does to its force.
+//! with l the lengths that the gap is made of: what is added up along the normal of a plane, and else places. The work (2/5) k delta^(5/2) is not done: of that of a
+//! contact which goes as deep as D a part (delta/D)^(5/2). Check runs leave out four times the depth, so that what it does is in the errors stated; where it is more than
+//! a part of the energy with which the contact comes to delta it is refused.
+//! Of several that end together the force is left out again from AT_END delta on. That is four roundings of the lengths, and the work in it
+//! less than what rounding of the gap does to that of the whole contact, as long as D is more than ten of them.
 //!
 //! # Symbols and units
 //! k (N/m^(3/2)); d, D, delta and l (m).
@@ -20,50 +22,76 @@
 //! Depths are gaps taken negative.
 //!
 //! # Validity
-//! Depths well beyond delta: who does not press as deep has no force. A point at the origin that has no extent has no delta.
+//! Depths beyond delta: of what does not press as deep, for its lengths, nothing is known. A point at the origin that has no extent has no delta.
 //!
 //! # Source
-//! The expansion of the motion at first touch: with a speed v the depth is v t and the impulse 2 k v^(3/2) t^(5/2) / 5, without it a t^2 / 2
-//! and k (a/2)^(3/2) t^4 / 4.
+//! The work of the force along the depth, whatever the speed.
 //!
 //! # Checked by
-//! `tests/compliant.rs`: a ball that is put down, a rod that falls flat; `tests/compliant_bodies.rs`: balls in a row that touch.
+//! `tests/compliant.rs`: a ball that is put down, a rod that falls flat; `tests/compliant_bodies.rs`: balls in a row that touch;
+//! `tests/trust.rs`: a floor so stiff that what is left out counts.
 
 use tumble_expr::Expr;
 use tumble_ode::Reason;
 
 use super::pair::dot;
-use crate::contact::contact_mode::ContactMode;
+use crate::contact::contact_mode::{ContactMode, Margin};
+use crate::contact::opposite::Opposite;
 use crate::contact::pair::Pair;
 use crate::contact::start::TOUCHES;
-use crate::contact::touch::Now;
+use crate::contact::touch::{Now, Touch};
 use crate::equations::Equations;
 use crate::mode::Mode;
 use crate::record::Jump;
 
 /// Deeper than what is taken for touching when a run starts, whichever way lengths are added up.
 const SLIGHT: f64 = 4.0 * TOUCHES;
-
-/// Whoever is as deep, in parts of this depth, when another begins to press does so too, and ends where another does that is not: between
-/// both ends of what is left out.
+/// The margin of check runs, in units of delta: the work that they leave out is 32 times as much, so that the difference tells of that of the motion also
+/// where it is no small part of the whole.
+const WIDE: f64 = 4.0;
+/// The work that is left out, in parts of the energy with which a contact comes to that depth: until then no check run differs, and where it is no
+/// more than this the depth is off by less than rounding.
+const UNTOLD: f64 = 1e-2;
+/// Whoever is as deep, in parts of delta, when another begins to press does so too.
 pub(super) const LEAST: f64 = 0.5;
-/// At the end the force is left out from this part of the root of the depth on.
-const ROOT_AT_END: f64 = 0.5;
+/// At the end, in parts of delta: deeper than rounding of the gap, and so much less deep than the beginning that rounding does not take that back.
+const AT_END: f64 = 1.0 / 64.0;
+/// Whoever is no deeper than this many times that when another ends does so too.
+const AS_DEEP: f64 = 2.0;
 
 impl Pair {
     /// The depth up to which it has no force where it does not begin alone and with speed, m.
     pub(crate) fn slight(&self) -> Expr {
         let places = [self.centre.position(), self.opposite.position(&self.through)];
-        let places = places.iter().map(|place| dot(place, place));
+        let places = places.iter().map(|place| match &self.opposite {
+            Opposite::Plane => {
+                squared(&(place.x() * self.normal.x())) + squared(&(place.y() * self.normal.y()))
+            }
+            Opposite::Circle(_) | Opposite::Edge(_) => dot(place, place),
+        });
         let arm = dot(&self.centre.arm, &self.centre.arm);
-        let lengths = [&self.radius * &self.radius, self.extent() * self.extent(), arm].into_iter();
+        let lengths = [squared(&self.radius), squared(&self.extent()), arm];
         SLIGHT * places.chain(lengths).fold(Expr::zero(), |sum, next| sum + next).sqrt()
+    }
+
+    /// The same in a contact mode.
+    pub(crate) fn slight_within(&self, contact_mode: Option<ContactMode>) -> Expr {
+        match contact_mode {
+            Some(ContactMode::Entering(Margin::Wide) | ContactMode::Leaving(Margin::Wide)) => {
+                WIDE * self.slight()
+            }
+            _ => self.slight(),
+        }
     }
 
     /// What becomes positive where the force is left out again, by the root of the depth, m^(1/2).
     pub(crate) fn shallow(&self) -> Expr {
-        ROOT_AT_END * self.slight().sqrt() - Expr::from(self.root_symbol())
+        (AT_END * self.slight()).sqrt() - Expr::from(self.root_symbol())
     }
+}
+
+fn squared(length: &Expr) -> Expr {
+    length * length
 }
 
 impl Equations {
@@ -72,12 +100,21 @@ impl Equations {
         self.pairs()[pair].is_hertzian() && self.roots(mode).len() > 1
     }
 
-    /// A Hertzian contact begins without force.
-    pub(super) fn enter(&self, index: usize, now: Now<'_>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+    /// A Hertzian contact begins without force; `touch` is what its bodies are at that instant, where something presses it already.
+    pub(super) fn enter(
+        &self,
+        index: usize,
+        touch: Option<&Touch>,
+        now: Now<'_>,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
         let pair = &self.pairs()[index];
         let mode = Mode { contacts: vec![], ..jump.mode.clone() };
         let states = &jump.states[..self.states(&mode).len()];
-        let slight = self.values(&[pair.slight()], &mode, now.time, states, now.inputs)?[0];
+        let Some((stiffness, _)) = pair.law.coefficients() else { return Ok(()) };
+        let asked = [pair.slight(), stiffness.clone()];
+        let found = self.values(&asked, &mode, now.time, states, now.inputs)?;
+        let (slight, work) = (found[0], 0.4 * found[1] * libm::pow(found[0], 2.5));
         if slight <= 0.0 {
             return Err(Reason::Model(format!(
                 "`{}` is of a point at the origin that touches without speed or with others, and nothing says how deep is deep: let it begin \
@@ -85,7 +122,18 @@ impl Equations {
                 pair.name
             )));
         }
-        jump.mode.set_contact_mode(index, Some(ContactMode::Entering));
+        let energy = |(touch, own): (&Touch, usize)| {
+            let (rate, lightness) = (touch.rate[own], touch.response[(own, own)]);
+            (rate * rate / 2.0 - touch.free[own] * slight) / lightness
+        };
+        let pressed = touch.and_then(|touch| Some((touch, touch.position(index)?)));
+        if pressed.map(energy).is_some_and(|energy| work > UNTOLD * energy) {
+            return Err(Reason::Model(format!(
+                "`{}` is pressed in by about what rounding makes of its gap, {slight:.0e} m: let it be nearer to the origin, or take `rigid`",
+                pair.name
+            )));
+        }
+        jump.mode.set_contact_mode(index, Some(ContactMode::Entering(self.margin())));
         Ok(())
     }
 
@@ -98,8 +146,17 @@ impl Equations {
         if begun.len() < 2 {
             return Ok(());
         }
-        begun.into_iter().try_for_each(|pair| self.enter(pair, now, jump))?;
+        let touch =
+            |pair: &usize| self.touch(&self.island_with(*pair, &jump.mode), &jump.mode, &jump.states, now);
+        let touches = begun.iter().map(touch).collect::<Result<Vec<_>, _>>()?;
+        for (pair, touch) in begun.into_iter().zip(&touches) {
+            self.enter(pair, Some(touch), now, jump)?;
+        }
         self.restate(&pressed, &[], now, jump)
+    }
+
+    fn margin(&self) -> Margin {
+        if self.rounding().is_nearest() { Margin::Narrow } else { Margin::Wide }
     }
 
     /// One goes through the depth up to which it has no force, and with it whoever does so at this instant but for rounding: from there on
@@ -110,27 +167,36 @@ impl Equations {
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<Vec<usize>, Reason> {
-        let goes_in = jump.mode.contact_mode(index) != Some(ContactMode::Pressed);
-        let (from, after) = match goes_in {
-            true => (ContactMode::Entering, ContactMode::Pressed),
-            false => (ContactMode::Pressed, ContactMode::Leaving),
-        };
-        let mut passing = vec![index];
-        let others = jump.mode.contacts.iter().filter(|(other, mode)| *other != index && *mode == from);
-        let others = others.map(|(other, _)| *other).filter(|other| self.pairs()[*other].is_hertzian());
-        for other in others {
-            let pair = &self.pairs()[other];
-            let asked = [-pair.gap(), pair.gap_rate(), pair.slight()];
-            let found = self.values(&asked, &jump.mode, now.time, &jump.states, now.inputs)?;
-            let (depth, rate, slight) = (found[0], found[1], found[2]);
-            let is_in = depth >= LEAST * slight;
-            let is_there = if goes_in { is_in && rate < 0.0 } else { !is_in && rate > 0.0 };
-            passing.extend(is_there.then_some(other));
+        let goes_in = !jump.mode.is_pressed(index);
+        let mut passing = vec![];
+        for (other, contact_mode) in &jump.mode.contacts {
+            let pair = &self.pairs()[*other];
+            let is_alike = match goes_in {
+                true => matches!(contact_mode, ContactMode::Entering(_)),
+                false => *contact_mode == ContactMode::Pressed && pair.is_hertzian(),
+            };
+            if *other == index || (is_alike && self.is_there(*other, goes_in, now, jump)?) {
+                passing.push(*other);
+            }
         }
+        let after = if goes_in { ContactMode::Pressed } else { ContactMode::Leaving(self.margin()) };
         for pair in &passing {
             jump.mode.set_contact_mode(*pair, Some(after));
             jump.mode.set_grip(*pair, None);
         }
         Ok(if goes_in { passing } else { vec![] })
+    }
+
+    /// Whether a contact goes through that depth, or through the one where it ends, with another one.
+    fn is_there(&self, index: usize, goes_in: bool, now: Now<'_>, jump: &Jump<Mode>) -> Result<bool, Reason> {
+        let pair = &self.pairs()[index];
+        let depth = if goes_in { -pair.gap() } else { squared(&pair.root_symbol().into()) };
+        let asked = [depth, pair.gap_rate(), pair.slight_within(jump.mode.contact_mode(index))];
+        let found = self.values(&asked, &jump.mode, now.time, &jump.states, now.inputs)?;
+        let (depth, rate, slight) = (found[0], found[1], found[2]);
+        Ok(match goes_in {
+            true => depth >= LEAST * slight && rate < 0.0,
+            false => depth <= AS_DEEP * AT_END * slight && rate > 0.0,
+        })
     }
 }

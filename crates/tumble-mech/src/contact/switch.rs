@@ -84,8 +84,8 @@ impl Causes {
     }
 }
 
-/// What was before contacts of an instant changed.
-struct Before {
+/// What an instant finds before compliant contacts change.
+struct Unpressed {
     mode: Mode,
     states: Vec<f64>,
 }
@@ -107,7 +107,9 @@ impl Equations {
         }
         let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
         let woken = if causes.wakes { self.wake(jump) } else { vec![] };
-        let before_contacts = Before { mode: jump.mode.clone(), states: jump.states.clone() };
+        let is_compliant = |(pair, ..): &(usize, Watched, bool)| !self.pairs()[*pair].is_rigid();
+        let unpressed = causes.seen.iter().any(is_compliant);
+        let unpressed = unpressed.then(|| Unpressed { mode: jump.mode.clone(), states: jump.states.clone() });
         let (islands, touching) = self.islands_now(&causes, now, jump)?;
         let mut touched = vec![None; islands.len()];
         let of = |pair: usize| {
@@ -137,10 +139,12 @@ impl Equations {
             self.restate(&before, &pressed, now, jump)?;
         }
         self.turn_round(at, jump)?;
-        let before = self.roots(&jump.mode);
-        self.press_behind(&touching, &before_contacts, now, jump)?;
-        self.restate(&before, &[], now, jump)?;
-        self.enter_together(now, jump)?;
+        if let Some(unpressed) = &unpressed {
+            let before = self.roots(&jump.mode);
+            self.press_behind(&touching, unpressed, now, jump)?;
+            self.restate(&before, &[], now, jump)?;
+            self.enter_together(now, jump)?;
+        }
         let mut impulses = Sizes::default();
         for (island, touched) in islands.iter().zip(touched) {
             let Some(touched) = touched else { continue };
@@ -198,12 +202,12 @@ impl Equations {
     fn press_behind(
         &self,
         touching: &[usize],
-        before: &Before,
+        unpressed: &Unpressed,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<(), Reason> {
         let mut last: Vec<usize> =
-            jump.mode.pressed().filter(|pair| !before.mode.is_pressed(*pair)).collect();
+            jump.mode.pressed().filter(|pair| !unpressed.mode.is_pressed(*pair)).collect();
         for row in 1.. {
             let is_next = |pair: &&usize| {
                 let own = &self.pairs()[**pair];
@@ -212,7 +216,7 @@ impl Equations {
             };
             let next: Vec<usize> = touching.iter().filter(is_next).copied().collect();
             for pair in &next {
-                self.press(*pair, Some((1 + 2 * row, before)), now, jump)?;
+                self.press(*pair, Some((1 + 2 * row, unpressed)), now, jump)?;
             }
             last = next.into_iter().filter(|pair| jump.mode.is_pressed(*pair)).collect();
             if last.is_empty() {
@@ -227,7 +231,7 @@ impl Equations {
     fn press(
         &self,
         index: usize,
-        behind: Option<(usize, &Before)>,
+        behind: Option<(usize, &Unpressed)>,
         now: Now<'_>,
         jump: &mut Jump<Mode>,
     ) -> Result<(), Reason> {
@@ -235,7 +239,7 @@ impl Equations {
         let island = self.island_with(index, &jump.mode);
         // What has just begun to press has no force yet, but for rounding of its depth.
         let (mode, states) =
-            behind.map_or((&jump.mode, &jump.states), |(_, Before { mode, states })| (mode, states));
+            behind.map_or((&jump.mode, &jump.states), |(_, Unpressed { mode, states })| (mode, states));
         let touch = self.touch(&island, mode, states, now)?;
         let Some(own) = touch.position(index) else { return Ok(()) };
         let stands = touch.rate[own].abs() <= STANDS * touch.speed[own];
@@ -248,7 +252,7 @@ impl Equations {
         if closes {
             jump.record.happened.push(Happening::Contact { pair: index, change: Change::Start });
             if stands && pair.is_hertzian() {
-                return self.enter(index, now, jump);
+                return self.enter(index, Some(&touch).filter(|_| !is_calm), now, jump);
             }
             jump.mode.set_contact_mode(index, Some(ContactMode::Pressed));
         }

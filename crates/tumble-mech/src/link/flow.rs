@@ -135,7 +135,8 @@ impl<A: Algebra> Linking<'_, A> {
             Watched::Gap => self.part(Part::Gap(index)).remove(0),
             Watched::Shallow => self.formula(&pair.shallow()),
             Watched::Depth | Watched::Out => {
-                let (gap, slight) = (self.part(Part::Gap(index)).remove(0), self.formula(&pair.slight()));
+                let slight = pair.slight_within(self.mode.contact_mode(index));
+                let (gap, slight) = (self.part(Part::Gap(index)).remove(0), self.formula(&slight));
                 let of = if watched == Watched::Depth { Binary::Add } else { Binary::Sub };
                 self.algebra.binary(of, gap, slight)
             }

@@ -71,12 +71,10 @@ impl Own {
     /// A mode as far as it is theirs, with what they touch of others; that some contacts press too little to have a force is no difference.
     pub(super) fn mode<'a>(&self, mode: &'a Mode) -> Cow<'a, Mode> {
         if mode.contacts.iter().any(|(_, contact_mode)| contact_mode.is_slight()) {
-            let pressed = |contact_mode: ContactMode| {
-                if contact_mode.is_slight() { ContactMode::Pressed } else { contact_mode }
-            };
-            let contacts = mode.contacts.iter().map(|(pair, contact_mode)| (*pair, pressed(*contact_mode)));
-            let mode = Mode { contacts: contacts.collect(), ..mode.clone() };
-            return Cow::Owned(self.mode(&mode).into_owned());
+            let mut pressed = mode.clone();
+            let slight = pressed.contacts.iter_mut().filter(|(_, contact_mode)| contact_mode.is_slight());
+            slight.for_each(|(_, contact_mode)| *contact_mode = ContactMode::Pressed);
+            return Cow::Owned(self.mode(&pressed).into_owned());
         }
         if self.is_all(mode) {
             return Cow::Borrowed(mode);

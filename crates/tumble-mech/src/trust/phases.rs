@@ -14,6 +14,9 @@ use crate::trust::{Divergence, Horizon};
 /// match. So do contacts with compliant surfaces that one of two runs has more of.
 const SAME_LIMIT: f64 = 1e-6;
 
+/// A stretch that ends with a compliant contact is the same in both runs where its lengths differ by no more than this part: else one of them may have left
+/// the surface for a moment, and the other not.
+const ALIKE: f64 = 0.1;
 /// Beginnings and ends of compliant contacts that only one of two runs has are followed no further.
 const MOST_PASSED: usize = 16;
 
@@ -26,7 +29,7 @@ pub(super) struct Phases {
     pub(super) all: Vec<[Stretch; 2]>,
     /// Where the check run diverges, if it does.
     pub(super) divergence: Option<Horizon>,
-    /// Times of events that change nothing, s, in the run and in the check run.
+    /// Times of the events that both have, s, in the run and in the check run; also of those that change nothing.
     pub(super) recorded: Vec<[f64; 2]>,
 }
 
@@ -56,9 +59,9 @@ pub(super) fn phases(first: &Run, second: &Run) -> Phases {
             [Some(a), Some(b)] if is_same(runs, own, [a, b]) => Some([a, b]),
             _ => None,
         };
-        let is_certain = |[a, b]: [&Event; 2]| is_at_once([a, b]) || !is_of_compliant(first, a);
-        if !matching.is_some_and(is_certain)
-            && let Some(next) = after_compliant(runs, &changing, own, at)
+        if !matching.is_some_and(|events| is_certain(first, from, events))
+            && let Some(next) =
+                after_compliant(runs, &changing, own, at).or_else(|| over(first, &changing, at))
         {
             at = next;
             continue;
@@ -142,14 +145,24 @@ fn changing<'a>(run: &'a Run, own: &Own) -> Vec<&'a Event> {
     motion.events.iter().filter(|event| own.has(motion, event) && changes(event)).collect()
 }
 
-/// Times of the other events that both runs have: the first of a kind in both, the second, and so on.
+/// Times of the events that both runs have, also where they fall together in one of them only: the first of a kind in both, the second, and so on.
 fn recorded([first, second]: [&Run; 2], own: &Own) -> Vec<[f64; 2]> {
-    let mut later: HashMap<Vec<Happening>, VecDeque<f64>> = HashMap::new();
+    let mut later: HashMap<Happening, VecDeque<f64>> = HashMap::new();
     for event in own.events(second.trajectory()) {
-        later.entry(own.happened(&event.record)).or_default().push_back(event.time);
+        for happening in own.happened(&event.record) {
+            later.entry(happening).or_default().push_back(event.time);
+        }
     }
-    let pair = |event: &Event| Some([event.time, later.get_mut(&own.happened(&event.record))?.pop_front()?]);
-    own.events(first.trajectory()).filter_map(pair).collect()
+    let off = |event: &Event| {
+        let there = own.happened(&event.record).into_iter();
+        let there = there.map(|happening| later.get_mut(&happening).and_then(VecDeque::pop_front));
+        // Each counts, also where another is not found.
+        let there: Vec<Option<f64>> = there.collect();
+        let there: Option<Vec<f64>> = there.into_iter().collect();
+        let furthest = |a: f64, b: f64| if (a - event.time).abs() < (b - event.time).abs() { b } else { a };
+        Some([event.time, there?.into_iter().reduce(furthest)?])
+    };
+    own.events(first.trajectory()).filter_map(off).collect()
 }
 
 /// Whether the same things happen, between the same modes.
@@ -172,27 +185,41 @@ fn after_zeno_sequences(runs: &[Vec<&Event>; 2], own: &Own, at: [usize; 2]) -> O
     (a_happened == b_happened && is_at_once(events)).then_some([a + 1, b + 1])
 }
 
-/// The next events that both have at once, or the ends of both, where only compliant contacts begin and end before: a surface that is left for
-/// a moment, or just not, pushes as much in both. Of what they differ by there, the difference of the states tells.
+/// Whether events of the same kind that follow others in both runs are one in both: what compliant contacts do may be of another time.
+fn is_certain(run: &Run, from: [f64; 2], [a, b]: [&Event; 2]) -> bool {
+    let lasts = [a.time - from[0], b.time - from[1]];
+    let are_alike = (lasts[0] - lasts[1]).abs() <= ALIKE * lasts[0].max(lasts[1]);
+    are_alike || is_at_once([a, b]) || !is_of_compliant(run, a)
+}
+
+/// The next events that both have at once, where only compliant contacts begin and end before: a surface that is left for a moment, or just
+/// not, pushes as much in both. Of what they differ by there, the difference of the states tells.
 fn after_compliant(
     runs: [&Run; 2],
     changing: &[Vec<&Event>; 2],
     own: &Own,
     at: [usize; 2],
 ) -> Option<[usize; 2]> {
-    let rest = [0, 1].map(|run| &changing[run][at[run]..]);
-    let passed = rest.map(|rest| rest.iter().take_while(|event| is_of_compliant(runs[0], event)).count());
-    let [most, others] =
-        [0, 1].map(|run| passed[run].min(MOST_PASSED).min(rest[run].len().saturating_sub(1)));
-    let ways = (1..=most + others).flat_map(|sum| (0..=sum.min(most)).map(move |first| [first, sum - first]));
-    let mut ways = ways.filter(|[_, second]| *second <= others && !rest.iter().any(|rest| rest.is_empty()));
-    let is_next = |[a, b]: &[usize; 2]| {
-        let events = [rest[0][*a], rest[1][*b]];
-        is_at_once(events) && is_same(runs, own, events)
-    };
-    let is_over = || [0, 1].iter().all(|run| passed[*run] == rest[*run].len());
-    let next = ways.find(is_next).or_else(|| is_over().then_some(passed))?;
-    Some([at[0] + next[0], at[1] + next[1]])
+    let passed = [0, 1].map(|run| compliant(runs[0], &changing[run][at[run]..]).min(MOST_PASSED));
+    let ways = (1..=passed[0] + passed[1])
+        .flat_map(|sum| (0..=sum.min(passed[0])).map(move |first| [at[0] + first, at[1] + sum - first]));
+    let mut ways = ways.filter(|[_, second]| *second <= at[1] + passed[1]);
+    ways.find(|next| match [0, 1].map(|run| changing[run].get(next[run]).copied()) {
+        [Some(a), Some(b)] => is_at_once([a, b]) && is_same(runs, own, [a, b]),
+        _ => false,
+    })
+}
+
+/// The ends of both, where only compliant contacts begin and end before.
+fn over(run: &Run, changing: &[Vec<&Event>; 2], at: [usize; 2]) -> Option<[usize; 2]> {
+    let ends = [0, 1].map(|run| changing[run].len());
+    let is_over = |of: usize| at[of] + compliant(run, &changing[of][at[of]..]) == ends[of];
+    (is_over(0) && is_over(1)).then_some(ends)
+}
+
+/// How many of some events are of compliant contacts before the first that is not.
+fn compliant(run: &Run, events: &[&Event]) -> usize {
+    events.iter().take_while(|event| is_of_compliant(run, event)).count()
 }
 
 /// Whether all that happens is of compliant contacts.

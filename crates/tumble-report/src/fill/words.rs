@@ -138,7 +138,7 @@ fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
         (ContactMode::Released, _) => ["is let go by", "are let go by"],
         (ContactMode::Settling, _) => ["settles on", "settle on"],
         (ContactMode::Resting, None)
-        | (ContactMode::Idle | ContactMode::Entering | ContactMode::Leaving, _) => ["touches", "touch"],
+        | (ContactMode::Idle | ContactMode::Entering(_) | ContactMode::Leaving(_), _) => ["touches", "touch"],
         (_, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => ["rolls on", "roll on"],
         (_, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
         (_, Some(Grip::Slides(_))) => ["slides on", "slide on"],
