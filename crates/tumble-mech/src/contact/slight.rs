@@ -9,9 +9,9 @@
 //! delta = SLIGHT sqrt(sum of l^2)
 //! ```
 //!
-//! with l the lengths that the gap is made of: what is added up along the normal of a plane, and else places. The work (2/5) k delta^(5/2) is not done: of that of a
-//! contact which goes as deep as D a part (delta/D)^(5/2). Check runs leave out four times the depth, so that what it does is in the errors stated; where it is more than
-//! a part of the energy with which the contact comes to delta it is refused.
+//! with l the lengths that the gap is made of: what is added up along the normal of a plane, and else places. The work (2/5) k delta^(5/2) is
+//! not done: of that of a contact which goes as deep as D a part (delta/D)^(5/2). Check runs leave out four times the depth, so that what it
+//! does is in the errors stated; where it is more than UNTOLD of the energy with which the contact comes to delta it is refused.
 //! Of several that end together the force is left out again from AT_END delta on. That is four roundings of the lengths, and the work in it
 //! less than what rounding of the gap does to that of the whole contact, as long as D is more than ten of them.
 //!
