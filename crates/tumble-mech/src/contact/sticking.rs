@@ -27,8 +27,8 @@ const ROUNDS: usize = 4;
 const SWEEPS: usize = 1000;
 /// Friction nearer to what it can be at most than this part is taken for all of it after the sweeps.
 const NEARLY_FULL: f64 = 1e-6;
-/// With more surfaces than this not all choices are tried: there are five for each.
-const MOST_TRIED: usize = 5;
+/// With more surfaces than this not all choices are tried: there are five for each. Six, with every set of as many contacts, are some seconds, once.
+const MOST_TRIED: usize = 6;
 
 /// All points by which one body touches one surface with friction.
 #[derive(Clone, Debug)]

@@ -59,7 +59,13 @@ impl Settling<'_> {
                 along[*row] = found.pushes[*row] * time;
             }
         }
-        Some(standing(&self.touch.response, &(&self.touch.response * &along), kept)? + along)
+        let without = &self.touch.response * &along;
+        // What friction of what slides makes independent may not be so without it.
+        let with_friction = || {
+            let rough = self.rough(&found.held, patches, without.clone());
+            Some(rough.stopped(&found.grips, &found.held)?.pushes)
+        };
+        Some(standing(&self.touch.response, &without, kept).or_else(with_friction)? + along)
     }
 
     /// Pairs that slip and will have stopped when a time has passed.
