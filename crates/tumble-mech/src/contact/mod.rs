@@ -23,6 +23,7 @@ mod opposite;
 mod outlines;
 mod pair;
 mod pairs;
+mod patch;
 mod possible;
 mod release;
 mod routh;

@@ -390,7 +390,7 @@ impl<'a> Settling<'a> {
         let impulses = &self.impulses + &self.cut_off;
         let shares = &self.touch.joints.share * &impulses;
         let rubbed = &self.touch.slips.pairs;
-        let along = impulses.rows(self.touch.pairs.len(), rubbed.len()).into_owned();
+        let along = self.shared_by_normals(&impulses);
         Sizes {
             normals: by_index(&self.touch.pairs, &impulses),
             frictions: by_index(rubbed, &along),

@@ -1,7 +1,9 @@
-//! Friction that is shared anew where contacts hold bodies together that fewer could hold.
+//! Friction that is shared anew where contacts hold bodies together that fewer could hold; and impulses of friction, as they are told.
 //!
 //! How much each of them has is not determined, and a mode gives it to few. Where one of these comes to its cone, nothing slips as long as
 //! others can take over: of all choices of who has none, that is taken in which those that hold have most to spare.
+
+use nalgebra::DVector;
 
 use super::Settling;
 use crate::contact::grip::Grip;
@@ -9,6 +11,8 @@ use crate::contact::sticking::{Patch, Pushes, Rough};
 
 /// Who holds has this part of its friction to spare at least, else it is about to slip too.
 const SPARE: f64 = 1e-6;
+/// An impulse of friction beyond its cone by less than this part is at its border, but for rounding.
+const FULL: f64 = 1e-9;
 /// With more patches than this not all choices are tried: there are two for each.
 const MOST_SHARING: usize = 8;
 
@@ -38,6 +42,28 @@ impl Settling<'_> {
         });
         let best = tried.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
         (best.0 > SPARE).then_some(best.1)
+    }
+
+    /// Impulses of friction. Of several points of a body that slip alike one is given what the others have: where that is more than its cone
+    /// lets it have, it is told as the impulses along their normals share the load.
+    pub(super) fn shared_by_normals(&self, impulses: &DVector<f64>) -> DVector<f64> {
+        let first = self.touch.pairs.len();
+        let mut along = impulses.rows(first, self.touch.slips.of.len()).into_owned();
+        for patch in self.patches(&self.part, false) {
+            let [static_friction, _] = patch.friction;
+            let is_beyond = |(position, row): &(usize, usize)| {
+                impulses[*row].abs() > (1.0 + FULL) * static_friction * impulses[*position]
+            };
+            let whole: f64 = patch.contacts.iter().map(|(position, _)| impulses[*position]).sum();
+            if whole <= 0.0 || patch.contacts.len() < 2 || !patch.contacts.iter().any(is_beyond) {
+                continue;
+            }
+            let friction: f64 = patch.contacts.iter().map(|(_, row)| impulses[*row]).sum();
+            for (position, row) in &patch.contacts {
+                along[*row - first] = friction * (impulses[*position] / whole);
+            }
+        }
+        along
     }
 
     /// The least that any patch that holds has to spare, as a part of its friction; `None` where one slips that is to stand still.
