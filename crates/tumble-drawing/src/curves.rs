@@ -229,7 +229,7 @@ impl<'a> Layout<'a> {
             self.draw_bands().chain(self.draw_curves()).chain(self.draw_dots()),
         ));
         svg.push(self.axes.draw());
-        svg.push(self.heading.draw(self.axes.area.centre()[0]));
+        svg.push(self.heading.draw());
         svg.children.extend(self.legend.iter().map(|(legend, at)| legend.draw(*at)));
         svg.children.extend(self.ends.clone());
         svg.children.extend(self.no_data());

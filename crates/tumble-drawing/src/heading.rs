@@ -4,11 +4,7 @@ use crate::svg::Element;
 use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{GAP, LARGE, LEADING, MARGIN};
 
-/// Least distance between a title and the sides of the picture. Titles stand
-/// over the middle of the frame, which lies right of the middle of the picture.
-const INSET: f64 = 60.0;
-
-/// A title of one or more centred lines at the top of a picture.
+/// A title of one or more lines at the top left of a picture: of one that is wider than the page it is seen first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     lines: Vec<Label>,
@@ -17,7 +13,7 @@ pub struct Heading {
 impl Heading {
     /// The title broken into lines that fit a picture `width` pixels wide.
     pub fn new(title: &Label, width: f64) -> Self {
-        Self { lines: wrapped(&title.clone().bold(), LARGE, width - 2.0 * INSET) }
+        Self { lines: wrapped(&title.clone().bold(), LARGE, width - 2.0 * MARGIN) }
     }
 
     /// Where the rest of the picture may begin, in pixels from its top.
@@ -26,11 +22,11 @@ impl Heading {
         MARGIN + if self.lines.is_empty() { 0.0 } else { lines + GAP }
     }
 
-    /// The lines, centred at `x` (pixels).
-    pub fn draw(&self, x: f64) -> Element {
+    /// The lines.
+    pub fn draw(&self) -> Element {
         let line = |(i, label): (usize, &Label)| {
             let y = MARGIN + LARGE + i as f64 * LARGE * LEADING;
-            PlacedText::new(label, [x, y], LARGE, TextAnchor::Middle).element()
+            PlacedText::new(label, [MARGIN, y], LARGE, TextAnchor::Start).element()
         };
         Element::new("g").children(self.lines.iter().enumerate().map(line))
     }

@@ -77,7 +77,7 @@ impl MapFigure {
         svg.children.extend(self.draw_cells(&axes));
         svg.children.extend(self.rings(&axes));
         svg.push(axes.draw());
-        svg.push(heading.draw(axes.area.centre()[0]));
+        svg.push(heading.draw());
         svg.push(self.draw_scale(&axes.area, &scale));
         svg.children.extend(self.is_empty().then(|| no_data(&axes.area)));
         svg

@@ -118,13 +118,10 @@ impl<'a> Scene<'a> {
 
     fn svg(&self) -> Svg {
         let [width, height] = self.axes.end();
-        let middle = self.axes.area.centre()[0];
         let mut svg = Svg::on_paper(width, height, self.picture.title.to_plain());
-        svg.push(self.heading.draw(middle));
-        svg.children.extend(self.legend.iter().map(|legend| {
-            let left = (middle - legend.size()[0] / 2.0).max(MARGIN);
-            legend.draw([left, self.heading.bottom()])
-        }));
+        svg.push(self.heading.draw());
+        let legend = self.legend.iter();
+        svg.children.extend(legend.map(|legend| legend.draw([MARGIN, self.heading.bottom()])));
         svg.push(clipped(self.axes.area, self.motion()));
         svg.children.extend(self.empty.then(|| no_data(&self.axes.area)));
         svg.push(self.axes.draw());

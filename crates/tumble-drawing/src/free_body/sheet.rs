@@ -117,7 +117,7 @@ impl<'a> Layout<'a> {
     fn svg(&self) -> Svg {
         let [width, height] = self.size;
         let mut svg = Svg::on_paper(width, height, self.title()).described(self.sheet.description());
-        svg.push(self.heading.draw(width / 2.0));
+        svg.push(self.heading.draw());
         let framed = self.panels.len() > 1;
         svg.children.extend(self.panels.iter().map(|panel| panel.draw(framed)));
         svg.push(self.key.draw(self.key_at));

@@ -57,7 +57,7 @@ impl Layout {
         let title = self.scene.title.to_plain();
         let title = if title.is_empty() { "The scene".to_owned() } else { title };
         let mut svg = Svg::on_paper(width, height, title).described(description);
-        svg.push(self.heading.draw(self.axes.area.centre()[0]));
+        svg.push(self.heading.draw());
         svg.push(clipped(self.axes.area, self.contents()));
         svg.push(self.axes.draw());
         svg.children.extend(self.empty.then(|| no_data(&self.axes.area)));

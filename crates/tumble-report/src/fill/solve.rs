@@ -25,7 +25,9 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
         (true, true) => {
             "In every mode of the motion the accelerations are constant or polynomials in time: each step is exact."
         }
-        (true, false) => "The equations have no closed form that the program knows: they were integrated.",
+        (true, false) => {
+            "In no phase are all accelerations constant or polynomials in time as they are written: the equations were integrated."
+        }
     };
     let mut how = how(&told);
     how.notes.extend(sweep::others_are_in_files(cases, &told));

@@ -42,7 +42,10 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let by: Vec<String> =
         points.iter().filter(|point| *point != "rim").map(|point| symbols::the_point(point)).collect();
     let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
+    let is_zeno = |one: &Happening| matches!(*one, Happening::Contact { pair, change: Change::Zeno } if pairs[pair].name.starts_with(&place));
+    let accumulates = seen.run.events().any(|event| event.record.happened.iter().any(is_zeno));
     let mut value = match contacts.len() {
+        _ if accumulates => Text::from(format!("infinitely often, {by}first at ")),
         1 => Text::from(format!("once, {by}at ")),
         2 => Text::from(format!("twice, {by}first at ")),
         several => Text::from(format!("{several} times, {by}first at ")),
@@ -53,8 +56,12 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
         Some(last) => value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on"),
         None => {}
     }
+    if accumulates {
+        let followed = contacts.iter().filter(|contact| !contact.is_open).count();
+        value = value.and(format!("; the first {followed} contacts were followed"));
+    }
     let comes_to_stay = contacts.len() > 1 && contacts.iter().any(|contact| contact.is_open);
-    let already = if there.is_empty() { "" } else { "from the start, and anew " };
+    let already = if there.is_empty() { "" } else { "from the start, and then again " };
     let said = Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value);
     Some(if comes_to_stay { said.leading() } else { said })
 }
@@ -159,8 +166,7 @@ pub(super) fn lost(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
             let turned = seen.known_in(contact.end, &angle, ("deg", f64::to_degrees))?;
             value = value.and(", when it has turned to ").and(turned);
         }
-        let before =
-            format!("{point} of {} leaves {surface}, which presses on it no more, at ", seen.called());
+        let before = format!("{point} of {} leaves {surface}, whose push falls to zero, at ", seen.called());
         found.push(Said::new(before, value).leading());
     }
     Ok(found)

@@ -1,7 +1,12 @@
 // Ranges of numbers and the ticks on them.
 
-/** Places and texts of ticks over a range `[low, high]` for about `wanted` of them, at round steps. */
-function ticks([low, high], wanted) {
+/** Places and texts of ticks over a range `[low, high]` for about `wanted` of them, at round steps; one alone would be no scale. */
+function ticks(range, wanted) {
+  const found = ticksAbout(range, wanted);
+  return found.length > 1 || wanted > 8 ? found : ticks(range, wanted + 1);
+}
+
+function ticksAbout([low, high], wanted) {
   const least = (high - low) / Math.max(wanted, 1);
   const power = 10 ** Math.floor(Math.log10(least));
   const step = power * ([1, 2, 5].find((m) => m * power >= least * 0.999) ?? 10);
