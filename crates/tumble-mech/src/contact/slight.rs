@@ -22,7 +22,7 @@
 //! Depths are gaps taken negative.
 //!
 //! # Validity
-//! Depths beyond delta: of what does not press as deep, for its lengths, nothing is known. A point at the origin that has no extent has no delta.
+//! Depths beyond delta: of what does not press as deep, for its lengths, nothing is known. The least length is a nanometre.
 //!
 //! # Source
 //! The work of the force along the depth, whatever the speed.
@@ -32,6 +32,7 @@
 //! `tests/trust.rs`: a floor so stiff that what is left out counts.
 
 use tumble_expr::Expr;
+use tumble_expr::units::M;
 use tumble_ode::Reason;
 
 use super::pair::dot;
@@ -46,6 +47,8 @@ use crate::record::Jump;
 
 /// Deeper than what is taken for touching when a run starts, whichever way lengths are added up.
 const SLIGHT: f64 = 4.0 * TOUCHES;
+/// The least of the lengths, m, for a point that is at the origin and has no extent: 6e-23 m is less than any depth.
+const SMALLEST: f64 = 1e-9;
 /// The margin of check runs, in units of delta: the work that they leave out is 32 times as much, so that the difference tells of that of the motion also
 /// where it is no small part of the whole.
 const WIDE: f64 = 4.0;
@@ -70,7 +73,7 @@ impl Pair {
             Opposite::Circle(_) | Opposite::Edge(_) => dot(place, place),
         });
         let arm = dot(&self.centre.arm, &self.centre.arm);
-        let lengths = [squared(&self.radius), squared(&self.extent()), arm];
+        let lengths = [squared(&self.radius), squared(&self.extent()), arm, squared(&(SMALLEST * M))];
         SLIGHT * places.chain(lengths).fold(Expr::zero(), |sum, next| sum + next).sqrt()
     }
 
@@ -115,13 +118,6 @@ impl Equations {
         let asked = [pair.slight(), stiffness.clone()];
         let found = self.values(&asked, &mode, now.time, states, now.inputs)?;
         let (slight, work) = (found[0], 0.4 * found[1] * libm::pow(found[0], 2.5));
-        if slight <= 0.0 {
-            return Err(Reason::Model(format!(
-                "`{}` is of a point at the origin that touches without speed or with others, and nothing says how deep is deep: let it begin \
-                 a little above the surface, or with some speed",
-                pair.name
-            )));
-        }
         let energy = |(touch, own): (&Touch, usize)| {
             let (rate, lightness) = (touch.rate[own], touch.response[(own, own)]);
             (rate * rate / 2.0 - touch.free[own] * slight) / lightness
