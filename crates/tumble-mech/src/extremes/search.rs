@@ -193,9 +193,10 @@ impl<'a> Search<'a> {
     }
 
     fn offer(&mut self, s: f64) -> f64 {
-        let side = if s < self.piece.length { Side::After } else { Side::Before };
-        let gain = self.best.sign * self.value(s);
-        self.best.offer(Candidate { piece: self.index, s, time: self.time(s), side, gain });
+        let (time, gain) = (self.time(s), self.best.sign * self.value(s));
+        // In a transformed time what is before the end of the piece may be at it but for rounding: after it another piece follows.
+        let side = if time < self.piece.end { Side::After } else { Side::Before };
+        self.best.offer(Candidate { piece: self.index, s, time, side, gain });
         gain
     }
 
@@ -274,7 +275,7 @@ impl<'a> Search<'a> {
 
     /// The time at the parameter's end may miss the piece's by a rounding error.
     fn time(&self, s: f64) -> f64 {
-        if s < self.piece.length { self.piece.time_at(s) } else { self.piece.end }
+        if s < self.piece.length { self.piece.time_at(s).min(self.piece.end) } else { self.piece.end }
     }
 
     fn place(&self, s: f64) -> MotionState<'a> {
