@@ -277,6 +277,14 @@ impl Trust {
         self.along(run, std::slice::from_ref(formula))?.compared(formula, at, &found)
     }
 
+    /// Error of a number that each run comes to by itself, from the differences of the check runs; `None` where one of them does not come to it.
+    pub fn off(&self, value: f64, of_check: impl Fn(&Run) -> Option<f64>) -> Option<f64> {
+        let mut checks = self.checks.iter();
+        checks.try_fold(0.0, |worst: f64, (check, safety)| {
+            Some(worst.max(safety * (of_check(check)? - value).abs()))
+        })
+    }
+
     /// Error of the time of an event of the motion, s; `None` where nothing can be said of it.
     ///
     /// What the check runs are off by, and what rounding of the function that was crossed may have done.

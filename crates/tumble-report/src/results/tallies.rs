@@ -1,6 +1,6 @@
 //! What events have left up to an instant, by the names in finds and checks: impulses of contacts and how often something happened.
 
-use tumble_mech::{At, Impulse, Run, Source};
+use tumble_mech::{At, Change, Happening, Impulse, Record, Run, Source, Trust};
 use tumble_ode::{Occurrence, Side};
 use tumble_scene::Count;
 
@@ -11,6 +11,17 @@ pub(crate) struct Tally {
     pub(crate) value: f64,
     /// What rounding does to it at least.
     pub(crate) blur: f64,
+    /// When it is what it is, s: of an impulse that of the impact.
+    time: f64,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Impulse,
+    Count,
+    /// A count of what a Zeno sequence has infinitely often, of which the first are followed.
+    Infinite,
 }
 
 /// Rounding errors of an impulse, which is found from a few products.
@@ -32,20 +43,60 @@ pub(crate) fn found(run: &Run, name: &str, at: At) -> Option<Tally> {
         let (count, axis) = rest.split_once("].")?;
         return impulse(run, place, Count::read(count)?, axis);
     }
-    let count = match name.strip_suffix(CONTACTS) {
+    let is_there = |pair: usize, place: &str| is_part(&run.equations.pairs()[pair].name, place);
+    let (count, is_infinite) = match name.strip_suffix(CONTACTS) {
         Some(place) => {
             let contacts = run.contacts();
             let there =
-                contacts.iter().filter(|contact| is_part(&run.equations.pairs()[contact.pair].name, place));
-            there.filter(|contact| has_come(contact.start)).count()
+                contacts.iter().filter(|contact| is_there(contact.pair, place) && has_come(contact.start));
+            let mut ends = sequences(run, has_come);
+            (there.count(), ends.any(|(pair, _)| is_there(pair, place)))
         }
         None => {
             let happening = run.equations.named(name.strip_suffix(COUNT)?)?;
-            let events = run.events().filter(|event| has_come(event.time));
-            events.filter(|event| event.record.happened.contains(&happening)).count()
+            let own = |event: &&Occurrence<Record>| event.record.happened.contains(&happening);
+            let events: Vec<f64> = run.events().filter(own).map(|event| event.time).collect();
+            let goes_on = |[from, to]: [f64; 2]| events.iter().any(|time| from < *time && *time <= to);
+            let mut ends = sequences(run, has_come);
+            (
+                events.iter().filter(|time| has_come(**time)).count(),
+                ends.any(|(_, last)| last.is_some_and(goes_on)),
+            )
         }
     };
-    Some(Tally { value: count as f64, blur: 0.0 })
+    let kind = if is_infinite { Kind::Infinite } else { Kind::Count };
+    Some(Tally { value: count as f64, blur: 0.0, time: at.time, kind })
+}
+
+/// The Zeno sequences that have ended, each with its pair and the times of the last two impacts of that.
+fn sequences(run: &Run, has_come: impl Fn(f64) -> bool) -> impl Iterator<Item = (usize, Option<[f64; 2]>)> {
+    let ends = run.events().filter(move |event| has_come(event.time));
+    let pairs = ends.flat_map(|event| event.record.happened.iter().map(move |one| (event.time, *one)));
+    let of = move |(end, one): (f64, Happening)| {
+        let Happening::Contact { pair, change: Change::Zeno } = one else { return None };
+        let impact = Happening::Contact { pair, change: Change::Impact };
+        let before =
+            run.events().filter(|event| event.time <= end && event.record.happened.contains(&impact));
+        let times: Vec<f64> = before.map(|event| event.time).collect();
+        Some((pair, times.last_chunk().copied()))
+    };
+    pairs.filter_map(of)
+}
+
+impl Tally {
+    /// Error stated of it; `None` where nothing is known of it.
+    pub(crate) fn error(&self, run: &Run, trust: &Trust, name: &str, at: At) -> Option<f64> {
+        let is_before_the_end = trust.horizon.as_ref().is_none_or(|horizon| at.time <= horizon.time);
+        match self.kind {
+            Kind::Infinite => None,
+            // What is compared with the check runs at the instant says how far it is known.
+            Kind::Count => is_before_the_end.then_some(0.0),
+            Kind::Impulse => {
+                trust.event_error(run, self.time)?;
+                trust.off(self.value, |check| Some(found(check, name, at)?.value))
+            }
+        }
+    }
 }
 
 /// The impulse of a contact on its body, on the first of two, N s; zero of one that begins without an impact.
@@ -68,5 +119,5 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
         "y" => y,
         _ => size,
     };
-    Some(Tally { value, blur: ROUNDING * size })
+    Some(Tally { value, blur: ROUNDING * size, time: contact.start, kind: Kind::Impulse })
 }

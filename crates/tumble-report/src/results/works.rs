@@ -35,8 +35,7 @@ impl Works {
             symbols.into_iter().partition(|symbol| symbol.name.ends_with(WORK));
         let tallies = tallied.into_iter().map(|symbol| {
             let tally = tallies::found(solution.run, &symbol.name, at)?;
-            // What is compared with the check runs says how far it is known.
-            let error = solution.trust.map(|_| 0.0);
+            let error = solution.trust.and_then(|trust| tally.error(solution.run, trust, &symbol.name, at));
             Some((symbol, Work { done: tally.value, error, blur: tally.blur }))
         });
         let Some(mut known) = tallies.collect::<Option<Vec<_>>>() else { return Ok(None) };

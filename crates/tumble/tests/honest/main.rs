@@ -13,4 +13,5 @@ mod open;
 mod refusals;
 mod rounding;
 mod signs;
+mod tallies;
 mod times;

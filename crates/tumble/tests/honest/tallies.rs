@@ -1,0 +1,50 @@
+//! What events have left: impulses and counts have no more digits than the events; and what is greatest on one side of an event.
+
+use crate::ask::scene;
+
+/// An elastic rod that tumbles off a floor again and again: neighbouring motions part, and its digits end before the run does.
+#[test]
+fn what_came_after_the_digits_is_not_known() {
+    let rod = "[body.rod]\nrod = { from = [\"-0.5 m\", 0], to = [\"0.5 m\", 0] }\nmass = \"1 kg\"\n\
+               start = { at = [0, \"1 m\"], angle = \"0.3 rad\", omega = \"3 rad/s\" }\n\
+               [surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 1 }\n\
+               [event.top]\nwhen = \"rod.vy falls through 0 m/s\"\n";
+    let asked = ["floor.contact[1].impulse.y", "floor.contact[40].impulse.y", "floor.contacts", "top.count"];
+    let found = |accuracy: f64| scene(rod).heavy().until("25 s").accuracy(accuracy).run(&asked).finds;
+    let (rough, fine) = (found(1e-6), found(1e-12));
+    assert!(rough.iter().skip(1).all(|find| find.error.is_none()), "{rough:?}");
+    let [first, better] =
+        [&rough, &fine].map(|finds| (finds[0].value, finds[0].error.expect("a known impulse")));
+    assert!((first.0 - better.0).abs() <= first.1 + better.1, "{first:?} {better:?}");
+    assert!(first.1 < 1e-3, "{first:?}");
+}
+
+/// Of infinitely many bounces the first are followed.
+#[test]
+fn nobody_counts_to_infinity() {
+    let ball = "[body.ball]\nball = { radius = \"5 cm\" }\nmass = \"1 kg\"\nstart = { at = [0, \"1 m\"] }\n\
+                [surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 0.5 }\n\
+                [event.down]\nwhen = \"ball.vy falls through 0 m/s\"\n\
+                [event.fast]\nwhen = \"ball.vy falls through -1 m/s\"\n";
+    let found = scene(ball).heavy().until("3 s").run(&["floor.contacts", "down.count", "fast.count"]).finds;
+    assert!(found[0].error.is_none() && found[1].error.is_none(), "{found:?}");
+    assert_eq!(found[2].value, 3.0, "only the first falls are as fast");
+    assert!(found[2].error.is_some_and(|error| error < 1e-12), "{found:?}");
+}
+
+/// Friction of a ball that rolls up a compliant wall is greatest as it ceases to slide, and jumps there.
+#[test]
+fn the_greatest_friction_before_it_sticks() {
+    let ring = "[body.ring]\nring = { radius = \"0.217 m\" }\nmass = \"0.193 kg\"\n\
+                start = { at = [\"0.395 m\", \"0.346 m\"], velocity = [\"-0.097 m/s\", \"0.258 m/s\"], omega = \"3.647 rad/s\" }\n\
+                [surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 0 }\n\
+                [surface.wall]\nthrough = [\"1.721 m\", 0]\nnormal = [-1, 0]\n\
+                hertz = { stiffness = \"2.73e6 N/m^(3/2)\", damping = 0, friction = { static = 0.484, kinetic = 0.31 } }\n\
+                [force.f]\non = \"ring\"\nat = \"ring.cm\"\nforce = [\"(1.392 N)*sin((2.714 rad/s)*t)\", 0]\n";
+    let extra = "[find.greatest]\nthat = \"floor.normal\"\nat = \"its greatest\"\n\
+                 [find.before]\nthat = \"floor.normal\"\nat = \"wall.ring.rolls\"\nside = \"before\"\n";
+    let found = scene(&format!("{ring}{extra}")).heavy().until("2.298 s").run(&[]).finds;
+    let [greatest, before] = [0, 1].map(|index: usize| found[index].value);
+    assert!((greatest - before).abs() <= 1e-9 * before, "{greatest} {before}");
+    assert!(before > 10.0, "{before}");
+}
