@@ -230,8 +230,8 @@ impl Drawing<'_> {
         let [down, up] = ["W", "N"].map(|symbol| (Label::symbol(symbol), weight));
         let along = forces.iter().filter(|force| !force.law.is_couple() && force.force[0] != 0.0);
         let along = along.map(|force| {
-            let symbol = Label::symbol(&symbols::force(self.study, &force.load, force.law));
-            Arrow::new(kind(force.law), symbol, [force.arm[0], height], [force.force[0], 0.0])
+            let name = symbols::below(&symbols::force(self.study, &force.load, force.law), "x");
+            Arrow::new(kind(force.law), Label::symbol(&name), [force.arm[0], height], [force.force[0], 0.0])
         });
         let mut view = SideView::resting(outlines, height, down, up);
         view.forces.extend(along);

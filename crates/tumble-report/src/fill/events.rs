@@ -39,6 +39,18 @@ pub(super) fn of(study: &Study, case: &Case) -> PrintedTable {
         next = to;
     }
     table.rows.extend((next..events.len()).map(|index| row(&events, &told, index)));
+    let unverified = events.iter().filter(|event| !case.is_verified(event.time)).count();
+    if let Some(first) =
+        events.iter().find(|event| !case.is_verified(event.time)).filter(|_| unverified < events.len())
+    {
+        let words = format!(
+            "No digit of what follows is verified, from {} on.",
+            quantity(first.time, "s").to_plain()
+        );
+        let shown = quantity(first.time, "");
+        let at = table.rows.iter().position(|row| row[0] == shown).unwrap_or(table.rows.len());
+        table.rows.insert(at, vec!["".into(), words.into()]);
+    }
     table
 }
 

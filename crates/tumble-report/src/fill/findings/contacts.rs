@@ -123,15 +123,18 @@ fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {
     words::other(seen.study, &seen.run.equations.pairs()[contact.pair], seen.index)
 }
 
-/// Speed of the centre and spin at two instants, where they differ.
+/// Speed of the centre and spin at two instants, where they differ; of what goes back the way it came, or is turned round along an axis, the
+/// velocity with its sign.
 fn changes(seen: &Seen<'_>, from: (f64, Side), to: (f64, Side)) -> Result<Option<Text>, CaseError> {
     let motion = seen.body.kinematics();
-    let mut observer = seen.run.observe(&[motion.velocity().norm(), motion.omega()])?;
+    let formulas = [motion.velocity().components(), &[motion.omega()]].concat();
+    let mut observer = seen.run.observe(&formulas)?;
     let (Some(before), Some(after)) = (observer.at(from.0, from.1), observer.at(to.0, to.1)) else {
         return Ok(None);
     };
+    let (name, [was, is]) = along([before[0], before[1]], [after[0], after[1]]);
     let reach = seen.study.number(&seen.body.reach())?;
-    let rates = [(before[0], after[0], "m/s", 1.0), (before[1], after[1], "rad/s", reach)];
+    let rates = [(was, is, "m/s", 1.0), (before[2], after[2], "rad/s", reach)];
     let fastest = rates.iter().map(|(a, b, _, size)| a.abs().max(b.abs()) * size).fold(0.0, f64::max);
     let part = |(name, (a, b, unit, size)): (&str, (f64, f64, &str, f64))| {
         let differ =
@@ -140,8 +143,22 @@ fn changes(seen: &Seen<'_>, from: (f64, Side), to: (f64, Side)) -> Result<Option
         let [from, to] = [quantity_to(shown(a), DIGITS, ""), quantity_to(shown(b), DIGITS, unit)];
         differ.then(|| Text::from(format!("its {name} from ")).and(from).and(" to ").and(to))
     };
-    let parts = ["speed", "spin"].into_iter().zip(rates).filter_map(part);
+    let parts = [name, "spin"].into_iter().zip(rates).filter_map(part);
     Ok(parts.reduce(|all, next| all.and(" and ").and(next)))
+}
+
+/// What is said of two velocities: their sizes, with signs where one is the reverse of the other's direction; along an axis those of its coordinate.
+fn along(before: [f64; 2], after: [f64; 2]) -> (&'static str, [f64; 2]) {
+    let [was, is] = [before, after].map(|[x, y]: [f64; 2]| x.hypot(y));
+    let (dot, cross) =
+        (before[0] * after[0] + before[1] * after[1], before[0] * after[1] - before[1] * after[0]);
+    if dot >= 0.0 || cross.abs() > CHANGES * was * is {
+        return ("speed", [was, is]);
+    }
+    let axis = usize::from(before[1].abs() > before[0].abs());
+    let is_along = before[1 - axis].abs() <= CHANGES * was;
+    let sign = if is_along { before[axis].signum() } else { 1.0 };
+    ("velocity", [sign * was, -sign * is])
 }
 
 /// A contact with a surface that has lasted ends: no impact takes the point away, and no other contact of it begins at once.
@@ -193,4 +210,18 @@ fn joined(contacts: impl Iterator<Item = Contact>) -> Vec<Contact> {
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::along;
+
+    #[test]
+    fn what_goes_back_has_a_sign() {
+        assert_eq!(along([2.0, 0.0], [-0.8, 0.0]), ("velocity", [2.0, -0.8]));
+        assert_eq!(along([0.0, -3.0], [0.0, 1.5]), ("velocity", [-3.0, 1.5]));
+        assert_eq!(along([3.0, 4.0], [-1.5, -2.0]), ("velocity", [5.0, -2.5]));
+        assert_eq!(along([3.0, 4.0], [3.0, -4.0]), ("speed", [5.0, 5.0]));
+        assert_eq!(along([3.0, 0.0], [1.0, 0.0]), ("speed", [3.0, 1.0]));
+    }
 }

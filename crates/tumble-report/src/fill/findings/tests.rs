@@ -74,7 +74,7 @@ fn friction_changes_speed_and_spin_until_a_ball_rolls() {
 fn a_contact_that_is_lost_is_told_with_the_angle() {
     assert!(has(
         &found_in("14-sliding-ladder"),
-        "The head of the ladder leaves the wall, which presses on it no more, at 0.845032 s"
+        "The head of the ladder leaves the wall, whose push falls to zero, at 0.845032 s"
     ));
 }
 
