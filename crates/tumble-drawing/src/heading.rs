@@ -4,7 +4,7 @@ use crate::svg::Element;
 use crate::text::{Label, PlacedText, TextAnchor};
 use crate::theme::{GAP, LARGE, LEADING, MARGIN};
 
-/// A title of one or more lines at the top left of a picture: of one that is wider than the page it is seen first.
+/// A title of one or more lines at the top left of a picture: there it is seen also where the page is narrower than the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     lines: Vec<Label>,

@@ -61,11 +61,17 @@ pub enum Happening {
 pub(crate) type Jump<Mode> = tumble_ode::Jump<Mode, Record>;
 
 impl Record {
-    /// Whether impacts that follow each other ever faster end here.
-    pub(crate) fn ends_zeno_sequence(&self) -> bool {
-        let is_zeno =
-            |happening: &Happening| matches!(happening, Happening::Contact { change: Change::Zeno, .. });
-        self.happened.iter().any(is_zeno)
+    /// Indices of the pairs of which impacts that follow each other ever faster end here.
+    pub fn zeno_sequences(&self) -> impl Iterator<Item = usize> {
+        self.happened.iter().filter_map(|happening| match *happening {
+            Happening::Contact { pair, change: Change::Zeno } => Some(pair),
+            _ => None,
+        })
+    }
+
+    /// Whether there are any.
+    pub fn ends_zeno_sequence(&self) -> bool {
+        self.zeno_sequences().next().is_some()
     }
 
     /// Whether an instant was only looked at, or what a contact does there has no force on either side.

@@ -6,7 +6,7 @@ use crate::report::{Column, PrintedTable, Text};
 use crate::results::Case;
 use crate::tables::EVENTS;
 use tumble_drawing::Label;
-use tumble_mech::{Change, Happening, Record};
+use tumble_mech::Record;
 use tumble_ode::Occurrence;
 use tumble_scene::Study;
 
@@ -29,29 +29,30 @@ pub(super) fn of(study: &Study, case: &Case) -> PrintedTable {
         file: Some(format!("{}/{EVENTS}", case.folder())),
         ..PrintedTable::new(labelled("Events", case), columns)
     };
+    let unverified = events.iter().position(|event| !case.is_verified(event.time)).filter(|first| *first > 0);
+    let rows = |from: usize, to: usize| {
+        let told = &told;
+        let notice = move |index: usize| (Some(index) == unverified).then(not_verified);
+        let events = &events;
+        (from..to).flat_map(move |index| notice(index).into_iter().chain([row(events, told, index)]))
+    };
     let mut next = 0;
     for [from, to] in accumulating(&events, &told) {
-        table.rows.extend((next..from).map(|index| row(&events, &told, index)));
+        table.rows.extend(rows(next, from));
+        table.rows.extend(unverified.filter(|first| (from..to).contains(first)).map(|_| not_verified()));
         let words =
             format!("{} more of these, until {}", to - from, quantity(events[to - 1].time, "s").to_plain());
         table.rows.push(vec!["…".into(), words.into()]);
         table.is_cut = true;
         next = to;
     }
-    table.rows.extend((next..events.len()).map(|index| row(&events, &told, index)));
-    let unverified = events.iter().filter(|event| !case.is_verified(event.time)).count();
-    if let Some(first) =
-        events.iter().find(|event| !case.is_verified(event.time)).filter(|_| unverified < events.len())
-    {
-        let words = format!(
-            "No digit of what follows is verified, from {} on.",
-            quantity(first.time, "s").to_plain()
-        );
-        let shown = quantity(first.time, "");
-        let at = table.rows.iter().position(|row| row[0] == shown).unwrap_or(table.rows.len());
-        table.rows.insert(at, vec!["".into(), words.into()]);
-    }
+    table.rows.extend(rows(next, events.len()));
     table
+}
+
+/// A row before the first event that no check run confirms.
+fn not_verified() -> Vec<Text> {
+    vec!["".into(), "No digit of what follows is verified.".into()]
 }
 
 fn row(events: &[&Occurrence<Record>], told: &[String], index: usize) -> Vec<Text> {
@@ -61,10 +62,7 @@ fn row(events: &[&Occurrence<Record>], told: &[String], index: usize) -> Vec<Tex
 /// The impacts before the end of a Zeno sequence, each stretch without its first ones, of which nothing is said that is new.
 fn accumulating(events: &[&Occurrence<Record>], told: &[String]) -> Vec<[usize; 2]> {
     let mut known: HashSet<&str> = HashSet::new();
-    let is_end = |index: &usize| {
-        let is_zeno = |one: &Happening| matches!(one, Happening::Contact { change: Change::Zeno, .. });
-        *index > 0 && events[*index].record.happened.iter().any(is_zeno)
-    };
+    let is_end = |index: &usize| *index > 0 && events[*index].record.ends_zeno_sequence();
     // For each event the first of those before it that are told in words of earlier ones, since the last sequence has ended.
     let mut begins: Vec<usize> = vec![];
     for (index, words) in told.iter().enumerate() {

@@ -11,14 +11,13 @@ pub(crate) struct Tally {
     pub(crate) value: f64,
     /// What rounding does to it at least.
     pub(crate) blur: f64,
-    /// When it is what it is, s: of an impulse that of the impact.
-    time: f64,
     kind: Kind,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 enum Kind {
-    Impulse,
+    /// Of an impact at that time, s.
+    Impulse(f64),
     Count,
     /// A count of what a Zeno sequence has infinitely often, of which the first are followed.
     Infinite,
@@ -65,22 +64,21 @@ pub(crate) fn found(run: &Run, name: &str, at: At) -> Option<Tally> {
         }
     };
     let kind = if is_infinite { Kind::Infinite } else { Kind::Count };
-    Some(Tally { value: count as f64, blur: 0.0, time: at.time, kind })
+    Some(Tally { value: count as f64, blur: 0.0, kind })
 }
 
 /// The Zeno sequences that have ended, each with its pair and the times of the last two impacts of that.
 fn sequences(run: &Run, has_come: impl Fn(f64) -> bool) -> impl Iterator<Item = (usize, Option<[f64; 2]>)> {
     let ends = run.events().filter(move |event| has_come(event.time));
-    let pairs = ends.flat_map(|event| event.record.happened.iter().map(move |one| (event.time, *one)));
-    let of = move |(end, one): (f64, Happening)| {
-        let Happening::Contact { pair, change: Change::Zeno } = one else { return None };
+    let pairs = ends.flat_map(|event| event.record.zeno_sequences().map(move |pair| (event.time, pair)));
+    let last = move |(end, pair): (f64, usize)| {
         let impact = Happening::Contact { pair, change: Change::Impact };
         let before =
             run.events().filter(|event| event.time <= end && event.record.happened.contains(&impact));
         let times: Vec<f64> = before.map(|event| event.time).collect();
-        Some((pair, times.last_chunk().copied()))
+        (pair, times.last_chunk().copied())
     };
-    pairs.filter_map(of)
+    pairs.map(last)
 }
 
 impl Tally {
@@ -91,8 +89,8 @@ impl Tally {
             Kind::Infinite => None,
             // What is compared with the check runs at the instant says how far it is known.
             Kind::Count => is_before_the_end.then_some(0.0),
-            Kind::Impulse => {
-                trust.event_error(run, self.time)?;
+            Kind::Impulse(time) => {
+                trust.event_error(run, time)?;
                 trust.off(self.value, |check| Some(found(check, name, at)?.value))
             }
         }
@@ -119,5 +117,5 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
         "y" => y,
         _ => size,
     };
-    Some(Tally { value, blur: ROUNDING * size, time: contact.start, kind: Kind::Impulse })
+    Some(Tally { value, blur: ROUNDING * size, kind: Kind::Impulse(contact.start) })
 }

@@ -42,8 +42,8 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let by: Vec<String> =
         points.iter().filter(|point| *point != "rim").map(|point| symbols::the_point(point)).collect();
     let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
-    let is_zeno = |one: &Happening| matches!(*one, Happening::Contact { pair, change: Change::Zeno } if pairs[pair].name.starts_with(&place));
-    let accumulates = seen.run.events().any(|event| event.record.happened.iter().any(is_zeno));
+    let mut sequences = seen.run.events().flat_map(|event| event.record.zeno_sequences());
+    let accumulates = sequences.any(|pair| pairs[pair].name.starts_with(&place));
     let mut value = match contacts.len() {
         _ if accumulates => Text::from(format!("infinitely often, {by}first at ")),
         1 => Text::from(format!("once, {by}at ")),
