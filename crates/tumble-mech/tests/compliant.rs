@@ -4,8 +4,8 @@ mod common;
 
 use common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
-use tumble_expr::{Exponent, Expr};
-use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Start, Surface};
+use tumble_expr::{Exponent, Expr, Vector};
+use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Shape, Start, Surface};
 
 const MASS: f64 = 0.5;
 const SPEED: f64 = 2.0;
@@ -101,6 +101,29 @@ fn put_down_on_hertz_s_floor() {
         let [back] = at(&run, period, [ball.position().y().clone()]);
         close((0.1 - back) / depth, 0.0, 1e-11);
         assert_eq!(run.contacts()[0].start, 0.0);
+    }
+}
+
+/// Points without extent, one at the origin and one beside it, whose gaps are made of no lengths but their own: each swings as a ball does.
+#[test]
+fn points_put_down_at_the_origin() {
+    let (gravity, stiffness) = (9.81, 1e6);
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(gravity * M / (S * S));
+    for (name, x) in [("a", 0.0), ("b", 1.0)] {
+        model.add(Body::of_shape(name, Shape::Point { at: Vector::planar(0 * M, 0 * M) }).mass(MASS * KG));
+        model.starts.push((name.to_owned(), Start::default().at([x * M, 0 * M])));
+    }
+    model.surface(Surface::floor("floor", 0 * M, hertz(stiffness, 0.0)));
+    let depth = (2.5 * MASS * gravity / stiffness).powf(2.0 / 3.0);
+    let period = 2.804_364_210_650_908_3 * (2.0 * depth / gravity).sqrt();
+    let run = run(model, 3.6 * period, 1e-13);
+    for body in 0..2 {
+        let y = run.equations.model().bodies[body].kinematics().position().y().clone();
+        for turns in [0.5, 1.5, 2.5] {
+            close(-at(&run, turns * period, [y.clone()])[0] / depth, 1.0, 1e-10);
+        }
+        close(-at(&run, 3.0 * period, [y])[0] / depth, 0.0, 1e-10);
     }
 }
 
