@@ -41,9 +41,8 @@ impl Gauge {
         })
     }
 
-    /// Their numbers there; roots of depths, which stand behind the other states, have no part in them.
+    /// Their numbers there.
     pub(crate) fn at(&mut self, time: f64, states: &[f64]) -> Rows {
-        let states = &states[..self.tape.tape.states()];
         self.values.start(Rounded::leaf(time), &computed(states), Branches::Free);
         let Self { indices, velocities, coordinates, tape, values } = self;
         let value = |output: usize| values.value_of(output);

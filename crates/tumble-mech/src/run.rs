@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 use tumble_expr::{Expr, Symbol, Vector};
-use tumble_ode::{Accuracy, Motion, Occurrence, Reason, Refusal, Side, Work};
+use tumble_ode::{Accuracy, Motion, MotionState, Occurrence, Reason, Refusal, Side, Work};
 
 use crate::body::Body;
 use crate::equations::Equations;
@@ -288,8 +288,9 @@ impl Run {
         ) {
             return None;
         }
-        let mode = &motion.modes[motion.pieces.last()?.mode];
-        let states = motion.last_states()?;
+        // An event at the very end has led to another mode than that of the last piece.
+        let MotionState { mode, states, .. } = motion.place_at(motion.end()?, Side::After)?;
+        let mode = &motion.modes[mode];
         let joints = self.equations.singular_joints(mode, refusal.time, &states, &self.inputs)?;
         Some(Reason::Model(format!(
             "the bodies come to a singular configuration, in which {joints} can be kept in more than one way: where bars of a loop lie \
