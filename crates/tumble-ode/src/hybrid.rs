@@ -60,6 +60,8 @@ impl Direction {
 pub struct Crossing<'a, Mode> {
     /// When, s.
     pub time: f64,
+    /// When the event before it was, or the beginning, s.
+    pub since: f64,
     /// The mode that ends.
     pub mode: &'a Mode,
     /// The states just before.

@@ -80,7 +80,7 @@ impl Equations {
         if self.pair_list().captures.is_empty() {
             return Ok(());
         }
-        let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
+        let now = Now::of(at);
         let meeting = self.meeting(&jump.mode, &jump.states, now)?.into_iter();
         let captured = meeting.filter(|pair| self.capture_of(*pair).is_some());
         let change = Change::Impact;

@@ -102,7 +102,7 @@ impl Equations {
             _ => None,
         };
         let compliant: Vec<(usize, ContactMode)> = jump.mode.contacts.iter().filter_map(may_turn).collect();
-        let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
+        let now = Now::of(at);
         let mut turned = false;
         for (pair, before) in compliant {
             let parts = resistance(&self.pairs()[pair]);

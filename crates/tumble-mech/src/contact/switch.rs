@@ -105,7 +105,7 @@ impl Equations {
             let here = Spot { mode: at.mode, time: at.time, states: at.states, inputs: at.inputs };
             self.refuse_feedback(here, &causes.fed)?;
         }
-        let now = Now { time: at.time, inputs: at.inputs, compensation: at.compensation, scales: at.scales };
+        let now = Now::of(at);
         let woken = if causes.wakes { self.wake(jump) } else { vec![] };
         let is_compliant = |(pair, ..): &(usize, Watched, bool)| !self.pairs()[*pair].is_rigid();
         let unpressed = causes.seen.iter().any(is_compliant);

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use tumble_expr::{Branches, Jets, Rounded};
-use tumble_ode::Reason;
+use tumble_ode::{Crossing, Reason};
 
 use crate::contact::complementarity::DEPENDENT;
 use crate::contact::settle::BALANCED;
@@ -24,11 +24,20 @@ use crate::restrained::{Gradients, respond};
 #[derive(Clone, Copy)]
 pub(crate) struct Now<'a> {
     pub(crate) time: f64,
+    /// When the event before it was, s.
+    pub(crate) since: f64,
     pub(crate) inputs: &'a [f64],
     /// What rounding has left out of the states.
     pub(crate) compensation: &'a [f64],
     /// Largest values that each kind of state has had, by [`Measure`].
     pub(crate) scales: &'a [f64],
+}
+
+impl<'a> Now<'a> {
+    pub(crate) fn of(at: &Crossing<'a, Mode>) -> Self {
+        let Crossing { time, since, inputs, compensation, scales, .. } = *at;
+        Self { time, since, inputs, compensation, scales }
+    }
 }
 
 /// Rounding may leave of a velocity that came to rest this part of the largest there was, in units of what `STANDS`

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
+use tumble::FindResult;
+
 use crate::ask::{Found, are, scene, walls};
 
 /// Bodies with the height of their centres where they lie flat, m.
@@ -153,4 +155,47 @@ fn rough_bounces_of_pinned_rods_come_to_an_end() {
     let [energy, omega] = [0, 1].map(|index: usize| case.finds[index].value);
     assert!((0.0..40.0).contains(&energy), "{energy}");
     assert!(omega.abs() < 1e-9, "{omega}");
+}
+
+/// A row of free balls of equal mass whose impacts follow each other ever faster, until they all but go on together: with the mean of their velocities.
+/// From some impact on, gaps are smaller than rounding.
+#[test]
+fn impacts_too_close_to_be_told_apart() {
+    let two = [("0.1 m", "1 m/s"), ("0.4 m", "0.1 m/s"), ("0.65 m", "-0.93 m/s")];
+    let three = [
+        ("0 m", "0.9362 m/s"),
+        ("0.4361 m", "0.2474 m/s"),
+        ("0.6756 m", "-0.162 m/s"),
+        ("0.9562 m", "-0.7062 m/s"),
+    ];
+    for (row, restitution, mean) in
+        [(&two[..], 0.0719, 0.17 / 3.0), (&two, 0.07, 0.17 / 3.0), (&three, 0.1697, 0.07885)]
+    {
+        let ball = |(index, (at, velocity)): (usize, &(&str, &str))| {
+            format!(
+                "[body.b{index}]\nball = {{ radius = \"0.1 m\" }}\nmass = \"1 kg\"\nstart = {{ at = [\"{at}\", 0], velocity = [\"{velocity}\", 0] }}\n"
+            )
+        };
+        let balls: String = row.iter().enumerate().map(ball).collect();
+        let row_of =
+            format!("{balls}[contact.row]\nbetween = \"all\"\nrigid = {{ restitution = {restitution} }}\n");
+        let asked = ["b0.vx", "b1.vx", "b2.vx", "b3.vx"];
+        let found = scene(&row_of).until("3 s").accuracy(1e-12).run(&asked[..row.len()]).finds;
+        let covers = |find: &FindResult| find.error.is_none_or(|error| (find.value - mean).abs() <= error);
+        assert!(found.iter().all(covers), "{restitution}: {found:?}");
+    }
+}
+
+/// A wall that gives back next to nothing gives back that.
+#[test]
+fn the_least_rebound_is_one() {
+    for restitution in [1e-15, 1e-14, 1e-13, 1e-12, 1e-11] {
+        let ball = format!(
+            "[body.b]\nball = {{ radius = \"0.1 m\" }}\nmass = \"1 kg\"\nstart = {{ velocity = [\"1 m/s\", \"0.3 m/s\"] }}\n\
+             [surface.wall]\nthrough = [\"1 m\", 0]\nnormal = [-1, 0]\nrigid = {{ restitution = {restitution:e} }}\n"
+        );
+        let found = scene(&ball).until("2 s").accuracy(1e-12).run(&["b.vx"]).finds;
+        let error = found[0].error.expect("a known velocity");
+        assert!((found[0].value + restitution).abs() <= error && error < 1e-14, "{restitution}: {found:?}");
+    }
 }
