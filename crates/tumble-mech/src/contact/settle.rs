@@ -132,7 +132,13 @@ fn is_unresolved(
         let touches =
             touch.gap[*position].abs() <= blur && touch.rate[*position].abs() * since <= RESOLVED * blur;
         let moves = touch.rate[*position].abs() > STANDS * touch.speed[*position];
-        touches && moves && equations.pairs()[pair].is_rigid() && jump.mode.contact_mode(pair).is_none()
+        // What forces press together ends in contact, whichever strikes first.
+        let is_free = touch.free[*position] >= -BALANCED * touch.strength;
+        touches
+            && moves
+            && is_free
+            && equations.pairs()[pair].is_rigid()
+            && jump.mode.contact_mode(pair).is_none()
     };
     let near: Vec<usize> = (0..touch.pairs.len()).filter(is_near).collect();
     near.iter().any(|position| !strikes(*position)) || near.len() > 1
