@@ -201,7 +201,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     pub fn now(&self) -> Option<Crossing<'_, H::Mode>> {
         Some(Crossing {
             time: self.time,
-            since: self.last_event(),
+            since: self.since(),
             mode: &self.trajectory.modes[self.mode?],
             states: &self.states,
             compensation: &self.compensation,
@@ -213,7 +213,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
     }
 
     /// When the last event was, or the beginning, s.
-    fn last_event(&self) -> f64 {
+    fn since(&self) -> f64 {
         let Trajectory { events, pieces, .. } = &self.trajectory;
         let last = events.last().map(|event| event.time);
         last.or(pieces.first().map(|piece| piece.start)).unwrap_or(self.time)

@@ -32,10 +32,6 @@ use rubbing::Rubbing;
 
 /// A gap that opens or closes slower than this part of the speeds it is made of stands still: rounding of an impact.
 pub(crate) const STANDS: f64 = 1e-12;
-/// The same of the impulse at a single contact of free bodies, a division and few sums.
-const ALONE: f64 = 4.0 * f64::EPSILON;
-/// Of which a check run takes this part: an impact leaves less than that by rounding.
-const CHECKED: f64 = 0.01;
 /// An acceleration below this part of what the forces would do without each other is none: rounding of the equations.
 pub(crate) const BALANCED: f64 = 1e-10;
 
@@ -110,6 +106,8 @@ struct Settling<'a> {
     rounds: usize,
     /// Whether this is a check run, and rounding has a say in what the impacts come to.
     is_doubtful: bool,
+    /// Those that the last impact has given the rate that their restitution asks for, which is not none.
+    rebounding: Vec<usize>,
     /// Speeds before the impact, by position: what rounding after it is relative to.
     speed: DVector<f64>,
     /// Accelerations of the gaps with the forces of the contacts that last, m/s^2.
@@ -227,6 +225,7 @@ impl<'a> Settling<'a> {
             speed,
             then,
             is_doubtful,
+            rebounding: vec![],
         };
         settling.doubt();
         Ok(settling)
@@ -380,16 +379,13 @@ impl<'a> Settling<'a> {
 
     /// Whether a gap neither opens nor closes, but for rounding.
     fn stands(&self, position: usize) -> bool {
-        let speed = self.speed[position].max(self.touch.speed[position]).max(self.pushed(position));
-        let is_alone =
-            self.part == [position] && self.impulses.amax() > 0.0 && self.touch.joints.rows.is_empty();
-        self.touch.rate[position].abs() <= speed * if is_alone { ALONE } else { self.still_part() }
+        let rate = self.touch.rate[position];
+        rate.abs() <= self.no_rate(position) && !(rate > 0.0 && self.rebounding.contains(&position))
     }
 
-    /// What stands still moves slower than this part of the speeds that its own is made of; in check runs than another, so that what is cut off
-    /// shows in the errors stated.
-    fn still_part(&self) -> f64 {
-        if self.equations.rounding().is_nearest() { STANDS } else { CHECKED * STANDS }
+    /// A rate of a gap that is none: rounding.
+    fn no_rate(&self, position: usize) -> f64 {
+        STANDS * self.speed[position].max(self.touch.speed[position]).max(self.pushed(position))
     }
 
     /// What the largest impulse would do at a row: impulses are found to a rounding error of the largest.

@@ -23,8 +23,10 @@ use crate::contact::complementarity::solve;
 
 /// Impacts one after the other at one instant that have not come to an end by then are refused.
 const MOST_SEQUENTIAL: usize = 100_000;
-/// An approach slower than this part of the fastest at the beginning is over.
+/// An approach slower than this part of the fastest at the beginning is over: rounding of what all impulses do.
 const STANDS: f64 = 1e-12;
+/// The same of impacts one after the other, each of which is known to a few ulps of what it changes: what is left of infinitely many is less than an ulp.
+pub(crate) const FOLLOWED: f64 = f64::EPSILON / 16.0;
 
 /// Approaches that differ by less than this part are equally fast: rounding does not say which of them is first.
 const AS_FAST: f64 = 1e-9;
@@ -75,7 +77,7 @@ fn sequential(
 ) -> Option<DVector<f64>> {
     let mut now = before.clone();
     let mut impulses = DVector::zeros(before.len());
-    let slow = -STANDS * before.amax();
+    let slow = -FOLLOWED * before.amax();
     for _ in 0..MOST_SEQUENTIAL {
         if now.min() >= slow {
             return Some(impulses);

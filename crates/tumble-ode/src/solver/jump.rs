@@ -63,7 +63,7 @@ impl<H: Hybrid> Solver<'_, H> {
     pub(super) fn jump(&mut self, mode: usize, causes: Vec<Cause>, are_located: bool) -> Result<(), Reason> {
         let jump = self.system.jump(&Crossing {
             time: self.time,
-            since: self.last_event(),
+            since: self.since(),
             mode: &self.trajectory.modes[mode],
             states: &self.states,
             compensation: &self.compensation,

@@ -186,16 +186,60 @@ fn impacts_too_close_to_be_told_apart() {
     }
 }
 
-/// A wall that gives back next to nothing gives back that.
+/// A wall that gives back next to nothing gives back that: to a ball, to both corners of a box that falls flat, to a rod on a pivot.
 #[test]
 fn the_least_rebound_is_one() {
-    for restitution in [1e-15, 1e-14, 1e-13, 1e-12, 1e-11] {
-        let ball = format!(
-            "[body.b]\nball = {{ radius = \"0.1 m\" }}\nmass = \"1 kg\"\nstart = {{ velocity = [\"1 m/s\", \"0.3 m/s\"] }}\n\
-             [surface.wall]\nthrough = [\"1 m\", 0]\nnormal = [-1, 0]\nrigid = {{ restitution = {restitution:e} }}\n"
-        );
-        let found = scene(&ball).until("2 s").accuracy(1e-12).run(&["b.vx"]).finds;
-        let error = found[0].error.expect("a known velocity");
-        assert!((found[0].value + restitution).abs() <= error && error < 1e-14, "{restitution}: {found:?}");
+    let flight = "start = { velocity = [\"0.3 m/s\", \"1 m/s\"] }\n";
+    let bodies = [
+        (format!("ball = {{ radius = \"0.1 m\" }}\n{flight}"), "b.vy"),
+        (format!("box = {{ width = \"0.4 m\", height = \"0.2 m\" }}\n{flight}"), "b.vy"),
+        (
+            "rod = { from = [0, 0], to = [\"1 m\", 0] }\nstart = { omega = \"1 rad/s\" }\n\
+             [pivot.p]\nbody = \"b\"\npoint = [\"-0.5 m\", 0]\nworld = [0, 0]\n"
+                .to_owned(),
+            "b.omega",
+        ),
+    ];
+    for (body, speed) in bodies {
+        for restitution in [1e-15, 5e-15, 1e-14, 1e-13, 1e-12, 1e-11] {
+            let wall = format!(
+                "[surface.wall]\nthrough = [0, \"0.5 m\"]\nnormal = [0, -1]\nrigid = {{ restitution = {restitution:e} }}\n"
+            );
+            let case =
+                scene(&format!("[body.b]\nmass = \"1 kg\"\n{body}{wall}")).until("2 s").accuracy(1e-12);
+            let found = case.run(&[speed]).finds;
+            let error = found[0].error.expect("a known velocity");
+            assert!(
+                (found[0].value + restitution).abs() <= error && error < 1e-14,
+                "{restitution}: {found:?}"
+            );
+        }
+    }
+}
+
+/// One ball strikes a row of others that touch, one after the other: infinitely many impacts at one instant, after which all go on together.
+#[test]
+fn infinitely_many_impacts_at_one_instant_come_to_their_limit() {
+    for count in [3, 4, 5] {
+        for restitution in [0.0, 0.01, 0.05] {
+            let ball = |index: usize| {
+                let (at, velocity) = if index == 0 { (-0.5, 1) } else { (0.2 * (index - 1) as f64, 0) };
+                format!(
+                    "[body.b{index}]\nball = {{ radius = \"0.1 m\" }}\nmass = \"1 kg\"\n\
+                     start = {{ at = [\"{at:.1} m\", 0], velocity = [\"{velocity} m/s\", 0] }}\n"
+                )
+            };
+            let balls: String = (0..count).map(ball).collect();
+            let row = format!(
+                "world.impacts = \"sequential\"\n{balls}[contact.row]\nbetween = \"all\"\nrigid = {{ restitution = {restitution} }}\n"
+            );
+            let asked = ["b0.vx", "b1.vx", "b2.vx", "b3.vx", "b4.vx"];
+            let found = scene(&row).until("2 s").accuracy(1e-12).run(&asked[..count]).finds;
+            let mean = 1.0 / count as f64;
+            let covers = |find: &FindResult| {
+                find.error.is_some_and(|error| (find.value - mean).abs() <= error && error < 1e-14)
+            };
+            assert!(found.iter().all(covers), "{count} {restitution}: {found:?}");
+        }
     }
 }

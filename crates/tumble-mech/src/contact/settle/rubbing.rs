@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use super::ending::Ending;
-use super::{Lasting, Settling, Touched};
+use super::{Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
@@ -63,7 +63,7 @@ impl Settling<'_> {
 
     /// A slip that is none: rounding.
     pub(super) fn still(&self, slip: usize) -> f64 {
-        self.still_part() * self.touch.slips.speed[slip].max(self.pushed(self.touch.pairs.len() + slip))
+        STANDS * self.touch.slips.speed[slip].max(self.pushed(self.touch.pairs.len() + slip))
     }
 
     /// Rows of a group whose rates are known after an impact, but for rounding: what sticks.

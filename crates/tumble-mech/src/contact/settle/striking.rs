@@ -11,12 +11,10 @@ use crate::contact::sticking::Rough;
 use crate::contact::touch::Touch;
 use crate::contact::zeno::flight;
 use crate::friction::Restitution;
-use crate::laws::impact::{MultipleImpacts, fastest, impulses};
+use crate::laws::impact::{FOLLOWED, MultipleImpacts, fastest, impulses};
 use crate::mode::Mode;
 use crate::record::Jump;
 
-/// A rebound this close to what the restitution asks for, in parts of the speeds that it is made of, is that.
-const REBOUNDS: f64 = 1e-12;
 /// Impacts at one instant, each since the one before turned round what was about to part, that have not come to an end by then are refused.
 const MOST_ROUNDS: usize = 1000;
 /// Contacts that change each other's rates by less than this part of their own by an impulse do not influence each other.
@@ -64,8 +62,8 @@ impl Settling<'_> {
         let impulses = if self.is_rough() { self.rough_impulses()? } else { self.smooth_impulses()? };
         self.impulses += &impulses;
         self.apply(&impulses, jump)?;
-        let target = -restitution.component_mul(&rate);
-        self.refine(&target, jump)
+        let rebounds = -restitution.component_mul(&rate);
+        self.refine(&rebounds, jump)
     }
 
     /// Impulses of the impacts of this instant where nothing has friction.
@@ -80,12 +78,17 @@ impl Settling<'_> {
         Ok(self.whole(&self.part, &push?))
     }
 
-    /// Takes the rounding of the impulses out of the rates where they are known, each what its restitution makes of it: a ball that
-    /// bounces for long makes the same rounding each time.
-    fn refine(&mut self, target: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let off = self.of(&self.touch.rate) - target;
-        let is_known = |i: usize| off[i].abs() <= REBOUNDS * self.speed[self.part[i]];
-        let mut rows = if (0..off.len()).all(is_known) { self.part.clone() } else { vec![] };
+    /// Takes the rounding of the impulses out of the rates where they are known, each what its restitution makes of it, or none where others have
+    /// taken that away, whichever is nearer: a ball that bounces for long makes the same rounding each time.
+    fn refine(&mut self, rebounds: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        self.rebounding.clear();
+        let rate = self.of(&self.touch.rate);
+        let nearer = |rebound: f64, rate: f64| if rate <= 0.5 * rebound { 0.0 } else { rebound };
+        let target = rebounds.zip_map(&rate, nearer);
+        let off = rate - &target;
+        let is_known = |i: usize| off[i].abs() <= self.no_rate(self.part[i]);
+        let are_known = (0..off.len()).all(is_known);
+        let mut rows = if are_known { self.part.clone() } else { vec![] };
         let mut off = self.whole(&self.part, &off);
         for slip in self.standing_slips() {
             off[slip] = self.touch.slips.rate[slip - self.touch.pairs.len()];
@@ -96,7 +99,12 @@ impl Settling<'_> {
         }
         // Contacts that are not independent keep what rounding left.
         let Some(missing) = standing(&self.touch.response, &off, &rows) else { return Ok(()) };
-        self.apply(&missing, jump)
+        self.apply(&missing, jump)?;
+        if are_known {
+            let positions = self.part.iter().zip(&target).filter(|(_, rate)| **rate > 0.0);
+            self.rebounding = positions.map(|(position, _)| *position).collect();
+        }
+        Ok(())
     }
 
     /// Impulses of the impacts of this instant.
@@ -191,7 +199,7 @@ impl Settling<'_> {
         let mut rates = self.rates();
         let mut all = DVector::zeros(rates.len());
         for _ in 0..MOST_SEQUENTIAL {
-            let closes = |position: &usize| rates[*position] < -STANDS * self.speed[*position];
+            let closes = |position: &usize| rates[*position] < -FOLLOWED * self.speed[*position];
             let closing: Vec<usize> = group.iter().copied().filter(closes).collect();
             let first = fastest(closing.iter().map(|position| rates[*position]));
             let first: Vec<usize> = first.into_iter().map(|index| closing[index]).collect();
