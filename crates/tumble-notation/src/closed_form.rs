@@ -1,9 +1,11 @@
-//! Motions that are polynomials in time, as formulas.
+//! What formulas consist of: coefficients of polynomials, motions that are polynomials in time, factors.
 
 use num_rational::BigRational;
-use tumble_expr::{Expr, Substitution, Symbol};
+use num_traits::One;
+use tumble_expr::{Exponent, Expr, Substitution, Symbol};
 
-use crate::algebra::{Algebra, Imported, Leaf};
+use crate::algebra::{Algebra, Factor, Form, Imported, Leaf};
+use crate::rational::Rational;
 
 /// Position and velocity as formulas of the time since a phase began.
 #[derive(Clone, Debug)]
@@ -31,6 +33,22 @@ pub fn polynomial_in(formula: &Expr, symbol: &Symbol) -> Option<Vec<Expr>> {
     let coefficients = algebra.coefficients(id, leaf)?;
     algebra.check().ok()?;
     Some(coefficients.into_iter().map(|id| algebra.export(id)).collect())
+}
+
+/// The numbers and powers of symbols that a formula is a multiple of: `m L^2/12` of `m L^2/12 + m L^2/4 sin(theta)^2`.
+///
+/// `None` where the formula carries a mistake or is too large.
+pub fn monomial_of(formula: &Expr) -> Option<Expr> {
+    let mut algebra = Algebra::default();
+    let id = algebra.import(&mut Imported::default(), formula).ok()?;
+    let product = algebra.raw_product(Rational::one(), &[(id, Exponent::one())]);
+    let (by, _) = algebra.split(product);
+    let is_plain =
+        |(part, _): &Factor| matches!(algebra.form(*part), Form::Symbol(_) | Form::Pi | Form::Unit(_));
+    let plain: Vec<Factor> = algebra.factors(product).into_iter().filter(is_plain).collect();
+    let monomial = algebra.raw_product(by, &plain);
+    algebra.check().ok()?;
+    Some(algebra.export(monomial))
 }
 
 /// Integrates an acceleration that is a polynomial in the time since a phase began, from a position and a velocity.

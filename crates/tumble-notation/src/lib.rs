@@ -44,7 +44,7 @@ mod symbol;
 mod text;
 
 pub use as_written::as_written;
-pub use closed_form::{ClosedForm, integrate_twice, polynomial_in};
+pub use closed_form::{ClosedForm, integrate_twice, monomial_of, polynomial_in};
 pub use error::MathError;
 pub use font::{FAMILY, page_font};
 pub use latex::latex;

@@ -71,9 +71,12 @@ impl Left {
 }
 
 impl Line {
-    /// The whole line.
+    /// The whole line; what is zero stands on the left: `A_y = 0`.
     pub fn math(&self) -> Math {
         match &self.left {
+            Some(Math::Number(zero)) if zero == "0" => {
+                Math::equation(self.right.clone(), Math::Number(zero.clone()))
+            }
             Some(left) => Math::equation(left.clone(), self.right.clone()),
             None => self.right.clone(),
         }

@@ -3,6 +3,7 @@
 use tumble_mech::Law;
 use tumble_scene::Study;
 
+use super::passed::{self, Passed};
 use crate::figures::symbols;
 use crate::results::Case;
 
@@ -38,10 +39,10 @@ impl Kind {
 }
 
 /// The bodies by kind, a kind where its first body stands.
-pub(super) fn kinds(study: &Study, case: &Case) -> Vec<Kind> {
+pub(super) fn kinds(study: &Study, cases: &[Case]) -> Vec<Kind> {
     let mut found: Vec<(Likeness, Kind, usize)> = vec![];
     for body in 0..study.model.bodies.len() {
-        let (likeness, loads) = likeness(study, case, body);
+        let (likeness, loads) = likeness(study, cases, body);
         let same = found.iter_mut().find(|(other, ..)| *other == likeness);
         match same {
             Some((_, kind, most)) => {
@@ -83,12 +84,11 @@ struct Likeness {
 }
 
 /// Of a body, and how many loads there are on it.
-fn likeness(study: &Study, case: &Case, body: usize) -> (Likeness, usize) {
+fn likeness(study: &Study, cases: &[Case], body: usize) -> (Likeness, usize) {
     let own = &study.model.bodies[body];
     let properties = own.mass_properties();
-    let run = case.run.of_body(body);
-    let modes = &run.trajectory().modes;
-    let terms = modes.iter().flat_map(|mode| case.run.equations.shown_terms(mode));
+    let modes = passed::of_body(cases, body).into_iter();
+    let terms = modes.flat_map(|Passed { case, mode }| case.run.equations.shown_terms(&mode));
     let mut all: Vec<(String, Law)> =
         terms.filter(|term| term.body == body).map(|term| (term.load, term.law)).collect();
     all.sort_by(|one, other| one.0.cmp(&other.0));
@@ -154,7 +154,7 @@ mod tests {
         let scene =
             (1..=count).map(ball).chain(pushed.iter().map(push)).fold(head, |scene, part| scene + &part);
         let (study, cases) = motions_in("balls", scene.as_bytes(), &tumble_scene::NoFiles);
-        kinds(&study, &cases[0])
+        kinds(&study, &cases)
     }
 
     #[test]

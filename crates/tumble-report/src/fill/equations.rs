@@ -2,27 +2,27 @@
 
 use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::{Expr, Symbol};
-use tumble_mech::{Anchor, ContactMode, Joint, Mode};
+use tumble_mech::{Anchor, Joint};
 use tumble_notation::Math;
-use tumble_ode::Piece;
 use tumble_scene::Study;
 
 use super::alike::Kind;
 use super::motion::{Motion, Setting, inertia_name, second};
 use super::names::{Names, math};
 use super::once::{BESIDE_LAWS, BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
-use super::words;
+use super::passed::Passed;
+use super::{passed, words};
 use crate::figures::symbols;
 use crate::results::Case;
 
 /// More modes than this are told of in the table of events only.
 const MOST_MODES: usize = 6;
 
-/// The equations of motion in each mode that the motion went through.
-pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -> Vec<ModeEquations> {
-    let modes = lasting(case);
+/// The equations of motion in each mode that any run went through.
+pub(super) fn modes(study: &Study, names: &Names, cases: &[Case], kinds: &[Kind]) -> Vec<ModeEquations> {
+    let modes = passed::lasting(cases);
     let told: Vec<usize> = kinds.iter().flat_map(Kind::told).copied().collect();
-    let shown = modes.iter().take(MOST_MODES).map(|mode| {
+    let shown = modes.iter().take(MOST_MODES).map(|Passed { case, mode }| {
         let mut motions = Setting { study, names, case, mode }.motions();
         motions.retain(|motion| told.contains(&motion.body));
         let blocks: Vec<Block> =
@@ -45,18 +45,6 @@ pub(super) fn modes(study: &Study, names: &Names, case: &Case, kinds: &[Kind]) -
     });
     let told = shown.fold(vec![], told_once).into_iter();
     told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
-}
-
-/// The modes in which the motion has stayed: at the instant of the start there may be another one, and while impacts end that are too low to be
-/// followed it stays for no time that a reader knows of.
-fn lasting(case: &Case) -> Vec<&Mode> {
-    let trajectory = case.run.trajectory();
-    let settles = |mode: &Mode| mode.contacts.iter().any(|(_, contact)| *contact == ContactMode::Settling);
-    let lasts = |number: &usize| {
-        let stays = |piece: &Piece| piece.mode == *number && piece.end > piece.start;
-        trajectory.pieces.iter().any(stays) && !settles(&trajectory.modes[*number])
-    };
-    (0..trajectory.modes.len()).filter(lasts).map(|number| &trajectory.modes[number]).collect()
 }
 
 fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {

@@ -9,6 +9,7 @@ use tumble_notation::{Math, Operator};
 use tumble_scene::Study;
 
 use super::names::{MASS, Names, math, words};
+use super::passed::{self, Passed};
 use super::words::{contact, spoken};
 use crate::figures::{air, symbols};
 use crate::results::Case;
@@ -17,11 +18,11 @@ use crate::results::Case;
 const MOST_SIGNS_IN_TABLE: usize = 36;
 
 /// A row for each load on a body, in the first mode in which it acts, and for each impulse.
-pub(super) fn of(study: &Study, names: &Names, case: &Case, body: usize) -> Vec<ForceRow> {
-    let equations = &case.run.equations;
+pub(super) fn of(study: &Study, names: &Names, cases: &[Case], body: usize) -> Vec<ForceRow> {
     let (mut seen, mut rows): (Vec<String>, _) = (vec![], vec![]);
-    for mode in &case.run.of_body(body).trajectory().modes {
-        let (mut terms, statements) = (equations.shown_terms(mode), equations.shown_statements(mode));
+    for Passed { case, mode } in passed::of_body(cases, body) {
+        let equations = &case.run.equations;
+        let (mut terms, statements) = (equations.shown_terms(&mode), equations.shown_statements(&mode));
         terms.retain(|term| term.body == body);
         for first in &terms {
             if seen.contains(&first.load) {

@@ -7,19 +7,19 @@ use tumble_scene::{FreeBody, Study};
 use super::alike::{self, Kind};
 use super::names::Names;
 use super::once::{self, BY_LAWS, BY_NAME};
-use super::{equations, forces, laws};
+use super::{equations, forces, impacts, laws};
 use crate::figures::{captions, free_bodies, instants, symbols};
 use crate::results::{Case, CaseError};
 
 /// Runs of a sweep among which one is looked for whose diagrams show most.
 const MOST_LOOKED_AT: usize = 12;
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPart, CaseError> {
-    let (case, drawn) = (&cases[0], if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] });
-    let kinds = alike::kinds(study, case);
+    let drawn = if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] };
+    let kinds = alike::kinds(study, cases);
     let mut said = vec![];
-    let bodies = kinds.iter().map(|kind| one(study, names, [case, drawn], kind, &mut said));
+    let bodies = kinds.iter().map(|kind| one(study, names, (cases, drawn), kind, &mut said));
     let bodies: Vec<BodyModel> = bodies.collect::<Result<_, _>>()?;
-    let mut modes = equations::modes(study, names, case, &kinds);
+    let mut modes = equations::modes(study, names, cases, &kinds);
     // What the laws have said the equations do not say again.
     let rows = bodies.iter().flat_map(|body| &body.forces).flat_map(|row| row.law.iter().chain(&row.torque));
     let laws = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.definitions);
@@ -29,7 +29,13 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     let laws: Vec<&Typeset> = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.lines).collect();
     let acts = bodies.iter().any(|body| !body.forces.is_empty());
     once::say_once(&mut modes, &laws, if acts { BY_NAME } else { BY_LAWS });
-    Ok(ModelPart { intro: vec![], assumptions: assumptions(study), bodies, modes })
+    Ok(ModelPart {
+        intro: vec![],
+        assumptions: assumptions(study),
+        bodies,
+        modes,
+        impacts: impacts::laws(study, names, cases),
+    })
 }
 
 /// What the laws in use take for granted.
@@ -84,7 +90,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
 fn one(
     study: &Study,
     names: &Names,
-    [case, drawn]: [&Case; 2],
+    (cases, drawn): (&[Case], &Case),
     kind: &Kind,
     said: &mut Vec<String>,
 ) -> Result<BodyModel, CaseError> {
@@ -93,8 +99,11 @@ fn one(
     Ok(BodyModel {
         name: Text::from(kind.name(study)).capitalised(),
         diagrams: diagrams(study, drawn, body, said)?,
-        forces: forces::of(study, names, case, body),
-        laws: vec![laws::of(study, names, case, body, said)],
+        forces: forces::of(study, names, cases, body),
+        laws: [laws::of(study, names, cases, body, said)]
+            .into_iter()
+            .chain(impacts::of_body(study, names, cases, body))
+            .collect(),
     })
 }
 

@@ -5,14 +5,14 @@ use std::collections::HashSet;
 
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Graph, Node, Symbol, Written, is_identically_zero};
-use tumble_mech::{Mode, Pivot, Term};
-use tumble_notation::{Left, Math, Notation, Printed};
+use tumble_mech::{ContactMode, Mode, Pivot, Term};
+use tumble_notation::{Left, Math, Notation, Printed, monomial_of};
 use tumble_scene::Study;
 
 use super::conditions::{combined, last_of, shortest};
 use super::names::Names;
-use super::reduced::{self, Reduced, Solved};
-use super::{pivots, sum};
+use super::reduced::{self, Reduced, Solved, simple};
+use super::{pivots, sum, zeros};
 use crate::results::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -132,8 +132,10 @@ impl Setting<'_> {
             let of_pivots = pivots::accelerations(study, case);
             // What two bodies share stands with the later one.
             let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
-            let own = own.map(|constraint| shortest(study, &notation, &of_pivots.apply(constraint)));
-            let own: Vec<Expr> = own.collect();
+            let own: Vec<Expr> = own.map(|constraint| of_pivots.apply(constraint)).collect();
+            let own = if is_joined { own } else { self.lying(body, own) };
+            let own: Vec<Expr> =
+                own.iter().map(|constraint| shortest(study, &notation, constraint)).collect();
             // At a joint each says where two bodies meet.
             let conditions = if is_joined { own } else { combined(study, &notation, own) };
             if pivot.is_none() && !conditions.is_empty() {
@@ -147,6 +149,33 @@ impl Setting<'_> {
         Motion { by_law, ..Motion::made(body, self.with_parts(body, notation), lines) }
     }
 
+    /// The conditions of a body that lies on a plane at rest with two of its points, which does not turn.
+    fn lying(&self, body: usize, conditions: Vec<Expr>) -> Vec<Expr> {
+        let equations = &self.case.run.equations;
+        let rests = |contact: &ContactMode| matches!(contact, ContactMode::Resting | ContactMode::Settling);
+        let pairs = self.mode.contacts.iter().filter(|(_, contact)| rests(contact));
+        let on_planes = pairs.map(|(pair, _)| &equations.pairs()[*pair]).filter(|pair| {
+            let parameters = self.study.model.parameters.symbols();
+            let is_fixed = |part: &Expr| part.symbols().iter().all(|symbol| parameters.contains(symbol));
+            pair.body == body && pair.other.is_none() && pair.normal.components().iter().all(is_fixed)
+        });
+        let planes: Vec<_> = on_planes.map(|pair| pair.rule).collect();
+        if planes.iter().all(|plane| planes.iter().filter(|other| *other == plane).count() < 2) {
+            return conditions;
+        }
+        let kinematics = self.study.model.bodies[body].kinematics();
+        let turning = kinematics.alpha_symbol();
+        let still = zeros([kinematics.omega_symbol(), turning.clone()]);
+        let mut kept: Vec<Expr> = vec![turning.into()];
+        for condition in conditions.iter().map(|condition| still.apply(condition)) {
+            let is_said = |known: &Expr| is_identically_zero(&(known - &condition));
+            if !is_identically_zero(&condition) && !kept.iter().any(is_said) {
+                kept.push(condition);
+            }
+        }
+        kept
+    }
+
     /// Without the forces of joints and lasting contacts.
     fn reduced(&self, body: usize, solved: &Solved) -> Motion {
         let Self { study, names, .. } = *self;
@@ -155,9 +184,14 @@ impl Setting<'_> {
         let is_turning = |symbol: &Symbol| *symbol == study.model.bodies[body].kinematics().alpha_symbol();
         let line = |one: &Reduced| {
             let shown = Math::symbol(names.shown(&one.symbol.name));
-            let left = match is_fixed(&one.inertia) && is_turning(&one.symbol) {
-                true => second(study, names, body),
-                false => Left::times(&one.inertia, shown),
+            let left = match (is_fixed(&one.inertia), is_turning(&one.symbol)) {
+                (true, true) => second(study, names, body),
+                (true, false) => Left::times(&one.inertia, shown),
+                // What it is a multiple of stands on the other side alone.
+                (false, _) => {
+                    let before = monomial_of(&one.inertia).unwrap_or_else(Expr::one);
+                    Left::times(&(&one.inertia / before), shown)
+                }
             };
             Line::new(left, &one.right / &one.inertia, one.symbol.clone())
         };
@@ -232,6 +266,9 @@ impl Setting<'_> {
             // A point mass on a massless rod.
             lines.push(Line::new(nothing(), torque, Expr::zero()));
         }
+        if is_solved {
+            cancel_mass(&mass.mass, &mut lines);
+        }
         lines
     }
 
@@ -271,6 +308,24 @@ impl Motion {
     pub(super) fn is_short(&self) -> bool {
         operations(self.lines.iter().map(|line| &line.right)) <= MOST_OPERATIONS
             && self.shown().is_some_and(|shown| shown.text().chars().count() <= MOST_SIGNS)
+    }
+}
+
+/// Leaves the mass out where all forces are multiples of it, and the moment of inertia where nothing turns the body beside. Where nothing acts
+/// at all, Newton's laws stay as they are.
+fn cancel_mass(mass: &Expr, lines: &mut [Line]) {
+    let rights: Vec<Expr> = lines.iter().map(|line| simple(&line.right)).collect();
+    let is_free = |right: &Expr| right.symbols().is_disjoint(&mass.symbols());
+    if mass.symbols().is_empty() || rights.iter().all(is_identically_zero) || !rights[..2].iter().all(is_free)
+    {
+        return;
+    }
+    let is_along =
+        |line: &Line| line.left.factor.as_ref().is_some_and(|factor| is_identically_zero(&(factor - mass)));
+    for (line, right) in lines.iter_mut().zip(&rights) {
+        if is_along(line) || is_identically_zero(right) {
+            line.left.factor = None;
+        }
     }
 }
 

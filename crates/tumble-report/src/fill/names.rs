@@ -166,12 +166,7 @@ impl Names {
 
     /// A column of components.
     pub(crate) fn vector(&self, vector: &Vector) -> tumble_notation::Math {
-        let notation = self.plain.clone().without_automatic_names();
-        let row = |component: &Expr| {
-            let shown =
-                notation.formula(component).map(|shown| shown.lines.into_iter().map(|line| line.right));
-            shown.map_or_else(|_| vec![], |mut sides| sides.next().into_iter().collect())
-        };
+        let row = |component: &Expr| vec![side(&self.plain, component)];
         tumble_notation::Math::Matrix(vector.components().iter().map(row).collect())
     }
 
@@ -207,6 +202,13 @@ impl Names {
         }
         block
     }
+}
+
+/// A formula as a side of an equation.
+pub(super) fn side(notation: &Notation, formula: &Expr) -> tumble_notation::Math {
+    let shown = notation.clone().without_automatic_names().formula(formula);
+    let right = shown.ok().and_then(|shown| shown.lines.into_iter().next()).map(|line| line.right);
+    right.unwrap_or_else(|| tumble_notation::Math::Row(vec![]))
 }
 
 fn on_one_line(notation: &Notation, formula: &Expr) -> Typeset {

@@ -156,7 +156,7 @@ fn pivot(
 }
 
 /// A formula in its short form, in which nothing stands that falls away; as it is where it has none.
-fn simple(formula: &Expr) -> Expr {
+pub(super) fn simple(formula: &Expr) -> Expr {
     let shown = Notation::new().without_automatic_names().formula(formula);
     let line = shown.ok().and_then(|shown| shown.lines.into_iter().next());
     line.map_or_else(|| formula.clone(), |line| line.formula)

@@ -46,6 +46,7 @@ pub(super) fn equations(report: &Report) -> String {
         format!("## {}", escape(&report.title)),
         Markdown::joined(model.bodies.iter().map(body)),
         Markdown::equations_of_motion(&model.modes),
+        Markdown::impacts(&model.impacts),
         Markdown::titled("In closed form", Markdown::joined(phases)),
     ]) + "\n"
 }

@@ -76,6 +76,8 @@ pub struct ModelPart {
     pub bodies: Vec<BodyModel>,
     /// The equations of motion, for every mode of contact; one mode needs no name.
     pub modes: Vec<ModeEquations>,
+    /// The laws of the impacts that happened, a block for each kind.
+    pub impacts: Vec<Block>,
 }
 
 /// A body set free, with its forces and laws.

@@ -85,6 +85,7 @@ pub(super) trait Writer: Markup {
             Self::titled("Assumptions", Self::list(&model.assumptions)),
             Self::joined(bodies),
             Self::equations_of_motion(&model.modes),
+            Self::impacts(&model.impacts),
         ])
     }
 
@@ -106,6 +107,11 @@ pub(super) trait Writer: Markup {
             Self::group("", Self::joined(parts))
         };
         Self::titled("Equations of motion", Self::group("modes", Self::joined(modes.iter().map(mode))))
+    }
+
+    fn impacts(blocks: &[Block]) -> String {
+        let one = |block: &Block| Self::group("", Self::blocks(std::slice::from_ref(block)));
+        Self::titled("Impacts", Self::group("modes", Self::joined(blocks.iter().map(one))))
     }
 
     fn solve(&mut self, solve: &Solve) -> String {
