@@ -10,6 +10,7 @@ mod laws;
 mod length;
 mod links;
 mod names;
+mod programs;
 mod scenes;
 mod source;
 mod surroundings;
@@ -34,6 +35,7 @@ const RULES: &[(&str, Rule)] = &[
     ("headers of laws", laws::check),
     ("names of public types", names::check),
     ("scene folders", scenes::check),
+    ("programs of tests", programs::check),
     ("links of documents", links::check),
     ("words of the workshop", workshop::check),
 ];

@@ -1,10 +1,8 @@
 //! Air resistance along lines and lift, against closed forms and the reference.
 
-mod common;
-
 use std::ops::ControlFlow;
 
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Component, Drag, DragPlace, Gravity, Magnus, Model, Pivot, Shape, Start, Wind};

@@ -1,9 +1,7 @@
 //! Energy and momentum balances of runs: work and impulse of every load against closed forms, and residuals that
 //! vanish.
 
-mod common;
-
-use common::{at, close, hinged_rod, run};
+use crate::common::{at, close, hinged_rod, run};
 use tumble_expr::units::{KG, M, N, RAD, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{

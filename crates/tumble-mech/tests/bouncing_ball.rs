@@ -1,8 +1,6 @@
 //! Balls on rigid floors, walls and slopes, at rest and moving: closed forms.
 
-mod common;
-
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
 use tumble_mech::{Body, ContactLaw, Gravity, Model, Start, Surface, time};

@@ -1,8 +1,6 @@
 //! The rod that bounces on a floor without friction: `bouncing_rod` of `reference/systems.json`.
 
-mod common;
-
-use common::{at, bouncing_rod, number, reference, rigid, run, spring};
+use crate::common::{at, bouncing_rod, number, reference, rigid, run, spring};
 use tumble_mech::Run;
 
 fn state(run: &Run, time: f64) -> [f64; 6] {

@@ -1,8 +1,6 @@
 //! Circles that bodies meet from inside and outside; against closed forms.
 
-mod common;
-
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Change, Friction, Gravity, Happening, Model, Run, Shape, Start, Surface};

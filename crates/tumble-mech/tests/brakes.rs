@@ -1,9 +1,9 @@
 //! Dry friction as a user writes it, `-mu N sign(v)`: stops, holds and gives way at exact times; against closed forms and the friction
 //! that surfaces have.
 
-mod common;
+use crate::common;
 
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

@@ -1,7 +1,7 @@
 //! Singular configurations from which more than one motion goes on, or next to which nobody can tell: refused in time, with the joints
 //! and the branches; and what looks like them and is passed.
 
-mod common;
+use crate::common;
 
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};

@@ -1,8 +1,6 @@
 //! Bodies that meet and stick together for good, against closed forms: what is captured turns about the common centre of mass.
 
-mod common;
-
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

@@ -1,9 +1,6 @@
 //! Long chains: linear systems of hundreds of unknowns.
 
-#[path = "common/chain.rs"]
-mod chain;
-
-use chain::{G, chain, named};
+use crate::common::chain::{G, chain, named};
 use tumble_expr::Expr;
 use tumble_expr::units::S;
 use tumble_mech::{Anchor, Run};

@@ -1,8 +1,6 @@
 //! Compliant surfaces: contact times and what comes back, in closed form.
 
-mod common;
-
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{Body, ContactLaw, Gravity, Model, Release, Run, Shape, Start, Surface};

@@ -1,8 +1,6 @@
 //! Compliant contact of bodies with circles, polygons and each other, against closed forms.
 
-mod common;
-
-use common::{at, balanced, close, disk, model, motion, place, plate, rod, run, start};
+use crate::common::{at, balanced, close, disk, model, motion, place, plate, rod, run, start};
 use tumble_expr::units::{M, N, S};
 use tumble_expr::{Exponent, Expr};
 use tumble_mech::{

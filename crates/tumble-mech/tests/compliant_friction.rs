@@ -1,8 +1,8 @@
 //! Friction on compliant surfaces, where what presses is known: slip, true stick and break-away against closed forms.
 
-mod common;
+use crate::common;
 
-use common::{at, balanced, close, run};
+use crate::common::{at, balanced, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{

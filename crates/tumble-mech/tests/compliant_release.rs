@@ -1,8 +1,6 @@
 //! Where damped compliant contacts let go because what they touch is taken away faster than they follow; closed forms, and no energy gained.
 
-mod common;
-
-use common::{at, balanced, close, run};
+use crate::common::{at, balanced, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{

@@ -2,13 +2,11 @@
 //!
 //! Piles of many disks that bounce on each other for long take minutes: of the ignored tests' scenes, some end by patience only.
 
-mod common;
-
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use common::{as_one, at, rigid};
+use crate::common::{as_one, at, rigid};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

@@ -1,8 +1,6 @@
 //! Rods, boxes, polygons and disks that meet by edges and corners, against closed forms.
 
-mod common;
-
-use common::{close, disk, model, motion, place, plate, rigid, rod, run, start};
+use crate::common::{close, disk, model, motion, place, plate, rigid, rod, run, start};
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
 use tumble_mech::{Body, BodyContact, Change, Friction, Happening, Run, RunBalance, Shape, Start, Surface};

@@ -1,8 +1,6 @@
 //! Poses of equilibrium, their reactions and the frequencies about them: closed forms.
 
-mod common;
-
-use common::{close, hinged_rod};
+use crate::common::{close, hinged_rod};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

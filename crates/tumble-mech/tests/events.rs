@@ -1,8 +1,6 @@
 //! Declared events: none is missed, each is where an independent search finds it, and their actions follow.
 
-mod common;
-
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use proptest::prelude::*;
 use tumble_expr::units::{KG, M, N, RAD, S};
 use tumble_expr::{Expr, Relation, Vector};

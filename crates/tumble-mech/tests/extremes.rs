@@ -1,8 +1,6 @@
 //! Greatest and least values along a motion, against closed forms.
 
-mod common;
-
-use common::{bouncing_rod, close, hinged_rod, rigid, run};
+use crate::common::{bouncing_rod, close, hinged_rod, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Binary, Expr, Vector};
 use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, PeakKind, Run, Start, time};

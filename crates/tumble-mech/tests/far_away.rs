@@ -1,11 +1,9 @@
 //! Collisions far from the origin: places have fewer digits there, and with them normals. Errors that are stated have to know; momentum and energy
 //! do not suffer.
 
-mod common;
-
 use std::ops::ControlFlow;
 
-use common::{at, disk, model, rod, start};
+use crate::common::{at, disk, model, rod, start};
 use tumble_expr::Expr;
 use tumble_mech::{At, BodyContact, Friction, Model, Run};
 use tumble_ode::{Accuracy, Side};

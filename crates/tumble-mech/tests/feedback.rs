@@ -1,8 +1,8 @@
 //! Loads that depend on forces of contacts and joints, found together with these; against closed forms and an independent integration.
 
-mod common;
+use crate::common;
 
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

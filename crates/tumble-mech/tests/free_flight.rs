@@ -1,8 +1,6 @@
 //! Flight without air: a parabola while the body turns evenly.
 
-mod common;
-
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::units::{KG, M, N, RAD, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Frame, Gravity, Load, Model, Place, Start};

@@ -1,8 +1,8 @@
 //! Dry friction of contacts that last: stops, break-away, rolling, belts; against closed forms.
 
-mod common;
+use crate::common;
 
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Change, Friction, Gravity, Happening, Model, Run, Shape, Start, Surface, time};

@@ -1,8 +1,8 @@
 //! Loads that depend on forces of contacts and joints otherwise than linearly; against closed forms and independent integrations.
 
-mod common;
+use crate::common;
 
-use common::{at, close, number, rigid, run};
+use crate::common::{at, close, number, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Binary, Expr, Unary, Vector};
 use tumble_mech::{

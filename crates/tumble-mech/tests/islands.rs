@@ -1,11 +1,9 @@
 //! Bodies that an event reads together, or acts on, and nothing else couples: each is a motion of its own while no such event is near,
 //! and what happens is what happens to them as one.
 
-mod common;
-
 use std::ops::ControlFlow;
 
-use common::as_one;
+use crate::common::as_one;
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

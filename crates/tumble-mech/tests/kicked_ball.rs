@@ -1,8 +1,6 @@
 //! A ball kicked off-centre by a constant force for a short time: constant accelerations, then free motion.
 
-mod common;
-
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Gravity, Load, Model, Place};

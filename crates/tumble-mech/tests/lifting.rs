@@ -1,8 +1,6 @@
 //! Contacts whose force is zero: what stays, and what is let go of.
 
-mod common;
-
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
 use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, Run, Shape, Start, Surface, time};

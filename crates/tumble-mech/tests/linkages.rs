@@ -1,8 +1,6 @@
 //! A four-bar linkage against its one coordinate, `references/linkages.py`.
 
-mod common;
-
-use common::number;
+use crate::common::number;
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
 use tumble_mech::{Action, Anchor, Body, Event, Gravity, Joint, Model, Start};

@@ -1,8 +1,6 @@
 //! Long runs: a route to chaos, period by period.
 
-mod common;
-
-use common::{at, run};
+use crate::common::{at, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Gravity, Model, Start, time};

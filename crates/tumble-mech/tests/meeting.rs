@@ -1,8 +1,6 @@
 //! Bodies that meet each other: cradles, collisions off the centre, pi from collisions; against closed forms.
 
-mod common;
-
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, BodyContact, Friction, Model, MultipleImpacts, Run, Shape, Start, Surface};

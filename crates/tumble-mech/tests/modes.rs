@@ -1,11 +1,8 @@
 //! A mode that was linked of its parts moves as one whose formulas were put together and compiled as one.
 
-#[path = "common/chain.rs"]
-mod chain;
-mod common;
-
+use crate::common::chain;
+use crate::common::{bouncing_rod, close, rigid, spring, wind_pendulum};
 use chain::chain;
-use common::{bouncing_rod, close, rigid, spring, wind_pendulum};
 use tumble_expr::Expr;
 use tumble_expr::units::{M, S};
 use tumble_mech::{Action, ContactLaw, Equations, Event, Gravity, Mode, Model, Record, Start, Surface};

@@ -1,9 +1,7 @@
 //! Painleve's configuration, of a rod alone and where others hold it too: refused by its name, with the coefficient from which on no force holds it up,
 //! against closed forms.
 
-mod common;
-
-use common::{at, close, rigid};
+use crate::common::{at, close, rigid};
 use tumble_expr::Expr;
 use tumble_expr::Vector;
 use tumble_expr::units::{KG, M, S};

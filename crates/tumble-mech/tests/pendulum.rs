@@ -1,8 +1,6 @@
 //! The physical pendulum against elliptic functions.
 
-mod common;
-
-use common::{at, close, hinged_rod, run};
+use crate::common::{at, close, hinged_rod, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::Run;

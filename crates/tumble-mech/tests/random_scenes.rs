@@ -311,7 +311,7 @@ fn a_motion_has_the_same_bits_in_every_build() {
     assert_eq!(bits, BITS, "{bits:#x}");
 }
 
-/// Takes minutes: `cargo test -p tumble-mech --test random_scenes -- --ignored --nocapture`, perhaps with `SEED=100 COUNT=10`.
+/// Takes minutes: `cargo test -p tumble-mech --test mech random_scenes:: -- --ignored --nocapture`, perhaps with `SEED=100 COUNT=10`.
 #[test]
 #[ignore = "takes minutes"]
 fn many_scenes() {

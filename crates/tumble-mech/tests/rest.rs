@@ -1,8 +1,6 @@
 //! Motions that end where all bodies have come to rest for good: closed forms, and motions that never do.
 
-mod common;
-
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

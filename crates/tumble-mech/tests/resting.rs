@@ -1,10 +1,8 @@
 //! Bodies that stay on rigid surfaces: sliding rods, ladders, boxes, lift-off, pivots, grooves; against closed forms.
 
-mod common;
-
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use common::{at, close, integral, run};
+use crate::common::{at, close, integral, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, ContactLaw, Gravity, Load, Model, Part, Place, Run, Shape, Start, Surface, time};

@@ -1,8 +1,6 @@
 //! The balance of a box that falls flat: impacts of its two corners a rounding error apart.
 
-mod common;
-
-use common::{rigid, run};
+use crate::common::{rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
 use tumble_mech::{Body, Gravity, Model, RunBalance, Shape, Start, Surface, time};

@@ -1,8 +1,6 @@
 //! Rolling resistance against closed forms. With `k = I/(m R^2)` a body that rolls on a floor is slowed down by `(d/R) g/(1 + k)`.
 
-mod common;
-
-use common::{at, close, rigid, run};
+use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

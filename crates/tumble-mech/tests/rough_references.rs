@@ -1,9 +1,9 @@
 //! Rods and a block on a rough floor against independent motions: `references/rough.py` from impact to impact, `references/painleve.py` by
 //! published equations of a rod that slides towards where there is no motion.
 
-mod common;
+use crate::common;
 
-use common::{at, close, number, rigid};
+use crate::common::{at, close, number, rigid};
 use serde_json::Value;
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};

@@ -1,8 +1,6 @@
 //! Events of motions made of round numbers, which fall on the ends of steps and on each other.
 
-mod common;
-
-use common::run;
+use crate::common::run;
 use proptest::prelude::*;
 use proptest::sample::select;
 use tumble_expr::units::{KG, M, N, S};

@@ -1,8 +1,6 @@
 //! Whose restitution and friction count where two touch: the pair's, then a body's own, then the surface's; against closed forms.
 
-mod common;
-
-use common::{at, rigid, run};
+use crate::common::{at, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector, is_identically_zero};
 use tumble_mech::{

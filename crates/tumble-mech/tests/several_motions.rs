@@ -1,9 +1,7 @@
 //! Rigid contacts with friction that leave several motions possible: refused or told with all of them; and those that look like it and are
 //! certain.
 
-mod common;
-
-use common::{at, model, plate, refused, rigid, rod, start};
+use crate::common::{at, model, plate, refused, rigid, rod, start};
 use tumble_expr::units::{M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

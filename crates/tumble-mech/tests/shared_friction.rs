@@ -1,8 +1,6 @@
 //! Friction of several points of a body that stick together, told point by point: each is within its cone, and the sum is what moves the body.
 
-mod common;
-
-use common::{close, rigid, run};
+use crate::common::{close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Body, Force, Forces, Friction, Gravity, Law, Model, Run, Shape, Source, Start, Surface};

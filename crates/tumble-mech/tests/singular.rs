@@ -1,8 +1,6 @@
 //! Linkages that come to where their bars lie in one line, against the one coordinate that they have.
 
-mod common;
-
-use common::integral;
+use crate::common::integral;
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Anchor, Body, Gravity, Happening, Joint, Model, Run, RunBalance, RunError, Start};

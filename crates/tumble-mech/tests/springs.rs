@@ -1,10 +1,8 @@
 //! Springs, dampers and moving anchors against closed forms.
 
-mod common;
-
 use std::ops::ControlFlow;
 
-use common::{at, close, run};
+use crate::common::{at, close, run};
 use tumble_expr::units::{KG, M, RAD, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{Anchor, At, Body, Gravity, Model, Run, Spring, Start, Torsion, time};

@@ -1,8 +1,6 @@
 //! Random throws onto floors and walls: hits against a dense search on the exact flight, what never grows, what stays.
 
-mod common;
-
-use common::at;
+use crate::common::at;
 use tumble_expr::Expr;
 use tumble_expr::units::{KG, M, S};
 use tumble_mech::{Body, ContactLaw, Equations, Gravity, Model, Run, Shape, Start, Surface};
@@ -261,7 +259,7 @@ fn many_throws() {
     throws(THROWS, 1);
 }
 
-/// `cargo test --release -p tumble-mech --test throws -- --ignored`
+/// `cargo test --release -p tumble-mech --test mech throws:: -- --ignored`
 #[test]
 #[ignore = "takes minutes"]
 fn a_hundred_thousand_throws() {

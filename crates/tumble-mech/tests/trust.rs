@@ -1,11 +1,9 @@
 //! The error that a second run states: never less than the true one, and no more than some digits larger.
 
-mod common;
-
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-use common::{bouncing_rod, hinged_rod, number, reference, rigid, spring, wind_pendulum};
+use crate::common::{bouncing_rod, hinged_rod, number, reference, rigid, spring, wind_pendulum};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Exponent, Expr};
 use tumble_mech::{

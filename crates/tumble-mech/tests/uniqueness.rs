@@ -1,8 +1,8 @@
 //! Forces that are not unique: between which values they may be, and what of them is unique all the same.
 
-mod common;
+use crate::common;
 
-use common::{close, rigid, run};
+use crate::common::{close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{

@@ -1,8 +1,6 @@
 //! Air resistance written as forces with a kink: |u| u, whose sign changes are located and never stepped over.
 
-mod common;
-
-use common::{at, close, number, reference, run, wind_pendulum};
+use crate::common::{at, close, number, reference, run, wind_pendulum};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
 use tumble_mech::PointRef;

@@ -1,11 +1,9 @@
 //! The command as a user meets it: exit codes, messages, and nothing where it does not belong.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{folder, text, tumble, write};
+use crate::common::{folder, text, tumble, write};
 
 const STONE: &str = r#"
 version = 1
@@ -102,7 +100,7 @@ fn the_accuracy_is_set_and_swept() {
         write(&folder.path().join("stone/scene.toml"), scene);
         let (code, said) = ended_in(folder.path(), arguments);
         assert_eq!(code, Some(0), "{said}");
-        let summary = common::read(&folder.path().join("out/stone/summary.json"));
+        let summary = crate::common::read(&folder.path().join("out/stone/summary.json"));
         let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
         let runs = summary["runs"].as_array().expect("a list").clone();
         let accuracy = |run: &serde_json::Value| run["numerics"]["accuracy"].as_f64().expect("a number");
@@ -176,7 +174,7 @@ fn what_a_setting_leaves_out_of_the_run_is_not_reached() {
         }
         assert!(said.contains("find early: stone.y = -1.25 m at 0.5 s"), "{said}");
         assert!(!said.contains("NaN"), "{said}");
-        let summary = common::read(&folder.path().join("out/stone/summary.json"));
+        let summary = crate::common::read(&folder.path().join("out/stone/summary.json"));
         let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
         let run = &summary["runs"][0];
         assert_eq!(
@@ -190,7 +188,7 @@ fn what_a_setting_leaves_out_of_the_run_is_not_reached() {
         let check = &run["checks"][0];
         assert_eq!((&check["status"], &check["holds"]), (&"not reached".into(), &false.into()));
         assert!(check["found"].is_null() && check["at"].is_null(), "{check}");
-        let report = common::read(&folder.path().join("out/stone/report.html"));
+        let report = crate::common::read(&folder.path().join("out/stone/report.html"));
         let page = report.split("<script").next().expect("text");
         assert!(page.contains("not reached") && !page.contains("NaN"));
     }
@@ -255,7 +253,7 @@ fn a_motion_that_is_refused() {
         said.contains("incomplete: stopped at t = 1 s: `(block.vx - 0)` is zero and stays there"),
         "{said}"
     );
-    let summary = common::read(&folder.path().join("out/block/summary.json"));
+    let summary = crate::common::read(&folder.path().join("out/block/summary.json"));
     assert!(summary.contains("\"complete\": false"), "{summary}");
 }
 
@@ -280,7 +278,7 @@ fn a_folder_that_is_not_ours_is_left_alone() {
     assert!(said.contains("was not written by tumble"), "{said}");
     let left: Vec<_> = fs::read_dir(folder.path().join("out")).expect("there").collect();
     assert_eq!(left.len(), 1);
-    assert_eq!(common::read(&folder.path().join("out/stone/notes.txt")), "mine");
+    assert_eq!(crate::common::read(&folder.path().join("out/stone/notes.txt")), "mine");
 }
 
 #[test]
@@ -300,6 +298,6 @@ fn a_gallery_shows_every_scene_and_ends_as_the_worst() {
     let (code, said) = ended_in(folder.path(), &["gallery"]);
     assert_eq!(code, Some(1), "{said}");
     assert!(said.ends_with("the gallery is out/index.html\n"), "{said}");
-    let page = common::read(&folder.path().join("out/index.html"));
+    let page = crate::common::read(&folder.path().join("out/index.html"));
     assert!(page.contains("01-stone/summary.json") && page.contains("02-wrong/summary.json"));
 }

@@ -1,13 +1,11 @@
 //! What the documents show is what the program does: scenes, messages and outputs in README.md, in docs/ and in the
 //! lessons of scenes/. The kinds of blocks are described in docs/README.md.
 
-mod common;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{copy_scenes, failures, folder, read, repository, scenes, text, tumble, write};
+use crate::common::{copy_scenes, failures, folder, read, repository, scenes, text, tumble, write};
 use tumble::gallery::completed;
 use tumble::pipeline::{self, Options};
 

@@ -1,10 +1,8 @@
 //! The forces that diagrams show are all that act: they sum to M A, and their torques to I alpha.
 
-mod common;
-
 use std::path::Path;
 
-use common::scenes;
+use crate::common::scenes;
 use tumble::Case;
 use tumble::pipeline::{self, Options};
 use tumble_mech::{Forces, Run, joined};

@@ -1,14 +1,12 @@
 //! Runs that are given up, killed, or made twice at once: what was finished is there, and nothing is in the way.
 
-mod common;
-
 use std::fs;
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use common::{folder, read, write};
+use crate::common::{folder, read, write};
 use tumble::gallery::{self, GalleryError};
 use tumble::{CaseError, Options, PipelineError, pipeline};
 
@@ -146,7 +144,7 @@ mod signals {
     use std::process::{Child, Command, Stdio};
     use std::time::{Duration, Instant};
 
-    use common::{text, tumble};
+    use crate::common::{text, tumble};
 
     use super::*;
 

@@ -1,11 +1,9 @@
 //! What is written replaces its like and nothing else: whatever else stands there stays, and the message says so.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{folder, read, text, tumble, write};
+use crate::common::{folder, read, text, tumble, write};
 
 const STONE: &str = r#"
 version = 1

@@ -1,8 +1,6 @@
 //! The report of every scene: it says what the summary says, shows what a scene calls itself and runs none of it.
 
-mod common;
-
-use common::{folder, read, repository, scenes, write};
+use crate::common::{folder, read, repository, scenes, write};
 use serde_json::Value;
 use tumble::ReportForm;
 use tumble::pipeline::{self, Options, Outcome};

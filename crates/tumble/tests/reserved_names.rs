@@ -1,10 +1,8 @@
 //! The page of the scene language lists the names that a scene may not use, and these are all of them.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{folder, read, repository, text, tumble, write};
+use crate::common::{folder, read, repository, text, tumble, write};
 use tumble_expr::language::{BUILTINS, PI, UNITS};
 
 /// The words in backticks of a table row, by the first of them, or by what stands in the first cell.

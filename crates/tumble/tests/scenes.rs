@@ -1,10 +1,8 @@
 //! Every scene of the repository runs, and what it claims holds.
 
-mod common;
-
 use std::path::Path;
 
-use common::{failures, folder, read, scenes};
+use crate::common::{failures, folder, read, scenes};
 use serde_json::Value;
 use tumble::pipeline::{self, Options, Outcome};
 

@@ -1,13 +1,11 @@
 //! The commands that run no scene, as a user meets them.
 
-mod common;
-
 use std::fs;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use common::{folder, read, text, tumble, write};
+use crate::common::{folder, read, text, tumble, write};
 
 /// Exit code, standard output and standard error, none of which is a terminal.
 fn ended_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {

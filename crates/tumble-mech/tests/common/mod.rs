@@ -1,5 +1,6 @@
 //! What the tests of the laws share.
-#![allow(dead_code)]
+
+pub(crate) mod chain;
 
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};

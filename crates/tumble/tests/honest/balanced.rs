@@ -1,6 +1,6 @@
 //! What is in balance costs nothing, however the forces are rounded that balance each other.
 
-use crate::ask::{Scene, are, force, scene};
+use super::ask::{Scene, are, force, scene};
 
 /// Steps of a motion that is at rest.
 const FEW: usize = 3;

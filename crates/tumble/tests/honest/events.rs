@@ -1,6 +1,6 @@
 //! Events that come and go within a small part of a step.
 
-use crate::ask::{are, flight};
+use super::ask::{are, flight};
 
 /// Where the steps and bumps are, m, and when the point is there, s.
 const PLACE: f64 = 3.3;

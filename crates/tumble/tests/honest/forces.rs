@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::ask::{are, flight, force};
+use super::ask::{are, flight, force};
 
 const SPRING: &str = r#"
 [spring.cord]

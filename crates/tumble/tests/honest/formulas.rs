@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::ask::{are, flight, force, scene};
+use super::ask::{are, flight, force, scene};
 
 /// The point goes round the origin once in 2 pi s.
 const CIRCLE: &str = r#"

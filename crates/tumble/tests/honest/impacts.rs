@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
 use tumble::FindResult;
 
-use crate::ask::{Found, are, scene, walls};
+use super::ask::{Found, are, scene, walls};
 
 /// Bodies with the height of their centres where they lie flat, m.
 const FLAT: [(&str, f64); 3] = [

@@ -1,6 +1,6 @@
 //! Joints, from the scene's text: what is asked for at the instant at which one begins to hold, and on which body its force is.
 
-use crate::ask::scene;
+use super::ask::scene;
 
 const HIT: &str = r#"
 [body.rod]

@@ -1,6 +1,6 @@
 //! Air along a rod that spins about a centre which drifts slowly: a sum over nodes, of what has a corner.
 
-use crate::ask::scene;
+use super::ask::scene;
 
 /// kg/m^2, m/s and rad/s
 const DRAG: f64 = 0.5;

@@ -2,7 +2,7 @@
 
 use tumble::{Case, FindResult};
 
-use crate::ask::{Found, Scene, scene};
+use super::ask::{Found, Scene, scene};
 
 /// 3 kg on three feet in a line, 1 m apart from each other.
 const BENCH: &str = r#"

@@ -1,6 +1,6 @@
 //! What cannot be integrated to its end is refused, and does not hang.
 
-use crate::ask::{flight, force, scene};
+use super::ask::{flight, force, scene};
 
 /// Its signs change without end before 5 s.
 #[test]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::ask::{are, flight, force, scene, walls};
+use super::ask::{are, flight, force, scene, walls};
 
 /// The times of the window are known to 9 digits of its length.
 #[test]

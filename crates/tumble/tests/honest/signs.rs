@@ -1,6 +1,6 @@
 //! Events at the instant at which a force changes its sign.
 
-use crate::ask::{Scene, are, flight};
+use super::ask::{Scene, are, flight};
 
 /// A force brakes the point until an event ends that.
 fn braked(force: &str, way: &str, action: &str) -> Scene {

@@ -1,6 +1,6 @@
 //! What events have left: impulses and counts have no more digits than the events; and what is greatest on one side of an event.
 
-use crate::ask::scene;
+use super::ask::scene;
 
 /// An elastic rod that tumbles off a floor again and again: neighbouring motions part, and its digits end before the run does.
 #[test]

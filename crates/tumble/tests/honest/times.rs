@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_6, PI};
 
 use tumble::Case;
 
-use crate::ask::{Found, Scene, are, flight, force, scene};
+use super::ask::{Found, Scene, are, flight, force, scene};
 
 const G: f64 = 9.81;
 /// Accuracies with the largest errors that are of use at them: what was asked for is met with a reserve.
