@@ -78,3 +78,22 @@ pub fn integrate_twice(
 fn over(formula: &Expr, divisor: i32) -> Expr {
     formula * Expr::number(BigRational::new(1.into(), divisor.into()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumble_expr::Dimension;
+
+    #[test]
+    fn a_monomial_is_what_all_terms_share() {
+        let [m, l] =
+            [("m", Dimension::MASS), ("L", Dimension::LENGTH)].map(|(name, of)| Expr::symbol(name, of));
+        let sine = Expr::symbol("theta", Dimension::NONE).sin();
+        let shared = &m * &l * &l / 12;
+        let whole = &shared + &shared * (3 * &sine * &sine);
+        let found = monomial_of(&whole).expect("a formula");
+        let text = |formula: &Expr| crate::Notation::new().formula(formula).expect("short").text();
+        assert_eq!(text(&found), text(&shared));
+        assert_eq!(text(&monomial_of(&(1 + &sine)).expect("a formula")), "1");
+    }
+}

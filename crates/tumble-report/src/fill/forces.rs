@@ -213,7 +213,7 @@ impl<'a> Load<'a> {
         let way = Expr::unary(Unary::Sign, Symbol::new("s", tumble_expr::Dimension::SPEED).into());
         let normal: Expr = pair.force_symbol().into();
         let slips = self.names.equation(&self.symbol, &-(&friction.kinetic * &normal * way));
-        let with_speed = [Math::Text("while it slips at\u{a0}".to_owned()), Math::symbol("s")];
+        let with_speed = [Math::Text("while it slips with speed\u{a0}".to_owned()), Math::symbol("s")];
         let with_speed = math(&Math::Row(with_speed.into()));
         vec![slips, with_speed, self.at_most(&(&friction.of_rest * &normal)), words("while it sticks")]
     }

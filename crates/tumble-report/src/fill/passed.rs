@@ -13,9 +13,17 @@ pub(super) struct Passed<'a> {
     pub(super) mode: Mode,
 }
 
-/// Those of a body.
+/// Those of a body; what one contact is given no force of, because others do it, is one of several that might push.
 pub(super) fn of_body(cases: &[Case], body: usize) -> Vec<Passed<'_>> {
-    each_once(cases, |case| case.run.of_body(body).trajectory().modes.clone())
+    each_once(cases, |case| {
+        let mut modes = case.run.of_body(body).trajectory().modes.clone();
+        for (_, contact) in modes.iter_mut().flat_map(|mode| &mut mode.contacts) {
+            if *contact == ContactMode::Idle {
+                *contact = ContactMode::Resting;
+            }
+        }
+        modes
+    })
 }
 
 /// Those in which the motion has stayed: at the instant of the start there may be another one, and while impacts end that are too low to be

@@ -75,7 +75,7 @@ fn located_words(study: &Study, located: &Located) -> Text {
 fn place_words(place: &Optimum, unit: &str) -> Text {
     let at = place.best.at;
     let Some([low, high]) = place.between else {
-        return quantity(at, unit).and(", an end of the sweep");
+        return quantity(at, unit).and(", at the edge of the sweep");
     };
     if place.made == 0 {
         let between = Text::from(", between its neighbours ").and(quantity(low, unit)).and(" and ");

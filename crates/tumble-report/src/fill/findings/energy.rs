@@ -11,12 +11,17 @@ use crate::results::{Case, CaseBalance};
 
 /// Part of the energies in a run from which on work is told.
 const MATTERS: f64 = 0.01;
-/// Part of what a joint does to a body that it may fail to do to the other: less is rounding.
+/// Part of what is passed on that may be missing: less is rounding.
 const PASSES: f64 = 1e-6;
+/// So many that pass most energy on are told of.
+const MOST_PASSED: usize = 3;
+/// Who loses and gains what no single body does.
+const MOTION: &str = "the motion";
 /// Digits of a share.
 const SHARE: usize = 2;
 
 /// What loads of one kind have done together: all points of a body that touch one surface, with friction apart.
+#[derive(Clone)]
 struct Done {
     name: String,
     /// What it acts on, in a sentence.
@@ -48,7 +53,7 @@ pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
     told.chain(passed.iter().filter(|done| matters(done.work)).map(pass)).collect()
 }
 
-/// What joints pass from body to body, and what everything else has done.
+/// What joints and contacts pass from body to body, and what everything else has done: they too, by what one body does not get of the other's.
 fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
     let counted = balance.contributions.iter().enumerate().filter(|(_, (_, one))| one.counts());
     let entries: Vec<(Done, &Contribution)> = counted
@@ -64,18 +69,30 @@ fn parted(study: &Study, balance: &CaseBalance) -> (Vec<Done>, Vec<Done>) {
             two.load == one.load
                 && two.kind == one.kind
                 && two.body != one.body
-                && (other.work + done.work).abs() <= PASSES * done.work.abs()
+                && other.work * done.work < 0.0
         };
         match entries.iter().enumerate().find(|entry| entry.0 != index && is_other(entry)) {
-            Some((_, (_, two))) if done.work > 0.0 => passed.push(passing(study, (done, one), two)),
+            Some((_, (other, two))) if done.work > 0.0 => {
+                let work = done.work.min(-other.work);
+                let (rest, error) = (done.work + other.work, done.error.zip(other.error).map(|(a, b)| a + b));
+                // Where others strike at the same instant, what goes from one to the next is not of one contact.
+                if work >= rest.abs() {
+                    passed.push(passing(study, (Done { work, ..done.clone() }, one), two));
+                }
+                if rest.abs() > PASSES * work {
+                    add(&mut all, &Done { work: rest, error, body: MOTION.to_owned(), ..done.clone() });
+                }
+            }
             Some(_) => {}
             None => add(&mut all, done),
         }
     }
+    passed.sort_by(|one, other| other.work.total_cmp(&one.work));
+    passed.truncate(MOST_PASSED);
     (passed, all)
 }
 
-fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contribution) -> Done {
+fn passing(study: &Study, (done, to): (Done, &Contribution), from: &Contribution) -> Done {
     let how = if to.kind == ContributionKind::Impact { " in an impact" } else { "" };
     let (from, body) = (called(study, from), called(study, to));
     let joint = match to.law {
@@ -85,12 +102,12 @@ fn passing(study: &Study, (done, to): (&Done, &Contribution), from: &Contributio
     // Its name says that it was one.
     let how = if joint.contains("impact") { "" } else { how };
     let name = format!("{joint} passes energy from {from} to {body}{how}: ");
-    Done { name, body, work: done.work, error: done.error }
+    Done { name, body, ..done }
 }
 
 /// The body that something acts on.
 fn called(study: &Study, one: &Contribution) -> String {
-    one.body.map_or_else(|| "the motion".to_owned(), |body| symbols::the(&study.model.bodies[body].name))
+    one.body.map_or_else(|| MOTION.to_owned(), |body| symbols::the(&study.model.bodies[body].name))
 }
 
 /// Works of one name are one, and so are their errors.

@@ -55,7 +55,7 @@ fn small_swings_stand_beside_the_gusts() {
 fn the_air_takes_what_the_throw_without_it_has_more() {
     let found = found_in("02-thrown-rod");
     assert!(has(&found, "9.6 m (without air); 7.97437 m (with air)"), "{found:?}");
-    assert!(has(&found, "1.62563 m less far and 0.4563 m lower"), "{found:?}");
+    assert!(has(&found, "1.62563 m shorter and 0.4563 m lower"), "{found:?}");
     assert_eq!(found.iter().filter(|text| text.contains("Compared with the same throw")).count(), 1);
 }
 

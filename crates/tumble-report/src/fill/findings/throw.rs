@@ -86,7 +86,7 @@ pub(super) fn without_air(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
         let side = if x * wide > 0.0 {
             " farther"
         } else if wide != 0.0 {
-            " less far"
+            " shorter"
         } else {
             " to the side"
         };

@@ -170,3 +170,40 @@ fn a_moment_of_inertia_about_a_pivot_says_so() {
         .collect();
     assert_eq!(own, ["about the pivot"]);
 }
+
+/// Lines of blocks as text.
+fn lines<'a>(blocks: impl IntoIterator<Item = &'a crate::report::Block>) -> Vec<String> {
+    blocks.into_iter().flat_map(|block| &block.lines).map(|line| line.text.clone()).collect()
+}
+
+/// The first run of 21 has no friction, the first of 16 a foot in the air.
+#[test]
+fn what_only_a_later_run_of_a_sweep_does_is_in_the_model() {
+    let (bench, _) = model_of("16-bench-on-three-feet");
+    assert!(bench.bodies[0].forces.iter().any(|row| row.symbol.text == "N_middle"), "{bench:?}");
+    let (rod, _) = model_of("21-rough-floor");
+    let names: Vec<String> = rod.modes.iter().map(|mode| mode.name.to_plain()).collect();
+    assert!(names.contains(&"The tip sticks to the floor".to_owned()), "{names:?}");
+}
+
+#[test]
+fn masses_cancel_and_what_lies_flat_does_not_turn() {
+    let (rod, _) = model_of("08-rigid-rod");
+    let of_modes: Vec<_> = rod.modes.iter().map(|mode| lines(&mode.equations)).collect();
+    assert_eq!(of_modes, [vec!["A_x = 0", "A_y = \u{2212}g", "α = 0"], vec!["α = 0", "A_y = 0"]]);
+    // The friction of a pressed foot is no multiple of the mass.
+    let (pressed, _) = model_of("28-painleve-rod");
+    assert!(lines(&pressed.modes[0].equations).contains(&"m A_x = f_foot".to_owned()), "{pressed:?}");
+}
+
+#[test]
+fn the_laws_of_impacts_stand_once_for_all_that_strike_alike() {
+    let (disks, _) = model_of("24-glancing-disks");
+    assert_eq!(lines(&disks.impacts)[0], "J₁ = e J₀", "{disks:?}");
+    assert_eq!(lines(&disks.bodies[0].laws[1..]), ["m₁ (Δv_A) = Σ\u{2009}J", "I_A (Δω_A) = Σ\u{2009}r × J"]);
+    let (pool, _) = model_of("25-pool-break");
+    let titles: Vec<String> = pool.impacts.iter().map(|block| block.title.to_plain()).collect();
+    assert_eq!(titles.len(), 2, "{titles:?}");
+    let (ladder, _) = model_of("01-pendulum-in-the-wind");
+    assert!(ladder.impacts.is_empty() && ladder.bodies[0].laws.len() == 1, "{ladder:?}");
+}

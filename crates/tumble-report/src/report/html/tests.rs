@@ -139,6 +139,7 @@ fn hostile() -> Report {
                 laws: vec![block()],
             }],
             modes: vec![ModeEquations { name: words(), holds: words(), equations: vec![block()] }],
+            impacts: vec![block()],
         },
         solve: Solve {
             intro: vec![words()],
