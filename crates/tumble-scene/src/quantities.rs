@@ -71,12 +71,13 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
         }
         let sum = |of: Vec<Symbol>| of.into_iter().map(Expr::from).reduce(|a, b| a + b);
         let rough = of_surface.iter().filter(|pair| pair.friction.is_some());
+        let is_round = rough.clone().any(|pair| pair.is_round());
         if let Some(all) = sum(of_surface.iter().map(|pair| pair.force_symbol()).collect()) {
             names.define(Level::Forces, &format!("{}.normal", surface.name), &all);
         }
         if let Some(all) = sum(rough.map(|pair| pair.friction_symbol()).collect()) {
             names.define(Level::Forces, &format!("{}.friction", surface.name), &all);
-            define_slips(names, &surface.name);
+            define_slips(names, &surface.name, is_round);
         }
         names.touching.insert(surface.name.clone());
     }
@@ -93,7 +94,7 @@ pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
         let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
         define_pair(names, &pair, format!("{contact}.{first}.{second}"));
         if pair.friction.is_some() {
-            define_slips(names, contact);
+            define_slips(names, contact, pair.is_round());
         }
         names.touching.insert(contact.clone());
     }
@@ -112,8 +113,8 @@ fn define_pair(names: &mut Names, pair: &Pair, bodies: String) {
     names.define(Level::Motion, &format!("{}.gap", pair.name), &pair.gap());
     names.define(Level::Forces, &format!("{}.normal", pair.name), &pair.force_symbol().into());
     if pair.friction.is_some() {
-        define_slips(names, &pair.name);
-        define_slips(names, &bodies);
+        define_slips(names, &pair.name, pair.is_round());
+        define_slips(names, &bodies, pair.is_round());
         names.define(Level::Forces, &format!("{}.friction", pair.name), &pair.friction_symbol().into());
         names.define(Level::Motion, &format!("{}.slip", pair.name), &pair.slip_rate());
     }
@@ -137,9 +138,11 @@ fn define_resistances(names: &mut Names, model: &Model, resisting: &[Pair]) {
     }
 }
 
-/// Names the instants at which what touches there begins to slide, to stick or to roll: `floor.ball.rolls`.
-fn define_slips(names: &mut Names, place: &str) {
-    names.happenings.extend(Change::OF_FRICTION.map(|change| format!("{place}.{}", change.word())));
+/// Names the instants at which what touches there begins to slide, to stick or, if it is round, to roll: `floor.ball.rolls`.
+fn define_slips(names: &mut Names, place: &str, is_round: bool) {
+    let happens = |change: &Change| is_round || *change != Change::Rolls;
+    let changes = Change::OF_FRICTION.into_iter().filter(happens);
+    names.happenings.extend(changes.map(|change| format!("{place}.{}", change.word())));
 }
 
 /// Gives what a joint does its names: `hinge.fx`, `hinge.fy`, `hinge.force`, of a weld `joint.torque`.

@@ -66,6 +66,18 @@ fn everything_is_read() {
 }
 
 const MISTAKES: &[Row] = &[
+    (
+        "[run]",
+        "[find.x]\nthat = \"ball.x\"\nat = \"hits.slides\"\n[run]",
+        "E0521 hits.slides",
+        "it has no friction",
+    ),
+    (
+        "[run]",
+        "[find.x]\nthat = \"ball.x\"\nat = \"ledge.crate.rolls\"\n[run]",
+        "E0521 ledge.crate.rolls",
+        "`ledge.crate.slides`",
+    ),
     ("friction = 0.6", "friction = -0.6", "E0530 -0.6", "must not be negative"),
     ("kinetic = 0.3", "kinetic = 0.5", "E0530 0.4", "one number for both"),
     ("friction = 0.6", "friction = 0.6, rolling = \"-1 mm\"", "E0530 \"-1 mm\"", "must not be negative"),

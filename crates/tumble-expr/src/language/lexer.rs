@@ -114,10 +114,24 @@ impl Lexer<'_> {
 
     fn name(&mut self) {
         let end = name_end(self.text, self.at);
+        if let Some(length) = miscounted(&self.text[end..]) {
+            return self.miscounted(end..end + length);
+        }
         let error = mixed_alphabets(&self.text[self.at..end], self.at);
         let kind = if error.is_some() { TokenKind::Broken } else { TokenKind::Name };
         self.lexed.errors.extend(error);
         self.push(kind, end);
+    }
+
+    /// A name with a count that is none, and what follows it.
+    fn miscounted(&mut self, count: Span) {
+        let counts = &self.text[count.clone()];
+        let message = format!("`{counts}` counts none of several");
+        let error = FormulaError::new(Code::Number, count.clone(), message).label("which one?");
+        self.lexed.errors.push(error.help("write `[1]`, `[2]` and so on, or `[last]`"));
+        let rest = self.text[count.end..].strip_prefix('.').filter(|rest| rest.starts_with(begins_word));
+        let end = rest.map_or(count.end, |_| name_end(self.text, count.end + 1));
+        self.push(TokenKind::Broken, end);
     }
 
     /// An operator of another language, reported and replaced by the nearest of ours.
@@ -182,6 +196,13 @@ fn counted_end(text: &str, end: usize) -> usize {
         false => inner.bytes().take_while(u8::is_ascii_digit).count(),
     };
     if count > 0 && inner[count..].starts_with(']') { end + count + 2 } else { end }
+}
+
+/// How long the square brackets are that stand at a name's end, where they count nothing.
+fn miscounted(text: &str) -> Option<usize> {
+    let inside = text.strip_prefix('[')?;
+    let close = inside.find(']').filter(|close| !inside[..*close].contains(['[', '(']))?;
+    Some(close + 2)
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! What touches, what acts and what happens, in words: `the tail presses on the floor`.
 
-use tumble_expr::is_identically_zero;
 use tumble_mech::{Change, ContactMode, Equations, Grip, Mode, Pair, PossibleChange, Way};
 use tumble_scene::Study;
 
@@ -142,16 +141,12 @@ fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
         }
         // Without a force.
         (ContactMode::Idle, _) => ["just touches", "just touch"],
-        (_, Some(Grip::Sticks | Grip::Follows)) if is_round(pair) => ["rolls on", "roll on"],
+        (_, Some(Grip::Sticks | Grip::Follows)) if pair.is_round() => ["rolls on", "roll on"],
         (_, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
         (_, Some(Grip::Slides(_))) => ["slides on", "slide on"],
         (_, Some(Grip::Strains(_))) => ["is on the point of sliding on", "are on the point of sliding on"],
     };
     verb.map(str::to_owned)
-}
-
-fn is_round(pair: &Pair) -> bool {
-    !is_identically_zero(&pair.radius)
 }
 
 /// What touches: a round body, or a point of one, with its body where there are several; a corner that the scene has no name for
@@ -160,7 +155,7 @@ fn point(study: &Study, pair: &Pair) -> String {
     let model = &study.model.bodies[pair.body];
     let (body, point) = (symbols::the(&model.name), symbols::last(&pair.name));
     let is_named = !is_corner(point) || model.points.iter().any(|(name, _)| name == point);
-    match (is_round(pair) || pair.other.is_some(), study.model.bodies.len()) {
+    match (pair.is_round() || pair.other.is_some(), study.model.bodies.len()) {
         (true, _) => body,
         (false, 1) if is_named => symbols::the_point(point),
         (false, _) => format!("{}{OF}{body}", symbols::the_point(point)),
@@ -207,7 +202,7 @@ impl Course {
         let verb = match self.does {
             PossibleChange::Opens { .. } => changes_to(Change::End),
             PossibleChange::Stays { .. } => ["stays on", "stay on"],
-            PossibleChange::Sticks { .. } if is_round(pair) => ["rolls on", "roll on"],
+            PossibleChange::Sticks { .. } if pair.is_round() => ["rolls on", "roll on"],
             PossibleChange::Sticks { .. } => changes_to(Change::Sticks),
             PossibleChange::Slides { way, .. } => {
                 let direction = self.direction(way);

@@ -26,6 +26,8 @@ const SYNTAX: &[(&str, &str, &str)] = &[
     ("1\u{a0}m", "E0104 \u{a0}", "an ordinary space"),
     ("a # b", "E0104 #", "`#` (U+0023)"),
     ("1.5.2 + 1", "E0105 1.5.2", "one decimal point"),
+    ("floor.contact[-1].start", "E0105 [-1]", "`[last]`"),
+    ("apex[n] + 1", "E0105 [n]", "`[1]`, `[2]`"),
     ("1e + 2", "E0105 1e", "exponent of this number is missing"),
     ("1_000", "E0105 1_000", "write `1000`"),
     ("1e400*V", "E0106 1e400", "too large"),
