@@ -159,3 +159,14 @@ fn starts_at_the_surface() {
     assert!(message.starts_with("`ball` starts 0.03"), "{message}");
     assert!(message.ends_with("m inside `floor`, by its point `rim`"), "{message}");
 }
+
+/// What falls without rebound is in contact once, from the impact on; a rebound that ends in contact is another one.
+#[test]
+fn an_impact_that_stays_is_one_contact() {
+    let fallen = (2.0_f64 / 9.8).sqrt();
+    let found = run(disk(1.0, 0.0, 0.0), 2.0, 1e-12).contacts();
+    assert!(matches!(&found[..], [only] if only.is_open && !only.is_impact), "{found:?}");
+    close(found[0].start, fallen, 1e-14);
+    let bounced = run(disk(1.0, 0.0, 0.5), 2.0, 1e-12).contacts();
+    assert!(bounced.len() > 15 && bounced[0].is_impact && bounced.last().is_some_and(|one| one.is_open));
+}

@@ -14,14 +14,14 @@ pub struct Contact {
     pub start: f64,
     /// When it ends, s; where the run ends first, the end of the run. A rigid impact ends when it begins.
     pub end: f64,
-    /// Whether it is an impact of no duration.
+    /// Whether it is an impact of no duration. One that stays in contact is where that begins.
     pub is_impact: bool,
     /// Whether it was still going on at the end of the run.
     pub is_open: bool,
 }
 
 impl crate::Run {
-    /// Every contact of the motion, in the order in which they begin.
+    /// Every contact of the motion, in the order in which they begin; an impact after which a pair stays in contact begins that one.
     pub fn contacts(&self) -> Vec<Contact> {
         let end = self.end().unwrap_or(0.0);
         let mut found: Vec<Contact> = vec![];
@@ -32,7 +32,14 @@ impl crate::Run {
                     |end, is_impact| Contact { pair, start: *time, end, is_impact, is_open: !is_impact };
                 match change {
                     Change::Impact => found.push(contact(*time, true)),
-                    Change::Start => found.push(contact(end, false)),
+                    Change::Start => {
+                        let struck = found.iter().rposition(|one| one.pair == pair && one.start == *time);
+                        // What ends a Zeno sequence comes after infinitely many impacts.
+                        match struck.filter(|_| !record.zeno_sequences().any(|ended| ended == pair)) {
+                            Some(impact) => found[impact] = contact(end, false),
+                            None => found.push(contact(end, false)),
+                        }
+                    }
                     Change::Zeno | Change::Clear | Change::Slides | Change::Sticks | Change::Rolls => {}
                     Change::Stops | Change::Turns => {}
                     Change::End => {
