@@ -1,11 +1,9 @@
-//! What formulas consist of: coefficients of polynomials, motions that are polynomials in time, factors.
+//! Motions that are polynomials in time, as formulas.
 
 use num_rational::BigRational;
-use num_traits::One;
-use tumble_expr::{Exponent, Expr, Substitution, Symbol};
+use tumble_expr::{Expr, Substitution, Symbol};
 
-use crate::algebra::{Algebra, Factor, Form, Imported, Leaf};
-use crate::rational::Rational;
+use crate::algebra::{Algebra, Imported, Leaf};
 
 /// Position and velocity as formulas of the time since a phase began.
 #[derive(Clone, Debug)]
@@ -35,22 +33,6 @@ pub fn polynomial_in(formula: &Expr, symbol: &Symbol) -> Option<Vec<Expr>> {
     Some(coefficients.into_iter().map(|id| algebra.export(id)).collect())
 }
 
-/// The numbers and powers of symbols that a formula is a multiple of: `m L^2/12` of `m L^2/12 + m L^2/4 sin(theta)^2`.
-///
-/// `None` where the formula carries a mistake or is too large.
-pub fn monomial_of(formula: &Expr) -> Option<Expr> {
-    let mut algebra = Algebra::default();
-    let id = algebra.import(&mut Imported::default(), formula).ok()?;
-    let product = algebra.raw_product(Rational::one(), &[(id, Exponent::one())]);
-    let (by, _) = algebra.split(product);
-    let is_plain =
-        |(part, _): &Factor| matches!(algebra.form(*part), Form::Symbol(_) | Form::Pi | Form::Unit(_));
-    let plain: Vec<Factor> = algebra.factors(product).into_iter().filter(is_plain).collect();
-    let monomial = algebra.raw_product(by, &plain);
-    algebra.check().ok()?;
-    Some(algebra.export(monomial))
-}
-
 /// Integrates an acceleration that is a polynomial in the time since a phase began, from a position and a velocity.
 ///
 /// The acceleration is a formula of `time`, which was `start` when the phase began; the result is one of `elapsed`, the
@@ -77,23 +59,4 @@ pub fn integrate_twice(
 
 fn over(formula: &Expr, divisor: i32) -> Expr {
     formula * Expr::number(BigRational::new(1.into(), divisor.into()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tumble_expr::Dimension;
-
-    #[test]
-    fn a_monomial_is_what_all_terms_share() {
-        let [m, l] =
-            [("m", Dimension::MASS), ("L", Dimension::LENGTH)].map(|(name, of)| Expr::symbol(name, of));
-        let sine = Expr::symbol("theta", Dimension::NONE).sin();
-        let shared = &m * &l * &l / 12;
-        let whole = &shared + &shared * (3 * &sine * &sine);
-        let found = monomial_of(&whole).expect("a formula");
-        let text = |formula: &Expr| crate::Notation::new().formula(formula).expect("short").text();
-        assert_eq!(text(&found), text(&shared));
-        assert_eq!(text(&monomial_of(&(1 + &sine)).expect("a formula")), "1");
-    }
 }

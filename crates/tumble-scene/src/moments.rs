@@ -149,28 +149,28 @@ fn unknown(names: &Names, name: &str, stem: &str, allowed: bool, span: &Span) ->
         let help = crate::suggest::name(stem, "surfaces", surfaces);
         return Some(mistake(Code::UnknownPoint, format!("there is no surface `{stem}`"), help));
     }
-    if let Some((place, change)) = slip_of(names, name) {
-        let (why, help) = match names.happenings.contains(&format!("{place}.{}", Change::Sticks.word())) {
-            true => ("nothing round touches there", format!("it has `{place}.slides` and `{place}.sticks`")),
-            false => {
-                let help = "give it a `friction`, as in `rigid = { restitution = 0, friction = 0.3 }`";
-                ("it has no friction", help.to_owned())
-            }
-        };
-        let message = format!("`{place}` never {change}: {why}");
-        return Some(mistake(Code::UnknownPoint, message, help));
-    }
     let events = names.events.iter().map(String::as_str);
     let near = tumble_expr::language::nearest(stem, events).filter(|_| allowed && !name.contains('.'))?;
     let known = Code::Formula(tumble_expr::language::Code::UnknownName);
     Some(mistake(known, format!("nothing is named `{stem}`"), format!("did you mean the event \"{near}\"?")))
 }
 
-/// What touches, and what friction would do to it, `floor.box` and `slides`.
-fn slip_of<'n>(names: &Names, name: &'n str) -> Option<(&'n str, &'n str)> {
+/// A change that friction never makes to what touches there, `floor.box.slides`.
+fn no_slip(names: &Names, name: &str, span: &Span) -> Option<Diagnostic> {
     let (place, change) = name.rsplit_once('.')?;
     let is_change = Change::OF_FRICTION.iter().any(|known| known.word() == change);
-    (is_change && names.touching.contains(place)).then_some((place, change))
+    if !is_change || !names.touching.contains(place) {
+        return None;
+    }
+    let (why, help) = match names.happenings.contains(&format!("{place}.{}", Change::Sticks.word())) {
+        true => ("nothing round touches there", format!("it has `{place}.slides` and `{place}.sticks`")),
+        false => {
+            let help = "give it a `friction`, as in `rigid = { restitution = 0, friction = 0.3 }`";
+            ("it has no friction", help.to_owned())
+        }
+    };
+    let message = format!("`{place}` never {change}: {why}");
+    Some(Diagnostic::new(Code::UnknownPoint, span.clone(), message).label("does not happen").help(help))
 }
 
 /// What is wrong with a name that speaks of a contact or an event, if it does; `allowed` says whether it may here.
@@ -180,7 +180,7 @@ pub(crate) fn explain(names: &Names, name: &str, allowed: bool, span: &Span) -> 
     let is_contact = names.places().any(|place| place == stem) && name.contains(".contact");
     let mistake = |code, message: String| Diagnostic::new(code, span.clone(), message);
     if !is_event && !is_contact {
-        return unknown(names, name, stem, allowed, span);
+        return no_slip(names, name, span).or_else(|| unknown(names, name, stem, allowed, span));
     }
     if !allowed {
         let what =

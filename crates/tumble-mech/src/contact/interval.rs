@@ -14,7 +14,7 @@ pub struct Contact {
     pub start: f64,
     /// When it ends, s; where the run ends first, the end of the run. A rigid impact ends when it begins.
     pub end: f64,
-    /// Whether it is an impact of no duration. One that stays in contact is where that begins.
+    /// Whether it is an impact of no duration.
     pub is_impact: bool,
     /// Whether it was still going on at the end of the run.
     pub is_open: bool,
@@ -33,10 +33,11 @@ impl crate::Run {
                 match change {
                     Change::Impact => found.push(contact(*time, true)),
                     Change::Start => {
-                        let struck = found.iter().rposition(|one| one.pair == pair && one.start == *time);
+                        let mut now = found.iter_mut().rev().take_while(|one| one.start == *time);
+                        let impact = now.find(|one| one.pair == pair && one.is_impact);
                         // What ends a Zeno sequence comes after infinitely many impacts.
-                        match struck.filter(|_| !record.zeno_sequences().any(|ended| ended == pair)) {
-                            Some(impact) => found[impact] = contact(end, false),
+                        match impact.filter(|_| !record.zeno_sequences().any(|ended| ended == pair)) {
+                            Some(impact) => *impact = contact(end, false),
                             None => found.push(contact(end, false)),
                         }
                     }

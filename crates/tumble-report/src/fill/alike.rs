@@ -3,9 +3,8 @@
 use tumble_mech::Law;
 use tumble_scene::Study;
 
-use super::passed::{self, Passed};
+use super::passed::Passed;
 use crate::figures::symbols;
-use crate::results::Case;
 
 /// So many like bodies are each shown; of more than these, one.
 const MOST_SHOWN: usize = 3;
@@ -39,10 +38,10 @@ impl Kind {
 }
 
 /// The bodies by kind, a kind where its first body stands.
-pub(super) fn kinds(study: &Study, cases: &[Case]) -> Vec<Kind> {
+pub(super) fn kinds(study: &Study, passed: &[Vec<Passed<'_>>]) -> Vec<Kind> {
     let mut found: Vec<(Likeness, Kind, usize)> = vec![];
-    for body in 0..study.model.bodies.len() {
-        let (likeness, loads) = likeness(study, cases, body);
+    for (body, passed) in passed.iter().enumerate() {
+        let (likeness, loads) = likeness(study, passed, body);
         let same = found.iter_mut().find(|(other, ..)| *other == likeness);
         match same {
             Some((_, kind, most)) => {
@@ -84,11 +83,10 @@ struct Likeness {
 }
 
 /// Of a body, and how many loads there are on it.
-fn likeness(study: &Study, cases: &[Case], body: usize) -> (Likeness, usize) {
+fn likeness(study: &Study, passed: &[Passed<'_>], body: usize) -> (Likeness, usize) {
     let own = &study.model.bodies[body];
     let properties = own.mass_properties();
-    let modes = passed::of_body(cases, body).into_iter();
-    let terms = modes.flat_map(|Passed { case, mode }| case.run.equations.shown_terms(&mode));
+    let terms = passed.iter().flat_map(|Passed { case, mode }| case.run.equations.shown_terms(mode));
     let mut all: Vec<(String, Law)> =
         terms.filter(|term| term.body == body).map(|term| (term.load, term.law)).collect();
     all.sort_by(|one, other| one.0.cmp(&other.0));
@@ -154,7 +152,7 @@ mod tests {
         let scene =
             (1..=count).map(ball).chain(pushed.iter().map(push)).fold(head, |scene, part| scene + &part);
         let (study, cases) = motions_in("balls", scene.as_bytes(), &tumble_scene::NoFiles);
-        kinds(&study, &cases)
+        kinds(&study, &super::super::passed::by_body(&cases))
     }
 
     #[test]

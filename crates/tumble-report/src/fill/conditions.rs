@@ -1,8 +1,11 @@
 //! What joints and contacts keep at zero, written as shortly as can be.
 
-use tumble_expr::{Expr, Symbol};
+use tumble_expr::{Expr, Symbol, is_identically_zero};
+use tumble_mech::{ContactMode, Equations, Kinematics, Mode, Pair};
 use tumble_notation::Notation;
 use tumble_scene::Study;
+
+use super::zeros;
 
 /// Signs that a fraction is worth.
 const FRACTION: usize = 10;
@@ -53,6 +56,36 @@ pub(super) fn combined(study: &Study, notation: &Notation, mut conditions: Vec<E
         }
     }
     conditions
+}
+
+/// Whether a body lies on one plane, whose normal does not change, with two of its points: then it does not turn.
+pub(super) fn lies(study: &Study, equations: &Equations, mode: &Mode, body: usize) -> bool {
+    let parameters = study.model.parameters.symbols();
+    let is_fixed = |part: &Expr| part.symbols().iter().all(|symbol| parameters.contains(symbol));
+    let rests = |contact: &ContactMode| matches!(contact, ContactMode::Resting | ContactMode::Settling);
+    let on_planes = |pair: &&Pair| {
+        pair.body == body && pair.other.is_none() && pair.normal.components().iter().all(is_fixed)
+    };
+    let pairs = mode.contacts.iter().filter(|(_, contact)| rests(contact));
+    let pairs: Vec<&Pair> = pairs.map(|(pair, _)| &equations.pairs()[*pair]).filter(on_planes).collect();
+    let is_same = |one: &Pair, other: &Pair| {
+        let mut off = (&one.normal - &other.normal).components().to_vec().into_iter();
+        one.rule == other.rule && off.all(|part| is_identically_zero(&part))
+    };
+    pairs.iter().enumerate().any(|(index, one)| pairs[..index].iter().any(|other| is_same(one, other)))
+}
+
+/// The conditions of a body that does not turn: that it does not, and what is left of the others, each once.
+pub(super) fn without_turning(kinematics: &Kinematics, conditions: Vec<Expr>) -> Vec<Expr> {
+    let still = zeros([kinematics.omega_symbol(), kinematics.alpha_symbol()]);
+    let mut kept: Vec<Expr> = vec![kinematics.alpha()];
+    for condition in conditions.iter().map(|condition| still.apply(condition)) {
+        let is_said = |known: &Expr| is_identically_zero(&(known - &condition));
+        if !is_identically_zero(&condition) && !kept.iter().any(is_said) {
+            kept.push(condition);
+        }
+    }
+    kept
 }
 
 /// How long a formula of accelerations is, in signs.

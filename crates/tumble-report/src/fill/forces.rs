@@ -9,20 +9,19 @@ use tumble_notation::{Math, Operator};
 use tumble_scene::Study;
 
 use super::names::{MASS, Names, math, words};
-use super::passed::{self, Passed};
+use super::passed::Passed;
 use super::words::{contact, spoken};
 use crate::figures::{air, symbols};
-use crate::results::Case;
 
 /// A torque of more signs than these is said by its arm and its force.
 const MOST_SIGNS_IN_TABLE: usize = 36;
 
 /// A row for each load on a body, in the first mode in which it acts, and for each impulse.
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case], body: usize) -> Vec<ForceRow> {
+pub(super) fn of(study: &Study, names: &Names, passed: &[Passed<'_>], body: usize) -> Vec<ForceRow> {
     let (mut seen, mut rows): (Vec<String>, _) = (vec![], vec![]);
-    for Passed { case, mode } in passed::of_body(cases, body) {
+    for Passed { case, mode } in passed {
         let equations = &case.run.equations;
-        let (mut terms, statements) = (equations.shown_terms(&mode), equations.shown_statements(&mode));
+        let (mut terms, statements) = (equations.shown_terms(mode), equations.shown_statements(mode));
         terms.retain(|term| term.body == body);
         for first in &terms {
             if seen.contains(&first.load) {

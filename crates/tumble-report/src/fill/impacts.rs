@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::report::{Block, Definition, Text, Typeset};
 use tumble_expr::{Dimension, Expr, Symbol, Unary, is_identically_zero};
-use tumble_mech::{ContactLaw, Friction, Pair, Restitution, Rule, Source};
+use tumble_mech::{ContactLaw, Friction, MultipleImpacts, Pair, Restitution, Rule, Source};
 use tumble_notation::{Math, Operator};
 use tumble_scene::Study;
 
@@ -15,11 +15,24 @@ use super::words;
 use crate::figures::symbols;
 use crate::results::Case;
 
-/// What impulses do to a body; nothing where there were none.
-pub(super) fn of_body(study: &Study, names: &Names, cases: &[Case], body: usize) -> Option<Block> {
-    let mut impulses =
-        cases.iter().flat_map(|case| case.run.events()).flat_map(|event| &event.record.impulses);
-    impulses.find(|impulse| impulse.body == body)?;
+/// Letters of an impulse, of the arm to where it acts, and of the angular impulse of a couple.
+const IMPULSE: &str = "J";
+const ARM: &str = "r";
+const COUPLE: &str = "H";
+
+/// What impulses do to a body; nothing where there were none. What their letters mean stands where they come first: `said` has the letters that
+/// are known.
+pub(super) fn of_body(
+    study: &Study,
+    names: &Names,
+    cases: &[Case],
+    body: usize,
+    said: &mut Vec<String>,
+) -> Option<Block> {
+    let impulses = cases.iter().flat_map(|case| case.run.events()).flat_map(|event| &event.record.impulses);
+    let mut own = impulses.filter(|impulse| impulse.body == body).peekable();
+    own.peek()?;
+    let has_couples = own.any(|impulse| impulse.couple != 0.0);
     let (model_body, properties) = (&study.model.bodies[body], cases[0].run.equations.mass_properties(body));
     let velocity = match study.model.bodies.len() {
         1 => symbols::velocity(study, &model_body.name),
@@ -30,23 +43,33 @@ pub(super) fn of_body(study: &Study, names: &Names, cases: &[Case], body: usize)
     let changes = |factor: &Expr, symbol: &str, by: Vec<Math>| {
         let change = Math::Row(vec![Math::Text("\u{394}".to_owned()), Math::symbol(symbol)]);
         let left = Math::Product(vec![side(own.notation(), factor), change]);
-        let sum = [Math::Text("\u{3a3}\u{2009}".to_owned())].into_iter().chain(by);
-        math(&Math::equation(left, Math::Row(sum.collect())))
+        math(&Math::equation(left, Math::Row(by)))
     };
-    let impulse = || Math::symbol("J");
-    let mut lines = vec![changes(&names.mass(&properties.mass), &velocity, vec![impulse()])];
+    let sum = || Math::Text("\u{3a3}\u{2009}".to_owned());
+    let mut lines =
+        vec![changes(&names.mass(&properties.mass), &velocity, vec![sum(), Math::symbol(IMPULSE)])];
+    let mut letters = vec![meant(&[IMPULSE], "impulse on it")];
     if !is_identically_zero(&properties.inertia) {
-        let moment = vec![Math::symbol("r"), Math::Operator(Operator::Cross), impulse()];
+        let mut moment =
+            vec![sum(), Math::symbol(ARM), Math::Operator(Operator::Cross), Math::symbol(IMPULSE)];
+        letters.push(meant(&[ARM], "from the centre of mass to where it acts"));
+        if has_couples {
+            moment.extend([Math::Operator(Operator::Plus), sum(), Math::symbol(COUPLE)]);
+            letters.push(meant(&[COUPLE], "angular impulse of a couple"));
+        }
         lines.push(changes(&properties.inertia, names.shown(&turning.name), moment));
     }
-    Some(Block { title: "In an impact".into(), lines, definitions: vec![] })
+    letters.retain(|letter| !said.contains(&letter.symbol.text));
+    said.extend(letters.iter().map(|letter| letter.symbol.text.clone()));
+    Some(Block { title: "In an impact".into(), lines, definitions: letters })
 }
 
 /// The laws of the contacts that struck, one block for all that strike alike.
 pub(super) fn laws(study: &Study, names: &Names, cases: &[Case]) -> Vec<Block> {
     let mut found: Vec<(Vec<String>, Block)> = vec![];
-    for pair in struck(cases) {
-        let (who, block) = (who(study, pair), law(names, pair));
+    let struck = struck(study, cases);
+    for pair in struck.pairs {
+        let (who, block) = (who(study, pair), law(names, pair, struck.are_single));
         match found.iter_mut().find(|(_, known)| *known == block) {
             Some((all, _)) if all.contains(&who) => {}
             Some((all, _)) => all.push(who),
@@ -58,17 +81,29 @@ pub(super) fn laws(study: &Study, names: &Names, cases: &[Case]) -> Vec<Block> {
     defined_once(found.into_iter().map(titled).collect())
 }
 
-/// The rigid pairs with an impact.
-fn struck(cases: &[Case]) -> Vec<&Pair> {
+/// What struck.
+struct Struck<'a> {
+    /// The rigid pairs with an impact.
+    pairs: Vec<&'a Pair>,
+    /// Whether each impact was by itself, and none at the same instant changed what came of it.
+    are_single: bool,
+}
+
+fn struck<'a>(study: &Study, cases: &'a [Case]) -> Struck<'a> {
     let mut all: BTreeSet<usize> = BTreeSet::new();
+    let mut are_single = true;
     for event in cases.iter().flat_map(|case| case.run.events()) {
-        all.extend(event.record.impulses.iter().filter_map(|impulse| match impulse.source {
+        let at_once = event.record.impulses.iter().filter_map(|impulse| match impulse.source {
             Source::Pair(pair) => Some(pair),
             _ => None,
-        }));
+        });
+        let at_once: BTreeSet<usize> = at_once.collect();
+        are_single &= at_once.len() < 2;
+        all.extend(at_once);
     }
+    are_single |= study.model.multiple_impacts == MultipleImpacts::Sequential;
     let pairs = cases[0].run.equations.pairs();
-    all.into_iter().map(|pair| &pairs[pair]).collect()
+    Struck { pairs: all.into_iter().map(|pair| &pairs[pair]).collect(), are_single }
 }
 
 /// Whose impacts these are.
@@ -83,8 +118,8 @@ fn who(study: &Study, pair: &Pair) -> String {
     }
 }
 
-fn law(names: &Names, pair: &Pair) -> Block {
-    let (mut lines, mut definitions) = restitution(names, pair);
+fn law(names: &Names, pair: &Pair, is_single: bool) -> Block {
+    let (mut lines, mut definitions) = restitution(names, pair, is_single);
     if let Some(friction) = &pair.friction {
         lines.extend(coulomb(names, friction));
         let meaning = "forces along the normal and along the surface, at each moment of the impact";
@@ -94,26 +129,32 @@ fn law(names: &Names, pair: &Pair) -> Block {
     Block { title: Text::default(), lines, definitions }
 }
 
-/// What comes back of an impact.
-fn restitution(names: &Names, pair: &Pair) -> (Vec<Typeset>, Vec<Definition>) {
+/// What comes back of an impact: without friction the ratio of speeds is that of impulses, where no other contact strikes with it.
+fn restitution(names: &Names, pair: &Pair, is_single: bool) -> (Vec<Typeset>, Vec<Definition>) {
     let ContactLaw::Rigid { restitution } = &pair.law else { return (vec![], vec![]) };
     let times = |left: &str, factor: Expr, right: &str| {
         let (rate, side) = (Expr::symbol(right, Dimension::NONE), Math::symbol(left));
         vec![names.relation(side, Operator::Equals, &(factor * rate))]
     };
-    match pair.friction.as_ref().map(|friction| friction.restitution.unwrap_or_default()) {
-        None | Some(Restitution::Newton) => (
+    let ratio = match &pair.friction {
+        None if is_single => Restitution::Newton,
+        None => Restitution::Poisson,
+        Some(friction) => friction.restitution.unwrap_or_default(),
+    };
+    let more = if is_single { "" } else { "; more where the gap would close again" };
+    match ratio {
+        Restitution::Newton => (
             times("v_n,1", -restitution, "v_n,0"),
             vec![meant(&["v_n,0", "v_n,1"], "rate of the gap before and after the impact")],
         ),
-        Some(Restitution::Poisson) => (
+        Restitution::Poisson => (
             times("J_1", restitution.clone(), "J_0"),
             vec![meant(
                 &["J_0", "J_1"],
-                "normal impulse while they approach each other, and while they part",
+                &format!("normal impulse while they approach each other, and while they part{more}"),
             )],
         ),
-        Some(Restitution::Stronge) => (
+        Restitution::Stronge => (
             times("W_1", -(restitution * restitution), "W_0"),
             vec![meant(
                 &["W_0", "W_1"],

@@ -8,16 +8,22 @@ use tumble_scene::Study;
 
 use super::forces::is_on_other;
 use super::names::{Names, math};
-use super::passed::{self, Passed};
+use super::passed::Passed;
 use super::sum;
 use crate::figures::symbols;
 use crate::results::Case;
 
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
 /// What their letters mean stands at the first body: `said` has the letters that are known.
-pub(super) fn of(study: &Study, names: &Names, cases: &[Case], body: usize, said: &mut Vec<String>) -> Block {
-    let (case, modes) = (&cases[0], passed::of_body(cases, body).into_iter());
-    let terms = modes.flat_map(|Passed { case, mode }| case.run.equations.shown_terms(&mode));
+pub(super) fn of(
+    study: &Study,
+    names: &Names,
+    passed: &[Passed<'_>],
+    body: usize,
+    said: &mut Vec<String>,
+) -> Block {
+    let case = passed[0].case;
+    let terms = passed.iter().flat_map(|Passed { case, mode }| case.run.equations.shown_terms(mode));
     let terms = distinct(terms.filter(|term| term.body == body).collect());
     let mut block = laws_of(study, names, case, (body, &terms), "Newton's laws");
     let is_new = |definition: &Definition| !said.contains(&definition.symbol.text);

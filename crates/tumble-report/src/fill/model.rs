@@ -7,6 +7,7 @@ use tumble_scene::{FreeBody, Study};
 use super::alike::{self, Kind};
 use super::names::Names;
 use super::once::{self, BY_LAWS, BY_NAME};
+use super::passed::{self, Passed};
 use super::{equations, forces, impacts, laws};
 use crate::figures::{captions, free_bodies, instants, symbols};
 use crate::results::{Case, CaseError};
@@ -15,9 +16,11 @@ use crate::results::{Case, CaseError};
 const MOST_LOOKED_AT: usize = 12;
 pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPart, CaseError> {
     let drawn = if cases.len() > 1 { fullest(study, cases)? } else { &cases[0] };
-    let kinds = alike::kinds(study, cases);
+    let passed = passed::by_body(cases);
+    let kinds = alike::kinds(study, &passed);
     let mut said = vec![];
-    let bodies = kinds.iter().map(|kind| one(study, names, (cases, drawn), kind, &mut said));
+    let bodies =
+        kinds.iter().map(|kind| one(study, names, (cases, drawn, &passed[kind.shown]), kind, &mut said));
     let bodies: Vec<BodyModel> = bodies.collect::<Result<_, _>>()?;
     let mut modes = equations::modes(study, names, cases, &kinds);
     // What the laws have said the equations do not say again.
@@ -90,7 +93,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
 fn one(
     study: &Study,
     names: &Names,
-    (cases, drawn): (&[Case], &Case),
+    (cases, drawn, passed): (&[Case], &Case, &[Passed<'_>]),
     kind: &Kind,
     said: &mut Vec<String>,
 ) -> Result<BodyModel, CaseError> {
@@ -99,10 +102,9 @@ fn one(
     Ok(BodyModel {
         name: Text::from(kind.name(study)).capitalised(),
         diagrams: diagrams(study, drawn, body, said)?,
-        forces: forces::of(study, names, cases, body),
-        laws: [laws::of(study, names, cases, body, said)]
-            .into_iter()
-            .chain(impacts::of_body(study, names, cases, body))
+        forces: forces::of(study, names, passed, body),
+        laws: std::iter::once(laws::of(study, names, passed, body, said))
+            .chain(impacts::of_body(study, names, cases, body, said))
             .collect(),
     })
 }

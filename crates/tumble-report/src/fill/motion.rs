@@ -5,14 +5,14 @@ use std::collections::HashSet;
 
 use tumble_expr::language::Value;
 use tumble_expr::{Expr, Graph, Node, Symbol, Written, is_identically_zero};
-use tumble_mech::{ContactMode, Mode, Pivot, Term};
+use tumble_mech::{Mode, Pivot, Term};
 use tumble_notation::{Left, Math, Notation, Printed, monomial_of};
 use tumble_scene::Study;
 
-use super::conditions::{combined, last_of, shortest};
+use super::conditions::{self, combined, last_of, shortest};
 use super::names::Names;
 use super::reduced::{self, Reduced, Solved, simple};
-use super::{pivots, sum, zeros};
+use super::{pivots, sum};
 use crate::results::Case;
 
 /// Equations of more signs than these are not read by anybody: forces stand in them by name.
@@ -133,7 +133,8 @@ impl Setting<'_> {
             // What two bodies share stands with the later one.
             let own = constraints.iter().filter(|constraint| last_of(study, constraint) == Some(body));
             let own: Vec<Expr> = own.map(|constraint| of_pivots.apply(constraint)).collect();
-            let own = if is_joined { own } else { self.lying(body, own) };
+            let lies = !is_joined && conditions::lies(study, equations, mode, body);
+            let own = if lies { conditions::without_turning(&kinematics, own) } else { own };
             let own: Vec<Expr> =
                 own.iter().map(|constraint| shortest(study, &notation, constraint)).collect();
             // At a joint each says where two bodies meet.
@@ -147,33 +148,6 @@ impl Setting<'_> {
             );
         }
         Motion { by_law, ..Motion::made(body, self.with_parts(body, notation), lines) }
-    }
-
-    /// The conditions of a body that lies on a plane at rest with two of its points, which does not turn.
-    fn lying(&self, body: usize, conditions: Vec<Expr>) -> Vec<Expr> {
-        let equations = &self.case.run.equations;
-        let rests = |contact: &ContactMode| matches!(contact, ContactMode::Resting | ContactMode::Settling);
-        let pairs = self.mode.contacts.iter().filter(|(_, contact)| rests(contact));
-        let on_planes = pairs.map(|(pair, _)| &equations.pairs()[*pair]).filter(|pair| {
-            let parameters = self.study.model.parameters.symbols();
-            let is_fixed = |part: &Expr| part.symbols().iter().all(|symbol| parameters.contains(symbol));
-            pair.body == body && pair.other.is_none() && pair.normal.components().iter().all(is_fixed)
-        });
-        let planes: Vec<_> = on_planes.map(|pair| pair.rule).collect();
-        if planes.iter().all(|plane| planes.iter().filter(|other| *other == plane).count() < 2) {
-            return conditions;
-        }
-        let kinematics = self.study.model.bodies[body].kinematics();
-        let turning = kinematics.alpha_symbol();
-        let still = zeros([kinematics.omega_symbol(), turning.clone()]);
-        let mut kept: Vec<Expr> = vec![turning.into()];
-        for condition in conditions.iter().map(|condition| still.apply(condition)) {
-            let is_said = |known: &Expr| is_identically_zero(&(known - &condition));
-            if !is_identically_zero(&condition) && !kept.iter().any(is_said) {
-                kept.push(condition);
-            }
-        }
-        kept
     }
 
     /// Without the forces of joints and lasting contacts.

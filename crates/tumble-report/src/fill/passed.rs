@@ -13,8 +13,13 @@ pub(super) struct Passed<'a> {
     pub(super) mode: Mode,
 }
 
-/// Those of a body; what one contact is given no force of, because others do it, is one of several that might push.
-pub(super) fn of_body(cases: &[Case], body: usize) -> Vec<Passed<'_>> {
+/// Those of each body; what one contact is given no force of, because others do it, is one of several that might push.
+pub(super) fn by_body(cases: &[Case]) -> Vec<Vec<Passed<'_>>> {
+    let bodies = 0..cases[0].run.equations.model().bodies.len();
+    bodies.map(|body| of_body(cases, body)).collect()
+}
+
+fn of_body(cases: &[Case], body: usize) -> Vec<Passed<'_>> {
     each_once(cases, |case| {
         let mut modes = case.run.of_body(body).trajectory().modes.clone();
         for (_, contact) in modes.iter_mut().flat_map(|mode| &mut mode.contacts) {

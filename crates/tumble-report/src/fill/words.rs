@@ -76,8 +76,9 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
     for (index, contact_mode) in &mode.contacts {
         let pair = &equations.pairs()[*index];
-        let does = (verb(*contact_mode, grip(equations, mode, *index), pair), against(study, pair));
-        add(&mut groups, does, point(study, pair));
+        let verb = verb(*contact_mode, grip(equations, mode, *index), pair);
+        let without = if *contact_mode == ContactMode::Idle { " without a force" } else { "" };
+        add(&mut groups, (verb, against(study, pair) + without), point(study, pair));
     }
     if groups.len() > MOST_GROUPS {
         return counted(&groups);
@@ -110,7 +111,7 @@ fn together(points: &[String]) -> String {
 fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = vec![];
     for ([_, several], _, points) in groups {
-        let word = several.trim_start_matches("just ").split(' ').next().unwrap_or_default();
+        let word = several.split(' ').next().unwrap_or_default();
         match counts.iter_mut().find(|(known, _)| *known == word) {
             Some((_, count)) => *count += points.len(),
             None => counts.push((word, points.len())),
@@ -136,11 +137,8 @@ fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
         (ContactMode::Pressed, None) => ["presses on", "press on"],
         (ContactMode::Released, _) => ["is let go by", "are let go by"],
         (ContactMode::Settling, _) => ["settles on", "settle on"],
-        (ContactMode::Resting, None) | (ContactMode::Entering(_) | ContactMode::Leaving(_), _) => {
-            ["touches", "touch"]
-        }
-        // Without a force.
-        (ContactMode::Idle, _) => ["just touches", "just touch"],
+        (ContactMode::Resting, None)
+        | (ContactMode::Idle | ContactMode::Entering(_) | ContactMode::Leaving(_), _) => ["touches", "touch"],
         (_, Some(Grip::Sticks | Grip::Follows)) if pair.is_round() => ["rolls on", "roll on"],
         (_, Some(Grip::Sticks | Grip::Follows)) => ["sticks to", "stick to"],
         (_, Some(Grip::Slides(_))) => ["slides on", "slide on"],

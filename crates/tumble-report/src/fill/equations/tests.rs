@@ -27,13 +27,32 @@ const LADDER: &str = r#"version = 1
     rigid = { restitution = 0 }
 "#;
 
+/// Two legs on two sides of one polygon: it turns as it slides down, though both stay on it.
+const SADDLE: &str = r#"version = 1
+    world.gravity = "9.81 m/s^2"
+    run.until = "0.3 s"
+    [parameters]
+    b = "3 m"
+    [body.saddle]
+    parts = [
+        { rod = { from = [0, 0], to = ["-1 m", "-1.2 m"] }, mass = "1 kg" },
+        { rod = { from = [0, 0], to = ["1 m", "-1.2 m"] }, mass = "2 kg" },
+    ]
+    start.at = ["(1/6)*(1 m)", "-0.4 m"]
+    [surface.wedge]
+    polygon = [["-b", "-3 m"], ["b", "-3 m"], [0, 0]]
+    rigid = { restitution = 0 }
+"#;
+
 /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
 #[test]
 fn printed_equations_are_those_that_were_integrated() {
     let scenes = crate::scenes::all();
     let mut compared = 0;
-    let ladder = motions_in("ladder", LADDER.as_bytes(), &tumble_scene::NoFiles);
-    for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain([ladder, crate::scenes::laws()]) {
+    let [ladder, saddle] =
+        [LADDER, SADDLE].map(|scene| motions_in("scene", scene.as_bytes(), &tumble_scene::NoFiles));
+    let others = [ladder, saddle, crate::scenes::laws()];
+    for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain(others) {
         let study = study.with(&cases[0].parameters);
         let names = Names::of(&study).expect("names");
         for Passed { case, mode } in passed::lasting(&cases).iter().take(MOST_MODES) {

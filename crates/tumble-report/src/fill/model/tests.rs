@@ -204,6 +204,27 @@ fn the_laws_of_impacts_stand_once_for_all_that_strike_alike() {
     let (pool, _) = model_of("25-pool-break");
     let titles: Vec<String> = pool.impacts.iter().map(|block| block.title.to_plain()).collect();
     assert_eq!(titles.len(), 2, "{titles:?}");
-    let (ladder, _) = model_of("01-pendulum-in-the-wind");
-    assert!(ladder.impacts.is_empty() && ladder.bodies[0].laws.len() == 1, "{ladder:?}");
+    let (rod, _) = model_of("01-pendulum-in-the-wind");
+    assert!(rod.impacts.is_empty() && rod.bodies[0].laws.len() == 1, "{rod:?}");
+}
+
+/// The ratio of speeds is that of impulses where contacts strike one by one, and only there.
+#[test]
+fn what_strikes_at_once_has_a_ratio_of_impulses() {
+    let first = |name: &str| lines(&model_of(name).0.impacts)[0].clone();
+    assert_eq!(first("22-newtons-cradle"), "v_(n,1) = \u{2212}v_(n,0)");
+    assert_eq!(first("09-bouncing-ball"), "v_(n,1) = \u{2212}e v_(n,0)");
+    assert!(
+        first("23-three-balls-at-once").starts_with("J\u{2081} = "),
+        "{}",
+        first("23-three-balls-at-once")
+    );
+}
+
+/// The hammer gives the crank an angular impulse that no force has.
+#[test]
+fn couples_of_an_instant_are_in_the_law_of_impacts() {
+    let (linkage, _) = model_of("13-four-bar-linkage");
+    let of = |body: usize| lines(&linkage.bodies[body].laws[1..])[1].clone();
+    assert!(of(0).ends_with("r × J + Σ\u{2009}H") && of(1).ends_with("r × J"), "{} {}", of(0), of(1));
 }
