@@ -1,5 +1,6 @@
 //! Motions as animated GIF files, by the embedded fonts and our own rasteriser.
 
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use ::gif::{AnyExtension, DisposalMethod, Encoder, Extension, Frame, Repeat};
@@ -10,6 +11,8 @@ use crate::png::{PngError, raster};
 
 mod frame;
 
+/// Of a pixel.
+const BYTES: usize = 4;
 /// Longest animation in frames: a minute at 30 a second.
 const MOST_FRAMES: usize = 1800;
 /// Frames a second that viewers show as asked; GIF counts hundredths of a second.
@@ -18,7 +21,7 @@ const RATES: std::ops::RangeInclusive<f64> = 1.0..=50.0;
 const SAMPLED: usize = 12;
 /// Colours that a GIF can hold.
 const COLOURS: usize = 256;
-/// Every pixel of the frames counts when colours are chosen: lines are thin.
+/// Every pixel that is given counts when colours are chosen.
 const EVERY: i32 = 1;
 /// How long the last frame stays before the motion starts again, in hundredths of a second.
 const LAST_DELAY: u16 = 150;
@@ -83,11 +86,25 @@ pub fn animation_gif(animation: &Animation, case: usize, width: u32, rate: f64) 
     let times = times(&animation.cases[case], animation.speed, rate)?;
     let picture = |t: &f64| raster(&scene.svg(*t, f64::from(width)), 1.0);
     let every = times.len().div_ceil(SAMPLED);
-    let mut sample = vec![];
+    let mut counts = BTreeMap::new();
     for t in times.iter().step_by(every) {
-        sample.extend(picture(t)?.pixels);
+        count(&picture(t)?.pixels, &mut counts);
     }
-    encode(&times, picture, &NeuQuant::new(EVERY, COLOURS, &sample), rate)
+    encode(&times, picture, &NeuQuant::new(EVERY, COLOURS, &weighed(&counts)), rate)
+}
+
+/// Counts the pixels of each colour; neighbours are often alike.
+fn count(pixels: &[u8], counts: &mut BTreeMap<[u8; BYTES], usize>) {
+    let (pixels, _) = pixels.as_chunks::<BYTES>();
+    for alike in pixels.chunk_by(|one, next| one == next) {
+        *counts.entry(alike[0]).or_default() += alike.len();
+    }
+}
+
+/// The pixels that the palette is chosen from: of each colour the root of as many as there are. The white of a page alone would take all the time,
+/// and lines are thin.
+fn weighed(counts: &BTreeMap<[u8; BYTES], usize>) -> Vec<u8> {
+    counts.iter().flat_map(|(colour, count)| colour.repeat(count.isqrt())).collect()
 }
 
 /// Instants of the frames: the last one is the end of the motion.

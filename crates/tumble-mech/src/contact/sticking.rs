@@ -102,7 +102,24 @@ impl Rough<'_> {
         let found = found.or_else(|| self.put_right(self.swept()));
         let found = found.or_else(|| self.put_right(self.as_a_whole(0)?));
         let found = found.or_else(|| self.put_right(self.as_a_whole(1)?));
-        found.or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())
+        let found = found.or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())?;
+        Some(self.strained(&found).unwrap_or(found))
+    }
+
+    /// The same with what would slide but goes nowhere held by others, its friction all that it can have: where more contacts bear a load than are
+    /// needed, that is one of the ways to share it.
+    fn strained(&self, found: &Pushes) -> Option<Pushes> {
+        let strains = |(patch, grip): (&Patch, &Grip)| match grip {
+            Grip::Slides(way) if patch.slips.is_none() && found.then[patch.row()].abs() <= self.zero => {
+                Grip::Strains(*way)
+            }
+            other => *other,
+        };
+        let grips: Vec<Grip> = self.patches.iter().zip(&found.grips).map(strains).collect();
+        if grips == found.grips {
+            return None;
+        }
+        self.attempt(&grips).filter(|strained| self.wrong(strained).is_none())
     }
 
     /// The first of all choices that friction allows.
@@ -425,6 +442,7 @@ impl Patch {
 #[cfg(test)]
 mod tests {
     use crate::contact::certain::tests::{Draw, random};
+    use crate::contact::grip::Grip;
 
     /// Much friction may hold one choice with several sets of contacts: of some thousand problems a few are solved by trying these alone.
     #[test]
@@ -440,5 +458,23 @@ mod tests {
             assert!(rough.solve().is_some(), "{index}");
         }
         assert!(alone > 5, "{alone}");
+    }
+
+    /// Where more contacts bear a load than are needed, forces are found with which some have all the friction they can have: these do not slide if
+    /// nothing moves.
+    #[test]
+    fn what_goes_nowhere_does_not_slide() {
+        let mut draw = Draw(31);
+        let mut jammed = 0;
+        for index in 0..3000 {
+            let friction = 0.3 + 0.02 * f64::from(index % 60);
+            let mut rough = random(&mut draw, [2 + index as usize % 3, 2 + index as usize % 2], friction);
+            rough.patches.iter_mut().for_each(|patch| patch.slips = None);
+            let Some(found) = rough.solve().filter(|found| found.then.amax() <= rough.zero) else { continue };
+            let slides = found.grips.iter().any(|grip| matches!(grip, Grip::Slides(_)));
+            assert!(!slides, "{index}: {:?}", found.grips);
+            jammed += usize::from(found.grips.iter().any(|grip| matches!(grip, Grip::Strains(_))));
+        }
+        assert!(jammed > 20, "{jammed}");
     }
 }

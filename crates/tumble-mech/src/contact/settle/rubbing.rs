@@ -6,6 +6,7 @@ use tumble_ode::Reason;
 use super::ending::Ending;
 use super::{Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
+use crate::contact::complementarity::standing;
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::Alike;
@@ -299,7 +300,43 @@ impl Settling<'_> {
         let stop = self.rough(&found.held, patches, self.rates());
         let stop = stop.stopped(&found.grips, &found.held).ok_or_else(|| self.unsolved("contact"))?;
         self.stop(&stop.pushes, jump)?;
+        self.stop_against(rubbing, jump)?;
         Ok(modes)
+    }
+
+    /// Takes away what is left of slips that were taken to have stopped, where they are to slide on against it: they have come to zero first.
+    fn stop_against(
+        &mut self,
+        Rubbing { patches, found, .. }: &Rubbing,
+        jump: &mut Jump<Mode>,
+    ) -> Result<(), Reason> {
+        let mut kept = [&found.held[..], &found.holding].concat();
+        loop {
+            let is_against = |(patch, grip): &(&Patch, &Grip)| match grip {
+                Grip::Slides(way) if patch.slips.is_none() => {
+                    let slip = patch.row() - self.touch.pairs.len();
+                    f64::from(way.sign()) * self.touch.slips.rate[slip] < -self.still(slip)
+                }
+                _ => false,
+            };
+            let against = patches.iter().zip(&found.grips).filter(is_against).map(|(patch, _)| patch.row());
+            let more: Vec<usize> = against.filter(|row| !kept.contains(row)).collect();
+            if more.is_empty() {
+                return Ok(());
+            }
+            kept.extend(more);
+            let stop = standing(&self.touch.response, &self.rates(), &self.independent(&kept));
+            self.stop(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
+        }
+    }
+
+    /// Of some rows those that are independent of the ones before them.
+    fn independent(&self, rows: &[usize]) -> Vec<usize> {
+        let none = DVector::zeros(self.touch.response.nrows());
+        rows.iter().fold(vec![], |known, row| {
+            let grown = [&known[..], &[*row]].concat();
+            if standing(&self.touch.response, &none, &grown).is_some() { grown } else { known }
+        })
     }
 
     /// Writes how contacts are held along their surfaces into the jump.
