@@ -90,6 +90,15 @@ pub(crate) fn standing_together(a: &DMatrix<f64>, b: &DVector<f64>, set: &[usize
     is_independent.then(|| factors.solve(&right)).flatten().map(|pushes| spread(b.len(), set, &pushes))
 }
 
+/// Of some rows those that are independent of the ones before them, in order.
+pub(crate) fn independent(a: &DMatrix<f64>, rows: impl IntoIterator<Item = usize>) -> Vec<usize> {
+    let none = DVector::zeros(a.nrows());
+    rows.into_iter().fold(vec![], |known, row| {
+        let grown = [&known[..], &[row]].concat();
+        if standing(a, &none, &grown).is_some() { grown } else { known }
+    })
+}
+
 /// What of the w is nothing.
 fn rounding(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> f64 {
     let pushed = if z.is_empty() { 0.0 } else { (a.abs() * z.abs()).amax() };

@@ -14,7 +14,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::complementarity::{DEPENDENT, pushing, standing, standing_together};
+use crate::contact::complementarity::{DEPENDENT, independent, pushing, standing, standing_together};
 use crate::contact::grip::{Grip, Way};
 use crate::contact::lemke;
 use crate::product::product;
@@ -349,15 +349,8 @@ impl Rough<'_> {
 
     /// Of the rows by which those that stick do, a largest set that is independent.
     fn holding(&self, grips: &[Grip]) -> Vec<usize> {
-        let none = DVector::zeros(self.response.nrows());
-        let mut holding = vec![];
-        for (patch, grip) in self.patches.iter().zip(grips) {
-            let grown = [&holding[..], &[patch.row()]].concat();
-            if *grip == Grip::Sticks && standing(self.response, &none, &grown).is_some() {
-                holding = grown;
-            }
-        }
-        holding
+        let sticking = self.patches.iter().zip(grips).filter(|(_, grip)| **grip == Grip::Sticks);
+        independent(self.response, sticking.map(|(patch, _)| patch.row()))
     }
 
     fn complete(&self, grips: &[Grip], reduced: Reduced, held: &[usize], found: &DVector<f64>) -> Pushes {

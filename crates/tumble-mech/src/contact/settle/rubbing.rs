@@ -6,7 +6,7 @@ use tumble_ode::Reason;
 use super::ending::Ending;
 use super::{Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
-use crate::contact::complementarity::standing;
+use crate::contact::complementarity::{independent, standing};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::pair::Alike;
@@ -325,18 +325,10 @@ impl Settling<'_> {
                 return Ok(());
             }
             kept.extend(more);
-            let stop = standing(&self.touch.response, &self.rates(), &self.independent(&kept));
+            let response = &self.touch.response;
+            let stop = standing(response, &self.rates(), &independent(response, kept.iter().copied()));
             self.stop(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
         }
-    }
-
-    /// Of some rows those that are independent of the ones before them.
-    fn independent(&self, rows: &[usize]) -> Vec<usize> {
-        let none = DVector::zeros(self.touch.response.nrows());
-        rows.iter().fold(vec![], |known, row| {
-            let grown = [&known[..], &[*row]].concat();
-            if standing(&self.touch.response, &none, &grown).is_some() { grown } else { known }
-        })
     }
 
     /// Writes how contacts are held along their surfaces into the jump.
