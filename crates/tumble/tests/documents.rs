@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::{copy_scenes, failures, folder, read, repository, scenes, text, tumble, write};
+use crate::common::{copy_scenes, failures, folder, gallery, read, repository, scenes, text, tumble, write};
 use tumble::gallery::completed;
 use tumble::pipeline::{self, Options};
 
@@ -259,11 +259,8 @@ fn matches(found: &[String], shown: &[String]) -> bool {
 /// `cargo xtask bless figures` makes them new.
 #[test]
 fn figures_are_those_of_the_gallery() {
-    let out = folder();
-    let options = Options { out: out.path().to_owned(), ..Options::default() };
     let mut drawn = BTreeSet::new();
-    for (_, scene) in scenes() {
-        let outcome = pipeline::run(&scene, &options).expect("a scene that runs");
+    for (_, outcome) in gallery() {
         let files = outcome.figures.iter().map(|figure| outcome.folder.join(format!("{figure}.svg")));
         drawn.extend(files.map(|file| read(&file)));
     }

@@ -4,11 +4,14 @@
 #![allow(dead_code)]
 
 use std::fs;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::{Mutex, OnceLock};
 
 use tempfile::TempDir;
-use tumble::pipeline::Outcome;
+use tumble::ReportForm;
+use tumble::pipeline::{self, Options, Outcome};
 
 /// A file of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
@@ -23,6 +26,35 @@ pub(crate) fn scenes() -> Vec<(String, PathBuf)> {
     let mut found: Vec<_> = scenes.filter(|(_, scene)| scene.is_file()).collect();
     found.sort();
     assert!(!found.is_empty(), "there are scenes");
+    found
+}
+
+/// What came out of every scene of the repository, with its report: run once, on all processors, for all tests that look at it.
+pub(crate) fn gallery() -> &'static [(String, Outcome)] {
+    static GALLERY: OnceLock<Vec<(String, Outcome)>> = OnceLock::new();
+    GALLERY.get_or_init(run_all)
+}
+
+fn run_all() -> Vec<(String, Outcome)> {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("gallery");
+    // Nothing of an earlier run is to be taken for one of this.
+    if out.exists() {
+        fs::remove_dir_all(&out).expect("a folder of these tests");
+    }
+    let options = Options { out, report: ReportForm::Html, ..Options::default() };
+    let scenes = scenes();
+    let (left, found) = (Mutex::new(scenes.into_iter()), Mutex::new(vec![]));
+    let next = || left.lock().expect("scenes").next();
+    let run = || {
+        while let Some((name, scene)) = next() {
+            let outcome = pipeline::run(&scene, &options).unwrap_or_else(|error| panic!("{name}: {error}"));
+            found.lock().expect("outcomes").push((name, outcome));
+        }
+    };
+    let workers = std::thread::available_parallelism().map_or(1, NonZero::get);
+    std::thread::scope(|scope| (0..workers).for_each(|_| _ = scope.spawn(run)));
+    let mut found = found.into_inner().expect("outcomes");
+    found.sort_by(|(one, _), (other, _)| one.cmp(other));
     found
 }
 
