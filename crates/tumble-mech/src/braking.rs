@@ -6,7 +6,6 @@ use tumble_ode::{Crossing, Reason};
 
 use crate::brake::Brake;
 use crate::contact::{BALANCED, Grip, STANDS, Watched, Way, moves};
-use crate::coordinates::Coordinates;
 use crate::equations::Equations;
 use crate::kinematics::Kinematics;
 use crate::link::RowOf;
@@ -177,7 +176,8 @@ impl Instant<'_> {
             RowOf::Joint(joint, _) => equations.model().joints[*joint].world().is_some_and(moves),
             RowOf::Brake(brake) => self.brakes()[*brake].rate.symbols().contains(&t),
         };
-        let count: usize = island.iter().map(|body| self.freedoms(mode, *body)).sum();
+        let free = |body: &usize| equations.free_velocity_states(mode, *body, self.states).len();
+        let count: usize = island.iter().map(free).sum();
         if rows.len() < count
             || rows.iter().any(moves)
             || island.iter().any(|body| equations.is_carried(*body))
@@ -191,16 +191,6 @@ impl Instant<'_> {
         let rows = gradient.row_iter().map(|row| row / row.norm().max(f64::MIN_POSITIVE));
         let gradient = DMatrix::from_rows(&rows.collect::<Vec<_>>());
         Ok(gradient.iter().all(|slope| slope.is_finite()) && gradient.rank(FOLLOWS) == count)
-    }
-
-    /// Velocities of a body that something has to hold: a point that does not turn will not.
-    fn freedoms(&self, mode: &Mode, body: usize) -> usize {
-        let velocities = self.equations.velocity_states(mode, body);
-        let is_point =
-            matches!(self.equations.body_equations(body).coordinates, Coordinates::Free { is_point: true });
-        let turns = velocities.last().is_some_and(|omega| self.states[*omega] != 0.0);
-        let stays = is_point && !turns && !self.equations.is_turned_by_joints(mode, body);
-        velocities.len() - usize::from(stays)
     }
 
     fn brakes(&self) -> &[Brake] {

@@ -128,23 +128,33 @@ impl Engine {
     }
 
     /// Finds what is watched along a motion that stays where it is, if it may: all its rates are zero but for this part of their
-    /// rounding errors; each rate is off by so much.
+    /// rounding errors; each rate is off by so much. How far that can be told: rates and what is watched may change with the time.
     pub(crate) fn rest(
         &mut self,
         (time, states): (f64, &[f64]),
         noise: &Noise,
         (part, off): (f64, &[f64]),
         found: &mut Expansion,
-    ) -> bool {
+    ) -> Option<f64> {
         let is_still = noise.values.iter().zip(&noise.rates).all(|(rate, error)| rate.abs() <= part * error);
         if self.system.transformed || self.system.exact_degree.is_some() || !is_still {
-            return false;
+            return None;
         }
         let frozen = Frozen { signs: &self.branch_signs.signs, vanishing: &self.branch_signs.vanishing };
         let now = (time, states, false);
         let along = (frozen, &self.turnings[..]);
-        expand(&self.system, &mut self.jets, self.order, along, now, off, found).is_ok()
-            && self.wrong_side(found, time).is_none()
+        expand(&self.system, &mut self.jets, self.order, along, now, off, found).ok()?;
+        if self.wrong_side(found, time).is_some() {
+            return None;
+        }
+        let known = found.order();
+        let rates = self.system.tape.outputs()[..self.system.len()].iter();
+        let rates = rates.map(|slot| &self.jets.slot(*slot)[..known]);
+        Some(
+            rates
+                .chain(self.watched_series(found))
+                .fold(f64::INFINITY, |radius, series| of_own_size(series, radius)),
+        )
     }
 
     /// How much later than `s` a guard is zero by its value, where its series misses that: the terms of a long step's series are
@@ -253,12 +263,16 @@ impl Engine {
         let states = expansion.states.iter().enumerate();
         let states = states.map(|(state, series)| of_series(series, scales.of(self.system.group(state))));
         let time = expansion.time.iter().map(|series| of_series(series, series[0].abs()));
+        let own = states.chain(time).fold(f64::INFINITY, f64::min);
+        self.watched_series(expansion).fold(own, |radius, series| of_own_size(series, radius))
+    }
+
+    /// The series of branches that matter and of guards.
+    fn watched_series<'a>(&'a self, expansion: &'a Expansion) -> impl Iterator<Item = &'a [f64]> {
         let active = self.branch_signs.active.branches.iter();
         let branches =
             expansion.branches.iter().zip(active).filter(|(_, active)| **active).map(|(series, _)| series);
-        let watched = branches.chain(expansion.guards.iter());
-        let own = states.chain(time).fold(f64::INFINITY, f64::min);
-        watched.fold(own, |radius, series| of_own_size(series, radius))
+        branches.chain(expansion.guards.iter())
     }
 
     /// Name of what limits the radius: a state, an event or a formula with a branch.

@@ -280,12 +280,14 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         self.watch_rates(mode);
         let part = if self.rounding.is_nearest() { 1.0 } else { STILL_PART };
         let now = (self.time, self.states.as_slice());
-        if !self.engines[mode].rest(now, &self.noise, (part, &self.off), expansion) {
+        let Some(radius) = self.engines[mode].rest(now, &self.noise, (part, &self.off), expansion) else {
             return Ok(None);
-        }
+        };
         let ahead = (self.reach, self.compensation.as_slice());
         let work = &mut self.trajectory.work;
-        let length = self.engines[mode].approach(expansion, end - self.time, ahead, work)?;
+        // What rests may do so for as long as nobody knows otherwise.
+        let length = (end - self.time).min(radius * self.reach);
+        let length = self.engines[mode].approach(expansion, length, ahead, work)?;
         let step = self.cut(mode, expansion, length, end);
         let holds = step.length > 0.0
             && self.verdict(mode, expansion, &step).excess <= 1.0

@@ -28,7 +28,7 @@ const SWEEPS: usize = 1000;
 /// Friction nearer to what it can be at most than this part is taken for all of it after the sweeps.
 const NEARLY_FULL: f64 = 1e-6;
 /// With more surfaces than this not all choices are tried: there are five for each. Six, with every set of as many contacts, are some seconds, once.
-const MOST_TRIED: usize = 6;
+pub(super) const MOST_TRIED: usize = 6;
 
 /// All points by which one body touches one surface with friction.
 #[derive(Clone, Debug)]
@@ -98,12 +98,82 @@ impl Rough<'_> {
     /// Pushes that every condition holds for; `None` if none were found.
     pub(super) fn solve(&self) -> Option<Pushes> {
         let start = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
-        let found = self.put_right(self.patches.iter().map(start).collect());
+        let start: Vec<Grip> = self.patches.iter().map(start).collect();
+        let found = self.allowed(&start).or_else(|| self.least_friction()).or_else(|| self.put_right(start));
         let found = found.or_else(|| self.put_right(self.swept()));
         let found = found.or_else(|| self.put_right(self.as_a_whole(0)?));
         let found = found.or_else(|| self.put_right(self.as_a_whole(1)?));
         let found = found.or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())?;
-        Some(self.strained(&found).unwrap_or(found))
+        let found = self.strained(&found).unwrap_or(found);
+        Some(self.unpressed(&found).unwrap_or(found))
+    }
+
+    /// The solution for a choice, if friction allows it.
+    fn allowed(&self, grips: &[Grip]) -> Option<Pushes> {
+        self.attempt(grips).filter(|found| self.wrong(found).is_none())
+    }
+
+    /// What normals hold as far as they can, and friction what they cannot: where more contacts bear a load than are needed, friction may also
+    /// wedge them against each other, which nothing asks for.
+    fn least_friction(&self) -> Option<Pushes> {
+        let mut kept = independent(self.response, self.contacts.iter().copied());
+        let mut grip = |patch: &Patch| {
+            let Some(way) = patch.slips else {
+                let grown = independent(self.response, kept.iter().copied().chain([patch.row()]));
+                let is_needed = grown.len() > kept.len();
+                kept = grown;
+                return if is_needed { Grip::Sticks } else { Grip::Follows };
+            };
+            Grip::Slides(way)
+        };
+        let grips: Vec<Grip> = self.patches.iter().map(&mut grip).collect();
+        if !grips.contains(&Grip::Follows) {
+            return None;
+        }
+        let stays = |found: &Pushes, patch: &Patch| {
+            found.then[patch.row()].abs() <= self.zero || self.normal_of(patch, &found.pushes) <= 0.0
+        };
+        let follow = || self.patches.iter().zip(&grips).filter(|(_, grip)| **grip == Grip::Follows);
+        self.allowed(&grips).filter(|found| follow().all(|(patch, _)| stays(found, patch)))
+    }
+
+    /// The same with friction nowhere that nothing presses, if what is held otherwise keeps it in its place: where loads only begin, normals that
+    /// stand still without a push come before it, and say from then on whether they press.
+    fn unpressed(&self, found: &Pushes) -> Option<Pushes> {
+        let stands = |contact: usize| found.then[contact] <= self.zero && !found.held.contains(&contact);
+        let standing: Vec<usize> = self.contacts.iter().copied().filter(|contact| stands(*contact)).collect();
+        let is_loose = |(patch, grip): &(&Patch, &Grip)| {
+            let slack = self.zero / self.response[(patch.row(), patch.row())].max(f64::MIN_POSITIVE);
+            **grip == Grip::Sticks
+                && self.normal_of(patch, &found.pushes) <= slack
+                && patch.contacts.iter().any(|(contact, _)| standing.contains(contact))
+        };
+        let all = || self.patches.iter().zip(&found.grips);
+        if !all().any(|one| is_loose(&one)) {
+            return None;
+        }
+        let pressed =
+            all().filter(|one| *one.1 == Grip::Sticks && !is_loose(one)).map(|(patch, _)| patch.row());
+        let kept: Vec<usize> =
+            found.held.iter().copied().chain(pressed).chain(standing.iter().copied()).collect();
+        let mut kept = independent(self.response, kept);
+        let grips: Vec<Grip> = all()
+            .map(|one| {
+                let grown = independent(self.response, kept.iter().copied().chain([one.0.row()]));
+                match is_loose(&one) {
+                    true if grown.len() == kept.len() => Grip::Follows,
+                    true => {
+                        kept = grown;
+                        Grip::Sticks
+                    }
+                    false => *one.1,
+                }
+            })
+            .collect();
+        if grips == found.grips {
+            return None;
+        }
+        self.allowed(&grips)
     }
 
     /// The same with what would slide but goes nowhere held by others, its friction all that it can have: where more contacts bear a load than are
@@ -119,7 +189,7 @@ impl Rough<'_> {
         if grips == found.grips {
             return None;
         }
-        self.attempt(&grips).filter(|strained| self.wrong(strained).is_none())
+        self.allowed(&grips)
     }
 
     /// The first of all choices that friction allows.
@@ -141,7 +211,7 @@ impl Rough<'_> {
     }
 
     /// Whether no push pulls and nothing closes.
-    fn pushes_apart(&self, found: &Pushes) -> bool {
+    pub(super) fn pushes_apart(&self, found: &Pushes) -> bool {
         self.contacts.iter().all(|&contact| {
             let more = found.pushes[contact] - self.given[contact];
             more * self.response[(contact, contact)] >= -self.zero && found.then[contact] >= -self.zero

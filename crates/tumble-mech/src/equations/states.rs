@@ -4,7 +4,7 @@ use tumble_expr::{Expr, Symbol};
 
 use super::Equations;
 use crate::body_equations::BodyEquations;
-use crate::coordinates::{Measure, StateRate};
+use crate::coordinates::{Coordinates, Measure, StateRate};
 use crate::laws;
 use crate::mode::Mode;
 
@@ -60,6 +60,17 @@ impl Equations {
     pub(crate) fn velocity_states(&self, mode: &Mode, body: usize) -> Vec<usize> {
         let first = self.first_state(mode, body);
         self.parts.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
+    }
+
+    /// The same of those that something has to hold: a point that does not turn will not.
+    pub(crate) fn free_velocity_states(&self, mode: &Mode, body: usize, states: &[f64]) -> Vec<usize> {
+        let mut velocities = self.velocity_states(mode, body);
+        let is_point = matches!(self.parts.bodies[body].coordinates, Coordinates::Free { is_point: true });
+        let turns = velocities.last().is_some_and(|omega| states[*omega] != 0.0);
+        if is_point && !turns && !self.is_turned_by_joints(mode, body) {
+            velocities.pop();
+        }
+        velocities
     }
 
     /// Indices of the states of a mode that a body's velocities are the rates of.

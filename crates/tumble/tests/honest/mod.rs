@@ -13,5 +13,6 @@ mod open;
 mod refusals;
 mod rounding;
 mod signs;
+mod still;
 mod tallies;
 mod times;

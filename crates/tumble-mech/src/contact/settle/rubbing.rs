@@ -90,7 +90,7 @@ impl Settling<'_> {
         let forced = self.forced(&patches, touched, &beginning, jump);
         let zero = self.zero();
         let closes = |found: &Pushes| all.iter().any(|position| found.then[*position] < -zero);
-        let shared = forced.as_ref().and_then(|forced| self.shared(some, &patches, forced));
+        let shared = forced.as_ref().and_then(|forced| self.shared(some, &patches, forced, &jump.mode));
         if let Some(found) = shared.filter(|found| !closes(found)) {
             let forced = patches.iter().map(|patch| patch.slips).collect();
             return Ok(Some(Rubbing { patches, forced, found }));
@@ -391,15 +391,21 @@ impl Settling<'_> {
 
     /// What is held so that it cannot move is not integrated: it does not creep by what rounding leaves of its forces.
     fn keep_still(&self, found: &Pushes, jump: &mut Jump<Mode>) {
-        let held = [&found.held[..], &found.holding].concat();
+        // What nothing presses does not hold by friction.
+        let touches = |position: &usize| {
+            found.held.contains(position) || jump.mode.is_pressed(self.touch.pairs[*position])
+        };
+        let is_pressed = |row: &&usize| touches(&self.touch.slips.of[**row - self.touch.pairs.len()]);
+        let holding: Vec<usize> = found.holding.iter().filter(is_pressed).copied().collect();
+        let held = [&found.held[..], &holding].concat();
         let sticks = |position: usize| {
             let mut own = self.touch.slips.all_at(position);
-            own.any(|slip| found.holding.contains(&(self.touch.pairs.len() + slip)))
+            own.any(|slip| holding.contains(&(self.touch.pairs.len() + slip)))
         };
         let holds = |position: &usize| found.held.contains(position) || sticks(*position);
         let mut holding = (0..self.touch.pairs.len()).filter(holds);
         let is_fixed = holding.all(|position| self.equations.pairs()[self.touch.pairs[position]].is_fixed());
-        let of = |body: &usize| self.equations.velocity_states(&jump.mode, *body);
+        let of = |body: &usize| self.equations.free_velocity_states(&jump.mode, *body, &jump.states);
         let velocities: Vec<usize> = self.island.iter().flat_map(of).collect();
         let is_free = self.equations.independent_rows_of(&jump.mode, &self.island).is_empty();
         let is_carried = self.island.iter().any(|body| self.equations.is_carried(*body));

@@ -1,0 +1,125 @@
+//! What is at rest is watched while it rests: loads that change with the time break it away, lift it and turn it over, however long the run is.
+
+use super::ask::{Scene, are, scene};
+
+const G: f64 = 9.81;
+
+/// A surface along x with friction.
+fn floor(friction: &str) -> String {
+    format!("[surface.floor]\nthrough = [0, 0]\nrigid = {{ restitution = 0, friction = {friction} }}\n")
+}
+
+fn push(on: &str, along_x: &str) -> String {
+    format!("[force.push]\non = \"{on}\"\nat = \"{on}.cm\"\nforce = [\"{along_x}\", 0]\n")
+}
+
+/// A box of 2 kg on a floor with friction 0.4, pushed.
+fn pushed(along_x: &str, until: &str) -> Scene {
+    let body = "[body.b]\nbox = { width = \"60 cm\", height = \"10 cm\" }\nmass = \"2 kg\"\nstart.at = [0, \"5 cm\"]\n";
+    scene(&[body, &floor("0.4"), &push("b", along_x)].concat()).heavy().until(until)
+}
+
+#[test]
+fn an_event_of_the_time_alone_is_met() {
+    let event =
+        "[body.b]\npoint = {}\nmass = \"2 kg\"\n[event.e]\nwhen = \"sin((2.7 rad/s)*t) rises through 0.5\"\n";
+    for until in ["3 s", "25 s", "100 s"] {
+        are(&scene(event).until(until).ask(["e[1]"]), [0.5_f64.asin() / 2.7], 1e-12);
+    }
+}
+
+#[test]
+fn pushes_break_away_whatever_they_are_like() {
+    let most = 0.4 * 2.0 * G;
+    for (push, when) in [
+        ("(13 N)*sin((2.7 rad/s)*t)", (most / 13.0).asin() / 2.7),
+        ("(8 N)*sin((5 rad/s)*t)^2", (most / 8.0).sqrt().asin() / 5.0),
+        ("(13 N)*exp(-((t - 3 s)/(1 s))^2)", 3.0 - (13.0 / most).ln().sqrt()),
+        ("(13 N)*exp(-((t - 3 s)/(0.2 s))^2)", 3.0 - 0.2 * (13.0 / most).ln().sqrt()),
+        ("(1.3 N)*exp(t/(1 s))", (most / 1.3).ln()),
+    ] {
+        for until in ["6 s", "7.7 s", "20 s"] {
+            are(&pushed(push, until).ask(["floor.slides[1]"]), [when], 1e-11);
+        }
+    }
+}
+
+#[test]
+fn a_brake_a_pivot_and_corners_let_go() {
+    let rod = "[body.r]\nrod = { from = [0, 0], to = [0, \"-1 m\"] }\nmass = \"1 kg\"\n";
+    let pivot = |y: &str| format!("[pivot.h]\nbody = \"r\"\npoint = [0, 0]\nworld = [0, \"{y}\"]\n");
+    let brake = "[force.rub]\non = \"r\"\ntorque = \"-(2 N*m)*sign(r.omega)\"\n[force.shake]\non = \"r\"\ntorque = \"(3 N*m)*sin((2.7 rad/s)*t)\"\n";
+    let braked = scene(&[rod, &pivot("0 m"), brake].concat()).heavy().until("30 s");
+    are(&braked.ask(["rub.slides[1]"]), [(2.0_f64 / 3.0).asin() / 2.7], 1e-12);
+    let slack = "[event.slack]\nwhen = \"h.fy falls through 0 N\"\n";
+    let shaken = scene(&[rod, &pivot("(30 cm)*sin((7 rad/s)*t)"), slack].concat()).heavy().until("30 s");
+    are(&shaken.ask(["slack[1]"]), [(G / 14.7).asin() / 7.0], 1e-12);
+    let tall = "[body.b]\nbox = { width = \"10 cm\", height = \"40 cm\" }\nmass = \"1 kg\"\nstart.at = [0, \"20 cm\"]\n";
+    let tall = scene(&[tall, &floor("0.9"), &push("b", "(4 N)*sin((1.7 rad/s)*t)^2")].concat()).heavy();
+    let tips = (G / 16.0_f64).sqrt().asin() / 1.7;
+    are(&tall.until("30 s").ask(["floor.b.corner1.contact[1].end"]), [tips], 1e-12);
+}
+
+/// Loads that begin at zero: which contacts bear them and which slip is seen as they grow.
+#[test]
+fn loads_that_begin_at_zero_find_who_bears_them() {
+    let ball = |name: &str, mass: &str, x: &str| {
+        format!(
+            "[body.{name}]\nball = {{ radius = \"10 cm\" }}\nmass = \"{mass}\"\nstart.at = [\"{x}\", \"10 cm\"]\n"
+        )
+    };
+    let row = "[contact.balls]\nbetween = [\"a\", \"b\"]\nrigid = { restitution = 0.3, friction = 0.2 }\n";
+    let balls = [
+        &ball("a", "1 kg", "0 m"),
+        &ball("b", "1.5 kg", "20 cm"),
+        &floor("0.4"),
+        row,
+        &push("a", "(0.9 N/s)*t"),
+    ];
+    let pushes = scene(&balls.concat()).heavy().until("2 s");
+    are(&pushes.ask(["a.vx", "b.vx"]), [1.8 / (1.4 + 1.4 * 1.5 * 1.2 / 0.8); 2], 1e-11);
+    let wall = "[surface.wall]\nthrough = [\"-10 cm\", 0]\nnormal = [1, 0]\nrigid = { restitution = 0, friction = 0.4 }\n";
+    let corner = |load: &str| scene(&[&ball("a", "1 kg", "0 m"), &floor("0.4"), wall, load].concat()).heavy();
+    let pulled = corner(&push("a", "(0.9 N/s)*t")).until("2 s");
+    are(&pulled.ask(["a.vx", "wall.normal"]), [1.8 / 1.4, 0.0], 1e-11);
+    let pressed = corner(&push("a", "-(0.9 N/s)*t")).until("2 s");
+    are(&pressed.ask(["a.vx", "a.ax"]), [0.0; 2], 1e-11);
+    // Friction at the floor and at the wall holds the ball until both have all they can have.
+    let turned = corner("[force.motor]\non = \"a\"\ntorque = \"(0.2 N*m/s)*t\"\n").until("6 s");
+    are(&turned.ask(["floor.a.slides[1]"]), [0.4 * 0.1 * G * 1.4 / (1.16 * 0.2)], 1e-11);
+}
+
+/// Where more feet bear than are needed nothing slips before all have the friction they can have.
+#[test]
+fn joined_boxes_slip_together() {
+    let truck = |name: &str, mass: &str, x: &str, hook: &str| {
+        format!(
+            "[body.{name}]\nbox = {{ width = \"20 cm\", height = \"10 cm\" }}\nmass = \"{mass}\"\npoints.hook = [\"{hook}\", 0]\n\
+             start.at = [\"{x}\", \"5 cm\"]\n"
+        )
+    };
+    let slips: f64 = 0.42 * 4.3 * G / 3.3;
+    for joint in ["pin", "weld"] {
+        let joint = format!("[{joint}.c]\nbetween = [\"a.hook\", \"b.hook\"]\n");
+        let [a, b] = [truck("a", "1.4 kg", "0 m", "20 cm"), truck("b", "2.9 kg", "40 cm", "-20 cm")];
+        let train = [a, b, joint, floor("{ static = 0.42, kinetic = 0.33 }"), push("b", "(3.3 N/s)*t")];
+        let train = scene(&train.concat()).heavy().until("7 s");
+        let speed = 3.3 * (49.0 - slips * slips) / (2.0 * 4.3) - 0.33 * G * (7.0 - slips);
+        are(&train.ask(["floor.slides[1]", "b.vx"]), [slips, speed], 1e-9);
+    }
+}
+
+/// A point does not turn: contact and friction hold it, and what they hold does not move at all.
+#[test]
+fn points_stay_where_friction_holds_them() {
+    let point = |name: &str, x: &str| {
+        format!("[body.{name}]\npoint = {{}}\nmass = \"2.9 kg\"\nstart.at = [\"{x}\", 0]\n")
+    };
+    let one = [point("b", "1 m"), floor("0.42"), push("b", "(3.3 N/s)*t")].concat();
+    let found = scene(&one).heavy().until("3 s").ask(["b.x", "b.vx"]);
+    are(&found, [1.0, 0.0], 0.0);
+    let spring =
+        "[spring.s]\nbetween = [\"a.cm\", \"b.cm\"]\nstiffness = \"55 N/m\"\nrest_length = \"40 cm\"\n";
+    let two = [point("a", "0 m"), point("b", "40 cm"), floor("0.42"), spring.to_owned()].concat();
+    are(&scene(&two).heavy().until("3 s").ask(["a.x", "b.x"]), [0.0, 0.4], 0.0);
+}
