@@ -46,6 +46,7 @@ pub(crate) struct Draft {
     pub(crate) checks: Vec<Check>,
     pub(crate) equilibrium: bool,
     pub(crate) symbols: BTreeMap<String, String>,
+    pub(crate) meanings: BTreeMap<String, String>,
     pub(crate) sweep: Vec<SweepAxis>,
     /// Parameters in the order of the scene, each with the formula that it has.
     pub(crate) parameter_texts: Vec<(String, String)>,
@@ -122,6 +123,7 @@ impl Draft {
                 checks: self.checks,
                 equilibrium: self.equilibrium,
                 symbols: self.symbols,
+                meanings: self.meanings,
                 sweep: self.sweep,
                 play: self.play,
                 said: Said {

@@ -83,20 +83,39 @@ pub(crate) fn define_contacts(names: &mut Names, model: &Model) {
     }
 }
 
-/// The same for bodies that meet each other: `balls.red.white.gap`.
+/// The same for bodies that meet each other: `balls.red.white.gap`; of two bodies that meet in several points all forces together are
+/// `slide.block.wedge.normal`, and of a contact of two bodies alone `slide.normal`.
 pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
     let (pairs, resisting): (Vec<Pair>, Vec<Pair>) =
         model.pairs().into_iter().partition(|pair| !pair.is_rolling());
     define_resistances(names, model, &resisting);
+    let mut sums: BTreeMap<(usize, String), [Vec<Symbol>; 2]> = BTreeMap::new();
     for pair in pairs {
-        let (Rule::Bodies(contact), Some(other)) = (pair.rule, pair.other) else { continue };
+        let (Rule::Bodies(rule), Some(other)) = (pair.rule, pair.other) else { continue };
+        let contact = rule;
         let contact = &model.contacts[contact].name;
         let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
-        define_pair(names, &pair, format!("{contact}.{first}.{second}"));
+        let bodies = format!("{contact}.{first}.{second}");
+        define_pair(names, &pair, bodies.clone());
         if pair.friction.is_some() {
             define_slips(names, contact, pair.is_round());
         }
         names.touching.insert(contact.clone());
+        // Round bodies meet in one point, which has the name of both.
+        let [normals, frictions] = sums.entry((rule, bodies)).or_default();
+        normals.push(pair.force_symbol());
+        frictions.extend(pair.friction.iter().map(|_| pair.friction_symbol()));
+    }
+    for ((rule, bodies), of) in &sums {
+        let is_only = sums.keys().filter(|(other, _)| other == rule).count() == 1;
+        let places = [(of[0].len() > 1).then_some(bodies), is_only.then_some(&model.contacts[*rule].name)];
+        for place in places.into_iter().flatten() {
+            for (quantity, of) in ["normal", "friction"].into_iter().zip(of) {
+                let all = of.iter().cloned().map(Expr::from).reduce(|a, b| a + b);
+                all.into_iter()
+                    .for_each(|all| names.define(Level::Forces, &format!("{place}.{quantity}"), &all));
+            }
+        }
     }
 }
 

@@ -50,6 +50,8 @@ pub struct Study {
     pub equilibrium: bool,
     /// How names are written in figures and equations: `rod.angle` as `theta`.
     pub symbols: BTreeMap<String, String>,
+    /// What parameters are, in words, by their names.
+    pub meanings: BTreeMap<String, String>,
     /// What takes several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
     /// What a reader of the page may change.

@@ -178,7 +178,7 @@ impl<'a> Layout<'a> {
         let drawings =
             || self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
         if drawings().any(|drawing| drawing.strokes.iter().any(|stroke| stroke.broken)) {
-            captions.push(Label::plain("An arrow with a break (//) is longer than to scale."));
+            captions.push(Label::plain("An arrow with a break (//) is drawn longer than its scale."));
         }
         if drawings().any(|drawing| !drawing.rings.is_empty()) {
             captions.push(Label::plain("Circular arrows are not to scale."));

@@ -59,7 +59,7 @@ pub(crate) fn free_bodies(study: &Study, sheet: &FreeBodySheet, body: &str, said
             "tau",
             "torque about the centre of mass, counter-clockwise positive",
         ),
-        (any(&is_of_impulses), "J", "impulse of an instant"),
+        (any(&is_of_impulses), "J", "impulse of an impact"),
         (has(&velocity), &*velocity, "velocity of the centre of mass"),
         (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
         (has("u"), "u", "velocity of the air past the point where it acts"),

@@ -128,7 +128,7 @@ impl Drawing<'_> {
         let names = open.iter().map(|symbol| format!("${symbol}$")).collect::<Vec<_>>().join(", ");
         let has_forces = !names.is_empty() && self.impulses(time).next().is_none();
         let text = format!(
-            "At {} s there are more supports than conditions, so these forces are not unique: {names}.",
+            "At {} s there are more unknown forces than equations, so these are not unique: {names}.",
             shown(time)
         );
         Ok(has_forces.then(|| Label::markup(&text)))
@@ -206,7 +206,8 @@ impl Drawing<'_> {
         let centre = panel.pose.centre();
         let point = [centre[0] + force.arm[0], centre[1] + force.arm[1]];
         let name = symbols::force(self.study, &force.load, force.law);
-        let mut panel = panel.force(Arrow::new(kind(force.law), Label::symbol(&name), point, force.force));
+        let symbol = self.signed(&force.load, &name);
+        let mut panel = panel.force(Arrow::new(kind(force.law), symbol, point, force.force));
         if matches!(force.law, Law::Drag | Law::Lift)
             && let Some(stated) = air::stated(self.run, self.body, &force.load, time)
         {
@@ -218,6 +219,14 @@ impl Drawing<'_> {
         }
         let is_there = size(force.force) > 0.0 && size(force.arm) > 0.0;
         Ok(if is_there { panel.arm(Label::symbol(&symbols::arm(&name)), point) } else { panel })
+    }
+
+    /// The symbol of a force; its opposite on the second body of a joint.
+    fn signed(&self, load: &str, name: &str) -> Label {
+        let joint = self.study.model.joints.iter().find(|joint| joint.name == load);
+        let second = joint.and_then(|joint| joint.ends[1].body());
+        let is_opposite = second == Some(&*self.study.model.bodies[self.body].name);
+        if is_opposite { Label::plain("\u{2212}").then(Label::symbol(name)) } else { Label::symbol(name) }
     }
 
     /// Weight and support out of a horizontal plane, and what of the other forces is seen from the side.
@@ -254,7 +263,11 @@ impl Drawing<'_> {
         let name = self.run.equations.source_name(impulse.source);
         let place = symbols::contact(self.study, symbols::rubbed(name));
         let along = if matches!(impulse.source, Source::Friction(_)) { "_f" } else { "" };
-        (kind, symbols::impulse(&format!("{place}{along}")))
+        // One that is a couple alone.
+        match matches!(impulse.source, Source::Applied(_)) && impulse.impulse == [0.0; 2] {
+            true => (kind, symbols::angular_impulse(&place)),
+            false => (kind, symbols::impulse(&format!("{place}{along}"))),
+        }
     }
 
     fn surfaces(&self, body: &Body, pose: Pose, time: f64) -> Result<Vec<Ground>, CaseError> {

@@ -179,6 +179,11 @@ pub(crate) fn torque(force: &str) -> String {
     format!("tau_{}", below.replace('_', ","))
 }
 
+/// An angular impulse by its name: `H_hammer`.
+pub(crate) fn angular_impulse(name: &str) -> String {
+    format!("H_{name}")
+}
+
 /// An impulse at a place, or by its name: `J_tip`.
 pub(crate) fn impulse(place: &str) -> String {
     format!("J_{place}")

@@ -195,6 +195,7 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
         },
         within: precise(check.within, unit),
         passed: check.holds,
+        is_sure: check.is_sure(),
     }
 }
 

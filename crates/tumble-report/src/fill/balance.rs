@@ -90,7 +90,7 @@ fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) ->
         Column::numbers(with("Impulse, y", "N*s")),
         Column::numbers(with("Angular impulse", "N*m*s")),
     ];
-    let mut table = PrintedTable::new("What every load did", columns);
+    let mut table = PrintedTable::new("Contribution of each load", columns);
     for (index, (_, contribution)) in balance.contributions.iter().enumerate() {
         // Where its error is known, what is less is none.
         let error = balance.work_errors.as_ref().map_or(0.0, |errors| errors[index]);

@@ -48,7 +48,6 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
     let stretches = stretches(run);
     let count = stretches.len();
     // An impact ends a closed form though the mode stays.
-    let is_jump = |one: &Happening| !matches!(one, Happening::Event(_) | Happening::Rest);
     let jumps = run.events().filter(|event| event.record.happened.iter().any(is_jump));
     let last_jump = jumps.map(|event| event.time).fold(0.0, f64::max);
     for (number, (mode, ends)) in stretches.into_iter().take(MOST_PHASES).enumerate() {
@@ -82,7 +81,15 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
 /// The closed forms of a run as they are shown.
 pub(super) fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, CaseError> {
     let solved = solved(study, &case.run);
-    solved.iter().map(|stretch| phase(study, case, names, stretch)).collect()
+    let by_formulas = solved.iter().map(|stretch| phase(study, case, names, stretch));
+    let mut phases: Vec<Phase> = by_formulas.collect::<Result<_, _>>()?;
+    phases.extend(numeric::phases(study, names, case, (phases.len(), MOST_PHASES))?);
+    Ok(phases)
+}
+
+/// Whether the motion may not go on as before.
+fn is_jump(one: &Happening) -> bool {
+    !matches!(one, Happening::Event(_) | Happening::Rest)
 }
 
 /// The time since a phase began.
@@ -182,9 +189,13 @@ fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Re
     let mut lines: Vec<Vec<(Left, Expr)>> = vec![vec![]; study.model.bodies.len()];
     let mut numbers: Vec<Typeset> = vec![];
     for (coordinate, motion) in coordinates.iter().zip(motions) {
-        for (symbol, formula) in
-            [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)]
-        {
+        let is_still = is_identically_zero(&motion.velocity);
+        if is_still && study.model.bodies.len() > 1 {
+            continue;
+        }
+        let both = [(&coordinate.position, &motion.position), (&coordinate.velocity, &motion.velocity)];
+        // What does not move has no velocity; of several bodies only what moves is told.
+        for (symbol, formula) in both.into_iter().take(if is_still { 1 } else { 2 }) {
             let left = Left::symbol(Math::symbol(names.shown(&symbol.name)));
             lines[coordinate.body].push((left, formula.clone()));
             numbers.push(with_numbers(study, names, symbol, formula, elapsed)?);
@@ -229,15 +240,22 @@ fn with_numbers(
     formula: &Expr,
     elapsed: &Symbol,
 ) -> Result<Typeset, CaseError> {
-    let time = Math::symbol(&elapsed.name);
+    let powers = polynomial_in(formula, elapsed).unwrap_or_default();
+    let powers: Result<Vec<f64>, _> = powers.iter().map(|coefficient| study.number(coefficient)).collect();
+    Ok(line(names, symbol, &powers?, &Math::symbol(&elapsed.name)))
+}
+
+/// The same by the coefficients in SI units, lowest power first.
+fn line(names: &Names, symbol: &Symbol, powers: &[f64], time: &Math) -> Typeset {
     let mut terms = vec![];
-    for (degree, coefficient) in polynomial_in(formula, elapsed).unwrap_or_default().iter().enumerate() {
-        let value = study.number(coefficient)?;
+    let mut dimension = symbol.dimension;
+    for (degree, &value) in powers.iter().enumerate() {
+        let unit = unit(dimension, is_angle(symbol));
+        dimension = dimension.over(Dimension::TIME).unwrap_or(dimension);
         if value == 0.0 {
             continue;
         }
         let number = Math::Number(Label::number(value.abs(), DIGITS).to_plain());
-        let unit = unit(coefficient.dimension().unwrap_or(symbol.dimension), is_angle(symbol));
         let quantity = Math::Product([number].into_iter().chain(in_unit(&unit)).collect());
         let power = match degree {
             0 => None,
@@ -255,7 +273,7 @@ fn with_numbers(
         terms.push((false, Math::Number("0".to_owned())));
     }
     let left = [names.notation().symbol(&symbol.name), Math::Operator(Operator::Equals)];
-    Ok(math(&Math::Row(left.into_iter().chain(Math::terms(terms)).collect())))
+    math(&Math::Row(left.into_iter().chain(Math::terms(terms)).collect()))
 }
 
 /// `m/s²` as it is printed; nothing for a pure number.
@@ -263,5 +281,6 @@ fn in_unit(unit: &str) -> Option<Math> {
     (!unit.is_empty()).then(|| Math::Text(unit.replace("^2", "²").replace("^3", "³").replace('*', "·")))
 }
 
+mod numeric;
 #[cfg(test)]
 mod tests;

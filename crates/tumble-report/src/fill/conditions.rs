@@ -58,8 +58,39 @@ pub(super) fn combined(study: &Study, notation: &Notation, mut conditions: Vec<E
     conditions
 }
 
+/// The contacts that rest of a body, if all are with one plane whose normal does not change.
+pub(super) fn on_one_plane<'e>(
+    study: &Study,
+    equations: &'e Equations,
+    mode: &Mode,
+    body: usize,
+) -> Option<Vec<&'e Pair>> {
+    let own = mode.contacts.iter().map(|(pair, contact)| (&equations.pairs()[*pair], contact));
+    let own: Vec<_> = own.filter(|(pair, _)| pair.body == body || pair.other == Some(body)).collect();
+    let on_planes = resting_on_planes(study, equations, mode, body);
+    let [first, ..] = on_planes[..] else { return None };
+    let are_same = on_planes.iter().all(|other| are_of_one_plane(first, other));
+    let are_all = own.iter().all(|(pair, contact)| {
+        **contact == ContactMode::Idle || on_planes.iter().any(|known| known.name == pair.name)
+    });
+    (are_same && are_all).then_some(on_planes)
+}
+
 /// Whether a body lies on one plane, whose normal does not change, with two of its points: then it does not turn.
 pub(super) fn lies(study: &Study, equations: &Equations, mode: &Mode, body: usize) -> bool {
+    let pairs = resting_on_planes(study, equations, mode, body);
+    pairs
+        .iter()
+        .enumerate()
+        .any(|(index, one)| pairs[..index].iter().any(|other| are_of_one_plane(one, other)))
+}
+
+fn are_of_one_plane(one: &Pair, other: &Pair) -> bool {
+    let off = &one.normal - &other.normal;
+    one.rule == other.rule && off.components().iter().all(is_identically_zero)
+}
+
+fn resting_on_planes<'e>(study: &Study, equations: &'e Equations, mode: &Mode, body: usize) -> Vec<&'e Pair> {
     let parameters = study.model.parameters.symbols();
     let is_fixed = |part: &Expr| part.symbols().iter().all(|symbol| parameters.contains(symbol));
     let rests = |contact: &ContactMode| matches!(contact, ContactMode::Resting | ContactMode::Settling);
@@ -67,12 +98,7 @@ pub(super) fn lies(study: &Study, equations: &Equations, mode: &Mode, body: usiz
         pair.body == body && pair.other.is_none() && pair.normal.components().iter().all(is_fixed)
     };
     let pairs = mode.contacts.iter().filter(|(_, contact)| rests(contact));
-    let pairs: Vec<&Pair> = pairs.map(|(pair, _)| &equations.pairs()[*pair]).filter(on_planes).collect();
-    let is_same = |one: &Pair, other: &Pair| {
-        let mut off = (&one.normal - &other.normal).components().to_vec().into_iter();
-        one.rule == other.rule && off.all(|part| is_identically_zero(&part))
-    };
-    pairs.iter().enumerate().any(|(index, one)| pairs[..index].iter().any(|other| is_same(one, other)))
+    pairs.map(|(pair, _)| &equations.pairs()[*pair]).filter(on_planes).collect()
 }
 
 /// The conditions of a body that does not turn: that it does not, and what is left of the others, each once.

@@ -35,9 +35,10 @@ pub(super) fn modes(study: &Study, names: &Names, cases: &[Case], kinds: &[Kind]
         };
         let blocks = defined_once(blocks);
         ModeEquations {
-            name: match modes.len() {
-                1 => Text::default(),
-                _ => words::mode(study, &case.run.equations, mode).into(),
+            // What holds in the only mode holds throughout, unless something touches in it.
+            name: match modes.len() == 1 && mode.contacts.is_empty() {
+                true => Text::default(),
+                false => words::mode(study, &case.run.equations, mode).into(),
             },
             holds: holds.into(),
             equations: blocks,

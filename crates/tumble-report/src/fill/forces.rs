@@ -47,7 +47,11 @@ fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
         study.model.bodies[study.model.body_index(&applied.body).unwrap_or_default()].kinematics();
     let name =
         format!("impulse of {}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
-    let symbol = symbols::impulse(symbols::last(&applied.name));
+    let name_of = match &applied.application {
+        Application::Torque(_) => symbols::angular_impulse,
+        Application::Force { .. } => symbols::impulse,
+    };
+    let symbol = name_of(symbols::last(&applied.name));
     let stated = |left: &str, right: Written| names.stated(Math::symbol(left), &right, &applied.name);
     let (law, point, torque) = match &applied.application {
         Application::Torque(couple) => {
@@ -163,12 +167,12 @@ impl<'a> Load<'a> {
         }
         let right = match (said, term.law) {
             (None, Law::Reaction) if is_identically_zero(&term.couple) => {
-                return vec![words("holds the point in its place")];
+                return vec![words(self.holds())];
             }
             (None, Law::Reaction) => {
                 let couple = symbols::couple(&term.load);
                 let by = Math::Row(vec![Math::Text("the couple\u{a0}".to_owned()), Math::symbol(&couple)]);
-                return vec![words("holds the point in its place, and the body at its angle"), math(&by)];
+                return vec![words(&format!("{}, and the body at its angle", self.holds())), math(&by)];
             }
             (None, law) if law.is_couple() => Written::Scalar(term.couple.clone()),
             (None, _) => Written::Vector(term.force.clone()),
@@ -183,6 +187,15 @@ impl<'a> Load<'a> {
         // The table of bodies says it.
         lines.retain(|line| !line.text.starts_with(&format!("{MASS} = ")));
         lines
+    }
+
+    /// What a pivot, or a joint of two bodies, does.
+    fn holds(&self) -> &'static str {
+        let joint = self.study.model.joints.iter().find(|joint| joint.name == self.term.load);
+        match joint.is_some_and(|joint| joint.bodies().count() > 1) {
+            true => "keeps the two bodies together there",
+            false => "holds the point in its place",
+        }
     }
 
     /// What a contact pushes with along the normal, or rubs with along the surface; nothing says how strongly a rigid one pushes.

@@ -85,8 +85,8 @@ fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> 
                 given("mass", mass_symbol(names, &mass.mass), &mass.mass, "kg")?,
                 &mass.mass,
             ),
-            given("centre of mass, x", "x_c", mass.centre.x(), "m")?,
-            given("centre of mass, y", "y_c", mass.centre.y(), "m")?,
+            given("centre of mass in the body's axes, x", "x_c", mass.centre.x(), "m")?,
+            given("centre of mass in the body's axes, y", "y_c", mass.centre.y(), "m")?,
             inertia(study, names, body, given("moment of inertia", "I", &mass.inertia, "kg*m^2")?)?,
         ],
     })
@@ -136,12 +136,17 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseErro
     all.map(|(symbol, formula)| {
         let (value, unit) = read(study.number(&symbol.clone().into())?, unit_of(study, symbol));
         let found = QuantityRow {
+            name: study
+                .meanings
+                .get(&*symbol.name)
+                .map(|words| Text::from(tumble_drawing::Label::markup(words)))
+                .unwrap_or_default(),
             symbol: names.label(&symbol.name).into(),
             value: quantity(value, ""),
             unit,
             ..QuantityRow::default()
         };
-        let found = match swept(study, &symbol.name) {
+        let found = match swept(study, symbol) {
             Some(values) => QuantityRow { value: values, unit: String::new(), ..found },
             None if formula.symbols().is_empty() => found,
             None => found.by(names.written(formula)),
@@ -153,13 +158,23 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseErro
     .collect()
 }
 
-/// The values that a swept parameter takes, as legends call them; of many, the first, the last and their number.
-fn swept(study: &Study, parameter: &str) -> Option<Text> {
-    let is_own = |axis: &&SweepAxis| axis.of == Swept::Parameter(parameter.to_owned());
+/// The values that a swept parameter takes, as legends call them, with their numbers; of many, the first, the last and how many.
+fn swept(study: &Study, parameter: &Symbol) -> Option<Text> {
+    let is_own = |axis: &&SweepAxis| axis.of == Swept::Parameter(parameter.name.to_string());
     let values = &study.sweep.iter().find(is_own)?.values;
     let label = |index: usize| {
-        let label = values.at(index).label;
-        label.split_once(" = ").map_or(label.clone(), |(_, value)| value.to_owned())
+        let value = values.at(index);
+        match value.label.split_once(" = ") {
+            Some((_, number)) => number.to_owned(),
+            // The user's own words.
+            None => match study.number(&value.value) {
+                Ok(number) => {
+                    let (number, unit) = read(number, unit_of(study, parameter));
+                    format!("{} ({})", value.label, quantity(number, &unit).to_plain())
+                }
+                Err(_) => value.label,
+            },
+        }
     };
     let count = values.count();
     let all: Vec<String> = match count {
@@ -174,7 +189,7 @@ fn depends_on_swept(study: &Study, parameter: &Symbol) -> bool {
     let all: HashMap<&Symbol, &Expr> = study.model.parameters.formulas().collect();
     let mut open = vec![parameter.clone()];
     while let Some(symbol) = open.pop() {
-        if swept(study, &symbol.name).is_some() {
+        if swept(study, &symbol).is_some() {
             return true;
         }
         open.extend(all.get(&symbol).into_iter().flat_map(|formula| formula.symbols()));
@@ -269,7 +284,7 @@ fn sought(study: &Study) -> Vec<Text> {
         let when = match question.at {
             When::Extreme { which: Extreme::Greatest, .. } => "the greatest ".to_owned(),
             When::Extreme { which: Extreme::Least, .. } => "the least ".to_owned(),
-            When::End => "at the end, ".to_owned(),
+            When::End => return called(&question.that.text).and(" at the end"),
             When::At(_) => format!("{}: ", spoken(&question.name)),
         };
         Text::from(when).and(called(&question.that.text))

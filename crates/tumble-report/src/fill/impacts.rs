@@ -141,7 +141,7 @@ fn restitution(names: &Names, pair: &Pair, is_single: bool) -> (Vec<Typeset>, Ve
         None => Restitution::Poisson,
         Some(friction) => friction.restitution.unwrap_or_default(),
     };
-    let more = if is_single { "" } else { "; more where the gap would close again" };
+    let more = if is_single { "" } else { " (more of it where the gap would close again)" };
     match ratio {
         Restitution::Newton => (
             times("v_n,1", -restitution, "v_n,0"),

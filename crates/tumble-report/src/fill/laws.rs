@@ -1,8 +1,8 @@
 //! Newton's laws for a body, each load by its symbol.
 
 use crate::report::{Block, Definition};
-use tumble_expr::{Expr, Symbol, is_identically_zero};
-use tumble_mech::Term;
+use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
+use tumble_mech::{Equations, Law, NORMAL, TANGENT, Term};
 use tumble_notation::{Left, Math};
 use tumble_scene::Study;
 
@@ -12,6 +12,9 @@ use super::passed::Passed;
 use super::sum;
 use crate::figures::symbols;
 use crate::results::Case;
+
+/// A component of a contact of more signs than these is said by its direction.
+const MOST_SIGNS: usize = 24;
 
 /// `M A = sum F` by components and `I alpha = sum tau`, each load by its symbol.
 /// What their letters mean stands at the first body: `said` has the letters that are known.
@@ -53,12 +56,7 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     let mass = case.run.equations.mass_properties(body);
     let component = |axis: usize| {
         let parts = terms.iter().filter(|term| !is_identically_zero(&term.force[axis]));
-        let signed = |term| {
-            let component = component(study, names, term, axis);
-            let is_opposite = is_on_other(&case.run.equations, term) && term.force[axis].symbols().len() > 1;
-            if is_opposite { -component } else { component }
-        };
-        sum(parts.map(signed))
+        sum(parts.map(|term| component(study, names, &case.run.equations, (term, axis))))
     };
     let turns =
         |term: &&Term| !is_identically_zero(&term.torque()) && names.formula(&term.torque()).text != "0";
@@ -66,7 +64,7 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     let torque = torque.map(|term| {
         let force = symbols::force(study, &term.load, term.law);
         let name = if term.law.is_couple() { force } else { symbols::torque(&force) };
-        Expr::from(Symbol::new(name, tumble_expr::Dimension::TORQUE))
+        Expr::from(Symbol::new(name, Dimension::TORQUE))
     });
     let torque = sum(torque);
     let [ax, ay] = kinematics.acceleration_symbols();
@@ -80,16 +78,30 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     names.with_inertia(study, body, inertia).block(title, &lines)
 }
 
-/// A component of a force by its symbol.
-fn component(study: &Study, names: &Names, term: &Term, axis: usize) -> Expr {
+/// A component of a force: of a contact as its direction says it, if that is short; else by its symbol.
+fn component(study: &Study, names: &Names, equations: &Equations, (term, axis): (&Term, usize)) -> Expr {
     let force = symbols::force(study, &term.load, term.law);
-    // What is along an axis has its symbol, with the sign that it acts with.
     let own = term.force[axis].symbols();
     let is_own = |symbol: &Symbol| is_multiplier(study, symbol) || names.shown(&symbol.name) == force;
-    if !own.is_empty() && own.iter().all(is_own) {
+    let parameters = study.model.parameters.symbols();
+    let is_given = |symbol: &Symbol| is_own(symbol) || parameters.contains(symbol);
+    let letter = match term.law {
+        Law::Contact => Some(NORMAL),
+        Law::Friction => Some(TANGENT),
+        _ => None,
+    };
+    // What is along an axis has its symbol, with the sign that it acts with; the weight is what everybody knows.
+    let is_along = !own.is_empty() && own.iter().all(is_own) || term.law == Law::Weight;
+    let is_short =
+        || own.iter().all(is_given) && names.formula(&term.force[axis]).text.chars().count() <= MOST_SIGNS;
+    if is_along || (letter.is_some() && own.iter().any(is_own) && is_short()) {
         return term.force[axis].clone();
     }
-    Symbol::new(symbols::below(&force, ["x", "y"][axis]), tumble_expr::Dimension::FORCE).into()
+    let below = |symbol: &str| symbols::below(symbol, ["x", "y"][axis]);
+    let Some(letter) = letter else { return Symbol::new(below(&force), Dimension::FORCE).into() };
+    let along: Expr = Symbol::new(below(letter), Dimension::NONE).into();
+    let along = Expr::from(Symbol::new(force, Dimension::FORCE)) * along;
+    if is_on_other(equations, term) { -along } else { along }
 }
 
 /// Whether a symbol stands for a force that follows from conditions.

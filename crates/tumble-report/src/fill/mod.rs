@@ -15,6 +15,7 @@ mod findings;
 mod forces;
 mod identify;
 mod impacts;
+mod incline;
 mod laws;
 mod model;
 mod motion;

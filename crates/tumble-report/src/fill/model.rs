@@ -1,7 +1,7 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
 use crate::report::{BodyModel, ModelPart, Picture, Text, Typeset};
-use tumble_mech::Application;
+use tumble_mech::{Application, MultipleImpacts};
 use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
@@ -60,6 +60,10 @@ fn assumptions(study: &Study) -> Vec<Text> {
     let is_said_by_several = of_bodies
         || model.bodies.iter().any(|body| body.restitution.is_some())
         || contacts.clone().any(|contact| contact.surfaces(model).next().is_some());
+    let is_hard =
+        surfaces.clone().any(|s| s.law.is_rigid()) || contacts.clone().any(|own| own.compliant.is_none());
+    // Of one body and one surface only its points may strike at once.
+    let are_many = contacts.clone().next().is_some();
     let said = [
         (true, "The bodies are rigid and move in one plane."),
         (
@@ -85,7 +89,21 @@ fn assumptions(study: &Study) -> Vec<Text> {
             is_said_by_several,
             "Restitution and friction are those said for the pair; where nothing is, a body's own (of two bodies the lesser), else the surface's.",
         ),
-        (surfaces.clone().any(|s| s.law.is_rigid()), "An impact on a rigid surface takes no time."),
+        (
+            surfaces.clone().any(|s| !s.law.is_rigid())
+                || contacts.clone().any(|own| own.compliant.is_some()),
+            "Where a contact is compliant, a spring and what damps it stand between the two; bodies keep their shapes.",
+        ),
+        (is_hard, "An impact takes no time."),
+        (
+            is_hard && are_many && model.multiple_impacts == MultipleImpacts::Simultaneous,
+            "Impacts of several contacts at one instant are one: all of them push until nothing approaches any more.",
+        ),
+        (
+            is_hard && are_many && model.multiple_impacts == MultipleImpacts::Sequential,
+            "Impacts of several contacts at one instant follow on each other, the fastest first; each is one of two bodies, and lets them part \
+             before the next.",
+        ),
     ];
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()
 }

@@ -10,6 +10,7 @@ use tumble_notation::{Left, Math, Notation, Printed, monomial_of};
 use tumble_scene::Study;
 
 use super::conditions::{self, combined, last_of, shortest};
+use super::incline::{self, Incline};
 use super::names::Names;
 use super::reduced::{self, Reduced, Solved, simple};
 use super::{pivots, sum};
@@ -146,6 +147,13 @@ impl Setting<'_> {
             lines.extend(
                 conditions.into_iter().map(|condition| Line::new(nothing(), condition, Expr::zero())),
             );
+        }
+        if let Some(Incline { along, across }) = incline::of(self, body, &notation).filter(|_| !is_joined) {
+            if is_solved {
+                lines.splice(..2, [along, across]);
+            } else {
+                lines.push(along);
+            }
         }
         Motion { by_law, ..Motion::made(body, self.with_parts(body, notation), lines) }
     }

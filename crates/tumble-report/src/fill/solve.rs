@@ -25,9 +25,7 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
         (true, true) => {
             "In every mode of the motion the accelerations are constant or polynomials in time: each step is exact."
         }
-        (true, false) => {
-            "In no phase are all accelerations constant or polynomials in time as they are written: the equations were integrated."
-        }
+        (true, false) => "No closed form was found: the equations were integrated.",
     };
     let mut how = how(&told);
     how.notes.extend(sweep::others_are_in_files(cases, &told));
@@ -94,7 +92,7 @@ fn method(cases: &[&Case]) -> Vec<(Text, Text)> {
 fn how(cases: &[&Case]) -> PrintedTable {
     let columns = [
         Column::words("Run"),
-        Column::numbers("Accuracy asked"),
+        Column::numbers("Accuracy requested"),
         Column::numbers("Order"),
         Column::numbers("Steps"),
         Column::numbers("Exact steps"),

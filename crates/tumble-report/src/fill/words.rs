@@ -1,6 +1,6 @@
 //! What touches, what acts and what happens, in words: `the tail presses on the floor`.
 
-use tumble_mech::{Change, ContactMode, Equations, Grip, Mode, Pair, PossibleChange, Way};
+use tumble_mech::{Change, ContactMode, Equations, Grip, Joint, Mode, Pair, PossibleChange, Way};
 use tumble_scene::Study;
 
 use super::alike::listed;
@@ -36,7 +36,7 @@ pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String 
     let changing = joints.filter(|(_, joint)| joint.from.is_some() || joint.until.is_some());
     let joined = changing.map(|(index, joint)| match equations.holds(mode, index) {
         true => format!("{} holds", symbols::joint(&joint.name)),
-        false => format!("without {}", symbols::joint(&joint.name)),
+        false => not_held(joint),
     });
     let changed =
         mode.changes.iter().map(|event| format!("after {}", spoken(&study.model.events[*event].name)));
@@ -49,7 +49,17 @@ pub(super) fn mode(study: &Study, equations: &Equations, mode: &Mode) -> String 
     match (all.is_empty(), equations.pairs().is_empty()) {
         (false, _) => all.join(", "),
         (true, false) => "nothing touches".to_owned(),
-        (true, true) => "all the time".to_owned(),
+        (true, true) => "throughout".to_owned(),
+    }
+}
+
+/// A joint that is made later, or that was let go of; of one that does both it is not said which.
+fn not_held(joint: &Joint) -> String {
+    let name = symbols::joint(&joint.name);
+    match (&joint.from, &joint.until) {
+        (Some(_), None) => format!("before {name} holds"),
+        (None, Some(_)) => format!("after {name} has let go"),
+        _ => format!("without {name}"),
     }
 }
 
@@ -77,7 +87,7 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     for (index, contact_mode) in &mode.contacts {
         let pair = &equations.pairs()[*index];
         let verb = verb(*contact_mode, grip(equations, mode, *index), pair);
-        let without = if *contact_mode == ContactMode::Idle { " without a force" } else { "" };
+        let without = if *contact_mode == ContactMode::Idle { " without pressing" } else { "" };
         add(&mut groups, (verb, against(study, pair) + without), point(study, pair));
     }
     if groups.len() > MOST_GROUPS {
@@ -107,7 +117,7 @@ fn together(points: &[String]) -> String {
     }
 }
 
-/// `12 contacts: 9 touch, 3 roll on`
+/// `12 points of contact: 9 touch, 3 roll`
 fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = vec![];
     for ([_, several], _, points) in groups {
@@ -120,8 +130,8 @@ fn counted(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
     let all: usize = counts.iter().map(|(_, count)| count).sum();
     let each: Vec<String> = counts.iter().map(|(word, count)| format!("{count} {word}")).collect();
     vec![match &counts[..] {
-        [(word, _)] => format!("{all} contacts {word}"),
-        _ => format!("{all} contacts: {}", each.join(", ")),
+        [(word, _)] => format!("{all} points {word}"),
+        _ => format!("{all} points of contact: {}", each.join(", ")),
     }]
 }
 

@@ -209,4 +209,6 @@ pub struct CheckRow {
     pub within: Text,
     /// Whether they agree.
     pub passed: bool,
+    /// Whether the error stated is small enough to say so.
+    pub is_sure: bool,
 }

@@ -84,6 +84,9 @@ pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
     forces.iter().map(row).fold(table, PrintedTable::row)
 }
 
+/// What is said of a check that holds: its error may be larger than it may be off, or not.
+pub(super) const PASSED: [&str; 2] = ["passed, not certain", "passed"];
+
 /// The column of a check's result.
 pub(super) const RESULT: usize = 4;
 
@@ -91,7 +94,7 @@ pub(super) const RESULT: usize = 4;
 pub(super) fn checks(checks: &[CheckRow]) -> PrintedTable {
     let columns = ["Check", "Expected", "Found", "Within", "Result"].map(Column::words);
     let row = |check: &CheckRow| {
-        let result = if check.passed { "passed" } else { "FAILED" };
+        let result = if check.passed { PASSED[usize::from(check.is_sure)] } else { "FAILED" };
         let [expected, found, within] = [&check.expected, &check.found, &check.within].map(Clone::clone);
         vec![check.what.clone(), expected, found, within, result.into()]
     };

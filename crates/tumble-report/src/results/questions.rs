@@ -22,6 +22,8 @@ pub struct FindResult {
     pub unit: String,
     /// When, s; not a number where it is an event that did not happen.
     pub at: f64,
+    /// From when to when a greatest or least value was looked for, s; `None` is the whole run.
+    pub during: Option<[f64; 2]>,
     /// The value; not a number where the motion does not reach that time.
     pub value: f64,
     /// Error stated of it; `None` where nothing is known of it.
@@ -66,7 +68,14 @@ fn find(study: &Study, case: &Case, question: &Question) -> Result<FindResult, C
     let Answer { at, found, error, spread, .. } = answer(study, case, question, None)?;
     let Question { name, that, .. } = question;
     let unit = that.quantity.unit.clone();
-    Ok(FindResult { name: name.clone(), that: that.text.clone(), unit, at, value: found, error, spread })
+    let during = match &question.at {
+        When::Extreme { during: Some(during), .. } => {
+            Moments::of(study, case.solution()).window(Some(during))?
+        }
+        _ => None,
+    };
+    let (name, that) = (name.clone(), that.text.clone());
+    Ok(FindResult { name, that, unit, at, during, value: found, error, spread })
 }
 
 /// What a question comes to, in its unit.

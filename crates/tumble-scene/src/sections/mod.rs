@@ -15,6 +15,7 @@ mod header;
 mod joint;
 mod laws;
 mod lift;
+mod meaning;
 mod output;
 mod parameters;
 mod pivot;
@@ -157,6 +158,7 @@ pub(crate) const SECTIONS: &[Section] = &[
     sections("check", &Takes::Table(&check::KEYS), check::SAYS, check::read),
     section("play", play::TAKES, "what a reader of the report may change", play::read),
     section("symbols", symbols::TAKES, "how names are written in figures and equations", symbols::read),
+    section("meaning", meaning::TAKES, "what parameters are, in words", meaning::read),
 ];
 
 /// Of a figure.

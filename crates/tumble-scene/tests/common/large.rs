@@ -50,6 +50,13 @@ pub(crate) const KINDS: &[Kind] = &[
             lines(n, |i| format!("p{i} = \"q{i}\""))
         )
     }),
+    ("meaning", |n| {
+        format!(
+            "{}[meaning]\n{}",
+            parameters(n, |i| format!("\"{i} m\"")),
+            lines(n, |i| format!("p{i} = \"length {i}\""))
+        )
+    }),
     ("functions", |n| {
         format!("{}[functions]\n{}", scene(), lines(n, |i| format!("\"f{i}(a)\" = \"a + {i}\"")))
     }),

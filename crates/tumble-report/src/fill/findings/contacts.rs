@@ -34,21 +34,24 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
     let (there, contacts): (Vec<Contact>, Vec<Contact>) =
         joined(seen.run.contacts().into_iter().filter(own)).into_iter().partition(|one| one.start == 0.0);
     let first = contacts.first()?;
-    let by = |pair: usize| pairs[pair].name[place.len()..].to_owned();
-    let mut points: Vec<String> = contacts.iter().map(|contact| by(contact.pair)).collect();
+    let point = |pair: usize| pairs[pair].name[place.len()..].to_owned();
+    let mut points: Vec<String> = contacts.iter().map(|contact| point(contact.pair)).collect();
     points.sort();
     points.dedup();
     // A round body touches by its rim, which says nothing.
-    let by: Vec<String> =
+    let with: Vec<String> =
         points.iter().filter(|point| *point != "rim").map(|point| symbols::the_point(point)).collect();
-    let by = if by.is_empty() { String::new() } else { format!("by {}, ", alike::listed(&by)) };
+    let with = match with.is_empty() {
+        true => String::new(),
+        false => format!("with {}, ", alike::listed(&with)),
+    };
     let mut sequences = seen.run.events().flat_map(|event| event.record.zeno_sequences());
     let accumulates = sequences.any(|pair| pairs[pair].name.starts_with(&place));
     let mut value = match contacts.len() {
-        _ if accumulates => Text::from(format!("infinitely often, {by}first at ")),
-        1 => Text::from(format!("once, {by}at ")),
-        2 => Text::from(format!("twice, {by}first at ")),
-        several => Text::from(format!("{several} times, {by}first at ")),
+        _ if accumulates => Text::from(format!("infinitely often, {with}first at ")),
+        1 => Text::from(format!("once, {with}at ")),
+        2 => Text::from(format!("twice, {with}first at ")),
+        several => Text::from(format!("{several} times, {with}first at ")),
     };
     value = value.and(seen.event_time(first.start));
     match contacts.iter().rfind(|contact| contact.is_open) {
@@ -61,7 +64,7 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
         value = value.and(format!("; the first {followed} contacts were followed"));
     }
     let comes_to_stay = contacts.len() > 1 && contacts.iter().any(|contact| contact.is_open);
-    let already = if there.is_empty() { "" } else { "from the start, and then again " };
+    let already = if there.is_empty() { "" } else { "from the start, and later " };
     let said = Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value);
     Some(if comes_to_stay { said.leading() } else { said })
 }
@@ -116,7 +119,7 @@ pub(super) fn slides(seen: &Seen<'_>) -> Option<Said> {
     let only_slides = changes.iter().all(|change| matches!(change, Change::Start | Change::Slides));
     let before = format!("{} slides on {} ", seen.called(), surface_of(seen, &whole));
     (is_round && only_slides && changes.contains(&Change::Slides))
-        .then(|| Said::new(before, "all the time, and does not come to roll".into()).leading())
+        .then(|| Said::new(before, "throughout and never rolls".into()).leading())
 }
 
 fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {

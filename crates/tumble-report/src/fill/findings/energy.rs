@@ -38,8 +38,8 @@ pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
     let (lost, gained) = (sum(-1.0), sum(1.0));
     let said = |done: &Done| {
         let (does, whole, what) = match done.work < 0.0 {
-            true => ("takes energy from", lost, "of all that is lost"),
-            false => ("gives energy to", gained, "of all that is gained"),
+            true => ("takes energy from", lost, "of the total loss"),
+            false => ("gives energy to", gained, "of the total gain"),
         };
         let value = with_digits(done.work.abs(), done.error, "J");
         let percent = quantity_to(100.0 * done.work.abs() / whole, SHARE, "");

@@ -53,7 +53,7 @@ pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Te
 
 /// What the scene asks for.
 fn asked(study: &Study, case: &Case) -> Vec<Text> {
-    let symbols = symbols::all(study);
+    let (symbols, end) = (symbols::all(study), case.run.end().unwrap_or(f64::INFINITY));
     let text = |(find, which): (&FindResult, Option<Extreme>)| {
         let words = match which {
             Some(Extreme::Greatest) => "The greatest ".into(),
@@ -61,6 +61,13 @@ fn asked(study: &Study, case: &Case) -> Vec<Text> {
             None => Text::from(format!("{}: ", spoken(&find.name))).capitalised(),
         };
         let words = words.and(symbols::called(study, &symbols, &find.that));
+        let words = match find.during {
+            Some([from, to]) if to < end => {
+                words.and(" between ").and(quantity(from, "s")).and(" and ").and(quantity(to, "s"))
+            }
+            Some([from, _]) => words.and(" from ").and(quantity(from, "s")).and(" on"),
+            None => words,
+        };
         let at = |words: Text| words.and(", at ").and(quantity(find.at, "s")).and(".");
         match find.open() {
             _ if !find.is_reached() => words.and(": not reached, its time does not come in this motion."),

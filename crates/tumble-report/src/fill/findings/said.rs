@@ -92,7 +92,7 @@ fn listed(parts: impl Iterator<Item = Text>, between: &str) -> Text {
 
 /// What holds of all numbers in findings.
 pub(in crate::fill) const ALL_VERIFIED: &str =
-    "Every digit shown is verified; where fewer than six are, their number is said.";
+    "Every digit shown is verified; where fewer than six are, their number is stated.";
 
 /// What is said of a value without digits.
 const UNKNOWN: &str = "(no digit is known)";

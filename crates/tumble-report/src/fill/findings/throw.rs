@@ -15,7 +15,7 @@ const MOST_LISTED: usize = 3;
 /// Part of the weight that is left over of it and the air at terminal speed.
 const BALANCED: f64 = 0.01;
 /// Part of the farthest it gets that it is away at the end where that is told.
-const FARTHEST: f64 = 0.9;
+pub(super) const FARTHEST: f64 = 0.9;
 /// Part of the way from which on it matters what the air did to it.
 const MATTERS: f64 = 1e-3;
 
@@ -33,7 +33,7 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let are_alike = others.iter().all(|(height, _)| height.to_plain() == first.to_plain());
     let words = match (others.is_empty(), are_alike) {
         (true, _) => "a highest point, ",
-        (false, true) => "its highest point, ",
+        (false, true) => "its greatest height, ",
         (false, false) => "highest points, ",
     };
     let one = |(index, (height, time)): (usize, &(Text, Text))| match are_alike && index > 0 {
@@ -45,7 +45,7 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
         0 => Text::default(),
         more => format!(", and {more} more").into(),
     };
-    let before = format!("The centre of {} comes to {words}", seen.called());
+    let before = format!("The centre of {} reaches {words}", seen.called());
     Ok(value.map(|value| Said::new(before, value.and(more))))
 }
 
@@ -84,9 +84,9 @@ pub(super) fn without_air(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let mut parts = vec![];
     if x.abs() > MATTERS * way {
         let side = if x * wide > 0.0 {
-            " farther"
+            " ahead"
         } else if wide != 0.0 {
-            " shorter"
+            " behind"
         } else {
             " to the side"
         };
@@ -98,7 +98,7 @@ pub(super) fn without_air(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     }
     let said = parts.into_iter().reduce(|all, next| all.and(" and ").and(next));
     let when = Text::from(" after ").and(quantity(until, "s"));
-    let before = format!("Compared with the same throw without air, {} is ", seen.called());
+    let before = format!("Compared with the same throw without air, the centre of {} is ", seen.called());
     Ok(said.map(|value| Said::new(before, value.and(when)).leading()))
 }
 

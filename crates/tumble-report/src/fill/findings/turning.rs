@@ -8,6 +8,7 @@ use tumble_ode::Side;
 
 use super::said::{Said, with_digits};
 use super::seen::Seen;
+use super::throw::FARTHEST;
 use crate::fill::names::quantity_to;
 use crate::fill::wind_at_origin;
 use crate::report::Text;
@@ -23,7 +24,7 @@ const NO_SWING: f64 = 1e-9;
 const DIGITS: usize = 4;
 const RATIO: usize = 3;
 
-/// At least one full turn.
+/// At least one full turn, and about as much as it has ever turned: what rolls to and fro is at any angle at the end.
 pub(super) fn rotations(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let angle = seen.body.kinematics().angle();
     let turns = (seen.at(seen.end(), &angle)? - seen.at(0.0, &angle)?) / TAU;
@@ -31,7 +32,9 @@ pub(super) fn rotations(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let error = seen.error(seen.end(), &angle)?.map(|error| error / TAU);
     let value = with_digits(turns.abs(), error, "rev");
     let said = Said::new(format!("{} turns {way} by ", seen.called()), value).trailing();
-    Ok((turns.abs() >= 1.0).then_some(said))
+    let begins = seen.at(0.0, &angle)?;
+    let farthest = seen.values(&angle)?.iter().map(|(_, at)| (at - begins).abs() / TAU).fold(0.0, f64::max);
+    Ok((turns.abs() >= 1.0 && turns.abs() >= FARTHEST * farthest).then_some(said))
 }
 
 /// How far a pivoted body swings to both sides, where it does not turn over.
@@ -69,13 +72,13 @@ pub(super) fn period(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
 pub(super) fn small_swings(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let Some(swing) = swing(seen)? else { return Ok(None) };
     let shown = |period: f64| quantity_to(period, DIGITS, "s");
-    let before = format!("Small swings of {} would take ", seen.called());
+    let air = if seen.laws(seen.end())?.contains("air") { ", without air," } else { "" };
+    let before = format!("The period of small swings of {}{air} is ", seen.called());
     let before = Text::from(before).and(shown(swing));
-    let has_air = seen.laws(seen.end())?.contains("air");
-    let before = if has_air { before.and(" without air") } else { before };
     Ok(match gusts(seen)? {
         Some(gusts) => {
-            let times = quantity_to(gusts / swing, RATIO, "").and(" times as long");
+            let of = if gusts < swing { " of that period" } else { " times that period" };
+            let times = quantity_to(gusts / swing, RATIO, "").and(of);
             Some(Said::new(before.and("; the wind repeats every "), shown(gusts).and(", ").and(times)))
         }
         None => Some(Said::new(before, "".into())),

@@ -111,6 +111,7 @@ fn pairs_of_bodies(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
     }
     let one = |(verb, count, only): (&Verb, usize, String)| match count {
         1 => only,
+        _ if verb[1] == changes_to(Change::End)[1] => format!("{count} pairs of bodies separate"),
         _ => format!("{count} pairs of bodies {} each other", verb[1]),
     };
     kinds.into_iter().map(one).collect()

@@ -128,9 +128,11 @@ pub(super) fn checks(checks: &[CheckRow]) -> String {
     let table = PrintedTable { stacked: true, ..rows::checks(checks) };
     let mut cells = cells(&table);
     for (row, check) in cells.iter_mut().zip(checks) {
-        let (class, result) =
-            if check.passed { ("passed", "✓\u{a0}passed") } else { ("failed", "✗\u{a0}failed") };
-        row[rows::RESULT] = format!("<span class=\"{class}\">{result}</span>");
+        let (class, sign, result) = match check.passed {
+            true => ("passed", "✓", rows::PASSED[usize::from(check.is_sure)]),
+            false => ("failed", "✗", "failed"),
+        };
+        row[rows::RESULT] = format!("<span class=\"{class}\">{sign}\u{a0}{result}</span>");
     }
     grid(&table, &cells)
 }

@@ -79,7 +79,14 @@ fn motion() -> MovingCase {
 }
 
 fn check() -> CheckRow {
-    CheckRow { what: words(), expected: words(), found: words(), within: words(), passed: false }
+    CheckRow {
+        what: words(),
+        expected: words(),
+        found: words(),
+        within: words(),
+        passed: false,
+        is_sure: true,
+    }
 }
 
 fn case() -> RunAnalysis {
