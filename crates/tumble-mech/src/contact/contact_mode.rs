@@ -41,7 +41,7 @@ impl ContactMode {
     }
 
     /// Whether the point stays on a rigid surface.
-    pub(crate) fn is_lasting(self) -> bool {
+    pub fn is_lasting(self) -> bool {
         self.is_held() || self == Self::Idle
     }
 }

@@ -33,7 +33,8 @@ impl Kind {
         let name = |body: &usize| symbols::the(&study.model.bodies[*body].name);
         let others: Vec<String> = self.bodies.iter().filter(|body| **body != self.shown).map(name).collect();
         let own = name(&self.shown);
-        if others.is_empty() { own } else { format!("{own}, and likewise {}", listed(&others)) }
+        let each = if study.model.contacts.is_empty() { "" } else { ", each with its own contacts" };
+        if others.is_empty() { own } else { format!("{own}, and likewise {}{each}", listed(&others)) }
     }
 }
 
@@ -92,7 +93,7 @@ fn likeness(study: &Study, passed: &[Passed<'_>], body: usize) -> (Likeness, usi
     all.sort_by(|one, other| one.0.cmp(&other.0));
     all.dedup_by(|one, other| one.0 == other.0);
     let count = all.len();
-    let mut loads: Vec<String> = all.iter().map(|(load, law)| stated_as(load, *law)).collect();
+    let mut loads: Vec<String> = all.iter().map(|(load, law)| stated_as(study, load, *law)).collect();
     loads.sort();
     loads.dedup();
     let joints = &study.model.joints;
@@ -107,12 +108,16 @@ fn likeness(study: &Study, passed: &[Passed<'_>], body: usize) -> (Likeness, usi
 }
 
 /// The section of the scene that a load comes from.
-fn stated_as(load: &str, law: Law) -> String {
+fn stated_as(study: &Study, load: &str, law: Law) -> String {
     let pair = symbols::rubbed(load);
     match law {
         Law::Contact | Law::Friction | Law::Rolling => pair.split('.').next().unwrap_or(pair).to_owned(),
-        // One pin is like another.
-        Law::Reaction => "joint".to_owned(),
+        // One pin between bodies is like another; what holds a body at a place is not.
+        Law::Reaction
+            if study.model.joints.iter().any(|joint| joint.name == load && joint.world().is_none()) =>
+        {
+            "joint".to_owned()
+        }
         _ => load.to_owned(),
     }
 }

@@ -144,8 +144,12 @@ fn diagrams(
     };
     let sheets = if asked.is_empty() { vec![&own] } else { asked };
     let mut picture = |asked: &FreeBody| -> Result<Picture, CaseError> {
-        let sheet = free_bodies::sheet(study, case, asked)?;
-        let picture = Picture::new(sheet.svg(), captions::free_bodies(study, &sheet, name, said));
+        let mut sheet = free_bodies::sheet(study, case, asked)?;
+        // Below the figure they are read however narrow the page is.
+        let notes = std::mem::take(&mut sheet.captions);
+        let caption = captions::free_bodies(study, &sheet, name, said);
+        let caption = notes.into_iter().fold(caption, |all, note| all.and(" ").and(note));
+        let picture = Picture::new(sheet.svg(), caption);
         Ok(if asked.name.is_empty() { picture } else { picture.stored(format!("{}.svg", asked.name)) })
     };
     sheets.into_iter().map(&mut picture).collect()

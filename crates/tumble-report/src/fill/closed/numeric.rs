@@ -25,17 +25,17 @@ const LASTS: f64 = 0.01;
 const ROUNDING: f64 = 1e-13;
 
 /// A stretch of a motion between two instants at which it changes.
-struct Between<'r> {
+pub(super) struct Between<'r> {
     /// Its number among those that last.
     number: usize,
-    pieces: Vec<&'r Piece>,
+    pub(super) pieces: Vec<&'r Piece>,
     /// Whether something ends it before the run does.
     ends: bool,
-    until: f64,
+    pub(super) until: f64,
 }
 
 impl Between<'_> {
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.until - self.pieces[0].start
     }
 
@@ -67,7 +67,7 @@ impl Between<'_> {
 }
 
 /// The stretches in which something moves, as polynomials in time.
-fn stretches(run: &Run) -> Vec<Between<'_>> {
+pub(super) fn stretches(run: &Run) -> Vec<Between<'_>> {
     let trajectory = run.trajectory();
     let changes = trajectory
         .events
@@ -155,7 +155,7 @@ fn phase(study: &Study, names: &Names, case: &Case, stretch: &Between<'_>) -> Re
 }
 
 /// The coefficients of a polynomial of a time, without what rounding has left of them.
-fn without_rounding(row: &[f64], length: f64) -> Vec<f64> {
+pub(super) fn without_rounding(row: &[f64], length: f64) -> Vec<f64> {
     let part = |(power, value): (usize, &f64)| value.abs() * length.powi(power as i32);
     let most = row.iter().enumerate().map(part).fold(0.0, f64::max);
     row.iter().enumerate().map(|one| if part(one) <= ROUNDING * most { 0.0 } else { *one.1 }).collect()

@@ -80,3 +80,37 @@ fn spans_end_where_something_happens_and_nowhere_else() {
     // An event that changes nothing, the apex, ends nothing.
     assert_eq!(spans("02-thrown-rod"), [""]);
 }
+
+/// What is told with the numbers of one run is what that run does, everywhere between the instants that it is told for.
+#[test]
+fn phases_with_numbers_are_what_the_motion_does() {
+    let (mut phases, mut values) = (0, 0);
+    for scene in scenes::all() {
+        let (_, cases) = scenes::motions_of(&scene);
+        for case in cases.iter().take(RUNS) {
+            for stretch in super::numeric::stretches(&case.run) {
+                phases += 1;
+                let first = stretch.pieces[0];
+                let states = case.run.equations.states(&case.run.trajectory().modes[first.mode]);
+                let formulas: Vec<Expr> = states.iter().map(|state| state.clone().into()).collect();
+                let mut observer = case.run.observe(&formulas).expect("states");
+                for instant in 1..INSTANTS {
+                    let elapsed = (stretch.until - first.start) * instant as f64 / INSTANTS as f64;
+                    let found = observer.at(first.start + elapsed, Side::After).expect("a time of the run");
+                    for (row, found) in first.states.iter().zip(found) {
+                        let told = super::numeric::without_rounding(row, stretch.length());
+                        let told = told.iter().rev().fold(0.0, |sum, part| sum * elapsed + part);
+                        let size = found.abs().max(1.0);
+                        assert!(
+                            (told - found).abs() <= ROUNDING * size,
+                            "{}: {told} {found}",
+                            scene.display()
+                        );
+                        values += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(phases > 20 && values > 1000, "{phases} {values}");
+}

@@ -112,5 +112,6 @@ fn conditions_of_two_contacts_are_added_up() {
     let lines: Vec<String> =
         motion.shown().expect("short").lines.iter().map(|line| math(&line.math()).text).collect();
     assert!(lines.contains(&"α = 0".to_owned()), "{lines:?}");
-    assert!(!motion.by_law.is_empty() && lines.len() == 2, "{lines:?}");
+    assert!(lines.contains(&"A_x cos β + A_y sin β = −g sin β − μ_k g cos β".to_owned()), "{lines:?}");
+    assert!(!motion.by_law.is_empty() && lines.len() == 3, "{lines:?}");
 }

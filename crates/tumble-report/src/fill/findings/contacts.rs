@@ -60,8 +60,13 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
         None => {}
     }
     if accumulates {
-        let followed = contacts.iter().filter(|contact| !contact.is_open).count();
-        value = value.and(format!("; the first {followed} contacts were followed"));
+        let changes = |happened: &[Happening], what: Change| {
+            happened.iter().any(|one| matches!(*one, Happening::Contact { pair, change } if change == what && pairs[pair].name.starts_with(&place)))
+        };
+        let is_followed =
+            |happened: &[Happening]| changes(happened, Change::Impact) && !changes(happened, Change::Zeno);
+        let followed = seen.run.events().filter(|event| is_followed(&event.record.happened)).count();
+        value = value.and(format!("; the first {followed} impacts were followed"));
     }
     let comes_to_stay = contacts.len() > 1 && contacts.iter().any(|contact| contact.is_open);
     let already = if there.is_empty() { "" } else { "from the start, and later " };

@@ -162,6 +162,13 @@ impl Seen<'_> {
         Ok(all.into_iter().filter(|force| force.body == self.index).collect())
     }
 
+    /// Whether impacts of it follow each other ever faster.
+    pub(super) fn bounces_without_end(&self) -> bool {
+        let pairs = self.run.equations.pairs();
+        let mut sequences = self.run.events().flat_map(|event| event.record.zeno_sequences());
+        sequences.any(|pair| pairs[pair].bodies().any(|body| body == self.index))
+    }
+
     /// The laws of the forces on it from the start to a time, s.
     pub(super) fn laws(&self, until: f64) -> Result<BTreeSet<&'static str>, CaseError> {
         let mut found = BTreeSet::new();

@@ -43,6 +43,8 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let value = listed.iter().enumerate().map(one).reduce(|all, next| all.and(", ").and(next));
     let more = match tops.len().saturating_sub(MOST_LISTED) {
         0 => Text::default(),
+        // Bounces that are not followed to their end reach infinitely many.
+        _ if seen.bounces_without_end() => ", and others".into(),
         more => format!(", and {more} more").into(),
     };
     let before = format!("The centre of {} reaches {words}", seen.called());

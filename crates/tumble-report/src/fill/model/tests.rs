@@ -200,7 +200,10 @@ fn masses_cancel_and_what_lies_flat_does_not_turn() {
 fn the_laws_of_impacts_stand_once_for_all_that_strike_alike() {
     let (disks, _) = model_of("24-glancing-disks");
     assert_eq!(lines(&disks.impacts)[0], "J₁ = e J₀", "{disks:?}");
-    assert_eq!(lines(&disks.bodies[0].laws[1..]), ["m₁ (Δv_A) = Σ\u{2009}J", "I_A (Δω_A) = Σ\u{2009}r × J"]);
+    assert_eq!(
+        lines(&disks.bodies[0].laws[1..]),
+        ["m₁ (Δv_disk1) = Σ\u{2009}J", "I_disk1 (Δω_disk1) = Σ\u{2009}r × J"]
+    );
     let (pool, _) = model_of("25-pool-break");
     let titles: Vec<String> = pool.impacts.iter().map(|block| block.title.to_plain()).collect();
     assert_eq!(titles.len(), 2, "{titles:?}");

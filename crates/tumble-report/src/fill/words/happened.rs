@@ -1,6 +1,6 @@
 //! What happens at an instant, in words: `the foot strikes the floor, the head strikes and stays on the floor`.
 
-use tumble_mech::{Change, Equations, Grip, Happening, Mode, Others, Pair, Record, Run};
+use tumble_mech::{Change, ContactMode, Equations, Grip, Happening, Mode, Others, Pair, Record, Run};
 use tumble_ode::Occurrence;
 use tumble_scene::Study;
 
@@ -24,13 +24,16 @@ pub(crate) fn event(study: &Study, run: &Run, event: &Occurrence<Record>) -> Str
             _ => told.push(happening(study, equations, one)),
         }
     }
-    let alike = mode_after(run, event).map(|mode| gripped_alike(equations, mode, &changed));
+    let alike = mode_of(run, event, event.mode_after).map(|mode| gripped_alike(equations, mode, &changed));
     alike.into_iter().flatten().for_each(|(pair, change)| also(&mut changed, pair, change));
     told.extend(bounced_out(study, equations, &mut changed));
     let mut groups: Vec<(Verb, String, Vec<String>)> = vec![];
-    for (pair, changes) in changed {
-        let pair = &equations.pairs()[pair];
-        add(&mut groups, (all_of(&changes, event.time == 0.0), against(study, pair)), point(study, pair));
+    let before = mode_of(run, event, event.mode_before);
+    for (index, changes) in changed {
+        let pair = &equations.pairs()[index];
+        let lasted = before.and_then(|mode| mode.contact_mode(index)).is_some_and(ContactMode::is_lasting);
+        let verb = all_of(&changes, (event.time == 0.0, lasted && pair.other.is_none()));
+        add(&mut groups, (verb, against(study, pair)), point(study, pair));
     }
     told.extend(match groups.len() > MOST_CHANGES {
         true => pairs_of_bodies(&groups),
@@ -49,11 +52,11 @@ fn also(changed: &mut Vec<Changed>, pair: usize, change: Change) {
     }
 }
 
-/// The mode that begins with an event: its number is one of the motion that the event is kept in.
-fn mode_after<'r>(run: &'r Run, event: &Occurrence<Record>) -> Option<&'r Mode> {
+/// A mode by its number, which is one of the motion that the event is kept in.
+fn mode_of<'r>(run: &'r Run, event: &Occurrence<Record>, number: usize) -> Option<&'r Mode> {
     let own =
         run.tracks().find(|motion| motion.events.as_ptr_range().contains(&std::ptr::from_ref(event)))?;
-    own.modes.get(event.mode_after)
+    own.modes.get(number)
 }
 
 /// The other points by which a body touches a surface, with what its grip becomes: all slip alike, and a record tells of the one
@@ -117,8 +120,9 @@ fn pairs_of_bodies(groups: &[(Verb, String, Vec<String>)]) -> Vec<String> {
     kinds.into_iter().map(one).collect()
 }
 
-/// All that one contact does at an instant: `strikes and sticks to`. What holds from then on tells that it touches.
-fn all_of(changes: &[Change], is_start: bool) -> Verb {
+/// All that one contact does at an instant: `strikes and sticks to`. What holds from then on tells that it touches, and what has touched before
+/// does not strike.
+fn all_of(changes: &[Change], (is_start, lasted): (bool, bool)) -> Verb {
     let lasts = |change: &Change| matches!(change, Change::Slides | Change::Sticks | Change::Rolls);
     let is_told = |change: &&Change| **change != Change::Start || !changes.iter().any(lasts);
     let stays = changes.contains(&Change::Impact);
@@ -126,6 +130,7 @@ fn all_of(changes: &[Change], is_start: bool) -> Verb {
         .iter()
         .filter(is_told)
         .map(|change| match change {
+            Change::Impact if lasted => ["gets an impulse from", "get an impulse from"],
             Change::Start if stays => ["stays on", "stay on"],
             Change::Start if is_start => ["touches", "touch"],
             Change::Slides if is_start => ["slides on", "slide on"],
@@ -192,7 +197,7 @@ mod tests {
         let block = events("17-block-on-a-slope");
         let both = "corners 1 and 2 of the block";
         // A record tells of the corner that bears the friction; both are held alike.
-        assert_eq!(block, [format!("{both} slide on the floor"), format!("{both} stick to the floor")]);
+        assert_eq!(block, [format!("{both} slide on the incline"), format!("{both} stick to the incline")]);
     }
 
     #[test]
@@ -209,10 +214,9 @@ mod tests {
         assert_eq!(events("16-bench"), ["the left, the middle and the right touch the floor".to_owned()]);
         let falling = events("10-falling-rod");
         assert!(
-            falling
-                .iter()
-                .any(|text| text
-                    .contains("the foot strikes the floor, the head strikes and stays on the floor")),
+            falling.iter().any(|text| text.contains(
+                "the foot gets an impulse from the floor, the head strikes and stays on the floor"
+            )),
             "{falling:?}"
         );
     }
