@@ -12,6 +12,8 @@ const THINNEST_ROD: f64 = 3.0;
 const THICKEST_ROD: f64 = 9.0;
 /// Thickness of outlines in pixels.
 const OUTLINE: f64 = 1.3;
+/// Thickness of strings in pixels.
+const CORD: f64 = 0.8;
 /// Radius of a body without size, in pixels.
 const POINT_RADIUS: f64 = 3.5;
 /// Spokes by which labels see a circle.
@@ -36,6 +38,15 @@ pub enum Outline {
         centre: [f64; 2],
         /// Radius in metres.
         radius: f64,
+        /// Whether it is a ring, with nothing in it.
+        is_hollow: bool,
+    },
+    /// What holds a body at a place beside it, without a mass: a string.
+    Cord {
+        /// One end.
+        from: [f64; 2],
+        /// The other end.
+        to: [f64; 2],
     },
     /// A closed outline through its corners.
     Polygon(Vec<[f64; 2]>),
@@ -97,8 +108,8 @@ impl Outline {
     pub fn reach(&self) -> f64 {
         let distance = |p: &[f64; 2]| p[0].hypot(p[1]);
         match self {
-            Outline::Segment { from, to } => distance(from).max(distance(to)),
-            Outline::Circle { centre, radius } => distance(centre) + radius,
+            Outline::Segment { from, to } | Outline::Cord { from, to } => distance(from).max(distance(to)),
+            Outline::Circle { centre, radius, .. } => distance(centre) + radius,
             Outline::Polygon(corners) => corners.iter().map(distance).fold(0.0, f64::max),
             Outline::Point(at) => distance(at),
         }
@@ -107,8 +118,10 @@ impl Outline {
     /// World points that bound the outline in a pose.
     pub fn extent(&self, pose: &Pose) -> Vec<[f64; 2]> {
         match self {
-            Outline::Segment { from, to } => vec![pose.world(*from), pose.world(*to)],
-            Outline::Circle { centre, radius } => {
+            Outline::Segment { from, to } | Outline::Cord { from, to } => {
+                vec![pose.world(*from), pose.world(*to)]
+            }
+            Outline::Circle { centre, radius, .. } => {
                 let [x, y] = pose.world(*centre);
                 vec![[x - radius, y - radius], [x + radius, y + radius]]
             }
@@ -121,16 +134,16 @@ impl Outline {
     pub(crate) fn ends(&self, pose: &Pose) -> Vec<[f64; 2]> {
         match self {
             Outline::Segment { .. } => self.extent(pose),
-            Outline::Circle { .. } | Outline::Polygon(_) | Outline::Point(_) => vec![],
+            Outline::Circle { .. } | Outline::Cord { .. } | Outline::Polygon(_) | Outline::Point(_) => vec![],
         }
     }
 
     /// Lines (world points) that cover the outline well enough to keep labels off it.
     pub fn spokes(&self, pose: &Pose) -> Vec<[f64; 2]> {
         let rim = match self {
-            Outline::Circle { centre: [x, y], radius } => circle_points([*x, *y], *radius),
+            Outline::Circle { centre: [x, y], radius, .. } => circle_points([*x, *y], *radius),
             Outline::Polygon(corners) => corners.clone(),
-            Outline::Segment { .. } | Outline::Point(_) => return self.extent(pose),
+            Outline::Segment { .. } | Outline::Cord { .. } | Outline::Point(_) => return self.extent(pose),
         };
         let there_and_back = rim.iter().zip(rim.iter().cycle().skip(1)).flat_map(|(a, b)| [*a, *b, [0.0; 2]]);
         there_and_back.map(|p| pose.world(p)).collect()
@@ -151,9 +164,13 @@ impl Outline {
         let pixel = |p: &[f64; 2]| plane.pixel(pose.world(*p));
         match self {
             Outline::Segment { from, to } => draw_rod(pixel(from), pixel(to), pen),
-            Outline::Circle { centre, radius } => {
+            Outline::Cord { from, to } => {
+                let [from, to] = [from, to].map(pixel);
+                vec![line(from, to).stroked(pen.colour, CORD)]
+            }
+            Outline::Circle { centre, radius, is_hollow } => {
                 let rim = pixel(&[centre[0] + radius, centre[1]]);
-                draw_ball(pixel(centre), rim, radius * plane.density(), pen)
+                draw_round(pixel(centre), rim, (radius * plane.density(), *is_hollow), pen)
             }
             Outline::Polygon(corners) => {
                 let corners: Vec<_> = corners.iter().map(pixel).collect();
@@ -193,8 +210,12 @@ fn draw_rod(a: [f64; 2], b: [f64; 2], pen: Pen) -> Vec<Element> {
     std::iter::once(full).chain(hole).collect()
 }
 
-fn draw_ball(centre: [f64; 2], rim: [f64; 2], radius: f64, pen: Pen) -> Vec<Element> {
-    let disk = circle(centre, radius).attr("fill", pen.colour.strength(FACE_STRENGTH));
+fn draw_round(centre: [f64; 2], rim: [f64; 2], (radius, is_hollow): (f64, bool), pen: Pen) -> Vec<Element> {
+    let disk = circle(centre, radius);
+    let disk = match is_hollow {
+        true => disk.attr("fill", "none"),
+        false => disk.attr("fill", pen.colour.strength(FACE_STRENGTH)),
+    };
     vec![outlined(disk, pen), outlined(line(centre, rim), pen)]
 }
 
@@ -211,7 +232,7 @@ mod tests {
 
     #[test]
     fn extents_bound_the_outline() {
-        let ball = Outline::Circle { centre: [0.0, 0.0], radius: 0.5 };
+        let ball = Outline::Circle { centre: [0.0, 0.0], radius: 0.5, is_hollow: false };
         assert_eq!(ball.extent(&Pose::default()), [[-0.5, -0.5], [0.5, 0.5]]);
         assert_eq!(ball.reach(), 0.5);
         assert_eq!(Outline::Segment { from: [0.0, 3.0], to: [4.0, 0.0] }.reach(), 4.0);

@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn extents_hold_bodies_and_path() {
         let mut track = track(&[0.0]);
-        track.shapes = vec![Outline::Circle { centre: [0.0, 0.0], radius: 2.0 }];
+        track.shapes = vec![Outline::Circle { centre: [0.0, 0.0], radius: 2.0, is_hollow: false }];
         track.trace = vec![[5.0, f64::NAN], [7.0, 1.0]];
         assert_eq!(track.extent(), [[-2.0, -2.0], [2.0, 2.0], [0.0, 0.0], [7.0, 1.0]]);
         assert_eq!(track.reach(), 2.0);

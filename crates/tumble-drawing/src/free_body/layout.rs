@@ -120,12 +120,12 @@ pub(crate) fn faces(body: &FreeBodyDiagram, view: &View) -> Vec<Vec<Point>> {
         Outline::Polygon(corners) => {
             Some(corners.iter().map(|p| view.pixel(body.pose.world(*p))).collect::<Vec<_>>())
         }
-        Outline::Circle { centre, radius } => {
+        Outline::Circle { centre, radius, .. } => {
             let centre = view.pixel(body.pose.world(*centre));
             Some(crate::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
         }
         Outline::Segment { from, to } => Some(rod([*from, *to].map(|p| view.pixel(body.pose.world(p))))),
-        Outline::Point(_) => None,
+        Outline::Point(_) | Outline::Cord { .. } => None,
     };
     body.outlines.iter().filter_map(face).collect()
 }

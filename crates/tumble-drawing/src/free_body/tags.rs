@@ -152,7 +152,7 @@ impl Shown<'_> {
             drawn.add_face(face);
         }
         for outline in &self.body.outlines {
-            if let Outline::Circle { centre: [x, y], radius } = *outline {
+            if let Outline::Circle { centre: [x, y], radius, .. } = *outline {
                 let spoke = [[x, y], [x + radius, y]];
                 drawn.add_line(spoke.map(|p| self.view.pixel(self.body.pose.world(p))).to_vec());
             }

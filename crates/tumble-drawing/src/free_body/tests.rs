@@ -104,7 +104,7 @@ fn labels_keep_clear_of_arrows_and_each_other() {
 
 #[test]
 fn side_views_are_laid_out_like_panels() {
-    let ball = Outline::Circle { centre: [0.0; 2], radius: 0.11 };
+    let ball = Outline::Circle { centre: [0.0; 2], radius: 0.11, is_hollow: false };
     let (weight, normal) = ((Label::symbol("W"), 4.2), (Label::symbol("N"), 4.2));
     let side = SideView::resting(vec![ball.clone()], 0.11, weight, normal);
     let body = FreeBodyDiagram::new(Label::plain("ball"), Pose::default(), vec![ball]);
@@ -177,7 +177,11 @@ fn pages_are_about_eight_to_five() {
 fn nothing_makes_a_drawing_without_numbers() {
     let values = [0.0, -0.0, 1e-320, 1e-12, 1.0, 1e9, 1e200, 1e308, f64::NAN, f64::INFINITY];
     let outlines = |size: f64| {
-        vec![Outline::Circle { centre: [0.0; 2], radius: size }, Outline::Point([size, 0.0]), rod()]
+        vec![
+            Outline::Circle { centre: [0.0; 2], radius: size, is_hollow: false },
+            Outline::Point([size, 0.0]),
+            rod(),
+        ]
     };
     for (i, a) in values.into_iter().enumerate() {
         for b in values.into_iter().skip(i) {
@@ -229,7 +233,7 @@ fn equal_input_gives_equal_bytes() {
 fn an_arm_has_its_symbol_also_where_an_arrow_covers_it() {
     let centre = [0.0, 1.0];
     let pose = Pose { t: 0.0, x: centre[0], y: centre[1], angle: 0.0 };
-    let ball = Outline::Circle { centre: [0.0, 0.0], radius: 1.0 };
+    let ball = Outline::Circle { centre: [0.0, 0.0], radius: 1.0, is_hollow: false };
     let body = FreeBodyDiagram::new(Label::plain("ball"), pose, vec![ball])
         .surface(Ground::new([0.0, 0.0], [0.0, 1.0], Label::plain("floor")))
         .force(force(ArrowKind::Weight, "W", centre, [0.0, -1.96]))

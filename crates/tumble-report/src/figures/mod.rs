@@ -285,7 +285,7 @@ fn track(study: &Study, run: &Run, stroboscope: &Stroboscope, body: &Body) -> Re
     } else {
         vec![]
     };
-    Ok(BodyPath { label: Label::default(), shapes: outlines(study, body)?, poses, trace })
+    Ok(BodyPath { label: Label::default(), shapes: with_strings(study, body)?, poses, trace })
 }
 
 fn poses_to_path(poses: &[Pose]) -> Vec<[f64; 2]> {
@@ -332,6 +332,23 @@ pub(crate) fn surfaces(study: &Study, run: &Run, time: f64) -> Result<Vec<Ground
     Ok(found)
 }
 
+/// Shapes of a body, and the strings that it hangs by: a round body, or a point, that a pivot beside it holds.
+pub(crate) fn with_strings(study: &Study, body: &Body) -> Result<Vec<Outline>, CaseError> {
+    let mut found = outlines(study, body)?;
+    let Some(pivot) = study.model.pivot_of(&body.name) else { return Ok(found) };
+    let arm = &pivot.point - &body.mass_properties().centre;
+    let to = [study.number(arm.x())?, study.number(arm.y())?];
+    let far = |from: [f64; 2]| (to[0] - from[0]).hypot(to[1] - from[1]);
+    let from = match found[..] {
+        [Outline::Circle { centre, radius, .. }] if far(centre) > radius => Some(centre),
+        [Outline::Point(at)] if far(at) > 0.0 => Some(at),
+        _ => None,
+    };
+    // Behind the body.
+    found.splice(0..0, from.map(|from| Outline::Cord { from, to }));
+    Ok(found)
+}
+
 /// Shapes of a body with its centre of mass at the origin.
 pub(crate) fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, CaseError> {
     let centre = body.mass_properties().centre;
@@ -347,7 +364,8 @@ pub(crate) fn outlines(study: &Study, body: &Body) -> Result<Vec<Outline>, CaseE
             | Shape::Ring { centre, radius }
             | Shape::Ball { centre, radius }
             | Shape::Shell { centre, radius } => {
-                Outline::Circle { centre: place(centre)?, radius: study.number(radius)? }
+                let is_hollow = matches!(shape, Shape::Ring { .. });
+                Outline::Circle { centre: place(centre)?, radius: study.number(radius)?, is_hollow }
             }
             Shape::Box { centre, width, height } => {
                 let ([x, y], w, h) =

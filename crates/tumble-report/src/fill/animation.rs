@@ -17,7 +17,7 @@ use tumble_scene::Study;
 use super::names::Names;
 use super::{wind_at_origin, words};
 use crate::figures::free_bodies::kind;
-use crate::figures::{captions, case_label, outlines, poses, surfaces, symbols};
+use crate::figures::{captions, case_label, poses, surfaces, symbols, with_strings};
 use crate::report::END_OF_DIGITS;
 use crate::results::{Case, CaseError, equal_times};
 
@@ -42,7 +42,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
     let body = |body: &tumble_mech::Body| -> Result<MovingBody, CaseError> {
         Ok(MovingBody {
             name: Label::plain(&symbols::bare(&body.name)),
-            outlines: outlines(study, body)?,
+            outlines: with_strings(study, body)?,
             poses: poses(run, body, times.iter().copied())?,
             trail: study.model.pivot_of(&body.name).is_none(),
         })
@@ -180,7 +180,7 @@ fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<Sc
     Ok(SceneBody {
         name: Label::plain(&symbols::bare(&body.name)),
         pose: poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default(),
-        outlines: outlines(study, body)?,
+        outlines: with_strings(study, body)?,
         velocity: moves
             .then(|| ([values[0], values[1]], Label::symbol(&symbols::velocity(study, &body.name)))),
         rate,

@@ -5,8 +5,10 @@ function drawOutline(group, kind, n) {
   if (kind === "rod") {
     const width = clamp(0.025 * Math.hypot(n[2] - n[0], n[3] - n[1]), 3, 9);
     draw("line", { class: "rod", x1: n[0], y1: -n[1], x2: n[2], y2: -n[3], "stroke-width": width }, group);
-  } else if (kind === "circle") {
-    draw("circle", { class: "face", cx: n[0], cy: -n[1], r: n[2] }, group);
+  } else if (kind === "cord") {
+    draw("line", { x1: n[0], y1: -n[1], x2: n[2], y2: -n[3], "stroke-width": 1 }, group);
+  } else if (kind === "circle" || kind === "ring") {
+    draw("circle", { class: kind === "ring" ? "ring" : "face", cx: n[0], cy: -n[1], r: n[2] }, group);
     draw("line", { x1: n[0], y1: -n[1], x2: n[0] + n[2], y2: -n[1], "stroke-width": 1.6 }, group);
   } else if (kind === "polygon") {
     const points = n.map((v, i) => (i % 2 ? -v : v)).join(" ");

@@ -165,7 +165,10 @@ fn body(body: &MovingBody, frames: &[usize]) -> String {
 fn outline(outline: &Outline) -> String {
     let (name, numbers) = match outline {
         Outline::Segment { from, to } => ("rod", vec![from[0], from[1], to[0], to[1]]),
-        Outline::Circle { centre, radius } => ("circle", vec![centre[0], centre[1], *radius]),
+        Outline::Cord { from, to } => ("cord", vec![from[0], from[1], to[0], to[1]]),
+        Outline::Circle { centre, radius, is_hollow } => {
+            (if *is_hollow { "ring" } else { "circle" }, vec![centre[0], centre[1], *radius])
+        }
         Outline::Polygon(corners) => ("polygon", corners.iter().flatten().copied().collect()),
         Outline::Point(at) => ("point", at.to_vec()),
     };
