@@ -14,6 +14,8 @@ use crate::results::{Case, CaseError, is_angle, unit};
 
 /// Phases beyond these are told of by the table of events.
 const MOST_PHASES: usize = 4;
+/// The same where there are several runs, of those that have no formulas.
+const MOST_OF_SEVERAL: usize = 2;
 /// Digits of numbers in closed forms.
 const DIGITS: usize = 6;
 
@@ -79,11 +81,21 @@ fn solved<'r>(study: &Study, run: &'r Run) -> Vec<Stretch<'r>> {
 }
 
 /// The closed forms of a run as they are shown.
-pub(super) fn phases(study: &Study, names: &Names, case: &Case) -> Result<Vec<Phase>, CaseError> {
+pub(super) fn phases(
+    study: &Study,
+    names: &Names,
+    case: &Case,
+    is_only: bool,
+) -> Result<Vec<Phase>, CaseError> {
     let solved = solved(study, &case.run);
     let by_formulas = solved.iter().map(|stretch| phase(study, case, names, stretch));
     let mut phases: Vec<Phase> = by_formulas.collect::<Result<_, _>>()?;
-    phases.extend(numeric::phases(study, names, case, (phases.len(), MOST_PHASES))?);
+    phases.extend(numeric::phases(
+        study,
+        names,
+        case,
+        (phases.len(), if is_only { MOST_PHASES } else { MOST_OF_SEVERAL }),
+    )?);
     Ok(phases)
 }
 

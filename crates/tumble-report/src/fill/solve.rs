@@ -48,7 +48,7 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
 fn phases_of_runs(study: &Study, names: &Names, told: &[&Case]) -> Result<Vec<Phase>, CaseError> {
     let mut found: Vec<(Vec<&str>, Phase)> = vec![];
     for case in told.iter().take(MOST_RUNS) {
-        for phase in closed::phases(&study.with(&case.parameters), names, case)? {
+        for phase in closed::phases(&study.with(&case.parameters), names, case, told.len() == 1)? {
             match found.iter_mut().find(|(_, known)| *known == phase) {
                 Some((labels, _)) => labels.push(&case.label),
                 None => found.push((vec![&case.label], phase)),
