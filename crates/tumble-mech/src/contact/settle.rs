@@ -4,6 +4,7 @@ mod corners;
 mod ending;
 mod meanwhile;
 mod motions;
+mod opening;
 mod pressed;
 mod rubbing;
 mod settled;
@@ -108,6 +109,8 @@ struct Settling<'a> {
     is_doubtful: bool,
     /// Those that the last impact has given the rate that their restitution asks for, which is not none.
     rebounding: Vec<usize>,
+    /// Those that open though nothing of it is seen yet but rounding.
+    opening: Vec<usize>,
     /// Speeds before the impact, by position: what rounding after it is relative to.
     speed: DVector<f64>,
     /// Accelerations of the gaps with the forces of the contacts that last, m/s^2.
@@ -226,6 +229,7 @@ impl<'a> Settling<'a> {
             then,
             is_doubtful,
             rebounding: vec![],
+            opening: vec![],
         };
         settling.doubt();
         Ok(settling)
@@ -266,8 +270,18 @@ impl<'a> Settling<'a> {
         }
         // An impact at the same instant changes what the forces go on to do: that one was falling says nothing then.
         let is_calm = self.impulses.amax() == 0.0;
-        let stays = |position: &usize| !(is_calm && touched.lifted.contains(&self.touch.pairs[*position]));
-        let without: Vec<usize> = members.iter().copied().filter(stays).collect();
+        let lifted = |position: &usize| is_calm && touched.lifted.contains(&self.touch.pairs[*position]);
+        let (lifted, mut without): (Vec<usize>, Vec<usize>) =
+            members.iter().partition(|position| lifted(position));
+        if !lifted.is_empty() {
+            let [opening, closing] = self.a_moment_later(&lifted, &without, jump);
+            self.opening = opening;
+            without.extend(closing);
+            without.sort_unstable();
+        }
+        // What opens does not close, whatever rounding makes of its acceleration now.
+        let members: Vec<usize> =
+            members.into_iter().filter(|position| !self.opening.contains(position)).collect();
         self.refuse_jammed(&members, &jump.mode)?;
         if self.is_rough() || is_pressed {
             return self.lasting_with_friction([&without, &members], zeno, touched, jump);
@@ -372,7 +386,7 @@ impl<'a> Settling<'a> {
     fn zeros(&self, position: usize) -> usize {
         match self.stands(position) {
             false => 1,
-            true if self.then[position].abs() > self.zero() => 2,
+            true if self.then[position].abs() > self.zero() && !self.opening.contains(&position) => 2,
             true => 3,
         }
     }

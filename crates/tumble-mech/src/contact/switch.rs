@@ -226,6 +226,26 @@ impl Equations {
         Ok(())
     }
 
+    /// Whether loads that are none now press two together a moment later that touch without speed.
+    fn begins_to_press(&self, index: usize, island: &[usize], now: Now<'_>, jump: &Jump<Mode>) -> bool {
+        let later = now.a_moment_later();
+        let touch = self.touch(island, &jump.mode, &self.moved(island, later.time - now.time, jump), later);
+        let then = touch.ok().and_then(|touch| Some((touch.free[touch.position(index)?], touch.strength)));
+        then.is_some_and(|(then, strength)| then < -BALANCED * strength)
+    }
+
+    /// The states a moment later, as bodies move now.
+    pub(crate) fn moved(&self, island: &[usize], length: f64, jump: &Jump<Mode>) -> Vec<f64> {
+        let mut states = jump.states.clone();
+        for body in island {
+            let places = self.coordinate_states(&jump.mode, *body).into_iter();
+            for (place, rate) in places.zip(self.velocity_states(&jump.mode, *body)) {
+                states[place] += length * jump.states[rate];
+            }
+        }
+        states
+    }
+
     /// Two of which one is compliant meet. Where they touch without speed or force, they are pressed if others begin to press them, `behind`
     /// with so many derivatives of the gap that are zero.
     fn press(
@@ -246,6 +266,7 @@ impl Equations {
         let is_calm = stands && touch.free[own].abs() <= BALANCED * touch.strength;
         let closes = match behind {
             Some(_) if is_calm => true,
+            None if is_calm => self.begins_to_press(index, &island, now, jump),
             _ if stands => touch.free[own] < 0.0,
             _ => touch.rate[own] < 0.0,
         };
@@ -256,7 +277,8 @@ impl Equations {
             }
             jump.mode.set_contact_mode(index, Some(ContactMode::Pressed));
         }
-        let zeros = behind.map(|(zeros, _)| zeros).filter(|_| is_calm).unwrap_or(if stands { 2 } else { 1 });
+        let known = [1, 2, 3][usize::from(stands) + usize::from(is_calm)];
+        let zeros = behind.map(|(zeros, _)| zeros).filter(|_| is_calm).unwrap_or(known);
         jump.zeros.push((pair.guard_name(Watched::Gap), zeros));
         Ok(())
     }

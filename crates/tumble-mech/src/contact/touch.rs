@@ -33,7 +33,18 @@ pub(crate) struct Now<'a> {
     pub(crate) scales: &'a [f64],
 }
 
+/// A moment, as a part of the time since the last event, in which loads began or went down to zero; and of the time, of which rounding leaves less.
+const MOMENT: [f64; 2] = [1e-4, 1e-9];
+/// A moment at the start, s, where nothing says how long anything takes: loads are smooth in it.
+const FIRST_MOMENT: f64 = 1e-9;
+
 impl<'a> Now<'a> {
+    /// So little later that nothing has moved, and so much that loads that were none are some.
+    pub(crate) fn a_moment_later(&self) -> Self {
+        let length = (MOMENT[0] * (self.time - self.since)).max(MOMENT[1] * self.time);
+        Self { time: self.time + if length > 0.0 { length } else { FIRST_MOMENT }, ..*self }
+    }
+
     pub(crate) fn of(at: &Crossing<'a, Mode>) -> Self {
         let Crossing { time, since, inputs, compensation, scales, .. } = *at;
         Self { time, since, inputs, compensation, scales }

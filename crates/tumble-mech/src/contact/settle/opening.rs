@@ -1,0 +1,42 @@
+//! Contacts whose force has come down to zero while little else acts: whether they open is seen a moment later, since what is left of their
+//! acceleration now is what rounding has left of the time.
+
+use super::Settling;
+use crate::contact::complementarity::pushing;
+use crate::mode::Mode;
+use crate::record::Jump;
+
+/// What a moment makes of an acceleration is all there is of it, but for this part.
+const NOTHING: f64 = 1e-2;
+
+impl Settling<'_> {
+    /// Of some contacts whose force has just come to zero, those that open a moment later, if some others bear what there is to bear, and those
+    /// that would close.
+    pub(super) fn a_moment_later(
+        &self,
+        lifted: &[usize],
+        others: &[usize],
+        jump: &Jump<Mode>,
+    ) -> [Vec<usize>; 2] {
+        let nothing = || [vec![], vec![]];
+        let now = self.now.a_moment_later();
+        let states = self.equations.moved(&self.island, now.time - self.now.time, jump);
+        let Ok(later) = self.equations.touch(&self.island, &jump.mode, &states, now) else {
+            return nothing();
+        };
+        if later.pairs != self.touch.pairs {
+            return nothing();
+        }
+        let mut then = later.free.clone();
+        if !others.is_empty() {
+            let bears = pushing(&self.pushes(others), &self.some(others, &later.free));
+            let Some((_, push)) = bears else { return nothing() };
+            then += (self.touch.pushes() * self.whole(others, &push)).rows(0, then.len());
+        }
+        let is_all = |position: &&usize| {
+            self.touch.free[**position].abs() <= NOTHING * then[**position].abs() && then[**position] != 0.0
+        };
+        let (opens, closes) = lifted.iter().filter(is_all).partition(|position| then[**position] > 0.0);
+        [opens, closes]
+    }
+}
