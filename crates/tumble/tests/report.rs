@@ -124,7 +124,7 @@ fn the_kicked_ball_is_solved_in_symbols() {
     let outcome = run(&repository("scenes/04-kicked-ball/scene.toml"), out.path(), ReportForm::Html);
     let page = read(&outcome.folder.join("report.html"));
     for formula in
-        ["M A_x = F", "I α = −y F", "X = F t²/(2 M)", "θ = −y F t²/(2 I)", "V = F dt/M", "ω = −y F dt/I"]
+        ["M A_x = F", "I α = −b F", "X = F t²/(2 M)", "θ = −b F t²/(2 I)", "V = F dt/M", "ω = −b F dt/I"]
     {
         assert!(page.contains(formula), "{formula}");
     }

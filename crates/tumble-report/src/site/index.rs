@@ -5,7 +5,7 @@ use tumble_drawing::svg::escape;
 
 use super::{Page, Ways, url};
 use crate::report::Text;
-use crate::report::html::{self, MOTION};
+use crate::report::html::{self, MOTION, joined};
 use crate::report::json::{list, object};
 use crate::report::live;
 
@@ -77,7 +77,7 @@ impl Index {
     fn scripts(&self) -> String {
         let motions = self.entries.iter().filter_map(|entry| entry.motion.as_ref()).map(live::living);
         let data = object([("plots", list([])), ("motions", list(motions))]);
-        let scripts = SCRIPTS.concat();
+        let scripts = joined(&SCRIPTS);
         format!(
             "<script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{scripts}</script>\n"
         )

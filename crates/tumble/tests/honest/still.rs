@@ -123,3 +123,66 @@ fn points_stay_where_friction_holds_them() {
     let two = [point("a", "0 m"), point("b", "40 cm"), floor("0.42"), spring.to_owned()].concat();
     are(&scene(&two).heavy().until("3 s").ask(["a.x", "b.x"]), [0.0, 0.4], 1e-14);
 }
+
+const POINT: &str = "[body.p]\npoint = {}\nmass = \"2 kg\"\nstart = { velocity = [0, \"1 m/s\"] }\n";
+
+fn wall(law: &str) -> String {
+    format!("[surface.wall]\nthrough = [0, 0]\nnormal = [1, 0]\n{law}\n")
+}
+
+/// Where nothing but the load itself presses, all that is left of it at the zero of the force is rounding: what is not pressed any more is let
+/// go.
+#[test]
+fn what_a_load_alone_presses_is_let_go_at_its_zero() {
+    for friction in ["", ", friction = 0.1"] {
+        let wall = wall(&format!("rigid = {{ restitution = 0{friction} }}"));
+        for (load, until, speed) in [
+            ("-(2 N)*sin(t/(1 s))", 4.0, 1.0 + 4.0_f64.cos()),
+            ("-(2 N)*sin(t/(1 s) + 0.3)", 4.0, 1.0 + 4.3_f64.cos()),
+            ("-(3 N) + (2 N/s)*t", 3.1, 0.5 * (1.6_f64 * 1.6)),
+        ] {
+            let pushed = scene(&[POINT, &wall, &push("p", load)].concat()).until(&format!("{until} s"));
+            are(&pushed.ask(["p.vx", "wall.normal"]), [speed, 0.0], 1e-11);
+        }
+    }
+    let disk = |name: &str, x: &str| {
+        format!("[body.{name}]\ndisk = {{ radius = \"0.1 m\" }}\nmass = \"2 kg\"\nstart.at = [\"{x}\", 0]\n")
+    };
+    let row = "[contact.c]\nbetween = [\"a\", \"b\"]\nrigid = { restitution = 0 }\n";
+    let two =
+        [disk("a", "0 m"), disk("b", "0.2 m"), row.to_owned(), push("a", "(2 N)*sin(t/(1 s))")].concat();
+    let apart = 1.0 - (1.0 + 4.0_f64.cos());
+    are(&scene(&two).until("4 s").ask(["a.vx", "b.vx"]), [apart, 1.0], 1e-11);
+}
+
+/// A disk in a groove, turned and pressed by loads that begin at zero: neither wall is dropped, whatever they rub.
+#[test]
+fn a_groove_holds_what_begins_to_be_pressed() {
+    for mu in [0.0, 0.3] {
+        let disk =
+            "[body.d]\ndisk = { radius = \"0.1 m\" }\nmass = \"2 kg\"\nstart.at = [0, \"(0.1 m)*sqrt(2)\"]\n";
+        let side = |name: &str, x: i32| {
+            format!(
+                "[surface.{name}]\nthrough = [0, 0]\nnormal = [{x}, 1]\nrigid = {{ restitution = 0, friction = {mu} }}\n"
+            )
+        };
+        let loads = "[force.q]\non = \"d\"\ntorque = \"(1 N*m/s)*t\"\n[force.p]\non = \"d\"\nat = \"d.cm\"\nforce = [0, \"-(10 N/s)*t\"]\n";
+        let groove = scene(&[disk, &side("l", 1), &side("r", -1), loads].concat()).until("2 s");
+        let rubs = 0.1 * mu * 10.0 * 2.0_f64.sqrt() / (1.0 + mu * mu);
+        let height = 0.1 * 2.0_f64.sqrt();
+        are(&groove.ask(["d.omega", "d.x", "d.y"]), [(1.0 - rubs) * 2.0 / 0.01, 0.0, height], 1e-10);
+    }
+}
+
+/// A spring that is touched without speed or force is pressed as soon as a load begins, at the start or later.
+#[test]
+fn springs_are_pressed_by_loads_that_begin() {
+    let rest = "[body.p]\npoint = {}\nmass = \"2 kg\"\n";
+    let w = 500.0_f64.sqrt();
+    let ramp = |t: f64| -t / (w * w) + (w * t).sin() / (w * w * w);
+    for (load, until) in [("-(2 N/s)*t", 1.0), ("-(2 N/s)*max(t - 1 s, 0 s)", 2.0)] {
+        let spring = wall("spring = { stiffness = \"1000 N/m\", damping = 0 }");
+        let pushed = scene(&[rest, &spring, &push("p", load)].concat()).until(&format!("{until} s"));
+        are(&pushed.ask(["p.x"]), [ramp(1.0)], 1e-11);
+    }
+}

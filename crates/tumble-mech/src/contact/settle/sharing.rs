@@ -18,6 +18,11 @@ const FULL: f64 = 1e-9;
 /// With more patches than this not all choices are tried: there are two for each.
 const MOST_SHARING: usize = 8;
 
+/// A patch that has come to its cone, and the way in which it is about to slip.
+type Broken = (usize, Way);
+/// The normals that bear; `None` are those that are found.
+type Bearing = Option<Vec<usize>>;
+
 impl Settling<'_> {
     /// Pushes with which nothing begins to slip, though some patches have come to their cones; `forced` are the patches with the ways in which
     /// these are about to slip. First without those that others make up for; else with all the friction that they can have.
@@ -35,20 +40,20 @@ impl Settling<'_> {
             return None;
         }
         let rough = self.forces(some, patches);
-        let broken: Vec<(usize, Way)> =
+        let broken: Vec<Broken> =
             still.iter().filter_map(|index| Some((*index, forced[*index].slips?))).collect();
-        let with = |strained: &[(usize, Way)], sets: &[Option<Vec<usize>>]| {
+        let with = |strained: &[Broken], sets: &[Bearing]| {
             let is_open = |index: &usize| strained.iter().all(|(own, _)| own != index);
             let open: Vec<usize> = still.iter().copied().filter(is_open).collect();
             self.most_to_spare(&rough, &open, (&broken, strained), sets)
         };
-        let or_before = || -> Vec<(usize, Way)> {
+        let or_before = || -> Vec<Broken> {
             let way = |index: usize| forced[index].slips.or(self.strained_before(&patches[index], before));
             still.iter().filter_map(|index| Some((*index, way(*index)?))).collect()
         };
         let is_small = some.len() <= MOST_TRIED;
-        let ways = |sets: &[Option<Vec<usize>>]| {
-            let with = |strained: &[(usize, Way)]| with(strained, sets);
+        let ways = |sets: &[Bearing]| {
+            let with = |strained: &[Broken]| with(strained, sets);
             with(&[]).or_else(|| with(&broken)).or_else(|| with(&or_before()))
         };
         // Which normals bear may be open too.
@@ -67,8 +72,8 @@ impl Settling<'_> {
         &self,
         rough: &Rough<'_>,
         open: &[usize],
-        (broken, strained): (&[(usize, Way)], &[(usize, Way)]),
-        sets: &[Option<Vec<usize>>],
+        (broken, strained): (&[Broken], &[Broken]),
+        sets: &[Bearing],
     ) -> Option<Pushes> {
         let choice = |free: usize| -> Vec<Grip> {
             let place = |index: usize| open.iter().position(|known| *known == index);
@@ -95,7 +100,7 @@ impl Settling<'_> {
             let free = rough.contacts.iter().filter(|contact| !found.held.contains(contact)).copied();
             let mut rows = loose.map(|(patch, _)| patch.row()).chain(free);
             let are_held = rows.all(|row| found.then[row] > self.zero() || follows(rough, &found, row));
-            let has_load = |(index, _): &(usize, Way)| {
+            let has_load = |(index, _): &Broken| {
                 let patch = &rough.patches[*index];
                 let slack = self.zero() / rough.response[(patch.row(), patch.row())].max(f64::MIN_POSITIVE);
                 found.grips[*index] != Grip::Sticks || rough.normal_of(patch, &found.pushes) > slack

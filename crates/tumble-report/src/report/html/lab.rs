@@ -3,6 +3,7 @@
 use tumble_expr::language::{BUILTINS, UNITS};
 use tumble_scene::keys;
 
+use super::page::joined;
 use crate::report::Lab;
 use crate::report::json::{list, object, string};
 
@@ -29,7 +30,7 @@ pub(super) const PANEL: &str = "<section id=\"play\" aria-labelledby=\"play-head
 
 /// The engine, what it runs, and the scripts.
 pub(super) fn scripts(lab: &Lab) -> String {
-    let (data, scripts, worker) = (data(lab), SCRIPTS.concat(), WORKER.concat());
+    let (data, scripts, worker) = (data(lab), joined(&SCRIPTS), joined(&WORKER));
     format!(
         "<script type=\"text/plain\" id=\"lab-engine\">{}</script>\n\
          <script type=\"application/json\" id=\"lab-data\">{data}</script>\n\

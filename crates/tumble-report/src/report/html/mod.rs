@@ -14,5 +14,5 @@ mod tests;
 pub(super) use data::label;
 pub(crate) use inline::text;
 pub(super) use motion::{living, motion};
-pub(crate) use page::MOTION;
+pub(crate) use page::{MOTION, joined};
 pub(super) use page::{page, parts};

@@ -30,6 +30,16 @@ const SCRIPTS: [&str; 7] = [
     include_str!("../assets/page.js"),
 ];
 
+/// Scripts as one, without the lines that are for those who read the sources: a page is mailed.
+pub(crate) fn joined(scripts: &[&str]) -> String {
+    let is_remark = |line: &&str| {
+        let line = line.trim();
+        line.starts_with("//") || (line.starts_with("/**") && line.ends_with("*/"))
+    };
+    let lines = scripts.iter().flat_map(|script| script.lines()).filter(|line| !is_remark(line));
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
 /// What gathers while the page is written.
 #[derive(Debug, Default)]
 pub(super) struct Page {
@@ -54,7 +64,7 @@ pub(crate) fn page(report: &Report) -> String {
     let body = format!(
         "{header}{panel}<main>\n{sections}</main>\n{footer}\
          <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{}</script>\n{lab}",
-        SCRIPTS.concat()
+        joined(&SCRIPTS)
     );
     let style = format!("{STYLE}{looks}{}", tumble_notation::page_font());
     document([&report.title, &report.language], "", &style, &body)

@@ -294,3 +294,9 @@ fn equal_reports_give_equal_bytes() {
     assert_eq!(hostile().html(), hostile().html());
     assert_eq!(hostile().markdown(), hostile().markdown());
 }
+
+#[test]
+fn remarks_of_scripts_are_not_mailed() {
+    let script = "// What it is.\n  /** One. */\n  one(); // here\n";
+    assert_eq!(super::page::joined(&[script, "two(\"//\");\n"]), "  one(); // here\ntwo(\"//\");\n");
+}

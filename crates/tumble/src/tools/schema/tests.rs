@@ -115,7 +115,7 @@ fn misspelt(value: &Value, users: bool) -> Vec<(String, Value)> {
         ];
         // What is named so in a section is a key of it, as `body` of a pivot is.
         let by_user = !users && inner.is_object() && NAMED.contains(&key.as_str());
-        if key != "symbols" {
+        if !["symbols", "meaning"].contains(&key.as_str()) {
             let wrapped = misspelt(inner, by_user);
             all.extend(wrapped.into_iter().map(|(what, inner)| {
                 let mut changed = value.clone();
