@@ -52,8 +52,8 @@ fn the_thrown_rod() {
 #[test]
 fn settings_stand_in_the_place_of_parameters() {
     let set = |name: &str, text: &str| Override { name: name.into(), text: text.into() };
-    let study = study("04-kicked-ball", &[set("F", "1kN"), set("y", "0"), set("dt", "R/(11 m/s)")]);
-    assert_eq!((value(&study, "F"), value(&study, "y"), value(&study, "dt")), (1000.0, 0.0, 0.01));
+    let study = study("04-kicked-ball", &[set("F", "1kN"), set("b", "0"), set("dt", "R/(11 m/s)")]);
+    assert_eq!((value(&study, "F"), value(&study, "b"), value(&study, "dt")), (1000.0, 0.0, 0.01));
     assert_eq!(value(&study, "during"), 0.005);
 }
 
