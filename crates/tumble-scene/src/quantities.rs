@@ -92,8 +92,7 @@ pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
     let mut sums: BTreeMap<(usize, String), [Vec<Symbol>; 2]> = BTreeMap::new();
     for pair in pairs {
         let (Rule::Bodies(rule), Some(other)) = (pair.rule, pair.other) else { continue };
-        let contact = rule;
-        let contact = &model.contacts[contact].name;
+        let contact = &model.contacts[rule].name;
         let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
         let bodies = format!("{contact}.{first}.{second}");
         define_pair(names, &pair, bodies.clone());
@@ -106,8 +105,15 @@ pub(crate) fn define_meetings(names: &mut Names, model: &Model) {
         normals.push(pair.force_symbol());
         frictions.extend(pair.friction.iter().map(|_| pair.friction_symbol()));
     }
-    for ((rule, bodies), of) in &sums {
-        let is_only = sums.keys().filter(|(other, _)| other == rule).count() == 1;
+    define_sums(names, model, &sums);
+}
+
+/// All forces of two bodies on each other together, where they are several; and of a contact of two bodies alone.
+fn define_sums(names: &mut Names, model: &Model, sums: &BTreeMap<(usize, String), [Vec<Symbol>; 2]>) {
+    let mut couples = vec![0; model.contacts.len()];
+    sums.keys().for_each(|(rule, _)| couples[*rule] += 1);
+    for ((rule, bodies), of) in sums {
+        let is_only = couples[*rule] == 1;
         let places = [(of[0].len() > 1).then_some(bodies), is_only.then_some(&model.contacts[*rule].name)];
         for place in places.into_iter().flatten() {
             for (quantity, of) in ["normal", "friction"].into_iter().zip(of) {

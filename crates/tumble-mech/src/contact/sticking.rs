@@ -143,9 +143,8 @@ impl Rough<'_> {
         let stands = |contact: usize| found.then[contact] <= self.zero && !found.held.contains(&contact);
         let standing: Vec<usize> = self.contacts.iter().copied().filter(|contact| stands(*contact)).collect();
         let is_loose = |(patch, grip): &(&Patch, &Grip)| {
-            let slack = self.zero / self.response[(patch.row(), patch.row())].max(f64::MIN_POSITIVE);
             **grip == Grip::Sticks
-                && self.normal_of(patch, &found.pushes) <= slack
+                && !self.has_load(patch, &found.pushes)
                 && patch.contacts.iter().any(|(contact, _)| standing.contains(contact))
         };
         let all = || self.patches.iter().zip(&found.grips);
@@ -396,6 +395,16 @@ impl Rough<'_> {
         pushes[contact] + self.loads[contact]
     }
 
+    /// A push that is none: rounding.
+    fn slack(&self, row: usize) -> f64 {
+        self.zero / self.response[(row, row)].max(f64::MIN_POSITIVE)
+    }
+
+    /// Whether anything presses what slips alike.
+    pub(super) fn has_load(&self, patch: &Patch, pushes: &DVector<f64>) -> bool {
+        self.normal_of(patch, pushes) > self.slack(patch.row())
+    }
+
     /// The same of all that slips alike.
     pub(super) fn normal_of(&self, patch: &Patch, pushes: &DVector<f64>) -> f64 {
         patch.contacts.iter().map(|(contact, _)| self.normal(pushes, *contact)).sum()
@@ -449,7 +458,7 @@ impl Rough<'_> {
     fn instead(&self, patch: &Patch, grip: Grip, found: &Pushes) -> Option<Grip> {
         let normal = self.normal_of(patch, &found.pushes);
         let (row, slip) = (patch.row(), found.then[patch.row()]);
-        let slack = self.zero / self.response[(row, row)].max(f64::MIN_POSITIVE);
+        let slack = self.slack(row);
         match grip {
             _ if patch.slips.is_some() => None,
             Grip::Sticks | Grip::Follows => {

@@ -232,16 +232,22 @@ fn phase(study: &Study, case: &Case, names: &Names, stretch: &Stretch<'_>) -> Re
     Ok(Phase { name, span: span(study, stretch)?, symbols, numbers })
 }
 
-/// `from t = 0 s to 0.01 s`; nothing of what holds all the time.
+/// From when to when a stretch is.
 fn span(study: &Study, stretch: &Stretch<'_>) -> Result<Text, CaseError> {
     let from = study.number(&stretch.begins)?;
-    let until = match &stretch.end {
-        Some(end) => Text::from(" to ").and(quantity(study.number(end)?, "s")),
-        None if stretch.ends => " to the next event".into(),
-        None if from == 0.0 => return Ok(Text::default()),
+    let end = stretch.end.as_ref().map(|end| study.number(end)).transpose()?;
+    Ok(from_to(from, end, stretch.ends))
+}
+
+/// `from t = 0 s to 0.01 s`; nothing of what holds all the time. Something may end it at a time that is not said.
+fn from_to(from: f64, end: Option<f64>, ends: bool) -> Text {
+    let until = match end {
+        Some(end) => Text::from(" to ").and(quantity(end, "s")),
+        None if ends => " to the next event".into(),
+        None if from == 0.0 => return Text::default(),
         None => " on".into(),
     };
-    Ok(Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")).and(until))
+    Text::from("from ").and(Label::symbol("t")).and(" = ").and(quantity(from, "s")).and(until)
 }
 
 /// The polynomial with its coefficients as numbers with their units.

@@ -148,7 +148,7 @@ impl Setting<'_> {
                 conditions.into_iter().map(|condition| Line::new(nothing(), condition, Expr::zero())),
             );
         }
-        if let Some(Incline { along, across }) = incline::of(self, body, &notation).filter(|_| !is_joined) {
+        if let Some(Incline { along, across }) = incline::of(self, body) {
             if is_solved {
                 lines.splice(..2, [along, across]);
             } else {
@@ -347,7 +347,7 @@ pub(super) fn inertia_name(study: &Study, body: &str) -> String {
 }
 
 /// The left side of what is zero.
-fn nothing() -> Left {
+pub(super) fn nothing() -> Left {
     Left::symbol(Math::Number("0".to_owned()))
 }
 

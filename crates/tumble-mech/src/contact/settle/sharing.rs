@@ -1,7 +1,8 @@
 //! Friction that is shared anew where contacts hold bodies together that fewer could hold; and impulses of friction, as they are told.
 //!
 //! How much each of them has is not determined, and a mode gives it to few. Where one of these comes to its cone, nothing slips as long as
-//! others can take over: of all choices of who has none, that is taken in which those that hold have most to spare.
+//! others can take over: of all choices of who has none, or all that it can have, that is taken in which those that hold have most to spare; the
+//! normals that are found bear, or else any set of them.
 
 use nalgebra::DVector;
 
@@ -101,9 +102,7 @@ impl Settling<'_> {
             let mut rows = loose.map(|(patch, _)| patch.row()).chain(free);
             let are_held = rows.all(|row| found.then[row] > self.zero() || follows(rough, &found, row));
             let has_load = |(index, _): &Broken| {
-                let patch = &rough.patches[*index];
-                let slack = self.zero() / rough.response[(patch.row(), patch.row())].max(f64::MIN_POSITIVE);
-                found.grips[*index] != Grip::Sticks || rough.normal_of(patch, &found.pushes) > slack
+                found.grips[*index] != Grip::Sticks || rough.has_load(&rough.patches[*index], &found.pushes)
             };
             let is_sound = are_held && broken.iter().all(has_load);
             Some((self.spare(rough, &found).filter(|_| is_sound)?, found))
@@ -143,10 +142,8 @@ impl Settling<'_> {
                 return None;
             }
             let most = patch.friction[0] * rough.normal_of(patch, &found.pushes);
-            if matches!(grip, Grip::Strains(_)) {
-                continue;
-            }
-            if found.pushes[patch.row()] != 0.0 {
+            // What has all that it can have has nothing to spare, and need not.
+            if found.pushes[patch.row()] != 0.0 && !matches!(grip, Grip::Strains(_)) {
                 least = least.min(1.0 - found.pushes[patch.row()].abs() / most);
             }
         }

@@ -7,10 +7,10 @@ use tumble_notation::Math;
 use tumble_ode::Piece;
 use tumble_scene::Study;
 
-use super::{Coordinate, coordinates, elapsed_since, is_jump, line};
+use super::{Coordinate, coordinates, elapsed_since, from_to, is_jump, line};
 use crate::fill::names::{Names, math, quantity};
 use crate::fill::words;
-use crate::report::{Block, Definition, Phase, Text};
+use crate::report::{Block, Definition, Phase, Text, Typeset};
 use crate::results::{Case, CaseError};
 
 /// Of more bodies the numbers are in the tables.
@@ -44,12 +44,9 @@ impl Between<'_> {
     fn is_polynomial(&self, end: f64) -> bool {
         let states = &self.pieces[0].states;
         let is_short = states.iter().all(|row| row.len() <= MOST_POWERS);
-        let is_uniform =
-            |row: &[f64]| without_rounding(row, self.length()).iter().skip(UNIFORM).all(|part| *part == 0.0);
+        let is_uniform = |row: &[f64]| !has_powers(&without_rounding(row, self.length()), UNIFORM);
         let is_simple = is_short || (self.length() >= LASTS * end && states.iter().all(is_uniform));
-        let moves = states
-            .iter()
-            .any(|row| without_rounding(row, self.length()).iter().skip(1).any(|part| *part != 0.0));
+        let moves = states.iter().any(|row| has_powers(&without_rounding(row, self.length()), 1));
         moves && is_simple && self.pieces.iter().all(|piece| piece.time_series.is_none()) && self.goes_on()
     }
 
@@ -66,8 +63,8 @@ impl Between<'_> {
     }
 }
 
-/// The stretches in which something moves, as polynomials in time.
-pub(super) fn stretches(run: &Run) -> Vec<Between<'_>> {
+/// Of the first stretches those in which something moves, as polynomials in time.
+pub(super) fn stretches(run: &Run, most: usize) -> Vec<Between<'_>> {
     let trajectory = run.trajectory();
     let changes = trajectory
         .events
@@ -77,7 +74,7 @@ pub(super) fn stretches(run: &Run) -> Vec<Between<'_>> {
     begins.dedup();
     let end = run.end().unwrap_or(0.0);
     let ends = begins.iter().skip(1).copied().chain([end]);
-    let each = begins.iter().zip(ends).filter(|(from, until)| *from < until).enumerate();
+    let each = begins.iter().zip(ends).filter(|(from, until)| *from < until).enumerate().take(most);
     let found = each.filter_map(|(number, (from, until))| {
         let is_within = |piece: &&Piece| piece.start < until && piece.end > *from;
         let pieces: Vec<&Piece> = trajectory.pieces.iter().filter(is_within).collect();
@@ -97,61 +94,62 @@ pub(super) fn phases(
     if study.model.bodies.len() > MOST_BODIES {
         return Ok(vec![]);
     }
-    let stretches = stretches(&case.run).into_iter().filter(|one| (known..most).contains(&one.number));
+    let stretches = stretches(&case.run, most).into_iter().filter(|one| one.number >= known);
     stretches.map(|one| phase(study, names, case, &one)).collect()
 }
 
 fn phase(study: &Study, names: &Names, case: &Case, stretch: &Between<'_>) -> Result<Phase, CaseError> {
+    let (begins, elapsed) = (stretch.pieces[0].start, Math::symbol(&elapsed_since(stretch.number)));
+    let mut block = Block { lines: lines(study, names, case, stretch), ..Block::default() };
+    if stretch.number > 0 {
+        let since = format!("time since {}", quantity(begins, "s").to_plain());
+        block.definitions.push(Definition { symbol: math(&elapsed), meaning: since.into() });
+    }
+    let mode = &case.run.trajectory().modes[stretch.pieces[0].mode];
+    let name = Text::from(words::mode(study, &case.run.equations, mode));
+    let span = from_to(begins, stretch.ends.then_some(stretch.until), stretch.ends);
+    Ok(Phase { name, span, symbols: vec![], numbers: vec![block] })
+}
+
+/// Places and velocities of what moves, and of the only body also where it stays.
+fn lines(study: &Study, names: &Names, case: &Case, stretch: &Between<'_>) -> Vec<Typeset> {
     let first = stretch.pieces[0];
-    let mode = &case.run.trajectory().modes[first.mode];
-    let states = case.run.equations.states(mode);
-    let turns = |one: &Coordinate| {
-        let inertia = &study.model.bodies[one.body].mass_properties().inertia;
-        one.position.dimension != Dimension::NONE || !is_identically_zero(inertia)
-    };
-    let elapsed = Math::symbol(&elapsed_since(stretch.number));
-    let all = (0..study.model.bodies.len()).flat_map(|body| coordinates(study, body)).filter(turns);
+    let states = case.run.equations.states(&case.run.trajectory().modes[first.mode]);
     let known = |symbol: &Symbol| {
         let row = states.iter().position(|state| state == symbol)?;
         Some((symbol.clone(), without_rounding(&first.states[row], stretch.length())))
     };
-    let powers: Vec<(Symbol, Vec<f64>)> =
-        all.filter_map(|one| Some([known(&one.position)?, known(&one.velocity)?])).flatten().collect();
-    let most = |symbol: &Symbol| {
-        let alike = powers.iter().filter(|(other, _)| other.dimension == symbol.dimension);
+    let turns = |one: &Coordinate| {
+        let inertia = &study.model.bodies[one.body].mass_properties().inertia;
+        one.position.dimension != Dimension::NONE || !is_identically_zero(inertia)
+    };
+    let all = (0..study.model.bodies.len()).flat_map(|body| coordinates(study, body)).filter(turns);
+    let mut both: Vec<[(Symbol, Vec<f64>); 2]> =
+        all.filter_map(|one| Some([known(&one.position)?, known(&one.velocity)?])).collect();
+    let largest = |symbol: &Symbol| {
+        let alike = both.iter().flatten().filter(|(other, _)| other.dimension == symbol.dimension);
         alike.map(|(_, powers)| powers[0].abs()).fold(0.0, f64::max)
     };
-    let is_moving = |powers: &[f64]| powers.iter().skip(1).any(|part| *part != 0.0);
+    let largest: Vec<[f64; 2]> =
+        both.iter().map(|both| both.each_ref().map(|(symbol, _)| largest(symbol))).collect();
+    // What is nothing beside the others of its kind is none.
+    for ((_, powers), largest) in both.iter_mut().flatten().zip(largest.into_iter().flatten()) {
+        powers[0] = if powers[0].abs() <= ROUNDING * largest { 0.0 } else { powers[0] };
+    }
     let is_one = study.model.bodies.len() == 1;
-    let mut lines = vec![];
-    for both in powers.chunks(2) {
-        let [(position, at), (velocity, rate)] = both else { continue };
-        // What does not move has no velocity; of several bodies only what moves is told.
-        let shown = match (is_moving(at), is_one) {
-            (true, _) => vec![(position, at), (velocity, rate)],
-            (false, true) => vec![(position, at)],
-            (false, false) => vec![],
-        };
-        for (symbol, powers) in shown {
-            let mut powers = powers.clone();
-            powers[0] = if powers[0].abs() <= ROUNDING * most(symbol) { 0.0 } else { powers[0] };
-            lines.push(line(names, symbol, &powers, &elapsed));
-        }
-    }
-    let begins = first.start;
-    let from = quantity(begins, "s");
-    let span = match (begins == 0.0, stretch.ends) {
-        (true, false) => Text::default(),
-        (_, true) => Text::from("from ").and(from.clone()).and(" to ").and(quantity(stretch.until, "s")),
-        (false, false) => Text::from("from ").and(from.clone()).and(" on"),
-    };
-    let mut block = Block { lines, ..Block::default() };
-    if stretch.number > 0 {
-        let since = format!("time since {}", from.to_plain());
-        block.definitions.push(Definition { symbol: math(&elapsed), meaning: since.into() });
-    }
-    let name = Text::from(words::mode(study, &case.run.equations, mode));
-    Ok(Phase { name, span, symbols: vec![], numbers: vec![block] })
+    let shown = both.iter().flat_map(|both| match (has_powers(&both[0].1, 1), is_one) {
+        (true, _) => &both[..],
+        // What does not move has no velocity.
+        (false, true) => &both[..1],
+        (false, false) => &[],
+    });
+    let elapsed = Math::symbol(&elapsed_since(stretch.number));
+    shown.map(|(symbol, powers)| line(names, symbol, powers, &elapsed)).collect()
+}
+
+/// Whether it has a power of the time, or one above that.
+fn has_powers(powers: &[f64], least: usize) -> bool {
+    powers.iter().skip(least).any(|part| *part != 0.0)
 }
 
 /// The coefficients of a polynomial of a time, without what rounding has left of them.

@@ -44,14 +44,36 @@ const SADDLE: &str = r#"version = 1
     rigid = { restitution = 0 }
 "#;
 
+/// A block and a disk slide down a plane that is shaken across itself, pushed along: it takes them with it.
+const SHAKEN: &str = r#"version = 1
+    world.gravity = "9.81 m/s^2"
+    run.until = "0.3 s"
+    [body.block]
+    box = { width = "20 cm", height = "10 cm" }
+    mass = "2 kg"
+    start = { at = ["-5 cm*sin(0.6)", "5 cm*cos(0.6)"], angle = "0.6 rad", velocity = ["-2 m/s*cos(0.6) - 0.14 m/s*sin(0.6)", "-2 m/s*sin(0.6) + 0.14 m/s*cos(0.6)"] }
+    [body.disk]
+    disk = { radius = "10 cm" }
+    mass = "1 kg"
+    start = { at = ["1 m*cos(0.6) - 10 cm*sin(0.6)", "1 m*sin(0.6) + 10 cm*cos(0.6)"], velocity = ["-2 m/s*cos(0.6) - 0.14 m/s*sin(0.6)", "-2 m/s*sin(0.6) + 0.14 m/s*cos(0.6)"] }
+    [surface.plane]
+    through = ["-(2 cm)*sin((7 rad/s)*t)*sin(0.6)", "(2 cm)*sin((7 rad/s)*t)*cos(0.6)"]
+    slope = "0.6 rad"
+    rigid = { restitution = 0, friction = 0.2 }
+    [force.push]
+    on = "disk"
+    at = "disk.cm"
+    force = ["(1 N/s)*t", "2 N"]
+"#;
+
 /// In every scene and mode, what is printed has the value of what was integrated, along the motion itself.
 #[test]
 fn printed_equations_are_those_that_were_integrated() {
     let scenes = crate::scenes::all();
     let mut compared = 0;
-    let [ladder, saddle] =
-        [LADDER, SADDLE].map(|scene| motions_in("scene", scene.as_bytes(), &tumble_scene::NoFiles));
-    let others = [ladder, saddle, crate::scenes::laws()];
+    let [ladder, saddle, shaken] =
+        [LADDER, SADDLE, SHAKEN].map(|scene| motions_in("scene", scene.as_bytes(), &tumble_scene::NoFiles));
+    let others = [ladder, saddle, shaken, crate::scenes::laws()];
     for (study, cases) in scenes.map(|scene| motions_of(&scene)).chain(others) {
         let study = study.with(&cases[0].parameters);
         let names = Names::of(&study).expect("names");
