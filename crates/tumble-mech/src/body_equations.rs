@@ -2,7 +2,7 @@
 
 use tumble_expr::{Expr, Symbol, Vector};
 
-use crate::coordinates::{Coordinates, force_symbols, total_force};
+use crate::coordinates::{Coordinates, StateRate, force_symbols, total_force};
 use crate::kinematics::Kinematics;
 use crate::link::total;
 use crate::mass::MassProperties;
@@ -16,6 +16,8 @@ pub(crate) struct BodyEquations {
     pub(crate) kinematics: Kinematics,
     pub(crate) mass: MassProperties,
     pub(crate) coordinates: Coordinates,
+    /// Its states in order.
+    pub(crate) states: Vec<StateRate>,
 }
 
 impl BodyEquations {
@@ -24,7 +26,9 @@ impl BodyEquations {
         let body = &model.bodies[index];
         let mass = body.mass_properties();
         let coordinates = Coordinates::of(model.pivot_of(&body.name), &mass);
-        Self { kinematics: body.kinematics(), mass, coordinates }
+        let kinematics = body.kinematics();
+        let states = coordinates.states(&kinematics);
+        Self { kinematics, mass, coordinates, states }
     }
 
     /// What a unit of one wrench on the body does along another.

@@ -89,7 +89,7 @@ impl Measure {
 }
 
 /// A state with its rate, in the body's kinematic symbols.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct StateRate {
     pub(crate) symbol: Symbol,
     pub(crate) rate: Expr,

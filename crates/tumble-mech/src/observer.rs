@@ -7,15 +7,16 @@ use tumble_ode::{Cursor, Motion, MotionState, Piece, Reason, Side};
 
 use crate::equations::Equations;
 use crate::evaluator::{evaluate, evaluate_in};
+use crate::mode::Mode;
 use crate::record::Happening;
 use crate::run::Run;
-use crate::tracks::Tracks;
 
 /// Evaluates formulas at any time of one run, each along the motion that it reads.
 pub struct Observer {
     parts: Vec<Part>,
     formulas: usize,
-    tracks: Tracks,
+    /// When each event of the run is at which something happens, s.
+    events: Vec<f64>,
     /// Values of one part.
     values: Vec<f64>,
 }
@@ -25,20 +26,22 @@ struct Part {
     along: Along,
     /// Indices of the formulas.
     places: Vec<usize>,
-    groups: Vec<usize>,
+    /// Of each of those events, its index among those of the motion; `None` of others' events.
+    own_events: Vec<Option<usize>>,
 }
 
 impl Observer {
     pub(crate) fn new(run: &Run, formulas: &[Expr]) -> Result<Self, Reason> {
+        let tracks = run.all_tracks();
         let part = |(groups, places): (Vec<usize>, Vec<usize>)| {
-            let own: Vec<Expr> = places.iter().map(|index| formulas[*index].clone()).collect();
+            let own = places.iter().map(|index| formulas[*index].clone()).collect();
             let motion = run.part(&groups).motion();
-            let along = Along::new(&run.equations, motion, &run.inputs, &own)?;
-            Ok(Part { along, places, groups })
+            let along = Along::new(&run.equations, motion, &run.inputs, own)?;
+            Ok(Part { along, places, own_events: tracks.own_events(&groups) })
         };
         let parts = run.grouped(formulas).into_iter().map(part).collect::<Result<_, Reason>>()?;
-        let tracks = run.all_tracks().clone();
-        Ok(Self { parts, formulas: formulas.len(), tracks, values: vec![] })
+        let events = run.events().map(|event| event.time).collect();
+        Ok(Self { parts, formulas: formulas.len(), events, values: vec![] })
     }
 
     /// Values of the formulas at `time`, in their order; `None` outside the motion.
@@ -66,22 +69,13 @@ impl Observer {
 
     /// Values of the formulas just before and just after an event, by its index among those of the run.
     pub fn at_event(&mut self, index: usize) -> Option<[Vec<f64>; 2]> {
-        let Self { parts, formulas, tracks, .. } = self;
-        let place = tracks.events().nth(index)?;
-        let (of, time) = (place.0, tracks.event(place).time);
+        let Self { parts, formulas, events, .. } = self;
+        let time = *events.get(index)?;
         let mut found = [vec![f64::NAN; *formulas], vec![f64::NAN; *formulas]];
         for part in parts {
-            // Of a run that is one motion its events are all.
-            let each = tracks.each();
-            let is_own = |group: &usize| part.groups.binary_search(group).is_ok();
-            let is_of = |of: usize| each.len() == 1 || each[of].groups.iter().any(is_own);
-            let values = match is_of(of) {
-                true => {
-                    let before = tracks.all_events().iter().take_while(|event| **event != place);
-                    let before = before.filter(|(of, _)| is_of(*of)).count();
-                    part.along.at_event(before)?
-                }
-                false => [part.along.at(time, Side::Before)?, part.along.at(time, Side::After)?],
+            let values = match part.own_events[index] {
+                Some(own) => part.along.at_event(own)?,
+                None => [part.along.at(time, Side::Before)?, part.along.at(time, Side::After)?],
             };
             for (all, own) in found.iter_mut().zip(values) {
                 part.places.iter().zip(own).for_each(|(place, value)| all[*place] = value);
@@ -94,8 +88,7 @@ impl Observer {
 /// Evaluates formulas along one motion.
 struct Along {
     motion: Arc<Motion<Equations>>,
-    /// By mode of the motion.
-    tapes: Vec<Jets<f64>>,
+    tapes: Tapes,
     cursor: Cursor,
     states: Vec<f64>,
     /// Instants at which forces and accelerations have no value, and which formulas read such.
@@ -110,17 +103,15 @@ impl Along {
         equations: &Equations,
         motion: Arc<Motion<Equations>>,
         inputs: &[f64],
-        formulas: &[Expr],
+        formulas: Vec<Expr>,
     ) -> Result<Self, Reason> {
-        let modes = motion.modes.iter();
-        let tapes =
-            modes.map(|mode| equations.evaluator(mode, formulas, inputs)).collect::<Result<_, _>>()?;
         let singular =
             motion.events.iter().filter(|event| event.record.happened.contains(&Happening::Singular));
         let singular: Vec<f64> = singular.map(|event| event.time).collect();
         let is_forced =
             formulas.iter().map(|formula| !singular.is_empty() && equations.reads_forces(formula));
         let is_forced = is_forced.collect();
+        let tapes = Tapes::new(equations, inputs, formulas, &motion.modes)?;
         let (cursor, states) = (Cursor::default(), vec![]);
         Ok(Self { motion, tapes, cursor, states, singular, is_forced, last: None })
     }
@@ -133,7 +124,7 @@ impl Along {
     fn at_into(&mut self, time: f64, side: Side, values: &mut Vec<f64>) -> bool {
         values.clear();
         let Some(spot) = self.motion.spot_at(time, side, &mut self.cursor) else { return false };
-        let tape = &mut self.tapes[spot.mode];
+        let Some(tape) = self.tapes.of(spot.mode, &self.motion.modes) else { return false };
         // Within a piece both sides of an instant are one.
         let here = spot.piece().map(|piece| (time, address(piece)));
         if here.is_none() || here != self.last {
@@ -165,7 +156,7 @@ impl Along {
                         _ => motion.place_at(event.time, side).and_then(|place| place.piece),
                     },
                 });
-        let mut sides = [self.values(&before), self.values(&after)];
+        let mut sides = [self.values(&before)?, self.values(&after)?];
         sides.iter_mut().for_each(|values| self.leave_out(event.time, values));
         Some(sides)
     }
@@ -178,11 +169,42 @@ impl Along {
         }
     }
 
-    fn values(&mut self, place: &MotionState<'_>) -> Vec<f64> {
-        let tape = &mut self.tapes[place.mode];
+    fn values(&mut self, place: &MotionState<'_>) -> Option<Vec<f64>> {
+        let tape = self.tapes.of(place.mode, &self.motion.modes)?;
         self.last = None;
         evaluate(tape, place);
-        (0..tape.tape().outputs().len()).map(|index| tape.value_of(index)).collect()
+        Some((0..tape.tape().outputs().len()).map(|index| tape.value_of(index)).collect())
+    }
+}
+
+/// Formulas in the modes of a motion: one is compiled when it is first asked for, since a pile of bodies has thousands.
+struct Tapes {
+    equations: Equations,
+    inputs: Vec<f64>,
+    formulas: Vec<Expr>,
+    by_mode: Vec<Option<Jets<f64>>>,
+}
+
+impl Tapes {
+    /// Formulas that cannot be compiled cannot be in any mode: the first tells.
+    fn new(
+        equations: &Equations,
+        inputs: &[f64],
+        formulas: Vec<Expr>,
+        modes: &[Mode],
+    ) -> Result<Self, Reason> {
+        let first = modes.first().map(|mode| equations.evaluator(mode, &formulas, inputs)).transpose()?;
+        let mut by_mode: Vec<Option<Jets<f64>>> = modes.iter().map(|_| None).collect();
+        by_mode.iter_mut().zip(first).for_each(|(own, first)| *own = Some(first));
+        Ok(Self { equations: equations.clone(), inputs: inputs.to_vec(), formulas, by_mode })
+    }
+
+    fn of(&mut self, mode: usize, modes: &[Mode]) -> Option<&mut Jets<f64>> {
+        let Self { equations, inputs, formulas, by_mode } = self;
+        if by_mode[mode].is_none() {
+            by_mode[mode] = equations.evaluator(&modes[mode], formulas, inputs).ok();
+        }
+        by_mode[mode].as_mut()
     }
 }
 

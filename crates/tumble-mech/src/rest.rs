@@ -36,10 +36,10 @@ impl Equations {
 
     fn is_at_rest(&self, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> Result<bool, Reason> {
         let mode = &jump.mode;
-        if self.is_settling(mode, None) {
+        let bodies = || mode.bodies.iter().copied();
+        if self.is_settling(mode, None) || bodies().any(|body| self.moves(body, at, jump)) {
             return Ok(false);
         }
-        let bodies = || mode.bodies.iter().copied();
         let is_small = |rates: &[f64], span: f64| {
             let measures = [Measure::Speed, Measure::Speed, Measure::AngularRate].into_iter().cycle();
             rates
@@ -66,6 +66,13 @@ impl Equations {
             mode.contacts.iter().filter(|(_, contact_mode)| *contact_mode == ContactMode::Settling);
         let mut bodies = settling.flat_map(|(pair, _)| self.pairs()[*pair].bodies());
         bodies.any(|own| body.is_none_or(|body| body == own))
+    }
+
+    /// Whether one of the velocities that are states is one, of a body.
+    fn moves(&self, body: usize, at: &Crossing<'_, Mode>, jump: &Jump<Mode>) -> bool {
+        let states = self.velocity_states(&jump.mode, body).into_iter();
+        let mut velocities = states.zip(self.coordinate_measures(body));
+        velocities.any(|(state, of)| jump.states[state].abs() > STILL * at.scales[of.rate() as usize])
     }
 
     fn velocity_formulas(&self, body: usize) -> Vec<Expr> {

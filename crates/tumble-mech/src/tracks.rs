@@ -1,6 +1,6 @@
 //! The motions of a model's islands, each found by itself, and of several of them as one where a quantity reads several.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
@@ -131,6 +131,23 @@ impl Tracks {
         })
     }
 
+    /// Of each of [`Tracks::events`], its index among all events of the motion of some groups; `None` where they have no part in it.
+    pub(crate) fn own_events(&self, groups: &[usize]) -> Vec<Option<usize>> {
+        let is_own = |group: &usize| groups.binary_search(group).is_ok();
+        // Of a run that is one motion its events are all.
+        let is_of = |of: &Track| self.each.len() == 1 || of.groups.iter().any(is_own);
+        let is_of: Vec<bool> = self.each.iter().map(is_of).collect();
+        let (mut found, mut before) = (vec![], 0);
+        for event in self.all_events() {
+            let own = is_of[event.0].then_some(before);
+            before += usize::from(own.is_some());
+            if !self.event(*event).record.is_nothing() {
+                found.push(own);
+            }
+        }
+        found
+    }
+
     /// An event by where it is.
     pub(crate) fn event(&self, (of, index): (usize, usize)) -> &Occurrence<Record> {
         &self.each[of].motion.events[index]
@@ -148,15 +165,14 @@ impl Equations {
     /// Modes beside each other as one, and where each of its states is.
     pub(crate) fn laid_out(&self, modes: &[&Mode]) -> (Mode, Vec<Of>) {
         let mode = self.as_one(modes);
-        let names: Vec<_> = modes.iter().map(|mode| self.states(mode)).collect();
-        let place = |symbol: &Symbol| -> Of {
-            let mut found = names
-                .iter()
-                .enumerate()
-                .filter_map(|(part, own)| Some([part, own.iter().position(|known| known == symbol)?]));
-            found.next().expect("a state of all is that of one")
-        };
-        let layout = self.states(&mode).iter().map(place).collect();
+        let names: Vec<Vec<Symbol>> = modes.iter().map(|mode| self.states(mode)).collect();
+        let each = names.iter().enumerate();
+        let places: HashMap<&Symbol, Of> = each
+            .flat_map(|(part, own)| {
+                own.iter().enumerate().map(move |(state, symbol)| (symbol, [part, state]))
+            })
+            .collect();
+        let layout = self.states(&mode).iter().map(|symbol| places[symbol]).collect();
         (mode, layout)
     }
 }

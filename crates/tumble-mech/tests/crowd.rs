@@ -241,7 +241,7 @@ fn pile(count: usize) -> Model {
     let mut dice = Dice(17);
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(9.81 * M / (S * S));
-    let columns = (count as f64).sqrt().ceil();
+    let columns = asked("COLUMNS", (count as f64).sqrt().ceil() as u64) as f64;
     let grid = 2.0 * SIDE / columns;
     for index in 0..count {
         let r = grid * dice.between(0.3, 0.45);

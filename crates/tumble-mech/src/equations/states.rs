@@ -11,20 +11,23 @@ use crate::mode::Mode;
 impl Equations {
     /// The states of a mode in order.
     pub fn states(&self, mode: &Mode) -> Vec<Symbol> {
-        self.state_rates(mode).into_iter().map(|state| state.symbol).collect()
+        let symbol = |state: &StateRate| state.symbol.clone();
+        let bodies = mode.bodies.iter().flat_map(|body| self.parts.bodies[*body].states.iter().map(symbol));
+        let roots = self.roots(mode).into_iter().map(|pair| self.parts.pairs.all[pair].root_symbol());
+        let others = self.seats(mode).into_iter().chain(self.algebraic_states(mode));
+        bodies.chain(others.map(|state| state.symbol)).chain(roots).collect()
     }
 
     /// The states of a mode: those of the bodies, then where events have made joints, then forces that loads read otherwise than linearly,
     /// then the roots of the depths of Hertzian contacts.
     pub(crate) fn state_rates(&self, mode: &Mode) -> Vec<StateRate> {
         let bodies = mode.bodies.iter().flat_map(|body| {
-            let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[*body];
             let is_still = mode.still.binary_search(body).is_ok();
             let rate = move |state: StateRate| match is_still || self.is_braked(mode, &state.symbol) {
                 true => StateRate { rate: Expr::zero(), ..state },
                 false => state,
             };
-            coordinates.states(kinematics).into_iter().map(rate)
+            self.parts.bodies[*body].states.iter().cloned().map(rate)
         });
         let roots = self.roots(mode);
         let root = |index: &usize| {
@@ -81,8 +84,7 @@ impl Equations {
 
     /// What each of a body's coordinates measures.
     pub(crate) fn coordinate_measures(&self, body: usize) -> Vec<Measure> {
-        let BodyEquations { kinematics, coordinates, .. } = &self.parts.bodies[body];
-        let states = coordinates.states(kinematics);
+        let BodyEquations { coordinates, states, .. } = &self.parts.bodies[body];
         coordinates.coordinate_states().iter().map(|state| states[*state].measure).collect()
     }
 }

@@ -214,11 +214,8 @@ impl Equations {
             self.changes_by(changes).for_each(|(symbol, formula)| changed.insert(symbol, formula));
             let formulas = std::iter::once(of.watched()).chain(of.conditions());
             let formulas = formulas.map(|formula| changed.apply(&self.in_coordinates(&formula))).collect();
-            let states = of.bodies().flat_map(|body| {
-                let body = self.body_equations(body);
-                body.coordinates.states(&body.kinematics)
-            });
-            let states: Vec<Symbol> = states.map(|state| state.symbol).collect();
+            let states = of.bodies().flat_map(|body| &self.body_equations(body).states);
+            let states: Vec<Symbol> = states.map(|state| state.symbol.clone()).collect();
             let inputs = self.model().parameters.symbols();
             Ok::<_, std::convert::Infallible>(Watched::where_positive(
                 formulas,

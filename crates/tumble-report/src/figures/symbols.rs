@@ -64,15 +64,15 @@ pub(crate) fn clashes(study: &Study) -> Vec<(String, String, String)> {
         .then(|| ("the weight".to_owned(), "W".to_owned()));
     // Arrows of diagrams have the letter alone.
     let free = study.model.bodies.iter().filter(|body| study.model.pivot_of(&body.name).is_none());
-    let letters: BTreeSet<String> = free.map(|body| velocity(study, &body.name)).collect();
+    let letters: BTreeSet<String> = free.map(|body| velocity_among(&all, study, &body.name)).collect();
     let letters = letters.into_iter().filter(|letter| !all.values().any(|shown| shown == letter));
     let velocities = letters.map(|letter| ("the velocity of the centre".to_owned(), letter));
     let named = weight.into_iter().chain(velocities);
     let shown: Vec<(String, String)> = named.chain(parameters.chain(moves).map(shown)).collect();
+    let labels: Vec<Label> = shown.iter().map(|(_, symbol)| Label::symbol(symbol)).collect();
     let alike = |(index, (name, symbol)): (usize, &(String, String))| {
-        let label = Label::symbol(symbol);
-        let others = shown[index + 1..].iter().filter(move |(_, other)| Label::symbol(other) == label);
-        others.map(|(other, _)| (name.clone(), other.clone(), symbol.clone())).collect::<Vec<_>>()
+        let others = (index + 1..shown.len()).filter(|other| labels[*other] == labels[index]);
+        others.map(|other| (name.clone(), shown[other].0.clone(), symbol.clone())).collect::<Vec<_>>()
     };
     shown.iter().enumerate().flat_map(alike).collect()
 }
@@ -159,7 +159,11 @@ pub(crate) fn contact(study: &Study, pair: &str) -> String {
 
 /// The letter of a body's velocity: `v` of `v_x`, or that of the user's own symbol; V where a parameter is shown so.
 pub(crate) fn velocity(study: &Study, body: &str) -> String {
-    let all = all(study);
+    velocity_among(&all(study), study, body)
+}
+
+/// The same, where what everything is shown as is known.
+fn velocity_among(all: &BTreeMap<String, String>, study: &Study, body: &str) -> String {
     let shown = all.get(&format!("{body}.vx")).map_or("v", String::as_str);
     let letter = shown.split('_').next().unwrap_or(shown);
     let is_taken = |name: &str| all.get(name).map_or(name, String::as_str) == letter;

@@ -20,7 +20,10 @@ pub struct SampleRow {
     pub values: Vec<f64>,
 }
 
-/// Values of formulas at equal time steps, at the end, and on both sides of each event.
+/// More events than so many for each time have no rows of their own: bodies that rattle in a pile have ten thousand.
+const CROWDED: usize = 2;
+
+/// Values of formulas at equal time steps, at the end, and on both sides of each event, if these are not very many.
 pub fn sample(study: &Study, run: &Run, formulas: &[Expr]) -> Result<Vec<SampleRow>, CaseError> {
     rows(run, formulas, &times(study, run)?)
 }
@@ -39,22 +42,23 @@ pub fn sample_between(
     Ok(rows(run, formulas, &times)?.into_iter().filter(|row| row.time >= from).collect())
 }
 
-/// Values at these times, in order, and on both sides of each event up to the last of them.
+/// Values at these times, in order, and on both sides of each event up to the last of them, if these are not very many.
 fn rows(run: &Run, formulas: &[Expr], times: &[f64]) -> Result<Vec<SampleRow>, CaseError> {
     let mut observer = run.observe(formulas)?;
     let events: Vec<f64> = run.events().map(|event| event.time).collect();
+    let have_rows = events.len() <= CROWDED * times.len().max(DEFAULT_SAMPLES);
     let mut rows = vec![];
     let mut next_event = 0;
     for &time in times {
         while events.get(next_event).is_some_and(|event| *event <= time) {
-            if let Some([before, after]) = observer.at_event(next_event) {
+            if have_rows && let Some([before, after]) = observer.at_event(next_event) {
                 let time = events[next_event];
                 rows.push(SampleRow { time, phase: next_event, values: before });
                 rows.push(SampleRow { time, phase: next_event + 1, values: after });
             }
             next_event += 1;
         }
-        let is_event = next_event > 0 && events[next_event - 1] == time;
+        let is_event = have_rows && next_event > 0 && events[next_event - 1] == time;
         if let Some(values) = observer.at(time, Side::After).filter(|_| !is_event) {
             rows.push(SampleRow { time, phase: next_event, values });
         }

@@ -1,6 +1,9 @@
 //! The tables of one run.
 
+use std::collections::HashSet;
+
 use tumble_expr::Expr;
+use tumble_mech::{Pair, Rule, Run};
 use tumble_scene::Study;
 
 use super::{TableWriter, VERIFIED, column, verified};
@@ -9,8 +12,10 @@ use crate::results::{Case, CaseError, is_angle, sample, unit};
 /// A row a time: every quantity that the scene shows.
 pub fn trajectory<T: TableWriter>(study: &Study, case: &Case, table: &mut T) -> Result<(), T::Error> {
     let study = &study.with(&case.parameters);
+    let apart = apart(&case.run);
     // The time is the first column.
-    let shown = || study.quantities.iter().filter(|(name, _)| *name != "t");
+    let is_shown = |name: &str| name != "t" && !couple(name).is_some_and(|couple| apart.contains(couple));
+    let shown = || study.quantities.iter().filter(|(name, _)| is_shown(name));
     let formulas: Vec<Expr> = shown().map(|(_, quantity)| quantity.formula.clone()).collect();
     let header = shown().map(|(name, quantity)| column(name, &quantity.unit));
     let first = ["t [s]".to_owned(), "phase".to_owned()];
@@ -23,6 +28,26 @@ pub fn trajectory<T: TableWriter>(study: &Study, case: &Case, table: &mut T) -> 
         table.end_row()?;
     }
     Ok(())
+}
+
+/// Names of couples that might have met, since all bodies may, and have not: of a hundred bodies these are some five thousand, with several columns
+/// each.
+fn apart(run: &Run) -> HashSet<String> {
+    let (model, pairs) = (run.equations.model(), run.equations.pairs());
+    let name = |pair: &Pair| {
+        let (Rule::Bodies(rule), Some(other)) = (pair.rule, pair.other) else { return None };
+        let [first, second] = [pair.body, other].map(|body| &model.bodies[body].name);
+        let contact = Some(&model.contacts[rule]).filter(|contact| contact.between.is_none())?;
+        Some(format!("{}.{first}.{second}", contact.name))
+    };
+    let met: HashSet<String> =
+        run.contacts().iter().filter_map(|contact| name(&pairs[contact.pair])).collect();
+    pairs.iter().filter_map(name).filter(|name| !met.contains(name)).collect()
+}
+
+/// The couple that a quantity may be of: `all.b1.b2` of `all.b1.b2.gap`.
+fn couple(name: &str) -> Option<&str> {
+    name.match_indices('.').nth(2).map(|(end, _)| &name[..end])
 }
 
 /// A row an event: what happened, and every state just before and just after.
