@@ -417,18 +417,27 @@ impl<'a> Settling<'a> {
 
     /// Takes away what is left of the rates of contacts that are held.
     fn stop(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        let (speed, taken) =
-            (self.now.scales[Measure::Speed as usize], (&self.touch.response * impulses).amax());
-        let most = LEFT_OVER * speed.max(self.speed.amax());
-        if speed > 0.0 && (taken > most || taken.is_nan()) {
+        if !self.is_left_over(impulses) {
             return Err(self.unsolved("contact"));
         }
         self.cut_off += impulses;
         self.apply(impulses, jump)
     }
 
+    /// Whether what impulses take away is no more than what bounces that are not followed leave.
+    fn is_left_over(&self, impulses: &DVector<f64>) -> bool {
+        let (speed, taken) =
+            (self.now.scales[Measure::Speed as usize], (&self.touch.response * impulses).amax());
+        speed <= 0.0 || taken <= LEFT_OVER * speed.max(self.speed.amax())
+    }
+
     fn apply(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         self.touch.kick(impulses, &mut jump.states);
+        self.look_again(jump)
+    }
+
+    /// The same island with the states as they are now.
+    fn look_again(&mut self, jump: &Jump<Mode>) -> Result<(), Reason> {
         self.touch = self.equations.touch(&self.island, &jump.mode, &jump.states, self.now)?;
         self.doubt();
         Ok(())
@@ -462,6 +471,21 @@ impl<'a> Settling<'a> {
 
     fn unsolved(&self, what: &str) -> Reason {
         let bodies = self.equations.body_names(&self.island);
+        eprintln!(
+            "UNSOLVED {what} t={} part={:?} pairs={:?} rates={:?} impulses={:?}",
+            self.now.time,
+            self.part,
+            self.touch.pairs.iter().map(|p| self.equations.pairs()[*p].name.clone()).collect::<Vec<_>>(),
+            self.rates().iter().copied().collect::<Vec<_>>(),
+            self.impulses.iter().copied().collect::<Vec<_>>()
+        );
+        for line in std::backtrace::Backtrace::force_capture()
+            .to_string()
+            .lines()
+            .filter(|l| l.contains("settl") || l.contains("switch"))
+        {
+            eprintln!("BT {line}");
+        }
         Reason::Model(format!("no impulses or forces were found for the {what} of {bodies}"))
     }
 

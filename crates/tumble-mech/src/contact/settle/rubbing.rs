@@ -184,16 +184,27 @@ impl Settling<'_> {
         let others = self.other_motions(some, &rubbing, jump)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;
         // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
-        let mut stopped = self.turned(&rubbing);
+        let turned = self.turned(&rubbing);
+        let mut stopped = turned.clone();
         if let Some(time) = self.meanwhile(zeno) {
             let stopping = self.stopping_within(&rubbing, time);
             jump.early = if stopping.is_empty() { jump.early } else { time.max(jump.early) };
             stopped.extend(stopping);
         }
-        if stopped.iter().any(|pair| !touched.stopped.contains(pair)) {
+        let is_new = |pair: &usize| !touched.stopped.contains(pair);
+        if stopped.iter().any(is_new) {
             let mut touched = touched.clone();
+            let (states, cut_off) = (jump.states.clone(), self.cut_off.clone());
+            let has_turned = turned.iter().any(is_new);
             touched.stopped.extend(stopped);
-            return self.lasting_with_friction([some, all], zeno, &touched, jump);
+            let found = self.lasting_with_friction([some, all], zeno, &touched, jump);
+            if found.is_ok() || has_turned {
+                return found;
+            }
+            // What would stop in a moment cannot be stopped now: of disks that roll on side by side one would not turn on the other if both stood.
+            (jump.states, self.cut_off) = (states, cut_off);
+            self.look_again(jump)?;
+            self.then = rubbing.found.then.clone();
         }
         jump.record.others.extend(others);
         Ok(Lasting { modes, rubbing: Some(rubbing) })
