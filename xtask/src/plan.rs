@@ -22,16 +22,15 @@ pub(crate) fn check() -> Vec<Step> {
     vec![FORMATTING, LINTS]
 }
 
-/// Everything that needs Rust and nothing else.
+/// What says whether the program does what it should.
 pub(crate) fn test() -> Vec<Step> {
-    vec![FORMATTING, LINTS, TESTS, DOCUMENTATION, TIDY]
+    vec![FORMATTING, TESTS, TIDY]
 }
 
-/// [`test()`] and what needs Python, Node and Chromium, or takes long.
+/// [`check()`], [`test()`] and what needs Python, Node and Chromium, or takes long.
 pub(crate) fn test_all() -> Vec<Step> {
-    let mut steps = test();
-    steps.extend([PACKAGES, REFERENCES, BROWSER, PLAY]);
-    steps
+    let rust = vec![FORMATTING, LINTS, TESTS, DOCUMENTATION, TIDY];
+    rust.into_iter().chain([PACKAGES, REFERENCES, BROWSER, PLAY]).collect()
 }
 
 /// The names that [`only`] knows.

@@ -3,7 +3,10 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{available_parallelism, scope};
 
 use crate::common::{copy_scenes, failures, folder, gallery, read, repository, scenes, text, tumble, write};
 use tumble::gallery::completed;
@@ -138,7 +141,14 @@ fn mistakes_are_reported_as_shown() {
 #[test]
 fn outputs_are_as_shown() {
     of_kind("console");
-    documents().iter().for_each(|document| commands(document));
+    let (documents, next) = (documents(), AtomicUsize::new(0));
+    let some = || {
+        while let Some(document) = documents.get(next.fetch_add(1, Ordering::Relaxed)) {
+            commands(document);
+        }
+    };
+    let threads = available_parallelism().map_or(1, NonZero::get);
+    scope(|of| (0..threads).for_each(|_| _ = of.spawn(some)));
 }
 
 /// Runs the commands of one document, each where the scene files it names stand.

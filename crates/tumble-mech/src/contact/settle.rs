@@ -471,21 +471,6 @@ impl<'a> Settling<'a> {
 
     fn unsolved(&self, what: &str) -> Reason {
         let bodies = self.equations.body_names(&self.island);
-        eprintln!(
-            "UNSOLVED {what} t={} part={:?} pairs={:?} rates={:?} impulses={:?}",
-            self.now.time,
-            self.part,
-            self.touch.pairs.iter().map(|p| self.equations.pairs()[*p].name.clone()).collect::<Vec<_>>(),
-            self.rates().iter().copied().collect::<Vec<_>>(),
-            self.impulses.iter().copied().collect::<Vec<_>>()
-        );
-        for line in std::backtrace::Backtrace::force_capture()
-            .to_string()
-            .lines()
-            .filter(|l| l.contains("settl") || l.contains("switch"))
-        {
-            eprintln!("BT {line}");
-        }
         Reason::Model(format!("no impulses or forces were found for the {what} of {bodies}"))
     }
 
