@@ -160,12 +160,42 @@ mod tests {
         let (study, cases) = motions_in("rod", scene.as_bytes(), &tumble_scene::NoFiles);
         let end = cases[0].verified_until();
         assert!((5.0..25.0).contains(&end), "{end} s");
-        let tables = all(&study, &cases).expect("tables");
-        let (_, motion) = tables.iter().find(|(path, _)| path.ends_with(TRAJECTORY)).expect("a motion");
-        for row in motion.lines().skip(1) {
+        for row in motion_of(&study, &cases).lines().skip(1) {
             let cells: Vec<&str> = row.split(',').collect();
             let time: f64 = cells[0].parse().expect("a time");
             assert_eq!(cells.last(), Some(&verified(time <= end)), "{time} s");
         }
+    }
+
+    /// Of balls in a row the first reaches the second, and the third is too far away.
+    #[test]
+    fn couples_that_may_all_meet_have_columns_where_they_do() {
+        let balls: String = (0..3)
+            .map(|index| {
+                let (x, speed) = (index * index, if index == 0 { 2 } else { 0 });
+                format!(
+                    "[body.b{index}]\nball = {{ radius = \"10 cm\" }}\nmass = \"1 kg\"\n\
+                     start = {{ at = [\"{x} m\", 0], velocity = [\"{speed} m/s\", 0] }}\n"
+                )
+            })
+            .collect();
+        let header = |between: &str| {
+            let scene = format!(
+                "version = 1\n[world]\ngravity = \"0 m/s^2\"\n{balls}[contact.hit]\nbetween = {between}\nrigid = {{ restitution = 0.5 }}\n\
+                 [run]\nuntil = \"1 s\""
+            );
+            let (study, cases) = motions_in("balls", scene.as_bytes(), &tumble_scene::NoFiles);
+            motion_of(&study, &cases).lines().next().expect("a header").to_owned()
+        };
+        let has = |header: &str, couple: &str| header.contains(&format!("hit.{couple}.gap"));
+        let all = header("\"all\"");
+        let found = ["b0.b1", "b0.b2", "b1.b2"].map(|couple| has(&all, couple));
+        assert_eq!(found, [true, false, false], "{all}");
+        assert!(has(&header("[\"b1\", \"b2\"]"), "b1.b2"), "who is named has its columns");
+    }
+
+    fn motion_of(study: &Study, cases: &[Case]) -> String {
+        let tables = all(study, cases).expect("tables");
+        tables.into_iter().find(|(path, _)| path.ends_with(TRAJECTORY)).expect("a motion").1
     }
 }
