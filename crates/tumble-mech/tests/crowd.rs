@@ -258,7 +258,7 @@ fn layer(count: usize) -> Fallen {
 
 /// Disks that fall from a grid of so many columns, with radii from one part of its width to another.
 fn fallen(count: usize, columns: f64, [least, most]: [f64; 2], friction: Friction) -> Fallen {
-    let (mut dice, mut radii) = (Dice(17), vec![]);
+    let (mut dice, mut radii) = (Dice(asked("SEED", 17)), vec![]);
     let mut model = Model::new();
     model.gravity = Gravity::Vertical(9.81 * M / (S * S));
     let grid = 2.0 * SIDE / columns;
@@ -284,7 +284,7 @@ fn fallen(count: usize, columns: f64, [least, most]: [f64; 2], friction: Frictio
     Fallen { model, radii }
 }
 
-/// `COUNT` disks, 200 of them if nothing else is said, fall until all of them rest, for at most `UNTIL` s and `SECONDS` of this test.
+/// `COUNT` disks by `SEED`, 200 of them if nothing else is said, fall until all of them rest, for at most `UNTIL` s and `SECONDS` of this test.
 #[test]
 #[ignore = "takes minutes"]
 fn many_disks_come_to_rest_beside_each_other() {

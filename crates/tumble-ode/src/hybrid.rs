@@ -74,8 +74,6 @@ pub struct Crossing<'a, Mode> {
     pub causes: &'a [Cause],
     /// Scales of the groups of states so far.
     pub scales: &'a [f64],
-    /// What steps are held to, in units of those.
-    pub accuracy: f64,
     /// Jumps of this instant that have left the states as they are, but for rounding, and have come back to this mode, in order: modes that led
     /// into each other around a circle, with what ended each.
     pub around: Vec<(&'a Mode, &'a [Cause])>,

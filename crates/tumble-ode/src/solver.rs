@@ -208,7 +208,6 @@ impl<'a, H: Hybrid> Solver<'a, H> {
             inputs: &self.inputs,
             causes: &[],
             scales: self.scales.all(),
-            accuracy: self.accuracy,
             around: vec![],
         })
     }

@@ -417,18 +417,14 @@ impl<'a> Settling<'a> {
 
     /// Takes away what is left of the rates of contacts that are held.
     fn stop(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {
-        if !self.is_left_over(impulses) {
+        let (speed, taken) =
+            (self.now.scales[Measure::Speed as usize], (&self.touch.response * impulses).amax());
+        let most = LEFT_OVER * speed.max(self.speed.amax());
+        if speed > 0.0 && (taken > most || taken.is_nan()) {
             return Err(self.unsolved("contact"));
         }
         self.cut_off += impulses;
         self.apply(impulses, jump)
-    }
-
-    /// Whether what impulses take away is no more than what bounces that are not followed leave.
-    fn is_left_over(&self, impulses: &DVector<f64>) -> bool {
-        let (speed, taken) =
-            (self.now.scales[Measure::Speed as usize], (&self.touch.response * impulses).amax());
-        speed <= 0.0 || taken <= LEFT_OVER * speed.max(self.speed.amax())
     }
 
     fn apply(&mut self, impulses: &DVector<f64>, jump: &mut Jump<Mode>) -> Result<(), Reason> {

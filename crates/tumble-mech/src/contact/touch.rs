@@ -31,8 +31,6 @@ pub(crate) struct Now<'a> {
     pub(crate) compensation: &'a [f64],
     /// Largest values that each kind of state has had, by [`Measure`].
     pub(crate) scales: &'a [f64],
-    /// What steps are held to, in units of those.
-    pub(crate) accuracy: f64,
 }
 
 /// A moment, as a part of the time since the last event, in which loads began or went down to zero; and of the time, of which rounding leaves less.
@@ -48,8 +46,8 @@ impl<'a> Now<'a> {
     }
 
     pub(crate) fn of(at: &Crossing<'a, Mode>) -> Self {
-        let Crossing { time, since, inputs, compensation, scales, accuracy, .. } = *at;
-        Self { time, since, inputs, compensation, scales, accuracy }
+        let Crossing { time, since, inputs, compensation, scales, .. } = *at;
+        Self { time, since, inputs, compensation, scales }
     }
 }
 

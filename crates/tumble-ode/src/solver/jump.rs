@@ -70,7 +70,6 @@ impl<H: Hybrid> Solver<'_, H> {
             inputs: &self.inputs,
             causes: &causes,
             scales: self.scales.all(),
-            accuracy: self.accuracy,
             around: self.around(mode),
         })?;
         let crossed_at = self.engines[mode].crossed_values(&causes, (self.time, &self.states));

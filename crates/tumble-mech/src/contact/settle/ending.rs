@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::motions::MOST_EXAMINED;
 use super::{Settling, Touched};
 use crate::contact::grip::Grip;
 use crate::contact::sticking::{Patch, Pushes};
@@ -56,7 +55,7 @@ impl Settling<'_> {
         let size = if size > 0.0 { size } else { self.now.scales[Measure::Length as usize] };
         // What is lower than the rounding of its gap, which is large far from the origin, never ends by itself.
         let blur = self.part.iter().map(|position| self.touch.blur[*position]).fold(0.0, f64::max);
-        let lowest = blur.max(self.lowest() * size);
+        let lowest = blur.max(LOWEST * size);
         let may_end = |position: &usize| {
             let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
             rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
@@ -77,14 +76,6 @@ impl Settling<'_> {
         let as_they_stick = if slow.pairs.is_empty() { None } else { ends(slow) };
         let count = |ending: &Option<Ending>| ending.as_ref().map_or(0, |ending| ending.members.len());
         if count(&as_they_stick) > count(&as_they_slip) { as_they_stick } else { as_they_slip }
-    }
-
-    /// The part of the bodies' size that no bounce which is followed is lower than. Rough ones of which so many touch that it is not examined
-    /// whether they could go on otherwise are followed no further than the accuracy: they pass each bounce on to each other, and rattle
-    /// ten times as often down to rounding.
-    fn lowest(&self) -> f64 {
-        let are_many = self.is_rough() && self.part.len() > MOST_EXAMINED;
-        if are_many { LOWEST.max(self.now.accuracy) } else { LOWEST }
     }
 
     /// How bounces end, of some contacts, with slips that are taken to have stopped; `None` if they do not.

@@ -13,7 +13,7 @@ use crate::others::{Beyond, Others, PossibleChange, PossibleContact, PossibleMot
 use crate::record::Jump;
 
 /// With more contacts, or surfaces, than this not all choices are tried: there are up to four for each.
-pub(super) const MOST_EXAMINED: usize = 6;
+const MOST_EXAMINED: usize = 6;
 
 impl Settling<'_> {
     /// What some contacts may do, for a message.
