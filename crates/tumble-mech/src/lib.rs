@@ -101,7 +101,7 @@ pub use interaction::{Bodies, Interaction};
 pub use joint::{Joint, JointKind};
 pub use kinematics::{Kinematics, PointRef, rotated, time};
 pub use laws::drag::{Component, Drag, DragPlace};
-pub use laws::impact::MultipleImpacts;
+pub use laws::impact::{MultipleImpacts, Painleve};
 pub use laws::magnus::Magnus;
 pub use laws::spring::Spring;
 pub use laws::torsion::Torsion;

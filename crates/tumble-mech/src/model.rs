@@ -13,7 +13,7 @@ use crate::impulse::AppliedImpulse;
 use crate::interaction::Interaction;
 use crate::joint::Joint;
 use crate::kinematics::PointRef;
-use crate::laws::impact::MultipleImpacts;
+use crate::laws::impact::{MultipleImpacts, Painleve};
 use crate::load::Load;
 use crate::parameters::Parameters;
 use crate::place::Place;
@@ -69,6 +69,8 @@ pub struct Model {
     pub contacts: Vec<BodyContact>,
     /// How impacts at several contacts at one instant are taken.
     pub multiple_impacts: MultipleImpacts,
+    /// What becomes of contacts that friction leaves no forces.
+    pub painleve: Painleve,
     /// The air.
     pub wind: Wind,
     /// Gauss nodes on each line whose air resistance has no closed form.
@@ -102,6 +104,7 @@ impl Model {
             surfaces: vec![],
             contacts: vec![],
             multiple_impacts: MultipleImpacts::default(),
+            painleve: Painleve::default(),
             wind: Wind::still(),
             nodes: DEFAULT_NODES,
             events: vec![],

@@ -11,7 +11,8 @@ use crate::common::{as_one, at, rigid};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    At, Body, BodyContact, Friction, Gravity, Model, MultipleImpacts, Run, RunError, Shape, Start, Surface,
+    At, Body, BodyContact, Friction, Gravity, Model, MultipleImpacts, Painleve, Run, RunError, Shape, Start,
+    Surface,
 };
 use tumble_ode::{Accuracy, Side};
 
@@ -280,6 +281,8 @@ fn fallen(count: usize, columns: f64, [least, most]: [f64; 2], friction: Frictio
         model.surface(Surface { friction: friction.clone(), ..wall });
     }
     model.contact(BodyContact { friction, ..BodyContact::of_all("hit", Expr::from(0.5)) });
+    // Among many that slide and roll some are wedged.
+    model.painleve = Painleve::Impact;
     model.stops_at_rest = true;
     Fallen { model, radii }
 }

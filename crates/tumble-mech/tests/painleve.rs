@@ -5,7 +5,8 @@ use crate::common::{at, close, rigid};
 use tumble_expr::Expr;
 use tumble_expr::Vector;
 use tumble_expr::units::{KG, M, S};
-use tumble_mech::{Anchor, Body, Friction, Gravity, Joint, Model, Shape, Start, Surface};
+use tumble_mech::{Anchor, Body, Friction, Gravity, Joint, Model, Painleve, Run, Shape, Start, Surface};
+use tumble_ode::{Accuracy, Side};
 
 const G: f64 = 9.81;
 
@@ -28,7 +29,7 @@ fn floor(model: &mut Model, mu: f64) {
 }
 
 fn comes_to(model: Model) -> Result<Option<f64>, String> {
-    let accuracy = tumble_ode::Accuracy::new(1e-12).expect("an accuracy");
+    let accuracy = Accuracy::new(1e-12).expect("an accuracy");
     model.simulate_to(&[], 0.1 * S, accuracy).map(|run| run.end()).map_err(|error| error.to_string())
 }
 
@@ -133,6 +134,108 @@ fn a_wheel_whose_axle_is_as_high_as_its_radius_is_refused_for_what_it_is() {
     floor(&mut model, 0.3);
     let refused = comes_to(model).expect_err("it is not determined");
     assert!(refused.contains("not determined") && !refused.contains("NaN"), "{refused}");
+}
+
+/// The rod's velocity just after some time, m/s, and its omega, rad/s.
+fn velocity(run: &Run, time: f64) -> [f64; 3] {
+    let motion = run.equations.model().bodies[0].kinematics();
+    let formulas = [motion.velocity().x().clone(), motion.velocity().y().clone(), motion.omega()];
+    let found = run.observe(&formulas).expect("velocities").at(time, Side::After).expect("within the run");
+    found.try_into().expect("three")
+}
+
+fn after_an_impact(mut model: Model) -> Run {
+    model.painleve = Painleve::Impact;
+    model.simulate_to(&[], 0.1 * S, Accuracy::new(1e-12).expect("an accuracy")).expect("a motion")
+}
+
+/// An impulse stops the foot though nothing closes: friction presses it down until its slip is zero, and from there on it is pushed out. With e = 0 the rod goes on
+/// about its foot with `3 v sin/(2 L)`, as in the limit of less friction; with more it leaves with e times what it was pressed by.
+#[test]
+fn an_impact_without_collision_stops_what_slips() {
+    for (tan, more, e) in [(2.0_f64, 1.05, 0.0), (2.0, 1.3, 0.5), (1.4, 1.1, 0.0), (2.6, 1.2, 0.8)] {
+        let (sin, cos) = tan.atan().sin_cos();
+        let (mu, v) = (more * alone(tan), 1.7);
+        let mut model = world();
+        add(&mut model, tan, [-v, 0.0, 0.0]);
+        model.surface(Surface::floor("floor", 0 * M, rigid(e)).with_friction(Friction::new(mu)));
+        let run = after_an_impact(model);
+        let [tt, tn, nn] = [1.0 + 3.0 * sin * sin, -3.0 * sin * cos, 1.0 + 3.0 * cos * cos];
+        let until_stop = v / (tn + mu * tt);
+        let out = nn - tn * tn / tt;
+        let compression = until_stop - (nn + mu * tn) * until_stop / out;
+        let p = (1.0 + e) * compression;
+        let along = mu * until_stop - tn / tt * (p - until_stop);
+        let omega = 12.0 * 0.5 * (sin * along - cos * p);
+        let found = velocity(&run, 0.0);
+        for (found, known) in found.into_iter().zip([along - v, p, omega]) {
+            close(found, known, 1e-12);
+        }
+        if e == 0.0 {
+            close(omega, 1.5 * v * sin, 1e-12);
+        }
+        assert_eq!(run.end(), Some(0.1));
+    }
+}
+
+/// Rods that slide and turn at any angle under much friction: they gain no energy and do not sink, whatever they come to on the way. Some have more
+/// than one motion, which is refused as before.
+#[test]
+fn rods_gain_nothing_by_impacts_without_collision() {
+    let (mut whole, mut refused) = (0, 0);
+    for index in 0..60_u32 {
+        let part = |step: f64| (step * f64::from(index)).fract();
+        let (tan, mu) = (1.0 + 2.0 * part(0.618), 1.2 + 1.5 * part(0.414));
+        let (sin, cos) = tan.atan().sin_cos();
+        let (v, omega) = (0.3 + 3.0 * part(0.732), 4.0 * part(0.236) - 2.0);
+        let mut model = world();
+        add(&mut model, tan, [-v - 0.5 * sin * omega, 0.5 * cos * omega, omega]);
+        let e = 0.9 * part(0.303);
+        model.surface(Surface::floor("floor", 0 * M, rigid(e)).with_friction(Friction::new(mu)));
+        model.painleve = Painleve::Impact;
+        let found = model.simulate_to(&[], 0.4 * S, Accuracy::new(1e-11).expect("an accuracy"));
+        let run = match found {
+            Ok(run) => run,
+            Err(error) => {
+                let text = error.to_string();
+                assert!(text.contains("motions are possible") || text.contains("not determined"), "{text}");
+                refused += 1;
+                continue;
+            }
+        };
+        whole += 1;
+        let body = &run.equations.model().bodies[0];
+        let energy = body.kinetic_energy() + body.potential_energy(&model.gravity);
+        let formulas = [energy, run.equations.pairs()[0].gap(), run.equations.pairs()[1].gap()];
+        let mut before = f64::INFINITY;
+        for sample in 0..=200 {
+            let found = at(&run, 0.002 * f64::from(sample), formulas.clone());
+            assert!(found[0] <= before + 1e-11, "{index}: {} of {before}", found[0] - before);
+            assert!(found[1..].iter().all(|gap| *gap > -1e-12), "{index}: {found:?}");
+            before = found[0];
+        }
+    }
+    println!("{whole} whole, {refused} refused");
+    assert!(whole > 40, "{whole}");
+}
+
+/// The same with its top on a smooth wall: it cannot go on about its foot, and stays.
+#[test]
+fn an_impact_without_collision_of_several_contacts() {
+    let tan = 1.3_f64;
+    let (sin, cos) = tan.atan().sin_cos();
+    let mut model = world();
+    let omega = -1.0 / sin;
+    add(&mut model, tan, [-0.5, 0.5 * omega * cos, omega]);
+    floor(&mut model, 1.1 * alone(tan).max(2.0 * (1.0 + tan * tan) / (3.0 * tan)));
+    model.surfaces[0].on = Some(vec!["rod.from".into()]);
+    let wall = Surface::new("wall", [cos * M, 0 * M], [-1 * Expr::one(), Expr::zero()], rigid(0.0));
+    model.surface(Surface { on: Some(vec!["rod.to".into()]), ..wall });
+    assert!(comes_to(model.clone()).expect_err("no forces").contains("Painleve"));
+    let run = after_an_impact(model);
+    for time in [0.0, 0.1] {
+        assert!(velocity(&run, time).iter().all(|rate| rate.abs() < 1e-14), "{:?}", velocity(&run, time));
+    }
 }
 
 /// Beyond the deciding coefficient, with `A = g - l omega^2 sin` and `B = 1 + 3 cos (cos - mu sin) < 0` (Genot and Brogliato 1999): while A > 0 what presses the

@@ -1,5 +1,6 @@
 //! What an instant changes for an island that touches surfaces: impacts, then which contacts last, and how friction holds them.
 
+mod collisionless;
 mod corners;
 mod ending;
 mod meanwhile;

@@ -206,7 +206,7 @@ impl Rough<'_> {
         let (choices, sets) = (self.all_choices(), self.all_sets());
         let all = choices.iter().flat_map(|grips| sets.iter().map(move |held| (grips, held)));
         let mut found = all.filter_map(|(grips, held)| self.stopped(grips, held));
-        found.find(|found| self.pushes_apart(found) && self.wrong(found).is_none())
+        found.find(|found| self.is_sound(found))
     }
 
     /// Whether no push pulls and nothing closes.
@@ -215,6 +215,11 @@ impl Rough<'_> {
             let more = found.pushes[contact] - self.given[contact];
             more * self.response[(contact, contact)] >= -self.zero && found.then[contact] >= -self.zero
         })
+    }
+
+    /// Whether pushes are as friction has them, none of which pulls, and nothing closes.
+    pub(super) fn is_sound(&self, found: &Pushes) -> bool {
+        self.pushes_apart(found) && self.wrong(found).is_none()
     }
 
     /// Pushes for a choice in which one after the other is changed that friction does not allow.

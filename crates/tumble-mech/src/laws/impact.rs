@@ -41,6 +41,16 @@ pub enum MultipleImpacts {
     Sequential,
 }
 
+/// What becomes of contacts that slip so that no forces hold what presses on them (Painleve's paradox).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Painleve {
+    /// The motion is refused.
+    #[default]
+    Refused,
+    /// An impulse stops the slip: an impact without collision.
+    Impact,
+}
+
 /// Impulses along the normals, N s; `None` if none are found.
 pub(crate) fn impulses(
     rule: MultipleImpacts,

@@ -1,7 +1,7 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
 use crate::report::{BodyModel, ModelPart, Picture, Text, Typeset};
-use tumble_mech::{Application, MultipleImpacts};
+use tumble_mech::{Application, MultipleImpacts, Painleve};
 use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
@@ -103,6 +103,10 @@ fn assumptions(study: &Study) -> Vec<Text> {
             is_hard && are_many && model.multiple_impacts == MultipleImpacts::Sequential,
             "Impacts of several contacts at one instant follow on each other, the fastest first; each is one of two bodies, and lets them part \
              before the next.",
+        ),
+        (
+            is_hard && model.painleve == Painleve::Impact,
+            "Where friction leaves no forces that hold what slips (Painlevé's paradox), an impulse stops it: an impact without collision.",
         ),
     ];
     said.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect()

@@ -1,7 +1,7 @@
 //! `[world]`: what surrounds the bodies.
 
 use tumble_expr::Dimension;
-use tumble_mech::{Gravity, MultipleImpacts, Wind};
+use tumble_mech::{Gravity, MultipleImpacts, Painleve, Wind};
 
 use super::only;
 use crate::document::{Field, Table};
@@ -18,9 +18,13 @@ pub(super) const KEYS: Keys = Keys::of("[world]", &[&[
     may("impacts", Takes::Word(&IMPACTS), "`\"simultaneous\"`", "\"sequential\"",
         "impacts at several points at one instant, of one body or of several that meet: all at once, or \
          `\"sequential\"`, see [contact](contact.md)"),
+    may("painleve", Takes::Word(&PAINLEVE), "`\"refused\"`", "\"impact\"",
+        "what becomes of contacts that slip so that no forces hold what presses on them: refused, or `\"impact\"`, an impact without \
+         collision, see [where there is no motion](contact.md#where-there-is-no-motion)"),
 ]]);
 
 const IMPACTS: [&str; 2] = ["simultaneous", "sequential"];
+const PAINLEVE: [&str; 2] = ["refused", "impact"];
 
 pub(super) fn read(draft: &mut Draft, section: &Field) {
     only(draft, section, &KEYS, world);
@@ -30,6 +34,7 @@ pub(super) fn read(draft: &mut Draft, section: &Field) {
 fn world(draft: &mut Draft, table: &mut Table) {
     wind(draft, table);
     impacts(draft, table);
+    painleve(draft, table);
     let Some(field) = draft.required(table, "gravity") else { return };
     let Some(g) = draft.number(&field, Want::constant(Dimension::ACCELERATION)) else { return };
     draft.remember("gravity", &field.span);
@@ -43,6 +48,14 @@ fn impacts(draft: &mut Draft, table: &mut Table) {
         Some("sequential") => MultipleImpacts::Sequential,
         _ => MultipleImpacts::Simultaneous,
     };
+}
+
+/// What becomes of contacts that friction leaves no forces.
+fn painleve(draft: &mut Draft, table: &mut Table) {
+    let Some(field) = table.take("painleve") else { return };
+    if draft.choice(&field, &PAINLEVE) == Some("impact") {
+        draft.model.painleve = Painleve::Impact;
+    }
 }
 
 /// Velocity of the air, a formula of the time and of the place; without it the air is at rest.

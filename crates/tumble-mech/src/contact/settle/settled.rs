@@ -26,6 +26,10 @@ impl Settling<'_> {
             let stopped = touched.stopped.iter().filter(|pair| !self.is_carried_on(**pair)).chain(slow);
             let stopped = stopped.copied().collect();
             let touched = &Touched { stopped, ..touched.clone() };
+            if self.impacts_without_collision(zeno.as_ref(), touched, jump)? {
+                self.impacts(touched, jump)?;
+                continue;
+            }
             let others = jump.record.others.len();
             let lasting = self.lasting(touched, zeno.as_ref(), jump)?;
             let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
@@ -36,14 +40,22 @@ impl Settling<'_> {
             let is_struck = falling.is_empty() && self.impacts(touched, jump)?;
             if falling.is_empty() && !is_struck {
                 self.rub_meanwhile(&lasting, zeno.as_ref(), jump)?;
+                // Friction of what slides is ahead of the forces that open these.
+                let opens = |position: &usize| self.then[*position] > self.zero();
+                let ahead: Vec<usize> = self.about_to_close(touched).into_iter().filter(opens).collect();
+                self.take_for_still(&ahead);
                 return Ok((lasting, zeno));
             }
             jump.record.others.truncate(others);
-            for &position in &falling {
-                self.speed[position] =
-                    self.speed[position].max(2.0 * self.touch.rate[position].abs() / STANDS);
-            }
+            self.take_for_still(&falling);
             self.take_part(falling);
+        }
+    }
+
+    /// The rates of these are none.
+    fn take_for_still(&mut self, some: &[usize]) {
+        for &position in some {
+            self.speed[position] = self.speed[position].max(2.0 * self.touch.rate[position].abs() / STANDS);
         }
     }
 

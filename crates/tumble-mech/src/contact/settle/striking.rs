@@ -7,7 +7,7 @@ use super::{STANDS, Settling, Touched};
 use crate::contact::complementarity::standing;
 use crate::contact::pair::Pair;
 use crate::contact::routh::{Refused, Strike};
-use crate::contact::sticking::Rough;
+use crate::contact::sticking::{Patch, Pushes, Rough};
 use crate::contact::touch::Touch;
 use crate::contact::zeno::flight;
 use crate::friction::Restitution;
@@ -133,7 +133,7 @@ impl Settling<'_> {
     }
 
     /// Some contacts, parted where impulses at some do nothing to others.
-    fn coupled(&self, some: &[usize]) -> Vec<Vec<usize>> {
+    pub(super) fn coupled(&self, some: &[usize]) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = vec![];
         for &position in some {
             let (own, others): (Vec<_>, Vec<_>) = groups
@@ -159,7 +159,7 @@ impl Settling<'_> {
     }
 
     /// The impulse at one contact that strikes alone.
-    fn routh(&self, position: usize, rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
+    pub(super) fn routh(&self, position: usize, rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
         let (response, pair) = (&self.touch.response, &self.equations.pairs()[self.touch.pairs[position]]);
         let mut all = DVector::zeros(response.nrows());
         let restitution = self.touch.restitution[position];
@@ -223,23 +223,31 @@ impl Settling<'_> {
     fn at_once(&self, group: &[usize], rates: &DVector<f64>) -> Result<DVector<f64>, Reason> {
         self.refuse_other_laws(group)?;
         let zero = STANDS * group.iter().map(|position| self.speed[*position]).fold(0.0, f64::max);
-        let given = DVector::zeros(rates.len());
         let patches = self.patches(group, false);
-        let phase = |given| Rough { given, zero, ..self.rough(group, &patches, rates.clone()) };
-        let unsolved = || self.unsolved("impact");
-        let compressed = phase(given).solve().ok_or_else(unsolved)?;
-        let mut given = DVector::zeros(rates.len());
+        let compressed = Rough { zero, ..self.rough(group, &patches, rates.clone()) }.solve();
+        self.restored(group, &patches, compressed.ok_or_else(|| self.unsolved("impact"))?, zero)
+    }
+
+    /// Impulses of compression with those of restitution.
+    pub(super) fn restored(
+        &self,
+        group: &[usize],
+        patches: &[Patch],
+        compressed: Pushes,
+        zero: f64,
+    ) -> Result<DVector<f64>, Reason> {
+        let mut given = DVector::zeros(compressed.pushes.len());
         for position in group {
             given[*position] = self.touch.restitution[*position] * compressed.pushes[*position];
         }
         if given.amax() == 0.0 {
             return Ok(compressed.pushes);
         }
-        let restored = Rough { without: compressed.then, ..phase(given) }.solve().ok_or_else(unsolved)?;
-        Ok(compressed.pushes + restored.pushes)
+        let restored = Rough { given, zero, ..self.rough(group, patches, compressed.then) }.solve();
+        Ok(compressed.pushes + restored.ok_or_else(|| self.unsolved("impact"))?.pushes)
     }
 
-    fn refuse_other_laws(&self, group: &[usize]) -> Result<(), Reason> {
+    pub(super) fn refuse_other_laws(&self, group: &[usize]) -> Result<(), Reason> {
         let pairs = group.iter().map(|position| &self.equations.pairs()[self.touch.pairs[*position]]);
         match pairs.into_iter().find(|pair| law_of(pair) != Restitution::Poisson) {
             None => Ok(()),

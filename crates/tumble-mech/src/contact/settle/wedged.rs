@@ -13,6 +13,9 @@ use crate::record::Jump;
 /// A push that moves a contact away by less than this part of what friction moves it along does not move it: rounding.
 const IMMOVABLE: f64 = 1e-12;
 
+/// The way out where no forces are, for messages.
+const BY_IMPACT: &str = "`painleve = \"impact\"`, by which an impulse stops what slips";
+
 impl Settling<'_> {
     /// Refuses what slips so that friction takes all that a push would move (Painleve), of some contacts that pushes hold.
     pub(super) fn refuse_wedged(
@@ -125,7 +128,7 @@ impl Settling<'_> {
         (!slides.is_empty()).then(|| {
             Reason::Model(format!(
                 "{}: no forces hold {} then, whichever of the contacts press, stick or open (Painleve's paradox, of several contacts). Take less \
-                 friction, another speed, or a compliant surface",
+                 friction, another speed, a compliant surface, or {BY_IMPACT}",
                 slides.join(", "),
                 self.equations.body_names(&self.island)
             ))
@@ -163,10 +166,12 @@ impl Settling<'_> {
             .equations
             .values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)
             .map_or(f64::NAN, |values| values[0]);
+        let are_several = self.touch.free[position] >= -self.zero();
+        let by_impact = if are_several { String::new() } else { format!(", or {BY_IMPACT}") };
         Reason::Model(format!(
             "`{}` slips with the kinetic coefficient {friction} while `{}` is at {angle} rad: from {most} on, friction takes all that a \
              push of the surface would move there, and no force holds the body up or several do (Painleve's paradox). {motions}. Take less \
-             friction, another angle or another speed, or a compliant surface",
+             friction, another angle, another speed, or a compliant surface{by_impact}",
             pair.name, body.name
         ))
     }
