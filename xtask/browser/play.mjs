@@ -23,6 +23,8 @@ const MOST_MOVED = 4;
 const DRAG_STEPS = 8;
 /** The scene in which everything is looked at beside numbers. */
 const FIRST = "01-pendulum-in-the-wind";
+/** A scene with a sweep, and what is swept. */
+const [SWEEP, SWEPT] = ["28-painleve-rod", "mu"];
 const ENDLESS = `version = 1
 title = "Endless"
 world.gravity = "9.81 m/s^2"
@@ -135,6 +137,26 @@ async function edited(browser) {
   const words = await page.textContent("#scene-said");
   const line = wrong.split("\n").findIndex((one) => one.startsWith("untill")) + 1;
   check(is("with code, place and cure"), /E0\d\d\d/.test(words) && words.includes(`:${line}:1`) && /help: .*`until`/.test(words), words);
+  await page.close();
+}
+
+/** The slider of what is swept stands where it is in the run that is chosen, before anything is run in the page and after it. */
+async function swept(browser) {
+  const page = await opened(browser, report(gallery, SWEEP));
+  const wrong = async () => {
+    const chooser = page.locator("#play label", { hasText: "Case" }).locator("select");
+    const labels = await chooser.locator("option").allTextContents();
+    const found = [];
+    for (const label of labels) {
+      await chooser.selectOption({ label });
+      const field = await page.inputValue(`[id="knob-${SWEPT}"]`);
+      if (!label.endsWith(` = ${field}`)) found.push(`${field} of ${label}`);
+    }
+    return labels.length > 1 ? found.join() : "no runs";
+  };
+  check(`${browser.name}: sliders are those of the run that is chosen`, (await wrong()) === "", await wrong());
+  await typed(page, "m", "2 kg");
+  check(`${browser.name}: and after a run`, (await wrong()) === "", await wrong());
   await page.close();
 }
 
@@ -334,7 +356,7 @@ for (const program of programs) {
   const browser = await launched(program);
   await sees(browser);
   for (const name of names) await play(browser, name);
-  for (const one of [edited, buttons, dragged, endless, breaks, site]) await one(browser);
+  for (const one of [edited, swept, buttons, dragged, endless, breaks, site]) await one(browser);
   check(`${browser.name}: nothing is asked of a network`, browser.requests.length === 0, browser.requests.join(" "));
   await browser.browser.close();
   console.log(`${browser.name}: ${names.length} scenes`);

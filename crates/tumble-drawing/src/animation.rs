@@ -25,6 +25,8 @@ pub struct Animation {
 pub struct MovingCase {
     /// What sets the case apart; may be empty if there is one only.
     pub name: Label,
+    /// Names of what sets it apart, with their values.
+    pub values: Vec<(String, f64)>,
     /// Instants in seconds, never decreasing. The places below belong to
     /// them one by one; what lacks at the end stays as it was.
     pub times: Vec<f64>,

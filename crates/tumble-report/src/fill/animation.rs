@@ -12,7 +12,7 @@ use tumble_drawing::{
 use tumble_expr::{Vector, is_identically_zero};
 use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined};
 use tumble_ode::{Occurrence, Side};
-use tumble_scene::Study;
+use tumble_scene::{Knob, Study};
 
 use super::names::Names;
 use super::{wind_at_origin, words};
@@ -50,6 +50,7 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
     let bodies = study.model.bodies.iter().map(body).collect::<Result<Vec<_>, _>>()?;
     Ok(MovingCase {
         name: case_label(case),
+        values: swept(study, case),
         forces: forces(study, run, &times, &bodies)?,
         surfaces: surfaces(study, run, 0.0)?,
         points: pivots(study, run)?,
@@ -58,6 +59,16 @@ fn motion(study: &Study, case: &Case) -> Result<MovingCase, CaseError> {
         bodies,
         times,
     })
+}
+
+/// What a reader may change and is not as the scene has it in this run, in the units of that.
+fn swept(study: &Study, case: &Case) -> Vec<(String, f64)> {
+    let values = case.parameters.values().unwrap_or_default();
+    let known: BTreeMap<_, _> =
+        case.parameters.symbols().into_iter().map(|symbol| symbol.name).zip(values).collect();
+    let value = |knob: &Knob| Some((knob.name.clone(), known.get(knob.name.as_str())? / knob.size));
+    let all = study.play.knobs.iter().filter_map(|knob| Some((knob, value(knob)?)));
+    all.filter(|(knob, (_, value))| *value != knob.value).map(|(_, value)| value).collect()
 }
 
 /// Every load that acts at any time, by body and name.

@@ -27,6 +27,14 @@ class Control {
     this.place();
   }
 
+  /** Shows the value of one run, in its unit: of what is swept. */
+  show(number) {
+    this.number = number;
+    const rounded = Number(number.toPrecision(12));
+    this.field.value = this.knob.unit ? `${rounded} ${this.knob.unit}` : String(rounded);
+    this.place();
+  }
+
   place() {
     if (document.activeElement !== this.slider) this.slider.value = KNOB_STEPS * this.part(this.number);
     this.slider.setAttribute("aria-valuetext", this.field.value);

@@ -48,6 +48,7 @@ class Lab {
     const figure = make("figure", { class: "motion" }, view);
     const grips = { of: (name) => this.gripOf(name), set: (pairs) => this.drag(pairs) };
     this.player = new LivePlayer(figure, DATA.motions[0], grips);
+    chosenCase.listen(this, () => this.showSwept());
   }
 
   button(parent, text, act) {
@@ -117,6 +118,14 @@ class Lab {
     const changed = (control, text) => this.change(control.knob.name, text);
     for (const knob of knobs) this.controls.set(knob.name, new Control(knob, knob.first ? first : rest, changed));
     rest.hidden = knobs.every((knob) => knob.first);
+    this.take(knobs);
+    this.showSwept();
+  }
+
+  /** Values as the scene and what is set have them. */
+  take(knobs) {
+    this.given = new Map(knobs.map((knob) => [knob.name, knob]));
+    for (const knob of knobs) this.controls.get(knob.name)?.take(knob);
   }
 
   buildSaves(bar) {
@@ -288,7 +297,18 @@ class Lab {
     const isOther = play.knobs.map((knob) => knob.name).join() !== [...this.controls.keys()].join();
     if (isOther) this.buildKnobs(play.knobs);
     if (JSON.stringify(play.presets) !== this.offered) this.buildPresets(play.presets);
-    for (const knob of play.knobs) this.controls.get(knob.name)?.take(knob);
+    this.take(play.knobs);
+  }
+
+  /** Sliders of what is swept stand where they are in the run that is chosen. */
+  showSwept() {
+    const cases = this.player?.cases ?? [];
+    const own = new Map(cases[this.player?.index]?.values);
+    for (const name of new Set(cases.flatMap(({ values }) => values.map(([name]) => name)))) {
+      const [control, knob] = [this.controls.get(name), this.given.get(name)];
+      if (knob) control?.take(knob);
+      if (own.has(name)) control?.show(own.get(name));
+    }
   }
 
   takeRun({ told, said }) {
@@ -306,6 +326,7 @@ class Lab {
     this.told.textContent = this.lines.join("\n");
     this.status.textContent = this.label();
     this.player?.update(motion);
+    this.showSwept();
     this.box.dataset.runs = Number(this.box.dataset.runs ?? 0) + 1;
   }
 

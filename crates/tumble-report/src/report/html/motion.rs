@@ -141,6 +141,7 @@ fn case(motion: &MovingCase, frames: &[usize]) -> String {
         ("surfaces", list(motion.surfaces.iter().filter(|s| s.is_drawable()).map(surface))),
         ("points", list(motion.points.iter().map(point))),
         ("events", list(motion.events.iter().map(mark))),
+        ("values", list(motion.values.iter().map(|(name, value)| list([string(name), number(*value)])))),
         ("box", motion.extent().map_or("null".to_owned(), |bounds| list(bounds.map(number)))),
     ])
 }

@@ -68,6 +68,7 @@ fn motion() -> MovingCase {
         MovingForce { symbol: label(), samples: vec![[[0.0; 2], [1.0, 0.0]]], ..MovingForce::default() };
     MovingCase {
         name: label(),
+        values: vec![(HOSTILE.into(), 1.0)],
         times: vec![0.0, 1.0],
         bodies: vec![body],
         links: vec![MovingLink { name: label(), ends: vec![[[0.0; 2], [1.0; 2]]], ..MovingLink::default() }],
