@@ -132,21 +132,35 @@ impl Written {
     /// With every formula in it through `f`.
     #[must_use]
     pub fn map(&self, f: &dyn Fn(&Expr) -> Expr) -> Self {
-        let both = |pair: &[Self; 2]| Box::new([pair[0].map(f), pair[1].map(f)]);
+        self.through(f, &str::to_owned)
+    }
+
+    /// With other names for what has them.
+    #[must_use]
+    pub fn renamed(&self, name: &dyn Fn(&str) -> String) -> Self {
+        self.through(&Expr::clone, name)
+    }
+
+    fn through(&self, f: &dyn Fn(&Expr) -> Expr, name: &dyn Fn(&str) -> String) -> Self {
+        let through = |part: &Self| part.through(f, name);
+        let both = |pair: &[Self; 2]| Box::new(pair.each_ref().map(through));
         match self {
             Self::Scalar(formula) => Self::Scalar(f(formula)),
             Self::Vector(vector) => Self::Vector(vector.map(f)),
-            Self::Name(named) => {
-                let is = named.is.map(f);
-                Self::Name(Arc::new(Named { is, ..Named::clone(named) }))
+            Self::Name(named) => Self::Name(Arc::new(Named {
+                name: name(&named.name),
+                of: named.of.clone(),
+                is: through(&named.is),
+            })),
+            Self::Sum(terms) => {
+                Self::Sum(terms.iter().map(|(minus, term)| (*minus, through(term))).collect())
             }
-            Self::Sum(terms) => Self::Sum(terms.iter().map(|(minus, term)| (*minus, term.map(f))).collect()),
-            Self::Product(factors) => Self::Product(factors.iter().map(|factor| factor.map(f)).collect()),
-            Self::Norm(of) => Self::Norm(Box::new(of.map(f))),
+            Self::Product(factors) => Self::Product(factors.iter().map(through).collect()),
+            Self::Norm(of) => Self::Norm(Box::new(through(of))),
             Self::Dot(pair) => Self::Dot(both(pair)),
             Self::Cross(pair) => Self::Cross(both(pair)),
             Self::Integral { of, over, limits } => Self::Integral {
-                of: Box::new(of.map(f)),
+                of: Box::new(through(of)),
                 over: over.clone(),
                 limits: limits.each_ref().map(f),
             },

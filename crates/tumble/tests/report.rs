@@ -182,8 +182,9 @@ fn words_of_a_scene_and_the_way_to_its_lesson_stand_in_the_report() {
     let place = folder();
     let (file, lesson) = (place.path().join("scene.toml"), place.path().join("README.md"));
     let scene = read(&repository("scenes/04-kicked-ball/scene.toml"));
-    let scene =
-        scene.replacen("plane =", "text = \"\"\"A ball is\nkicked at $y$.\n\nHow fast?\"\"\"\nplane =", 1);
+    let (before, own) = scene.split_once("text = \"\"\"").expect("words");
+    let (_, after) = own.split_once("\"\"\"").expect("their end");
+    let scene = format!("{before}text = \"\"\"A ball is\nkicked at $y$.\n\nHow fast?\"\"\"{after}");
     let scene = scene.replacen("on = \"ball\"", "text = \"A foot.\"\non = \"ball\"", 1);
     write(&file, &scene);
     let without = run(&file, &place.path().join("out"), ReportForm::Markdown);

@@ -261,7 +261,7 @@ impl Pair {
     }
 
     /// Whether it is of a body.
-    pub(crate) fn has(&self, body: usize) -> bool {
+    pub fn has(&self, body: usize) -> bool {
         self.body == body || self.other == Some(body)
     }
 

@@ -125,7 +125,7 @@ pub(crate) fn stroboscope(study: &Study, asked: &Stroboscope) -> Result<Text, Ca
     let names: Vec<String> =
         asked.bodies.iter().map(|body| symbols::the(&study.model.bodies[*body].name)).collect();
     let every = quantity(study.number(&asked.every)?, "s");
-    let dotted = if asked.trace { "; dotted: the path of the centre of mass" } else { "" };
+    let dotted = if asked.trace { "; thin lines: the path of the centre of mass" } else { "" };
     Ok(Text::from(listed(&names)).capitalised().and(" every ").and(every).and(dotted).and("."))
 }
 

@@ -17,6 +17,8 @@ use crate::results::{Case, CaseError, CheckResult, Runs, equilibrium, telling};
 
 /// Digits of an error: its size is what counts.
 const ERROR_DIGITS: usize = 1;
+/// Digits of what is expected beyond those that are compared.
+const FINER: f64 = 3.0;
 /// Doubles have no more digits.
 const MOST_DIGITS: f64 = 17.0;
 /// What is less than this part of the largest value of a curve is zero but for rounding.
@@ -123,7 +125,7 @@ fn comparison(
         table.rows.push(cells);
     }
     table.notes.extend(sweep::others_are_in_files(cases, told));
-    Ok(Some(table))
+    Ok(Some(table.upright()))
 }
 
 /// What a curve comes to in one run; no numbers where it is not there.
@@ -187,7 +189,7 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     };
     CheckRow {
         what: what.and(at),
-        expected: precise(check.expected, unit),
+        expected: precise(without_rounding(check), unit),
         found: match check.open() {
             _ if !check.is_reached() => check.status().into(),
             Some(open) => open.into(),
@@ -218,6 +220,14 @@ fn error(check: &CheckResult) -> Text {
         Some(error) => Text::from(" ± ").and(Label::number(error, ERROR_DIGITS)),
         None => Text::default(),
     }
+}
+
+/// What is expected, a little finer than it is compared: further digits are rounding of its formula.
+fn without_rounding(check: &CheckResult) -> f64 {
+    let place = |value: f64| value.abs().log10().floor();
+    let digits = place(check.expected) - place(check.within) + FINER;
+    let places = if digits.is_finite() { digits.clamp(FINER, MOST_DIGITS) - 1.0 } else { MOST_DIGITS };
+    format!("{:.*e}", places as usize, check.expected).parse().unwrap_or(check.expected)
 }
 
 /// Every digit: what was compared.

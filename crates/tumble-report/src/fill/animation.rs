@@ -22,7 +22,7 @@ use crate::report::END_OF_DIGITS;
 use crate::results::{Case, CaseError, equal_times};
 
 /// Frames of a run: smooth at the speed at which it first plays.
-const FRAMES: usize = 400;
+const FRAMES: usize = 320;
 /// More marks than this cannot be told apart on a slider.
 const MOST_MARKS: usize = 40;
 

@@ -20,8 +20,8 @@ pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
     Some(BalancePart {
         intro: vec![
-            "The energy changes by the work of the loads that have no potential, momentum by their impulses. \
-             What is left is the residual: rounding, and what the integration left out."
+            "Energy changes by the work of the loads without potential energy, momentum by the impulses of all loads. The residual is \
+             rounding, and what the integration left out."
                 .into(),
         ],
         tables: vec![balances(balance), contributions(study, &case.run.equations, balance)],

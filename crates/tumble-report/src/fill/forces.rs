@@ -81,10 +81,12 @@ struct Load<'a> {
     equations: &'a Equations,
     /// The first of its terms.
     term: &'a Term,
-    stated: Option<&'a Statement>,
+    stated: Option<Statement>,
     /// The contact that it is of.
     pair: Option<&'a Pair>,
     symbol: String,
+    /// What the unit vector is called that a contact pushes or rubs along.
+    direction: Option<String>,
 }
 
 impl<'a> Load<'a> {
@@ -96,14 +98,19 @@ impl<'a> Load<'a> {
         stated: Option<&'a Statement>,
     ) -> Self {
         let symbol = symbols::force(study, &term.load, term.law);
-        Self { study, names, equations, term, stated, pair: pair(equations, term), symbol }
+        let direction = direction(study, equations, term);
+        let stated = stated.map(|stated| match &direction {
+            Some(own) => called(stated, own),
+            None => stated.clone(),
+        });
+        Self { study, names, equations, term, stated, pair: pair(equations, term), symbol, direction }
     }
 
     fn row(&self, is_single: bool) -> ForceRow {
         let law = self.law();
         let mut torque = self.torque();
         torque.retain(|line| !law.iter().skip(1).any(|said| said == line));
-        let is_at_point = is_single && !self.stated.is_some_and(is_spread);
+        let is_at_point = is_single && !self.stated.as_ref().is_some_and(is_spread);
         ForceRow {
             name: self.name().into(),
             symbol: math(&self.signed(is_opposite(self.term) || self.is_on_other())),
@@ -147,7 +154,7 @@ impl<'a> Load<'a> {
         let body = &bodies[term.body];
         let is_there = |(_, at): &&(String, Vector)| {
             let arm = body.at(at).world_arm();
-            (&arm - &term.arm).components().iter().all(is_identically_zero)
+            is_same(&arm, &term.arm)
         };
         match (term.law, body.points.iter().find(is_there)) {
             (_, Some((name, _))) if bodies.len() == 1 => symbols::the(name),
@@ -161,7 +168,7 @@ impl<'a> Load<'a> {
     /// What the law says; where it says nothing, the components.
     fn law(&self) -> Vec<Typeset> {
         let (term, names) = (self.term, self.names);
-        let said = self.stated.and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
+        let said = self.stated.as_ref().and_then(|stated| stated.force.as_ref().or(stated.torque.as_ref()));
         if let Some(pair) = self.pair.filter(|_| touches(term)) {
             return self.contact(pair, said);
         }
@@ -204,8 +211,8 @@ impl<'a> Load<'a> {
         if self.term.law == Law::Rolling {
             return self.resistance(pair);
         }
-        let letter = if is_friction { TANGENT } else { NORMAL };
-        let acts = Math::Product(vec![self.signed(false), Math::symbol(letter)]);
+        let along = self.direction.as_deref().map(Math::symbol);
+        let acts = Math::Product([self.signed(false)].into_iter().chain(along).collect());
         let acts = if is_on_other { acts.negative() } else { acts };
         let Some(said) = said else { return vec![math(&acts)] };
         let mut lines = self.names.stated(acts.clone(), said, &self.term.load);
@@ -254,7 +261,7 @@ impl<'a> Load<'a> {
     fn torque(&self) -> Vec<Typeset> {
         let Self { term, names, symbol, .. } = self;
         let own = || Math::symbol(&symbols::torque(symbol));
-        if let Some(Statement { force: Some(_), torque: Some(torque), .. }) = self.stated {
+        if let Some(Statement { force: Some(_), torque: Some(torque), .. }) = &self.stated {
             return names.stated(own(), torque, &term.load).into_iter().take(1).collect();
         }
         if term.law.is_couple() {
@@ -297,14 +304,37 @@ impl<'a> Load<'a> {
 
     /// Along which unit vector a contact pushes or rubs: its symbol is a number.
     fn direction(&self) -> Option<Written> {
-        let letter = match self.term.law {
-            Law::Contact => NORMAL,
-            Law::Friction => TANGENT,
-            _ => return None,
-        };
-        let unit = air::named(self.stated?.force.as_ref()?, letter)?;
+        let letter = self.direction.as_deref()?;
+        let unit = air::named(self.stated.as_ref()?.force.as_ref()?, letter)?;
         Some(Written::named(letter, unit.clone()))
     }
+}
+
+/// What the unit vector is called that a contact pushes or rubs along: of a body that others touch from several sides by who touches.
+pub(super) fn direction(study: &Study, equations: &Equations, term: &Term) -> Option<String> {
+    let letter = match term.law {
+        Law::Contact => NORMAL,
+        Law::Friction => TANGENT,
+        _ => return None,
+    };
+    let mut own = equations.pairs().iter().filter(|pair| pair.has(term.body));
+    let first = own.next();
+    let are_several = first.is_some_and(|first| own.any(|pair| !is_same(&pair.normal, &first.normal)));
+    let force = symbols::force(study, &term.load, term.law);
+    let of = force.split_once('_').filter(|_| are_several);
+    Some(of.map_or_else(|| letter.to_owned(), |(_, touching)| symbols::below(letter, touching)))
+}
+
+fn is_same(one: &Vector, other: &Vector) -> bool {
+    (one - other).components().iter().all(is_identically_zero)
+}
+
+/// A law with this name of the direction along which it acts.
+fn called(stated: &Statement, own: &str) -> Statement {
+    let name = |name: &str| if [NORMAL, TANGENT].contains(&name) { own.to_owned() } else { name.to_owned() };
+    let [force, torque] =
+        [&stated.force, &stated.torque].map(|part| part.as_ref().map(|written| written.renamed(&name)));
+    Statement { force, torque, ..stated.clone() }
 }
 
 /// Whether a law is a sum along lines.

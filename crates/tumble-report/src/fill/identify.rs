@@ -162,26 +162,26 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseErro
 fn swept(study: &Study, parameter: &Symbol) -> Option<Text> {
     let is_own = |axis: &&SweepAxis| axis.of == Swept::Parameter(parameter.name.to_string());
     let values = &study.sweep.iter().find(is_own)?.values;
-    let label = |index: usize| {
+    let label = |index: usize| -> Text {
         let value = values.at(index);
         match value.label.split_once(" = ") {
-            Some((_, number)) => number.to_owned(),
+            Some((_, number)) => number.into(),
             // The user's own words.
             None => match study.number(&value.value) {
                 Ok(number) => {
                     let (number, unit) = read(number, unit_of(study, parameter));
-                    format!("{} ({})", value.label, quantity(number, &unit).to_plain())
+                    Text::from(format!("{} (", value.label)).and(quantity(number, &unit)).and(")")
                 }
-                Err(_) => value.label,
+                Err(_) => value.label.into(),
             },
         }
     };
     let count = values.count();
-    let all: Vec<String> = match count {
+    let all: Vec<Text> = match count {
         0..=MOST_VALUES => (0..count).map(label).collect(),
-        _ => vec![label(0), "…".to_owned(), format!("{} ({count} values)", label(count - 1))],
+        _ => vec![label(0), "…".into(), label(count - 1).and(format!(" ({count} values)"))],
     };
-    Some(all.join(", ").into())
+    all.into_iter().reduce(|all, next| all.and(", ").and(next))
 }
 
 /// Whether a parameter is computed from one that is swept.

@@ -2,11 +2,11 @@
 
 use crate::report::{Block, Definition};
 use tumble_expr::{Dimension, Expr, Symbol, is_identically_zero};
-use tumble_mech::{Equations, Law, NORMAL, TANGENT, Term};
+use tumble_mech::{Equations, Law, Term};
 use tumble_notation::{Left, Math};
 use tumble_scene::Study;
 
-use super::forces::is_on_other;
+use super::forces::{direction, is_on_other};
 use super::names::{Names, math};
 use super::passed::Passed;
 use super::sum;
@@ -85,11 +85,7 @@ fn component(study: &Study, names: &Names, equations: &Equations, (term, axis): 
     let is_own = |symbol: &Symbol| is_multiplier(study, symbol) || names.shown(&symbol.name) == force;
     let parameters = study.model.parameters.symbols();
     let is_given = |symbol: &Symbol| is_own(symbol) || parameters.contains(symbol);
-    let letter = match term.law {
-        Law::Contact => Some(NORMAL),
-        Law::Friction => Some(TANGENT),
-        _ => None,
-    };
+    let letter = direction(study, equations, term);
     // What is along an axis has its symbol, with the sign that it acts with; the weight is what everybody knows.
     let is_along = !own.is_empty() && own.iter().all(is_own) || term.law == Law::Weight;
     let is_short =
@@ -99,7 +95,7 @@ fn component(study: &Study, names: &Names, equations: &Equations, (term, axis): 
     }
     let below = |symbol: &str| symbols::below(symbol, ["x", "y"][axis]);
     let Some(letter) = letter else { return Symbol::new(below(&force), Dimension::FORCE).into() };
-    let along: Expr = Symbol::new(below(letter), Dimension::NONE).into();
+    let along: Expr = Symbol::new(below(&letter), Dimension::NONE).into();
     let along = Expr::from(Symbol::new(force, Dimension::FORCE)) * along;
     if is_on_other(equations, term) { -along } else { along }
 }

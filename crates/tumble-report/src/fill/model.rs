@@ -1,7 +1,8 @@
 //! Forces, laws and equations of motion, as they were integrated.
 
 use crate::report::{BodyModel, ModelPart, Picture, Text, Typeset};
-use tumble_mech::{Application, MultipleImpacts, Painleve};
+use tumble_mech::{Application, Change, Happening, MultipleImpacts, Painleve, Record};
+use tumble_ode::Occurrence;
 use tumble_scene::{FreeBody, Study};
 
 use super::alike::{self, Kind};
@@ -34,16 +35,24 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     once::say_once(&mut modes, &laws, if acts { BY_NAME } else { BY_LAWS });
     Ok(ModelPart {
         intro: vec![],
-        assumptions: assumptions(study),
+        assumptions: assumptions(study, cases),
         bodies,
         modes,
         impacts: impacts::laws(study, names, cases),
     })
 }
 
+/// How many contacts strike at an instant.
+fn impacts_of(event: &Occurrence<Record>) -> usize {
+    let strikes =
+        |happening: &&Happening| matches!(happening, Happening::Contact { change: Change::Impact, .. });
+    event.record.happened.iter().filter(strikes).count()
+}
+
 /// What the laws in use take for granted.
-fn assumptions(study: &Study) -> Vec<Text> {
+fn assumptions(study: &Study, cases: &[Case]) -> Vec<Text> {
     let model = &study.model;
+    let most_at_once = cases.iter().flat_map(|case| case.run.events().map(impacts_of)).max().unwrap_or(0);
     let (surfaces, contacts) = (model.surfaces.iter(), model.contacts.iter());
     let of_bodies = model.bodies.iter().any(|body| body.friction.is_some());
     let of_pairs = contacts.clone().any(|contact| contact.friction.is_some());
@@ -60,10 +69,7 @@ fn assumptions(study: &Study) -> Vec<Text> {
     let is_said_by_several = of_bodies
         || model.bodies.iter().any(|body| body.restitution.is_some())
         || contacts.clone().any(|contact| contact.surfaces(model).next().is_some());
-    let is_hard =
-        surfaces.clone().any(|s| s.law.is_rigid()) || contacts.clone().any(|own| own.compliant.is_none());
-    // Of one body and one surface only its points may strike at once.
-    let are_many = contacts.clone().next().is_some();
+    let (is_hard, are_many) = (most_at_once > 0, most_at_once > 1);
     let said = [
         (true, "The bodies are rigid and move in one plane."),
         (
@@ -92,20 +98,20 @@ fn assumptions(study: &Study) -> Vec<Text> {
         (
             surfaces.clone().any(|s| !s.law.is_rigid())
                 || contacts.clone().any(|own| own.compliant.is_some()),
-            "Where a contact is compliant, a spring and what damps it stand between the two; bodies keep their shapes.",
+            "A compliant contact is a spring, with a damper where one is stated; the bodies keep their shapes.",
         ),
         (is_hard, "An impact takes no time."),
         (
-            is_hard && are_many && model.multiple_impacts == MultipleImpacts::Simultaneous,
+            are_many && model.multiple_impacts == MultipleImpacts::Simultaneous,
             "Impacts of several contacts at one instant are one: all of them push until nothing approaches any more.",
         ),
         (
-            is_hard && are_many && model.multiple_impacts == MultipleImpacts::Sequential,
+            is_hard && model.multiple_impacts == MultipleImpacts::Sequential,
             "Impacts of several contacts at one instant follow on each other, the fastest first; each is one of two bodies, and lets them part \
              before the next.",
         ),
         (
-            is_hard && model.painleve == Painleve::Impact,
+            model.painleve == Painleve::Impact,
             "Where friction leaves no forces that hold what slips (Painlevé's paradox), an impulse stops it: an impact without collision.",
         ),
     ];
@@ -159,16 +165,18 @@ fn diagrams(
     sheets.into_iter().map(&mut picture).collect()
 }
 
-/// The run for the diagrams: the first of those in which most loads are there.
+/// The run for the diagrams: of those in which most loads are there the one that answers the scene's first question by the greatest value.
 fn fullest<'a>(study: &Study, cases: &'a [Case]) -> Result<&'a Case, CaseError> {
-    let mut best = (0, &cases[0]);
+    let mut best = (0, f64::NEG_INFINITY, &cases[0]);
     for case in cases.iter().take(MOST_LOOKED_AT) {
         let loads = instants::loads(case, study.model.bodies.len())?;
-        if loads > best.0 {
-            best = (loads, case);
+        let answer = case.finds.first().map(|find| find.value).filter(|value| value.is_finite());
+        let answer = answer.unwrap_or(f64::NEG_INFINITY);
+        if (loads, answer) > (best.0, best.1) {
+            best = (loads, answer, case);
         }
     }
-    Ok(best.1)
+    Ok(best.2)
 }
 
 #[cfg(test)]

@@ -19,13 +19,14 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
     let is_exact = |case: &Case| case.run.work().exact_steps == case.run.work().steps;
     let intro = match (phases.is_empty(), cases.iter().all(is_exact)) {
         (false, true) => {
-            "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form."
+            "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form, and the steps of the \
+             method are exact."
         }
-        (false, false) => "The following phases are known in closed form; the rest was integrated.",
+        (false, false) => "The following phases are known in closed form; the rest is integrated.",
         (true, true) => {
             "In every mode of the motion the accelerations are constant or polynomials in time: each step is exact."
         }
-        (true, false) => "No closed form was found: the equations were integrated.",
+        (true, false) => "No closed form was found: the equations are integrated.",
     };
     let mut how = how(&told);
     how.notes.extend(sweep::others_are_in_files(cases, &told));
@@ -61,7 +62,8 @@ fn phases_of_runs(study: &Study, names: &Names, told: &[&Case]) -> Result<Vec<Ph
         let name = if told.len() > 1 { Text::from(format!("{runs}: ")) } else { Text::default() };
         // What other runs have said in symbols they do not say again.
         let is_said = phases.iter().any(|known| known.symbols == phase.symbols);
-        let symbols = if is_said { vec![] } else { phase.symbols };
+        let mut symbols = if is_said { vec![] } else { phase.symbols };
+        symbols.retain(|block| !block.lines.is_empty());
         let name = name.and(phase.name).capitalised();
         phases.push(Phase { name, symbols, ..phase });
     }
@@ -97,7 +99,7 @@ fn how(cases: &[&Case]) -> PrintedTable {
         Column::numbers("Steps"),
         Column::numbers("Exact steps"),
         Column::numbers("Repeated"),
-        Column::numbers("Contact modes"),
+        Column::numbers("Modes"),
         Column::numbers("Points along lines"),
         Column::words("Verified by a check run"),
     ];
@@ -124,7 +126,24 @@ fn how(cases: &[&Case]) -> PrintedTable {
             held.unwrap_or_default().into(),
         ]
     };
-    cases.iter().map(row).fold(PrintedTable::new("How it was solved", columns.into()), PrintedTable::row)
+    let table = PrintedTable::new("How it was solved", columns.into());
+    let table = cases.iter().map(row).fold(table, PrintedTable::row);
+    PrintedTable { notes: vec![explained(&table)], ..table }
+}
+
+/// What the columns mean that are there.
+fn explained(table: &PrintedTable) -> Text {
+    let meanings = [
+        ("Order", "of the Taylor series"),
+        ("Exact steps", "those in which the motion is a polynomial"),
+        ("Repeated", "steps tried again, shorter"),
+        ("Modes", "sets of equations that held in turn, by what touches, slides or acts"),
+        ("Points along lines", "those at which the air is summed"),
+    ];
+    let is_there = |name: &str| table.filled().iter().any(|i| table.columns[*i].heading.to_plain() == name);
+    let said = meanings.iter().filter(|(name, _)| is_there(name));
+    let said: Vec<String> = said.map(|(name, meaning)| format!("{name}: {meaning}")).collect();
+    format!("{}.", said.join("; ")).into()
 }
 
 /// What is told of one run, with its label where there are several.

@@ -85,7 +85,7 @@ pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
 }
 
 /// What is said of a check that holds: its error may be larger than it may be off, or not.
-pub(super) const PASSED: [&str; 2] = ["passed, not certain", "passed"];
+pub(super) const PASSED: [&str; 2] = ["passed, within its error", "passed"];
 
 /// The column of a check's result.
 pub(super) const RESULT: usize = 4;

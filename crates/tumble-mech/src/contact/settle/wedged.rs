@@ -166,12 +166,14 @@ impl Settling<'_> {
             .equations
             .values(&formulas, &jump.mode, self.now.time, &jump.states, self.now.inputs)
             .map_or(f64::NAN, |values| values[0]);
-        let are_several = self.touch.free[position] >= -self.zero();
-        let by_impact = if are_several { String::new() } else { format!(", or {BY_IMPACT}") };
+        let ways_out = match self.touch.free[position] >= -self.zero() {
+            true => "another speed, or a compliant surface".to_owned(),
+            false => format!("another speed, a compliant surface, or {BY_IMPACT}"),
+        };
         Reason::Model(format!(
             "`{}` slips with the kinetic coefficient {friction} while `{}` is at {angle} rad: from {most} on, friction takes all that a \
              push of the surface would move there, and no force holds the body up or several do (Painleve's paradox). {motions}. Take less \
-             friction, another angle, another speed, or a compliant surface{by_impact}",
+             friction, another angle, {ways_out}",
             pair.name, body.name
         ))
     }

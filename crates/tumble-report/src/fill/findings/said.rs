@@ -91,8 +91,7 @@ fn listed(parts: impl Iterator<Item = Text>, between: &str) -> Text {
 }
 
 /// What holds of all numbers in findings.
-pub(in crate::fill) const ALL_VERIFIED: &str =
-    "Every digit shown is verified; where fewer than six are, their number is stated.";
+pub(in crate::fill) const ALL_VERIFIED: &str = "Values are rounded to six digits, all of which are verified; where fewer are, their number is stated. Zeros at the end are left out.";
 
 /// What is said of a value without digits.
 const UNKNOWN: &str = "(no digit is known)";

@@ -28,7 +28,8 @@ const WIDE: usize = 8;
 /// A table of the report.
 pub(super) fn table(table: &PrintedTable) -> String {
     let grid = grid(table, &cells(table));
-    let grid = if table.rows.len() > FOLD { long(table, &grid) } else { grid };
+    let is_long = table.rows.len() > if table.is_upright() { KEPT } else { FOLD };
+    let grid = if is_long { long(table, &grid) } else { grid };
     let notes = table.notes.iter().cloned().chain(table.all_rows());
     let notes: String = notes.map(|note| tagged("p", "note", &Page::text(&note))).collect();
     if notes.is_empty() { grid } else { tagged("div", "", &(grid + &notes)) }
