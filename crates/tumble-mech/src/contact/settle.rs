@@ -253,6 +253,14 @@ impl<'a> Settling<'a> {
         self.part.dedup();
     }
 
+    /// Those that stand still, or will after a Zeno sequence.
+    fn members(&self, zeno: Option<&Ending>) -> Vec<usize> {
+        match zeno {
+            Some(Ending { members, .. }) => members.clone(),
+            None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
+        }
+    }
+
     /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
     /// stand.
     fn lasting(
@@ -261,10 +269,7 @@ impl<'a> Settling<'a> {
         zeno: Option<&Ending>,
         jump: &mut Jump<Mode>,
     ) -> Result<Lasting, Reason> {
-        let members: Vec<usize> = match zeno {
-            Some(Ending { members, .. }) => members.clone(),
-            None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
-        };
+        let members = self.members(zeno);
         let is_pressed = !self.pressed(jump).is_empty();
         if members.is_empty() && !is_pressed {
             return Ok(Lasting::default());

@@ -243,23 +243,34 @@ fn precise(value: f64, unit: &str) -> Text {
 mod tests {
     use super::*;
 
+    fn check(value: f64, within: f64, error: Option<f64>) -> CheckResult {
+        CheckResult {
+            name: String::new(),
+            that: String::new(),
+            unit: String::new(),
+            at: 0.0,
+            found: value,
+            expected: value,
+            within,
+            error,
+            spread: None,
+            holds: true,
+        }
+    }
+
+    #[test]
+    fn what_is_expected_is_shown_a_little_finer_than_it_is_compared() {
+        let shown = |value: f64, within: f64| without_rounding(&check(value, within, None));
+        assert_eq!(shown(1.136_799_999_999_999_1, 1e-12), 1.1368);
+        assert_eq!(shown(318.825_000_000_000_8, 1e-7), 318.825);
+        assert_eq!(shown(10.217_161_074_258_682, 3.0), 10.22);
+        assert_eq!(shown(-1e-3, 0.5), -1e-3);
+        assert_eq!((shown(0.0, 1e-9), shown(0.1 + 0.2, 0.0)), (0.0, 0.1 + 0.2));
+    }
+
     #[test]
     fn what_was_found_is_shown_to_the_place_of_its_error() {
-        let shown = |value: f64, error: Option<f64>| {
-            let check = CheckResult {
-                name: String::new(),
-                that: String::new(),
-                unit: String::new(),
-                at: 0.0,
-                found: value,
-                expected: value,
-                within: 1.0,
-                error,
-                spread: None,
-                holds: true,
-            };
-            found(&check).to_plain()
-        };
+        let shown = |value: f64, error: Option<f64>| found(&check(value, 1.0, error)).to_plain();
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1e-14)), "1.02469010864072");
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1.6e-14)), "1.02469010864072");
         assert_eq!(shown(6.93e-16, Some(5e-12)), "0");

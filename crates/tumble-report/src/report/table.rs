@@ -2,8 +2,8 @@
 
 use super::prose::Text;
 
-/// More columns of numbers do not stand beside each other on paper.
-const BESIDE: usize = 8;
+/// More columns do not stand beside each other on paper.
+pub(super) const WIDE: usize = 8;
 /// So many rows do, as columns.
 const UPRIGHT: usize = 6;
 
@@ -51,6 +51,8 @@ pub struct PrintedTable {
     pub stacked: bool,
     /// The file among the results in which all rows are, if there is one: then paper need not show hundreds.
     pub file: Option<String>,
+    /// Whether its rows are what others have as columns.
+    pub is_upright: bool,
     /// Whether rows stand for several of that file.
     pub is_cut: bool,
     /// Lines below it.
@@ -80,7 +82,7 @@ impl PrintedTable {
     #[must_use]
     pub fn upright(self) -> Self {
         let kept = self.filled();
-        if kept.len() <= BESIDE || self.rows.len() > UPRIGHT {
+        if kept.len() <= WIDE || self.rows.len() > UPRIGHT {
             return self;
         }
         let cell = |row: &Vec<Text>, column: usize| row.get(column).cloned().unwrap_or_default();
@@ -91,12 +93,7 @@ impl PrintedTable {
             [self.columns[*column].heading.clone()].into_iter().chain(cells).collect()
         };
         let rows = kept.iter().skip(1).map(row).collect();
-        Self { columns, rows, ..self }
-    }
-
-    /// Whether its rows are what others have as columns.
-    pub(super) fn is_upright(&self) -> bool {
-        self.columns.first().is_some_and(|column| column.heading.is_empty())
+        Self { columns, rows, is_upright: true, ..self }
     }
 
     /// Where the rows are that it leaves out.
@@ -120,7 +117,7 @@ mod tests {
         let heads: Vec<String> = found.columns.iter().map(|column| column.heading.to_plain()).collect();
         assert_eq!(heads, ["", "0.0", "1.0"]);
         assert_eq!(found.rows.len(), 8);
-        assert!(found.is_upright());
+        assert!(found.is_upright);
         assert_eq!(found.rows[7].iter().map(Text::to_plain).collect::<Vec<_>>(), ["h8", "0.8", "1.8"]);
         for other in [table(8, 2), table(9, 7)] {
             assert_eq!(other.clone().upright(), other);

@@ -44,12 +44,8 @@ impl Settling<'_> {
         if self.equations.model().painleve == Painleve::Refused {
             return Ok(false);
         }
-        let members: Vec<usize> = match zeno {
-            Some(Ending { members, .. }) => members.clone(),
-            None => self.part.iter().copied().filter(|position| self.stands(*position)).collect(),
-        };
         let mut all = DVector::zeros(self.touch.response.nrows());
-        for group in self.coupled(&members) {
+        for group in self.coupled(&self.members(zeno)) {
             all += match &group[..] {
                 [only] => self.stopped_alone(*only, touched)?,
                 _ => self.stopped_together(&group, touched, jump)?,
@@ -58,7 +54,7 @@ impl Settling<'_> {
         if all.amax() == 0.0 {
             return Ok(false);
         }
-        self.rounds += 1;
+        self.count_round()?;
         self.impulses += &all;
         self.apply(&all, jump)?;
         Ok(true)

@@ -36,13 +36,19 @@ impl Settling<'_> {
             if closing.is_empty() {
                 return Ok(self.rounds > before);
             }
-            if self.rounds == MOST_ROUNDS {
-                return Err(self.endless());
-            }
-            self.rounds += 1;
+            self.count_round()?;
             self.take_part(closing);
             self.impact(jump)?;
         }
+    }
+
+    /// One more impact of this instant; too many are refused.
+    pub(super) fn count_round(&mut self) -> Result<(), Reason> {
+        if self.rounds == MOST_ROUNDS {
+            return Err(self.endless());
+        }
+        self.rounds += 1;
+        Ok(())
     }
 
     /// Contacts that close now: what is within the rounding of its gap but takes longer than the shortest step is still to come.

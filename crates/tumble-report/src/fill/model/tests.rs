@@ -231,3 +231,35 @@ fn couples_of_an_instant_are_in_the_law_of_impacts() {
     let of = |body: usize| lines(&linkage.bodies[body].laws[1..])[1].clone();
     assert!(of(0).ends_with("r × J + Σ\u{2009}H") && of(1).ends_with("r × J"), "{} {}", of(0), of(1));
 }
+
+/// A ball among others is touched from all sides: no direction stands for two.
+#[test]
+fn each_contact_has_a_direction_of_its_own() {
+    let (pool, _) = model_of("25-pool-break");
+    let laws = lines(pool.bodies.iter().flat_map(|body| &body.laws));
+    let pushed: Vec<&String> = laws.iter().filter(|line| line.matches("N_").count() > 2).collect();
+    assert!(!pushed.is_empty(), "{laws:?}");
+    for line in pushed {
+        assert_eq!(line.matches("n_").count(), line.matches("N_").count(), "{line}");
+    }
+    // All feet on one floor are pushed alike.
+    let (block, _) = model_of("17-block-on-a-slope");
+    let rows = block.bodies[0].forces.iter().flat_map(|row| &row.law);
+    assert!(rows.clone().any(|line| line.text.starts_with("n = ")), "{:?}", rows.collect::<Vec<_>>());
+}
+
+#[test]
+fn what_never_strikes_has_no_impacts_in_its_assumptions() {
+    let speaks = |name: &str| {
+        let assumed = model_of(name).0.assumptions;
+        assumed.iter().any(|text| text.to_plain().starts_with("An impact"))
+    };
+    assert!(speaks("09-bouncing-ball") && !speaks("20-rolling-down") && !speaks("28-painleve-rod"));
+}
+
+/// Of four periods of the gusts the third swings the pendulum furthest.
+#[test]
+fn diagrams_are_of_the_run_with_the_greatest_answer() {
+    let (study, cases) = crate::scenes::motions_called("01-pendulum-in-the-wind");
+    assert_eq!(fullest(&study, &cases).expect("a run").label, "T = 2 s");
+}

@@ -6,7 +6,7 @@ use crate::report::markup::Markup;
 use crate::report::parts::CheckRow;
 use crate::report::prose::Text;
 use crate::report::rows;
-use crate::report::table::{Align, Column, PrintedTable};
+use crate::report::table::{Align, Column, PrintedTable, WIDE};
 use tumble_drawing::svg::escape;
 
 /// Rows of a long table that are shown at first.
@@ -21,14 +21,13 @@ const HALF: usize = 80;
 /// What sets two columns apart, in signs.
 const GAP: usize = 3;
 
-/// Columns from which on the cells of a row stand below each other where the page is narrow, and on paper.
+/// Columns from which on the cells of a row stand below each other where the page is narrow; on paper, more than [`WIDE`].
 const STACKED: usize = 3;
-const WIDE: usize = 8;
 
 /// A table of the report.
 pub(super) fn table(table: &PrintedTable) -> String {
     let grid = grid(table, &cells(table));
-    let is_long = table.rows.len() > if table.is_upright() { KEPT } else { FOLD };
+    let is_long = table.rows.len() > if table.is_upright { KEPT } else { FOLD };
     let grid = if is_long { long(table, &grid) } else { grid };
     let notes = table.notes.iter().cloned().chain(table.all_rows());
     let notes: String = notes.map(|note| tagged("p", "note", &Page::text(&note))).collect();
