@@ -27,11 +27,11 @@ use crate::laws::impact::Painleve;
 use crate::mode::Mode;
 use crate::record::Jump;
 
-/// In the time h forces without each other change rates by this part of the slips: what forces do then is as small, and impulses are not. Who
+/// In the time h forces without each other change rates by this part of the slowest slip, which may be the one that an impulse stops. Who
 /// presses, sticks and slides is looked for with each in turn, and has to hold for none.
-const MOMENTS: [f64; 3] = [1e-6, 1e-4, 1e-2];
-/// Impulses that change slips by less than this part are those of forces in that time.
-const IMPULSIVE: f64 = 1e-3;
+const MOMENTS: [f64; 4] = [1e-3, 1e-5, 1e-1, 1e-7];
+/// Impulses that change rates by less than this part of the slowest slip are none: rounding.
+const IMPULSIVE: f64 = 1e-6;
 
 impl Settling<'_> {
     /// Lets impulses stop what slips where no forces hold the contacts, if the model asks for it; whether there are any.
@@ -92,9 +92,14 @@ impl Settling<'_> {
         let is_wedged = group.iter().any(|position| touched.wedged.contains(&self.touch.pairs[*position]));
         let slips = slipping.iter().filter(|patch| patch.slips.is_some());
         let slip = |row: usize| self.touch.slips.rate[row - self.touch.pairs.len()].abs();
-        let fastest = slips.map(|patch| slip(patch.row())).fold(0.0, f64::max);
+        let slips: Vec<f64> = slips.map(|patch| slip(patch.row())).collect();
+        let (Some(slowest), Some(fastest)) =
+            (slips.iter().copied().reduce(f64::min), slips.iter().copied().reduce(f64::max))
+        else {
+            return Ok(none);
+        };
         let accelerations = self.accelerations();
-        if fastest == 0.0 || (!is_wedged && self.forces(group, &slipping).solve().is_some()) {
+        if !is_wedged && self.forces(group, &slipping).solve().is_some() {
             return Ok(none);
         }
         let mut rates = self.rates();
@@ -103,14 +108,14 @@ impl Settling<'_> {
         let of = |without: DVector<f64>, zero: f64| Rough { zero, ..self.rough(group, &patches, without) };
         let still = STANDS * fastest;
         let limit = |part: &f64| {
-            let moment = part * fastest / accelerations.amax();
+            let moment = part * slowest / accelerations.amax();
             let Pushes { grips, held, .. } =
                 of(&rates + &accelerations * moment, moment * self.zero()).solve()?;
             let exact = of(rates.clone(), still);
             exact.stopped(&grips, &held).filter(|found| exact.is_sound(found))
         };
         let Some(compressed) = MOMENTS.iter().find_map(limit) else { return Ok(none) };
-        let impulsive = (&self.touch.response * &compressed.pushes).amax() > IMPULSIVE * fastest;
+        let impulsive = (&self.touch.response * &compressed.pushes).amax() > IMPULSIVE * slowest;
         if !impulsive {
             return Ok(none);
         }
