@@ -5,7 +5,9 @@ use crate::common::{at, close, rigid};
 use tumble_expr::Expr;
 use tumble_expr::Vector;
 use tumble_expr::units::{KG, M, S};
-use tumble_mech::{Anchor, Body, Friction, Gravity, Joint, Model, Painleve, Run, Shape, Start, Surface};
+use tumble_mech::{
+    Anchor, Body, BodyContact, Friction, Gravity, Joint, Model, Painleve, Run, Shape, Start, Surface,
+};
 use tumble_ode::{Accuracy, Side};
 
 const G: f64 = 9.81;
@@ -235,6 +237,47 @@ fn an_impact_without_collision_of_several_contacts() {
     let run = after_an_impact(model);
     for time in [0.0, 0.1] {
         assert!(velocity(&run, time).iter().all(|rate| rate.abs() < 1e-14), "{:?}", velocity(&run, time));
+    }
+}
+
+/// A block on a smooth floor drags a hinged rod that leans against its motion: from `mu = cot(steepness)` on no force holds the tip. Compression ends where the tip
+/// neither closes nor slips, which stops both; restitution gives back e of the normal impulse, and the tip sticks meanwhile.
+#[test]
+fn an_impact_without_collision_between_bodies() {
+    for (degrees, more, e, mass, speed) in
+        [(50.0_f64, 1.01, 0.2, 2.0, 2.0), (60.0, 1.5, 0.7, 0.6, 3.1), (40.0, 1.2, 0.45, 5.0, 0.7)]
+    {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let mu = more * cos / sin;
+        let mut model = world();
+        let rod = model.add(Body::rod("rod", [0 * M, 0 * M], [1 * M, 0 * M]).mass(1 * KG));
+        model.pivot_at("hinge", &rod, [0 * M, 0 * M], [0 * M, 0 * M]);
+        model.starts.push(("rod".into(), Start::default().angle(Expr::from(-degrees.to_radians()))));
+        let shape = Shape::Box { centre: Vector::planar(0 * M, 0 * M), width: 8 * M, height: 0.2 * M };
+        model.add(Body::of_shape("block", shape).mass(mass * KG));
+        let start = Start::default().at([0 * M, (-sin - 0.1) * M]).velocity([-speed * M / S, 0 * M / S]);
+        model.starts.push(("block".into(), start));
+        let mut floor = Surface::floor("floor", (-sin - 0.2) * M, rigid(0.0));
+        floor.on = Some(vec!["block".into()]);
+        model.surface(floor);
+        let friction = Some(Friction::new(mu));
+        model.contact(BodyContact { friction, ..BodyContact::new("drag", ["rod", "block"], e) });
+        assert!(comes_to(model.clone()).expect_err("no forces").contains("Painleve"));
+        let run = after_an_impact(model);
+        // Of the tip against the block: along the floor, and up.
+        let inertia = 1.0 / 3.0;
+        let [tt, tn, nn] = [sin * sin / inertia + 1.0 / mass, sin * cos / inertia, cos * cos / inertia];
+        let determinant = tt * nn - tn * tn;
+        let (along, across) = (-speed * nn / determinant, speed * tn / determinant);
+        let across_in_all = (1.0 + e) * across;
+        let along_in_all = along - tn / tt * e * across;
+        assert!(tn / tt <= mu);
+        let omega = (cos * across_in_all + sin * along_in_all) / inertia;
+        let [_, _, found] = velocity(&run, 0.0);
+        close(found, omega, 1e-11);
+        let block = run.equations.model().bodies[1].kinematics();
+        let [found] = at(&run, 0.0, [block.velocity().x().clone()]);
+        close(found, -speed - along_in_all / mass, 1e-11);
     }
 }
 
