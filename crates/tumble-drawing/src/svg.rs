@@ -6,6 +6,8 @@
 
 use std::fmt::{self, Display, Write};
 
+use crate::rect::Rect;
+
 /// Decimals of a coordinate: a hundredth of a pixel is below what any screen
 /// or printer resolves.
 const DECIMALS: i32 = 2;
@@ -26,12 +28,36 @@ pub struct Svg {
     pub description: String,
     /// Elements in drawing order, first at the back.
     pub children: Vec<Element>,
+    /// What a narrow page shows in place of the whole, from top to bottom; none if the whole is narrow enough.
+    pub parts: Vec<Part>,
+}
+
+/// A part of a broad drawing for narrow pages.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Part {
+    /// What the drawing has there, in pixels.
+    Cut(Rect),
+    /// The same as somewhere in the drawing, set narrower.
+    Drawn(Box<Svg>),
+}
+
+impl Part {
+    /// As an element of a page; a cut shows what has the name.
+    fn inline(&self, drawing: &str) -> Element {
+        let (area, content) = match self {
+            Self::Cut(area) => {
+                (*area, vec![Element::new("use").attr("href", format!("#{drawing}"))])
+            }
+            Self::Drawn(svg) => (Rect::new(0.0, 0.0, svg.width, svg.height), svg.children.clone()),
+        };
+        sized(&area).attr("class", "part").attr("aria-hidden", "true").children(content)
+    }
 }
 
 impl Svg {
     /// An empty drawing of the given size with a plain-text title.
     pub fn new(width: f64, height: f64, title: impl Into<String>) -> Self {
-        Self { width, height, title: title.into(), description: String::new(), children: Vec::new() }
+        Self { width, height, title: title.into(), description: String::new(), children: vec![], parts: vec![] }
     }
 
     /// A sheet of paper of the given size.
@@ -54,42 +80,56 @@ impl Svg {
     }
 
     /// The drawing as a part of a page: `id` (unique there, without blanks)
-    /// ties the title and the description to it for screen readers.
+    /// ties the title and the description to it for screen readers. Its parts follow.
     pub fn inline(&self, id: &str) -> String {
-        let (title, description) = (format!("{id}-title"), format!("{id}-description"));
-        let labelled = self.root_named(Some([&title, &description])).attr("aria-labelledby", title.clone());
-        if self.description.is_empty() { labelled } else { labelled.attr("aria-describedby", description) }
-            .to_string()
+        let [title, description, drawing] =
+            ["title", "description", "drawing"].map(|what| format!("{id}-{what}"));
+        let names = [&title, &description, &drawing].map(String::as_str);
+        let labelled = self.root_named(Some(names)).attr("aria-labelledby", title.clone());
+        let whole = match self.description.is_empty() {
+            true => labelled,
+            false => labelled.attr("aria-describedby", description.clone()),
+        };
+        std::iter::once(whole)
+            .chain(self.parts.iter().map(|part| part.inline(&drawing)))
+            .map(|svg| svg.to_string())
+            .collect()
     }
 
-    fn root(&self) -> Element {
-        self.root_named(None)
-    }
-
-    /// The root element; title and description get the names, if there are some.
-    fn root_named(&self, names: Option<[&str; 2]>) -> Element {
+    /// The root element; title, description and, where it has parts, all that is drawn get the names, if there are some.
+    fn root_named(&self, names: Option<[&str; 3]>) -> Element {
         let named = |element: Element, i: usize| match names {
             Some(names) => element.attr("id", names[i]),
             None => element,
         };
-        let view = format!("0 0 {} {}", number(self.width), number(self.height));
-        let root = Element::new("svg")
-            .attr("xmlns", "http://www.w3.org/2000/svg")
-            .attr("width", self.width)
-            .attr("height", self.height)
-            .attr("viewBox", view)
+        let root = sized(&Rect::new(0.0, 0.0, self.width, self.height))
             .attr("role", "img")
-            .attr("font-family", crate::font::FAMILY)
             .child(named(Element::new("title"), 0).text(&self.title));
         let description =
             (!self.description.is_empty()).then(|| named(Element::new("desc"), 1).text(&self.description));
-        root.children(description).children(self.children.iter().cloned())
+        let root = root.children(description);
+        let drawn = self.children.iter().cloned();
+        match self.parts.is_empty() {
+            true => root.children(drawn),
+            false => root.child(named(Element::new("g"), 2).children(drawn)),
+        }
     }
+}
+
+/// An empty drawing that shows an area, in pixels.
+fn sized(area: &Rect) -> Element {
+    let view = [area.x, area.y, area.width, area.height].map(number).join(" ");
+    Element::new("svg")
+        .attr("xmlns", "http://www.w3.org/2000/svg")
+        .attr("width", area.width)
+        .attr("height", area.height)
+        .attr("viewBox", view)
+        .attr("font-family", crate::font::FAMILY)
 }
 
 impl Display for Svg {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.root().fmt(f)?;
+        self.root_named(None).fmt(f)?;
         f.write_char('\n')
     }
 }

@@ -6,7 +6,7 @@ use super::fit::{Fit, Room, fit};
 use super::panel::{Source, Trim, room, split};
 
 /// Widths of panels in pixels for one, two, ... columns.
-const WIDTHS: [f64; 4] = [560.0, 420.0, 320.0, 270.0];
+const WIDTHS: [f64; 4] = [420.0, 420.0, 320.0, 270.0];
 /// Most columns: more make the text too small on paper.
 const MOST_COLUMNS: usize = 5;
 /// Heights of panels tried, as parts of their width.

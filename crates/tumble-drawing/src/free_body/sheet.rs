@@ -6,7 +6,7 @@ use crate::curves::no_data;
 use crate::heading::Heading;
 use crate::outline::Plane;
 use crate::rect::Rect;
-use crate::svg::Svg;
+use crate::svg::{Part, Svg};
 use crate::text::Label;
 use crate::theme::{GAP, MARGIN, SMALL};
 
@@ -22,6 +22,8 @@ use crate::geometry::{Point, minus, plus};
 
 /// Height of a sheet without panels, in pixels.
 const BLANK_HEIGHT: f64 = 100.0;
+/// A page this narrow, in pixels, shows the panels below each other.
+const NARROW: f64 = 440.0;
 /// Panels need a legend from this many kinds of forces on.
 const KINDS: usize = 2;
 
@@ -122,7 +124,26 @@ impl<'a> Layout<'a> {
         svg.children.extend(self.panels.iter().map(|panel| panel.draw(framed)));
         svg.push(self.key.draw(self.key_at));
         svg.children.extend(self.panels.is_empty().then(|| no_data(&self.blank())));
+        if width > NARROW {
+            svg.parts = self.parts();
+        }
         svg
+    }
+
+    /// The title, the panels and the key below each other.
+    fn parts(&self) -> Vec<Part> {
+        let part = |height: f64, content| {
+            let mut part = Svg::on_paper(NARROW, height, "");
+            part.push(content);
+            Part::Drawn(Box::new(part))
+        };
+        let heading = Heading::new(&self.sheet.shown_title(), NARROW);
+        let key = Key::new(&self.groups(), &self.captions(), NARROW - 2.0 * (MARGIN + INSET));
+        let panels = self.panels.iter().map(|panel| Part::Cut(panel.frame.grown(INSET / 2.0)));
+        std::iter::once(part(heading.bottom(), heading.draw()))
+            .chain(panels)
+            .chain([part(key.height + MARGIN, key.draw([MARGIN + INSET, 0.0]))])
+            .collect()
     }
 
     /// The space in which a sheet without panels says so.

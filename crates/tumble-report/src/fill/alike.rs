@@ -6,7 +6,7 @@ use tumble_scene::Study;
 use super::passed::Passed;
 use crate::figures::symbols;
 
-/// So many like bodies are each shown; of more than these, one.
+/// Of so many bodies each is shown; of more than these, one of each kind.
 const MOST_SHOWN: usize = 3;
 /// So many names are all said; of more than these, the first two and the last.
 const MOST_NAMED: usize = 4;
@@ -57,16 +57,17 @@ pub(super) fn kinds(study: &Study, passed: &[Vec<Passed<'_>>]) -> Vec<Kind> {
             }
         }
     }
-    let mut kinds: Vec<Kind> = found.into_iter().flat_map(|(_, kind, _)| parted(kind)).collect();
-    kinds.sort_by_key(|kind| kind.bodies[0]);
-    kinds
+    let kinds = found.into_iter().map(|(_, kind, _)| kind);
+    if passed.len() > MOST_SHOWN {
+        return kinds.collect();
+    }
+    let mut each: Vec<Kind> = kinds.flat_map(parted).collect();
+    each.sort_by_key(|kind| kind.shown);
+    each
 }
 
-/// Few are shown one by one.
+/// One by one.
 fn parted(kind: Kind) -> Vec<Kind> {
-    if kind.bodies.len() > MOST_SHOWN {
-        return vec![kind];
-    }
     let one = |body: &usize| Kind { shown: *body, bodies: vec![*body], ..kind };
     kind.bodies.iter().map(one).collect()
 }
@@ -112,13 +113,18 @@ fn stated_as(study: &Study, load: &str, law: Law) -> String {
     let pair = symbols::rubbed(load);
     match law {
         Law::Contact | Law::Friction | Law::Rolling => pair.split('.').next().unwrap_or(pair).to_owned(),
-        // One pin between bodies is like another; what holds a body at a place is not.
-        Law::Reaction
-            if study.model.joints.iter().any(|joint| joint.name == load && joint.world().is_none()) =>
-        {
-            "joint".to_owned()
-        }
+        Law::Reaction => held(study, load),
         _ => load.to_owned(),
+    }
+}
+
+/// One pin between bodies is like another, and one pivot like another that holds the same point of its body; other holds are not.
+fn held(study: &Study, load: &str) -> String {
+    let (pivots, joints) = (&study.model.pivots, &study.model.joints);
+    match pivots.iter().find(|pivot| pivot.name == load) {
+        Some(pivot) => format!("pivot at {:?}", pivot.point),
+        None if joints.iter().any(|joint| joint.name == load && joint.world().is_none()) => "joint".to_owned(),
+        None => load.to_owned(),
     }
 }
 

@@ -118,7 +118,7 @@ pub(super) trait Writer: Markup {
         let (how, events) = solve.tables.split_at(solve.tables.len().min(1));
         Self::joined([
             Self::paragraphs(&solve.intro),
-            Self::joined(solve.phases.iter().map(|phase| Self::phase(phase, 3))),
+            Self::group("phases", Self::joined(solve.phases.iter().map(|phase| Self::phase(phase, 3)))),
             Self::facts(&solve.method),
             Self::tables(how),
             Self::group("beside", Self::tables(events)),
@@ -132,8 +132,8 @@ pub(super) trait Writer: Markup {
                 let blocks = Self::blocks(blocks);
                 if blocks.is_empty() { blocks } else { Self::joined([Self::remark(words), blocks]) }
             });
-        let form = Self::group("phase", Self::pair(forms));
-        Self::joined([Self::heading(level, &phase.name), Self::paragraph(&phase.span), form])
+        let parts = [Self::heading(level, &phase.name), Self::paragraph(&phase.span), Self::pair(forms)];
+        Self::group("phase", Self::joined(parts))
     }
 
     fn analyze(&mut self, analyze: &Analyze) -> String {

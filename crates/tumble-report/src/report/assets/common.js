@@ -47,7 +47,7 @@ function drawLabel(parent, runs, attributes) {
     drop = wanted;
     if (face === "i") span.setAttribute("font-style", "italic");
     if (face === "b") span.setAttribute("font-weight", "bold");
-    if (level) span.setAttribute("style", "font-size:.72em");
+    if (level) span.setAttribute("style", "font-size:max(.72em, 11.5px)");
     span.textContent = words;
   }
   return text;
