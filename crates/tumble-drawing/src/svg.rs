@@ -45,9 +45,7 @@ impl Part {
     /// As an element of a page; a cut shows what has the name.
     fn inline(&self, drawing: &str) -> Element {
         let (area, content) = match self {
-            Self::Cut(area) => {
-                (*area, vec![Element::new("use").attr("href", format!("#{drawing}"))])
-            }
+            Self::Cut(area) => (*area, vec![Element::new("use").attr("href", format!("#{drawing}"))]),
             Self::Drawn(svg) => (Rect::new(0.0, 0.0, svg.width, svg.height), svg.children.clone()),
         };
         sized(&area).attr("class", "part").attr("aria-hidden", "true").children(content)
@@ -57,7 +55,14 @@ impl Part {
 impl Svg {
     /// An empty drawing of the given size with a plain-text title.
     pub fn new(width: f64, height: f64, title: impl Into<String>) -> Self {
-        Self { width, height, title: title.into(), description: String::new(), children: vec![], parts: vec![] }
+        Self {
+            width,
+            height,
+            title: title.into(),
+            description: String::new(),
+            children: vec![],
+            parts: vec![],
+        }
     }
 
     /// A sheet of paper of the given size.

@@ -80,8 +80,8 @@ impl Forces {
 
 fn compiled(run: &Run, mode: usize) -> Result<Compiled, Reason> {
     let (equations, mode) = (&run.equations, &run.trajectory().modes[mode]);
-    let terms: Vec<Term> =
-        equations.acting_with_shares(mode).into_iter().chain(equations.pivot_terms(mode)).collect();
+    let acting = equations.acting_with_shares(mode).into_iter().map(|(.., term)| term);
+    let terms: Vec<Term> = acting.chain(equations.pivot_terms(mode)).collect();
     let outputs: Vec<Expr> = terms
         .iter()
         .flat_map(|term| {

@@ -3,7 +3,10 @@
 use crate::common::{close, rigid, run};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
-use tumble_mech::{Body, Force, Forces, Friction, Gravity, Law, Model, Run, Shape, Source, Start, Surface};
+use tumble_mech::{
+    Body, ContributionKind, Force, Forces, Friction, Gravity, Law, Model, Run, RunBalance, Shape, Source,
+    Start, Surface,
+};
 use tumble_ode::Side;
 
 const G: f64 = 9.81;
@@ -56,6 +59,15 @@ fn a_block_that_sticks_to_a_slope() {
     close(frictions.iter().map(|force| force.force[0]).sum(), along * slope.cos(), 1e-12);
     // All torques about the centre of mass together.
     close(normals.iter().chain(&frictions).map(Force::torque).sum(), 0.0, 1e-12);
+    // The balance shares it in the same way.
+    let balance = RunBalance::of(&run, [0.0; 2]).expect("a balance");
+    for friction in &frictions {
+        let mut impulses = balance.contributions.iter().filter(|part| part.load == friction.load);
+        let total = impulses.next().expect("a contribution");
+        assert!(impulses.next().is_none() && total.kind == ContributionKind::Work);
+        close(total.impulse[0], friction.force[0], 1e-11);
+        close(total.impulse[1], friction.force[1], 1e-11);
+    }
 }
 
 /// Only the corner that strikes presses: the other, which leaves, has no friction.

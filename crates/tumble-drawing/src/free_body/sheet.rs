@@ -23,7 +23,7 @@ use crate::geometry::{Point, minus, plus};
 /// Height of a sheet without panels, in pixels.
 const BLANK_HEIGHT: f64 = 100.0;
 /// A page this narrow, in pixels, shows the panels below each other.
-const NARROW: f64 = 440.0;
+const NARROW: f64 = 444.0;
 /// Panels need a legend from this many kinds of forces on.
 const KINDS: usize = 2;
 

@@ -2,6 +2,7 @@
 
 use crate::outline::{Outline, Plane, Pose};
 use crate::rect::Rect;
+use crate::svg::Part;
 use crate::text::Label;
 
 use super::panel::Drawing;
@@ -240,4 +241,26 @@ fn an_arm_has_its_symbol_also_where_an_arrow_covers_it() {
         .force(force(ArrowKind::Contact, "N", [0.0, 0.0], [0.0, 1.96]))
         .arm(Label::symbol("r_rim"), [0.0, 0.0]);
     assert!(sheet_of(body).svg().to_string().contains("rim"));
+}
+
+/// A narrow page shows the title, every panel whole, and the key.
+#[test]
+fn broad_sheets_have_parts_that_fit_a_phone() {
+    let sheet = five();
+    let (layout, svg) = (Layout::new(&sheet), sheet.svg());
+    assert!(svg.width > 444.0 && svg.parts.len() == layout.panels.len() + 2);
+    let cuts: Vec<Rect> = svg
+        .parts
+        .iter()
+        .filter_map(|part| if let Part::Cut(area) = part { Some(*area) } else { None })
+        .collect();
+    for (cut, panel) in cuts.iter().zip(&layout.panels) {
+        assert!(cut.width <= 444.0 && cut.x < panel.frame.x && cut.right() > panel.frame.right());
+        assert!(cut.y < panel.frame.y && cut.bottom() > panel.frame.bottom());
+    }
+    let page = svg.inline("figure-7");
+    assert_eq!(page.matches("<use href=\"#figure-7-drawing\"").count(), layout.panels.len());
+    assert_eq!(page.matches("<g id=\"figure-7-drawing\">").count(), 1);
+    // One panel is narrow enough.
+    assert!(sheet_of(bounce(3.0, 0.4)).svg().parts.is_empty());
 }

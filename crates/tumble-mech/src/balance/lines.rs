@@ -185,8 +185,7 @@ fn lines(equations: &Equations, potentials: &[Potential], mode: &Mode) -> Vec<Li
 /// that at rest they do no work at all, not even that of rounding, and what a joint does to one of its bodies it takes from the other.
 fn terms(equations: &Equations, mode: &Mode) -> Vec<(Term, Vector)> {
     let model = equations.model();
-    let acting = equations.acting_terms(mode).map(|(of, keeps)| {
-        let term = equations.term(of).clone();
+    let acting = equations.acting_with_shares(mode).into_iter().map(|(of, keeps, term)| {
         let velocity = match of {
             TermOf::Joint(joint, _) => model.joints[joint].velocity(),
             TermOf::Pair(pair, _) if keeps => kept_with(&equations.pairs()[pair]),

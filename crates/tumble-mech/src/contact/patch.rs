@@ -9,38 +9,46 @@ use tumble_expr::{Expr, Relation};
 
 use super::grip::Grip;
 use crate::equations::Equations;
+use crate::link::TermOf;
 use crate::mode::Mode;
-use crate::term::{Law, Term};
+use crate::term::Term;
 
 impl Equations {
-    /// The terms that act in a mode, with friction of what sticks at several points shared by them.
-    pub(crate) fn acting_with_shares(&self, mode: &Mode) -> Vec<Term> {
-        let mut terms: Vec<Term> = self.acting(mode).into_iter().cloned().collect();
-        for stuck in mode.sticking().filter(|pair| !self.pairs()[*pair].is_rolling()) {
-            let together = self.together(stuck, mode);
-            if together.len() < 2 {
-                continue;
-            }
-            let normals = |pair: &usize| Expr::from(self.pairs()[*pair].force_symbol());
-            let all = together.iter().map(normals).reduce(|sum, next| sum + next);
-            let Some(all) = all else { continue };
-            let friction = Expr::from(self.pairs()[stuck].friction_symbol());
-            let whole = self.pair_list().friction_terms(stuck);
-            terms
-                .retain(|term| !(term.law == Law::Friction && whole.iter().any(|own| own.load == term.load)));
-            for pair in &together {
-                let pressed = Expr::compare(Relation::Less, Expr::zero(), &all / (1 * N));
-                let share = &friction * normals(pair) / &all;
-                let otherwise = if *pair == stuck { friction.clone() } else { 0 * &friction };
-                let share = Expr::select(pressed, share, otherwise);
-                let sides = self.pair_list().friction_terms(*pair).iter().zip([1, -1]);
-                let tangent = self.pairs()[*pair].tangent();
-                terms.extend(
-                    sides.map(|(term, sign)| Term { force: sign * &share * &tangent, ..term.clone() }),
-                );
-            }
-        }
-        terms
+    /// The terms that act in a mode, each with what it is and whether it keeps a row, with friction of what sticks at several points shared
+    /// by them.
+    pub(crate) fn acting_with_shares(&self, mode: &Mode) -> Vec<(TermOf, bool, Term)> {
+        let sharing: Vec<(usize, Vec<usize>)> = mode
+            .sticking()
+            .filter(|pair| !self.pairs()[*pair].is_rolling())
+            .map(|stuck| (stuck, self.together(stuck, mode)))
+            .filter(|(_, together)| together.len() > 1)
+            .collect();
+        let is_shared = |of: &TermOf| matches!(of, TermOf::Friction(pair, _) if sharing.iter().any(|(stuck, _)| stuck == pair));
+        let own = self.acting_terms(mode).filter(|(of, _)| !is_shared(of));
+        let shares = sharing.iter().flat_map(|(stuck, together)| self.shares(*stuck, together));
+        own.map(|(of, keeps)| (of, keeps, self.term(of).clone())).chain(shares).collect()
+    }
+
+    /// What each of the points that stick together has of the friction of one.
+    fn shares(&self, stuck: usize, together: &[usize]) -> Vec<(TermOf, bool, Term)> {
+        let normals = |pair: &usize| Expr::from(self.pairs()[*pair].force_symbol());
+        let all = together.iter().map(normals).fold(0 * N, |sum, next| sum + next);
+        let friction = Expr::from(self.pairs()[stuck].friction_symbol());
+        let share = |pair: &usize| {
+            let pressed = Expr::compare(Relation::Less, Expr::zero(), &all / (1 * N));
+            let otherwise = if *pair == stuck { friction.clone() } else { 0 * &friction };
+            Expr::select(pressed, &friction * normals(pair) / &all, otherwise)
+        };
+        let of = |pair: &usize| {
+            let (share, tangent) = (share(pair), self.pairs()[*pair].tangent());
+            let sides = self.pair_list().friction_terms(*pair).iter().zip([1, -1]).enumerate();
+            let of_side = |(side, (term, sign)): (usize, (&Term, i32))| {
+                let term = Term { force: sign * &share * &tangent, ..term.clone() };
+                (TermOf::Friction(*pair, side), true, term)
+            };
+            sides.map(of_side).collect::<Vec<_>>()
+        };
+        together.iter().flat_map(of).collect()
     }
 
     /// The pairs that stick with one, itself included.

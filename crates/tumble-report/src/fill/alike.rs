@@ -123,7 +123,9 @@ fn held(study: &Study, load: &str) -> String {
     let (pivots, joints) = (&study.model.pivots, &study.model.joints);
     match pivots.iter().find(|pivot| pivot.name == load) {
         Some(pivot) => format!("pivot at {:?}", pivot.point),
-        None if joints.iter().any(|joint| joint.name == load && joint.world().is_none()) => "joint".to_owned(),
+        None if joints.iter().any(|joint| joint.name == load && joint.world().is_none()) => {
+            "joint".to_owned()
+        }
         None => load.to_owned(),
     }
 }

@@ -49,8 +49,8 @@ pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
         let own = runs.survey.located.iter().filter(|located| located.index == index);
         let parts: Vec<Text> = own.map(|located| located_words(study, located)).collect();
         let parts = if parts.is_empty() { among(index, runs).into_iter().collect() } else { parts };
-        let head = Text::from(format!("{}: ", spoken(&question.name))).capitalised();
-        let head = head.and(symbols::called(study, &symbols, &question.that.text)).and(" is ");
+        let that = symbols::called(study, &symbols, &question.that.text);
+        let head = Text::from(that).capitalised().and(format!(" ({}) is ", spoken(&question.name)));
         let joined = parts.into_iter().reduce(|all, part| all.and("; ").and(part));
         joined.map(|parts| head.and(parts).and("."))
     };
@@ -75,10 +75,10 @@ fn located_words(study: &Study, located: &Located) -> Text {
 fn place_words(place: &Optimum, unit: &str) -> Text {
     let at = place.best.at;
     let Some([low, high]) = place.between else {
-        return quantity(at, unit).and(", at the edge of the sweep");
+        return quantity(at, unit).and(", where the sweep ends");
     };
     if place.made == 0 {
-        let between = Text::from(", between its neighbours ").and(quantity(low, unit)).and(" and ");
+        let between = Text::from(", between the runs with ").and(quantity(low, unit)).and(" and ");
         return quantity(at, unit).and(between).and(quantity(high, unit));
     }
     let held = digits::digits(at, (at - low).max(high - at));

@@ -46,7 +46,7 @@ impl Located {
                 format!(" and in {} up to {}", count(equal.runs as u64 - 1, "other run"), at(equal.last))
             }
             (Some([low, high]), None) => format!(", between {} and {}", at(low), at(high)),
-            (None, None) => ", at the edge of the sweep".to_owned(),
+            (None, None) => ", where the sweep ends".to_owned(),
         };
         let made = match place.made {
             0 => String::new(),

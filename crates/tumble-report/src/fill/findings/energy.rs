@@ -30,6 +30,14 @@ struct Done {
     error: Option<f64>,
 }
 
+impl Done {
+    /// What work of that sign is called.
+    fn says(&self, work: f64) -> String {
+        let does = if work < 0.0 { "takes energy from" } else { "gives energy to" };
+        format!("{} {does} {}: ", self.name, self.body)
+    }
+}
+
 pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
     let Some(balance) = &case.balance else { return vec![] };
     let matters = |work: f64| work.abs() > MATTERS * balance.energy.scale;
@@ -37,19 +45,24 @@ pub(super) fn of(study: &Study, case: &Case) -> Vec<Said> {
     let sum = |sign: f64| all.iter().map(|done| (sign * done.work).max(0.0)).sum::<f64>();
     let (lost, gained) = (sum(-1.0), sum(1.0));
     let said = |done: &Done| {
-        let (does, whole, what) = match done.work < 0.0 {
-            true => ("takes energy from", lost, "of the total loss"),
-            false => ("gives energy to", gained, "of the total gain"),
-        };
+        let (whole, what) =
+            if done.work < 0.0 { (lost, "of the total loss") } else { (gained, "of the total gain") };
         let value = with_digits(done.work.abs(), done.error, "J");
         let percent = quantity_to(100.0 * done.work.abs() / whole, SHARE, "");
         let is_alone = done.work.abs() > (1.0 - MATTERS) * whole;
         let share = Text::from(", ").and(percent).and(format!(" % {what}"));
-        let Done { name, body, .. } = done;
-        Said::new(format!("{name} {does} {body}: "), if is_alone { value } else { value.and(share) })
+        Said::new(done.says(done.work), if is_alone { value } else { value.and(share) })
+    };
+    // Beside runs in which it matters, either way.
+    let slight = |done: &Done| {
+        let either = [1.0, -1.0].map(|way| {
+            Said::new(done.says(way), with_digits(way * done.work, done.error, "J")).where_it_matters(false)
+        });
+        if matters(done.work) { vec![] } else { either.to_vec() }
     };
     let pass = |done: &Done| Said::new(done.name.clone(), with_digits(done.work, done.error, "J"));
     let told = all.iter().filter(|done| matters(done.work)).map(said);
+    let told = told.chain(all.iter().flat_map(slight));
     told.chain(passed.iter().filter(|done| matters(done.work)).map(pass)).collect()
 }
 

@@ -6,7 +6,7 @@
 //! | [`throw`] | a free body's centre stops rising; how far it gets, if that is more than its own size; where it would be without air; whether air bears its weight |
 //! | [`turning`] | a body has turned by at least one full turn; how far a pivoted body swings; it turns back at intervals that agree; its small swings beside the gusts |
 //! | [`contacts`] | a body has touched a surface; what its first contact did to its speed and spin, and friction until it rolls, if it does; a lasting contact is lost |
-//! | [`rest`] | nothing moves faster than a small part of its greatest speed, up to the end |
+//! | [`rest`] | nothing moves faster than a small part of its greatest speed, up to the end; friction holds it there |
 //! | [`possible`] | rigid contacts with friction would allow other motions from an instant on: which |
 //! | [`energy`] | the work of loads of one kind that have no potential is more than a part of the energies in the run; what joints pass on |
 //! | [`resonance`] | nothing is asked for, and one run of a short sweep swings by much more than the median of all |
@@ -108,7 +108,10 @@ fn of_run(study: &Study, case: &Case) -> Result<Vec<Said>, CaseError> {
         found.extend(contacts::rolls(&seen)?);
         found.extend(contacts::slides(&seen));
         found.extend(contacts::lost(&seen)?);
-        found.extend(rest::of(&seen)?);
+        if let Some(rests) = rest::of(&seen)? {
+            found.push(rests);
+            found.extend(rest::held(&seen)?);
+        }
     }
     found.extend(possible::of(study, case)?);
     found.extend(energy::of(study, case));

@@ -9,10 +9,13 @@ use crate::results::{Case, count, digits};
 const READ: usize = 6;
 
 /// A finding: words that runs have in common, and the value that they may differ in.
+#[derive(Clone)]
 pub(super) struct Said {
     before: Text,
     value: Text,
     rank: Rank,
+    /// Told only beside other runs of which the same is worth telling.
+    is_slight: bool,
 }
 
 /// How much a finding says of the motion.
@@ -26,7 +29,7 @@ enum Rank {
 impl Said {
     /// `before` ends with its space; a full stop follows.
     pub(super) fn new(before: impl Into<Text>, value: Text) -> Self {
-        Self { before: before.into(), value, rank: Rank::Usual }
+        Self { before: before.into(), value, rank: Rank::Usual, is_slight: false }
     }
 
     /// One that says more of the motion than the others.
@@ -37,6 +40,11 @@ impl Said {
     /// One that says less: any motion has it.
     pub(super) fn trailing(self) -> Self {
         Self { rank: Rank::Trailing, ..self }
+    }
+
+    /// One that is worth telling in some runs alone: in the others it is told beside those.
+    pub(super) fn where_it_matters(self, matters: bool) -> Self {
+        Self { is_slight: !matters, ..self }
     }
 
     /// Whether what it says is known: of some values no digit is.
@@ -61,8 +69,11 @@ pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
             None => found.push(vec![(case, said)]),
         }
     }
+    found.retain(|same| same.iter().any(|(_, said)| !said.is_slight));
     // What runs differ in comes first: a sweep is made for it.
-    found.sort_by_key(|same| (same[0].1.rank, same.len() == runs.len()));
+    let tells_all =
+        |same: &[(&Case, &Said)]| same.iter().filter(|(_, said)| !said.is_slight).count() == runs.len();
+    found.sort_by_key(|same| (same[0].1.rank, tells_all(same)));
     found.iter().map(|same| sentence(same, runs.len())).collect()
 }
 

@@ -155,3 +155,25 @@ fn motions_that_are_possible_besides_are_listed_by_what_contacts_do() {
         ]
     );
 }
+
+/// m g sin(20 deg) of the 0.5 m g cos(20 deg) that static friction could be.
+#[test]
+fn what_rests_on_a_slope_is_held_by_friction() {
+    let found = found_in("17-block-on-a-slope");
+    let words = "Friction holds the block on the incline: 6.71 N of the 9.218 N that it could be.";
+    assert!(has(&found, words), "{found:?}");
+    let flat = found_in("27-rocking-block");
+    assert!(!has(&flat, "Friction holds"), "{flat:?}");
+}
+
+/// In the run in which the air gives little it is said too, since it gives much in the others.
+#[test]
+fn no_run_is_left_out_of_what_matters_in_another() {
+    let found = found_in("01-pendulum-in-the-wind");
+    let runs = ["0.5", "1", "2", "4"].map(|period| format!("(T = {period} s)"));
+    let of_air = found.iter().find(|text| text.starts_with("The air gives energy to the rod"));
+    assert!(of_air.is_some_and(|text| runs.iter().all(|run| text.contains(run))), "{found:?}");
+    // Where it matters in no run nothing is said.
+    assert!(!has(&found, "The air takes energy"), "{found:?}");
+    assert!(!has(&found, "turns"), "{found:?}");
+}

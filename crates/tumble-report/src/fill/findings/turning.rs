@@ -34,7 +34,8 @@ pub(super) fn rotations(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let said = Said::new(format!("{} turns {way} by ", seen.called()), value).trailing();
     let begins = seen.at(0.0, &angle)?;
     let farthest = seen.values(&angle)?.iter().map(|(_, at)| (at - begins).abs() / TAU).fold(0.0, f64::max);
-    Ok((turns.abs() >= 1.0 && turns.abs() >= FARTHEST * farthest).then_some(said))
+    let matters = turns.abs() >= 1.0 && turns.abs() >= FARTHEST * farthest;
+    Ok((turns != 0.0).then(|| said.where_it_matters(matters)))
 }
 
 /// How far a pivoted body swings to both sides, where it does not turn over.
