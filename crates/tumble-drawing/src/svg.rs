@@ -57,17 +57,13 @@ impl Svg {
     /// ties the title and the description to it for screen readers.
     pub fn inline(&self, id: &str) -> String {
         let (title, description) = (format!("{id}-title"), format!("{id}-description"));
-        let labelled = self.root_named(Some([&title, &description])).attr("aria-labelledby", title.clone());
+        let labelled = self.root(Some([&title, &description])).attr("aria-labelledby", title.clone());
         if self.description.is_empty() { labelled } else { labelled.attr("aria-describedby", description) }
             .to_string()
     }
 
-    fn root(&self) -> Element {
-        self.root_named(None)
-    }
-
     /// The root element; title and description get the names, if there are some.
-    fn root_named(&self, names: Option<[&str; 2]>) -> Element {
+    fn root(&self, names: Option<[&str; 2]>) -> Element {
         let named = |element: Element, i: usize| match names {
             Some(names) => element.attr("id", names[i]),
             None => element,
@@ -89,7 +85,7 @@ impl Svg {
 
 impl Display for Svg {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.root().fmt(f)?;
+        self.root(None).fmt(f)?;
         f.write_char('\n')
     }
 }
@@ -257,7 +253,9 @@ impl PathData {
 
     /// A closed outline through `points`.
     pub fn polygon(points: &[[f64; 2]]) -> Self {
-        Self::polyline(points).close()
+        let mut path = Self::default();
+        path.add_polygon(points);
+        path
     }
 
     /// Starts a new piece at the first point and draws to the others.
@@ -279,12 +277,6 @@ impl PathData {
     pub fn add_polygon(&mut self, points: &[[f64; 2]]) {
         self.add_polyline(points);
         self.0.push('Z');
-    }
-
-    /// Closes the current piece with a straight line.
-    pub fn close(mut self) -> Self {
-        self.0.push('Z');
-        self
     }
 
     /// Whether nothing has been drawn.
