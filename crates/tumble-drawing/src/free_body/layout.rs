@@ -7,7 +7,6 @@ use crate::rect::Rect;
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::rings;
 use super::strokes::{spreads, strokes};
-use super::surface::HATCH_DEPTH;
 use crate::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};
 
 /// A map from world coordinates to the page that keeps its digits far from the origin.
@@ -76,6 +75,12 @@ pub(crate) fn body_size(body: &FreeBodyDiagram) -> [f64; 2] {
     Rect::around(body_points(body)).map_or([0.0; 2], |r| [r.width, r.height])
 }
 
+/// What a body and its arrows take, in pixels about its centre of mass.
+pub(super) fn about_centre(body: &FreeBodyDiagram, scales: &Scales) -> Rect {
+    let view = View { centre: body.pose.centre(), at: [0.0; 2], density: scales.density };
+    bounds(body, &view, scales)
+}
+
 /// The space on the page that everything drawn in a panel needs.
 pub(crate) fn bounds(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> Rect {
     let mut points: Vec<_> = body_points(body).into_iter().map(|p| view.pixel(p)).collect();
@@ -96,7 +101,7 @@ fn near_surfaces(body: &FreeBodyDiagram, view: &View) -> Vec<Point> {
     let foot = |surface: &super::surface::Ground| {
         let lowest = points.iter().min_by(|a, b| surface.height(**a).total_cmp(&surface.height(**b)))?;
         let foot = view.pixel(surface.foot(*lowest));
-        let below = along(foot, surface.page_normal(), -HATCH_DEPTH);
+        let [below] = surface.below([foot]);
         (surface.height(*lowest) <= near).then_some([foot, below])
     };
     body.surfaces.iter().filter_map(foot).flatten().collect()

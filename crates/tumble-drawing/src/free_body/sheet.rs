@@ -16,8 +16,8 @@ use super::describe::describe;
 use super::fit::{Room, scales};
 use super::grid::{Grid, rooms};
 use super::key::{Entry, Key};
-use super::layout::{Scales, View, body_size};
-use super::panel::{Drawing, INSET, Panel, Source, Trim, about_centre, centred_in, room, split};
+use super::layout::{Scales, View, about_centre, body_size};
+use super::panel::{Drawing, INSET, Panel, Source, Trim, centred_in, room, split};
 use crate::geometry::{Point, minus, plus};
 
 /// Height of a sheet without panels, in pixels.

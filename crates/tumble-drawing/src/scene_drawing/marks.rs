@@ -9,7 +9,7 @@ use crate::rect::Rect;
 use crate::scene_drawing::LinkKind;
 use crate::svg::{Element, PathData, circle};
 use crate::text::{Label, PlacedText};
-use crate::theme::{AIR, ArrowStyle, GREY, HAIRLINE, INK, PAPER, SMALL, WEIGHT};
+use crate::theme::{AIR, GREY, HAIRLINE, INK, LineStyle, PAPER, SMALL, WEIGHT};
 
 /// Half the width and the height of a pivot's triangle, in pixels.
 const PIVOT: [f64; 2] = [9.0, 13.0];
@@ -90,7 +90,7 @@ pub(super) fn fields(scene: &SceneDrawing, area: &Rect, drawn: &mut Occupancy) -
 fn field(
     vector: Point,
     label: &Label,
-    style: ArrowStyle,
+    style: LineStyle,
     count: usize,
     area: &Rect,
     drawn: &mut Occupancy,
@@ -128,7 +128,7 @@ fn field(
     Some(Element::new("g").children((0..count).map(stroke)).child(name))
 }
 
-fn arrow(middle: Point, forward: Point, style: ArrowStyle) -> Element {
+fn arrow(middle: Point, forward: Point, style: LineStyle) -> Element {
     let ends = [-0.5, 0.5].map(|part| along(middle, forward, part * FIELD));
     draw::arrow(&Stroke::new(ends, style, Form::Full))
 }
