@@ -173,6 +173,11 @@ impl Math {
         Self::Power(Box::new(self), Box::new(exponent))
     }
 
+    /// With brackets if it is a row of terms.
+    pub(crate) fn as_term(self) -> Self {
+        if matches!(self, Self::Row(_)) { self.bracketed() } else { self }
+    }
+
     pub(crate) fn bracketed(self) -> Self {
         Self::Brackets(Box::new(self))
     }
