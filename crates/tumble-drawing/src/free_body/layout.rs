@@ -1,13 +1,13 @@
 //! Where the parts of a panel lie on the page.
 
 use crate::axes::Axes;
-use crate::outline::{Outline, Plane, rod_thickness};
+use crate::outline::{Outline, Plane, rod_sides};
 use crate::rect::Rect;
 
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::rings;
 use super::strokes::{spreads, strokes};
-use crate::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};
+use crate::geometry::{Point, along, direction};
 
 /// A map from world coordinates to the page that keeps its digits far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,16 +129,12 @@ pub(crate) fn faces(body: &FreeBodyDiagram, view: &View) -> Vec<Vec<Point>> {
             let centre = view.pixel(body.pose.world(*centre));
             Some(crate::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
         }
-        Outline::Segment { from, to } => Some(rod([*from, *to].map(|p| view.pixel(body.pose.world(p))))),
+        Outline::Segment { from, to } => {
+            let ends = [*from, *to].map(|p| view.pixel(body.pose.world(p)));
+            let [[a, b], [c, d]] = rod_sides(ends).unwrap_or([ends; 2]);
+            Some(vec![a, b, d, c])
+        }
         Outline::Point(_) | Outline::Cord { .. } => None,
     };
     body.outlines.iter().filter_map(face).collect()
-}
-
-/// The rectangle that a rod takes.
-fn rod([from, to]: [Point; 2]) -> Vec<Point> {
-    let axis = minus(to, from);
-    let half = rod_thickness(length(axis)) / 2.0;
-    let side = times(turned(unit(axis).unwrap_or_default()), half);
-    vec![plus(from, side), plus(to, side), minus(to, side), minus(from, side)]
 }

@@ -109,16 +109,13 @@ fn field(
     };
     let place = free_place(size, area, drawn);
     drawn.add_box(place);
-    let centre = if upright {
-        [place.x + arrows[0] / 2.0, place.centre()[1]]
+    let [x, y] = place.centre();
+    let (centre, corner) = if upright {
+        ([place.x + arrows[0] / 2.0, y], [place.right() - text[0], y - text[1] / 2.0])
     } else {
-        [place.centre()[0], place.y + arrows[1] / 2.0]
+        ([x, place.y + arrows[1] / 2.0], [x - text[0] / 2.0, place.bottom() - text[1]])
     };
-    let label_place = if upright {
-        Rect::new(place.right() - text[0], place.centre()[1] - text[1] / 2.0, text[0], text[1])
-    } else {
-        Rect::new(place.centre()[0] - text[0] / 2.0, place.bottom() - text[1], text[0], text[1])
-    };
+    let label_place = Rect::new(corner[0], corner[1], text[0], text[1]);
     let stroke = |i: usize| {
         let off = WIND_STEP * (i as f64 - (count as f64 - 1.0) / 2.0);
         let middle = along(centre, turned(forward), off);
