@@ -73,12 +73,12 @@ fn ends(body: &MovingBody) -> Option<String> {
 }
 
 /// A motion for a page that is there already.
-pub(in crate::report) fn motion(animation: &Animation) -> String {
+pub fn motion(animation: &Animation) -> String {
     motion_data(animation, &description(animation))
 }
 
 /// One case alone, small: no forces, and no more frames than a small picture needs.
-pub(in crate::report) fn living(animation: &Animation) -> String {
+pub fn living(animation: &Animation) -> String {
     let case = telling(&animation.cases).map(|motion| MovingCase { forces: vec![], ..motion.clone() });
     let small = Animation { cases: case.into_iter().collect(), ..animation.clone() };
     let description = description(&small);
@@ -164,16 +164,17 @@ fn body(body: &MovingBody, frames: &[usize]) -> String {
 }
 
 fn outline(outline: &Outline) -> String {
-    let (name, numbers) = match outline {
-        Outline::Segment { from, to } => ("rod", vec![from[0], from[1], to[0], to[1]]),
-        Outline::Cord { from, to } => ("cord", vec![from[0], from[1], to[0], to[1]]),
-        Outline::Circle { centre, radius, is_hollow } => {
-            (if *is_hollow { "ring" } else { "circle" }, vec![centre[0], centre[1], *radius])
+    let (name, radius) = match outline {
+        Outline::Segment { .. } => ("rod", None),
+        Outline::Cord { .. } => ("cord", None),
+        Outline::Circle { radius, is_hollow, .. } => {
+            (if *is_hollow { "ring" } else { "circle" }, Some(*radius))
         }
-        Outline::Polygon(corners) => ("polygon", corners.iter().flatten().copied().collect()),
-        Outline::Point(at) => ("point", at.to_vec()),
+        Outline::Polygon(_) => ("polygon", None),
+        Outline::Point(_) => ("point", None),
     };
-    list(std::iter::once(string(name)).chain(numbers.into_iter().map(number)))
+    let numbers = outline.points().into_iter().flatten().chain(radius).map(number);
+    list(std::iter::once(string(name)).chain(numbers))
 }
 
 fn link(link: &MovingLink, frames: &[usize]) -> String {
