@@ -17,7 +17,7 @@ impl Algebra {
             Form::Number(value) => self.number(value.abs()),
             Form::Product(by, factors) => self.abs_of_product(&by, &factors),
             Form::Sum(_) => self.abs_of_sum(id),
-            _ => self.intern(Form::Call(Function::Unary(Unary::Abs), vec![id])),
+            _ => self.call(Unary::Abs, id),
         }
     }
 
@@ -28,7 +28,7 @@ impl Algebra {
 
     fn abs_of_sum(&mut self, id: Id) -> Id {
         let (content, shared, primitive) = self.primitive(id);
-        let bars = self.intern(Form::Call(Function::Unary(Unary::Abs), vec![primitive]));
+        let bars = self.call(Unary::Abs, primitive);
         let mut factors = vec![(bars, Exponent::one())];
         factors.extend(self.abs_of_factors(&shared));
         self.product(content.abs(), &factors)

@@ -12,7 +12,7 @@ use crate::rational::{Rational, ratio};
 const MOST_TERMS: usize = 40;
 
 impl Algebra {
-    fn call(&mut self, op: Unary, id: Id) -> Id {
+    pub(super) fn call(&mut self, op: Unary, id: Id) -> Id {
         self.intern(Form::Call(Function::Unary(op), vec![id]))
     }
 
