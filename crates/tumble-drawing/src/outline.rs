@@ -200,11 +200,11 @@ pub(crate) fn rod_thickness(length: f64) -> f64 {
 
 /// A bar with round ends that is just as long as the rod.
 fn draw_rod(a: [f64; 2], b: [f64; 2], pen: Pen) -> Vec<Element> {
-    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
+    let way = minus(b, a);
+    let length = length(way).max(f64::MIN_POSITIVE);
     let thickness = rod_thickness(length);
-    let inset = [dx, dy].map(|d| d / length * thickness / 2.0);
-    let ends = ([a[0] + inset[0], a[1] + inset[1]], [b[0] - inset[0], b[1] - inset[1]]);
+    let inset = way.map(|d| d / length * thickness / 2.0);
+    let ends = (plus(a, inset), minus(b, inset));
     let bar =
         |colour: Rgb, width: f64| line(ends.0, ends.1).stroked(colour, width).attr("stroke-linecap", "round");
     let full = bar(pen.colour, thickness);

@@ -142,9 +142,12 @@ impl<'a> Layout<'a> {
         vec![kinds, self.bars()]
     }
 
+    fn drawings(&self) -> impl Iterator<Item = &Drawing> {
+        self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side))
+    }
+
     fn kinds(&self) -> BTreeSet<ArrowKind> {
-        let drawings = self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
-        let bodies = drawings.map(|drawing| &drawing.body);
+        let bodies = self.drawings().map(|drawing| &drawing.body);
         bodies
             .flat_map(|body| {
                 let arrows = body.forces.iter().chain(&body.resultant).map(|force| force.kind);
@@ -175,12 +178,10 @@ impl<'a> Layout<'a> {
 
     fn captions(&self) -> Vec<Label> {
         let mut captions = self.sheet.captions.clone();
-        let drawings =
-            || self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
-        if drawings().any(|drawing| drawing.strokes.iter().any(|stroke| stroke.broken)) {
+        if self.drawings().any(|drawing| drawing.strokes.iter().any(|stroke| stroke.broken)) {
             captions.push(Label::plain("An arrow with a break (//) is drawn longer than its scale."));
         }
-        if drawings().any(|drawing| !drawing.rings.is_empty()) {
+        if self.drawings().any(|drawing| !drawing.rings.is_empty()) {
             captions.push(Label::plain("Circular arrows are not to scale."));
         }
         captions
