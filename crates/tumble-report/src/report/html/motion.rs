@@ -1,7 +1,7 @@
 //! The data of a motion for the page's scripts, and the picture that stands for it without them.
 
 use super::data::{label, mark};
-use crate::report::json::{Grid, list, number, object, string};
+use crate::report::json::{list, number, object, on_grid, string};
 use tumble_drawing::free_body::{Ground, GroundCircle, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
@@ -134,7 +134,7 @@ fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
 fn case(motion: &MovingCase, frames: &[usize]) -> String {
     object([
         ("name", label(&motion.name)),
-        ("times", Grid::encoded(frames.iter().map(|i| motion.times[*i]), TIME_STEPS)),
+        ("times", on_grid(frames.iter().map(|i| motion.times[*i]), TIME_STEPS)),
         ("bodies", list(motion.bodies.iter().map(|b| body(b, frames)))),
         ("links", list(motion.links.iter().map(|l| link(l, frames)))),
         ("forces", list(motion.forces.iter().map(|f| force(f, frames)))),
@@ -149,7 +149,7 @@ fn case(motion: &MovingCase, frames: &[usize]) -> String {
 /// The values at the kept frames; the last one stays where there are too few.
 fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> String {
     let values: Vec<f64> = frames.iter().filter_map(|i| values.get(*i).or(values.last()).map(&of)).collect();
-    Grid::encoded(values.iter().copied(), STEPS)
+    on_grid(values.iter().copied(), STEPS)
 }
 
 fn body(body: &MovingBody, frames: &[usize]) -> String {
