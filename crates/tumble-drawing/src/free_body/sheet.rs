@@ -116,7 +116,8 @@ impl<'a> Layout<'a> {
 
     fn svg(&self) -> Svg {
         let [width, height] = self.size;
-        let mut svg = Svg::on_paper(width, height, self.title()).described(self.sheet.description());
+        let title = self.sheet.shown_title().to_plain_or("Free-body diagram");
+        let mut svg = Svg::on_paper(width, height, title).described(self.sheet.description());
         svg.push(self.heading.draw());
         let framed = self.panels.len() > 1;
         svg.children.extend(self.panels.iter().map(|panel| panel.draw(framed)));
@@ -128,11 +129,6 @@ impl<'a> Layout<'a> {
     /// The space in which a sheet without panels says so.
     fn blank(&self) -> Rect {
         Rect::new(MARGIN, self.heading.bottom(), self.size[0] - 2.0 * MARGIN, BLANK_HEIGHT)
-    }
-
-    fn title(&self) -> String {
-        let title = self.sheet.shown_title().to_plain();
-        if title.is_empty() { "Free-body diagram".to_owned() } else { title }
     }
 
     fn groups(&self) -> Vec<Vec<Entry>> {

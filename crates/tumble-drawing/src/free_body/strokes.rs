@@ -152,7 +152,6 @@ pub(crate) fn stroke_labels(body: &FreeBodyDiagram) -> Vec<Label> {
 /// `symbol = value unit`; without a symbol the value alone.
 pub(crate) fn equation(symbol: &Label, value: f64, unit: &str) -> Label {
     // Rounded text passes through unchanged: powers of ten keep their raised exponent.
-    let space = if unit == "deg" { "" } else { "\u{a0}" };
-    let quantity = Label::number(value, DIGITS).then(Label::plain(space)).then(Label::unit(unit));
+    let quantity = Label::number(value, DIGITS).in_unit(unit);
     if symbol.is_empty() { quantity } else { symbol.clone().then(Label::plain(" = ")).then(quantity) }
 }

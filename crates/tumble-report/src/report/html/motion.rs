@@ -24,18 +24,13 @@ const INSTANTS: usize = 13;
 
 /// The first case as a stroboscopic picture, described in words.
 pub(in crate::report) fn still(animation: &Animation) -> Svg {
-    let motion = animation.cases.first();
-    let tracks = motion.map(|motion| motion.bodies.iter().map(|b| track(motion, b)).collect());
-    let surfaces = motion.map(|motion| motion.surfaces.clone()).unwrap_or_default();
-    let picture = StroboscopicPicture {
-        tracks: tracks.unwrap_or_default(),
-        surfaces,
+    let picture = animation.cases.first().map(|motion| StroboscopicPicture {
+        tracks: motion.bodies.iter().map(|b| track(motion, b)).collect(),
+        surfaces: motion.surfaces.clone(),
         ..StroboscopicPicture::default()
-    };
-    let mut svg = picture.small_svg().described(description(animation));
-    let title = animation.title.to_plain();
-    svg.title = if title.is_empty() { "Motion".to_owned() } else { title };
-    svg
+    });
+    let svg = picture.unwrap_or_default().small_svg().described(description(animation));
+    Svg { title: animation.title.to_plain_or("Motion"), ..svg }
 }
 
 fn track(motion: &MovingCase, body: &MovingBody) -> BodyPath {
@@ -68,7 +63,7 @@ fn ends(body: &MovingBody) -> Option<String> {
         format!("({x}, {y}) m at {degrees} degrees")
     };
     let (first, last) = (body.poses.first()?, body.poses.last()?);
-    let name = if body.name.is_empty() { "The body".to_owned() } else { body.name.to_plain() };
+    let name = body.name.to_plain_or("The body");
     Some(format!("{name} moves from {} to {}.", place(first), place(last)))
 }
 
@@ -152,6 +147,12 @@ fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> Strin
     on_grid(values.iter().copied(), STEPS)
 }
 
+/// The columns of pairs of points, or of a point and a force.
+fn pairs(values: &[[[f64; 2]; 2]], frames: &[usize]) -> String {
+    let column = |(part, k): (usize, usize)| at_frames(values, frames, |pair| pair[part][k]);
+    list([(0, 0), (0, 1), (1, 0), (1, 1)].map(column))
+}
+
 fn body(body: &MovingBody, frames: &[usize]) -> String {
     object([
         ("name", label(&body.name)),
@@ -182,20 +183,17 @@ fn link(link: &MovingLink, frames: &[usize]) -> String {
         LinkKind::Spring => "spring",
         LinkKind::Damper => "damper",
     };
-    let column = |end: usize, k: usize| at_frames(&link.ends, frames, |ends| ends[end][k]);
-    let ends = list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)]);
-    object([("name", label(&link.name)), ("kind", string(kind)), ("ends", ends)])
+    object([("name", label(&link.name)), ("kind", string(kind)), ("ends", pairs(&link.ends, frames))])
 }
 
 fn force(force: &MovingForce, frames: &[usize]) -> String {
-    let column = |part: usize, k: usize| at_frames(&force.samples, frames, |sample| sample[part][k]);
     let style = force.kind.style();
     object([
         ("kind", string(force.kind.name())),
         ("dashes", string(style.dashes)),
         ("thickness", number(style.thickness)),
         ("symbol", label(&force.symbol)),
-        ("samples", list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)])),
+        ("samples", pairs(&force.samples, frames)),
     ])
 }
 
